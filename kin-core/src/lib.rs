@@ -1,0 +1,3 @@
+//! Symbolic kinematics of planar mechanisms.
+pub mod error;
+pub mod mechanism;

@@ -1,0 +1,164 @@
+//! Bodies, scalar coordinates, points and the other named parts of a mechanism.
+
+use super::{Formula, Index};
+use crate::error::Origin;
+
+/// A body: the ground or a member of a family of bodies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum BodyRef {
+    /// The fixed frame O–xy.
+    Ground(Origin),
+    /// A member of `Mechanism::bodies`.
+    Body {
+        /// Position of the family in `Mechanism::bodies`.
+        family: usize,
+        /// Index in the family.
+        index: Index,
+        /// The token that named it.
+        origin: Origin,
+    },
+}
+
+impl BodyRef {
+    /// The token that named the body.
+    pub const fn origin(&self) -> Origin {
+        match self {
+            Self::Ground(origin) | Self::Body { origin, .. } => *origin,
+        }
+    }
+
+    /// True for the ground.
+    pub const fn is_ground(&self) -> bool {
+        matches!(self, Self::Ground(_))
+    }
+}
+
+/// How the origin of a body is given.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BodyOrigin {
+    /// x and y are generalized coordinates unless held at a value (lecture, solutions 1 and 2).
+    Free {
+        /// Held x, a formula of parameters, t and inputs.
+        x: Option<Formula>,
+        /// Held y, likewise.
+        y: Option<Formula>,
+    },
+    /// The origin is a point of another body (lecture, solution 3).
+    Carried(Place),
+}
+
+/// A body, or a family of equal bodies `link[0] … link[len − 1]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    /// Name without index.
+    pub name: String,
+    /// Number of members; `None` for a single body.
+    pub len: Option<usize>,
+    /// Where the origin comes from.
+    pub origin_at: BodyOrigin,
+    /// Held rotation, a formula of parameters, t and inputs.
+    pub phi: Option<Formula>,
+    /// The token that declared it.
+    pub origin: Origin,
+}
+
+/// Scalar generalized coordinates (global method, curve parameters).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scalar {
+    /// Name without index.
+    pub name: String,
+    /// Number of members; `None` for a single one.
+    pub len: Option<usize>,
+    /// The token that declared it.
+    pub origin: Origin,
+}
+
+/// A parameter: a field of the struct.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    /// Field name.
+    pub name: String,
+    /// Number of elements of an array field.
+    pub len: Option<usize>,
+    /// Unit for people, as written.
+    pub unit: Option<String>,
+    /// Default value of every element, when all have one.
+    pub default: Option<Vec<f64>>,
+    /// The field's doc comment, first paragraph.
+    pub doc: String,
+    /// The token that declared it.
+    pub origin: Origin,
+}
+
+/// A signal known only at run time, with its rate and acceleration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Input {
+    /// Name.
+    pub name: String,
+    /// The token that declared it.
+    pub origin: Origin,
+}
+
+/// A scalar function that the caller supplies as a field of the struct.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SuppliedFunction {
+    /// Field name.
+    pub name: String,
+    /// The token that declared it.
+    pub origin: Origin,
+}
+
+/// A point of a body: `body @ (x, y)` in that body's frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Place {
+    /// The body.
+    pub body: BodyRef,
+    /// First body-fixed coordinate, a formula of parameters.
+    pub x: Formula,
+    /// Second body-fixed coordinate.
+    pub y: Formula,
+    /// The whole operand.
+    pub origin: Origin,
+}
+
+/// A named point, reported with velocity and acceleration; `range` when repeated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedPoint {
+    /// Name without index.
+    pub name: String,
+    /// Range of the family, when repeated.
+    pub range: Option<Range>,
+    /// Where it is.
+    pub place: Place,
+    /// The token that declared it.
+    pub origin: Origin,
+}
+
+/// A named expression, reported with rate and acceleration when it holds coordinates.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Define {
+    /// Name without index.
+    pub name: String,
+    /// Range of the family, when repeated.
+    pub range: Option<Range>,
+    /// Its formula.
+    pub formula: Formula,
+    /// The token that declared it.
+    pub origin: Origin,
+}
+
+/// The range of a repeated row, point or define: `N[i in start..end]`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Range {
+    /// First index.
+    pub start: i64,
+    /// One past the last index.
+    pub end: i64,
+}
+
+impl Range {
+    /// The indices in order.
+    pub fn indices(self) -> core::ops::Range<i64> {
+        self.start..self.end
+    }
+}

@@ -1,0 +1,164 @@
+//! Joints, drivers and free equations: what contributes rows to Φ.
+
+use super::{BodyRef, Component, Formula, Member, Place, Range};
+use crate::error::Origin;
+
+/// An axis direction in the frame of the first operand's body; kin normalises it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// First component, a formula of parameters.
+    pub x: Formula,
+    /// Second component.
+    pub y: Formula,
+    /// The tokens of the axis.
+    pub origin: Origin,
+}
+
+/// What a joint says. Operands come in the user's order: first belongs to body i, second to body j.
+#[derive(Clone, Debug, PartialEq)]
+pub enum JointKind {
+    /// r_Q − r_P.
+    Revolute {
+        /// Point of body i.
+        p: Place,
+        /// Point of body j.
+        q: Place,
+    },
+    /// perp(A_i v̂)·(r_Q − r_P); φ_j − φ_i − c.
+    Translational {
+        /// Point of body i.
+        p: Place,
+        /// Point of body j.
+        q: Place,
+        /// v in body i.
+        axis: Axis,
+        /// c.
+        angle: Formula,
+    },
+    /// r_Q − r_P; φ_j − φ_i − c.
+    Fixed {
+        /// Point of body i.
+        p: Place,
+        /// Point of body j.
+        q: Place,
+        /// c.
+        angle: Formula,
+    },
+    /// perp(A_i v̂)·(r_Q − r_P) − e.
+    PointOnLine {
+        /// Point of body i on the line.
+        p: Place,
+        /// Point of body j.
+        q: Place,
+        /// v in body i.
+        axis: Axis,
+        /// e.
+        offset: Formula,
+    },
+    /// |r_Q − r_P|² − e².
+    Distance {
+        /// Point of body i.
+        p: Place,
+        /// Point of body j.
+        q: Place,
+        /// e, and the tokens it is written with.
+        length: Formula,
+        /// The tokens of the length.
+        length_origin: Origin,
+    },
+    /// x_P − e or y_P − e.
+    Coordinate {
+        /// The point.
+        p: Place,
+        /// X or Y.
+        component: Component,
+        /// e.
+        value: Formula,
+    },
+    /// φ − e.
+    Angle {
+        /// The body.
+        body: BodyRef,
+        /// e.
+        value: Formula,
+    },
+    /// φ_b − φ_a − e.
+    RelativeAngle {
+        /// Body i.
+        a: BodyRef,
+        /// Body j.
+        b: BodyRef,
+        /// e.
+        value: Formula,
+    },
+    /// Left minus right, a free-form holonomic row.
+    Constraint {
+        /// Left side.
+        left: Formula,
+        /// Right side.
+        right: Formula,
+    },
+    /// Left minus right, a driving constraint; `distance(P, Q) = f` gives |r_Q − r_P|² − f².
+    Driver {
+        /// Left side.
+        left: Formula,
+        /// Right side.
+        right: Formula,
+    },
+}
+
+impl JointKind {
+    /// The keyword of the user's language.
+    pub const fn keyword(&self) -> &'static str {
+        match self {
+            Self::Revolute { .. } => "revolute",
+            Self::Translational { .. } => "translational",
+            Self::Fixed { .. } => "fixed",
+            Self::PointOnLine { .. } => "point_on_line",
+            Self::Distance { .. } => "distance",
+            Self::Coordinate { component: Component::Y, .. } => "y",
+            Self::Coordinate { .. } => "x",
+            Self::Angle { .. } => "angle",
+            Self::RelativeAngle { .. } => "relative_angle",
+            Self::Constraint { .. } => "constraint",
+            Self::Driver { .. } => "driver",
+        }
+    }
+}
+
+/// A joint, driver or equation, or a family of them over a range.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Joint {
+    /// Name without index.
+    pub name: String,
+    /// Range, when repeated.
+    pub range: Option<Range>,
+    /// What it says.
+    pub kind: JointKind,
+    /// The keyword's token.
+    pub keyword: Origin,
+    /// The name's token.
+    pub origin: Origin,
+}
+
+/// What a guess sets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum GuessTarget {
+    /// A coordinate of a body.
+    Pose(BodyRef, Component),
+    /// A scalar coordinate.
+    Scalar(Member),
+}
+
+/// The start of assembly for one coordinate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Guess {
+    /// Which coordinate.
+    pub target: GuessTarget,
+    /// Its value, a formula of parameters.
+    pub value: Formula,
+    /// Range, when repeated.
+    pub range: Option<Range>,
+    /// The target's token.
+    pub origin: Origin,
+}

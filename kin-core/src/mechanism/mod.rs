@@ -1,0 +1,44 @@
+//! The declarative model: ground, bodies, body-fixed points, joints and drivers, with all names resolved.
+//!
+//! A [`Mechanism`] says what the user said and nothing more; families (`link[10]`, `N[i in 0..10]: …`) stay
+//! families. [`check`](check::check) lists what is wrong with it.
+
+mod body;
+pub mod check;
+mod formula;
+mod joint;
+
+pub use body::{
+    Body, BodyOrigin, BodyRef, Define, Input, NamedPoint, Parameter, Place, Range, Scalar, SuppliedFunction,
+};
+pub use formula::{Component, Formula, Function, Index, Member};
+pub use joint::{Axis, Guess, GuessTarget, Joint, JointKind};
+
+use crate::error::Origin;
+
+/// A planar mechanism as described.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mechanism {
+    /// Name of the struct.
+    pub name: String,
+    /// The struct's name token.
+    pub origin: Origin,
+    /// Fields that are numbers or arrays of numbers, in order.
+    pub parameters: Vec<Parameter>,
+    /// Fields that are supplied functions, in order.
+    pub functions: Vec<SuppliedFunction>,
+    /// Signals known only at run time.
+    pub inputs: Vec<Input>,
+    /// Bodies in order of declaration.
+    pub bodies: Vec<Body>,
+    /// Scalar coordinates in order of declaration; they follow the bodies in q.
+    pub scalars: Vec<Scalar>,
+    /// Named points.
+    pub points: Vec<NamedPoint>,
+    /// Named expressions.
+    pub defines: Vec<Define>,
+    /// Joints, drivers and equations in order of declaration; their rows stand in this order in Φ.
+    pub joints: Vec<Joint>,
+    /// Start of assembly.
+    pub guesses: Vec<Guess>,
+}

@@ -1,0 +1,186 @@
+//! The trait that `#[mechanism]` implements.
+
+use crate::model::Model;
+use crate::scalar::Scalar;
+use crate::workspace::{Array, Evaluation, Instant, Subset};
+
+/// A workspace for Φ, Φ_q, Φ_t and γ of the mechanism `M`.
+pub type Workspace<M, T = f64> = Evaluation<<M as Mechanism>::Rows<T>, <M as Mechanism>::NonZeros<T>>;
+
+/// A workspace for the observables of the mechanism `M`: poses, points, defines and joint quantities.
+pub type Observations<M, T = f64> =
+    Evaluation<<M as Mechanism>::Observables<T>, <M as Mechanism>::ObservableNonZeros<T>>;
+
+/// A slice has the wrong number of entries.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LengthError {
+    /// Which argument.
+    pub what: &'static str,
+    /// How many entries it must have.
+    pub expected: usize,
+    /// How many it has.
+    pub found: usize,
+}
+
+impl core::fmt::Display for LengthError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "{} has {} entries and must have {}", self.what, self.found, self.expected)
+    }
+}
+
+impl core::error::Error for LengthError {}
+
+/// A planar mechanism with closed-form constraints, written by `#[mechanism]`.
+///
+/// Shapes: n coordinates, s rows. q, q̇ are slices of n numbers in the order of [`Model::coordinates`]; Φ, Φ_t, γ have
+/// s numbers in the order of [`Model::rows`]; Φ_q is given by its non-zeros in the order of
+/// [`Model::constraint_pattern`]. Lengths in the user's unit, angles in radians, counter-clockwise.
+///
+/// The evaluation path needs neither `std` nor an allocator.
+pub trait Mechanism: Sized {
+    /// n, the number of generalized coordinates.
+    const COORDINATES: usize;
+    /// s, the number of rows of Φ.
+    const ROWS: usize;
+    /// The number of parameters, array fields element by element.
+    const PARAMETERS: usize;
+    /// The number of inputs.
+    const INPUTS: usize;
+
+    /// `[T; PARAMETERS]`.
+    type Parameters<T: Scalar>: Array<T>;
+    /// `[T; COORDINATES]`.
+    type Coordinates<T: Scalar>: Array<T>;
+    /// `[T; ROWS]`.
+    type Rows<T: Scalar>: Array<T>;
+    /// One `T` for every entry of the pattern of Φ_q.
+    type NonZeros<T: Scalar>: Array<T>;
+    /// One `T` for every observable.
+    type Observables<T: Scalar>: Array<T>;
+    /// One `T` for every entry of the pattern of the observables' Jacobian.
+    type ObservableNonZeros<T: Scalar>: Array<T>;
+
+    /// Names, rows, patterns and geometry.
+    fn model() -> &'static Model;
+
+    /// The parameters as the scalar `T`, in the order of [`Model::parameters`].
+    fn parameters<T: Scalar>(&self) -> Self::Parameters<T>;
+
+    /// Sets the parameter at `index` of [`Model::parameters`]; false when there is no such index.
+    fn set_parameter(&mut self, index: usize, value: f64) -> bool;
+
+    /// Φ, Φ_q, Φ_t, γ, or any subset of them, at parameters that the caller supplies; all shared work is done once.
+    ///
+    /// Units follow the parameters. Parts that `subset` does not ask for may be overwritten or left alone.
+    ///
+    /// # Errors
+    /// When `parameters`, the inputs, `q` or `q_dot` have the wrong length.
+    fn evaluate_with<T: Scalar>(
+        &self,
+        parameters: &[T],
+        subset: Subset,
+        at: &Instant<'_, T>,
+        q: &[T],
+        q_dot: &[T],
+        workspace: &mut Workspace<Self, T>,
+    ) -> Result<(), LengthError>;
+
+    /// The observables with their Jacobian, time derivative and acceleration right-hand side.
+    ///
+    /// # Errors
+    /// As [`evaluate_with`](Self::evaluate_with).
+    fn observe_with<T: Scalar>(
+        &self,
+        parameters: &[T],
+        at: &Instant<'_, T>,
+        q: &[T],
+        q_dot: &[T],
+        observations: &mut Observations<Self, T>,
+    ) -> Result<(), LengthError>;
+
+    /// Local points, axes and values of all joints and points, [`Model::geometry`] numbers.
+    ///
+    /// # Errors
+    /// As [`evaluate_with`](Self::evaluate_with).
+    fn write_geometry<T: Scalar>(
+        &self,
+        parameters: &[T],
+        at: &Instant<'_, T>,
+        geometry: &mut [T],
+    ) -> Result<(), LengthError>;
+
+    /// The guessed values of the coordinates listed in [`Model::guesses`].
+    ///
+    /// # Errors
+    /// As [`evaluate_with`](Self::evaluate_with).
+    fn write_guesses<T: Scalar>(&self, parameters: &[T], guesses: &mut [T]) -> Result<(), LengthError>;
+
+    /// A workspace with the constant entries of Φ_q in place.
+    fn workspace<T: Scalar>() -> Workspace<Self, T> {
+        Evaluation::new(&Self::model().constraint_pattern)
+    }
+
+    /// A workspace for the observables with the constant entries of their Jacobian in place.
+    fn observations<T: Scalar>() -> Observations<Self, T> {
+        Evaluation::new(&Self::model().observable_pattern)
+    }
+
+    /// Φ, Φ_q, Φ_t, γ, or any subset of them, at the struct's own parameters.
+    ///
+    /// # Errors
+    /// As [`evaluate_with`](Self::evaluate_with).
+    fn evaluate<T: Scalar>(
+        &self,
+        subset: Subset,
+        at: &Instant<'_, T>,
+        q: &[T],
+        q_dot: &[T],
+        workspace: &mut Workspace<Self, T>,
+    ) -> Result<(), LengthError> {
+        let parameters = self.parameters::<T>();
+        self.evaluate_with(parameters.as_ref(), subset, at, q, q_dot, workspace)
+    }
+
+    /// Φ(q, t), s numbers.
+    ///
+    /// # Errors
+    /// As [`evaluate_with`](Self::evaluate_with).
+    fn constraints<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::Rows<T>, LengthError> {
+        let mut workspace = Self::workspace::<T>();
+        let rest = Self::Coordinates::<T>::generate(|_| T::from_f64(0.0));
+        self.evaluate(Subset::PHI, at, q, rest.as_ref(), &mut workspace)?;
+        Ok(*workspace.parts_mut().0)
+    }
+
+    /// The non-zeros of Φ_q(q, t), in the order of [`Model::constraint_pattern`].
+    ///
+    /// # Errors
+    /// As [`evaluate_with`](Self::evaluate_with).
+    fn jacobian<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::NonZeros<T>, LengthError> {
+        let mut workspace = Self::workspace::<T>();
+        let rest = Self::Coordinates::<T>::generate(|_| T::from_f64(0.0));
+        self.evaluate(Subset::JACOBIAN, at, q, rest.as_ref(), &mut workspace)?;
+        Ok(*workspace.parts_mut().1)
+    }
+
+    /// Φ_t(q, t), s numbers; ν = −Φ_t.
+    ///
+    /// # Errors
+    /// As [`evaluate_with`](Self::evaluate_with).
+    fn time_derivative<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::Rows<T>, LengthError> {
+        let mut workspace = Self::workspace::<T>();
+        let rest = Self::Coordinates::<T>::generate(|_| T::from_f64(0.0));
+        self.evaluate(Subset::TIME_DERIVATIVE, at, q, rest.as_ref(), &mut workspace)?;
+        Ok(*workspace.parts_mut().2)
+    }
+
+    /// γ(q, q̇, t) = −(Φ_q q̇)_q q̇ − 2 Φ_qt q̇ − Φ_tt, s numbers.
+    ///
+    /// # Errors
+    /// As [`evaluate_with`](Self::evaluate_with).
+    fn gamma<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T], q_dot: &[T]) -> Result<Self::Rows<T>, LengthError> {
+        let mut workspace = Self::workspace::<T>();
+        self.evaluate(Subset::GAMMA, at, q, q_dot, &mut workspace)?;
+        Ok(*workspace.parts_mut().3)
+    }
+}

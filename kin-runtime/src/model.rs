@@ -1,0 +1,374 @@
+//! What is known about a mechanism before any number is: names, rows, patterns, geometry.
+//!
+//! Generated code holds one static [`Model`] per mechanism. All indices are 0-based.
+
+use core::fmt;
+
+/// A body of a mechanism, for typed access to results: `FourBar::crank`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Body(pub usize);
+
+/// A named point of a mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Point(pub usize);
+
+/// A scalar generalized coordinate; the number is its place in q.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Coordinate(pub usize);
+
+/// A named expression (`define`).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Quantity(pub usize);
+
+/// A signal known only at run time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Input(pub usize);
+
+/// A body or the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Frame {
+    /// The inertial frame O–xy.
+    Ground,
+    /// A moving body, by its place in [`Model::bodies`].
+    Body(usize),
+}
+
+/// One coordinate of a pose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Component {
+    /// x.
+    X,
+    /// y.
+    Y,
+    /// φ, counter-clockwise, never wrapped.
+    Phi,
+}
+
+/// What a generalized coordinate is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CoordinateKind {
+    /// x, y or φ of a body.
+    Pose {
+        /// Place in [`Model::bodies`].
+        body: usize,
+        /// Which of the three.
+        component: Component,
+    },
+    /// A scalar coordinate.
+    Scalar,
+}
+
+/// A generalized coordinate: one entry of q.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CoordinateInfo {
+    /// `crank.phi`, `link[3].x`, or the scalar's own name.
+    pub name: &'static str,
+    /// What it is.
+    pub kind: CoordinateKind,
+}
+
+/// A parameter, array fields element by element.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParameterInfo {
+    /// `l1` or `l[3]`.
+    pub name: &'static str,
+    /// Unit as written.
+    pub unit: Option<&'static str>,
+    /// Default value.
+    pub default: Option<f64>,
+    /// The field's documentation, first paragraph.
+    pub doc: &'static str,
+}
+
+/// How the origin of a body is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OriginKind {
+    /// x and y are generalized coordinates, unless held.
+    Free,
+    /// The origin is a point of another body.
+    Carried(Frame),
+}
+
+/// A body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyInfo {
+    /// `crank` or `link[3]`.
+    pub name: &'static str,
+    /// Places in q of x, y, φ; `None` where held or carried.
+    pub coordinates: [Option<usize>; 3],
+    /// Where its origin comes from.
+    pub origin: OriginKind,
+    /// Observables of x, y, φ in [`Model::observables`].
+    pub observables: [usize; 3],
+}
+
+/// A named point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointInfo {
+    /// Its name.
+    pub name: &'static str,
+    /// The body that carries it.
+    pub frame: Frame,
+    /// Place of its two body-fixed coordinates in the geometry array.
+    pub local: usize,
+    /// Observables of x and y in [`Model::observables`].
+    pub observables: [usize; 2],
+}
+
+/// A named expression.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DefineInfo {
+    /// Its name.
+    pub name: &'static str,
+    /// Its observable in [`Model::observables`].
+    pub observable: usize,
+    /// True when it holds coordinates, t or inputs.
+    pub varies: bool,
+}
+
+/// What kind of joint, constraint or driver a row belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum JointKind {
+    /// r_Q − r_P.
+    Revolute,
+    /// perp(A_i v̂)·(r_Q − r_P); φ_j − φ_i − c.
+    Translational,
+    /// r_Q − r_P; φ_j − φ_i − c.
+    Fixed,
+    /// perp(A_i v̂)·(r_Q − r_P) − e.
+    PointOnLine,
+    /// |r_Q − r_P|² − e².
+    Distance,
+    /// x_P − e.
+    X,
+    /// y_P − e.
+    Y,
+    /// φ − e.
+    Angle,
+    /// φ_b − φ_a − e.
+    RelativeAngle,
+    /// A free-form holonomic row.
+    Constraint,
+    /// A driving constraint.
+    Driver,
+}
+
+impl JointKind {
+    /// The keyword of the language.
+    pub const fn keyword(self) -> &'static str {
+        match self {
+            Self::Revolute => "revolute",
+            Self::Translational => "translational",
+            Self::Fixed => "fixed",
+            Self::PointOnLine => "point_on_line",
+            Self::Distance => "distance",
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Angle => "angle",
+            Self::RelativeAngle => "relative_angle",
+            Self::Constraint => "constraint",
+            Self::Driver => "driver",
+        }
+    }
+}
+
+impl fmt::Display for JointKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.keyword())
+    }
+}
+
+/// What a piece of geometry is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Role {
+    /// Body-fixed coordinates of the first operand's point, two numbers.
+    P,
+    /// Body-fixed coordinates of the second operand's point, two numbers.
+    Q,
+    /// Unit vector of an axis in the first operand's body, two numbers.
+    Axis,
+    /// Length, angle, offset or right-hand side, one number; may depend on t and inputs.
+    Value,
+}
+
+/// A piece of geometry of a joint: where its numbers stand in the geometry array.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Geometry {
+    /// What it is for.
+    pub role: Role,
+    /// The frame it is fixed in.
+    pub frame: Frame,
+    /// Place of the first number in the geometry array.
+    pub offset: usize,
+}
+
+/// A quantity that a joint reports: relative angle, stroke, distance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct JointQuantity {
+    /// `angle` (φ_j − φ_i), `stroke` (displacement along the axis) or `distance`; its rate is the relative angular
+    /// velocity, the sliding velocity or the rate of change of the distance.
+    pub name: &'static str,
+    /// Its observable in [`Model::observables`].
+    pub observable: usize,
+}
+
+/// A joint, constraint or driver.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JointInfo {
+    /// Its name, `A` or `N[3]`.
+    pub name: &'static str,
+    /// Its kind.
+    pub kind: JointKind,
+    /// Frames of the first and second operand, where the kind has them.
+    pub frames: [Option<Frame>; 2],
+    /// First row in Φ.
+    pub first_row: usize,
+    /// Number of rows.
+    pub rows: usize,
+    /// Points, axes and values, for a drawing.
+    pub geometry: &'static [Geometry],
+    /// What it reports.
+    pub quantities: &'static [JointQuantity],
+}
+
+/// On which level a row constrains the motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Level {
+    /// Φ(q, t) = 0: holonomic.
+    Position,
+    /// η(q, q̇, t) = 0, linear in q̇: non-holonomic; enters velocity and acceleration analysis only.
+    Velocity,
+}
+
+/// A row of Φ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RowInfo {
+    /// `A.x`, `A.y`, `slide.angle`, or the joint's name where it has one row.
+    pub name: &'static str,
+    /// Its joint, in [`Model::joints`].
+    pub joint: usize,
+    /// Holonomic or not.
+    pub level: Level,
+    /// Rheonomic (t or an input appears) or scleronomic.
+    pub rheonomic: bool,
+    /// Declared by `driver` or `speed`, or rheonomic.
+    pub driving: bool,
+    /// Equation or inequality; every row of Φ is bilateral.
+    pub bilateral: bool,
+}
+
+/// What an observable is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Observable {
+    /// x, y or φ of a body.
+    Pose {
+        /// Place in [`Model::bodies`].
+        body: usize,
+        /// Which.
+        component: Component,
+    },
+    /// x or y of a named point.
+    Point {
+        /// Place in [`Model::points`].
+        point: usize,
+        /// [`Component::X`] or [`Component::Y`].
+        component: Component,
+    },
+    /// A named expression.
+    Define(usize),
+    /// A quantity of a joint.
+    Joint {
+        /// Place in [`Model::joints`].
+        joint: usize,
+        /// Place in its [`JointInfo::quantities`].
+        quantity: usize,
+    },
+}
+
+/// Sparsity of a Jacobian: the entries in row-major order, and which of them never change.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pattern {
+    /// Number of rows.
+    pub rows: usize,
+    /// (row, column) of every entry that is not identically zero, row by row.
+    pub entries: &'static [(usize, usize)],
+    /// Entries that are literal constants: place in `entries` and value.
+    pub constants: &'static [(usize, f64)],
+}
+
+/// Operations of one combined evaluation of Φ, Φ_q, Φ_t and γ.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct OperationCount {
+    /// Additions and subtractions.
+    pub add: usize,
+    /// Multiplications.
+    pub mul: usize,
+    /// Negations.
+    pub neg: usize,
+    /// Divisions.
+    pub div: usize,
+    /// Square roots.
+    pub sqrt: usize,
+    /// Sine and cosine pairs.
+    pub sincos: usize,
+    /// Every other function (tan, atan2, exp, powers with an exponent that is not a small integer, …).
+    pub function: usize,
+}
+
+/// The equations of one joint as text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EquationText {
+    /// Name of the row.
+    pub row: &'static str,
+    /// Φ.
+    pub phi: &'static str,
+    /// Non-zero entries of Φ_q as (coordinate, expression).
+    pub phi_q: &'static [(&'static str, &'static str)],
+    /// Φ_t.
+    pub phi_t: &'static str,
+    /// γ.
+    pub gamma: &'static str,
+}
+
+/// Everything about a mechanism that no number changes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Model {
+    /// Name of the struct.
+    pub name: &'static str,
+    /// First paragraph of its documentation.
+    pub doc: &'static str,
+    /// Entries of q.
+    pub coordinates: &'static [CoordinateInfo],
+    /// Parameters, array fields element by element.
+    pub parameters: &'static [ParameterInfo],
+    /// Inputs.
+    pub inputs: &'static [&'static str],
+    /// Bodies.
+    pub bodies: &'static [BodyInfo],
+    /// Named points.
+    pub points: &'static [PointInfo],
+    /// Named expressions.
+    pub defines: &'static [DefineInfo],
+    /// Joints, constraints and drivers in order of declaration.
+    pub joints: &'static [JointInfo],
+    /// Rows of Φ.
+    pub rows: &'static [RowInfo],
+    /// Sparsity of Φ_q.
+    pub constraint_pattern: Pattern,
+    /// What the mechanism reports besides q.
+    pub observables: &'static [Observable],
+    /// Sparsity of the observables' Jacobian.
+    pub observable_pattern: Pattern,
+    /// Coordinates that have a guess, in the order of the values that [`Mechanism::write_guesses`](crate::Mechanism::write_guesses) writes.
+    pub guesses: &'static [usize],
+    /// Length of the geometry array.
+    pub geometry: usize,
+    /// True with `#[mechanism(allow_redundant)]`.
+    pub allow_redundant: bool,
+    /// Operations of one combined evaluation.
+    pub operations: OperationCount,
+    /// The derivation as text; empty without the feature `equations`.
+    pub equations: &'static [EquationText],
+}

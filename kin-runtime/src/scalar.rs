@@ -1,0 +1,114 @@
+//! The scalar that generated code computes with.
+//!
+//! A trait of our own, because no existing one covers floats, dual numbers, SIMD lanes and intervals at once: plain
+//! arithmetic through the operators, and the functions of the user's language. For `f64` every method compiles to
+//! the instruction or library call that hand-written code would use.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A number that the equations of a mechanism can be evaluated with.
+pub trait Scalar:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+{
+    /// The constant `value`.
+    fn from_f64(value: f64) -> Self;
+    /// Sine and cosine together.
+    fn sin_cos(self) -> (Self, Self);
+    /// Sine and cosine of several angles at once; a type that can do better than one by one overrides it.
+    #[inline(always)]
+    fn sin_cos_all<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
+        angles.map(Self::sin_cos)
+    }
+    /// Tangent.
+    fn tan(self) -> Self;
+    /// Inverse sine.
+    fn asin(self) -> Self;
+    /// Inverse cosine.
+    fn acos(self) -> Self;
+    /// Inverse tangent.
+    fn atan(self) -> Self;
+    /// Angle of the vector (x, y) = (`x`, `self`), in (−π, π].
+    fn atan2(self, x: Self) -> Self;
+    /// Square root.
+    fn sqrt(self) -> Self;
+    /// Exponential.
+    fn exp(self) -> Self;
+    /// Natural logarithm.
+    fn ln(self) -> Self;
+    /// Absolute value.
+    fn abs(self) -> Self;
+    /// 1 with the sign of `self`: the derivative of [`abs`](Self::abs).
+    fn signum(self) -> Self;
+    /// Integer power.
+    fn powi(self, n: i32) -> Self;
+    /// Real constant power.
+    fn powf(self, n: f64) -> Self;
+    /// Lifts a function given by its value and first two derivatives, (f, f′, f″), to this scalar: the three of them
+    /// at `self`. A scalar that carries derivatives applies the chain rule to f and f′; f″ has no known derivative
+    /// and its derivative parts are NaN.
+    fn lift(self, f: impl Fn(f64) -> [f64; 3]) -> [Self; 3];
+}
+
+/// `std`'s functions where there is a std, `libm`'s where there is none.
+macro_rules! float {
+    ($t:ty, $($std:ident $libm:ident),*; $atan2:ident $fabs:ident $pow:ident $sincos:ident) => {
+        impl Scalar for $t {
+            #[inline(always)]
+            fn from_f64(value: f64) -> Self {
+                value as $t
+            }
+            #[inline(always)]
+            fn sin_cos(self) -> (Self, Self) {
+                #[cfg(feature = "std")]
+                return <$t>::sin_cos(self);
+                #[cfg(not(feature = "std"))]
+                return libm::$sincos(self);
+            }
+            $(
+                #[inline(always)]
+                fn $std(self) -> Self {
+                    #[cfg(feature = "std")]
+                    return <$t>::$std(self);
+                    #[cfg(not(feature = "std"))]
+                    return libm::$libm(self);
+                }
+            )*
+            #[inline(always)]
+            fn atan2(self, x: Self) -> Self {
+                #[cfg(feature = "std")]
+                return <$t>::atan2(self, x);
+                #[cfg(not(feature = "std"))]
+                return libm::$atan2(self, x);
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                <$t>::abs(self)
+            }
+            #[inline(always)]
+            fn signum(self) -> Self {
+                <$t>::signum(self)
+            }
+            #[inline(always)]
+            fn powi(self, n: i32) -> Self {
+                #[cfg(feature = "std")]
+                return <$t>::powi(self, n);
+                #[cfg(not(feature = "std"))]
+                return libm::$pow(self, n as $t);
+            }
+            #[inline(always)]
+            fn powf(self, n: f64) -> Self {
+                #[cfg(feature = "std")]
+                return <$t>::powf(self, n as $t);
+                #[cfg(not(feature = "std"))]
+                return libm::$pow(self, n as $t);
+            }
+            #[inline(always)]
+            fn lift(self, f: impl Fn(f64) -> [f64; 3]) -> [Self; 3] {
+                f(f64::from(self)).map(|v| v as $t)
+            }
+        }
+    };
+}
+
+float!(f64, tan tan, asin asin, acos acos, atan atan, sqrt sqrt, exp exp, ln log; atan2 fabs pow sincos);
+float!(f32, tan tanf, asin asinf, acos acosf, atan atanf, sqrt sqrtf, exp expf, ln logf; atan2f fabsf powf sincosf);

@@ -1,0 +1,149 @@
+//! What an evaluation reads and writes: instants, subsets, and workspaces of the caller.
+
+use crate::model::Pattern;
+use crate::scalar::Scalar;
+
+/// Value, rate and acceleration of an input.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Signal<T = f64> {
+    /// u.
+    pub value: T,
+    /// u̇.
+    pub rate: T,
+    /// ü.
+    pub acceleration: T,
+}
+
+/// When: time, and the inputs at that time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Instant<'a, T = f64> {
+    /// Time t.
+    pub t: T,
+    /// The inputs, in the order of declaration; empty where the mechanism has none.
+    pub inputs: &'a [Signal<T>],
+}
+
+impl<T> Instant<'static, T> {
+    /// Time `t` of a mechanism without inputs.
+    pub const fn at(t: T) -> Self {
+        Self { t, inputs: &[] }
+    }
+}
+
+impl From<f64> for Instant<'static> {
+    fn from(t: f64) -> Self {
+        Self::at(t)
+    }
+}
+
+/// Which of Φ, Φ_q, Φ_t, γ an evaluation must give; the others may be left as they were.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Subset {
+    /// Φ, s numbers.
+    pub phi: bool,
+    /// Φ_q, its non-zeros.
+    pub phi_q: bool,
+    /// Φ_t, s numbers.
+    pub phi_t: bool,
+    /// γ, s numbers.
+    pub gamma: bool,
+}
+
+impl Subset {
+    /// Φ alone.
+    pub const PHI: Self = Self { phi: true, phi_q: false, phi_t: false, gamma: false };
+    /// Φ_q alone.
+    pub const JACOBIAN: Self = Self { phi: false, phi_q: true, phi_t: false, gamma: false };
+    /// Φ_t alone.
+    pub const TIME_DERIVATIVE: Self = Self { phi: false, phi_q: false, phi_t: true, gamma: false };
+    /// γ alone.
+    pub const GAMMA: Self = Self { phi: false, phi_q: false, phi_t: false, gamma: true };
+    /// Φ and Φ_q: a Newton step.
+    pub const POSITION: Self = Self { phi: true, phi_q: true, phi_t: false, gamma: false };
+    /// Φ_q and Φ_t: the velocity equations.
+    pub const VELOCITY: Self = Self { phi: false, phi_q: true, phi_t: true, gamma: false };
+    /// All four.
+    pub const ALL: Self = Self { phi: true, phi_q: true, phi_t: true, gamma: true };
+}
+
+/// An array `[T; N]` of whatever length.
+pub trait Array<T>: Copy + AsRef<[T]> + AsMut<[T]> {
+    /// The array of `f(0), f(1), …`.
+    fn generate(f: impl FnMut(usize) -> T) -> Self;
+}
+
+impl<T: Copy, const N: usize> Array<T> for [T; N] {
+    fn generate(f: impl FnMut(usize) -> T) -> Self {
+        core::array::from_fn(f)
+    }
+}
+
+/// Values, Jacobian non-zeros, time derivatives and acceleration right-hand sides of a set of rows.
+///
+/// The constraints and the observables of a mechanism have the same shape: for rows e(q, t) it holds e, the non-zeros
+/// of e_q in the order of the [`Pattern`], e_t, and γ = −(e_q q̇)_q q̇ − 2 e_qt q̇ − e_tt, so that ė = e_q q̇ + e_t and
+/// ë = e_q q̈ − γ. Literal constants of e_q are written when the workspace is made and never again.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Evaluation<R, J> {
+    phi: R,
+    phi_q: J,
+    phi_t: R,
+    gamma: R,
+}
+
+impl<R, J> Evaluation<R, J> {
+    /// A workspace for rows with this pattern: constants in place, everything else zero.
+    pub fn new<T: Scalar>(pattern: &Pattern) -> Self
+    where
+        R: Array<T>,
+        J: Array<T>,
+    {
+        let zero = T::from_f64(0.0);
+        let rows = R::generate(|_| zero);
+        let mut phi_q = J::generate(|_| zero);
+        for &(place, value) in pattern.constants {
+            if let Some(entry) = phi_q.as_mut().get_mut(place) {
+                *entry = T::from_f64(value);
+            }
+        }
+        Self { phi: rows, phi_q, phi_t: rows, gamma: rows }
+    }
+
+    /// Φ (or the observables' values).
+    pub fn phi<T>(&self) -> &[T]
+    where
+        R: AsRef<[T]>,
+    {
+        self.phi.as_ref()
+    }
+
+    /// The non-zeros of Φ_q, in the order of the pattern's entries.
+    pub fn phi_q<T>(&self) -> &[T]
+    where
+        J: AsRef<[T]>,
+    {
+        self.phi_q.as_ref()
+    }
+
+    /// Φ_t.
+    pub fn phi_t<T>(&self) -> &[T]
+    where
+        R: AsRef<[T]>,
+    {
+        self.phi_t.as_ref()
+    }
+
+    /// γ.
+    pub fn gamma<T>(&self) -> &[T]
+    where
+        R: AsRef<[T]>,
+    {
+        self.gamma.as_ref()
+    }
+
+    /// The four parts, for generated code to write to.
+    #[doc(hidden)]
+    pub fn parts_mut(&mut self) -> (&mut R, &mut J, &mut R, &mut R) {
+        (&mut self.phi, &mut self.phi_q, &mut self.phi_t, &mut self.gamma)
+    }
+}
