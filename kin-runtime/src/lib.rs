@@ -6,7 +6,53 @@ pub mod model;
 pub mod scalar;
 pub mod workspace;
 
+#[cfg(feature = "std")]
+pub mod cross_check;
+#[cfg(feature = "std")]
+pub mod error;
+#[cfg(feature = "std")]
+pub mod kinematics;
+#[cfg(feature = "std")]
+pub mod mobility;
+#[cfg(feature = "std")]
+pub mod motion;
+#[cfg(feature = "std")]
+pub mod options;
+#[cfg(feature = "std")]
+pub mod ratios;
+#[cfg(feature = "std")]
+pub mod solver;
+#[cfg(feature = "std")]
+pub mod state;
+#[cfg(feature = "std")]
+pub mod trajectory;
+#[cfg(feature = "std")]
+pub mod transmission;
+
 pub use kin_derive::mechanism;
 pub use mechanism::{LengthError, Mechanism, Observations, Workspace};
 pub use scalar::Scalar;
 pub use workspace::{Array, Evaluation, Instant, Signal, Subset};
+
+#[cfg(feature = "std")]
+pub use cross_check::{Configuration, CrossCheck, CrossCheckOptions, WorstEntry};
+#[cfg(feature = "std")]
+pub use error::{Refusal, SolveError, SweepError};
+#[cfg(feature = "std")]
+pub use kinematics::Kinematics;
+#[cfg(feature = "std")]
+pub use mobility::{Mobility, RedundantRow};
+#[cfg(feature = "std")]
+pub use motion::{BodyMotion, Motion, PointMotion, Rates};
+#[cfg(feature = "std")]
+pub use options::Options;
+#[cfg(feature = "std")]
+pub use ratios::{VelocityRatio, VelocityRatios};
+#[cfg(feature = "std")]
+pub use solver::{Position, Solver};
+#[cfg(feature = "std")]
+pub use state::State;
+#[cfg(feature = "std")]
+pub use trajectory::Trajectory;
+#[cfg(feature = "std")]
+pub use transmission::TransmissionAngle;

@@ -5,6 +5,7 @@ use crate::scalar::Scalar;
 
 /// Value, rate and acceleration of an input.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Signal<T = f64> {
     /// u.
     pub value: T,

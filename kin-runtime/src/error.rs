@@ -1,0 +1,227 @@
+//! What can go wrong in an analysis, with numbers.
+
+use crate::mechanism::LengthError;
+use crate::trajectory::Trajectory;
+use core::fmt;
+
+/// Why a step of a sweep was refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub enum Refusal {
+    /// Beyond this place only another branch of the motion closes the mechanism, or none.
+    WouldJump,
+    /// The rows do not close at any smaller step either.
+    NotAssembled,
+    /// The internal step fell below the smallest allowed.
+    StepTooSmall,
+    /// More internal steps than allowed.
+    TooManySteps,
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::WouldJump => "the motion would jump to another branch",
+            Self::NotAssembled => "the mechanism cannot be assembled beyond it",
+            Self::StepTooSmall => "the internal step became too small",
+            Self::TooManySteps => "too many internal steps",
+        })
+    }
+}
+
+/// An analysis without an answer.
+///
+/// Rows are named as in [`Model::rows`](crate::model::Model::rows). A coordinate that the caller prescribes adds a row
+/// behind them, named like the coordinate, whose joint is `given`.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SolveError {
+    /// The mechanism does not close at this instant, from these guesses.
+    NotAssembled {
+        /// Time.
+        t: f64,
+        /// Largest scaled residual of the best attempt (see [`Options`](crate::Options)).
+        gap: f64,
+        /// The row's residual Φ_i, in its own unit.
+        residual: f64,
+        /// The row with that residual.
+        row: usize,
+        /// Its name.
+        row_name: &'static str,
+        /// Its joint.
+        joint: &'static str,
+        /// Iterations of that attempt.
+        iterations: usize,
+    },
+    /// Φ_q loses rank in this configuration, though not in its neighbourhood.
+    Singular {
+        /// Time.
+        t: f64,
+        /// Rank of all rows here.
+        rank: usize,
+        /// Rank of all rows nearby.
+        expected_rank: usize,
+        /// Rows that became dependent on one another.
+        rows: Vec<&'static str>,
+        /// Estimated condition number of the scaled Φ_q; infinite where it is exactly singular.
+        condition: f64,
+    },
+    /// No q̇ satisfies Φ_q q̇ = −Φ_t.
+    InconsistentVelocity {
+        /// Time.
+        t: f64,
+        /// Largest scaled residual, relative to the right-hand side.
+        residual: f64,
+        /// The row with that residual.
+        row_name: &'static str,
+        /// Its joint.
+        joint: &'static str,
+        /// Rank of all rows.
+        rank: usize,
+    },
+    /// No q̈ satisfies Φ_q q̈ = γ.
+    InconsistentAcceleration {
+        /// Time.
+        t: f64,
+        /// Largest scaled residual, relative to the right-hand side.
+        residual: f64,
+        /// The row with that residual.
+        row_name: &'static str,
+        /// Its joint.
+        joint: &'static str,
+        /// Rank of all rows.
+        rank: usize,
+    },
+    /// A sweep cannot go on without leaving its branch.
+    StepRefused {
+        /// Time of the last good configuration.
+        t: f64,
+        /// Time at which there is none.
+        t_refused: f64,
+        /// The row that resists most.
+        row_name: &'static str,
+        /// Its joint.
+        joint: &'static str,
+        /// Why.
+        reason: Refusal,
+    },
+    /// NaN or infinity in an argument, a parameter or a result.
+    NonFinite {
+        /// Where: `q`, `t`, `parameters`, `inputs`, `Φ`, ….
+        what: &'static str,
+        /// Place in it.
+        index: usize,
+        /// Name of the coordinate, parameter, input or row.
+        name: &'static str,
+    },
+    /// An argument of the wrong length.
+    Length(LengthError),
+    /// No coordinate has this index.
+    UnknownCoordinate {
+        /// The index.
+        index: usize,
+        /// Number of coordinates.
+        coordinates: usize,
+    },
+    /// A prescribed coordinate contradicts the constraints, or repeats them.
+    GivenConflict {
+        /// Time.
+        t: f64,
+        /// The coordinate.
+        coordinate: &'static str,
+        /// Prescribed value.
+        value: f64,
+        /// Degrees of freedom that the mechanism leaves open without prescribed coordinates.
+        open: usize,
+        /// Number of prescribed coordinates.
+        given: usize,
+    },
+    /// Not one configuration could be compared.
+    NothingCompared {
+        /// Configurations skipped because Φ is not finite there.
+        skipped: usize,
+    },
+}
+
+impl From<LengthError> for SolveError {
+    fn from(error: LengthError) -> Self {
+        Self::Length(error)
+    }
+}
+
+impl fmt::Display for SolveError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotAssembled { t, gap, residual, row_name, joint, iterations, .. } => write!(
+                f,
+                "not assembled at t = {t}: joint `{joint}` stays open, row `{row_name}` at {residual:.3e} \
+                 (scaled {gap:.3e}) after {iterations} iterations"
+            ),
+            Self::Singular { t, rank, expected_rank, rows, condition } => {
+                write!(
+                    f,
+                    "singular configuration at t = {t}: rank {rank} instead of {expected_rank} \
+                     (condition {condition:.1e})"
+                )?;
+                if rows.is_empty() { Ok(()) } else { write!(f, "; dependent rows: {}", rows.join(", ")) }
+            }
+            Self::InconsistentVelocity { t, residual, row_name, joint, rank } => write!(
+                f,
+                "no velocity satisfies all rows at t = {t}: row `{row_name}` of joint `{joint}` is off by \
+                 {residual:.3e} (scaled; rank {rank})"
+            ),
+            Self::InconsistentAcceleration { t, residual, row_name, joint, rank } => write!(
+                f,
+                "no acceleration satisfies all rows at t = {t}: row `{row_name}` of joint `{joint}` is off by \
+                 {residual:.3e} (scaled; rank {rank})"
+            ),
+            Self::StepRefused { t, t_refused, row_name, joint, reason } => write!(
+                f,
+                "the branch ends after t = {t}: at t = {t_refused} {reason} (joint `{joint}`, row `{row_name}`)"
+            ),
+            Self::NonFinite { what, index, name } => {
+                write!(f, "{what}[{index}]")?;
+                if !name.is_empty() {
+                    write!(f, " ({name})")?;
+                }
+                f.write_str(" is not a finite number")
+            }
+            Self::Length(error) => error.fmt(f),
+            Self::UnknownCoordinate { index, coordinates } => {
+                write!(f, "there is no coordinate {index}; the mechanism has {coordinates}, counted from 0")
+            }
+            Self::GivenConflict { t, coordinate, value, open, given } => write!(
+                f,
+                "`{coordinate}` = {value} cannot be given at t = {t}: it repeats or contradicts the other rows \
+                 ({given} given, {open} open)"
+            ),
+            Self::NothingCompared { skipped } => {
+                write!(f, "nothing was compared: Φ is not finite at any of {skipped} configurations")
+            }
+        }
+    }
+}
+
+impl core::error::Error for SolveError {}
+
+/// A sweep that ended early: what went well, and why it ended.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SweepError {
+    /// The states of all instants before the one that failed.
+    pub trajectory: Trajectory,
+    /// Why there is no next one.
+    pub source: SolveError,
+}
+
+impl fmt::Display for SweepError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} (after {} good instants)", self.source, self.trajectory.len())
+    }
+}
+
+impl core::error::Error for SweepError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        Some(&self.source)
+    }
+}

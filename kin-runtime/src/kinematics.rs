@@ -1,0 +1,127 @@
+//! The analyses as methods of every mechanism.
+
+use crate::cross_check::{CrossCheck, CrossCheckOptions};
+use crate::error::{SolveError, SweepError};
+use crate::mechanism::{LengthError, Mechanism};
+use crate::mobility::Mobility;
+use crate::model::Pattern;
+use crate::solver::Solver;
+use crate::state::State;
+use crate::trajectory::Trajectory;
+use crate::workspace::Instant;
+use nalgebra::{DMatrix, DVector};
+
+/// The analyses, under the names of the field, for every mechanism; [`Solver`] has them with options.
+pub trait Kinematics: Mechanism {
+    /// A solver with default options and the mechanism's own guesses.
+    fn solver(&self) -> Solver<'_, Self> {
+        Solver::new(self)
+    }
+
+    /// q with Φ(q, t) = 0 near `guess`, which has n numbers.
+    ///
+    /// # Errors
+    /// As [`Solver::position`].
+    fn position_analysis(&self, at: &Instant<'_>, guess: &[f64]) -> Result<Vec<f64>, SolveError> {
+        Ok(self.solver().position(at, guess)?.q)
+    }
+
+    /// q̇ with Φ_q q̇ = −Φ_t at an assembled q.
+    ///
+    /// # Errors
+    /// As [`Solver::velocity`].
+    fn velocity_analysis(&self, at: &Instant<'_>, q: &[f64]) -> Result<Vec<f64>, SolveError> {
+        self.solver().velocity(at, q)
+    }
+
+    /// q̈ with Φ_q q̈ = γ at an assembled q and its q̇.
+    ///
+    /// # Errors
+    /// As [`Solver::acceleration`].
+    fn acceleration_analysis(&self, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<Vec<f64>, SolveError> {
+        self.solver().acceleration(at, q, q_dot)
+    }
+
+    /// Position, velocity and acceleration at every instant of `times`, on the branch of the first.
+    ///
+    /// # Errors
+    /// As [`Solver::sweep`].
+    fn kinematic_analysis(&self, times: &[f64]) -> Result<Trajectory, SweepError> {
+        self.solver().sweep(times)
+    }
+
+    /// Assembly, velocity and acceleration at one instant, from the mechanism's guesses.
+    ///
+    /// # Errors
+    /// As [`Solver::state`].
+    fn state_at(&self, at: &Instant<'_>) -> Result<State, SolveError> {
+        self.solver().state(at)
+    }
+
+    /// δ = n − rank of the rows that do not drive.
+    ///
+    /// # Errors
+    /// As [`Solver::mobility`].
+    fn degrees_of_freedom(&self, at: &Instant<'_>, q: &[f64]) -> Result<usize, SolveError> {
+        Ok(self.mobility(at, q)?.degrees_of_freedom)
+    }
+
+    /// Degrees of freedom, independent coordinates, redundant rows and conditioning.
+    ///
+    /// # Errors
+    /// As [`Solver::mobility`].
+    fn mobility(&self, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError> {
+        self.solver().mobility(at, q)
+    }
+
+    /// Every entry of Φ_q, Φ_t and γ against dual numbers at random configurations.
+    ///
+    /// # Errors
+    /// As [`Solver::cross_check`].
+    fn cross_check(&self) -> Result<CrossCheck, SolveError> {
+        self.solver().cross_check(&CrossCheckOptions::default())
+    }
+
+    /// Φ(q, t) as a vector of s numbers.
+    ///
+    /// # Errors
+    /// When an argument has the wrong length.
+    fn constraints_dense(&self, at: &Instant<'_>, q: &[f64]) -> Result<DVector<f64>, LengthError> {
+        Ok(DVector::from_column_slice(self.constraints(at, q)?.as_ref()))
+    }
+
+    /// Φ_q(q, t) as an s×n matrix.
+    ///
+    /// # Errors
+    /// When an argument has the wrong length.
+    fn jacobian_dense(&self, at: &Instant<'_>, q: &[f64]) -> Result<DMatrix<f64>, LengthError> {
+        Ok(dense(&Self::model().constraint_pattern, Self::COORDINATES, self.jacobian(at, q)?.as_ref()))
+    }
+
+    /// Φ_t(q, t) as a vector of s numbers; ν = −Φ_t.
+    ///
+    /// # Errors
+    /// When an argument has the wrong length.
+    fn time_derivative_dense(&self, at: &Instant<'_>, q: &[f64]) -> Result<DVector<f64>, LengthError> {
+        Ok(DVector::from_column_slice(self.time_derivative(at, q)?.as_ref()))
+    }
+
+    /// γ(q, q̇, t) as a vector of s numbers.
+    ///
+    /// # Errors
+    /// When an argument has the wrong length.
+    fn gamma_dense(&self, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<DVector<f64>, LengthError> {
+        Ok(DVector::from_column_slice(self.gamma(at, q, q_dot)?.as_ref()))
+    }
+}
+
+impl<M: Mechanism> Kinematics for M {}
+
+/// The dense form of a matrix given by its non-zeros.
+fn dense(pattern: &Pattern, columns: usize, non_zeros: &[f64]) -> DMatrix<f64> {
+    let mut matrix = DMatrix::zeros(pattern.rows, columns);
+    for (&(row, column), &value) in pattern.entries.iter().zip(non_zeros) {
+        matrix[(row, column)] += value;
+    }
+    matrix
+}

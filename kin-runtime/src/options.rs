@@ -1,0 +1,56 @@
+//! Tolerances and limits of the analyses.
+
+/// Tolerances and limits; the default suits mechanisms of any size and unit.
+///
+/// All tolerances are relative. Rows and coordinates are first brought to a common scale, on which one unit is a
+/// rotation of one radian or the displacement that such a rotation causes in this mechanism; a mechanism in
+/// millimetres is therefore solved exactly as the same one in metres.
+///
+/// ```
+/// use kin_runtime::Options;
+/// let options = Options { restarts: 100, ..Options::default() };
+/// assert!(options.tolerance < 1e-9);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Options {
+    /// Iterations of one position analysis.
+    pub max_iterations: usize,
+    /// Largest scaled residual of a row that counts as closed. Iteration always goes on until nothing improves any
+    /// more, so residuals are far smaller than this as a rule.
+    pub tolerance: f64,
+    /// Smallest pivot, relative to the largest, that counts towards the rank of the scaled Φ_q. It stands above the
+    /// square root of the machine's precision, because a position at the end of a range of motion is no better known.
+    pub rank_tolerance: f64,
+    /// Largest scaled residual, relative to the right-hand side, of velocity and acceleration equations.
+    pub consistency_tolerance: f64,
+    /// Attempts of assembly with other values of the coordinates that have no guess.
+    pub restarts: usize,
+    /// Radius of the trust region of the first iteration of a position analysis, on the common scale.
+    pub trust_radius: f64,
+    /// Largest rotation (rad), or displacement on the common scale, in one internal step of a sweep.
+    pub max_rotation_per_step: f64,
+    /// Largest correction of the predicted position, relative to the predicted motion, that a step of a sweep accepts.
+    pub prediction_tolerance: f64,
+    /// Smallest internal step of a sweep, relative to the distance between the first and the last instant.
+    pub min_step: f64,
+    /// Most internal steps of a sweep between two neighbouring instants.
+    pub max_steps: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            max_iterations: 200,
+            tolerance: 1e-11,
+            rank_tolerance: 1e-7,
+            consistency_tolerance: 1e-8,
+            restarts: 30,
+            trust_radius: 0.5,
+            max_rotation_per_step: 0.3,
+            prediction_tolerance: 0.1,
+            min_step: 1e-13,
+            max_steps: 1_000_000,
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! Solved configurations over time.
+
+use crate::model::Model;
+use crate::state::State;
+
+/// The states of one motion, in the order of the instants asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trajectory {
+    /// The mechanism's names.
+    pub model: &'static Model,
+    /// The states.
+    pub states: Vec<State>,
+}
+
+impl Trajectory {
+    /// Number of states.
+    pub fn len(&self) -> usize {
+        self.states.len()
+    }
+
+    /// True without states.
+    pub fn is_empty(&self) -> bool {
+        self.states.is_empty()
+    }
+
+    /// The states in order.
+    pub fn iter(&self) -> core::slice::Iter<'_, State> {
+        self.states.iter()
+    }
+
+    /// The last state.
+    pub fn last(&self) -> Option<&State> {
+        self.states.last()
+    }
+
+    /// Names of all columns: `t`, then every coordinate with its rate and acceleration.
+    pub fn column_names(&self) -> Vec<String> {
+        let mut names = vec!["t".to_owned()];
+        for coordinate in self.model.coordinates {
+            for suffix in ["", "_dot", "_ddot"] {
+                names.push(format!("{}{suffix}", coordinate.name));
+            }
+        }
+        names
+    }
+
+    /// One quantity over all states: `t`, a coordinate (`crank.phi`), its rate (`crank.phi_dot`) or its acceleration
+    /// (`crank.phi_ddot`). A coordinate's own name wins over a rate of the same name.
+    pub fn column(&self, name: &str) -> Option<Vec<f64>> {
+        let place = |name: &str| self.model.coordinates.iter().position(|c| c.name == name);
+        let of = |part: fn(&State) -> &[f64], k: usize| {
+            self.states.iter().map(|s| part(s).get(k).copied().unwrap_or(f64::NAN)).collect()
+        };
+        if let Some(k) = place(name) {
+            return Some(of(|s| &s.q, k));
+        }
+        if let Some(k) = name.strip_suffix("_ddot").and_then(place) {
+            return Some(of(|s| &s.q_ddot, k));
+        }
+        if let Some(k) = name.strip_suffix("_dot").and_then(place) {
+            return Some(of(|s| &s.q_dot, k));
+        }
+        (name == "t").then(|| self.states.iter().map(|s| s.t).collect())
+    }
+}
+
+impl<'a> IntoIterator for &'a Trajectory {
+    type Item = &'a State;
+    type IntoIter = core::slice::Iter<'a, State>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.states.iter()
+    }
+}
+
+impl IntoIterator for Trajectory {
+    type Item = State;
+    type IntoIter = std::vec::IntoIter<State>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.states.into_iter()
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Trajectory {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        use serde::ser::SerializeStruct;
+        let names: Vec<&str> = self.model.coordinates.iter().map(|c| c.name).collect();
+        let mut s = serializer.serialize_struct("Trajectory", 3)?;
+        s.serialize_field("mechanism", self.model.name)?;
+        s.serialize_field("coordinates", &names)?;
+        s.serialize_field("states", &self.states)?;
+        s.end()
+    }
+}
