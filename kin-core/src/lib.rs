@@ -1,3 +1,28 @@
-//! Symbolic kinematics of planar mechanisms.
+//! Symbolic kinematics of planar mechanisms: what `#[mechanism]` does between parsing and emitting code.
+//!
+//! ```text
+//! Mechanism → ConstraintSet → KinematicSystem → Program
+//!    assemble      differentiate       lower
+//! ```
+//!
+//! - [`mechanism`]: what the user said, names resolved; its rules.
+//! - [`constraint`]: Φ, one constraint type per file.
+//! - [`expr`]: the hash-consed expressions, and the one place that differentiates.
+//! - [`system`]: Φ_q, Φ_t, γ and the class of every row.
+//! - [`program`]: straight-line code shared by all outputs, with an interpreter as oracle.
+//!
+//! Each room imports only those above it in this list's reading (`constraint` uses `mechanism` and `expr`; `program`
+//! uses `expr` alone). There are no tokens, no spans and no I/O here.
+
+pub mod constraint;
 pub mod error;
+pub mod expr;
 pub mod mechanism;
+pub mod program;
+pub mod system;
+
+pub use constraint::{ConstraintSet, assemble};
+pub use error::{ModelError, Origin};
+pub use mechanism::Mechanism;
+pub use program::Program;
+pub use system::{KinematicSystem, differentiate};

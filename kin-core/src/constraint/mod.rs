@@ -1,0 +1,20 @@
+//! From a mechanism to Φ: one constraint type per file, each writing its rows of Φ and nothing else.
+//!
+//! Imports `expr` and `mechanism`. Nothing here differentiates.
+
+mod angle;
+mod assembly;
+mod coordinate;
+mod distance;
+mod driver;
+mod fixed;
+mod point_on_line;
+mod revolute;
+mod set;
+mod translational;
+
+pub use assembly::assemble;
+pub use set::{
+    BodyInstance, ConstraintRow, ConstraintSet, Coordinate, CoordinateKind, DefineInstance, Frame, Geometry,
+    JointInstance, JointTag, Observable, ObservableKind, PointInstance, Quantity, Role,
+};

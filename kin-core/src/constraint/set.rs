@@ -1,0 +1,263 @@
+//! The constraint set: Φ with everything that is reported about it, all families laid out.
+
+use crate::expr::{ExprId, Graph, Names, Symbol};
+use crate::mechanism::Component;
+use core::fmt;
+
+/// A body by its place in [`ConstraintSet::bodies`], or the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Frame {
+    /// The inertial frame.
+    Ground,
+    /// A body.
+    Body(usize),
+}
+
+/// What a generalized coordinate is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CoordinateKind {
+    /// Of a body's pose.
+    Pose(usize, Component),
+    /// A scalar coordinate.
+    Scalar,
+}
+
+/// An entry of q.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Coordinate {
+    /// `crank.phi`, `link[3].x` or the scalar's name.
+    pub name: String,
+    /// What it is.
+    pub kind: CoordinateKind,
+}
+
+/// A body with its pose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyInstance {
+    /// `crank` or `link[3]`.
+    pub name: String,
+    /// Place of its family in the mechanism, and its index there.
+    pub family: (usize, usize),
+    /// Places in q of x, y, φ; `None` where held or carried.
+    pub coordinates: [Option<u32>; 3],
+    /// The body that carries its origin.
+    pub carried_by: Option<Frame>,
+    /// x, y, φ.
+    pub pose: [ExprId; 3],
+    /// Observables of x, y, φ.
+    pub observables: [usize; 3],
+}
+
+/// A named point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PointInstance {
+    /// Its name.
+    pub name: String,
+    /// Place of its family in the mechanism, and its index there.
+    pub family: (usize, usize),
+    /// The body that carries it.
+    pub frame: Frame,
+    /// Place of its body-fixed coordinates in the geometry.
+    pub local: usize,
+    /// Observables of x and y.
+    pub observables: [usize; 2],
+}
+
+/// A named expression.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DefineInstance {
+    /// Its name.
+    pub name: String,
+    /// Place of its family in the mechanism, and its index there.
+    pub family: (usize, usize),
+    /// Its observable.
+    pub observable: usize,
+    /// True when it holds coordinates, t or inputs.
+    pub varies: bool,
+}
+
+/// What a piece of geometry is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Body-fixed coordinates of the first operand's point.
+    P,
+    /// Body-fixed coordinates of the second operand's point.
+    Q,
+    /// Unit vector of an axis.
+    Axis,
+    /// Length, angle, offset or right-hand side.
+    Value,
+}
+
+/// A piece of geometry of a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Geometry {
+    /// What it is for.
+    pub role: Role,
+    /// The frame it is fixed in.
+    pub frame: Frame,
+    /// Place of its first number in [`ConstraintSet::geometry`].
+    pub offset: usize,
+}
+
+/// A quantity that a joint reports.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Quantity {
+    /// `angle`, `stroke` or `distance`.
+    pub name: &'static str,
+    /// Its observable.
+    pub observable: usize,
+}
+
+/// The kind of a joint without its operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum JointTag {
+    /// See [`crate::mechanism::JointKind`].
+    Revolute,
+    /// Likewise.
+    Translational,
+    /// Likewise.
+    Fixed,
+    /// Likewise.
+    PointOnLine,
+    /// Likewise.
+    Distance,
+    /// Absolute x.
+    X,
+    /// Absolute y.
+    Y,
+    /// Absolute angle.
+    Angle,
+    /// Relative angle.
+    RelativeAngle,
+    /// Free-form equation.
+    Constraint,
+    /// Driving constraint.
+    Driver,
+}
+
+/// A joint with its rows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointInstance {
+    /// `A` or `N[3]`.
+    pub name: String,
+    /// Place of its family in the mechanism, and its index there.
+    pub family: (usize, i64),
+    /// Kind.
+    pub tag: JointTag,
+    /// Frames of the operands.
+    pub frames: [Option<Frame>; 2],
+    /// First row.
+    pub first_row: usize,
+    /// Number of rows.
+    pub rows: usize,
+    /// For a drawing.
+    pub geometry: Vec<Geometry>,
+    /// What it reports.
+    pub quantities: Vec<Quantity>,
+}
+
+/// A row of Φ.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ConstraintRow {
+    /// `A.x`, or the joint's name.
+    pub name: String,
+    /// Its joint.
+    pub joint: usize,
+    /// Its residual.
+    pub phi: ExprId,
+}
+
+/// What an observable is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ObservableKind {
+    /// x, y or φ of a body.
+    Pose(usize, Component),
+    /// x or y of a point.
+    Point(usize, Component),
+    /// A named expression.
+    Define(usize),
+    /// Joint, and place in its quantities.
+    Joint(usize, usize),
+}
+
+/// Something that is reported with rate and acceleration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Observable {
+    /// What it is.
+    pub kind: ObservableKind,
+    /// Its value.
+    pub value: ExprId,
+}
+
+/// Φ of a mechanism, its coordinates, and everything that is reported.
+#[derive(Clone, Debug, Default)]
+pub struct ConstraintSet {
+    /// Name of the mechanism.
+    pub name: String,
+    /// The expressions.
+    pub graph: Graph,
+    /// Parameters, element by element.
+    pub parameters: Vec<String>,
+    /// Supplied functions.
+    pub functions: Vec<String>,
+    /// Inputs.
+    pub inputs: Vec<String>,
+    /// Entries of q.
+    pub coordinates: Vec<Coordinate>,
+    /// Bodies.
+    pub bodies: Vec<BodyInstance>,
+    /// Points.
+    pub points: Vec<PointInstance>,
+    /// Defines.
+    pub defines: Vec<DefineInstance>,
+    /// Joints.
+    pub joints: Vec<JointInstance>,
+    /// Rows of Φ.
+    pub rows: Vec<ConstraintRow>,
+    /// Observables.
+    pub observables: Vec<Observable>,
+    /// Local points, axes and values.
+    pub geometry: Vec<ExprId>,
+    /// Guessed coordinates and values.
+    pub guesses: Vec<(u32, ExprId)>,
+}
+
+impl Names for ConstraintSet {
+    fn symbol(&self, symbol: Symbol) -> String {
+        let name = |list: &[String], k: u32| list.get(k as usize).cloned().unwrap_or_default();
+        match symbol {
+            Symbol::Parameter(k) => name(&self.parameters, k),
+            Symbol::Time => "t".to_owned(),
+            Symbol::Input(k, order) => name(&self.inputs, k) + crate::expr::suffix(order),
+            Symbol::Coordinate(k) => self.coordinate_name(k).to_owned(),
+            Symbol::Rate(k) => format!("{}_dot", self.coordinate_name(k)),
+        }
+    }
+
+    fn function(&self, index: u32) -> String {
+        self.functions.get(index as usize).cloned().unwrap_or_default()
+    }
+}
+
+impl ConstraintSet {
+    /// The name of q_k.
+    pub fn coordinate_name(&self, k: u32) -> &str {
+        self.coordinates.get(k as usize).map_or("", |c| c.name.as_str())
+    }
+
+    /// `id` as text.
+    pub fn show(&self, id: ExprId) -> String {
+        crate::expr::Shown { graph: &self.graph, names: self, id }.to_string()
+    }
+}
+
+impl fmt::Display for ConstraintSet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{}: {} coordinates, {} rows", self.name, self.coordinates.len(), self.rows.len())?;
+        for row in &self.rows {
+            writeln!(f, "  {}: {} = 0", row.name, self.show(row.phi))?;
+        }
+        Ok(())
+    }
+}

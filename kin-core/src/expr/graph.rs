@@ -1,0 +1,117 @@
+//! The hash-consed arena: every distinct expression once.
+
+use super::node::{Bits, Depends, ExprId, Node, Symbol};
+use std::collections::HashMap;
+
+/// An arena of expressions. Operands always come before the expressions that use them.
+///
+/// Constructors simplify locally (see `simplify.rs`) and never expand a product over a sum. A graph made by
+/// [`Graph::unsimplified`] keeps every operation as it is written; it exists so that tests can compare the two.
+#[derive(Clone, Debug)]
+pub struct Graph {
+    nodes: Vec<Node>,
+    depends: Vec<Depends>,
+    known: HashMap<Node, ExprId>,
+    pub(super) simplify: bool,
+}
+
+impl Default for Graph {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Graph {
+    /// An empty graph that simplifies at construction.
+    pub fn new() -> Self {
+        Self { nodes: Vec::new(), depends: Vec::new(), known: HashMap::new(), simplify: true }
+    }
+
+    /// An empty graph that keeps every operation as it is written.
+    pub fn unsimplified() -> Self {
+        Self { simplify: false, ..Self::new() }
+    }
+
+    /// Number of distinct expressions.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// True when nothing has been built yet.
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// The operation behind `id`.
+    pub fn node(&self, id: ExprId) -> Node {
+        self.nodes[id.index()]
+    }
+
+    /// What `id` depends on.
+    pub fn depends(&self, id: ExprId) -> Depends {
+        self.depends[id.index()]
+    }
+
+    /// The id of `node` if it has been built.
+    pub(super) fn find(&self, node: &Node) -> Option<ExprId> {
+        self.known.get(node).copied()
+    }
+
+    /// The id of `node`, built as it is when it is new.
+    pub(super) fn intern(&mut self, node: Node) -> ExprId {
+        if let Some(&id) = self.known.get(&node) {
+            return id;
+        }
+        let mut depends = match node {
+            Node::Symbol(symbol) => Depends::of(symbol),
+            _ => Depends::NOTHING,
+        };
+        node.for_each_operand(|operand| depends = depends.or(self.depends[operand.index()]));
+        // A description has far fewer than 2³² expressions; saturating keeps this total.
+        let id = ExprId(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX));
+        self.nodes.push(node);
+        self.depends.push(depends);
+        self.known.insert(node, id);
+        id
+    }
+
+    /// The literal `value`.
+    pub fn number(&mut self, value: f64) -> ExprId {
+        self.intern(Node::Number(Bits::new(value)))
+    }
+
+    /// The literal 0.
+    pub fn zero(&mut self) -> ExprId {
+        self.number(0.0)
+    }
+
+    /// A symbol.
+    pub fn symbol(&mut self, symbol: Symbol) -> ExprId {
+        self.intern(Node::Symbol(symbol))
+    }
+
+    /// The value of a literal.
+    pub fn literal(&self, id: ExprId) -> Option<f64> {
+        match self.node(id) {
+            Node::Number(bits) => Some(bits.value()),
+            _ => None,
+        }
+    }
+
+    /// True for the literal 0.
+    pub fn is_zero(&self, id: ExprId) -> bool {
+        self.literal(id) == Some(0.0)
+    }
+
+    /// Everything that `roots` are made of, operands first.
+    pub fn reachable(&self, roots: impl IntoIterator<Item = ExprId>) -> Vec<ExprId> {
+        let mut seen = vec![false; self.nodes.len()];
+        let mut stack: Vec<ExprId> = roots.into_iter().collect();
+        while let Some(id) = stack.pop() {
+            if !std::mem::replace(&mut seen[id.index()], true) {
+                self.node(id).for_each_operand(|operand| stack.push(operand));
+            }
+        }
+        (0..).zip(seen).filter(|(_, seen)| *seen).map(|(index, _)| ExprId(index)).collect()
+    }
+}

@@ -1,0 +1,18 @@
+//! Expressions: a hash-consed graph, local simplification, total time derivatives, a reference evaluator.
+//!
+//! This room imports nothing but the list of functions of the user's language.
+
+mod display;
+mod eval;
+mod graph;
+mod jet;
+mod node;
+mod simplify;
+
+pub(crate) use display::suffix;
+pub use display::{Names, Shown};
+pub(crate) use eval::function;
+pub use eval::{Environment, evaluate};
+pub use graph::Graph;
+pub use jet::{Jet, total_derivatives};
+pub use node::{Bits, Depends, ExprId, Node, Rotation, Symbol, Turning};

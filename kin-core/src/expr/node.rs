@@ -1,0 +1,187 @@
+//! The nodes of the expression graph.
+
+use crate::mechanism::Function;
+
+/// An expression: its place in the [`Graph`](super::Graph)'s arena. Equal ids mean equal expressions.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct ExprId(pub(crate) u32);
+
+impl ExprId {
+    /// Place in the arena.
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// What an evaluation supplies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Symbol {
+    /// A parameter, array fields element by element.
+    Parameter(u32),
+    /// Time t.
+    Time,
+    /// An input: its value, rate or acceleration (order 0, 1, 2).
+    Input(u32, u8),
+    /// A generalized coordinate q_k.
+    Coordinate(u32),
+    /// Its rate q̇_k.
+    Rate(u32),
+}
+
+/// A finite number, compared and hashed by its bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Bits(u64);
+
+impl Bits {
+    /// The number's bits; −0 is stored as 0, so that zero has one form.
+    pub fn new(value: f64) -> Self {
+        Self(if value == 0.0 { 0 } else { value.to_bits() })
+    }
+
+    /// The number.
+    pub fn value(self) -> f64 {
+        f64::from_bits(self.0)
+    }
+}
+
+/// An operation on expressions.
+///
+/// `RotX`, `RotY` are the components of a rotated body vector ρ = A(φ)·s, kept as one atom so that its derivative is
+/// φ̇ perp(ρ) and not a sum of four products. `Dot` and `Cross` are u·d and u×d = perp(u)·d of a unit vector u that
+/// turns with φ and any vector d, kept as atoms for the same reason: they are each other's derivative.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Node {
+    /// A literal.
+    Number(Bits),
+    /// Something that the evaluation supplies.
+    Symbol(Symbol),
+    /// −a.
+    Neg(ExprId),
+    /// a + b.
+    Add(ExprId, ExprId),
+    /// a − b.
+    Sub(ExprId, ExprId),
+    /// a · b.
+    Mul(ExprId, ExprId),
+    /// a / b.
+    Div(ExprId, ExprId),
+    /// a to an integer power.
+    Powi(ExprId, i32),
+    /// a to a real constant power.
+    Powf(ExprId, Bits),
+    /// A function of one argument.
+    Call(Function, ExprId),
+    /// The sign of a, ±1: the derivative of |a|.
+    Sign(ExprId),
+    /// atan2(y, x).
+    Atan2(ExprId, ExprId),
+    /// cos φ·s_x − sin φ·s_y.
+    RotX(Rotation),
+    /// sin φ·s_x + cos φ·s_y.
+    RotY(Rotation),
+    /// u·d.
+    Dot(Turning),
+    /// u_x d_y − u_y d_x.
+    Cross(Turning),
+    /// A supplied function or its first or second derivative (order 0, 1, 2) at an argument.
+    Supplied(u32, u8, ExprId),
+}
+
+/// A body-fixed vector s turned by the angle φ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Rotation {
+    /// φ.
+    pub angle: ExprId,
+    /// s_x.
+    pub x: ExprId,
+    /// s_y.
+    pub y: ExprId,
+}
+
+/// A unit vector u = A(φ)·v̂ and a vector d.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Turning {
+    /// The angle that u turns with.
+    pub angle: ExprId,
+    /// u.
+    pub u: [ExprId; 2],
+    /// d.
+    pub d: [ExprId; 2],
+}
+
+impl Node {
+    /// Calls `f` on every operand.
+    pub fn for_each_operand(&self, mut f: impl FnMut(ExprId)) {
+        match *self {
+            Self::Number(_) | Self::Symbol(_) => {}
+            Self::Neg(a)
+            | Self::Powi(a, _)
+            | Self::Powf(a, _)
+            | Self::Call(_, a)
+            | Self::Sign(a)
+            | Self::Supplied(_, _, a) => f(a),
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) | Self::Atan2(a, b) => {
+                f(a);
+                f(b);
+            }
+            Self::RotX(r) | Self::RotY(r) => {
+                f(r.angle);
+                f(r.x);
+                f(r.y);
+            }
+            Self::Dot(t) | Self::Cross(t) => {
+                f(t.angle);
+                t.u.into_iter().chain(t.d).for_each(f);
+            }
+        }
+    }
+}
+
+/// What an expression depends on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Depends(u8);
+
+impl Depends {
+    /// Nothing: a literal.
+    pub const NOTHING: Self = Self(0);
+    /// Parameters.
+    pub const PARAMETER: Self = Self(1);
+    /// Time.
+    pub const TIME: Self = Self(2);
+    /// Inputs.
+    pub const INPUT: Self = Self(4);
+    /// Coordinates.
+    pub const COORDINATE: Self = Self(8);
+    /// Rates of coordinates.
+    pub const RATE: Self = Self(16);
+
+    /// Both.
+    pub const fn or(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// True when anything of `other` is in `self`.
+    pub const fn on(self, other: Self) -> bool {
+        self.0 & other.0 != 0
+    }
+
+    /// True for literals and expressions of parameters: they do not change while the mechanism moves.
+    pub const fn is_static(self) -> bool {
+        self.0 & !Self::PARAMETER.0 == 0
+    }
+
+    /// True when t or an input appears.
+    pub const fn is_rheonomic(self) -> bool {
+        self.on(Self(Self::TIME.0 | Self::INPUT.0))
+    }
+
+    pub(crate) const fn of(symbol: Symbol) -> Self {
+        match symbol {
+            Symbol::Parameter(_) => Self::PARAMETER,
+            Symbol::Time => Self::TIME,
+            Symbol::Input(..) => Self::INPUT,
+            Symbol::Coordinate(_) => Self::COORDINATE,
+            Symbol::Rate(_) => Self::RATE,
+        }
+    }
+}

@@ -1,0 +1,350 @@
+//! Construction with local simplification.
+//!
+//! Rules: literals fold; 0 and 1 vanish; signs move outwards, so that ρ and −ρ share one node; factors of a product
+//! are sorted (numbers, parameters, the rest, rates apart from values), so that equal products meet. Nothing is
+//! expanded, and nothing is cancelled that could hide a division by zero (x/x stays).
+
+use super::graph::Graph;
+use super::node::{Bits, ExprId, Node, Rotation, Turning};
+use crate::mechanism::Function;
+
+impl Graph {
+    /// −a.
+    pub fn neg(&mut self, a: ExprId) -> ExprId {
+        if self.simplify {
+            match self.node(a) {
+                Node::Number(bits) => return self.number(-bits.value()),
+                Node::Neg(inner) => return inner,
+                _ => {}
+            }
+        }
+        self.intern(Node::Neg(a))
+    }
+
+    /// a and its sign: −a gives (true, a), a negative literal likewise.
+    fn unsigned(&mut self, a: ExprId) -> (bool, ExprId) {
+        match self.node(a) {
+            Node::Neg(inner) => (true, inner),
+            Node::Number(bits) if bits.value() < 0.0 => (true, self.number(-bits.value())),
+            _ => (false, a),
+        }
+    }
+
+    fn signed(&mut self, negative: bool, a: ExprId) -> ExprId {
+        if negative { self.neg(a) } else { a }
+    }
+
+    /// a + b.
+    pub fn add(&mut self, a: ExprId, b: ExprId) -> ExprId {
+        if !self.simplify {
+            return self.intern(Node::Add(a, b));
+        }
+        if self.is_zero(a) {
+            return b;
+        }
+        if self.is_zero(b) {
+            return a;
+        }
+        if let Some(sum) = self.fold(a, b, |x, y| x + y) {
+            return sum;
+        }
+        match (self.unsigned(a), self.unsigned(b)) {
+            ((false, a), (false, b)) if a == b => {
+                let two = self.number(2.0);
+                self.mul(two, a)
+            }
+            ((false, a), (false, b)) => self.intern(Node::Add(a.min(b), a.max(b))),
+            ((true, a), (true, b)) => {
+                let sum = self.add(a, b);
+                self.neg(sum)
+            }
+            ((false, a), (true, b)) => self.sub(a, b),
+            ((true, a), (false, b)) => self.sub(b, a),
+        }
+    }
+
+    /// a − b.
+    pub fn sub(&mut self, a: ExprId, b: ExprId) -> ExprId {
+        if !self.simplify {
+            return self.intern(Node::Sub(a, b));
+        }
+        if a == b {
+            return self.zero();
+        }
+        if self.is_zero(b) {
+            return a;
+        }
+        if self.is_zero(a) {
+            return self.neg(b);
+        }
+        if let Some(difference) = self.fold(a, b, |x, y| x - y) {
+            return difference;
+        }
+        match (self.unsigned(a), self.unsigned(b)) {
+            ((false, a), (false, b)) => match self.find(&Node::Sub(b, a)) {
+                Some(opposite) => self.neg(opposite),
+                None => self.intern(Node::Sub(a, b)),
+            },
+            ((false, a), (true, b)) => self.add(a, b),
+            ((true, a), (false, b)) => {
+                let sum = self.add(a, b);
+                self.neg(sum)
+            }
+            ((true, a), (true, b)) => self.sub(b, a),
+        }
+    }
+
+    /// a · b.
+    pub fn mul(&mut self, a: ExprId, b: ExprId) -> ExprId {
+        if !self.simplify {
+            return self.intern(Node::Mul(a, b));
+        }
+        if self.is_zero(a) || self.is_zero(b) {
+            return self.zero();
+        }
+        if let Some(product) = self.fold(a, b, |x, y| x * y) {
+            return product;
+        }
+        let ((negative_a, a), (negative_b, b)) = (self.unsigned(a), self.unsigned(b));
+        let mut factors = Vec::new();
+        self.factors(a, &mut factors);
+        self.factors(b, &mut factors);
+        let product = self.product(factors);
+        self.signed(negative_a != negative_b, product)
+    }
+
+    /// a · b · …, in any order.
+    pub fn mul_all<const N: usize>(&mut self, factors: [ExprId; N]) -> ExprId {
+        let one = self.number(1.0);
+        factors.into_iter().fold(one, |product, factor| self.mul(product, factor))
+    }
+
+    fn factors(&self, a: ExprId, into: &mut Vec<ExprId>) {
+        match self.node(a) {
+            Node::Mul(x, y) => {
+                self.factors(x, into);
+                self.factors(y, into);
+            }
+            _ => into.push(a),
+        }
+    }
+
+    /// The product of unsigned factors: one number, then values, times the product of rates. Keeping rates apart lets
+    /// φ̇² be shared by all products that hold it.
+    fn product(&mut self, factors: Vec<ExprId>) -> ExprId {
+        let mut number = 1.0;
+        let (mut values, mut rates) = (Vec::new(), Vec::new());
+        for factor in factors {
+            match self.literal(factor) {
+                Some(value) => number *= value,
+                None if self.depends(factor).on(super::Depends::RATE) => rates.push(factor),
+                None => values.push(factor),
+            }
+        }
+        let rank = |graph: &Self, id: &ExprId| (!graph.depends(*id).is_static(), *id);
+        values.sort_by_key(|id| rank(self, id));
+        rates.sort_unstable();
+        if number != 1.0 {
+            let number = self.number(number);
+            values.insert(0, number);
+        }
+        let values = values.into_iter().reduce(|a, b| self.intern(Node::Mul(a, b)));
+        let rates = rates.into_iter().reduce(|a, b| self.intern(Node::Mul(a, b)));
+        match (values, rates) {
+            (Some(a), Some(b)) => self.intern(Node::Mul(a, b)),
+            (Some(a), None) | (None, Some(a)) => a,
+            (None, None) => self.number(1.0),
+        }
+    }
+
+    /// a / b.
+    pub fn div(&mut self, a: ExprId, b: ExprId) -> ExprId {
+        if !self.simplify {
+            return self.intern(Node::Div(a, b));
+        }
+        if self.literal(b) == Some(1.0) {
+            return a;
+        }
+        if self.is_zero(a) && !self.is_zero(b) {
+            return a;
+        }
+        if let Some(quotient) = self.fold(a, b, |x, y| x / y) {
+            return quotient;
+        }
+        if let Some(divisor) = self.literal(b)
+            && divisor != 0.0
+            && divisor.to_bits().trailing_zeros() >= 52
+            && divisor.recip().is_normal()
+        {
+            // The reciprocal of a power of two is exact, and a product is cheaper than a quotient.
+            let factor = self.number(divisor.recip());
+            return self.mul(factor, a);
+        }
+        let ((negative_a, a), (negative_b, b)) = (self.unsigned(a), self.unsigned(b));
+        let quotient = self.intern(Node::Div(a, b));
+        self.signed(negative_a != negative_b, quotient)
+    }
+
+    /// The folded literal of two literals, when it is finite.
+    fn fold(&mut self, a: ExprId, b: ExprId, f: impl Fn(f64, f64) -> f64) -> Option<ExprId> {
+        let value = f(self.literal(a)?, self.literal(b)?);
+        value.is_finite().then(|| self.number(value))
+    }
+
+    /// a².
+    pub fn square(&mut self, a: ExprId) -> ExprId {
+        if !self.simplify {
+            return self.intern(Node::Mul(a, a));
+        }
+        let (_, a) = self.unsigned(a);
+        self.mul(a, a)
+    }
+
+    /// a to the integer power n.
+    pub fn powi(&mut self, a: ExprId, n: i32) -> ExprId {
+        if !self.simplify {
+            return self.intern(Node::Powi(a, n));
+        }
+        match n {
+            0 => return self.number(1.0),
+            1 => return a,
+            2 => return self.square(a),
+            _ => {}
+        }
+        if let Some(value) = self.literal(a).map(|v| v.powi(n)).filter(|v| v.is_finite()) {
+            return self.number(value);
+        }
+        let (negative, a) = self.unsigned(a);
+        let power = self.intern(Node::Powi(a, n));
+        self.signed(negative && n % 2 != 0, power)
+    }
+
+    /// a to the real constant power n.
+    pub fn powf(&mut self, a: ExprId, n: f64) -> ExprId {
+        if !self.simplify {
+            return self.intern(Node::Powf(a, Bits::new(n)));
+        }
+        if n == n.trunc() && n.abs() <= 1024.0 {
+            return self.powi(a, n as i32);
+        }
+        if n == 0.5 {
+            return self.call(Function::Sqrt, a);
+        }
+        self.intern(Node::Powf(a, Bits::new(n)))
+    }
+
+    /// f(a).
+    pub fn call(&mut self, f: Function, a: ExprId) -> ExprId {
+        if !self.simplify {
+            return self.intern(Node::Call(f, a));
+        }
+        if self.is_zero(a) {
+            match f {
+                Function::Cos | Function::Exp => return self.number(1.0),
+                Function::Sin
+                | Function::Tan
+                | Function::Asin
+                | Function::Atan
+                | Function::Sqrt
+                | Function::Abs => return a,
+                Function::Acos | Function::Ln => {}
+            }
+        }
+        let (negative, inner) = self.unsigned(a);
+        match f {
+            Function::Sin | Function::Tan | Function::Asin | Function::Atan => {
+                let value = self.intern(Node::Call(f, inner));
+                self.signed(negative, value)
+            }
+            Function::Cos | Function::Abs => self.intern(Node::Call(f, inner)),
+            Function::Sqrt => match self.literal(a).filter(|v| *v > 0.0) {
+                Some(value) => self.number(value.sqrt()),
+                None => self.intern(Node::Call(f, a)),
+            },
+            _ => self.intern(Node::Call(f, a)),
+        }
+    }
+
+    /// sin a.
+    pub fn sin(&mut self, a: ExprId) -> ExprId {
+        self.call(Function::Sin, a)
+    }
+
+    /// cos a.
+    pub fn cos(&mut self, a: ExprId) -> ExprId {
+        self.call(Function::Cos, a)
+    }
+
+    /// The sign of a.
+    pub fn sign(&mut self, a: ExprId) -> ExprId {
+        if !self.simplify {
+            return self.intern(Node::Sign(a));
+        }
+        let (negative, inner) = self.unsigned(a);
+        let sign = self.intern(Node::Sign(inner));
+        self.signed(negative, sign)
+    }
+
+    /// atan2(y, x).
+    pub fn atan2(&mut self, y: ExprId, x: ExprId) -> ExprId {
+        self.intern(Node::Atan2(y, x))
+    }
+
+    /// A supplied function (`order` 0) or its first or second derivative at `a`.
+    pub fn supplied(&mut self, function: u32, order: u8, a: ExprId) -> ExprId {
+        self.intern(Node::Supplied(function, order, a))
+    }
+
+    /// ρ = A(φ)·(x, y). ρ and −ρ share one atom and differ by a sign.
+    pub fn rotate(&mut self, angle: ExprId, [x, y]: [ExprId; 2]) -> [ExprId; 2] {
+        if !self.simplify {
+            let rotation = Rotation { angle, x, y };
+            return [self.intern(Node::RotX(rotation)), self.intern(Node::RotY(rotation))];
+        }
+        if self.is_zero(angle) {
+            return [x, y];
+        }
+        if self.is_zero(x) && self.is_zero(y) {
+            return [x, y];
+        }
+        let ((negative_x, positive_x), (negative_y, positive_y)) = (self.unsigned(x), self.unsigned(y));
+        // A vector with x ≥ 0 (or x = 0 and y ≥ 0) is the base; its opposite is written with a sign.
+        let negative = if self.is_zero(x) { negative_y } else { negative_x };
+        let base = if negative {
+            [positive_x, if negative_y { positive_y } else { self.neg(y) }]
+        } else {
+            [x, y]
+        };
+        let rotation = Rotation { angle, x: base[0], y: base[1] };
+        let (rx, ry) = (self.intern(Node::RotX(rotation)), self.intern(Node::RotY(rotation)));
+        [self.signed(negative, rx), self.signed(negative, ry)]
+    }
+
+    /// u·d of a unit vector `u` that turns with `angle`.
+    pub fn dot(&mut self, angle: ExprId, u: [ExprId; 2], d: [ExprId; 2]) -> ExprId {
+        if self.simplify && self.depends(angle).is_static() {
+            return self.plain_dot(u, d);
+        }
+        self.intern(Node::Dot(Turning { angle, u, d }))
+    }
+
+    /// u×d = perp(u)·d of a unit vector `u` that turns with `angle`.
+    pub fn cross(&mut self, angle: ExprId, u: [ExprId; 2], d: [ExprId; 2]) -> ExprId {
+        if self.simplify && self.depends(angle).is_static() {
+            return self.plain_cross(u, d);
+        }
+        self.intern(Node::Cross(Turning { angle, u, d }))
+    }
+
+    /// a_x b_x + a_y b_y as products and a sum.
+    pub fn plain_dot(&mut self, a: [ExprId; 2], b: [ExprId; 2]) -> ExprId {
+        let (x, y) = (self.mul(a[0], b[0]), self.mul(a[1], b[1]));
+        self.add(x, y)
+    }
+
+    /// a_x b_y − a_y b_x as products and a difference.
+    pub fn plain_cross(&mut self, a: [ExprId; 2], b: [ExprId; 2]) -> ExprId {
+        let (x, y) = (self.mul(a[0], b[1]), self.mul(a[1], b[0]));
+        self.sub(x, y)
+    }
+}

@@ -1,0 +1,33 @@
+//! The interpreter: runs a program in double precision, as an oracle of the emitted code.
+
+use super::{Instruction, Program, Slot};
+use crate::expr::{Environment, function};
+
+/// The outputs of `program`.
+pub fn interpret(program: &Program, environment: &impl Environment) -> Vec<(Slot, f64)> {
+    // Pairs and triples keep their parts here, at the place of their instruction.
+    let mut values = vec![[0.0; 3]; program.instructions.len()];
+    for (place, instruction) in program.instructions.iter().enumerate() {
+        let v = |value: super::Value| values[value.index()][0];
+        values[place] = match *instruction {
+            Instruction::Number(value) => [value.value(), 0.0, 0.0],
+            Instruction::Load(symbol) => [environment.symbol(symbol), 0.0, 0.0],
+            Instruction::Neg(a) => [-v(a), 0.0, 0.0],
+            Instruction::Add(a, b) => [v(a) + v(b), 0.0, 0.0],
+            Instruction::Sub(a, b) => [v(a) - v(b), 0.0, 0.0],
+            Instruction::Mul(a, b) => [v(a) * v(b), 0.0, 0.0],
+            Instruction::Div(a, b) => [v(a) / v(b), 0.0, 0.0],
+            Instruction::SinCos(a) => [v(a).sin(), v(a).cos(), 0.0],
+            Instruction::SinOf(pair) => [values[pair.index()][0], 0.0, 0.0],
+            Instruction::CosOf(pair) => [values[pair.index()][1], 0.0, 0.0],
+            Instruction::Call(f, a) => [function(f, v(a)), 0.0, 0.0],
+            Instruction::Sign(a) => [v(a).signum(), 0.0, 0.0],
+            Instruction::Atan2(y, x) => [v(y).atan2(v(x)), 0.0, 0.0],
+            Instruction::Powi(a, n) => [v(a).powi(n), 0.0, 0.0],
+            Instruction::Powf(a, n) => [v(a).powf(n.value()), 0.0, 0.0],
+            Instruction::Supplied(f, a) => std::array::from_fn(|order| environment.supplied(f, order as u8, v(a))),
+            Instruction::SuppliedOf(triple, order) => [values[triple.index()][usize::from(order)], 0.0, 0.0],
+        };
+    }
+    program.outputs.iter().map(|(slot, value)| (*slot, values[value.index()][0])).collect()
+}

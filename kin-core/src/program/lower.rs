@@ -1,0 +1,304 @@
+//! Lowering: expressions to a straight-line program.
+//!
+//! Values are numbered locally: two equal instructions are one value. Signs travel with the values (see `signs.rs`).
+//! At the end the instructions are ordered so that all sines and cosines that can be taken at once stand together.
+
+use super::signs::{self, Signs};
+use super::{Instruction, Program, Slot, Value};
+use crate::expr::{Bits, ExprId, Graph, Node, Rotation};
+use crate::mechanism::Function;
+use std::collections::HashMap;
+
+/// A value with a sign: the expression is the value, or its opposite.
+#[derive(Clone, Copy)]
+struct Signed {
+    value: Value,
+    negative: bool,
+}
+
+/// Lowers `outputs`.
+pub fn lower(graph: &Graph, outputs: &[(Slot, ExprId)]) -> Program {
+    let signs = signs::choose(graph, outputs.iter().map(|(_, id)| *id));
+    let mut lowering = Lowering { graph, signs, known: HashMap::new(), values: HashMap::new(), out: Vec::new() };
+    let mut written = Vec::with_capacity(outputs.len());
+    for (slot, id) in outputs {
+        lowering.reach(*id);
+        let value = lowering.positive(*id);
+        written.push((*slot, value));
+    }
+    schedule(Program { instructions: lowering.out, outputs: written })
+}
+
+struct Lowering<'g> {
+    graph: &'g Graph,
+    signs: Signs,
+    known: HashMap<ExprId, Signed>,
+    values: HashMap<Instruction, Value>,
+    out: Vec<Instruction>,
+}
+
+impl Lowering<'_> {
+    /// Lowers everything that `root` needs, operands first, without recursion.
+    fn reach(&mut self, root: ExprId) {
+        let mut stack = vec![(root, false)];
+        while let Some((id, ready)) = stack.pop() {
+            if self.known.contains_key(&id) {
+                continue;
+            }
+            if ready {
+                let signed = self.node(id);
+                self.known.insert(id, signed);
+                continue;
+            }
+            stack.push((id, true));
+            let mut operands = Vec::new();
+            self.graph.node(id).for_each_operand(|operand| operands.push(operand));
+            stack.extend(operands.into_iter().rev().map(|operand| (operand, false)));
+        }
+    }
+
+    fn emit(&mut self, instruction: Instruction) -> Value {
+        let canonical = match instruction {
+            Instruction::Add(a, b) => Instruction::Add(a.min(b), a.max(b)),
+            Instruction::Mul(a, b) => Instruction::Mul(a.min(b), a.max(b)),
+            other => other,
+        };
+        if let Some(value) = self.values.get(&canonical) {
+            return *value;
+        }
+        let value = Value(self.out.len() as u32);
+        self.out.push(canonical);
+        self.values.insert(canonical, value);
+        value
+    }
+
+    fn number(&mut self, value: f64) -> Value {
+        self.emit(Instruction::Number(Bits::new(value)))
+    }
+
+    fn signed(&self, id: ExprId) -> Signed {
+        self.known.get(&id).copied().unwrap_or(Signed { value: Value(0), negative: false })
+    }
+
+    /// The value of `id` itself.
+    fn positive(&mut self, id: ExprId) -> Value {
+        let Signed { value, negative } = self.signed(id);
+        if negative { self.negate(value) } else { value }
+    }
+
+    /// −value, folded into a literal where there is one.
+    fn negate(&mut self, value: Value) -> Value {
+        match self.out[value.index()] {
+            Instruction::Number(number) => self.number(-number.value()),
+            Instruction::Neg(inner) => inner,
+            Instruction::Mul(a, b) => match (self.out[a.index()], self.out[b.index()]) {
+                (Instruction::Number(number), _) => {
+                    let opposite = self.number(-number.value());
+                    self.emit(Instruction::Mul(opposite, b))
+                }
+                (_, Instruction::Number(number)) => {
+                    let opposite = self.number(-number.value());
+                    self.emit(Instruction::Mul(a, opposite))
+                }
+                _ => self.emit(Instruction::Neg(value)),
+            },
+            _ => self.emit(Instruction::Neg(value)),
+        }
+    }
+
+    fn add(&mut self, a: Signed, b: Signed, swap: bool) -> Signed {
+        match (a.negative, b.negative) {
+            (false, true) if swap => {
+                Signed { value: self.emit(Instruction::Sub(b.value, a.value)), negative: true }
+            }
+            (true, false) if swap => {
+                Signed { value: self.emit(Instruction::Sub(a.value, b.value)), negative: true }
+            }
+            (false, true) => Signed { value: self.emit(Instruction::Sub(a.value, b.value)), negative: false },
+            (true, false) => Signed { value: self.emit(Instruction::Sub(b.value, a.value)), negative: false },
+            (negative, _) => Signed { value: self.emit(Instruction::Add(a.value, b.value)), negative },
+        }
+    }
+
+    fn mul(&mut self, a: Signed, b: Signed) -> Signed {
+        Signed { value: self.emit(Instruction::Mul(a.value, b.value)), negative: a.negative != b.negative }
+    }
+
+    fn opposite(a: Signed) -> Signed {
+        Signed { negative: !a.negative, ..a }
+    }
+
+    fn node(&mut self, id: ExprId) -> Signed {
+        let swap = self.signs.swapped.contains(&id);
+        let plain = |value| Signed { value, negative: false };
+        match self.graph.node(id) {
+            Node::Number(bits) if bits.value() < 0.0 => {
+                Signed { value: self.number(-bits.value()), negative: true }
+            }
+            Node::Number(bits) => plain(self.number(bits.value())),
+            Node::Symbol(symbol) => plain(self.emit(Instruction::Load(symbol))),
+            Node::Neg(a) => Self::opposite(self.signed(a)),
+            Node::Add(a, b) => self.add(self.signed(a), self.signed(b), swap),
+            Node::Sub(a, b) => self.add(self.signed(a), Self::opposite(self.signed(b)), swap),
+            Node::Mul(a, b) => self.mul(self.signed(a), self.signed(b)),
+            Node::Div(a, b) => {
+                let (a, b) = (self.signed(a), self.signed(b));
+                Signed { value: self.emit(Instruction::Div(a.value, b.value)), negative: a.negative != b.negative }
+            }
+            Node::Powi(a, n) => self.power(a, n),
+            Node::Powf(a, n) => {
+                let a = self.positive(a);
+                plain(self.emit(Instruction::Powf(a, n)))
+            }
+            Node::Call(Function::Sin, a) => self.sin_cos(a).0,
+            Node::Call(Function::Cos, a) => self.sin_cos(a).1,
+            Node::Call(f @ (Function::Tan | Function::Asin | Function::Atan), a) => {
+                let Signed { value, negative } = self.signed(a);
+                Signed { value: self.emit(Instruction::Call(f, value)), negative }
+            }
+            Node::Call(Function::Abs, a) => {
+                let value = self.signed(a).value;
+                plain(self.emit(Instruction::Call(Function::Abs, value)))
+            }
+            Node::Call(f, a) => {
+                let a = self.positive(a);
+                plain(self.emit(Instruction::Call(f, a)))
+            }
+            Node::Sign(a) => {
+                let Signed { value, negative } = self.signed(a);
+                Signed { value: self.emit(Instruction::Sign(value)), negative }
+            }
+            Node::Atan2(y, x) => {
+                let (Signed { value: y, negative }, x) = (self.signed(y), self.positive(x));
+                Signed { value: self.emit(Instruction::Atan2(y, x)), negative }
+            }
+            Node::RotX(r) => self.rotation(r, true),
+            Node::RotY(r) => self.rotation(r, false),
+            Node::Dot(t) => self.products([(t.u[0], t.d[0]), (t.u[1], t.d[1])], false, swap),
+            Node::Cross(t) => self.products([(t.u[0], t.d[1]), (t.u[1], t.d[0])], true, swap),
+            Node::Supplied(f, order, a) => {
+                let a = self.positive(a);
+                let triple = self.emit(Instruction::Supplied(f, a));
+                plain(self.emit(Instruction::SuppliedOf(triple, order)))
+            }
+        }
+    }
+
+    /// sin a and cos a: sin(−a) = −sin a, cos(−a) = cos a.
+    fn sin_cos(&mut self, a: ExprId) -> (Signed, Signed) {
+        let Signed { value, negative } = self.signed(a);
+        let pair = self.emit(Instruction::SinCos(value));
+        let sin = Signed { value: self.emit(Instruction::SinOf(pair)), negative };
+        let cos = Signed { value: self.emit(Instruction::CosOf(pair)), negative: false };
+        (sin, cos)
+    }
+
+    /// A component of A(φ)s; a literal zero component costs nothing.
+    fn rotation(&mut self, r: Rotation, is_x: bool) -> Signed {
+        let (sin, cos) = self.sin_cos(r.angle);
+        let negated = self.signs.negated.contains(&r);
+        let component = |lowering: &mut Self, id: ExprId| {
+            if lowering.graph.is_zero(id) {
+                return None;
+            }
+            let signed = lowering.signed(id);
+            if !negated {
+                return Some(signed);
+            }
+            let value = if signed.negative { signed.value } else { lowering.negate(signed.value) };
+            Some(Signed { value, negative: false })
+        };
+        let (x, y) = (component(self, r.x), component(self, r.y));
+        let (with_x, with_y) = if is_x { (cos, Self::opposite(sin)) } else { (sin, cos) };
+        let terms = [x.map(|x| self.mul(with_x, x)), y.map(|y| self.mul(with_y, y))];
+        let sum = match terms {
+            [Some(a), Some(b)] => self.add(a, b, false),
+            [Some(a), None] | [None, Some(a)] => a,
+            [None, None] => Signed { value: self.number(0.0), negative: false },
+        };
+        if negated { Self::opposite(sum) } else { sum }
+    }
+
+    /// a·b ± c·d, without terms that are literally zero, and without multiplications by a literal one.
+    fn products(&mut self, pairs: [(ExprId, ExprId); 2], minus: bool, swap: bool) -> Signed {
+        let terms = pairs.map(|(a, b)| {
+            if self.graph.is_zero(a) || self.graph.is_zero(b) {
+                return None;
+            }
+            Some(match (self.graph.literal(a).map(f64::abs), self.graph.literal(b).map(f64::abs)) {
+                (Some(1.0), _) => {
+                    let (a, b) = (self.signed(a), self.signed(b));
+                    Signed { value: b.value, negative: a.negative != b.negative }
+                }
+                (_, Some(1.0)) => {
+                    let (a, b) = (self.signed(a), self.signed(b));
+                    Signed { value: a.value, negative: a.negative != b.negative }
+                }
+                _ => self.mul(self.signed(a), self.signed(b)),
+            })
+        });
+        let second = terms[1].map(|term| if minus { Self::opposite(term) } else { term });
+        match (terms[0], second) {
+            (Some(a), Some(b)) => self.add(a, b, swap),
+            (Some(a), None) | (None, Some(a)) => a,
+            (None, None) => Signed { value: self.number(0.0), negative: false },
+        }
+    }
+
+    /// Small powers by squaring, so that they cost multiplications and not a call.
+    fn power(&mut self, a: ExprId, n: i32) -> Signed {
+        let Signed { value, negative } = self.signed(a);
+        let negative = negative && n % 2 != 0;
+        if n.unsigned_abs() > 32 {
+            return Signed { value: self.emit(Instruction::Powi(value, n)), negative };
+        }
+        let (mut square, mut product, mut left) = (value, None, n.unsigned_abs());
+        while left > 0 {
+            if left % 2 == 1 {
+                product = Some(match product {
+                    None => square,
+                    Some(product) => self.emit(Instruction::Mul(product, square)),
+                });
+            }
+            left /= 2;
+            if left > 0 {
+                square = self.emit(Instruction::Mul(square, square));
+            }
+        }
+        let one = self.number(1.0);
+        let power = product.unwrap_or(one);
+        let value = if n < 0 { self.emit(Instruction::Div(one, power)) } else { power };
+        Signed { value, negative }
+    }
+}
+
+/// Drops what no output needs and orders by depth in sines and cosines, so that those of one depth stand together.
+fn schedule(program: Program) -> Program {
+    let Program { instructions, mut outputs } = program;
+    let mut needed = vec![false; instructions.len()];
+    outputs.iter().for_each(|(_, value)| needed[value.index()] = true);
+    for place in (0..instructions.len()).rev() {
+        if needed[place] {
+            instructions[place].for_each_operand(|operand| needed[operand.index()] = true);
+        }
+    }
+    let mut depth = vec![(0_usize, false); instructions.len()];
+    for (place, instruction) in instructions.iter().enumerate() {
+        let mut level = 0;
+        instruction.for_each_operand(|operand| {
+            let (operand_level, is_pair) = depth[operand.index()];
+            level = level.max(operand_level + usize::from(is_pair));
+        });
+        depth[place] = (level, matches!(instruction, Instruction::SinCos(_)));
+    }
+    let mut order: Vec<usize> = (0..instructions.len()).filter(|place| needed[*place]).collect();
+    order.sort_by_key(|place| depth[*place]);
+    let mut renumbered = vec![Value(0); instructions.len()];
+    for (new, old) in order.iter().enumerate() {
+        renumbered[*old] = Value(new as u32);
+    }
+    let instructions =
+        order.iter().map(|old| instructions[*old].map_operands(|value| renumbered[value.index()])).collect();
+    outputs.iter_mut().for_each(|(_, value)| *value = renumbered[value.index()]);
+    Program { instructions, outputs }
+}

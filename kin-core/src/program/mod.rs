@@ -1,0 +1,199 @@
+//! Straight-line programs: every value once, shared by all outputs.
+//!
+//! Imports `expr` alone.
+
+mod interpret;
+mod lower;
+mod signs;
+
+pub use interpret::interpret;
+pub use lower::lower;
+
+use crate::expr::{Bits, Symbol};
+use crate::mechanism::Function;
+use core::fmt;
+
+/// A value of a program: the place of its instruction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Value(pub u32);
+
+impl Value {
+    /// Place of its instruction.
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// One instruction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Instruction {
+    /// A literal.
+    Number(Bits),
+    /// Something the caller supplies.
+    Load(Symbol),
+    /// −a.
+    Neg(Value),
+    /// a + b.
+    Add(Value, Value),
+    /// a − b.
+    Sub(Value, Value),
+    /// a · b.
+    Mul(Value, Value),
+    /// a / b.
+    Div(Value, Value),
+    /// The sine and cosine of an angle, taken together.
+    SinCos(Value),
+    /// The sine of a pair.
+    SinOf(Value),
+    /// The cosine of a pair.
+    CosOf(Value),
+    /// A function other than sine and cosine.
+    Call(Function, Value),
+    /// ±1.
+    Sign(Value),
+    /// atan2(y, x).
+    Atan2(Value, Value),
+    /// a to an integer power.
+    Powi(Value, i32),
+    /// a to a real constant power.
+    Powf(Value, Bits),
+    /// A supplied function with its first two derivatives, taken together.
+    Supplied(u32, Value),
+    /// The value (0), first (1) or second (2) derivative of a supplied function.
+    SuppliedOf(Value, u8),
+}
+
+impl Instruction {
+    /// Calls `f` on every operand.
+    pub fn for_each_operand(&self, mut f: impl FnMut(Value)) {
+        match *self {
+            Self::Number(_) | Self::Load(_) => {}
+            Self::Neg(a)
+            | Self::SinCos(a)
+            | Self::SinOf(a)
+            | Self::CosOf(a)
+            | Self::Call(_, a)
+            | Self::Sign(a)
+            | Self::Powi(a, _)
+            | Self::Powf(a, _)
+            | Self::Supplied(_, a)
+            | Self::SuppliedOf(a, _) => f(a),
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) | Self::Atan2(a, b) => {
+                f(a);
+                f(b);
+            }
+        }
+    }
+
+    fn map_operands(self, f: impl Fn(Value) -> Value) -> Self {
+        match self {
+            Self::Number(_) | Self::Load(_) => self,
+            Self::Neg(a) => Self::Neg(f(a)),
+            Self::Add(a, b) => Self::Add(f(a), f(b)),
+            Self::Sub(a, b) => Self::Sub(f(a), f(b)),
+            Self::Mul(a, b) => Self::Mul(f(a), f(b)),
+            Self::Div(a, b) => Self::Div(f(a), f(b)),
+            Self::SinCos(a) => Self::SinCos(f(a)),
+            Self::SinOf(a) => Self::SinOf(f(a)),
+            Self::CosOf(a) => Self::CosOf(f(a)),
+            Self::Call(g, a) => Self::Call(g, f(a)),
+            Self::Sign(a) => Self::Sign(f(a)),
+            Self::Atan2(a, b) => Self::Atan2(f(a), f(b)),
+            Self::Powi(a, n) => Self::Powi(f(a), n),
+            Self::Powf(a, n) => Self::Powf(f(a), n),
+            Self::Supplied(g, a) => Self::Supplied(g, f(a)),
+            Self::SuppliedOf(a, order) => Self::SuppliedOf(f(a), order),
+        }
+    }
+}
+
+/// Where an output goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Slot {
+    /// Entry of Φ.
+    Phi(usize),
+    /// Non-zero of Φ_q, by its place in the pattern.
+    PhiQ(usize),
+    /// Entry of Φ_t.
+    PhiT(usize),
+    /// Entry of γ.
+    Gamma(usize),
+    /// Entry of a plain list (geometry, guesses).
+    Entry(usize),
+}
+
+/// Operations of a program.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct OperationCount {
+    /// Additions and subtractions.
+    pub add: usize,
+    /// Multiplications.
+    pub mul: usize,
+    /// Negations.
+    pub neg: usize,
+    /// Divisions.
+    pub div: usize,
+    /// Square roots.
+    pub sqrt: usize,
+    /// Sine and cosine pairs.
+    pub sincos: usize,
+    /// Every other function.
+    pub function: usize,
+}
+
+impl OperationCount {
+    /// Additions, multiplications, negations and divisions.
+    pub const fn flops(&self) -> usize {
+        self.add + self.mul + self.neg + self.div
+    }
+}
+
+/// A straight-line program.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Program {
+    /// The instructions, operands first. Sines and cosines that do not depend on one another stand side by side.
+    pub instructions: Vec<Instruction>,
+    /// What is written where, in the order given to [`lower`].
+    pub outputs: Vec<(Slot, Value)>,
+}
+
+impl Program {
+    /// The operations of one run.
+    pub fn operations(&self) -> OperationCount {
+        let mut count = OperationCount::default();
+        for instruction in &self.instructions {
+            match instruction {
+                Instruction::Number(_)
+                | Instruction::Load(_)
+                | Instruction::SinOf(_)
+                | Instruction::CosOf(_)
+                | Instruction::SuppliedOf(..) => {}
+                Instruction::Neg(_) => count.neg += 1,
+                Instruction::Add(..) | Instruction::Sub(..) => count.add += 1,
+                Instruction::Mul(..) => count.mul += 1,
+                Instruction::Div(..) => count.div += 1,
+                Instruction::SinCos(_) => count.sincos += 1,
+                Instruction::Call(Function::Sqrt, _) => count.sqrt += 1,
+                Instruction::Call(..)
+                | Instruction::Sign(_)
+                | Instruction::Atan2(..)
+                | Instruction::Powi(..)
+                | Instruction::Powf(..)
+                | Instruction::Supplied(..) => count.function += 1,
+            }
+        }
+        count
+    }
+}
+
+impl fmt::Display for Program {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (place, instruction) in self.instructions.iter().enumerate() {
+            writeln!(f, "v{place} = {instruction:?}")?;
+        }
+        for (slot, value) in &self.outputs {
+            writeln!(f, "{slot:?} = v{}", value.0)?;
+        }
+        Ok(())
+    }
+}

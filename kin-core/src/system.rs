@@ -1,0 +1,87 @@
+//! The kinematic system: Φ with Φ_q, Φ_t and γ, and the class of every row.
+//!
+//! Both derivatives come from [`total_derivatives`](crate::expr::total_derivatives): Φ̇ = Φ_q q̇ + Φ_t and
+//! Φ̈ = Φ_q q̈ − γ, so that the velocity equations are Φ_q q̇ = ν = −Φ_t and the acceleration equations Φ_q q̈ = γ.
+
+use crate::constraint::{ConstraintSet, JointTag};
+use crate::expr::{ExprId, Jet, total_derivatives};
+use core::fmt;
+
+/// A row with its derivatives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equation {
+    /// Φ, or the value of an observable.
+    pub phi: ExprId,
+    /// Non-zero entries of the row of Φ_q, by coordinate.
+    pub phi_q: Vec<(u32, ExprId)>,
+    /// Φ_t.
+    pub phi_t: ExprId,
+    /// γ = −(Φ_q q̇)_q q̇ − 2 Φ_qt q̇ − Φ_tt.
+    pub gamma: ExprId,
+}
+
+/// The class of a row (lecture, slides 27–34). Every row is an equation, so bilateral.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RowClass {
+    /// Φ(q, t) = 0; otherwise a velocity-level row.
+    pub holonomic: bool,
+    /// t or an input appears; otherwise scleronomic.
+    pub rheonomic: bool,
+    /// Declared by `driver`, or rheonomic.
+    pub driving: bool,
+}
+
+/// Φ, Φ_q, Φ_t, γ of a mechanism and of everything that it reports.
+#[derive(Clone, Debug)]
+pub struct KinematicSystem {
+    /// Names, coordinates, bodies, joints; its graph holds all expressions.
+    pub set: ConstraintSet,
+    /// Rows of Φ.
+    pub equations: Vec<Equation>,
+    /// The class of every row.
+    pub classes: Vec<RowClass>,
+    /// Observables, with the same derivatives.
+    pub observables: Vec<Equation>,
+}
+
+/// Differentiates a constraint set.
+pub fn differentiate(mut set: ConstraintSet) -> KinematicSystem {
+    let rows: Vec<ExprId> = set.rows.iter().map(|row| row.phi).collect();
+    let observed: Vec<ExprId> = set.observables.iter().map(|o| o.value).collect();
+    let classes = (set.rows.iter())
+        .map(|row| {
+            let rheonomic = set.graph.depends(row.phi).is_rheonomic();
+            let declared = set.joints[row.joint].tag == JointTag::Driver;
+            RowClass { holonomic: true, rheonomic, driving: declared || rheonomic }
+        })
+        .collect();
+    let equations = equations(&mut set, &rows);
+    let observables = self::equations(&mut set, &observed);
+    KinematicSystem { set, equations, classes, observables }
+}
+
+fn equations(set: &mut ConstraintSet, values: &[ExprId]) -> Vec<Equation> {
+    let jets = total_derivatives(&mut set.graph, values);
+    let equation = |(phi, jet): (&ExprId, Jet)| Equation {
+        phi: *phi,
+        phi_q: jet.gradient,
+        phi_t: jet.partial_t,
+        gamma: set.graph.neg(jet.rest),
+    };
+    values.iter().zip(jets).map(equation).collect()
+}
+
+impl fmt::Display for KinematicSystem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (row, equation) in self.set.rows.iter().zip(&self.equations) {
+            writeln!(f, "{}", row.name)?;
+            writeln!(f, "  Φ   = {}", self.set.show(equation.phi))?;
+            for (k, e) in &equation.phi_q {
+                writeln!(f, "  ∂Φ/∂{} = {}", self.set.coordinate_name(*k), self.set.show(*e))?;
+            }
+            writeln!(f, "  Φ_t = {}", self.set.show(equation.phi_t))?;
+            writeln!(f, "  γ   = {}", self.set.show(equation.gamma))?;
+        }
+        Ok(())
+    }
+}
