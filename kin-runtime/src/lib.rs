@@ -29,6 +29,11 @@ pub mod trajectory;
 #[cfg(feature = "std")]
 pub mod transmission;
 
+#[cfg(feature = "cli")]
+pub mod cli;
+#[cfg(feature = "cli")]
+pub mod present;
+
 pub use kin_derive::mechanism;
 pub use mechanism::{LengthError, Mechanism, Observations, Workspace};
 pub use scalar::Scalar;

@@ -1,0 +1,155 @@
+//! `check`: are the closed forms right, and is the solution one?
+
+use serde::Serialize;
+
+use super::engine::{Engine, Miss, Setup};
+use super::failure::Failure;
+use super::options::{Format, FreedomArgs, InstantArgs, OutputArgs, SetupArgs};
+use super::session::Session;
+use super::solved::{analysis, fully_driven};
+use crate::cross_check::{Configuration, CrossCheck, CrossCheckOptions};
+use crate::present::json::to_json;
+use crate::present::number::{magnitude, plain};
+use crate::present::text::{Facts, count};
+use crate::state::State;
+
+/// Largest error of a closed form, relative to the size of its terms.
+const CLOSED_FORM_TOLERANCE: f64 = 1e-10;
+/// Largest error of the velocity and acceleration equations, relative to their terms.
+const CLOSURE_TOLERANCE: f64 = 1e-9;
+
+/// Hold the closed forms against dual numbers, and the solution against the equations
+#[derive(Clone, Debug, clap::Args)]
+#[command(after_help = "\
+Examples, after the program's name:
+  check
+  check --at 0.5 --set l1=0.12
+  check --configurations 1000 --format json
+
+The status is 0 only when everything passes.")]
+pub(super) struct CheckArgs {
+    #[command(flatten)]
+    instant: InstantArgs,
+    /// Number of random configurations
+    #[arg(long, value_name = "N", default_value_t = 100)]
+    configurations: u32,
+    #[command(flatten)]
+    setup: SetupArgs,
+    #[command(flatten)]
+    freedom: FreedomArgs,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+/// What a check found.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Findings {
+    t: f64,
+    mechanism: &'static str,
+    passed: bool,
+    cross_check: CrossCheck,
+    /// None where the mechanism could not be solved.
+    closure: Option<Closure>,
+}
+
+impl Findings {
+    pub(super) fn passed(&self) -> bool {
+        self.passed
+    }
+}
+
+/// How well the solution satisfies the equations.
+#[derive(Clone, Debug, Serialize)]
+struct Closure {
+    position: f64,
+    velocity: Option<Miss>,
+    acceleration: Option<Miss>,
+}
+
+pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
+    let t = args.instant.time()?;
+    let setup = args.setup.apply_complete(engine)?;
+    let engine = &*engine;
+    let solved = solve(engine, &setup, t, args.freedom.least_norm);
+    let findings = find(engine, t, solved.as_ref().ok(), args.configurations as usize)?;
+    let text = match args.output.format() {
+        Format::Text => {
+            let heading = format!("{}, check at t = {}\n\n", engine.model().name, plain(t));
+            let verdict = if solved.is_ok() && findings.passed { "passed" } else { "FAILED" };
+            format!("{heading}{}\n  {verdict}\n", facts(&findings).render())
+        }
+        Format::Json => to_json(&Findings { passed: findings.passed && solved.is_ok(), ..findings.clone() })
+            .map_err(Failure::Output)?,
+        Format::Csv => {
+            return Err(Failure::option("--format", "`check` has no csv form; write text or json"));
+        }
+    };
+    session.deliver(&args.output, &text)?;
+    solved?;
+    if findings.passed { Ok(()) } else { Err(Failure::Analysis(complaint(&findings))) }
+}
+
+fn solve(engine: &dyn Engine, setup: &Setup, t: f64, least_norm: bool) -> Result<State, Failure> {
+    let say = |error| analysis(engine, &error);
+    let state = engine.state(setup, t).map_err(say)?;
+    if !least_norm {
+        fully_driven(engine, &engine.mobility(setup, &state).map_err(say)?, t)?;
+    }
+    Ok(state)
+}
+
+/// Compares at the solved configuration, where there is one, and at random ones.
+pub(super) fn find(
+    engine: &dyn Engine,
+    t: f64,
+    state: Option<&State>,
+    configurations: usize,
+) -> Result<Findings, Failure> {
+    let say = |error| analysis(engine, &error);
+    let here = |s: &State| Configuration { t, q: s.q.clone(), q_dot: s.q_dot.clone(), inputs: s.inputs.clone() };
+    let given = state.map(here).into_iter().collect();
+    let options = CrossCheckOptions { configurations, given, ..CrossCheckOptions::default() };
+    let cross_check = engine.cross_check(&options).map_err(say)?;
+    let closure = match state {
+        None => None,
+        Some(state) => {
+            let [velocity, acceleration] = engine.misses(state).map_err(say)?;
+            Some(Closure { position: state.residual, velocity, acceleration })
+        }
+    };
+    let close = |m: &Option<Miss>| m.is_none_or(|m| m.error <= CLOSURE_TOLERANCE);
+    let closed = closure.as_ref().is_none_or(|c| close(&c.velocity) && close(&c.acceleration));
+    let passed = closed && cross_check.passes(CLOSED_FORM_TOLERANCE);
+    Ok(Findings { t, mechanism: engine.model().name, passed, cross_check, closure })
+}
+
+/// The findings, line by line.
+pub(super) fn facts(findings: &Findings) -> Facts {
+    let mut facts = Facts::default();
+    let check = &findings.cross_check;
+    let skipped = (check.skipped > 0).then(|| format!("{} skipped where Φ has no value", check.skipped));
+    let compared = format!("entries of Φ_q, Φ_t, γ at {}", count(check.configurations, "configuration"));
+    facts.add("compared with dual numbers", check.entries, std::iter::once(compared).chain(skipped));
+    let worst = &check.worst;
+    let column = if worst.column_name.is_empty() { String::new() } else { format!(", {}", worst.column_name) };
+    let place = (!worst.row_name.is_empty()).then(|| format!("{}[{}{column}]", worst.matrix, worst.row_name));
+    facts.add("  worst error", magnitude(check.max_error), place);
+    if let Some(closure) = &findings.closure {
+        let row = |miss: &Option<Miss>| miss.map(|m| format!("row {}", m.row));
+        let size = |miss: &Option<Miss>| magnitude(miss.map_or(0.0, |m| m.error));
+        facts
+            .add("solution", "", [""])
+            .add("  position Φ = 0", magnitude(closure.position), ["largest |Φ|"])
+            .add("  velocity Φ_q q̇ = −Φ_t", size(&closure.velocity), row(&closure.velocity))
+            .add("  acceleration Φ_q q̈ = γ", size(&closure.acceleration), row(&closure.acceleration));
+    }
+    facts
+}
+
+fn complaint(findings: &Findings) -> String {
+    let check = &findings.cross_check;
+    if check.passes(CLOSED_FORM_TOLERANCE) {
+        return format!("the solution misses the equations by more than {CLOSURE_TOLERANCE:e}");
+    }
+    format!("a closed form differs from the dual numbers by more than {CLOSED_FORM_TOLERANCE:e}: {check}")
+}

@@ -1,0 +1,160 @@
+//! The face of a mechanism that the commands see: its type is known here and nowhere else in this program.
+
+use crate::cross_check::{CrossCheck, CrossCheckOptions};
+use crate::error::SolveError;
+use crate::mechanism::Mechanism;
+use crate::mobility::Mobility;
+use crate::model::Model;
+use crate::motion::Motion;
+use crate::ratios::VelocityRatios;
+use crate::solver::Solver;
+use crate::state::State;
+use crate::transmission::TransmissionAngle;
+use crate::workspace::{Instant, Signal, Subset};
+
+/// Where the analysis starts and what is prescribed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Setup {
+    /// Coordinates and where assembly starts.
+    pub(super) guesses: Vec<(usize, f64)>,
+    /// Prescribed coordinates.
+    pub(super) given: Vec<(usize, Signal)>,
+    /// All inputs, at the first instant.
+    pub(super) inputs: Vec<Signal>,
+    /// Names of inputs that the user gave no value for.
+    pub(super) missing_inputs: Vec<&'static str>,
+}
+
+impl Setup {
+    /// The inputs a time `dt` after the first instant: acceleration stays constant.
+    fn inputs_after(&self, dt: f64, out: &mut [Signal]) {
+        for (to, u) in out.iter_mut().zip(&self.inputs) {
+            *to = Signal {
+                value: u.value + dt * (u.rate + 0.5 * dt * u.acceleration),
+                rate: u.rate + dt * u.acceleration,
+                acceleration: u.acceleration,
+            };
+        }
+    }
+}
+
+/// By how much the velocity or acceleration equations of the worst row are missed, relative to their terms.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub(super) struct Miss {
+    /// Name of the row.
+    pub(super) row: &'static str,
+    /// Relative error.
+    pub(super) error: f64,
+}
+
+/// A mechanism with its parameters.
+pub(super) trait Engine {
+    fn model(&self) -> &'static Model;
+    fn parameters(&self) -> Vec<f64>;
+    fn set_parameter(&mut self, index: usize, value: f64) -> bool;
+    fn state(&self, setup: &Setup, t: f64) -> Result<State, SolveError>;
+    /// The states up to the first failure, and the failure.
+    fn sweep(&self, setup: &Setup, times: &[f64]) -> (Vec<State>, Option<SolveError>);
+    fn motion(&self, state: &State) -> Result<Motion, SolveError>;
+    fn mobility(&self, setup: &Setup, state: &State) -> Result<Mobility, SolveError>;
+    fn velocity_ratios(&self, setup: &Setup, state: &State) -> Result<VelocityRatios, SolveError>;
+    fn transmission_angles(&self, state: &State) -> Result<Vec<TransmissionAngle>, SolveError>;
+    fn cross_check(&self, options: &CrossCheckOptions) -> Result<CrossCheck, SolveError>;
+    /// The worst rows of Φ_q q̇ = −Φ_t and of Φ_q q̈ = γ.
+    fn misses(&self, state: &State) -> Result<[Option<Miss>; 2], SolveError>;
+}
+
+/// The mechanism `M` as an [`Engine`].
+pub(super) struct Bound<M> {
+    mechanism: M,
+}
+
+impl<M: Mechanism> Bound<M> {
+    pub(super) fn new(mechanism: M) -> Self {
+        Self { mechanism }
+    }
+
+    fn solver(&self, setup: &Setup) -> Solver<'_, M> {
+        let start = Solver::new(&self.mechanism);
+        let guessed = setup.guesses.iter().fold(start, |solver, &(place, value)| solver.with_guess(place, value));
+        setup.given.iter().fold(guessed, |solver, &(place, signal)| solver.with_given(place, signal))
+    }
+}
+
+impl<M: Mechanism> Engine for Bound<M> {
+    fn model(&self) -> &'static Model {
+        M::model()
+    }
+
+    fn parameters(&self) -> Vec<f64> {
+        self.mechanism.parameters::<f64>().as_ref().to_vec()
+    }
+
+    fn set_parameter(&mut self, index: usize, value: f64) -> bool {
+        self.mechanism.set_parameter(index, value)
+    }
+
+    fn state(&self, setup: &Setup, t: f64) -> Result<State, SolveError> {
+        self.solver(setup).state(&Instant { t, inputs: &setup.inputs })
+    }
+
+    fn sweep(&self, setup: &Setup, times: &[f64]) -> (Vec<State>, Option<SolveError>) {
+        let first = times.first().copied().unwrap_or(0.0);
+        let inputs = |t: f64, out: &mut [Signal]| setup.inputs_after(t - first, out);
+        let solver = self.solver(setup).with_inputs(&inputs);
+        match solver.sweep(times) {
+            Ok(trajectory) => (trajectory.states, None),
+            Err(error) => (error.trajectory.states, Some(error.source)),
+        }
+    }
+
+    fn motion(&self, state: &State) -> Result<Motion, SolveError> {
+        Solver::new(&self.mechanism).motion(state)
+    }
+
+    fn mobility(&self, setup: &Setup, state: &State) -> Result<Mobility, SolveError> {
+        self.solver(setup).mobility(&state.instant(), &state.q)
+    }
+
+    fn velocity_ratios(&self, setup: &Setup, state: &State) -> Result<VelocityRatios, SolveError> {
+        self.solver(setup).velocity_ratios(state)
+    }
+
+    fn transmission_angles(&self, state: &State) -> Result<Vec<TransmissionAngle>, SolveError> {
+        Solver::new(&self.mechanism).transmission_angles(&state.instant(), &state.q)
+    }
+
+    fn cross_check(&self, options: &CrossCheckOptions) -> Result<CrossCheck, SolveError> {
+        Solver::new(&self.mechanism).cross_check(options)
+    }
+
+    fn misses(&self, state: &State) -> Result<[Option<Miss>; 2], SolveError> {
+        let mut workspace = M::workspace::<f64>();
+        self.mechanism.evaluate(Subset::ALL, &state.instant(), &state.q, &state.q_dot, &mut workspace)?;
+        let nu: Vec<f64> = workspace.phi_t().iter().map(|v| -v).collect();
+        let velocity = worst_miss(M::model(), workspace.phi_q(), &state.q_dot, &nu);
+        Ok([velocity, worst_miss(M::model(), workspace.phi_q(), &state.q_ddot, workspace.gamma())])
+    }
+}
+
+/// The worst row of Φ_q x = b, relative to the sizes of the row, x and b.
+fn worst_miss(model: &'static Model, phi_q: &[f64], x: &[f64], b: &[f64]) -> Option<Miss> {
+    let largest = x.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let mut worst: Option<Miss> = None;
+    for (i, row) in model.rows.iter().enumerate() {
+        let right = b.get(i).copied().unwrap_or(0.0);
+        let (mut miss, mut size) = (-right, right.abs());
+        for (&(r, column), &entry) in model.constraint_pattern.entries.iter().zip(phi_q) {
+            if r == i {
+                miss += entry * x.get(column).copied().unwrap_or(0.0);
+                size = size.max(entry.abs() * largest);
+            }
+        }
+        let error = if miss == 0.0 { 0.0 } else { miss.abs() / size };
+        // NaN counts as the worst.
+        if worst.is_none_or(|w| error > w.error || error.is_nan()) {
+            worst = Some(Miss { row: row.name, error });
+        }
+    }
+    worst
+}

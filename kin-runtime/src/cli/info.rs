@@ -1,0 +1,124 @@
+//! `info`: what the mechanism is.
+
+use super::engine::Engine;
+use super::failure::Failure;
+use super::options::{Format, InstantArgs, OutputArgs, SetupArgs};
+use super::session::Session;
+use super::solved::analysis;
+use crate::mobility::{Mobility, RedundantRow};
+use crate::model::Model;
+use crate::present::json::to_json;
+use crate::present::structure::{StructureRecord, drivers};
+use crate::present::text::{self, Facts, classes, coordinate_names};
+use crate::state::State;
+
+/// Counts, rows and their classes, degrees of freedom
+#[derive(Clone, Debug, clap::Args)]
+#[command(after_help = "\
+Examples, after the program's name:
+  info
+  info --format json
+  info --at 0.5 --set l1=0.12
+
+Degrees of freedom come from the rank at the configuration, so they need one that assembles; everything
+else does not. Where none does, the rest is given and the status is 1.")]
+pub(super) struct InfoArgs {
+    #[command(flatten)]
+    instant: InstantArgs,
+    #[command(flatten)]
+    setup: SetupArgs,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+pub(super) fn run(args: &InfoArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
+    let t = args.instant.time()?;
+    let setup = args.setup.apply(engine)?;
+    let engine = &*engine;
+    if args.output.format() == Format::Csv {
+        return Err(Failure::option("--format", "`info` has no csv form; write text or json"));
+    }
+    if !setup.missing_inputs.is_empty() {
+        session.note(&format!("note: inputs without a value are taken as 0: {}", setup.missing_inputs.join(", ")));
+    }
+    let solved = engine.state(&setup, t).and_then(|s| engine.mobility(&setup, &s).map(|m| (s, m)));
+    let known = solved.as_ref().ok().map(|(s, m)| (s, m));
+    let text = match args.output.format() {
+        Format::Json => to_json(&record(engine, known)).map_err(Failure::Output)?,
+        _ => text(engine, known),
+    };
+    session.deliver(&args.output, &text)?;
+    match solved {
+        Ok(_) => Ok(()),
+        Err(error) => {
+            session.note("note: degrees of freedom, ranks and redundant rows need a configuration, and there is none");
+            Err(analysis(engine, &error))
+        }
+    }
+}
+
+/// The structure, for JSON.
+pub(super) fn record<'a>(engine: &dyn Engine, known: Option<(&'a State, &'a Mobility)>) -> StructureRecord<'a> {
+    StructureRecord::new(engine.model(), &engine.parameters(), known)
+}
+
+/// Name, counts, parameters, rows.
+pub(super) fn text(engine: &dyn Engine, known: Option<(&State, &Mobility)>) -> String {
+    let model = engine.model();
+    let mut facts = Facts::default();
+    facts
+        .add("bodies", model.bodies.len(), model.bodies.iter().map(|b| b.name))
+        .add("coordinates", model.coordinates.len(), Vec::<String>::new())
+        .add("rows of Φ", model.rows.len(), row_summary(model))
+        .add("drivers", drivers(model).len(), drivers(model));
+    if !model.inputs.is_empty() {
+        facts.add("inputs", model.inputs.len(), model.inputs.iter().copied());
+    }
+    if let Some((_, mobility)) = known {
+        let left = mobility.degrees_of_freedom_left;
+        let driven = if left == 0 { "fully driven".to_owned() } else { format!("{left} left open by the drivers") };
+        facts
+            .add("degrees of freedom", mobility.degrees_of_freedom, [driven])
+            .add("  independent", mobility.independent.len(), coordinate_names(model, &mobility.independent))
+            .add("  dependent", mobility.dependent.len(), coordinate_names(model, &mobility.dependent));
+        if !mobility.redundant.is_empty() {
+            facts.add("redundant rows", mobility.redundant.len(), mobility.redundant.iter().map(redundancy));
+        }
+    }
+    facts.add("operations", operations(model).0, operations(model).1);
+    let doc = text::title(model);
+    format!("{doc}\n{}{}{}", facts.render(), text::parameters(model, &engine.parameters()), text::rows(model))
+}
+
+fn redundancy(row: &RedundantRow) -> String {
+    let verb = if row.consistent { "repeats" } else { "contradicts" };
+    format!("{} {verb} {}", row.name, row.circuit.join(" + "))
+}
+
+/// How many rows of which class.
+fn row_summary(model: &Model) -> Vec<String> {
+    let mut kinds: Vec<([&str; 3], usize)> = Vec::new();
+    for row in model.rows {
+        match kinds.iter_mut().find(|(class, _)| *class == classes(row)) {
+            Some((_, number)) => *number += 1,
+            None => kinds.push((classes(row), 1)),
+        }
+    }
+    kinds.iter().map(|(class, number)| format!("{number} {}", class.join(" "))).collect()
+}
+
+/// All operations of one evaluation of Φ, Φ_q, Φ_t and γ together, and which.
+fn operations(model: &Model) -> (usize, Vec<String>) {
+    let o = model.operations;
+    let all = [
+        (o.mul, "mul"),
+        (o.add, "add"),
+        (o.neg, "neg"),
+        (o.div, "div"),
+        (o.sqrt, "sqrt"),
+        (o.sincos, "sincos"),
+        (o.function, "function"),
+    ];
+    let shown = all.iter().filter(|(number, _)| *number > 0).map(|(number, what)| format!("{number} {what}")).collect();
+    (all.iter().map(|(number, _)| number).sum(), shown)
+}

@@ -1,0 +1,72 @@
+//! One instant, solved, with everything that is reported about it.
+
+use super::engine::{Engine, Setup};
+use super::failure::Failure;
+use super::names::listing;
+use crate::error::SolveError;
+use crate::mobility::Mobility;
+use crate::motion::Motion;
+use crate::present::text;
+use crate::ratios::VelocityRatios;
+use crate::state::State;
+use crate::transmission::TransmissionAngle;
+
+/// A solved instant.
+#[derive(Clone, Debug)]
+pub(super) struct Solved {
+    pub(super) state: State,
+    pub(super) motion: Motion,
+    pub(super) mobility: Mobility,
+    pub(super) ratios: VelocityRatios,
+    pub(super) angles: Vec<TransmissionAngle>,
+}
+
+/// Solves at `t` and refuses motions that the drivers leave open.
+pub(super) fn solve(engine: &dyn Engine, setup: &Setup, t: f64, least_norm: bool) -> Result<Solved, Failure> {
+    let say = |error| analysis(engine, &error);
+    let state = engine.state(setup, t).map_err(say)?;
+    let mobility = engine.mobility(setup, &state).map_err(say)?;
+    if !least_norm {
+        fully_driven(engine, &mobility, t)?;
+    }
+    let motion = engine.motion(&state).map_err(say)?;
+    // Neither belongs to the motion: where they do not exist, the state is good nevertheless.
+    let ratios = engine.velocity_ratios(setup, &state).unwrap_or(VelocityRatios { drivers: Vec::new() });
+    let angles = engine.transmission_angles(&state).unwrap_or_default();
+    Ok(Solved { state, motion, mobility, ratios, angles })
+}
+
+/// An error when degrees of freedom are left, with the coordinates that could be given.
+pub(super) fn fully_driven(engine: &dyn Engine, mobility: &Mobility, t: f64) -> Result<(), Failure> {
+    let left = mobility.degrees_of_freedom_left;
+    if left == 0 {
+        return Ok(());
+    }
+    let names = text::coordinate_names(engine.model(), &mobility.could_be_given);
+    let example = names.first().copied().unwrap_or("coordinate");
+    Err(Failure::Analysis(format!(
+        "under-driven at t = {t}: {} left open by the drivers\n{}\n  \
+         give {left} of them: --given {example}=value (or {example}=value:rate:acceleration),\n  \
+         or take the smallest change, q̇ and q̈: --least-norm",
+        if left == 1 { "1 degree of freedom is".to_owned() } else { format!("{left} degrees of freedom are") },
+        listing("  could be given: ", &names),
+    )))
+}
+
+/// An error of an analysis, with what may help.
+pub(super) fn analysis(engine: &dyn Engine, error: &SolveError) -> Failure {
+    let hint = match error {
+        SolveError::NotAssembled { .. } => {
+            "if these dimensions can close at all, start nearer to the position: --guess coordinate=value,…"
+        }
+        SolveError::GivenConflict { open: 0, .. } => {
+            "the drivers determine every coordinate already: leave --given out"
+        }
+        SolveError::GivenConflict { .. } => "give other coordinates, or fewer, with --given",
+        SolveError::NonFinite { what: "Φ", .. } => {
+            "the equations have no value there: other parameters (--set) or guesses (--guess) may have"
+        }
+        _ => return Failure::Analysis(format!("{}: {error}", engine.model().name)),
+    };
+    Failure::Analysis(format!("{}: {error}\n  {hint}", engine.model().name))
+}

@@ -1,0 +1,149 @@
+//! `sweep`: the motion over many instants.
+
+use super::engine::{Engine, Setup};
+use super::failure::Failure;
+use super::options::{Format, FreedomArgs, OutputArgs, SetupArgs};
+use super::session::Session;
+use super::solved::{analysis, fully_driven};
+use super::values;
+use crate::motion::Motion;
+use crate::present::grid;
+use crate::present::json::to_json;
+use crate::present::number::plain;
+use crate::present::record::{Parameters, SweepRecord};
+use crate::present::text::count;
+use crate::state::State;
+
+/// Columns beside t in one table.
+const ACROSS: usize = 6;
+/// Steps when --steps is not there.
+const STEPS: usize = 100;
+
+/// The motion over many instants, on one branch from the first to the last
+#[derive(Clone, Debug, clap::Args)]
+#[command(after_help = "\
+Examples, after the program's name:
+  sweep --to 1                                          101 instants from t = 0 to t = 1
+  sweep --from 0 --to 1 --steps 100 --format csv --out motion.csv
+  sweep --from 1 --to -1 --steps 50 --set omega=3
+  sweep --times -1,0,0.5,10 --format json
+  sweep --to 2 --given crank.phi=0:3                    crank.phi starts at 0 and turns at 3 rad/s
+
+csv has one header line and one row per instant: t, then every coordinate, its rate (name_dot) and
+acceleration (name_ddot). Inputs and given coordinates hold at the first instant and go on with
+their acceleration. When a sweep fails midway the finished rows are written and the status is 1.")]
+pub(super) struct SweepArgs {
+    /// The first instant [default: 0]
+    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    from: Option<String>,
+    /// The last instant
+    #[arg(long, value_name = "B", allow_hyphen_values = true)]
+    to: Option<String>,
+    /// Number of steps; N steps are N + 1 instants [default: 100]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    steps: Option<String>,
+    /// The instants one by one, in place of --from, --to and --steps
+    #[arg(long, value_name = "T1,T2,…", allow_hyphen_values = true)]
+    times: Option<String>,
+    /// Also points, defines and joint quantities, behind the coordinates
+    #[arg(long)]
+    points: bool,
+    #[command(flatten)]
+    setup: SetupArgs,
+    #[command(flatten)]
+    freedom: FreedomArgs,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+impl SweepArgs {
+    fn times(&self) -> Result<Vec<f64>, Failure> {
+        let number =
+            |option: &str, text: &Option<String>| text.as_deref().map(|t| values::number(option, t)).transpose();
+        if let Some(times) = &self.times {
+            let beside = [("--from", &self.from), ("--to", &self.to), ("--steps", &self.steps)];
+            if let Some((name, _)) = beside.into_iter().find(|(_, value)| value.is_some()) {
+                return Err(Failure::option("--times", format!("cannot stand beside {name}; use one or the other")));
+            }
+            return values::times("--times", times);
+        }
+        let from = number("--from", &self.from)?.unwrap_or(0.0);
+        let steps = self.steps.as_deref().map(values::steps).transpose()?.unwrap_or(STEPS);
+        match number("--to", &self.to)? {
+            Some(to) => values::grid(from, to, steps),
+            None => Err(Failure::Usage("no instants: write --from A --to B --steps N, or --times T1,T2,…".to_owned())),
+        }
+    }
+}
+
+pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
+    let times = args.times()?;
+    let setup = args.setup.apply_complete(engine)?;
+    let engine = &*engine;
+    if !args.freedom.least_norm {
+        refuse_open_motion(engine, &setup, times.first().copied().unwrap_or(0.0))?;
+    }
+    let (mut states, mut ended) = engine.sweep(&setup, &times);
+    let ended = ended.take().map(|error| analysis(engine, &error)).or_else(|| {
+        // A sweep may also pass through a position where the drivers lose their grip.
+        let open = states.iter().position(|s| s.degrees_of_freedom_left > 0).filter(|_| !args.freedom.least_norm)?;
+        let at = states.get(open).map_or(f64::NAN, |s| s.t);
+        let failure = states.get(open).map(|s| engine.mobility(&setup, s));
+        states.truncate(open);
+        match failure {
+            Some(Ok(mobility)) => fully_driven(engine, &mobility, at).err(),
+            Some(Err(error)) => Some(analysis(engine, &error)),
+            None => None,
+        }
+    });
+    let motions = if args.points { motions(engine, &states)? } else { Vec::new() };
+    let text = render(args, engine, &states, &motions, ended.is_none())?;
+    match ended {
+        None => session.deliver(&args.output, &text),
+        Some(failure) => {
+            if !states.is_empty() {
+                session.deliver(&args.output, &text)?;
+                let instants = count(times.len(), "instant");
+                session.note(&format!("the sweep ended early: {} of {instants} written", states.len()));
+            }
+            Err(failure)
+        }
+    }
+}
+
+/// Fails before a long sweep when the drivers leave the motion open at its start.
+fn refuse_open_motion(engine: &dyn Engine, setup: &Setup, t: f64) -> Result<(), Failure> {
+    let say = |error| analysis(engine, &error);
+    let state = engine.state(setup, t).map_err(say)?;
+    if state.degrees_of_freedom_left == 0 {
+        return Ok(());
+    }
+    fully_driven(engine, &engine.mobility(setup, &state).map_err(say)?, t)
+}
+
+fn motions(engine: &dyn Engine, states: &[State]) -> Result<Vec<Motion>, Failure> {
+    states.iter().map(|s| engine.motion(s).map_err(|e| analysis(engine, &e))).collect()
+}
+
+fn render(
+    args: &SweepArgs,
+    engine: &dyn Engine,
+    states: &[State],
+    motions: &[Motion],
+    complete: bool,
+) -> Result<String, Failure> {
+    let model = engine.model();
+    match args.output.format() {
+        Format::Csv => grid::csv(model, states, motions).map_err(Failure::Output),
+        Format::Json => {
+            let parameters = Parameters::new(model, &engine.parameters());
+            to_json(&SweepRecord::new(model, parameters, states, motions, complete)).map_err(Failure::Output)
+        }
+        Format::Text => {
+            let (first, last) = (states.first(), states.last());
+            let [from, to] = [first, last].map(|s| s.map_or_else(String::new, |s| plain(s.t)));
+            let heading = format!("{}, {} from t = {from} to t = {to}\n", model.name, count(states.len(), "instant"));
+            Ok(heading + &grid::text(model, states, motions, ACROSS))
+        }
+    }
+}

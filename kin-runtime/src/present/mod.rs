@@ -1,0 +1,17 @@
+//! Results for people and for other programs: numbers, tables, records and files.
+//!
+//! Everything here works on results that are already there; nothing solves or evaluates anything.
+
+pub mod number;
+pub mod output;
+pub mod table;
+
+pub(crate) mod grid;
+pub(crate) mod json;
+pub(crate) mod record;
+pub(crate) mod structure;
+pub(crate) mod text;
+
+pub use number::{Style, plain};
+pub use output::write_atomically;
+pub use table::{Align, Table};

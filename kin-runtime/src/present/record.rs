@@ -1,0 +1,177 @@
+//! Results as records whose fields stand in a fixed order, for JSON.
+
+use serde::{Serialize, Serializer};
+
+use super::text::coordinate_names;
+use crate::mobility::Mobility;
+use crate::model::Model;
+use crate::motion::{BodyMotion, Motion, PointMotion, Rates};
+use crate::ratios::{VelocityRatio, VelocityRatios};
+use crate::state::State;
+use crate::transmission::TransmissionAngle;
+
+/// Named values in order, written as one JSON object.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Named<T>(pub Vec<(&'static str, T)>);
+
+impl<T> FromIterator<(&'static str, T)> for Named<T> {
+    fn from_iter<I: IntoIterator<Item = (&'static str, T)>>(iter: I) -> Self {
+        Self(iter.into_iter().collect())
+    }
+}
+
+impl<T: Serialize> Serialize for Named<T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
+    }
+}
+
+/// Parameters with their values.
+pub(crate) type Parameters = Named<f64>;
+
+impl Parameters {
+    pub(crate) fn new(model: &Model, values: &[f64]) -> Self {
+        model.parameters.iter().map(|p| p.name).zip(values.iter().copied()).collect()
+    }
+}
+
+/// Everything about one solved instant.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct StateRecord<'a> {
+    t: f64,
+    coordinates: Vec<&'static str>,
+    q: &'a [f64],
+    q_dot: &'a [f64],
+    q_ddot: &'a [f64],
+    #[serde(flatten)]
+    motion: MotionRecord<'a>,
+    mechanism: &'static str,
+    parameters: Parameters,
+    inputs: Named<Rates>,
+    degrees_of_freedom: usize,
+    degrees_of_freedom_left: usize,
+    independent: Vec<&'static str>,
+    dependent: Vec<&'static str>,
+    residual: f64,
+    iterations: usize,
+    condition: f64,
+    transmission_angles: &'a [TransmissionAngle],
+    velocity_ratios: Named<&'a VelocityRatio>,
+}
+
+impl<'a> StateRecord<'a> {
+    pub(crate) fn new(
+        model: &'static Model,
+        state: &'a State,
+        motion: &'a Motion,
+        parameters: Parameters,
+        mobility: &Mobility,
+        ratios: &'a VelocityRatios,
+        transmission_angles: &'a [TransmissionAngle],
+    ) -> Self {
+        Self {
+            t: state.t,
+            coordinates: model.coordinates.iter().map(|c| c.name).collect(),
+            q: &state.q,
+            q_dot: &state.q_dot,
+            q_ddot: &state.q_ddot,
+            motion: MotionRecord::new(model, motion),
+            mechanism: model.name,
+            parameters,
+            inputs: inputs(model, state),
+            degrees_of_freedom: mobility.degrees_of_freedom,
+            degrees_of_freedom_left: mobility.degrees_of_freedom_left,
+            independent: coordinate_names(model, &mobility.independent),
+            dependent: coordinate_names(model, &mobility.dependent),
+            residual: state.residual,
+            iterations: state.iterations,
+            condition: mobility.condition,
+            transmission_angles,
+            velocity_ratios: ratios.drivers.iter().map(|d| (d.row_name, d)).collect(),
+        }
+    }
+}
+
+/// What a mechanism reports besides q.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct MotionRecord<'a> {
+    points: Named<&'a PointMotion>,
+    bodies: Named<&'a BodyMotion>,
+    defines: Named<&'a Rates>,
+    joints: Named<Named<&'a Rates>>,
+}
+
+impl<'a> MotionRecord<'a> {
+    pub(crate) fn new(model: &Model, motion: &'a Motion) -> Self {
+        let joints = model.joints.iter().zip(&motion.joints).filter(|(joint, _)| !joint.quantities.is_empty());
+        Self {
+            points: model.points.iter().map(|p| p.name).zip(&motion.points).collect(),
+            bodies: model.bodies.iter().map(|b| b.name).zip(&motion.bodies).collect(),
+            defines: model.defines.iter().map(|d| d.name).zip(&motion.defines).collect(),
+            joints: joints
+                .map(|(joint, rates)| (joint.name, joint.quantities.iter().map(|q| q.name).zip(rates).collect()))
+                .collect(),
+        }
+    }
+}
+
+/// A sweep.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct SweepRecord<'a> {
+    mechanism: &'static str,
+    parameters: Parameters,
+    coordinates: Vec<&'static str>,
+    /// False when the sweep ended early: the states are those before the failure.
+    complete: bool,
+    states: Vec<SweepState<'a>>,
+}
+
+/// One instant of a sweep.
+#[derive(Clone, Debug, Serialize)]
+struct SweepState<'a> {
+    t: f64,
+    q: &'a [f64],
+    q_dot: &'a [f64],
+    q_ddot: &'a [f64],
+    #[serde(flatten)]
+    motion: Option<MotionRecord<'a>>,
+    inputs: Named<Rates>,
+    residual: f64,
+    condition: f64,
+    degrees_of_freedom_left: usize,
+}
+
+impl<'a> SweepRecord<'a> {
+    /// `motions` is either empty or as long as `states`.
+    pub(crate) fn new(
+        model: &'static Model,
+        parameters: Parameters,
+        states: &'a [State],
+        motions: &'a [Motion],
+        complete: bool,
+    ) -> Self {
+        let state = |(i, state): (usize, &'a State)| SweepState {
+            t: state.t,
+            q: &state.q,
+            q_dot: &state.q_dot,
+            q_ddot: &state.q_ddot,
+            motion: motions.get(i).map(|m| MotionRecord::new(model, m)),
+            inputs: inputs(model, state),
+            residual: state.residual,
+            condition: state.condition,
+            degrees_of_freedom_left: state.degrees_of_freedom_left,
+        };
+        Self {
+            mechanism: model.name,
+            parameters,
+            coordinates: model.coordinates.iter().map(|c| c.name).collect(),
+            complete,
+            states: states.iter().enumerate().map(state).collect(),
+        }
+    }
+}
+
+fn inputs(model: &Model, state: &State) -> Named<Rates> {
+    let rates = state.inputs.iter().map(|u| Rates { value: u.value, rate: u.rate, acceleration: u.acceleration });
+    model.inputs.iter().copied().zip(rates).collect()
+}

@@ -1,0 +1,221 @@
+//! What a mechanism is, as a record for JSON.
+
+use serde::Serialize;
+
+use super::text::{classes, coordinate_names, frame_name};
+use crate::mobility::{Mobility, RedundantRow};
+use crate::model::{BodyInfo, Level, Model, OperationCount, OriginKind};
+use crate::state::State;
+
+/// The structure; what needs a configuration is null without one.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct StructureRecord<'a> {
+    mechanism: &'static str,
+    doc: &'static str,
+    coordinates: Vec<&'static str>,
+    rows: Vec<RowRecord>,
+    degrees_of_freedom: Option<usize>,
+    degrees_of_freedom_left: Option<usize>,
+    operations: OperationRecord,
+    counts: CountRecord,
+    bodies: Vec<BodyRecord>,
+    parameters: Vec<ParameterRecord>,
+    inputs: &'static [&'static str],
+    points: Vec<&'static str>,
+    defines: Vec<&'static str>,
+    joints: Vec<JointRecord>,
+    drivers: Vec<&'static str>,
+    independent: Option<Vec<&'static str>>,
+    dependent: Option<Vec<&'static str>>,
+    could_be_given: Option<Vec<&'static str>>,
+    rank: Option<usize>,
+    rank_without_driving: Option<usize>,
+    redundant: Option<&'a [RedundantRow]>,
+    condition: Option<f64>,
+    singular_values: Option<&'a [f64]>,
+    /// Where ranks and degrees of freedom were found.
+    configuration: Option<ConfigurationRecord<'a>>,
+}
+
+impl<'a> StructureRecord<'a> {
+    pub(crate) fn new(model: &'static Model, values: &[f64], known: Option<(&'a State, &'a Mobility)>) -> Self {
+        let mobility = known.map(|(_, mobility)| mobility);
+        let names = |places: fn(&Mobility) -> &[usize]| mobility.map(|m| coordinate_names(model, places(m)));
+        Self {
+            mechanism: model.name,
+            doc: model.doc,
+            coordinates: model.coordinates.iter().map(|c| c.name).collect(),
+            rows: rows(model),
+            degrees_of_freedom: mobility.map(|m| m.degrees_of_freedom),
+            degrees_of_freedom_left: mobility.map(|m| m.degrees_of_freedom_left),
+            operations: model.operations.into(),
+            counts: counts(model),
+            bodies: model.bodies.iter().map(|b| body(model, b)).collect(),
+            parameters: parameters(model, values),
+            inputs: model.inputs,
+            points: model.points.iter().map(|p| p.name).collect(),
+            defines: model.defines.iter().map(|d| d.name).collect(),
+            joints: joints(model),
+            drivers: drivers(model),
+            independent: names(|m| &m.independent),
+            dependent: names(|m| &m.dependent),
+            could_be_given: names(|m| &m.could_be_given),
+            rank: mobility.map(|m| m.rank),
+            rank_without_driving: mobility.map(|m| m.rank_without_driving),
+            redundant: mobility.map(|m| m.redundant.as_slice()),
+            condition: mobility.map(|m| m.condition),
+            singular_values: mobility.map(|m| m.singular_values.as_slice()),
+            configuration: known.map(|(state, _)| ConfigurationRecord { t: state.t, q: &state.q }),
+        }
+    }
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct ConfigurationRecord<'a> {
+    t: f64,
+    q: &'a [f64],
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct RowRecord {
+    name: &'static str,
+    joint: &'static str,
+    kind: &'static str,
+    classes: [&'static str; 3],
+    holonomic: bool,
+    rheonomic: bool,
+    bilateral: bool,
+    driving: bool,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct OperationRecord {
+    add: usize,
+    mul: usize,
+    neg: usize,
+    div: usize,
+    sqrt: usize,
+    sincos: usize,
+    function: usize,
+}
+
+impl From<OperationCount> for OperationRecord {
+    fn from(count: OperationCount) -> Self {
+        let OperationCount { add, mul, neg, div, sqrt, sincos, function } = count;
+        Self { add, mul, neg, div, sqrt, sincos, function }
+    }
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct CountRecord {
+    bodies: usize,
+    coordinates: usize,
+    rows: usize,
+    driving_rows: usize,
+    velocity_level_rows: usize,
+    joints: usize,
+    drivers: usize,
+    parameters: usize,
+    inputs: usize,
+    points: usize,
+    defines: usize,
+    jacobian_entries: usize,
+    constant_jacobian_entries: usize,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct BodyRecord {
+    name: &'static str,
+    coordinates: Vec<&'static str>,
+    /// The body that carries the origin, where it is not free.
+    carried_by: Option<&'static str>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct ParameterRecord {
+    name: &'static str,
+    value: f64,
+    default: Option<f64>,
+    unit: Option<&'static str>,
+    doc: &'static str,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct JointRecord {
+    name: &'static str,
+    kind: &'static str,
+    between: Vec<&'static str>,
+    rows: Vec<&'static str>,
+    quantities: Vec<&'static str>,
+}
+
+/// Joints that have a driving row.
+pub(crate) fn drivers(model: &Model) -> Vec<&'static str> {
+    let drives = |place: usize| model.rows.iter().any(|r| r.joint == place && r.driving);
+    model.joints.iter().enumerate().filter(|(place, _)| drives(*place)).map(|(_, j)| j.name).collect()
+}
+
+fn rows(model: &Model) -> Vec<RowRecord> {
+    let record = |row: &crate::model::RowInfo| {
+        let joint = model.joints.get(row.joint);
+        RowRecord {
+            name: row.name,
+            joint: joint.map_or("", |j| j.name),
+            kind: joint.map_or("", |j| j.kind.keyword()),
+            classes: classes(row),
+            holonomic: row.level == Level::Position,
+            rheonomic: row.rheonomic,
+            bilateral: row.bilateral,
+            driving: row.driving,
+        }
+    };
+    model.rows.iter().map(record).collect()
+}
+
+fn counts(model: &Model) -> CountRecord {
+    CountRecord {
+        bodies: model.bodies.len(),
+        coordinates: model.coordinates.len(),
+        rows: model.rows.len(),
+        driving_rows: model.rows.iter().filter(|r| r.driving).count(),
+        velocity_level_rows: model.rows.iter().filter(|r| r.level == Level::Velocity).count(),
+        joints: model.joints.len(),
+        drivers: drivers(model).len(),
+        parameters: model.parameters.len(),
+        inputs: model.inputs.len(),
+        points: model.points.len(),
+        defines: model.defines.len(),
+        jacobian_entries: model.constraint_pattern.entries.len(),
+        constant_jacobian_entries: model.constraint_pattern.constants.len(),
+    }
+}
+
+fn body(model: &Model, info: &BodyInfo) -> BodyRecord {
+    let places: Vec<usize> = info.coordinates.iter().flatten().copied().collect();
+    BodyRecord {
+        name: info.name,
+        coordinates: coordinate_names(model, &places),
+        carried_by: match info.origin {
+            OriginKind::Free => None,
+            OriginKind::Carried(frame) => Some(frame_name(model, frame)),
+        },
+    }
+}
+
+fn parameters(model: &Model, values: &[f64]) -> Vec<ParameterRecord> {
+    let pairs = model.parameters.iter().zip(values);
+    pairs
+        .map(|(p, &value)| ParameterRecord { name: p.name, value, default: p.default, unit: p.unit, doc: p.doc })
+        .collect()
+}
+
+fn joints(model: &Model) -> Vec<JointRecord> {
+    let record = |(place, joint): (usize, &crate::model::JointInfo)| JointRecord {
+        name: joint.name,
+        kind: joint.kind.keyword(),
+        between: joint.frames.iter().flatten().map(|f| frame_name(model, *f)).collect(),
+        rows: model.rows.iter().filter(|r| r.joint == place).map(|r| r.name).collect(),
+        quantities: joint.quantities.iter().map(|q| q.name).collect(),
+    };
+    model.joints.iter().enumerate().map(record).collect()
+}
