@@ -1,8 +1,11 @@
 //! Kinematics of planar mechanisms.
 #![cfg_attr(not(feature = "std"), no_std)]
 
+pub mod function;
 pub mod mechanism;
 pub mod model;
+#[doc(hidden)]
+pub mod private;
 pub mod scalar;
 pub mod workspace;
 
@@ -34,6 +37,7 @@ pub mod cli;
 #[cfg(feature = "cli")]
 pub mod present;
 
+pub use function::ScalarFunction;
 pub use kin_derive::mechanism;
 pub use mechanism::{LengthError, Mechanism, Observations, Workspace};
 pub use scalar::Scalar;

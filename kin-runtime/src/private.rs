@@ -1,0 +1,96 @@
+//! The names that generated code uses. Not part of the public interface.
+
+pub use crate::function::ScalarFunction;
+pub use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
+pub use crate::model::{
+    Body, BodyInfo, Component, Coordinate, CoordinateInfo, CoordinateKind, DefineInfo, EquationText, Frame, Geometry,
+    Input, JointInfo, JointKind, JointQuantity, Level, Model, Observable, OperationCount, OriginKind, ParameterInfo,
+    Pattern, Point, PointInfo, Quantity, Role, RowInfo,
+};
+pub use crate::scalar::Scalar;
+pub use crate::workspace::{Evaluation, Instant, Signal, Subset};
+pub use core::default::Default;
+pub use core::option::Option::{self, None, Some};
+pub use core::result::Result::{self, Err, Ok};
+
+/// `slice` as an array, or how its length is wrong.
+#[inline(always)]
+pub fn fixed<'a, T, const N: usize>(what: &'static str, slice: &'a [T]) -> Result<&'a [T; N], LengthError> {
+    slice.try_into().map_err(|_| LengthError { what, expected: N, found: slice.len() })
+}
+
+/// `slice` as a mutable array, or how its length is wrong.
+#[inline(always)]
+pub fn fixed_mut<'a, T, const N: usize>(
+    what: &'static str,
+    slice: &'a mut [T],
+) -> Result<&'a mut [T; N], LengthError> {
+    let found = slice.len();
+    slice.try_into().map_err(|_| LengthError { what, expected: N, found })
+}
+
+/// A field that holds parameters: a number or an array of numbers.
+#[diagnostic::on_unimplemented(
+    message = "a parameter of a mechanism is a number or an array of numbers, and `{Self}` is neither",
+    label = "`f64`, `f32`, or an array of them"
+)]
+pub trait Parameter {
+    /// The number at `index`.
+    fn get(&self, index: usize) -> f64;
+    /// Sets the number at `index`; false when there is none.
+    fn set(&mut self, index: usize, value: f64) -> bool;
+    /// The field with these numbers.
+    fn from_values(values: &[f64]) -> Self;
+}
+
+impl Parameter for f64 {
+    #[inline(always)]
+    fn get(&self, _index: usize) -> f64 {
+        *self
+    }
+    fn set(&mut self, index: usize, value: f64) -> bool {
+        *self = value;
+        index == 0
+    }
+    fn from_values(values: &[f64]) -> Self {
+        values.first().copied().unwrap_or(0.0)
+    }
+}
+
+impl Parameter for f32 {
+    #[inline(always)]
+    fn get(&self, _index: usize) -> f64 {
+        f64::from(*self)
+    }
+    fn set(&mut self, index: usize, value: f64) -> bool {
+        *self = value as f32;
+        index == 0
+    }
+    fn from_values(values: &[f64]) -> Self {
+        values.first().copied().unwrap_or(0.0) as f32
+    }
+}
+
+impl<P: Parameter, const N: usize> Parameter for [P; N] {
+    #[inline(always)]
+    fn get(&self, index: usize) -> f64 {
+        self[index].get(0)
+    }
+    fn set(&mut self, index: usize, value: f64) -> bool {
+        self.get_mut(index).is_some_and(|element| element.set(0, value))
+    }
+    fn from_values(values: &[f64]) -> Self {
+        core::array::from_fn(|k| P::from_values(values.get(k..).unwrap_or_default()))
+    }
+}
+
+/// The test that `#[mechanism(cross_check)]` writes: every closed form against dual numbers.
+///
+/// # Errors
+/// The worst entry, as text, when they disagree by more than 1e-12 or cannot be compared.
+#[cfg(feature = "std")]
+pub fn cross_check<M: Mechanism>(mechanism: &M) -> Result<(), std::string::String> {
+    use std::string::ToString;
+    let check = crate::kinematics::Kinematics::cross_check(mechanism).map_err(|error| error.to_string())?;
+    if check.passes(1e-12) { Ok(()) } else { Err(check.to_string()) }
+}
