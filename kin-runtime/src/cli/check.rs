@@ -70,19 +70,19 @@ pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Sessi
     let t = args.instant.time()?;
     let setup = args.setup.apply_complete(engine)?;
     let engine = &*engine;
+    if args.output.format() == Format::Csv {
+        return Err(Failure::option("--format", "`check` has no csv form; write text or json"));
+    }
     let solved = solve(engine, &setup, t, args.freedom.least_norm);
     let findings = find(engine, t, solved.as_ref().ok(), args.configurations as usize)?;
     let text = match args.output.format() {
-        Format::Text => {
+        Format::Text | Format::Csv => {
             let heading = format!("{}, check at t = {}\n\n", engine.model().name, plain(t));
             let verdict = if solved.is_ok() && findings.passed { "passed" } else { "FAILED" };
             format!("{heading}{}\n  {verdict}\n", facts(&findings).render())
         }
         Format::Json => to_json(&Findings { passed: findings.passed && solved.is_ok(), ..findings.clone() })
             .map_err(Failure::Output)?,
-        Format::Csv => {
-            return Err(Failure::option("--format", "`check` has no csv form; write text or json"));
-        }
     };
     session.deliver(&args.output, &text)?;
     solved?;

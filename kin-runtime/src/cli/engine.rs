@@ -1,5 +1,7 @@
 //! The face of a mechanism that the commands see: its type is known here and nowhere else in this program.
 
+use super::failure::Failure;
+use super::names::listing;
 use crate::cross_check::{CrossCheck, CrossCheckOptions};
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
@@ -26,6 +28,13 @@ pub(super) struct Setup {
 }
 
 impl Setup {
+    /// An error when an input has no value.
+    pub(super) fn complete(&self) -> Result<(), Failure> {
+        let Some(first) = self.missing_inputs.first() else { return Ok(()) };
+        let missing = listing("inputs without a value: ", &self.missing_inputs);
+        Err(Failure::option("--input", format!("{missing}\n  write --input {first}=value,rate,acceleration")))
+    }
+
     /// The inputs a time `dt` after the first instant: acceleration stays constant.
     fn inputs_after(&self, dt: f64, out: &mut [Signal]) {
         for (to, u) in out.iter_mut().zip(&self.inputs) {

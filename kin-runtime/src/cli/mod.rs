@@ -22,6 +22,7 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches};
 
 use crate::mechanism::Mechanism;
+use crate::model::Model;
 use engine::{Bound, Engine};
 use failure::Failure;
 use session::Session;
@@ -61,7 +62,7 @@ pub fn run_from<M: Mechanism + Default>(args: impl IntoIterator<Item = impl Into
 
 /// Exact position, velocity and acceleration analysis of one mechanism.
 #[derive(Debug, clap::Parser)]
-#[command(disable_help_subcommand = true, args_conflicts_with_subcommands = true, subcommand_value_name = "COMMAND")]
+#[command(args_conflicts_with_subcommands = true, subcommand_value_name = "COMMAND")]
 struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,
@@ -104,8 +105,43 @@ fn parse(engine: &dyn Engine, args: Vec<OsString>) -> Result<Arguments, clap::Er
         .name(model.name)
         .about(if model.doc.is_empty() { "A planar mechanism" } else { model.doc })
         .version(concat!("(kin ", env!("CARGO_PKG_VERSION"), ")"))
-        .after_help(EXAMPLES);
-    Arguments::from_arg_matches(&command.try_get_matches_from(args)?)
+        .after_help(after_help(model));
+    Arguments::from_arg_matches(&command.try_get_matches_from(with_negative_values(args))?)
+}
+
+/// Writes `--at -0.5` as `--at=-0.5`, so that a minus sign starts a value and two start the next option.
+fn with_negative_values(args: Vec<OsString>) -> Vec<OsString> {
+    let text = |arg: &OsString| arg.to_str().unwrap_or_default().to_owned();
+    let mut out: Vec<OsString> = Vec::with_capacity(args.len());
+    for arg in args {
+        let takes_value = out.last().map(text).is_some_and(|before| before.starts_with("--") && !before.contains('='));
+        let this = text(&arg);
+        let negative = this.len() > 1 && this.starts_with('-') && !this.starts_with("--");
+        match out.last_mut() {
+            Some(before) if takes_value && negative && !matches!(this.as_str(), "-h" | "-V") => {
+                before.push("=");
+                before.push(arg);
+            }
+            _ => out.push(arg),
+        }
+    }
+    out
+}
+
+/// What stands under the options: the names of this mechanism, and examples.
+fn after_help(model: &Model) -> String {
+    let parameters: Vec<&str> = model.parameters.iter().map(|p| p.name).collect();
+    let coordinates: Vec<&str> = model.coordinates.iter().map(|c| c.name).collect();
+    [
+        ("Parameters:  ", parameters.as_slice()),
+        ("Coordinates: ", coordinates.as_slice()),
+        ("Inputs:      ", model.inputs),
+    ]
+    .into_iter()
+    .filter(|(_, names)| !names.is_empty())
+    .map(|(lead, names)| names::listing(lead, names) + "\n")
+    .chain(std::iter::once(format!("\n{EXAMPLES}")))
+    .collect()
 }
 
 const EXAMPLES: &str = "\
@@ -116,4 +152,5 @@ Examples, after the program's name:
   solve --at 0.5 --set l1=0.12            position, velocity, acceleration at one instant
   sweep --from 0 --to 1 --steps 100 --format csv --out motion.csv
   check                                   are the closed forms right?
-Every command has --help with examples of its own. Negative numbers are fine as values: --at -0.5.";
+Every command has --help with examples of its own. --set, --guess, --given and --input may be repeated.
+Negative numbers are fine as values: --at -0.5.";

@@ -48,7 +48,7 @@ pub(super) fn find(option: &str, kind: Kind, name: &str, names: &[&'static str])
 pub(super) fn listing(lead: &str, names: &[&str]) -> String {
     let shown = names.iter().take(LISTED).map(|n| (*n).to_owned());
     let rest = names.len().saturating_sub(LISTED);
-    let more = (rest > 0).then(|| format!("… and {rest} more (`info` lists them all)"));
+    let more = (rest > 0).then(|| format!("… and {rest} more (`info --format json` has them all)"));
     wrapped(lead, shown.chain(more), 96).trim_end().to_owned()
 }
 

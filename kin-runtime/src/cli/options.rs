@@ -4,23 +4,23 @@ use std::path::{Path, PathBuf};
 
 use super::engine::{Engine, Setup};
 use super::failure::Failure;
-use super::names::{Kind, find, listing};
+use super::names::{Kind, find};
 use super::values;
 
 /// Which mechanism, and where it starts.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(super) struct SetupArgs {
-    /// Set parameters, e.g. l1=0.12,l2=0.4 or l[3]=0.1; repeatable
-    #[arg(long, value_name = "NAME=VALUE,…", allow_hyphen_values = true)]
+    /// Set parameters: l1=0.12,l2=0.4 or l[3]=0.1
+    #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
-    /// Where assembly starts, e.g. coupler.phi=0.9,rocker.phi=5; partial is fine; repeatable
-    #[arg(long, value_name = "COORDINATE=VALUE,…", allow_hyphen_values = true)]
+    /// Where assembly starts: coupler.phi=0.9,rocker.phi=5
+    #[arg(long, value_name = "NAME=VALUE")]
     guess: Vec<String>,
-    /// Prescribe coordinates, e.g. crank.phi=0.3 or crank.phi=0.3:rate:acceleration; repeatable
-    #[arg(long, value_name = "COORDINATE=VALUE,…", allow_hyphen_values = true)]
+    /// Prescribe coordinates: crank.phi=0.3 or crank.phi=0.3:rate:acceleration
+    #[arg(long, value_name = "NAME=VALUE")]
     given: Vec<String>,
-    /// An input of the mechanism with its rate and acceleration; repeatable
-    #[arg(long, value_name = "NAME=VALUE,RATE,ACCELERATION", allow_hyphen_values = true)]
+    /// Inputs of the mechanism: u=value,rate,acceleration
+    #[arg(long, value_name = "NAME=VALUE")]
     input: Vec<String>,
 }
 
@@ -63,21 +63,15 @@ impl SetupArgs {
     /// As [`apply`](Self::apply), for a command that needs a value for every input.
     pub(super) fn apply_complete(&self, engine: &mut dyn Engine) -> Result<Setup, Failure> {
         let setup = self.apply(engine)?;
-        match setup.missing_inputs.first() {
-            None => Ok(setup),
-            Some(first) => {
-                let missing = listing("the inputs without a value: ", &setup.missing_inputs);
-                let what = format!("{missing}\n  write --input {first}=value,rate,acceleration");
-                Err(Failure::option("--input", what))
-            }
-        }
+        setup.complete()?;
+        Ok(setup)
     }
 }
 
 /// What to do about freedom that the drivers leave.
 #[derive(Clone, Copy, Debug, Default, clap::Args)]
 pub(super) struct FreedomArgs {
-    /// Where drivers leave the motion open, take the smallest change and the smallest q̇ and q̈
+    /// Where drivers leave the motion open, take the smallest q̇ and q̈
     #[arg(long)]
     pub(super) least_norm: bool,
 }
@@ -86,7 +80,7 @@ pub(super) struct FreedomArgs {
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct InstantArgs {
     /// The time t
-    #[arg(long, value_name = "T", default_value = "0", allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", default_value = "0")]
     at: String,
 }
 
@@ -96,22 +90,19 @@ impl InstantArgs {
     }
 }
 
-/// How results are written.
+/// How results are written: for people, or with numbers in full for other programs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(super) enum Format {
-    /// For people
     Text,
-    /// One JSON document, numbers in full
     Json,
-    /// One header line, then rows of numbers in full
     Csv,
 }
 
 /// How results are written, and where to.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(super) struct OutputArgs {
-    /// How to write the result [default: text, or what the ending of --out says]
-    #[arg(long, value_name = "FORMAT", value_enum)]
+    /// text, json or csv [default: text, or what the ending of --out says]
+    #[arg(long, value_name = "FORMAT", value_enum, hide_possible_values = true)]
     format: Option<Format>,
     /// Write the result to a file, whole or not at all
     #[arg(long, value_name = "FILE")]

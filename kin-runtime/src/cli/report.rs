@@ -42,19 +42,21 @@ struct ReportRecord<'a> {
 
 pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let t = args.instant.time()?;
-    let setup = args.setup.apply_complete(engine)?;
+    let setup = args.setup.apply(engine)?;
     let engine = &*engine;
     let format = args.output.format();
     if format == Format::Csv {
         return Err(Failure::option("--format", "the report has no csv form; `solve --format csv` has"));
     }
-    let solved = solve(engine, &setup, t, args.freedom.least_norm);
-    let Ok(solved) = solved else {
-        // A person is told what can be said without a solution; the error follows.
-        if format == Format::Text && args.output.file().is_none() {
-            session.deliver(&args.output, &info::text(engine, None))?;
+    let solved = match setup.complete().and_then(|()| solve(engine, &setup, t, args.freedom.least_norm)) {
+        Ok(solved) => solved,
+        Err(failure) => {
+            // A person is told what can be said without a solution; the error follows.
+            if format == Format::Text && args.output.file().is_none() {
+                session.deliver(&args.output, &info::text(engine, None))?;
+            }
+            return Err(failure);
         }
-        return solved.map(|_| ());
     };
     let findings = find(engine, t, Some(&solved.state), CONFIGURATIONS)?;
     let model = engine.model();

@@ -34,16 +34,16 @@ acceleration (name_ddot). Inputs and given coordinates hold at the first instant
 their acceleration. When a sweep fails midway the finished rows are written and the status is 1.")]
 pub(super) struct SweepArgs {
     /// The first instant [default: 0]
-    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    #[arg(long, value_name = "A")]
     from: Option<String>,
     /// The last instant
-    #[arg(long, value_name = "B", allow_hyphen_values = true)]
+    #[arg(long, value_name = "B")]
     to: Option<String>,
     /// Number of steps; N steps are N + 1 instants [default: 100]
-    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    #[arg(long, value_name = "N")]
     steps: Option<String>,
     /// The instants one by one, in place of --from, --to and --steps
-    #[arg(long, value_name = "T1,T2,…", allow_hyphen_values = true)]
+    #[arg(long, value_name = "T1,T2,…")]
     times: Option<String>,
     /// Also points, defines and joint quantities, behind the coordinates
     #[arg(long)]

@@ -1,1 +1,268 @@
+//! Every command from its arguments to its streams and status.
 
+use std::ffi::OsString;
+use std::io::{self, Write};
+
+use serde_json::Value;
+
+use super::engine::Bound;
+use super::fixture::{CrossHead, DRIVEN, FREE, WITH_INPUT};
+use super::run;
+
+/// What one run gave.
+#[derive(Debug)]
+struct Ran {
+    status: u8,
+    out: String,
+    err: String,
+}
+
+impl Ran {
+    fn json(&self) -> Value {
+        serde_json::from_str(&self.out).unwrap_or(Value::Null)
+    }
+}
+
+fn kind<const KIND: u8>(line: &str) -> Ran {
+    let args = std::iter::once("cross_head").chain(line.split_whitespace()).map(OsString::from).collect();
+    let (mut out, mut err) = (Vec::new(), Vec::new());
+    let status = run(&mut Bound::new(CrossHead::<KIND>::default()), args, &mut out, &mut err);
+    Ran { status, out: String::from_utf8_lossy(&out).into(), err: String::from_utf8_lossy(&err).into() }
+}
+
+fn driven(line: &str) -> Ran {
+    kind::<DRIVEN>(line)
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or(f64::NAN)
+}
+
+fn near(value: &Value, expected: f64) {
+    assert!((number(value) - expected).abs() < 1e-12, "{value} is not {expected}");
+}
+
+/// s and its derivatives for φ = angle, φ̇ = rate.
+fn stroke(angle: f64, rate: f64) -> [f64; 3] {
+    [0.1 * angle.cos(), -0.1 * angle.sin() * rate, -0.1 * angle.cos() * rate * rate]
+}
+
+#[test]
+fn help_and_version_are_results() {
+    for line in ["--help", "-h", "info --help", "solve --help", "sweep --help", "check --help", "--version"] {
+        let ran = driven(line);
+        assert_eq!((ran.status, ran.err.as_str()), (0, ""), "{line}");
+        assert!(ran.out.contains("Example") || line == "--version", "{line}: {}", ran.out);
+    }
+    assert!(driven("--help").out.starts_with("A crank moves a cross-head."));
+    assert!(driven("--version").out.starts_with("CrossHead"));
+}
+
+#[test]
+fn bad_options_are_usage_errors() {
+    let cases = [
+        ("jump", "jump"),
+        ("solve --at x", "--at: `x` is not a number"),
+        ("solve --at NaN", "--at: `NaN` is not finite"),
+        ("solve --at --format json", "a value is required for '--at <T>'"),
+        ("solve --at -inf", "--at: `-inf` is not finite"),
+        ("solve --at", "a value is required for '--at <T>'"),
+        ("solve --format xml", "xml"),
+        ("solve --set rr=1", "--set: no parameter named `rr`; did you mean `r`?\n  parameters: r, phi0, omega"),
+        ("solve --set r=", "--set: `r` has no value"),
+        ("solve --set r=inf", "--set r: `inf` is not finite"),
+        ("solve --set r=1 --set r=2", "--set: `r` is set twice"),
+        ("solve --guess crank.ph=1", "--guess: no coordinate named `crank.ph`; did you mean `crank.phi`?"),
+        ("solve --given s=1:2:3:4", "--given s: `s` has 4 numbers"),
+        ("solve --input u=1", "--input: `u`: this mechanism has no inputs"),
+        ("sweep", "no instants: write --from A --to B --steps N, or --times T1,T2,…"),
+        ("sweep --to 1 --steps 0", "--steps: at least 1"),
+        ("sweep --to 1 --steps -3", "--steps: `-3` is no number of steps"),
+        ("sweep --from 1 --to 1", "--from and --to are both 1"),
+        ("sweep --times 0,1 --from 0", "--times: cannot stand beside --from"),
+        ("sweep --times 0,,1", "--times: a number is missing"),
+        ("info --format csv", "--format: `info` has no csv form"),
+        ("check --format csv", "--format: `check` has no csv form"),
+        ("--format csv", "--format: the report has no csv form"),
+    ];
+    for (line, expected) in cases {
+        let ran = driven(line);
+        assert_eq!((ran.status, ran.out.as_str()), (2, ""), "{line}");
+        assert!(ran.err.starts_with("error: ") && ran.err.contains(expected), "{line}: {}", ran.err);
+    }
+}
+
+#[test]
+fn solve_gives_one_json_object_with_t_first() {
+    let ran = driven("solve --at -0.5 --format json --set phi0=-0.2,omega=3");
+    assert_eq!((ran.status, ran.err.as_str()), (0, ""));
+    assert!(ran.out.starts_with("{\n  \"t\": -0.5,\n  \"coordinates\": [\"crank.phi\", \"s\"],\n  \"q\": ["));
+    let json = ran.json();
+    let [s, s_dot, s_ddot] = stroke(-1.7, 3.0);
+    near(&json["q"][0], -1.7);
+    near(&json["q"][1], s);
+    near(&json["q_dot"][1], s_dot);
+    near(&json["q_ddot"][1], s_ddot);
+    near(&json["points"]["tip"]["r"][0], s);
+    near(&json["points"]["tip"]["v"][0], s_dot);
+    near(&json["points"]["tip"]["a"][0], s_ddot);
+    near(&json["bodies"]["crank"]["phi_dot"], 3.0);
+    near(&json["defines"]["twice"]["acceleration"], 2.0 * s_ddot);
+    near(&json["joints"]["slide"]["stroke"]["rate"], s_dot);
+    near(&json["parameters"]["omega"], 3.0);
+    assert_eq!((json["degrees_of_freedom"].as_u64(), json["degrees_of_freedom_left"].as_u64()), (Some(1), Some(0)));
+    near(&json["velocity_ratios"]["drive"]["first"][0], 1.0);
+}
+
+#[test]
+fn sweep_csv_groups_every_coordinate_with_its_rates() {
+    let ran = driven("sweep --from -1 --to 1 --steps 4 --format csv");
+    assert_eq!((ran.status, ran.err.as_str()), (0, ""));
+    let lines: Vec<&str> = ran.out.lines().collect();
+    assert_eq!(lines.first(), Some(&"t,crank.phi,crank.phi_dot,crank.phi_ddot,s,s_dot,s_ddot"));
+    assert_eq!(lines.len(), 6);
+    for (line, t) in lines.iter().skip(1).zip([-1.0, -0.5, 0.0, 0.5, 1.0]) {
+        let row: Vec<f64> = line.split(',').filter_map(|n| n.parse().ok()).collect();
+        let expected: Vec<f64> = [t, 0.3 + 2.0 * t, 2.0, 0.0].into_iter().chain(stroke(0.3 + 2.0 * t, 2.0)).collect();
+        assert!(row.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-12), "{line}: {expected:?}");
+        assert_eq!(row.len(), expected.len());
+    }
+    let one = driven("solve --at 0.5 --format csv");
+    assert_eq!((one.out.lines().count(), one.out.lines().next()), (2, lines.first().copied()));
+    let more = driven("sweep --times -1,0,1 --points --format csv");
+    assert!(more.out.starts_with("t,crank.phi,") && more.out.contains(",tip.x,tip.x_dot,tip.x_ddot,"));
+}
+
+#[test]
+fn sweep_json_and_text() {
+    let json = driven("sweep --times 0,10,-3 --format json").json();
+    assert_eq!(json["complete"], Value::Bool(true));
+    assert_eq!(json["states"].as_array().map(Vec::len), Some(3));
+    near(&json["states"][1]["q"][0], 20.3);
+    let text = driven("sweep --to 1 --steps 2").out;
+    assert!(text.starts_with("CrossHead, 3 instants from t = 0 to t = 1\n"));
+    assert!(text.contains("\n  0.5     1.300000"), "{text}");
+}
+
+#[test]
+fn info_counts() {
+    let ran = driven("info --format json");
+    assert_eq!((ran.status, ran.err.as_str()), (0, ""));
+    let json = ran.json();
+    assert_eq!(json["coordinates"], serde_json::json!(["crank.phi", "s"]));
+    assert_eq!(json["rows"][1]["name"], "drive");
+    assert_eq!(json["rows"][1]["driving"], true);
+    assert_eq!(json["rows"][1]["classes"], serde_json::json!(["holonomic", "rheonomic", "bilateral"]));
+    assert_eq!(json["operations"]["mul"], 5);
+    assert_eq!(json["degrees_of_freedom"], 1);
+    assert_eq!(json["counts"]["bodies"], 1);
+    let text = driven("info").out;
+    assert!(text.starts_with("CrossHead\n  A crank moves a cross-head.\n") && text.contains("degrees of freedom"));
+}
+
+#[test]
+fn the_report_says_everything() {
+    let ran = driven("");
+    assert_eq!((ran.status, ran.err.as_str()), (0, ""));
+    for part in ["CrossHead", "degrees of freedom", "crank.phi", "0.300000", "holonomic", "tip", "worst error"] {
+        assert!(ran.out.contains(part), "{part} is missing in\n{}", ran.out);
+    }
+    assert!(ran.out.lines().all(|l| l.chars().count() <= 100), "{}", ran.out);
+    let json = driven("--at 0.5 --format json").json();
+    near(&json["state"]["q"][0], 1.3);
+    assert_eq!(json["check"]["passed"], true);
+}
+
+#[test]
+fn check_passes() {
+    let ran = driven("check --configurations 10");
+    assert_eq!((ran.status, ran.err.as_str()), (0, ""));
+    assert!(ran.out.ends_with("  passed\n"), "{}", ran.out);
+    assert_eq!(driven("check --format json").json()["passed"], true);
+}
+
+#[test]
+fn an_open_motion_needs_given_coordinates_or_least_norm() {
+    for line in ["solve", "sweep --to 1", "", "check"] {
+        let ran = kind::<FREE>(line);
+        assert_eq!(ran.status, 1, "{line}");
+        assert!(ran.err.contains("under-driven at t = 0: 1 degree of freedom is left open"), "{line}: {}", ran.err);
+        assert!(ran.err.contains("could be given: crank.phi, s"), "{line}: {}", ran.err);
+    }
+    assert_eq!(kind::<FREE>("solve --format json").out, "");
+    let given = kind::<FREE>("solve --given crank.phi=0.7:2 --format json");
+    assert_eq!((given.status, given.err.as_str()), (0, ""));
+    let [s, s_dot, s_ddot] = stroke(0.7, 2.0);
+    near(&given.json()["q"][1], s);
+    near(&given.json()["q_dot"][1], s_dot);
+    near(&given.json()["q_ddot"][1], s_ddot);
+    assert_eq!(kind::<FREE>("solve --least-norm").status, 0);
+    let sweep = kind::<FREE>("sweep --to 1 --steps 2 --given crank.phi=0.7:2 --format json").json();
+    near(&sweep["states"][2]["q"][0], 2.7);
+    assert_eq!(kind::<FREE>("info").status, 0);
+}
+
+#[test]
+fn what_is_given_must_fit() {
+    let ran = driven("solve --given s=5");
+    assert_eq!((ran.status, ran.out.as_str()), (1, ""));
+    assert!(ran.err.starts_with("error: CrossHead: "), "{}", ran.err);
+}
+
+#[test]
+fn inputs_need_values() {
+    let ran = kind::<WITH_INPUT>("solve");
+    assert_eq!((ran.status, ran.out.as_str()), (2, ""));
+    assert!(ran.err.contains("write --input u=value,rate,acceleration"), "{}", ran.err);
+    let json = kind::<WITH_INPUT>("solve --format json --input u=0.5,-1,2").json();
+    near(&json["q"][0], 0.8);
+    near(&json["q_dot"][0], 1.0);
+    near(&json["q_ddot"][0], 2.0);
+    let sweep = kind::<WITH_INPUT>("sweep --from 1 --to 2 --steps 1 --format json --input u=0.5,-1,2").json();
+    near(&sweep["states"][1]["q"][0], 0.3 + 4.0 + 0.5);
+    near(&sweep["states"][1]["q_dot"][0], 2.0 + 1.0);
+    assert!(kind::<WITH_INPUT>("info").err.contains("taken as 0: u"));
+}
+
+#[test]
+fn out_writes_a_file_and_nothing_else() {
+    let dir = std::env::temp_dir().join(format!("kin-cli-{}", std::process::id()));
+    assert!(std::fs::create_dir_all(&dir).is_ok());
+    let file = dir.join("motion.csv");
+    let ran = driven(&format!("sweep --to 1 --steps 2 --out {}", file.display()));
+    assert_eq!((ran.status, ran.out.as_str(), ran.err.as_str()), (0, "", ""));
+    assert!(std::fs::read_to_string(&file).is_ok_and(|t| t.starts_with("t,crank.phi,")));
+    let bad = driven(&format!("solve --out {}", dir.join("missing/x.json").display()));
+    assert_eq!(bad.status, 1);
+    assert!(bad.err.starts_with("error: --out: cannot write "), "{}", bad.err);
+    assert!(std::fs::remove_dir_all(&dir).is_ok());
+}
+
+/// A reader that has gone.
+struct Closed;
+
+impl Write for Closed {
+    fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+        Err(io::ErrorKind::BrokenPipe.into())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Err(io::ErrorKind::BrokenPipe.into())
+    }
+}
+
+#[test]
+fn a_reader_that_has_gone_is_no_error() {
+    let args = ["cross_head", "--help"].map(OsString::from).to_vec();
+    let mut err = Vec::new();
+    assert_eq!(run(&mut Bound::new(CrossHead::<DRIVEN>::default()), args, &mut Closed, &mut err), 0);
+    assert!(err.is_empty());
+}
+
+#[test]
+#[ignore]
+fn show() {
+    println!("{:?}", driven(&std::env::var("LINE").unwrap_or_default()).status);
+    let r = driven(&std::env::var("LINE").unwrap_or_default());
+    println!("{}\n--- err\n{}", r.out, r.err);
+}

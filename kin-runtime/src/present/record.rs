@@ -12,7 +12,7 @@ use crate::transmission::TransmissionAngle;
 
 /// Named values in order, written as one JSON object.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Named<T>(pub Vec<(&'static str, T)>);
+pub(crate) struct Named<T>(Vec<(&'static str, T)>);
 
 impl<T> FromIterator<(&'static str, T)> for Named<T> {
     fn from_iter<I: IntoIterator<Item = (&'static str, T)>>(iter: I) -> Self {

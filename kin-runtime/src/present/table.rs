@@ -139,7 +139,7 @@ mod tests {
         let table = Table::new().words("name", ["a", "bc"]).numbers("q̇", [1.0, -10.5]);
         assert_eq!(
             table.render(),
-            concat!("  name          q̇\n", "  ────  ──────────\n", "  a       1.000000\n", "  bc    -10.500000\n")
+            concat!("  name           q̇\n", "  ────  ──────────\n", "  a       1.000000\n", "  bc    -10.500000\n")
         );
     }
 
