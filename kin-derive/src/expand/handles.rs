@@ -1,0 +1,107 @@
+//! Handles: associated constants for bodies, points, coordinates, defines and inputs, with the user's own spans, so
+//! that go-to-definition, hover and rename work from every mention.
+
+use crate::lower::{Lowered, MentionKind};
+use kin_core::Origin;
+use kin_core::system::KinematicSystem;
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+/// An `impl` with one constant for every name.
+pub(crate) fn handles(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
+    let mechanism = &lowered.mechanism;
+    let set = &system.set;
+    let mut constants = TokenStream::new();
+    for (family, body) in mechanism.bodies.iter().enumerate() {
+        let places = places(set.bodies.iter().map(|b| b.family.0), family);
+        constants.extend(constant(lowered, &body.name, body.origin, body.len, "Body", &places));
+    }
+    let mut place = set.coordinates.len() - mechanism.scalars.iter().map(|s| s.len.unwrap_or(1)).sum::<usize>();
+    for scalar in &mechanism.scalars {
+        let places: Vec<usize> = (place..place + scalar.len.unwrap_or(1)).collect();
+        place += places.len();
+        constants.extend(constant(lowered, &scalar.name, scalar.origin, scalar.len, "Coordinate", &places));
+    }
+    for (family, point) in mechanism.points.iter().enumerate() {
+        let places = places(set.points.iter().map(|p| p.family.0), family);
+        let len = point.range.map(|_| places.len());
+        constants.extend(constant(lowered, &point.name, point.origin, len, "Point", &places));
+    }
+    for (family, define) in mechanism.defines.iter().enumerate() {
+        let places = places(set.defines.iter().map(|d| d.family.0), family);
+        let len = define.range.map(|_| places.len());
+        constants.extend(constant(lowered, &define.name, define.origin, len, "Quantity", &places));
+    }
+    for (place, input) in mechanism.inputs.iter().enumerate() {
+        constants.extend(constant(lowered, &input.name, input.origin, None, "Input", &[place]));
+    }
+    let name = &lowered.item.ident;
+    let (impl_generics, type_generics, where_clause) = lowered.item.generics.split_for_impl();
+    quote! {
+        #[allow(non_upper_case_globals)]
+        impl #impl_generics #name #type_generics #where_clause {
+            #constants
+        }
+    }
+}
+
+/// The instances of a family.
+fn places(families: impl Iterator<Item = usize>, family: usize) -> Vec<usize> {
+    families.enumerate().filter(|(_, f)| *f == family).map(|(place, _)| place).collect()
+}
+
+fn constant(
+    lowered: &Lowered,
+    name: &str,
+    origin: Origin,
+    len: Option<usize>,
+    ty: &str,
+    places: &[usize],
+) -> TokenStream {
+    let visibility = &lowered.item.vis;
+    let span = lowered.spans.get(origin.0 as usize).copied().unwrap_or_else(Span::call_site);
+    let handle = handle_name(name, span);
+    let ty = Ident::new(ty, Span::call_site());
+    let kind = match ty.to_string().as_str() {
+        "Body" => "The body",
+        "Coordinate" => "The coordinate",
+        "Point" => "The point",
+        "Quantity" => "The quantity",
+        _ => "The input",
+    };
+    let doc = lowered.doc_of(name).map_or_else(|| format!("{kind} `{name}`."), str::to_owned);
+    let (ty, value) = match len {
+        None => (quote! { __kin::#ty }, quote! { #(__kin::#ty(#places))* }),
+        Some(len) => (quote! { [__kin::#ty; #len] }, quote! { [#(__kin::#ty(#places)),*] }),
+    };
+    quote! {
+        #[doc = #doc]
+        #visibility const #handle: #ty = #value;
+    }
+}
+
+/// The constant's name: the user's own, raw where it is a keyword. A handle called `default` would hide
+/// `Default::default` from `Name::default()`, so it gets an underscore.
+fn handle_name(name: &str, span: Span) -> Ident {
+    if name == "default" {
+        return Ident::new("default_", span);
+    }
+    match syn::parse_str::<Ident>(name) {
+        Ok(_) => Ident::new(name, span),
+        Err(_) => Ident::new_raw(name, span),
+    }
+}
+
+/// Statements that mention every name where the user wrote it.
+pub(crate) fn mentions(lowered: &Lowered) -> TokenStream {
+    (lowered.mentions.iter())
+        .filter(|mention| mention.ident != "default")
+        .map(|mention| {
+            let ident = &mention.ident;
+            match mention.kind {
+                MentionKind::Parameter | MentionKind::Function => quote! { let _ = &self.#ident; },
+                _ => quote! { let _ = Self::#ident; },
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,107 @@
+//! Kernels: the functions that evaluate a set of rows, one for every subset worth its own code.
+
+use super::program::{Reads, body};
+use kin_core::expr::{ExprId, Graph};
+use kin_core::program::{Program, Slot, lower};
+use kin_core::system::Equation;
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+/// The rows of a system as outputs, with the pattern of its Jacobian.
+pub(crate) struct Layout {
+    /// (row, column) of every entry, row by row.
+    pub(crate) entries: Vec<(usize, usize)>,
+    /// Entries that are literal constants.
+    pub(crate) constants: Vec<(usize, f64)>,
+    outputs: Vec<(Slot, ExprId)>,
+}
+
+impl Layout {
+    /// Lays out equations; literal entries of Φ_q and literal zeros of Φ_t and γ are never written by a kernel.
+    pub(crate) fn new(graph: &Graph, equations: &[Equation]) -> Self {
+        let mut layout = Self { entries: Vec::new(), constants: Vec::new(), outputs: Vec::new() };
+        for (row, equation) in equations.iter().enumerate() {
+            layout.outputs.push((Slot::Phi(row), equation.phi));
+            for (column, e) in &equation.phi_q {
+                let place = layout.entries.len();
+                layout.entries.push((row, *column as usize));
+                match graph.literal(*e) {
+                    Some(value) => layout.constants.push((place, value)),
+                    None => layout.outputs.push((Slot::PhiQ(place), *e)),
+                }
+            }
+            for (slot, e) in [(Slot::PhiT(row), equation.phi_t), (Slot::Gamma(row), equation.gamma)] {
+                if !graph.is_zero(e) {
+                    layout.outputs.push((slot, e));
+                }
+            }
+        }
+        layout
+    }
+
+    /// The program of the outputs that `keep` keeps.
+    pub(crate) fn program(&self, graph: &Graph, keep: impl Fn(Slot) -> bool) -> Program {
+        let outputs: Vec<_> = self.outputs.iter().copied().filter(|(slot, _)| keep(*slot)).collect();
+        lower(graph, &outputs)
+    }
+}
+
+/// A kernel as a function item, and the call of it.
+pub(crate) struct Kernel {
+    pub(crate) item: TokenStream,
+    pub(crate) call: TokenStream,
+}
+
+/// The kernel `name` of `program`; `targets` are the arrays it may write: (name, type), in the caller's scope.
+pub(crate) fn kernel(
+    name: &Ident,
+    this: &Ident,
+    program: &Program,
+    functions: &[Ident],
+    targets: &[(&str, TokenStream)],
+) -> Kernel {
+    let reads = Reads::of(program);
+    let writes = |target: &str| program.outputs.iter().any(|(slot, _)| target_name(*slot) == target);
+    let inputs = [
+        (reads.functions, "this", quote! { &#this }, quote! { self }),
+        (reads.parameters, "p", quote! { &Parameters<T> }, quote! { p }),
+        (reads.time, "t", quote! { T }, quote! { at.t }),
+        (reads.inputs, "u", quote! { &Inputs<T> }, quote! { u }),
+        (reads.coordinates, "q", quote! { &Coordinates<T> }, quote! { q }),
+        (reads.rates, "w", quote! { &Coordinates<T> }, quote! { w }),
+    ];
+    let (mut arguments, mut values) = (Vec::new(), Vec::new());
+    for (_, argument, ty, value) in inputs.into_iter().filter(|(used, ..)| *used) {
+        let argument = Ident::new(argument, Span::call_site());
+        arguments.push(quote! { #argument: #ty });
+        values.push(value);
+    }
+    for (target, ty) in targets {
+        if writes(target) {
+            let target = Ident::new(target, Span::call_site());
+            arguments.push(quote! { #target: &mut #ty });
+            values.push(quote! { #target });
+        }
+    }
+    if arguments.is_empty() {
+        return Kernel { item: TokenStream::new(), call: TokenStream::new() };
+    }
+    let statements = body(program, functions);
+    Kernel {
+        item: quote! {
+            #[inline]
+            fn #name<T: __kin::Scalar>(#(#arguments),*) { #statements }
+        },
+        call: quote! { #name::<T>(#(#values),*); },
+    }
+}
+
+fn target_name(slot: Slot) -> &'static str {
+    match slot {
+        Slot::Phi(_) => "phi",
+        Slot::PhiQ(_) => "phi_q",
+        Slot::PhiT(_) => "phi_t",
+        Slot::Gamma(_) => "gamma",
+        Slot::Entry(_) => "out",
+    }
+}

@@ -1,0 +1,265 @@
+//! `KinematicSystem` to Rust items. Cannot fail: everything that can be wrong has been reported before.
+//!
+//! Nothing iterates a hash map on the way here: the same description gives the same tokens.
+
+mod handles;
+mod kernel;
+mod parameters;
+mod program;
+mod tables;
+
+use crate::lower::{Flags, Lowered};
+use kernel::{Layout, kernel};
+use kin_core::program::{Program, Slot, lower};
+use kin_core::system::KinematicSystem;
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+/// All items of a mechanism: the struct, its handles, the trait, and what the flags ask for.
+pub(crate) fn expand(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
+    let item = &lowered.item;
+    let handles = handles::handles(lowered, system);
+    let mechanism = mechanism(lowered, system);
+    let default = parameters::default(lowered);
+    let cross_check = cross_check(&item.ident, lowered.flags);
+    quote! {
+        #item
+        const _: () = {
+            use ::kin_runtime::private as __kin;
+            #handles
+            #mechanism
+            #default
+        };
+        #cross_check
+    }
+}
+
+/// The implementation of the trait.
+fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
+    let item = &lowered.item;
+    let set = &system.set;
+    let name = &item.ident;
+    let (impl_generics, type_generics, where_clause) = item.generics.split_for_impl();
+    let constraints = Layout::new(&set.graph, &system.equations);
+    let observables = Layout::new(&set.graph, &system.observables);
+    let all = constraints.program(&set.graph, |_| true);
+    let tables = tables::model(&tables::Tables {
+        mechanism: &lowered.mechanism,
+        system,
+        constraints: &constraints,
+        observables: &observables,
+        operations: all.operations(),
+        doc: &lowered.doc,
+        allow_redundant: lowered.flags.allow_redundant,
+    });
+    let (n, s, p, u) = (set.coordinates.len(), set.rows.len(), set.parameters.len(), set.inputs.len());
+    let (entries, seen, seen_entries) =
+        (constraints.entries.len(), set.observables.len(), observables.entries.len());
+    let parameters = parameters::read(lowered);
+    let set_parameter = parameters::write(lowered);
+    let evaluate = evaluate(lowered, system, &constraints, &all);
+    let observe = observe(lowered, system, &observables);
+    let geometry = list(lowered, system, set.geometry.iter().copied());
+    let guesses = list(lowered, system, set.guesses.iter().map(|(_, value)| *value));
+    quote! {
+        type Parameters<T> = [T; #p];
+        type Inputs<T> = [__kin::Signal<T>; #u];
+        type Coordinates<T> = [T; #n];
+
+        #[automatically_derived]
+        impl #impl_generics __kin::Mechanism for #name #type_generics #where_clause {
+            const COORDINATES: usize = #n;
+            const ROWS: usize = #s;
+            const PARAMETERS: usize = #p;
+            const INPUTS: usize = #u;
+            type Parameters<T: __kin::Scalar> = [T; #p];
+            type Coordinates<T: __kin::Scalar> = [T; #n];
+            type Rows<T: __kin::Scalar> = [T; #s];
+            type NonZeros<T: __kin::Scalar> = [T; #entries];
+            type Observables<T: __kin::Scalar> = [T; #seen];
+            type ObservableNonZeros<T: __kin::Scalar> = [T; #seen_entries];
+
+            fn model() -> &'static __kin::Model {
+                static MODEL: __kin::Model = #tables;
+                &MODEL
+            }
+
+            #parameters
+            #set_parameter
+
+            fn evaluate_with<T: __kin::Scalar>(
+                &self,
+                parameters: &[T],
+                subset: __kin::Subset,
+                at: &__kin::Instant<'_, T>,
+                q: &[T],
+                q_dot: &[T],
+                workspace: &mut __kin::Workspace<Self, T>,
+            ) -> __kin::Result<(), __kin::LengthError> {
+                #evaluate
+            }
+
+            fn observe_with<T: __kin::Scalar>(
+                &self,
+                parameters: &[T],
+                at: &__kin::Instant<'_, T>,
+                q: &[T],
+                q_dot: &[T],
+                observations: &mut __kin::Observations<Self, T>,
+            ) -> __kin::Result<(), __kin::LengthError> {
+                #observe
+            }
+
+            fn write_geometry<T: __kin::Scalar>(
+                &self,
+                parameters: &[T],
+                at: &__kin::Instant<'_, T>,
+                geometry: &mut [T],
+            ) -> __kin::Result<(), __kin::LengthError> {
+                let p: &Parameters<T> = __kin::fixed("parameters", parameters)?;
+                let u: &Inputs<T> = __kin::fixed("inputs", at.inputs)?;
+                let out = __kin::fixed_mut("geometry", geometry)?;
+                let _ = (p, u);
+                #geometry
+                __kin::Ok(())
+            }
+
+            fn write_guesses<T: __kin::Scalar>(
+                &self,
+                parameters: &[T],
+                guesses: &mut [T],
+            ) -> __kin::Result<(), __kin::LengthError> {
+                let p: &Parameters<T> = __kin::fixed("parameters", parameters)?;
+                let out = __kin::fixed_mut("guesses", guesses)?;
+                let _ = p;
+                #guesses
+                __kin::Ok(())
+            }
+        }
+    }
+}
+
+/// The four arrays of an evaluation with their types.
+fn targets(rows: usize, entries: usize) -> [(&'static str, TokenStream); 4] {
+    [
+        ("phi", quote! { [T; #rows] }),
+        ("phi_q", quote! { [T; #entries] }),
+        ("phi_t", quote! { [T; #rows] }),
+        ("gamma", quote! { [T; #rows] }),
+    ]
+}
+
+fn lengths() -> TokenStream {
+    quote! {
+        let p: &Parameters<T> = __kin::fixed("parameters", parameters)?;
+        let u: &Inputs<T> = __kin::fixed("inputs", at.inputs)?;
+        let q: &Coordinates<T> = __kin::fixed("q", q)?;
+        let w: &Coordinates<T> = __kin::fixed("q_dot", q_dot)?;
+    }
+}
+
+fn evaluate(lowered: &Lowered, system: &KinematicSystem, layout: &Layout, all: &Program) -> TokenStream {
+    let graph = &system.set.graph;
+    let targets = targets(system.set.rows.len(), layout.entries.len());
+    let functions = functions(lowered);
+    let named = |name: &str, program: &Program| {
+        kernel(&Ident::new(name, Span::call_site()), &lowered.item.ident, program, &functions, &targets)
+    };
+    let phi = named("values", &layout.program(graph, |slot| matches!(slot, Slot::Phi(_))));
+    let position = layout.program(graph, |slot| matches!(slot, Slot::Phi(_) | Slot::PhiQ(_)));
+    let position = named("values_and_jacobian", &position);
+    let velocity = layout.program(graph, |slot| matches!(slot, Slot::PhiQ(_) | Slot::PhiT(_)));
+    let velocity = named("jacobian_and_rates", &velocity);
+    let all = named("everything", all);
+    let items = [&phi, &position, &velocity, &all].map(|kernel| &kernel.item);
+    let [phi, position, velocity, all] = [&phi, &position, &velocity, &all].map(|kernel| &kernel.call);
+    let lengths = lengths();
+    quote! {
+        #(#items)*
+        #lengths
+        let (phi, phi_q, phi_t, gamma) = workspace.parts_mut();
+        let _ = (p, u, q, w, &phi, &phi_q, &phi_t, &gamma);
+        if subset.gamma || subset.phi && subset.phi_t {
+            #all
+        } else if subset.phi_t {
+            #velocity
+        } else if subset.phi_q {
+            #position
+        } else if subset.phi {
+            #phi
+        }
+        __kin::Ok(())
+    }
+}
+
+fn observe(lowered: &Lowered, system: &KinematicSystem, layout: &Layout) -> TokenStream {
+    let targets = targets(system.set.observables.len(), layout.entries.len());
+    let program = layout.program(&system.set.graph, |_| true);
+    let name = Ident::new("observe", Span::call_site());
+    let kernel = kernel(&name, &lowered.item.ident, &program, &functions(lowered), &targets);
+    let (item, call, lengths) = (kernel.item, kernel.call, lengths());
+    quote! {
+        #item
+        #lengths
+        let (phi, phi_q, phi_t, gamma) = observations.parts_mut();
+        let _ = (p, u, q, w, &phi, &phi_q, &phi_t, &gamma);
+        #call
+        __kin::Ok(())
+    }
+}
+
+/// A kernel that writes a plain list of expressions.
+fn list(
+    lowered: &Lowered,
+    system: &KinematicSystem,
+    values: impl Iterator<Item = kin_core::expr::ExprId>,
+) -> TokenStream {
+    let outputs: Vec<_> = values.enumerate().map(|(place, value)| (Slot::Entry(place), value)).collect();
+    let count = outputs.len();
+    let program = lower(&system.set.graph, &outputs);
+    let name = Ident::new("write", Span::call_site());
+    let kernel = kernel(&name, &lowered.item.ident, &program, &functions(lowered), &[("out", quote! { [T; #count] })]);
+    let (item, call) = (kernel.item, kernel.call);
+    quote! {
+        #item
+        let out: &mut [T; #count] = out;
+        let _ = &out;
+        #call
+    }
+}
+
+/// The fields that hold supplied functions.
+fn functions(_lowered: &Lowered) -> Vec<Ident> {
+    Vec::new()
+}
+
+/// The test that `#[mechanism(cross_check)]` writes.
+fn cross_check(name: &Ident, flags: Flags) -> TokenStream {
+    if !flags.cross_check {
+        return TokenStream::new();
+    }
+    let test = format_ident!("cross_check_of_{}", snake_case(&name.to_string()));
+    let failure = "the closed forms and the dual numbers disagree";
+    let name = name.to_token_stream();
+    quote! {
+        #[cfg(test)]
+        #[test]
+        fn #test() {
+            let checked = ::kin_runtime::private::cross_check(&<#name as ::core::default::Default>::default());
+            if let ::core::result::Result::Err(difference) = checked {
+                ::core::panic!("{}: {}", #failure, difference);
+            }
+        }
+    }
+}
+
+fn snake_case(name: &str) -> String {
+    let mut out = String::new();
+    for (place, c) in name.trim_start_matches("r#").char_indices() {
+        if c.is_uppercase() && place > 0 && !out.ends_with('_') {
+            out.push('_');
+        }
+        out.extend(c.to_lowercase());
+    }
+    out
+}

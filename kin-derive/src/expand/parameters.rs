@@ -1,0 +1,100 @@
+//! The parameters of a mechanism: fields in, numbers out, and back.
+
+use super::handles::mentions;
+use super::program::literal;
+use crate::lower::Lowered;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// A field with the range of its parameters.
+struct Span<'a> {
+    ident: &'a proc_macro2::Ident,
+    len: Option<usize>,
+    first: usize,
+    default: Option<&'a [f64]>,
+}
+
+fn fields(lowered: &Lowered) -> Vec<Span<'_>> {
+    let mut first = 0;
+    (lowered.fields.iter())
+        .filter_map(|field| Some((field, lowered.mechanism.parameters.get(field.parameter?)?)))
+        .map(|(field, parameter)| {
+            let span = Span { ident: &field.ident, len: parameter.len, first, default: parameter.default.as_deref() };
+            first += parameter.len.unwrap_or(1);
+            span
+        })
+        .collect()
+}
+
+/// `fn parameters`.
+pub(crate) fn read(lowered: &Lowered) -> TokenStream {
+    let fields = fields(lowered);
+    let total: usize = lowered.mechanism.parameters.iter().map(|p| p.len.unwrap_or(1)).sum();
+    let reads = fields.iter().map(|field| {
+        let (ident, first) = (field.ident, Literal::usize_unsuffixed(field.first));
+        match field.len {
+            None => quote! { out[#first] = <T as __kin::Scalar>::from_f64(__kin::Parameter::get(&self.#ident, 0)); },
+            Some(len) => quote! {
+                for k in 0..#len {
+                    out[#first + k] = <T as __kin::Scalar>::from_f64(__kin::Parameter::get(&self.#ident, k));
+                }
+            },
+        }
+    });
+    let body = if total == 0 {
+        quote! { [] }
+    } else {
+        quote! {
+            let mut out = [<T as __kin::Scalar>::from_f64(0.0); #total];
+            #(#reads)*
+            out
+        }
+    };
+    quote! {
+        #[inline]
+        fn parameters<T: __kin::Scalar>(&self) -> [T; #total] { #body }
+    }
+}
+
+/// `fn set_parameter`; it also mentions every name, because it is called rarely and reads the fields.
+pub(crate) fn write(lowered: &Lowered) -> TokenStream {
+    let mentions = mentions(lowered);
+    let arms = fields(lowered).into_iter().map(|field| {
+        let (ident, first) = (field.ident, field.first);
+        let last = first + field.len.unwrap_or(1);
+        quote! { #first..#last => __kin::Parameter::set(&mut self.#ident, index - #first, value), }
+    });
+    quote! {
+        fn set_parameter(&mut self, index: usize, value: f64) -> bool {
+            #mentions
+            match index {
+                #(#arms)*
+                _ => { let _ = value; false }
+            }
+        }
+    }
+}
+
+/// `Default`, where every field has a default and no derive gives one.
+pub(crate) fn default(lowered: &Lowered) -> TokenStream {
+    let fields = fields(lowered);
+    let complete = fields.len() == lowered.fields.len() && fields.iter().all(|field| field.default.is_some());
+    if !complete || lowered.derives_default {
+        return TokenStream::new();
+    }
+    let name = &lowered.item.ident;
+    let (impl_generics, type_generics, where_clause) = lowered.item.generics.split_for_impl();
+    let values = fields.iter().map(|field| {
+        let (ident, values) = (field.ident, field.default.unwrap_or_default());
+        let values = values.iter().map(|value| literal(*value));
+        quote! { #ident: __kin::Parameter::from_values(&[#(#values),*]), }
+    });
+    quote! {
+        #[automatically_derived]
+        impl #impl_generics __kin::Default for #name #type_generics #where_clause {
+            fn default() -> Self {
+                Self { #(#values)* }
+            }
+        }
+    }
+}
