@@ -64,11 +64,11 @@ pub(crate) fn kernel(
     let writes = |target: &str| program.outputs.iter().any(|(slot, _)| target_name(*slot) == target);
     let inputs = [
         (reads.functions, "this", quote! { &#this }, quote! { self }),
-        (reads.parameters, "p", quote! { &Parameters<T> }, quote! { p }),
+        (reads.parameters, "p", quote! { &__Parameters<T> }, quote! { p }),
         (reads.time, "t", quote! { T }, quote! { at.t }),
-        (reads.inputs, "u", quote! { &Inputs<T> }, quote! { u }),
-        (reads.coordinates, "q", quote! { &Coordinates<T> }, quote! { q }),
-        (reads.rates, "w", quote! { &Coordinates<T> }, quote! { w }),
+        (reads.inputs, "u", quote! { &__Inputs<T> }, quote! { u }),
+        (reads.coordinates, "q", quote! { &__Coordinates<T> }, quote! { q }),
+        (reads.rates, "w", quote! { &__Coordinates<T> }, quote! { w }),
     ];
     let (mut arguments, mut values) = (Vec::new(), Vec::new());
     for (_, argument, ty, value) in inputs.into_iter().filter(|(used, ..)| *used) {

@@ -62,9 +62,9 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
     let geometry = list(lowered, system, set.geometry.iter().copied());
     let guesses = list(lowered, system, set.guesses.iter().map(|(_, value)| *value));
     quote! {
-        type Parameters<T> = [T; #p];
-        type Inputs<T> = [__kin::Signal<T>; #u];
-        type Coordinates<T> = [T; #n];
+        type __Parameters<T> = [T; #p];
+        type __Inputs<T> = [__kin::Signal<T>; #u];
+        type __Coordinates<T> = [T; #n];
 
         #[automatically_derived]
         impl #impl_generics __kin::Mechanism for #name #type_generics #where_clause {
@@ -116,8 +116,8 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
                 at: &__kin::Instant<'_, T>,
                 geometry: &mut [T],
             ) -> __kin::Result<(), __kin::LengthError> {
-                let p: &Parameters<T> = __kin::fixed("parameters", parameters)?;
-                let u: &Inputs<T> = __kin::fixed("inputs", at.inputs)?;
+                let p: &__Parameters<T> = __kin::fixed("parameters", parameters)?;
+                let u: &__Inputs<T> = __kin::fixed("inputs", at.inputs)?;
                 let out = __kin::fixed_mut("geometry", geometry)?;
                 let _ = (p, u);
                 #geometry
@@ -129,7 +129,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
                 parameters: &[T],
                 guesses: &mut [T],
             ) -> __kin::Result<(), __kin::LengthError> {
-                let p: &Parameters<T> = __kin::fixed("parameters", parameters)?;
+                let p: &__Parameters<T> = __kin::fixed("parameters", parameters)?;
                 let out = __kin::fixed_mut("guesses", guesses)?;
                 let _ = p;
                 #guesses
@@ -151,10 +151,10 @@ fn targets(rows: usize, entries: usize) -> [(&'static str, TokenStream); 4] {
 
 fn lengths() -> TokenStream {
     quote! {
-        let p: &Parameters<T> = __kin::fixed("parameters", parameters)?;
-        let u: &Inputs<T> = __kin::fixed("inputs", at.inputs)?;
-        let q: &Coordinates<T> = __kin::fixed("q", q)?;
-        let w: &Coordinates<T> = __kin::fixed("q_dot", q_dot)?;
+        let p: &__Parameters<T> = __kin::fixed("parameters", parameters)?;
+        let u: &__Inputs<T> = __kin::fixed("inputs", at.inputs)?;
+        let q: &__Coordinates<T> = __kin::fixed("q", q)?;
+        let w: &__Coordinates<T> = __kin::fixed("q_dot", q_dot)?;
     }
 }
 
