@@ -32,6 +32,37 @@ pub mod trajectory;
 #[cfg(feature = "std")]
 pub mod transmission;
 
+#[cfg(feature = "std")]
+mod acceleration;
+#[cfg(feature = "std")]
+mod analysis;
+#[cfg(feature = "std")]
+mod assemble;
+#[cfg(feature = "std")]
+mod closure;
+#[cfg(feature = "std")]
+mod continuation;
+#[cfg(feature = "std")]
+mod dual;
+#[cfg(feature = "std")]
+mod equations;
+#[cfg(feature = "std")]
+mod linear;
+#[cfg(feature = "std")]
+mod newton;
+#[cfg(feature = "std")]
+mod position;
+#[cfg(feature = "std")]
+mod random;
+#[cfg(feature = "std")]
+mod scale;
+#[cfg(feature = "std")]
+mod singular;
+#[cfg(feature = "std")]
+mod system;
+#[cfg(feature = "std")]
+mod velocity;
+
 #[cfg(feature = "cli")]
 pub mod cli;
 #[cfg(feature = "cli")]

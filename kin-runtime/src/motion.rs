@@ -1,7 +1,16 @@
 //! Motion of everything that a mechanism reports: bodies, points, defines and joints.
+//!
+//! An observable o(q, t) has ȯ = o_q q̇ + o_t and ö = o_q q̈ − γ_o, where γ_o = −(o_q q̇)_q q̇ − 2 o_qt q̇ − o_tt: the
+//! convention of the constraints.
 
+use crate::equations::{Equations, finite};
+use crate::error::SolveError;
+use crate::mechanism::LengthError;
 use crate::model::{Body, Model, Point, Quantity};
+use crate::state::State;
+use crate::workspace::Instant;
 use core::ops::Index;
+use nalgebra::DMatrix;
 
 /// A value with its first and second time derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -116,4 +125,82 @@ impl serde::Serialize for Motion {
         s.serialize_field("joints", &joints)?;
         s.end()
     }
+}
+
+/// The motion of everything at a state.
+pub(crate) fn motion(equations: &mut Equations<'_>, state: &State) -> Result<Motion, SolveError> {
+    equations.check("q", &state.q)?;
+    equations.check("q_dot", &state.q_dot)?;
+    equations.check("q_ddot", &state.q_ddot)?;
+    let model = equations.model;
+    let at = Instant { t: equations.t, inputs: &equations.inputs };
+    equations.system.observe(&at, &state.q, &state.q_dot)?;
+    let parts = equations.system.observables();
+    let mut rates: Vec<Rates> = (0..model.observables.len())
+        .map(|k| Rates { value: parts.phi[k], rate: parts.phi_t[k], acceleration: -parts.gamma[k] })
+        .collect();
+    for (&(row, column), &entry) in model.observable_pattern.entries.iter().zip(parts.phi_q) {
+        rates[row].rate += entry * state.q_dot[column];
+        rates[row].acceleration += entry * state.q_ddot[column];
+    }
+    for (index, rate) in rates.iter().enumerate() {
+        for value in [rate.value, rate.rate, rate.acceleration] {
+            finite("observables", index, "", value)?;
+        }
+    }
+    let at = |k: usize| rates.get(k).copied().unwrap_or_default();
+    let bodies = model.bodies.iter().map(|body| {
+        let [x, y, phi] = body.observables.map(at);
+        BodyMotion {
+            x: x.value,
+            y: y.value,
+            phi: phi.value,
+            x_dot: x.rate,
+            y_dot: y.rate,
+            phi_dot: phi.rate,
+            x_ddot: x.acceleration,
+            y_ddot: y.acceleration,
+            phi_ddot: phi.acceleration,
+        }
+    });
+    let points = model.points.iter().map(|point| {
+        let [x, y] = point.observables.map(at);
+        PointMotion { r: [x.value, y.value], v: [x.rate, y.rate], a: [x.acceleration, y.acceleration] }
+    });
+    let joints = model.joints.iter().map(|joint| joint.quantities.iter().map(|q| at(q.observable)).collect());
+    Ok(Motion {
+        model,
+        bodies: bodies.collect(),
+        points: points.collect(),
+        defines: model.defines.iter().map(|define| at(define.observable)).collect(),
+        joints: joints.collect(),
+    })
+}
+
+/// ∂r_P/∂q of a named point, 2×n.
+pub(crate) fn point_jacobian(
+    equations: &mut Equations<'_>,
+    q: &[f64],
+    point: Point,
+) -> Result<DMatrix<f64>, SolveError> {
+    equations.check("q", q)?;
+    let model = equations.model;
+    let Some(info) = model.points.get(point.0) else {
+        return Err(SolveError::Length(LengthError {
+            what: "points",
+            expected: point.0 + 1,
+            found: model.points.len(),
+        }));
+    };
+    let at = Instant { t: equations.t, inputs: &equations.inputs };
+    equations.system.observe(&at, q, &vec![0.0; q.len()])?;
+    let parts = equations.system.observables();
+    let mut jacobian = DMatrix::zeros(2, q.len());
+    for (&(row, column), &entry) in model.observable_pattern.entries.iter().zip(parts.phi_q) {
+        if let Some(component) = info.observables.iter().position(|&k| k == row) {
+            finite("observables", row, info.name, entry)?;
+            jacobian[(component, column)] = entry;
+        }
+    }
+    Ok(jacobian)
 }

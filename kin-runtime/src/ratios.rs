@@ -1,4 +1,22 @@
 //! Velocity ratios: how the mechanism follows each of its driving rows.
+//!
+//! For a driving row d with right-hand side f, written left minus right,
+//!
+//! ```text
+//! Φ_q k = e_d        k = ∂q/∂f        first-order ratio (velocity ratio)
+//! Φ_q l = −(Φ_q k)_q k        l = ∂²q/∂f²        second-order ratio (acceleration coefficient)
+//! ```
+//!
+//! −(Φ_q k)_q k is the even part of γ in q̇: ½ [γ(k) + γ(−k)] − γ(0). A driver of a distance is written with squares,
+//! |d|² − f² = 0, so its ratios are per change of f².
+
+use crate::equations::Equations;
+use crate::error::SolveError;
+use crate::linear::Factorization;
+use crate::state::State;
+use crate::velocity::{factorize, inconsistency, scaled};
+use crate::workspace::Subset;
+use nalgebra::DVector;
 
 /// How q follows one driving row.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,4 +44,57 @@ pub struct VelocityRatio {
 pub struct VelocityRatios {
     /// One entry per driving row.
     pub drivers: Vec<VelocityRatio>,
+}
+
+/// The ratios of every driving row at a state; prescribed coordinates are driving rows too.
+pub(crate) fn velocity_ratios(equations: &mut Equations<'_>, state: &State) -> Result<VelocityRatios, SolveError> {
+    equations.check("q", &state.q)?;
+    let factor = factorize(equations, &state.q, None)?;
+    let nu = -equations.phi_t.clone();
+    let at_rest = gamma(equations, &state.q, &vec![0.0; state.q.len()])?;
+    let mut drivers = Vec::new();
+    for row in equations.rows_where(|e, row| e.drives(row)) {
+        let mut unit = DVector::zeros(equations.rows());
+        unit[row] = 1.0;
+        let first = respond(equations, &factor, &unit)?;
+        let forward = gamma(equations, &state.q, first.as_slice())?;
+        let backward = gamma(equations, &state.q, (-&first).as_slice())?;
+        let second = respond(equations, &factor, &(0.5 * (forward + backward) - &at_rest))?;
+        drivers.push(VelocityRatio {
+            row,
+            row_name: equations.row_name(row),
+            joint: equations.joint_name(row),
+            q_dot: (nu[row] * &first).as_slice().to_vec(),
+            q_ddot: (at_rest[row] * &first + nu[row] * nu[row] * &second).as_slice().to_vec(),
+            first: first.as_slice().to_vec(),
+            second: second.as_slice().to_vec(),
+        });
+    }
+    Ok(VelocityRatios { drivers })
+}
+
+/// γ at q and q̇.
+fn gamma(equations: &mut Equations<'_>, q: &[f64], q_dot: &[f64]) -> Result<DVector<f64>, SolveError> {
+    equations.evaluate(Subset::GAMMA, q, Some(q_dot))?;
+    Ok(equations.gamma.clone())
+}
+
+/// x with Φ_q x = right.
+fn respond(
+    equations: &Equations<'_>,
+    factor: &Factorization,
+    right: &DVector<f64>,
+) -> Result<DVector<f64>, SolveError> {
+    let right = scaled(equations, right);
+    let x = factor.solve(&right);
+    match inconsistency(equations, &x, &right) {
+        None => Ok(x),
+        Some((row, residual)) => Err(SolveError::InconsistentVelocity {
+            t: equations.t,
+            residual,
+            row_name: equations.row_name(row),
+            joint: equations.joint_name(row),
+            rank: factor.rank,
+        }),
+    }
 }

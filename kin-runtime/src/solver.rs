@@ -1,16 +1,25 @@
 //! The analyses of one mechanism, with its options, guesses and prescribed coordinates.
 
-use crate::cross_check::{CrossCheck, CrossCheckOptions};
+use crate::acceleration::acceleration;
+use crate::analysis;
+use crate::assemble::assemble;
+use crate::continuation::kinematic;
+use crate::cross_check::{CrossCheck, CrossCheckOptions, cross_check};
+use crate::equations::{Equations, InputFunction, finite};
 use crate::error::{SolveError, SweepError};
 use crate::mechanism::Mechanism;
-use crate::mobility::Mobility;
+use crate::mobility::{Mobility, mobility};
 use crate::model::Point;
-use crate::motion::Motion;
+use crate::motion::{Motion, motion, point_jacobian};
 use crate::options::Options;
-use crate::ratios::VelocityRatios;
+use crate::position::position;
+use crate::ratios::{VelocityRatios, velocity_ratios};
+use crate::scale::Scale;
 use crate::state::State;
+use crate::system::Evaluator;
 use crate::trajectory::Trajectory;
-use crate::transmission::TransmissionAngle;
+use crate::transmission::{TransmissionAngle, transmission_angles};
+use crate::velocity::{factorize, velocity};
 use crate::workspace::{Instant, Signal};
 use nalgebra::DMatrix;
 
@@ -40,7 +49,7 @@ pub struct Solver<'m, M: Mechanism> {
     pub(crate) options: Options,
     pub(crate) guesses: Vec<(usize, f64)>,
     pub(crate) given: Vec<(usize, Signal)>,
-    pub(crate) inputs: Option<&'m dyn Fn(f64, &mut [Signal])>,
+    pub(crate) inputs: InputFunction<'m>,
 }
 
 impl<M: Mechanism> Clone for Solver<'_, M> {
@@ -94,119 +103,213 @@ impl<'m, M: Mechanism> Solver<'m, M> {
 
     /// The mechanism's guesses overridden by [`with_guess`](Self::with_guess), one entry per coordinate.
     pub fn guess(&self) -> Vec<Option<f64>> {
-        todo!()
+        let model = M::model();
+        let mut values = vec![0.0; model.guesses.len()];
+        let parameters = self.mechanism.parameters::<f64>();
+        let written = self.mechanism.write_guesses(parameters.as_ref(), &mut values).is_ok();
+        let own = model.guesses.iter().copied().zip(values).filter(|_| written);
+        let mut guess = vec![None; model.coordinates.len()];
+        for (coordinate, value) in own.chain(self.guesses.iter().copied()) {
+            if let Some(place) = guess.get_mut(coordinate) {
+                *place = Some(value);
+            }
+        }
+        guess
     }
 
     /// Assembles the mechanism from the guesses; coordinates without a guess are found.
     ///
     /// # Errors
+    /// [`NotAssembled`](SolveError::NotAssembled) with the best attempt's gap, [`GivenConflict`](SolveError::GivenConflict),
+    /// [`UnknownCoordinate`](SolveError::UnknownCoordinate); [`NonFinite`](SolveError::NonFinite) and
+    /// [`Length`](SolveError::Length) for arguments and parameters, here and in every other analysis.
     pub fn assemble(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError> {
-        let _ = at;
-        todo!()
+        let guess = self.checked_guess()?;
+        self.analyse(at, |equations| Ok(assemble(equations, &guess)?.q))
     }
 
     /// Position analysis from a complete start, n numbers: the configuration near it.
     ///
     /// # Errors
+    /// As [`assemble`](Self::assemble).
     pub fn position(&self, at: &Instant<'_>, start: &[f64]) -> Result<Position, SolveError> {
-        let _ = (at, start);
-        todo!()
+        self.analyse(at, |equations| position(equations, start))
     }
 
     /// Velocity analysis of an assembled configuration: q̇ with Φ_q q̇ = −Φ_t.
     ///
     /// # Errors
+    /// [`Singular`](SolveError::Singular) where Φ_q loses rank in this configuration alone,
+    /// [`InconsistentVelocity`](SolveError::InconsistentVelocity) where redundant rows disagree,
+    /// [`GivenConflict`](SolveError::GivenConflict).
     pub fn velocity(&self, at: &Instant<'_>, q: &[f64]) -> Result<Vec<f64>, SolveError> {
-        let _ = (at, q);
-        todo!()
+        self.analyse(at, |equations| {
+            equations.check("q", q)?;
+            equations.scale = Scale::around(equations, q);
+            Ok(velocity(equations, q, None)?.0)
+        })
     }
 
-    /// Acceleration analysis: q̈ with Φ_q q̈ = γ.
+    /// Acceleration analysis of an assembled configuration with its q̇: q̈ with Φ_q q̈ = γ.
     ///
     /// # Errors
+    /// As [`velocity`](Self::velocity), and [`InconsistentAcceleration`](SolveError::InconsistentAcceleration).
     pub fn acceleration(&self, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<Vec<f64>, SolveError> {
-        let _ = (at, q, q_dot);
-        todo!()
+        self.analyse(at, |equations| {
+            equations.check("q", q)?;
+            equations.check("q_dot", q_dot)?;
+            equations.scale = Scale::around(equations, q);
+            let factor = factorize(equations, q, None)?;
+            acceleration(equations, q, q_dot, &factor)
+        })
     }
 
     /// Assembly from the guesses, then velocity and acceleration.
     ///
     /// # Errors
+    /// As [`assemble`](Self::assemble), [`velocity`](Self::velocity) and [`acceleration`](Self::acceleration).
     pub fn state(&self, at: &Instant<'_>) -> Result<State, SolveError> {
-        let _ = at;
-        todo!()
+        let guess = self.checked_guess()?;
+        self.analyse(at, |equations| {
+            let position = assemble(equations, &guess)?;
+            analysis::state(equations, position, None)
+        })
     }
 
     /// Position analysis from a complete start, then velocity and acceleration.
     ///
     /// # Errors
+    /// As [`state`](Self::state).
     pub fn state_from(&self, at: &Instant<'_>, start: &[f64]) -> Result<State, SolveError> {
-        let _ = (at, start);
-        todo!()
+        self.analyse(at, |equations| {
+            let position = position(equations, start)?;
+            analysis::state(equations, position, None)
+        })
     }
 
     /// The motion over `times`, in whatever order and distance: the branch is followed from the first, which is
     /// assembled from the guesses, to the last.
     ///
     /// # Errors
+    /// As [`state`](Self::state) for the first instant; then [`Singular`](SolveError::Singular) or
+    /// [`StepRefused`](SolveError::StepRefused) where the branch ends, with the states before it.
     pub fn sweep(&self, times: &[f64]) -> Result<Trajectory, SweepError> {
-        let _ = times;
-        todo!()
+        self.follow(times, |equations| assemble(equations, &self.checked_guess()?))
     }
 
-    /// [`sweep`](Self::sweep) from a complete start.
+    /// [`sweep`](Self::sweep) from a complete start, n numbers.
     ///
     /// # Errors
+    /// As [`sweep`](Self::sweep).
     pub fn sweep_from(&self, start: &[f64], times: &[f64]) -> Result<Trajectory, SweepError> {
-        let _ = (start, times);
-        todo!()
+        self.follow(times, |equations| position(equations, start))
     }
 
     /// Motion of bodies, points, defines and joints.
     ///
     /// # Errors
+    /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn motion(&self, state: &State) -> Result<Motion, SolveError> {
-        let _ = state;
-        todo!()
+        self.analyse(&state.instant(), |equations| motion(equations, state))
     }
 
     /// Degrees of freedom, independent coordinates, redundant rows and conditioning at a configuration.
     ///
     /// # Errors
+    /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn mobility(&self, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError> {
-        let _ = (at, q);
-        todo!()
+        self.analyse(at, |equations| mobility(equations, q))
     }
 
     /// Velocity ratios and second-order ratios per driving row.
     ///
     /// # Errors
+    /// As [`velocity`](Self::velocity); [`InconsistentVelocity`](SolveError::InconsistentVelocity) also where one
+    /// driving row cannot move without another.
     pub fn velocity_ratios(&self, state: &State) -> Result<VelocityRatios, SolveError> {
-        let _ = state;
-        todo!()
+        self.analyse(&state.instant(), |equations| {
+            equations.check("q", &state.q)?;
+            equations.scale = Scale::around(equations, &state.q);
+            velocity_ratios(equations, state)
+        })
     }
 
     /// ∂r_P/∂q of a named point, 2×n.
     ///
     /// # Errors
+    /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn point_jacobian(&self, at: &Instant<'_>, q: &[f64], point: Point) -> Result<DMatrix<f64>, SolveError> {
-        let _ = (at, q, point);
-        todo!()
+        self.analyse(at, |equations| point_jacobian(equations, q, point))
     }
 
     /// Transmission angles at all revolute joints between two moving bodies.
     ///
     /// # Errors
+    /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn transmission_angles(&self, at: &Instant<'_>, q: &[f64]) -> Result<Vec<TransmissionAngle>, SolveError> {
-        let _ = (at, q);
-        todo!()
+        self.analyse(at, |equations| transmission_angles(equations, q))
     }
 
-    /// Every entry of Φ_q, Φ_t and γ against dual numbers.
+    /// Every entry of Φ_q, Φ_t and γ against dual numbers, at the configurations given and at random ones around the
+    /// guess.
     ///
     /// # Errors
+    /// [`NothingCompared`](SolveError::NothingCompared) where Φ is not finite at any of them;
+    /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn cross_check(&self, options: &CrossCheckOptions) -> Result<CrossCheck, SolveError> {
-        let _ = options;
-        todo!()
+        let centre: Vec<f64> = self.checked_guess()?.into_iter().map(|g| g.unwrap_or(0.0)).collect();
+        let inputs = vec![Signal::default(); M::INPUTS];
+        let length = self.analyse(&Instant { t: 0.0, inputs: &inputs }, |equations| {
+            for given in &options.given {
+                finite("t", 0, "t", given.t)?;
+                equations.check("q", &given.q)?;
+                equations.check("q_dot", &given.q_dot)?;
+            }
+            Ok(Scale::around(equations, &centre).length)
+        })?;
+        cross_check(self.mechanism, options, &centre, length)
+    }
+
+    /// The guesses, unless one of them is for a coordinate that does not exist.
+    fn checked_guess(&self) -> Result<Vec<Option<f64>>, SolveError> {
+        let coordinates = M::COORDINATES;
+        match self.guesses.iter().find(|(index, _)| *index >= coordinates) {
+            Some(&(index, _)) => Err(SolveError::UnknownCoordinate { index, coordinates }),
+            None => Ok(self.guess()),
+        }
+    }
+
+    /// Hands the equations at `at` to an analysis.
+    fn analyse<R>(
+        &self,
+        at: &Instant<'_>,
+        analysis: impl FnOnce(&mut Equations<'_>) -> Result<R, SolveError>,
+    ) -> Result<R, SolveError> {
+        let mut evaluator = Evaluator::new(self.mechanism);
+        let mut equations = Equations::new(&mut evaluator, self.options, &self.given, self.inputs, at)?;
+        analysis(&mut equations)
+    }
+
+    /// A sweep from the position that `first` finds.
+    fn follow(
+        &self,
+        times: &[f64],
+        first: impl FnOnce(&mut Equations<'_>) -> Result<Position, SolveError>,
+    ) -> Result<Trajectory, SweepError> {
+        let nothing = || Trajectory { model: M::model(), states: Vec::new() };
+        let Some(&t) = times.first() else { return Ok(nothing()) };
+        let mut inputs = Vec::new();
+        if let Some(function) = self.inputs {
+            inputs.resize(M::INPUTS, Signal::default());
+            function(t, &mut inputs);
+        }
+        let mut evaluator = Evaluator::new(self.mechanism);
+        let at = Instant { t, inputs: &inputs };
+        let started = Equations::new(&mut evaluator, self.options, &self.given, self.inputs, &at)
+            .and_then(|mut equations| first(&mut equations).map(|position| (equations, position)));
+        match started {
+            Ok((mut equations, position)) => kinematic(&mut equations, position, times),
+            Err(source) => Err(SweepError { trajectory: nothing(), source }),
+        }
     }
 }

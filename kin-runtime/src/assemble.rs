@@ -1,0 +1,119 @@
+//! Assembly from guesses, of which some or all may be missing.
+//!
+//! 1. **Propagate**: a row in which one unknown coordinate is left, and which is affine in it, gives that coordinate;
+//!    repeated until nothing changes. This carries driven angles and, from the ground outwards, the pins of bodies
+//!    whose angle is known.
+//! 2. **Partial**: coordinates that are still unknown start at zero and are moved alone, everything else held.
+//! 3. **Full** position analysis from there.
+//!
+//! When that fails, it is tried again with other values of the coordinates that have no guess, always the same ones.
+
+use crate::closure::close;
+use crate::equations::Equations;
+use crate::error::SolveError;
+use crate::newton::Outcome;
+use crate::position::{close_all, finish};
+use crate::random::Random;
+use crate::scale::Scale;
+use crate::solver::Position;
+use crate::workspace::Subset;
+
+/// The configuration that the guesses lead to.
+pub(crate) fn assemble(equations: &mut Equations<'_>, guesses: &[Option<f64>]) -> Result<Position, SolveError> {
+    let start: Vec<f64> = guesses.iter().map(|g| g.unwrap_or(0.0)).collect();
+    equations.check("guess", &start)?;
+    let (q, _) = propagate(equations, guesses, &start);
+    equations.scale = Scale::around(equations, &q);
+    let unguessed: Vec<usize> = (0..guesses.len()).filter(|&k| guesses[k].is_none()).collect();
+
+    let mut best: Option<(Vec<f64>, Outcome)> = None;
+    let mut random = Random::new(0x00a5_5e3b_1e00);
+    let attempts = if unguessed.is_empty() { 0 } else { equations.options.restarts };
+    for attempt in 0..=attempts {
+        let mut start = start.clone();
+        if attempt > 0 {
+            for &k in &unguessed {
+                start[k] += equations.scale.columns[k] * core::f64::consts::PI * random.symmetric();
+            }
+        }
+        let (mut q, open) = propagate(equations, guesses, &start);
+        if open.is_empty() && attempt > 0 {
+            // Nothing was left to perturb: perturb what propagation gave.
+            for &k in &unguessed {
+                q[k] += equations.scale.columns[k] * 0.5 * random.symmetric();
+            }
+        }
+        if !open.is_empty() && attempt % 2 == 0 {
+            let rows = equations.rows_where(Equations::holonomic);
+            close(equations, &rows, &open, &mut q);
+        }
+        let outcome = close_all(equations, &mut q);
+        if outcome.converged {
+            return finish(equations, q, outcome);
+        }
+        if best.as_ref().is_none_or(|(_, best)| outcome.gap < best.gap) {
+            best = Some((q, outcome));
+        }
+    }
+    match best {
+        Some((q, outcome)) => finish(equations, q, outcome),
+        None => close_and_finish(equations, q),
+    }
+}
+
+/// One attempt, reported as it ends.
+fn close_and_finish(equations: &mut Equations<'_>, mut q: Vec<f64>) -> Result<Position, SolveError> {
+    let outcome = close_all(equations, &mut q);
+    finish(equations, q, outcome)
+}
+
+/// Determines unguessed coordinates row by row; returns q and the coordinates that stay undetermined.
+fn propagate(equations: &mut Equations<'_>, guesses: &[Option<f64>], start: &[f64]) -> (Vec<f64>, Vec<usize>) {
+    let mut q = start.to_vec();
+    let mut known: Vec<bool> = guesses.iter().map(Option::is_some).collect();
+    let rows: Vec<(usize, Vec<usize>)> =
+        equations.rows_where(Equations::holonomic).into_iter().map(|row| (row, columns_of(equations, row))).collect();
+    loop {
+        let mut changed = false;
+        for (row, columns) in &rows {
+            let mut unknown = columns.iter().copied().filter(|&k| !known[k]);
+            let (Some(k), None) = (unknown.next(), unknown.next()) else { continue };
+            if let Some(value) = affine_root(equations, *row, k, &mut q) {
+                q[k] = value;
+                known[k] = true;
+                changed = true;
+            }
+        }
+        if !changed {
+            break;
+        }
+    }
+    let open = (0..q.len()).filter(|&k| !known[k]).collect();
+    (q, open)
+}
+
+/// Columns in which a row has entries.
+fn columns_of(equations: &Equations<'_>, row: usize) -> Vec<usize> {
+    let own = equations.model.rows.len();
+    if row < own {
+        let entries = equations.model.constraint_pattern.entries;
+        entries.iter().filter(|entry| entry.0 == row).map(|entry| entry.1).collect()
+    } else {
+        (0..equations.coordinates()).filter(|&k| equations.jacobian[(row, k)] != 0.0).collect()
+    }
+}
+
+/// The root of a row in one coordinate, if one Newton step solves it.
+fn affine_root(equations: &mut Equations<'_>, row: usize, k: usize, q: &mut [f64]) -> Option<f64> {
+    let before = q[k];
+    equations.evaluate(Subset::POSITION, q, None).ok()?;
+    let (value, slope) = (equations.phi[row], equations.jacobian[(row, k)]);
+    q[k] = before - value / slope;
+    let root = q[k];
+    let solved = root.is_finite()
+        && equations.evaluate(Subset::POSITION, q, None).is_ok()
+        && equations.phi[row].abs() <= 1e-9 * value.abs().max(slope.abs() * (root.abs() + before.abs()))
+        && (equations.jacobian[(row, k)] - slope).abs() <= 1e-9 * slope.abs();
+    q[k] = before;
+    solved.then_some(root)
+}

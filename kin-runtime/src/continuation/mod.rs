@@ -1,0 +1,19 @@
+//! Following one branch of the motion through time.
+//!
+//! The position at t + h is predicted from the state at t,
+//!
+//! ```text
+//! q(t + h) ≈ q + h q̇ + ½ h² q̈,
+//! ```
+//!
+//! and corrected by full Newton steps. A step counts only if it was short, the correction small against the predicted
+//! motion and contracting fast, the velocity where it was expected, and the orientation of the branch (the sign of the
+//! determinant of Φ_q) the same; otherwise it is halved. So a motion is followed to where it ends or crosses another,
+//! and never jumps there: what cannot be followed is an error with the time and the joint.
+
+mod branch;
+mod follow;
+mod kinematic;
+mod step;
+
+pub(crate) use kinematic::kinematic;

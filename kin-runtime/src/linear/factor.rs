@@ -1,0 +1,182 @@
+//! Least-norm least-squares solution of A x = b, by LU where A is square and well conditioned, otherwise by a complete
+//! orthogonal decomposition.
+//!
+//! Rank and conditioning are judged on A D, columns on the common scale; "least norm" is the Euclidean norm of x
+//! itself. With the column-pivoted A D P = Q R of rank r, the leading r rows T = R P^T D⁻¹ give T x = (Qᵀ b)₁…ᵣ, and
+//! the QR factorisation Tᵀ = Z U gives x = Z U⁻ᵀ (Qᵀ b)₁…ᵣ.
+
+use nalgebra::{ColPivQR, DMatrix, DVector, Dyn, LU};
+
+/// Smallest ratio of LU pivots at which LU is trusted.
+const LU_TRUST: f64 = 1e-5;
+
+/// A factorised matrix.
+pub(crate) struct Factorization {
+    kind: Kind,
+    columns: Vec<f64>,
+    /// Numerical rank.
+    pub(crate) rank: usize,
+    /// Largest over smallest pivot within the rank: an estimate of the condition number of A D.
+    pub(crate) condition: f64,
+    /// Largest over smallest pivot of all; infinite where the matrix is exactly rank-deficient.
+    pub(crate) full_condition: f64,
+}
+
+enum Kind {
+    Lu(LU<f64, Dyn, Dyn>),
+    /// rank = number of columns.
+    Tall(ColPivQR<f64, Dyn, Dyn>, DMatrix<f64>),
+    /// rank < number of columns: QR, Z (n×r) and U (r×r).
+    Wide(ColPivQR<f64, Dyn, Dyn>, DMatrix<f64>, DMatrix<f64>),
+}
+
+impl Factorization {
+    /// LU where that is safe, otherwise [`revealing`](Self::revealing).
+    ///
+    /// `a` has its rows on the common scale, `columns` is D.
+    pub(crate) fn quick(a: &DMatrix<f64>, columns: &[f64], tolerance: f64) -> Self {
+        if a.is_square() && !a.is_empty() {
+            let lu = LU::new(scaled(a, columns));
+            let (smallest, largest) = extremes(lu.u().diagonal().as_slice());
+            if smallest > LU_TRUST * largest {
+                let condition = largest / smallest;
+                let kind = Kind::Lu(lu);
+                let columns = columns.to_vec();
+                return Self { kind, columns, rank: a.ncols(), condition, full_condition: condition };
+            }
+        }
+        Self::revealing(a, columns, tolerance)
+    }
+
+    /// Complete orthogonal decomposition: pivots below `tolerance` times the largest do not count.
+    pub(crate) fn revealing(a: &DMatrix<f64>, columns: &[f64], tolerance: f64) -> Self {
+        let qr = ColPivQR::new(scaled(a, columns));
+        let r = qr.r();
+        let pivots: Vec<f64> = r.diagonal().iter().map(|p| p.abs()).collect();
+        let (_, largest) = extremes(&pivots);
+        let rank = pivots.iter().filter(|&&p| p > tolerance * largest).count();
+        let counted = pivots.iter().copied().filter(|&p| p > tolerance * largest).fold(f64::INFINITY, f64::min);
+        let smallest = pivots.iter().copied().fold(f64::INFINITY, f64::min);
+        let ratio = |p: f64| if pivots.is_empty() { 1.0 } else { largest / p };
+        let (condition, full_condition) = (if rank == 0 { 1.0 } else { ratio(counted) }, ratio(smallest));
+        let kind = if rank == a.ncols() {
+            Kind::Tall(qr, r)
+        } else {
+            let mut leading = r.rows(0, rank).into_owned();
+            qr.p().inv_permute_columns(&mut leading);
+            for (mut column, &d) in leading.column_iter_mut().zip(columns) {
+                column /= d;
+            }
+            let second = leading.transpose().qr();
+            Kind::Wide(qr, second.q(), second.r())
+        };
+        Self { kind, columns: columns.to_vec(), rank, condition, full_condition }
+    }
+
+    /// The x of least norm among those that minimise |A x − b|.
+    pub(crate) fn solve(&self, b: &DVector<f64>) -> DVector<f64> {
+        let mut right = b.clone();
+        match &self.kind {
+            Kind::Lu(lu) => {
+                lu.solve_mut(&mut right);
+                self.unscaled(right)
+            }
+            Kind::Tall(qr, r) => {
+                qr.q_tr_mul(&mut right);
+                let mut x = right.rows(0, self.rank).into_owned();
+                r.view((0, 0), (self.rank, self.rank)).solve_upper_triangular_mut(&mut x);
+                qr.p().inv_permute_rows(&mut x);
+                self.unscaled(x)
+            }
+            Kind::Wide(qr, z, u) => {
+                qr.q_tr_mul(&mut right);
+                let mut x = right.rows(0, self.rank).into_owned();
+                u.tr_solve_upper_triangular_mut(&mut x);
+                z * x
+            }
+        }
+    }
+
+    /// D y.
+    fn unscaled(&self, mut y: DVector<f64>) -> DVector<f64> {
+        y.iter_mut().zip(&self.columns).for_each(|(x, d)| *x *= d);
+        y
+    }
+}
+
+/// A D.
+fn scaled(a: &DMatrix<f64>, columns: &[f64]) -> DMatrix<f64> {
+    let mut matrix = a.clone();
+    for (mut column, &d) in matrix.column_iter_mut().zip(columns) {
+        column *= d;
+    }
+    matrix
+}
+
+/// Smallest and largest absolute value.
+fn extremes(values: &[f64]) -> (f64, f64) {
+    values.iter().fold((f64::INFINITY, 0.0), |(low, high), v| (f64::min(low, v.abs()), f64::max(high, v.abs())))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Least-norm x by the normal equations of the second kind, for full row rank.
+    fn least_norm(a: &DMatrix<f64>, b: &DVector<f64>) -> DVector<f64> {
+        let gram = a * a.transpose();
+        a.transpose() * gram.lu().solve(b).unwrap()
+    }
+
+    #[test]
+    fn square_systems_agree_by_both_ways() {
+        let a = DMatrix::from_row_slice(3, 3, &[4.0, 1.0, 0.5, -2.0, 3.0, 1.0, 0.1, 0.2, -5.0]);
+        let b = DVector::from_vec(vec![1.0, 2.0, 3.0]);
+        let d = [1.0, 10.0, 0.1];
+        let lu = Factorization::quick(&a, &d, 1e-8);
+        let qr = Factorization::revealing(&a, &d, 1e-8);
+        assert_eq!((lu.rank, qr.rank), (3, 3));
+        for x in [lu.solve(&b), qr.solve(&b)] {
+            assert!((&a * x - &b).amax() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn column_scales_do_not_change_the_least_norm_solution() {
+        let a = DMatrix::from_row_slice(2, 4, &[1.0, 2.0, 0.0, -1.0, 0.5, 0.0, 3.0, 1.0]);
+        let b = DVector::from_vec(vec![1.0, -2.0]);
+        let expected = least_norm(&a, &b);
+        for d in [[1.0; 4], [1.0, 0.01, 5.0, 300.0]] {
+            let found = Factorization::revealing(&a, &d, 1e-10);
+            assert_eq!(found.rank, 2);
+            assert!((found.solve(&b) - &expected).amax() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn repeated_rows_are_counted_once_and_solved() {
+        let a = DMatrix::from_row_slice(3, 3, &[1.0, 2.0, 3.0, 0.0, 1.0, 1.0, 1.0, 3.0, 4.0]);
+        let b = DVector::from_vec(vec![6.0, 2.0, 8.0]);
+        let found = Factorization::quick(&a, &[1.0; 3], 1e-8);
+        assert_eq!(found.rank, 2);
+        assert!(found.full_condition > 1e12);
+        let x = found.solve(&b);
+        assert!((&a * &x - b).amax() < 1e-13);
+        assert!((x - least_norm(&a.rows(0, 2).into_owned(), &DVector::from_vec(vec![6.0, 2.0]))).amax() < 1e-13);
+    }
+
+    #[test]
+    fn a_zero_matrix_has_rank_zero_and_the_zero_solution() {
+        let found = Factorization::quick(&DMatrix::zeros(2, 2), &[1.0; 2], 1e-8);
+        assert_eq!(found.rank, 0);
+        assert_eq!(found.solve(&DVector::from_vec(vec![1.0, 1.0])), DVector::zeros(2));
+    }
+
+    #[test]
+    fn more_rows_than_columns_are_solved_in_the_least_squares_sense() {
+        let a = DMatrix::from_row_slice(3, 2, &[1.0, 0.0, 1.0, 1.0, 1.0, 2.0]);
+        let b = DVector::from_vec(vec![1.0, 0.0, 2.0]);
+        let x = Factorization::quick(&a, &[1.0; 2], 1e-8).solve(&b);
+        assert!((a.transpose() * (&a * x - b)).amax() < 1e-14);
+    }
+}

@@ -1,0 +1,84 @@
+//! Dependencies among the rows of a matrix.
+
+use nalgebra::{ColPivQR, DMatrix, DVector};
+
+/// A row that is a combination of rows before it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Dependency {
+    /// The row.
+    pub(crate) row: usize,
+    /// row = Σ factor · earlier row, negligible factors left out.
+    pub(crate) combination: Vec<(usize, f64)>,
+}
+
+/// Goes through the rows in order and finds those that depend on earlier ones (modified Gram–Schmidt, twice): a row
+/// whose remainder is below `tolerance` times its length is dependent; an empty row depends on none.
+pub(crate) fn dependencies(a: &DMatrix<f64>, tolerance: f64) -> Vec<Dependency> {
+    let mut basis: Vec<DVector<f64>> = Vec::new();
+    let mut kept: Vec<usize> = Vec::new();
+    // Column k holds basis vector k as a combination of the kept rows.
+    let mut origins: Vec<Vec<f64>> = Vec::new();
+    let mut found = Vec::new();
+    for row in 0..a.nrows() {
+        let mut rest: DVector<f64> = a.row(row).transpose();
+        let size = rest.norm();
+        let mut projections = vec![0.0; basis.len()];
+        for _ in 0..2 {
+            for (projection, vector) in projections.iter_mut().zip(&basis) {
+                let part = rest.dot(vector);
+                rest.axpy(-part, vector, 1.0);
+                *projection += part;
+            }
+        }
+        let mut factors = vec![0.0; kept.len()];
+        for (projection, origin) in projections.iter().zip(&origins) {
+            factors.iter_mut().zip(origin).for_each(|(f, o)| *f += projection * o);
+        }
+        let remainder = rest.norm();
+        if size == 0.0 || remainder <= tolerance * size {
+            let largest = factors.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
+            let combination = kept.iter().copied().zip(factors).filter(|(_, f)| f.abs() > 1e-6 * largest).collect();
+            found.push(Dependency { row, combination });
+        } else {
+            let mut origin: Vec<f64> = factors.iter().map(|f| -f / remainder).collect();
+            origin.push(1.0 / remainder);
+            basis.push(rest / remainder);
+            kept.push(row);
+            origins.push(origin);
+        }
+    }
+    found
+}
+
+/// `count` rows that are as independent of one another as a column-pivoted factorisation of Aᵀ finds them, sorted.
+pub(crate) fn independent_rows(a: &DMatrix<f64>, count: usize) -> Vec<usize> {
+    let mut order = DMatrix::from_fn(1, a.nrows(), |_, j| j as f64);
+    if a.ncols() > 0 && a.nrows() > 0 {
+        ColPivQR::new(a.transpose()).p().permute_columns(&mut order);
+    }
+    let mut rows: Vec<usize> = order.iter().take(count).map(|&j| j as usize).collect();
+    rows.sort_unstable();
+    rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_later_row_is_named_with_its_combination() {
+        let a = DMatrix::from_row_slice(4, 3, &[1.0, 0.0, 0.0, 0.0, 2.0, 1.0, 2.0, -2.0, -1.0, 0.0, 0.0, 1.0]);
+        let found = dependencies(&a, 1e-9);
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].row, 2);
+        let [(0, first), (1, second)] = found[0].combination[..] else { panic!("{found:?}") };
+        assert!((first - 2.0).abs() < 1e-12 && (second + 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn independent_rows_leave_the_repeated_one_out() {
+        let a = DMatrix::from_row_slice(3, 3, &[1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0]);
+        let rows = independent_rows(&a, 2);
+        assert!(rows == [0, 2] || rows == [1, 2]);
+    }
+}

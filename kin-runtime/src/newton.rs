@@ -1,0 +1,202 @@
+//! Globalised Newton iteration for r(q) = 0 with any number of rows. Knows nothing of time or mechanisms.
+//!
+//! Each iteration takes the full Newton step, the one of least norm where rows are fewer than coordinates, as long as
+//! it stays within the trust region and does what its model predicts. Otherwise it takes the Levenberg–Marquardt step
+//!
+//! ```text
+//! (DᵀJᵀJD + λ) y = −DᵀJᵀr,   δq = D y,
+//! ```
+//!
+//! with λ such that the largest scaled displacement is about the radius. Converged means that r is within tolerance
+//! *and* no longer improves, so that a double root at the end of a range of motion is as accurate as it can be.
+
+use crate::linear::Factorization;
+use nalgebra::{Cholesky, DMatrix, DVector};
+
+/// Residual rows with their Jacobian; rows on a common scale, columns in their own units.
+pub(crate) trait Residual {
+    /// Evaluates r and J at q; false when something is not finite there.
+    fn evaluate(&mut self, q: &[f64]) -> bool;
+    /// r of the last evaluation.
+    fn residual(&self) -> DVector<f64>;
+    /// J of the last evaluation.
+    fn jacobian(&self) -> DMatrix<f64>;
+    /// D: size of every column.
+    fn columns(&self) -> &[f64];
+}
+
+/// When to stop.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Settings {
+    pub(crate) max_iterations: usize,
+    /// Largest |r| that counts as zero.
+    pub(crate) tolerance: f64,
+    /// Radius of the trust region at the start.
+    pub(crate) trust_radius: f64,
+    /// Pivots below this, relative to the largest, are not divided by.
+    pub(crate) rank_tolerance: f64,
+}
+
+/// Where the iteration ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Outcome {
+    /// True when the rows are closed.
+    pub(crate) converged: bool,
+    /// Iterations.
+    pub(crate) iterations: usize,
+    /// Largest |r| at the end.
+    pub(crate) gap: f64,
+    /// The row with it.
+    pub(crate) worst: usize,
+}
+
+/// A last step below this leaves an error below the machine's precision (quadratic), or none that can be improved.
+const LAST_STEP: f64 = 1e-9;
+/// Relative reduction of the residual over [`PATIENCE`] iterations below which it counts as a minimum.
+const PROGRESS: f64 = 1e-3;
+const PATIENCE: usize = 12;
+const LARGEST_RADIUS: f64 = 2.0;
+
+/// Iterates from `q`, which ends at the best point found.
+pub(crate) fn solve(problem: &mut dyn Residual, q: &mut [f64], settings: &Settings) -> Outcome {
+    let mut outcome = Outcome { converged: false, iterations: 0, gap: f64::INFINITY, worst: 0 };
+    if !problem.evaluate(q) {
+        return outcome;
+    }
+    let mut residual = problem.residual();
+    (outcome.worst, outcome.gap) = largest(&residual);
+    let mut radius = settings.trust_radius;
+    let mut history = vec![residual.norm()];
+    let mut trial = q.to_vec();
+    while outcome.iterations < settings.max_iterations {
+        outcome.converged = outcome.gap <= tolerance(settings, q, problem.columns());
+        if outcome.gap == 0.0 {
+            return outcome;
+        }
+        let jacobian = problem.jacobian();
+        let factor = Factorization::quick(&jacobian, problem.columns(), settings.rank_tolerance);
+        let newton = -factor.solve(&residual);
+        let mut levenberg = None;
+        loop {
+            outcome.iterations += 1;
+            let newton_fits = size(&newton, problem.columns()) <= radius;
+            let step = if newton_fits {
+                newton.clone()
+            } else {
+                levenberg
+                    .get_or_insert_with(|| Levenberg::new(&jacobian, &residual, problem.columns()))
+                    .step(radius, problem.columns())
+            };
+            let length = size(&step, problem.columns());
+            trial.iter_mut().zip(q.iter()).zip(step.iter()).for_each(|((t, q), s)| *t = q + s);
+            let predicted = 0.5 * (residual.norm_squared() - (&residual + &jacobian * &step).norm_squared());
+            let finite = length.is_finite() && problem.evaluate(&trial);
+            let new = if finite { problem.residual() } else { residual.clone() };
+            let (worst, gap) = largest(&new);
+            let ratio = if finite {
+                0.5 * (residual.norm_squared() - new.norm_squared()) / predicted.max(f64::MIN_POSITIVE)
+            } else {
+                -1.0
+            };
+            if outcome.converged && (ratio < 1e-4 || gap >= outcome.gap) {
+                return outcome;
+            }
+            if ratio >= 1e-4 {
+                q.copy_from_slice(&trial);
+                let improved = gap <= 0.5 * outcome.gap;
+                (outcome.worst, outcome.gap) = (worst, gap);
+                residual = new;
+                let closed = gap <= tolerance(settings, q, problem.columns());
+                if closed && newton_fits && (length <= LAST_STEP || (outcome.converged && !improved)) {
+                    outcome.converged = true;
+                    return outcome;
+                }
+                if ratio > 0.75 && length > 0.5 * radius {
+                    radius = (2.0 * radius).min(LARGEST_RADIUS);
+                } else if ratio < 0.25 {
+                    radius = 0.5 * length;
+                }
+                break;
+            }
+            radius = 0.25 * length.min(radius);
+            if radius < 1e-15 || !radius.is_finite() || outcome.iterations >= settings.max_iterations {
+                return outcome;
+            }
+        }
+        history.push(residual.norm());
+        let before = history.len().checked_sub(PATIENCE + 1).map(|k| history[k]);
+        let closed = outcome.gap <= tolerance(settings, q, problem.columns());
+        if !closed && before.is_some_and(|before| residual.norm() > (1.0 - PROGRESS) * before) {
+            return Outcome { converged: false, ..outcome };
+        }
+    }
+    outcome.converged = outcome.gap <= tolerance(settings, q, problem.columns());
+    outcome
+}
+
+/// The tolerance, but not below what rounding of q itself leaves.
+fn tolerance(settings: &Settings, q: &[f64], columns: &[f64]) -> f64 {
+    let far = q.iter().zip(columns).map(|(x, d)| (x / d).abs()).fold(0.0, f64::max);
+    settings.tolerance.max(16.0 * f64::EPSILON * far)
+}
+
+/// Row and size of the largest entry.
+fn largest(residual: &DVector<f64>) -> (usize, f64) {
+    residual.iter().enumerate().fold((0, 0.0), |best, (k, r)| if r.abs() > best.1 { (k, r.abs()) } else { best })
+}
+
+/// Largest scaled entry of a step.
+fn size(step: &DVector<f64>, columns: &[f64]) -> f64 {
+    let mut size = 0.0;
+    for (x, d) in step.iter().zip(columns) {
+        let scaled = (x / d).abs();
+        if !scaled.is_finite() {
+            return f64::INFINITY;
+        }
+        size = f64::max(size, scaled);
+    }
+    size
+}
+
+/// The damped normal equations of one iterate.
+struct Levenberg {
+    normal: DMatrix<f64>,
+    gradient: DVector<f64>,
+    damping: f64,
+}
+
+impl Levenberg {
+    fn new(jacobian: &DMatrix<f64>, residual: &DVector<f64>, columns: &[f64]) -> Self {
+        let mut scaled = jacobian.clone();
+        for (mut column, &d) in scaled.column_iter_mut().zip(columns) {
+            column *= d;
+        }
+        let normal = scaled.tr_mul(&scaled);
+        let gradient = scaled.tr_mul(residual);
+        let damping = 1e-6 * normal.diagonal().amax().max(f64::MIN_POSITIVE);
+        Self { normal, gradient, damping }
+    }
+
+    /// The damped step whose size is at most `radius`, and not much less where damping limits it.
+    fn step(&mut self, radius: f64, columns: &[f64]) -> DVector<f64> {
+        let mut step = DVector::zeros(self.gradient.len());
+        for _ in 0..60 {
+            let mut damped = self.normal.clone();
+            for k in 0..damped.nrows() {
+                damped[(k, k)] += self.damping;
+            }
+            if let Some(factor) = Cholesky::new(damped) {
+                step = -factor.solve(&self.gradient);
+                step.iter_mut().zip(columns).for_each(|(s, d)| *s *= d);
+                let length = size(&step, columns);
+                if length <= radius {
+                    return step;
+                }
+                self.damping *= (length / radius).clamp(1.5, 100.0);
+            } else {
+                self.damping *= 10.0;
+            }
+        }
+        step
+    }
+}

@@ -1,0 +1,71 @@
+//! Position analysis: q with Φ(q, t) = 0 near a start.
+//!
+//! All rows of position level are closed at once by the globalised iteration of [`newton`](crate::newton). Where rows
+//! are fewer than coordinates each correction has the least Euclidean norm; where they are more, they must agree.
+
+use crate::closure::close;
+use crate::equations::Equations;
+use crate::error::SolveError;
+use crate::linear::Factorization;
+use crate::newton::Outcome;
+use crate::scale::Scale;
+use crate::solver::Position;
+use crate::workspace::Subset;
+
+/// The assembled configuration near `start`.
+pub(crate) fn position(equations: &mut Equations<'_>, start: &[f64]) -> Result<Position, SolveError> {
+    equations.check("q", start)?;
+    equations.scale = Scale::around(equations, start);
+    let mut q = start.to_vec();
+    let outcome = close_all(equations, &mut q);
+    finish(equations, q, outcome)
+}
+
+/// Closes all rows of position level.
+pub(crate) fn close_all(equations: &mut Equations<'_>, q: &mut [f64]) -> Outcome {
+    let rows = equations.rows_where(Equations::holonomic);
+    let columns: Vec<usize> = (0..equations.coordinates()).collect();
+    close(equations, &rows, &columns, q)
+}
+
+/// The outcome as a result: residuals in the rows' own units, or a typed error.
+pub(crate) fn finish(equations: &mut Equations<'_>, q: Vec<f64>, outcome: Outcome) -> Result<Position, SolveError> {
+    // Errors here name a number that is not finite at the best configuration found.
+    equations.evaluate(Subset::POSITION, &q, None)?;
+    if outcome.converged {
+        let rows = equations.rows_where(Equations::holonomic);
+        let residual = rows.iter().map(|&row| equations.phi[row].abs()).fold(0.0, f64::max);
+        return Ok(Position { q, iterations: outcome.iterations, residual });
+    }
+    if let Some(conflict) = given_conflict(equations) {
+        return Err(conflict);
+    }
+    Err(SolveError::NotAssembled {
+        t: equations.t,
+        gap: outcome.gap,
+        residual: equations.phi.get(outcome.worst).copied().unwrap_or(0.0),
+        row: outcome.worst,
+        row_name: equations.row_name(outcome.worst),
+        joint: equations.joint_name(outcome.worst),
+        iterations: outcome.iterations,
+    })
+}
+
+/// The first prescribed coordinate whose row adds no rank, at the Jacobian evaluated last.
+pub(crate) fn given_conflict(equations: &Equations<'_>) -> Option<SolveError> {
+    let given = equations.given();
+    if given == 0 {
+        return None;
+    }
+    let own = equations.rows() - given;
+    let rank = |count: usize| {
+        let rows: Vec<usize> = (0..count).collect();
+        let columns = &equations.scale.columns;
+        Factorization::revealing(&equations.scaled_rows(&rows), columns, equations.options.rank_tolerance).rank
+    };
+    let without = rank(own);
+    let k = (0..given).find(|k| rank(own + k + 1) < without + k + 1)?;
+    let (coordinate, value) = equations.given_value(k);
+    let open = equations.coordinates() - without;
+    Some(SolveError::GivenConflict { t: equations.t, coordinate, value, open, given })
+}

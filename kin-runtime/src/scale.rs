@@ -1,0 +1,151 @@
+//! The common scale of rows and coordinates, on which tolerances and ranks are judged.
+//!
+//! With row scales S and column scales D, the matrix S Φ_q D has entries of size one at typical configurations, and D
+//! is one for angles: scaled displacements D⁻¹ δq are radians, or the displacement that a radian causes. The scales
+//! come from the *typical* size of every entry over several configurations, never from the current one alone, because
+//! a row or column that happens to vanish is exactly what a rank must show.
+
+use crate::equations::Equations;
+use crate::model::{Component, CoordinateKind, Frame, Role};
+use crate::random::Random;
+use crate::workspace::{Instant, Subset};
+
+/// Configurations over which the typical size of an entry is taken.
+const SAMPLES: usize = 9;
+/// Sweeps of row and column equilibration.
+const SWEEPS: usize = 6;
+
+/// Scales of rows and columns.
+#[derive(Clone, Debug)]
+pub(crate) struct Scale {
+    /// S, factor of every row of Φ.
+    pub(crate) rows: Vec<f64>,
+    /// D, size of every coordinate.
+    pub(crate) columns: Vec<f64>,
+    /// A typical length of the mechanism.
+    pub(crate) length: f64,
+}
+
+impl Scale {
+    /// No scaling.
+    pub(crate) fn unit(rows: usize, columns: usize) -> Self {
+        Self { rows: vec![1.0; rows], columns: vec![1.0; columns], length: 1.0 }
+    }
+
+    /// Scales at the current instant, from configurations around `q`.
+    pub(crate) fn around(equations: &mut Equations<'_>, q: &[f64]) -> Self {
+        let (s, n) = (equations.rows(), equations.coordinates());
+        let length = typical_length(equations);
+        let spread: Vec<f64> = (0..n).map(|k| spread(equations, k, q[k], length)).collect();
+        let mut random = Random::new(0x5ca1e);
+        let entries: Vec<(usize, usize)> = equations.model.constraint_pattern.entries.to_vec();
+        let mut sizes: Vec<Vec<f64>> = vec![Vec::with_capacity(SAMPLES); entries.len()];
+        let mut sample = q.to_vec();
+        for _ in 0..SAMPLES {
+            if equations.evaluate(Subset::JACOBIAN, &sample, None).is_ok() {
+                for (size, &(row, column)) in sizes.iter_mut().zip(&entries) {
+                    size.push(equations.jacobian[(row, column)].abs());
+                }
+            }
+            for ((x, &centre), &width) in sample.iter_mut().zip(q).zip(&spread) {
+                *x = centre + width * random.symmetric();
+            }
+        }
+        let mut typical: Vec<(usize, usize, f64)> =
+            entries.iter().zip(&mut sizes).map(|(&(i, j), size)| (i, j, median_of_nonzero(size))).collect();
+        for row in equations.model.rows.len()..s {
+            typical.extend((0..n).filter(|&j| equations.jacobian[(row, j)] != 0.0).map(|j| (row, j, 1.0)));
+        }
+        let mut scale = Self { rows: vec![1.0; s], columns: vec![1.0; n], length };
+        scale.equilibrate(&typical);
+        scale.normalise(equations);
+        scale
+    }
+
+    /// Alternating division of rows and columns by the square roots of their largest entries.
+    fn equilibrate(&mut self, entries: &[(usize, usize, f64)]) {
+        for _ in 0..SWEEPS {
+            let mut row_max = vec![0.0_f64; self.rows.len()];
+            let mut column_max = vec![0.0_f64; self.columns.len()];
+            for &(i, j, size) in entries {
+                let value = size * self.rows[i] * self.columns[j];
+                row_max[i] = row_max[i].max(value);
+                column_max[j] = column_max[j].max(value);
+            }
+            let divide = |scales: &mut [f64], largest: &[f64]| {
+                for (scale, &max) in scales.iter_mut().zip(largest) {
+                    if max > 0.0 && max.is_finite() {
+                        *scale /= max.sqrt();
+                    }
+                }
+            };
+            divide(&mut self.rows, &row_max);
+            divide(&mut self.columns, &column_max);
+        }
+    }
+
+    /// Makes the column scale of angles one, or of lengths the typical length, or of scalars one.
+    fn normalise(&mut self, equations: &Equations<'_>) {
+        let of = |wanted: fn(CoordinateKind) -> bool| {
+            let mut scales: Vec<f64> = equations
+                .model
+                .coordinates
+                .iter()
+                .zip(&self.columns)
+                .filter(|(c, _)| wanted(c.kind))
+                .map(|(_, &d)| d)
+                .collect();
+            (!scales.is_empty()).then(|| median_of_nonzero(&mut scales))
+        };
+        let angles = |kind| matches!(kind, CoordinateKind::Pose { component: Component::Phi, .. });
+        let poses = |kind| matches!(kind, CoordinateKind::Pose { .. });
+        let factor = match (of(angles), of(poses), of(|_| true)) {
+            (Some(angle), _, _) => angle,
+            (None, Some(pose), _) => pose / self.length,
+            (None, None, Some(scalar)) => scalar,
+            (None, None, None) => 1.0,
+        };
+        if factor > 0.0 && factor.is_finite() {
+            self.columns.iter_mut().for_each(|d| *d /= factor);
+            self.rows.iter_mut().for_each(|s| *s *= factor);
+        }
+    }
+
+    /// Largest scaled entry of a displacement, max |δq_k| / D_k.
+    pub(crate) fn size(&self, displacement: &[f64]) -> f64 {
+        displacement.iter().zip(&self.columns).map(|(x, d)| (x / d).abs()).fold(0.0, f64::max)
+    }
+}
+
+/// Distance of joints from the origins of their moving bodies; of the ground's joints where there is none.
+fn typical_length(equations: &Equations<'_>) -> f64 {
+    let at = Instant { t: equations.t, inputs: &equations.inputs };
+    let Ok(numbers) = equations.system.geometry(&at) else { return 1.0 };
+    let mut arms = [Vec::new(), Vec::new()];
+    for geometry in equations.model.joints.iter().flat_map(|j| j.geometry) {
+        if matches!(geometry.role, Role::P | Role::Q) {
+            let part = |k: usize| numbers.get(geometry.offset + k).copied().unwrap_or(0.0);
+            let moving = usize::from(matches!(geometry.frame, Frame::Ground));
+            arms[moving].push(part(0).hypot(part(1)));
+        }
+    }
+    let [moving, ground] = &mut arms;
+    let found = [median_of_nonzero(moving), median_of_nonzero(ground)];
+    found.into_iter().find(|&l| l > 0.0 && l.is_finite()).unwrap_or(1.0)
+}
+
+/// How far around its value a coordinate is sampled.
+fn spread(equations: &Equations<'_>, coordinate: usize, value: f64, length: f64) -> f64 {
+    match equations.model.coordinates[coordinate].kind {
+        CoordinateKind::Pose { component: Component::Phi, .. } => core::f64::consts::PI,
+        CoordinateKind::Pose { .. } => length,
+        CoordinateKind::Scalar => value.abs().max(1.0),
+    }
+}
+
+/// Median of the positive finite numbers; 0 where there are none.
+fn median_of_nonzero(values: &mut Vec<f64>) -> f64 {
+    values.retain(|v| *v > 0.0 && v.is_finite());
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
+}

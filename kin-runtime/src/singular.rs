@@ -1,0 +1,96 @@
+//! Singular configuration or permanent redundancy?
+//!
+//! Where Φ_q has less rank than rows and coordinates allow, either the mechanism says something twice, everywhere, or
+//! this configuration is special. The difference shows in the neighbourhood: the mechanism is moved a little along
+//! null vectors of the rows that do not drive, closed again on those rows alone, and the rank of all rows compared.
+//! Full row rank and full column rank are never singular.
+
+use crate::closure::close;
+use crate::equations::Equations;
+use crate::error::SolveError;
+use crate::linear::{Factorization, null_space};
+use crate::random::Random;
+use crate::workspace::Subset;
+use nalgebra::DVector;
+
+/// Distances of the probes, on the common scale.
+const DISTANCES: [f64; 2] = [1e-2, 5e-2];
+/// Most null vectors that are tried one by one.
+const DIRECTIONS: usize = 6;
+
+/// The error if `q`, whose Φ_q was evaluated last and has the factorisation `here`, is singular.
+pub(crate) fn diagnose(equations: &mut Equations<'_>, q: &[f64], here: &Factorization) -> Option<SolveError> {
+    let all: Vec<usize> = (0..equations.rows()).collect();
+    let scaled = equations.scaled(&all);
+    let expected_rank = rank_nearby(equations, q, here.rank);
+    if expected_rank <= here.rank {
+        return None;
+    }
+    let tolerance = equations.options.rank_tolerance;
+    let rows = dependent_rows(equations, &null_space(&scaled.transpose(), tolerance));
+    let (t, rank, condition) = (equations.t, here.rank, here.full_condition);
+    Some(SolveError::Singular { t, rank, expected_rank, rows, condition })
+}
+
+/// Names of the rows that take part in a dependency, given the left null vectors of the scaled Φ_q.
+pub(crate) fn dependent_rows(equations: &Equations<'_>, left: &nalgebra::DMatrix<f64>) -> Vec<&'static str> {
+    let largest = left.amax();
+    (0..left.nrows()).filter(|&i| left.row(i).amax() > 1e-3 * largest).map(|i| equations.row_name(i)).collect()
+}
+
+/// Largest rank of all rows at assembled configurations around `q`; stops at the first above `here`.
+fn rank_nearby(equations: &mut Equations<'_>, q: &[f64], here: usize) -> usize {
+    let passive = equations.rows_where(|e, row| !e.drives(row));
+    let closing: Vec<usize> = passive.iter().copied().filter(|&row| equations.holonomic(row)).collect();
+    let columns: Vec<usize> = (0..equations.coordinates()).collect();
+    let free = null_space(&equations.scaled(&passive), equations.options.rank_tolerance);
+    let mut random = Random::new(0x0051_4ea1);
+    let mut directions: Vec<DVector<f64>> = free.column_iter().take(DIRECTIONS).map(|c| c.into_owned()).collect();
+    for _ in 0..free.ncols().min(4) {
+        let mix = DVector::from_fn(free.ncols(), |_, _| random.symmetric());
+        directions.push((&free * mix).normalize());
+    }
+    let mut best = here;
+    let mut moved = false;
+    for distance in DISTANCES {
+        for direction in &directions {
+            for sign in [distance, -distance] {
+                let largest = direction.amax().max(f64::MIN_POSITIVE);
+                let mut nearby = displaced(equations, q, |k| direction[k] * sign / largest);
+                if !close(equations, &closing, &columns, &mut nearby).converged {
+                    continue;
+                }
+                let travel: Vec<f64> = nearby.iter().zip(q).map(|(a, b)| a - b).collect();
+                let travel = equations.scale.size(&travel);
+                if travel > 0.1 * distance && travel < 10.0 * distance {
+                    moved = true;
+                    best = best.max(rank_at(equations, &nearby).unwrap_or(0));
+                }
+                if best > here {
+                    return best;
+                }
+            }
+        }
+    }
+    if !moved && !directions.is_empty() {
+        // Null vectors that lead nowhere: a shaky structure. Any perturbation shows its usual rank.
+        for _ in 0..4 {
+            let nearby = displaced(equations, q, |_| 1e-2 * random.symmetric());
+            best = best.max(rank_at(equations, &nearby).unwrap_or(0));
+        }
+    }
+    best
+}
+
+/// q displaced by a scaled displacement.
+fn displaced(equations: &Equations<'_>, q: &[f64], mut by: impl FnMut(usize) -> f64) -> Vec<f64> {
+    q.iter().zip(&equations.scale.columns).enumerate().map(|(k, (x, d))| x + d * by(k)).collect()
+}
+
+/// Rank of all rows at q.
+fn rank_at(equations: &mut Equations<'_>, q: &[f64]) -> Option<usize> {
+    equations.evaluate(Subset::JACOBIAN, q, None).ok()?;
+    let rows: Vec<usize> = (0..equations.rows()).collect();
+    let matrix = equations.scaled_rows(&rows);
+    Some(Factorization::revealing(&matrix, &equations.scale.columns, equations.options.rank_tolerance).rank)
+}

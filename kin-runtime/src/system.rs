@@ -1,0 +1,92 @@
+//! The thin generic layer: a mechanism as an object that evaluates in `f64`.
+//!
+//! Everything numerical works on `dyn System`, so that it is compiled once, in this crate, and not again for every
+//! mechanism of the user.
+
+use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
+use crate::model::Model;
+use crate::workspace::{Instant, Subset};
+
+/// Values, Jacobian non-zeros, time derivatives and acceleration right-hand sides, as slices.
+pub(crate) struct Parts<'a> {
+    /// e, one number per row.
+    pub(crate) phi: &'a [f64],
+    /// Non-zeros of e_q.
+    pub(crate) phi_q: &'a [f64],
+    /// e_t.
+    pub(crate) phi_t: &'a [f64],
+    /// −(e_q q̇)_q q̇ − 2 e_qt q̇ − e_tt.
+    pub(crate) gamma: &'a [f64],
+}
+
+/// A mechanism with its parameters and workspaces.
+pub(crate) trait System {
+    /// Names, rows and patterns.
+    fn model(&self) -> &'static Model;
+    /// The parameters.
+    fn parameters(&self) -> &[f64];
+    /// Evaluates Φ, Φ_q, Φ_t, γ, or a subset.
+    fn evaluate(&mut self, subset: Subset, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<(), LengthError>;
+    /// What [`evaluate`](Self::evaluate) wrote last.
+    fn constraints(&self) -> Parts<'_>;
+    /// Evaluates the observables.
+    fn observe(&mut self, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<(), LengthError>;
+    /// What [`observe`](Self::observe) wrote last.
+    fn observables(&self) -> Parts<'_>;
+    /// Local points, axes and values.
+    fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, LengthError>;
+}
+
+/// The [`System`] of a [`Mechanism`].
+pub(crate) struct Evaluator<'m, M: Mechanism> {
+    mechanism: &'m M,
+    parameters: M::Parameters<f64>,
+    workspace: Box<Workspace<M>>,
+    observations: Box<Observations<M>>,
+}
+
+impl<'m, M: Mechanism> Evaluator<'m, M> {
+    /// Takes the struct's parameters and makes workspaces.
+    pub(crate) fn new(mechanism: &'m M) -> Self {
+        Self {
+            mechanism,
+            parameters: mechanism.parameters(),
+            workspace: Box::new(M::workspace()),
+            observations: Box::new(M::observations()),
+        }
+    }
+}
+
+impl<M: Mechanism> System for Evaluator<'_, M> {
+    fn model(&self) -> &'static Model {
+        M::model()
+    }
+
+    fn parameters(&self) -> &[f64] {
+        self.parameters.as_ref()
+    }
+
+    fn evaluate(&mut self, subset: Subset, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<(), LengthError> {
+        self.mechanism.evaluate_with(self.parameters.as_ref(), subset, at, q, q_dot, &mut self.workspace)
+    }
+
+    fn constraints(&self) -> Parts<'_> {
+        let w = &self.workspace;
+        Parts { phi: w.phi(), phi_q: w.phi_q(), phi_t: w.phi_t(), gamma: w.gamma() }
+    }
+
+    fn observe(&mut self, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<(), LengthError> {
+        self.mechanism.observe_with(self.parameters.as_ref(), at, q, q_dot, &mut self.observations)
+    }
+
+    fn observables(&self) -> Parts<'_> {
+        let w = &self.observations;
+        Parts { phi: w.phi(), phi_q: w.phi_q(), phi_t: w.phi_t(), gamma: w.gamma() }
+    }
+
+    fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, LengthError> {
+        let mut geometry = vec![0.0; M::model().geometry];
+        self.mechanism.write_geometry(self.parameters.as_ref(), at, &mut geometry)?;
+        Ok(geometry)
+    }
+}
