@@ -85,7 +85,8 @@ pub(super) fn text(engine: &dyn Engine, known: Option<(&State, &Mobility)>) -> S
             facts.add("redundant rows", mobility.redundant.len(), mobility.redundant.iter().map(redundancy));
         }
     }
-    facts.add("operations", operations(model).0, operations(model).1);
+    let (total, each) = operations(model);
+    facts.add("operations", total, [format!("{} for Φ, Φ_q, Φ_t, γ together", each.join(", "))]);
     let doc = text::title(model);
     format!("{doc}\n{}{}{}", facts.render(), text::parameters(model, &engine.parameters()), text::rows(model))
 }

@@ -68,11 +68,12 @@ pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Sess
         })
         .map_err(Failure::Output)?,
         _ => format!(
-            "{}\nAt t = {}\n{}{}\nChecks\n{}",
+            "{}\nAt t = {}\n{}{}{}\nChecks\n{}",
             info::text(engine, Some((&solved.state, &solved.mobility))),
             plain(t),
             body(model, &solved),
             text::ratios(model, &solved.ratios),
+            text::quality(&solved.state, &solved.mobility),
             facts(&findings).render(),
         ),
     };

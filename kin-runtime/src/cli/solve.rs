@@ -39,7 +39,13 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
     let solved = solve(engine, &setup, t, args.freedom.least_norm)?;
     let model = engine.model();
     let text = match args.output.format() {
-        Format::Text => format!("{} at t = {}\n{}", model.name, plain(t), body(model, &solved)),
+        Format::Text => format!(
+            "{} at t = {}\n{}{}",
+            model.name,
+            plain(t),
+            body(model, &solved),
+            text::quality(&solved.state, &solved.mobility)
+        ),
         Format::Json => json(engine, &solved)?,
         Format::Csv => grid::csv(model, std::slice::from_ref(&solved.state), &[]).map_err(Failure::Output)?,
     };
@@ -55,7 +61,6 @@ pub(super) fn body(model: &'static Model, solved: &Solved) -> String {
         text::defines(model, &solved.motion),
         text::joints(model, &solved.motion),
         text::transmission(&solved.angles),
-        text::quality(&solved.state, &solved.mobility),
     ]
     .concat()
 }

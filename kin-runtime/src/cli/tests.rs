@@ -141,7 +141,7 @@ fn sweep_json_and_text() {
     near(&json["states"][1]["q"][0], 20.3);
     let text = driven("sweep --to 1 --steps 2").out;
     assert!(text.starts_with("CrossHead, 3 instants from t = 0 to t = 1\n"));
-    assert!(text.contains("\n  0.5     1.300000"), "{text}");
+    assert!(text.contains("\n  0.5   1.300000"), "{text}");
 }
 
 #[test]
@@ -257,12 +257,4 @@ fn a_reader_that_has_gone_is_no_error() {
     let mut err = Vec::new();
     assert_eq!(run(&mut Bound::new(CrossHead::<DRIVEN>::default()), args, &mut Closed, &mut err), 0);
     assert!(err.is_empty());
-}
-
-#[test]
-#[ignore]
-fn show() {
-    println!("{:?}", driven(&std::env::var("LINE").unwrap_or_default()).status);
-    let r = driven(&std::env::var("LINE").unwrap_or_default());
-    println!("{}\n--- err\n{}", r.out, r.err);
 }

@@ -53,7 +53,9 @@ pub fn plain(value: f64) -> String {
     let size = value.abs();
     if !value.is_finite() {
         unusual(value)
-    } else if size != 0.0 && !(1e-5..1e16).contains(&size) {
+    } else if size == 0.0 {
+        "0".to_owned()
+    } else if !(1e-5..1e16).contains(&size) {
         format!("{value:e}")
     } else {
         format!("{value}")
@@ -133,6 +135,7 @@ mod tests {
         }
         assert_eq!(plain(0.1), "0.1");
         assert_eq!(plain(2.0), "2");
+        assert_eq!(plain(-0.0), "0");
     }
 
     #[test]
