@@ -59,3 +59,20 @@ pub(crate) fn fallback(item: Option<&ItemStruct>, has_default: bool, error: &syn
         };
     }
 }
+
+/// True when every field of the struct has a default, so that the user may count on `Default`.
+pub(crate) fn promises_default(item: TokenStream) -> bool {
+    let Ok(item) = syn::parse2::<ItemStruct>(item) else { return false };
+    let derived = |attribute: &syn::Attribute| {
+        attribute.path().is_ident("derive") && quote!(#attribute).to_string().contains("Default")
+    };
+    let has_default = |field: &syn::Field| {
+        let tokens = field.attrs.iter().find(|a| a.path().is_ident("param")).and_then(|a| match &a.meta {
+            syn::Meta::List(list) => Some(list.tokens.clone()),
+            _ => None,
+        });
+        let first = tokens.and_then(|tokens| tokens.into_iter().next());
+        first.is_some_and(|first| first.to_string() != "unit")
+    };
+    !item.attrs.iter().any(derived) && item.fields.iter().all(has_default)
+}

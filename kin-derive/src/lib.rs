@@ -1,8 +1,57 @@
-//! The `#[mechanism]` attribute.
-use proc_macro::TokenStream;
+//! The `#[mechanism]` attribute of kin. Use it through `kin_runtime::mechanism`, which documents the language.
+//!
+//! ```text
+//! tokens → Description → Mechanism → ConstraintSet → KinematicSystem → tokens
+//!     parse        lower       assemble      differentiate       expand
+//! ```
+//!
+//! Parsing and lowering collect every mistake; the rules of `kin_core::mechanism::check` are the second gate; after it
+//! expansion cannot fail. With mistakes, `fallback` emits the struct and empty items beside the errors.
 
-/// Derives.
+mod analyse;
+mod ast;
+mod expand;
+mod fallback;
+mod lower;
+mod parse;
+mod report;
+mod suggest;
+#[cfg(test)]
+mod tests;
+
+use lower::Lowered;
+use proc_macro::TokenStream;
+use proc_macro2::{Span, TokenStream as TokenStream2};
+
+/// Derives the kinematics of a planar mechanism from its description; see `kin_runtime::mechanism`.
 #[proc_macro_attribute]
-pub fn mechanism(_args: TokenStream, item: TokenStream) -> TokenStream {
-    item
+pub fn mechanism(args: TokenStream, item: TokenStream) -> TokenStream {
+    derive(args.into(), item.into()).into()
+}
+
+/// The attribute on token streams of any origin, so that tests can call it.
+fn derive(args: TokenStream2, item: TokenStream2) -> TokenStream2 {
+    let promises_default = fallback::promises_default(item.clone());
+    let (cleaned, lowered) = analyse::analyse(args, item);
+    let derived = lowered.and_then(|lowered| {
+        let system = system(&lowered)?;
+        Ok(expand::expand(&lowered, &system))
+    });
+    derived.unwrap_or_else(|error| fallback::fallback(cleaned.as_ref(), promises_default, &error))
+}
+
+/// The differentiated equations; errors only where the rules of the model were not enough.
+fn system(lowered: &Lowered) -> syn::Result<kin_core::KinematicSystem> {
+    let set = kin_core::assemble(&lowered.mechanism).map_err(|errors| {
+        let spanned = errors.into_iter().map(|error| {
+            let span = lowered.spans.get(error.origin.0 as usize).copied().unwrap_or_else(Span::call_site);
+            syn::Error::new(span, error)
+        });
+        let combined = spanned.reduce(|mut all, error| {
+            all.combine(error);
+            all
+        });
+        combined.unwrap_or_else(|| syn::Error::new(Span::call_site(), "the mechanism cannot be assembled"))
+    })?;
+    Ok(kin_core::differentiate(set))
 }

@@ -1,1 +1,299 @@
-//! checks
+//! What is wrong with a mechanism before any equation is written: one function per rule.
+//!
+//! Part by part ([`check_parts`]):
+//! 1. `names_differ`: bodies, coordinates, parameters, points, defines, functions and inputs share one namespace;
+//! 2. `names_are_free`: none of them is a word of the language;
+//! 3. `row_names_differ`: rows have a namespace of their own;
+//! 4. `families_have_members`: lengths and ranges are not empty and not absurd;
+//! 5. `indices_exist`: every index is within its family at every step of the range;
+//! 6. `origins_end_somewhere`: no body is carried by itself, directly or around a circle;
+//! 7. `defines_end_somewhere`: no define uses itself;
+//! 8. `joints_join_two_bodies`: a joint has two different bodies;
+//! 9. `axes_have_a_direction`: an axis is not (0, 0);
+//! 10. `lengths_are_positive`: a literal length is greater than 0;
+//! 11. `divisors_are_not_zero`: nothing is divided by a literal 0;
+//! 12. `guesses_are_for_coordinates`: a guess is for a free coordinate, one for each;
+//! 13. `rows_hold_coordinates`: a row that mentions no coordinate constrains nothing.
+//!
+//! As a whole ([`check`]):
+//! 14. `has_coordinates`: something can move;
+//! 15. `bodies_are_touched`: some row mentions a coordinate of every body;
+//! 16. `scalars_are_mentioned`: some row mentions every scalar coordinate.
+
+pub mod cycle;
+mod geometry;
+mod guess;
+mod mention;
+mod names;
+mod scope;
+
+use super::{Body, BodyOrigin, Formula, Mechanism};
+use crate::error::ModelError;
+use mention::{Coordinate, mentioned, mentioned_at};
+use scope::scopes;
+use std::collections::BTreeSet;
+
+pub use names::{RESERVED, is_reserved};
+
+use geometry::{axes_have_a_direction, divisors_are_not_zero, joints_join_two_bodies, lengths_are_positive};
+use guess::guesses_are_for_coordinates;
+use names::{names_are_free, names_differ, row_names_differ};
+
+/// The most members that a family can have: each becomes coordinates and equations of its own.
+pub const MAX_MEMBERS: usize = 10_000;
+
+/// Everything that is wrong with `mechanism`, in the order of its origins.
+pub fn check(mechanism: &Mechanism) -> Vec<ModelError> {
+    let mut errors = check_parts(mechanism);
+    if is_sound(mechanism) {
+        let before = errors.len();
+        has_coordinates(mechanism, &mut errors);
+        if errors.len() == before {
+            bodies_are_touched(mechanism, &mut errors);
+            scalars_are_mentioned(mechanism, &mut errors);
+        }
+    }
+    sorted(errors)
+}
+
+/// What is wrong with the parts of `mechanism`, each for itself: also right when other parts are missing.
+pub fn check_parts(mechanism: &Mechanism) -> Vec<ModelError> {
+    let mut errors = Vec::new();
+    names_differ(mechanism, &mut errors);
+    names_are_free(mechanism, &mut errors);
+    row_names_differ(mechanism, &mut errors);
+    families_have_members(mechanism, &mut errors);
+    indices_exist(mechanism, &mut errors);
+    origins_end_somewhere(mechanism, &mut errors);
+    defines_end_somewhere(mechanism, &mut errors);
+    axes_have_a_direction(mechanism, &mut errors);
+    lengths_are_positive(mechanism, &mut errors);
+    divisors_are_not_zero(mechanism, &mut errors);
+    if is_sound(mechanism) {
+        joints_join_two_bodies(mechanism, &mut errors);
+        guesses_are_for_coordinates(mechanism, &mut errors);
+        rows_hold_coordinates(mechanism, &mut errors);
+    }
+    sorted(errors)
+}
+
+/// True when families can be unrolled and names followed to their ends.
+fn is_sound(mechanism: &Mechanism) -> bool {
+    let mut errors = Vec::new();
+    families_have_members(mechanism, &mut errors);
+    if errors.is_empty() {
+        indices_exist(mechanism, &mut errors);
+        origins_end_somewhere(mechanism, &mut errors);
+        defines_end_somewhere(mechanism, &mut errors);
+    }
+    errors.is_empty()
+}
+
+/// A point that is used twice would have its mistakes told twice.
+fn sorted(mut errors: Vec<ModelError>) -> Vec<ModelError> {
+    errors.sort_by_key(|error| error.origin);
+    errors.dedup();
+    errors
+}
+
+/// A family has at least one member and at most [`MAX_MEMBERS`].
+fn families_have_members(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    let bodies = mechanism.bodies.iter().map(|b| (&b.name, b.len, b.origin));
+    let scalars = mechanism.scalars.iter().map(|s| (&s.name, s.len, s.origin));
+    for (name, len, origin) in bodies.chain(scalars) {
+        match len {
+            Some(0) => {
+                errors.push(ModelError::new(origin, format!("`{name}` has no member; a family has at least one")))
+            }
+            Some(n) if n > MAX_MEMBERS => {
+                errors.push(ModelError::new(
+                    origin,
+                    format!("`{name}` has {n} members; at most {MAX_MEMBERS} are possible"),
+                ));
+            }
+            _ => {}
+        }
+    }
+    let points = mechanism.points.iter().map(|p| (&p.name, p.range, p.origin));
+    let defines = mechanism.defines.iter().map(|d| (&d.name, d.range, d.origin));
+    let joints = mechanism.joints.iter().map(|j| (&j.name, j.range, j.origin));
+    for (name, range, origin) in points.chain(defines).chain(joints) {
+        let Some(range) = range else { continue };
+        let (start, end) = (range.start, range.end);
+        if start >= end {
+            let message = format!("the range {start}..{end} of `{name}` is empty; it ends before its second bound");
+            errors.push(ModelError::new(origin, message));
+        } else if start < 0 || end > MAX_MEMBERS as i64 {
+            let message = format!("the range {start}..{end} of `{name}` leaves 0..{MAX_MEMBERS}");
+            errors.push(ModelError::new(origin, message));
+        }
+    }
+}
+
+/// Every index is within its family at both ends of the range; between them it is, since it is linear.
+fn indices_exist(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    // A point stands in the model wherever it is used; its mistakes are told once, at its declaration.
+    let mut told = BTreeSet::new();
+    for scope in scopes(mechanism) {
+        for used in scope.uses(mechanism) {
+            let Some((i, value)) = used.outside(scope.range) else { continue };
+            if !told.insert(used.origin) {
+                continue;
+            }
+            let (name, first, last) = (used.name, used.members.start, used.members.end - 1);
+            let at = scope.range.map_or(String::new(), |_| format!(" (where the index variable is {i})"));
+            let message = if used.members.is_empty() {
+                format!("`{name}` has no elements, so that `{name}[{value}]` does not exist")
+            } else {
+                format!("`{name}[{value}]` does not exist{at}; there are `{name}[{first}]` to `{name}[{last}]`")
+            };
+            errors.push(ModelError::new(used.origin, message));
+        }
+    }
+}
+
+/// The origins of carried bodies lead to a body that is not carried, or to the ground.
+fn origins_end_somewhere(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    let carriers: Vec<Vec<usize>> = mechanism.bodies.iter().map(carriers).collect();
+    for circle in cycle::order(&carriers).cycles {
+        let names: Vec<&str> = circle.iter().map(|&k| mechanism.bodies[k].name.as_str()).collect();
+        let origin = circle.first().map_or(mechanism.origin, |&k| match &mechanism.bodies[k].origin_at {
+            BodyOrigin::Carried(place) => place.origin,
+            BodyOrigin::Free { .. } => mechanism.bodies[k].origin,
+        });
+        let right = "a chain of origins ends at a body that is not carried, or at the ground";
+        errors.push(ModelError::new(origin, format!("{}; {right}", chain(&names, "is carried by", "carries itself"))));
+    }
+}
+
+fn carriers(body: &Body) -> Vec<usize> {
+    match &body.origin_at {
+        BodyOrigin::Carried(place) => match place.body {
+            super::BodyRef::Body { family, .. } => vec![family],
+            super::BodyRef::Ground(_) => Vec::new(),
+        },
+        BodyOrigin::Free { .. } => Vec::new(),
+    }
+}
+
+/// Defines lead to formulas without defines.
+fn defines_end_somewhere(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    let uses = |formula| {
+        let leaf = |node: &Formula| match node {
+            Formula::Define(member) => Some(member.family),
+            _ => None,
+        };
+        scope::nodes(formula).into_iter().filter_map(leaf).collect::<Vec<usize>>()
+    };
+    let edges: Vec<Vec<usize>> = mechanism.defines.iter().map(|define| uses(&define.formula)).collect();
+    for circle in cycle::order(&edges).cycles {
+        let names: Vec<&str> = circle.iter().map(|&k| mechanism.defines[k].name.as_str()).collect();
+        let origin = circle.first().map_or(mechanism.origin, |&k| mechanism.defines[k].origin);
+        let message = format!("{}; a define is made of what does not need it", chain(&names, "uses", "uses itself"));
+        errors.push(ModelError::new(origin, message));
+    }
+}
+
+/// `` `a` uses `b`, `b` uses `a` ``, or `` `a` uses itself ``.
+pub fn chain(names: &[&str], verb: &str, alone: &str) -> String {
+    if let [name] = names {
+        return format!("`{name}` {alone}");
+    }
+    let next = names.iter().cycle().skip(1);
+    names.iter().zip(next).map(|(a, b)| format!("`{a}` {verb} `{b}`")).collect::<Vec<_>>().join(", ")
+}
+
+/// A row that mentions no coordinate cannot be satisfied by moving anything.
+fn rows_hold_coordinates(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    for joint in &mechanism.joints {
+        // A joint within the ground has its own message.
+        if geometry::is_within_ground(joint) {
+            continue;
+        }
+        let i = joint.range.map_or(0, |range| range.start);
+        if mentioned_at(mechanism, joint, i).is_empty() {
+            let (keyword, name) = (joint.kind.keyword(), &joint.name);
+            let message = format!(
+                "{keyword} `{name}` mentions no coordinate, so that nothing can move to satisfy it; \
+                 a row holds at least one coordinate that is not held"
+            );
+            errors.push(ModelError::new(joint.keyword, message));
+        }
+    }
+}
+
+/// A mechanism has at least one coordinate.
+fn has_coordinates(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    let free = |body: &Body| {
+        body.phi.is_none() || matches!(&body.origin_at, BodyOrigin::Free { x, y } if x.is_none() || y.is_none())
+    };
+    if !mechanism.scalars.is_empty() || mechanism.bodies.iter().any(free) {
+        return;
+    }
+    let name = &mechanism.name;
+    let message = match mechanism.bodies.len() {
+        0 => format!(
+            "`{name}` has no coordinates; bodies are declared with `#[bodies(crank, …)]`, scalar coordinates with `#[coordinates(u, …)]`"
+        ),
+        1 => format!(
+            "`{name}` has no coordinates: everything of its body is held; leave at least one of x, y and phi free"
+        ),
+        n => format!(
+            "`{name}` has no coordinates: everything of its {n} bodies is held; leave at least one of x, y and phi free"
+        ),
+    };
+    errors.push(ModelError::new(mechanism.origin, message));
+}
+
+/// Every body with a coordinate is mentioned by some row.
+fn bodies_are_touched(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    let touched: BTreeSet<(usize, usize)> = all_mentioned(mechanism)
+        .into_iter()
+        .filter_map(|coordinate| match coordinate {
+            Coordinate::Pose(family, member, _) => Some((family, member)),
+            Coordinate::Scalar(..) => None,
+        })
+        .collect();
+    for (family, body) in mechanism.bodies.iter().enumerate() {
+        let has_free = |member| !mention::free_of(mechanism, family, member).is_empty();
+        let untouched = (0..body.len.unwrap_or(1)).filter(|&m| has_free(m) && !touched.contains(&(family, m)));
+        if let Some(names) = missing(&body.name, body.len, untouched.collect()) {
+            let message = format!("no row touches {names}; join it, hold all of its pose with `body`, or leave it out");
+            errors.push(ModelError::new(body.origin, message));
+        }
+    }
+}
+
+/// Every scalar coordinate is mentioned by some row.
+fn scalars_are_mentioned(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    let mentioned = all_mentioned(mechanism);
+    for (family, scalar) in mechanism.scalars.iter().enumerate() {
+        let unmentioned = (0..scalar.len.unwrap_or(1)).filter(|&m| !mentioned.contains(&Coordinate::Scalar(family, m)));
+        if let Some(names) = missing(&scalar.name, scalar.len, unmentioned.collect()) {
+            let message = format!("no row mentions {names}; use it in a row, or leave it out");
+            errors.push(ModelError::new(scalar.origin, message));
+        }
+    }
+}
+
+fn all_mentioned(mechanism: &Mechanism) -> BTreeSet<Coordinate> {
+    mechanism.joints.iter().flat_map(|joint| mentioned(mechanism, joint)).collect()
+}
+
+/// The members that are missing, as a person would say it.
+fn missing(name: &str, len: Option<usize>, members: Vec<usize>) -> Option<String> {
+    const SHOWN: usize = 4;
+    match (members.len(), len) {
+        (0, _) => None,
+        (_, None) => Some(format!("`{name}`")),
+        (n, Some(len)) if n == len => Some(format!("any of the {n} members of `{name}`")),
+        (n, Some(_)) => {
+            let shown: Vec<String> = members.iter().take(SHOWN).map(|m| format!("`{name}[{m}]`")).collect();
+            let rest = if n > SHOWN { format!(", … ({n} in all)") } else { String::new() };
+            Some(format!("{}{rest}", shown.join(", ")))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -69,7 +69,8 @@ fn constant(
         "Quantity" => "The quantity",
         _ => "The input",
     };
-    let doc = lowered.doc_of(name).map_or_else(|| format!("{kind} `{name}`."), str::to_owned);
+    let written = lowered.docs.names.iter().find(|(documented, _)| documented == name).map(|(_, doc)| doc.clone());
+    let doc = written.unwrap_or_else(|| format!("{kind} `{name}`."));
     let (ty, value) = match len {
         None => (quote! { __kin::#ty }, quote! { #(__kin::#ty(#places))* }),
         Some(len) => (quote! { [__kin::#ty; #len] }, quote! { [#(__kin::#ty(#places)),*] }),

@@ -8,7 +8,8 @@ mod parameters;
 mod program;
 mod tables;
 
-use crate::lower::{Flags, Lowered};
+use crate::ast::Flags;
+use crate::lower::{FieldRole, Lowered};
 use kernel::{Layout, kernel};
 use kin_core::program::{Program, Slot, lower};
 use kin_core::system::KinematicSystem;
@@ -49,7 +50,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
         constraints: &constraints,
         observables: &observables,
         operations: all.operations(),
-        doc: &lowered.doc,
+        doc: &lowered.docs.mechanism,
         allow_redundant: lowered.flags.allow_redundant,
     });
     let (n, s, p, u) = (set.coordinates.len(), set.rows.len(), set.parameters.len(), set.inputs.len());
@@ -229,8 +230,9 @@ fn list(
 }
 
 /// The fields that hold supplied functions.
-fn functions(_lowered: &Lowered) -> Vec<Ident> {
-    Vec::new()
+fn functions(lowered: &Lowered) -> Vec<Ident> {
+    let is_function = |role| matches!(role, FieldRole::Function(_));
+    lowered.fields.iter().filter(|field| is_function(field.role)).map(|field| field.ident.clone()).collect()
 }
 
 /// The test that `#[mechanism(cross_check)]` writes.

@@ -2,7 +2,7 @@
 
 use super::handles::mentions;
 use super::program::literal;
-use crate::lower::Lowered;
+use crate::lower::{FieldRole, Lowered};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -17,7 +17,10 @@ struct Span<'a> {
 fn fields(lowered: &Lowered) -> Vec<Span<'_>> {
     let mut first = 0;
     (lowered.fields.iter())
-        .filter_map(|field| Some((field, lowered.mechanism.parameters.get(field.parameter?)?)))
+        .filter_map(|field| match field.role {
+            FieldRole::Parameter(k) => Some((field, lowered.mechanism.parameters.get(k)?)),
+            FieldRole::Function(_) => None,
+        })
         .map(|(field, parameter)| {
             let span = Span { ident: &field.ident, len: parameter.len, first, default: parameter.default.as_deref() };
             first += parameter.len.unwrap_or(1);

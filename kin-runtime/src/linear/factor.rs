@@ -52,7 +52,7 @@ impl Factorization {
     pub(crate) fn revealing(a: &DMatrix<f64>, columns: &[f64], tolerance: f64) -> Self {
         let qr = ColPivQR::new(scaled(a, columns));
         let r = qr.r();
-        let pivots: Vec<f64> = r.diagonal().iter().map(|p| p.abs()).collect();
+        let pivots: Vec<f64> = (0..r.nrows().min(r.ncols())).map(|k| r[(k, k)].abs()).collect();
         let (_, largest) = extremes(&pivots);
         let rank = pivots.iter().filter(|&&p| p > tolerance * largest).count();
         let counted = pivots.iter().copied().filter(|&p| p > tolerance * largest).fold(f64::INFINITY, f64::min);

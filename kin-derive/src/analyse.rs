@@ -1,0 +1,46 @@
+//! Tokens to a checked model, through two gates: what is written is read and its names are resolved, then the
+//! rules of [`kin_core::mechanism::check`] are applied. All errors come at once.
+
+use crate::lower::{Lowered, Outcome, lower};
+use crate::parse::parse;
+use crate::report::Report;
+use kin_core::mechanism::check::{check, check_parts};
+use proc_macro2::{Span, TokenStream};
+use syn::ItemStruct;
+
+/// Reads `#[mechanism(args)] item`: the struct without our attributes, also when there are errors, and what the
+/// description says.
+pub(crate) fn analyse(args: TokenStream, item: TokenStream) -> (Option<ItemStruct>, syn::Result<Lowered>) {
+    let report = Report::new();
+    let (item, description) = parse(args, item, &report);
+    let lowered = match (&item, description) {
+        (Some(item), Some(description)) => {
+            let Outcome { lowered, completing } = lower(description, item.clone(), &report);
+            if completing {
+                report.discard();
+                return (Some(item.clone()), Ok(lowered));
+            }
+            check_model(&lowered, &report);
+            Some(lowered)
+        }
+        _ => None,
+    };
+    let result = match (report.finish(), lowered) {
+        (Err(error), _) => Err(error),
+        (Ok(()), Some(lowered)) => Ok(lowered),
+        (Ok(()), None) => {
+            Err(syn::Error::new(Span::call_site(), "a mechanism is a struct; its fields are the parameters"))
+        }
+    };
+    (item, result)
+}
+
+/// The second gate. Parts that have errors are missing in the model, so that only rules that look at one part
+/// at a time can be trusted then.
+fn check_model(lowered: &Lowered, report: &Report) {
+    let rules = if report.count() == 0 { check } else { check_parts };
+    for error in rules(&lowered.mechanism) {
+        let span = lowered.spans.get(error.origin.0 as usize).copied().unwrap_or_else(Span::call_site);
+        report.error(span, error.message);
+    }
+}

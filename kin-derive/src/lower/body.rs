@@ -1,0 +1,175 @@
+//! Points, defines and bodies: what was declared gets its meaning.
+
+use super::declare::IndexRange;
+use super::formula::{Allow, Scope};
+use super::names::Symbol;
+use super::{Class, Lowerer};
+use crate::ast::{BodyDecl, Bracket, Expr, ExprKind, Item, NewName, PointExpr, text};
+use kin_core::mechanism::check::{chain, cycle};
+use kin_core::mechanism::{BodyOrigin, Mechanism};
+
+/// A body with nothing given.
+pub(super) const FREE: BodyOrigin = BodyOrigin::Free { x: None, y: None };
+
+/// The range that a declaration's brackets give its index variable.
+fn range_of(name: &NewName) -> IndexRange {
+    match &name.bracket {
+        Some(Bracket::Range(range)) => IndexRange::Over(range.clone()),
+        Some(Bracket::Hole) => IndexRange::Unknown,
+        Some(Bracket::Len(..)) | None => IndexRange::None,
+    }
+}
+
+/// A point or a define with its number among its kind.
+enum Named<'d> {
+    Point(usize, &'d crate::ast::PointDecl),
+    Define(usize, &'d crate::ast::DefineDecl),
+}
+
+impl Named<'_> {
+    const fn name(&self) -> &NewName {
+        match self {
+            Self::Point(_, decl) => &decl.name,
+            Self::Define(_, decl) => &decl.name,
+        }
+    }
+}
+
+impl Lowerer<'_> {
+    /// Points and defines, each after those it is made of; circles are reported.
+    pub(super) fn points_and_defines(&mut self, items: &[Item], mechanism: &mut Mechanism) {
+        let (mut points, mut defines) = (Vec::new(), Vec::new());
+        let mut named = Vec::new();
+        for item in items {
+            match item {
+                Item::Point(decl) => {
+                    points.push(named.len());
+                    named.push(Named::Point(points.len() - 1, decl));
+                }
+                Item::Define(decl) => {
+                    defines.push(named.len());
+                    named.push(Named::Define(defines.len() - 1, decl));
+                }
+                Item::Body(_) | Item::Scalar(_) | Item::Row(_) | Item::Guess(_) => {}
+            }
+        }
+        self.points = vec![None; points.len()];
+        self.defines = vec![None; defines.len()];
+        let place_of = |symbol| match symbol {
+            Symbol::Point(k) => points.get(k).copied(),
+            Symbol::Define(k) => defines.get(k).copied(),
+            Symbol::Parameter(_) | Symbol::Body(_) | Symbol::Scalar(_) => None,
+        };
+        let edges: Vec<Vec<usize>> =
+            named.iter().map(|decl| self.parts(decl).into_iter().filter_map(place_of).collect()).collect();
+        let order = cycle::order(&edges);
+        let mut in_circle = vec![false; named.len()];
+        for circle in &order.cycles {
+            circle.iter().for_each(|&k| in_circle[k] = true);
+            let names: Vec<String> = circle.iter().map(|&k| text(&named[k].name().ident)).collect();
+            let names: Vec<&str> = names.iter().map(String::as_str).collect();
+            if let Some(&first) = circle.first() {
+                let message =
+                    format!("{}; a define is made of what does not need it", chain(&names, "uses", "uses itself"));
+                self.report.error(named[first].name().ident.span(), message);
+            }
+        }
+        for k in order.order {
+            if in_circle[k] {
+                continue;
+            }
+            let range = range_of(named[k].name());
+            match &named[k] {
+                Named::Point(number, decl) => {
+                    if let Some(place) = self.place(&decl.place, &range) {
+                        mechanism.points[*number].place = place;
+                        self.points[*number] = Some(mechanism.points[*number].clone());
+                    }
+                }
+                Named::Define(number, decl) => {
+                    self.reached = Class::Constant;
+                    let scope = Scope { what: "a define", allow: Allow::Everything, range: &range };
+                    if let Some(formula) = self.formula(&decl.value, &scope) {
+                        mechanism.defines[*number].formula = formula;
+                        self.defines[*number] = Some((mechanism.defines[*number].clone(), self.reached));
+                    }
+                }
+            }
+        }
+    }
+
+    /// What a point or define is made of.
+    fn parts(&self, decl: &Named) -> Vec<Symbol> {
+        let mut used = Vec::new();
+        match decl {
+            Named::Point(_, decl) => names_in_point(&decl.place, &mut used),
+            Named::Define(_, decl) => names_in(&decl.value, &mut used),
+        }
+        used.iter().filter_map(|name| self.names.find(name)).map(|declared| declared.symbol).collect()
+    }
+
+    /// What is held and what is carried.
+    pub(super) fn bodies(&mut self, items: &[Item], mechanism: &mut Mechanism) {
+        let decls = items.iter().filter_map(|item| match item {
+            Item::Body(decl) => Some(decl),
+            _ => None,
+        });
+        for (k, decl) in decls.enumerate() {
+            self.body_decl(decl, &mut mechanism.bodies[k]);
+        }
+    }
+
+    fn body_decl(&mut self, decl: &BodyDecl, body: &mut kin_core::mechanism::Body) {
+        let range = range_of(&decl.name);
+        let carried = decl.carried.as_ref().map(|(key, point)| (key, self.place(point, &range)));
+        let (mut x, mut y) = (None, None);
+        for (key, value) in &decl.held {
+            let scope = Scope { what: "a held coordinate", allow: Allow::Signals, range: &range };
+            let formula = self.formula(value, &scope);
+            match text(key).as_str() {
+                "phi" => body.phi = formula,
+                name if carried.is_some() => {
+                    let body = &body.name;
+                    let message = format!(
+                        "`{body}` has its origin carried; {name} of `{body}` follows from it and cannot be held, too"
+                    );
+                    self.report.error(key.span(), message);
+                }
+                "x" => x = formula,
+                _ => y = formula,
+            }
+        }
+        body.origin_at = match carried {
+            Some((_, Some(place))) => BodyOrigin::Carried(place),
+            Some((_, None)) | None => BodyOrigin::Free { x, y },
+        };
+    }
+}
+
+fn names_in_point(point: &PointExpr, names: &mut Vec<String>) {
+    match point {
+        PointExpr::At { x, y, .. } => {
+            names_in(x, names);
+            names_in(y, names);
+        }
+        PointExpr::Named(used) => names.push(used.text()),
+        PointExpr::Hole => {}
+    }
+}
+
+fn names_in(expr: &Expr, names: &mut Vec<String>) {
+    match &expr.kind {
+        ExprKind::Number(_) | ExprKind::Hole => {}
+        ExprKind::Name(used) | ExprKind::Component(used, _) => names.push(used.text()),
+        ExprKind::Distance(p, q) => {
+            names_in_point(p, names);
+            names_in_point(q, names);
+        }
+        ExprKind::Neg(a) | ExprKind::Pow(a, _) | ExprKind::Call(_, a) => names_in(a, names),
+        ExprKind::Binary(_, a, b) | ExprKind::Atan2(a, b) => {
+            names_in(a, names);
+            names_in(b, names);
+        }
+        ExprKind::Apply(_, arguments) => arguments.iter().for_each(|argument| names_in(argument, names)),
+    }
+}

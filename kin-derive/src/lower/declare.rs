@@ -1,0 +1,137 @@
+//! Who is who: every declared name with its number, in the order of the source.
+
+use super::names::{Declared, Names, Shape, Symbol};
+use super::{Lowerer, body, place};
+use crate::ast::{Bracket, Description, Item, NewName, RangeDecl, text};
+use kin_core::error::Origin;
+use kin_core::mechanism::{Body, Define, Formula, Mechanism, NamedPoint, Parameter, Range, Scalar};
+
+/// The range that the index variable of an item runs over.
+#[derive(Clone, Debug)]
+pub(super) enum IndexRange {
+    /// No index variable.
+    None,
+    /// `i in start..end`.
+    Over(RangeDecl),
+    /// The brackets could not be read.
+    Unknown,
+}
+
+impl IndexRange {
+    /// The range in the model.
+    pub(super) fn model(&self) -> Option<Range> {
+        match self {
+            Self::Over(range) => Some(Range { start: range.start, end: range.end }),
+            Self::None | Self::Unknown => None,
+        }
+    }
+}
+
+impl Lowerer<'_> {
+    /// Numbers everything that has a name; the index ranges are those of the items, in their order.
+    pub(super) fn declare(&mut self, description: &Description, mechanism: &mut Mechanism) -> (Names, Vec<IndexRange>) {
+        let mut names = Names::default();
+        let mut ranges = Vec::new();
+        for item in &description.items {
+            let range = match item {
+                Item::Body(decl) => {
+                    let (shape, range) = self.length(&decl.name, "#[bodies(link[10])]");
+                    let symbol = Symbol::Body(mechanism.bodies.len());
+                    let origin = self.name(&decl.name, symbol, &shape, &mut names);
+                    let (name, len) = (text(&decl.name.ident), len_of(&shape));
+                    mechanism.bodies.push(Body { name, len, origin_at: body::FREE, phi: None, origin });
+                    range
+                }
+                Item::Scalar(decl) => {
+                    let (shape, range) = self.length(&decl.name, "#[coordinates(u[3])]");
+                    let symbol = Symbol::Scalar(mechanism.scalars.len());
+                    let origin = self.name(&decl.name, symbol, &shape, &mut names);
+                    let (name, len) = (text(&decl.name.ident), len_of(&shape));
+                    mechanism.scalars.push(Scalar { name, len, origin });
+                    range
+                }
+                Item::Point(decl) => {
+                    let (shape, range) = self.repetition(&decl.name, "#[point(p[i in 0..3] = link[i] @ (0, 0))]");
+                    let symbol = Symbol::Point(mechanism.points.len());
+                    let origin = self.name(&decl.name, symbol, &shape, &mut names);
+                    let (name, place) = (text(&decl.name.ident), place::placeholder(origin));
+                    mechanism.points.push(NamedPoint { name, range: range.model(), place, origin });
+                    range
+                }
+                Item::Define(decl) => {
+                    let (shape, range) = self.repetition(&decl.name, "#[define(s[i in 0..3] = link[i].phi)]");
+                    let symbol = Symbol::Define(mechanism.defines.len());
+                    let origin = self.name(&decl.name, symbol, &shape, &mut names);
+                    let name = text(&decl.name.ident);
+                    mechanism.defines.push(Define { name, range: range.model(), formula: Formula::ZERO, origin });
+                    range
+                }
+                Item::Row(row) => self.repetition(&row.name, "N[i in 0..3]: …").1,
+                Item::Guess(guess) => guess.range.clone().map_or(IndexRange::None, IndexRange::Over),
+            };
+            ranges.push(range);
+        }
+        self.parameters(description, mechanism, &mut names);
+        (names, ranges)
+    }
+
+    fn parameters(&mut self, description: &Description, mechanism: &mut Mechanism, names: &mut Names) {
+        for field in &description.fields {
+            let name = text(&field.ident);
+            let symbol = Symbol::Parameter(mechanism.parameters.len());
+            let shape = field.len.map_or(Shape::Single, |len| Shape::Family(0..i64::try_from(len).unwrap_or(0)));
+            names.insert(Declared { name: name.clone(), symbol, shape });
+            let origin = self.origin(field.ident.span());
+            mechanism.parameters.push(Parameter {
+                name,
+                len: field.len,
+                unit: field.unit.clone(),
+                default: field.default.clone(),
+                doc: field.doc.clone(),
+                origin,
+            });
+        }
+    }
+
+    fn name(&mut self, name: &NewName, symbol: Symbol, shape: &Shape, names: &mut Names) -> Origin {
+        names.insert(Declared { name: text(&name.ident), symbol, shape: shape.clone() });
+        self.mention(symbol.mention(), &name.ident);
+        self.origin(name.ident.span())
+    }
+
+    /// The brackets of a family that has a length; `[i in 0..10]` also names its index.
+    fn length(&self, name: &NewName, form: &str) -> (Shape, IndexRange) {
+        match &name.bracket {
+            None => (Shape::Single, IndexRange::None),
+            Some(Bracket::Len(len, _)) => (Shape::Family(0..i64::try_from(*len).unwrap_or(0)), IndexRange::None),
+            Some(Bracket::Range(range)) if range.start == 0 => {
+                (Shape::Family(0..range.end), IndexRange::Over(range.clone()))
+            }
+            Some(Bracket::Range(range)) => {
+                self.report.error(range.span, format!("the members of a family are counted from 0: `{form}`"));
+                (Shape::Unknown, IndexRange::Unknown)
+            }
+            Some(Bracket::Hole) => (Shape::Unknown, IndexRange::Unknown),
+        }
+    }
+
+    /// The brackets of something that is repeated over a range.
+    fn repetition(&self, name: &NewName, form: &str) -> (Shape, IndexRange) {
+        match &name.bracket {
+            None => (Shape::Single, IndexRange::None),
+            Some(Bracket::Range(range)) => (Shape::Family(range.start..range.end), IndexRange::Over(range.clone())),
+            Some(Bracket::Len(_, span)) => {
+                self.report.error(*span, format!("what is repeated names its index: `{form}`"));
+                (Shape::Unknown, IndexRange::Unknown)
+            }
+            Some(Bracket::Hole) => (Shape::Unknown, IndexRange::Unknown),
+        }
+    }
+}
+
+fn len_of(shape: &Shape) -> Option<usize> {
+    match shape {
+        Shape::Family(members) => usize::try_from(members.end).ok(),
+        Shape::Single | Shape::Unknown => None,
+    }
+}

@@ -1,0 +1,258 @@
+//! Expressions where they stand: names resolved, and only what may stand there let through.
+
+use super::declare::IndexRange;
+use super::names::Symbol;
+use super::{Class, Lowerer};
+use crate::ast::{Expr, ExprKind, NameUse, Operator, text};
+use crate::suggest::did_you_mean;
+use kin_core::mechanism::check::is_reserved;
+use kin_core::mechanism::{BodyRef, Component, Formula, Function, Member};
+use proc_macro2::Span;
+use syn::Ident;
+
+/// What may stand in an expression.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Allow {
+    /// Numbers and parameters.
+    Parameters,
+    /// Also t and inputs.
+    Signals,
+    /// Also coordinates.
+    Everything,
+}
+
+impl Allow {
+    const fn class(self) -> Class {
+        match self {
+            Self::Parameters => Class::Constant,
+            Self::Signals => Class::Signal,
+            Self::Everything => Class::Coordinate,
+        }
+    }
+}
+
+/// Where an expression stands.
+pub(super) struct Scope<'s> {
+    /// For messages: "a body-fixed point", "`length`".
+    pub(super) what: &'static str,
+    pub(super) allow: Allow,
+    pub(super) range: &'s IndexRange,
+}
+
+impl Lowerer<'_> {
+    /// The formula of an expression; all of its mistakes are reported before it is given up.
+    pub(super) fn formula(&mut self, expr: &Expr, scope: &Scope) -> Option<Formula> {
+        Some(match &expr.kind {
+            ExprKind::Hole => return None,
+            ExprKind::Number(value) => Formula::Number(*value),
+            ExprKind::Name(used) => return self.value(used, scope),
+            ExprKind::Component(used, component) => return self.component(used, component, scope),
+            ExprKind::Distance(p, q) => {
+                let (p, q) = (self.place(p, scope.range), self.place(q, scope.range));
+                let (p, q) = (p?, q?);
+                let class = if p.body.is_ground() && q.body.is_ground() { Class::Constant } else { Class::Coordinate };
+                self.require(class, "this distance holds coordinates", expr.span, scope)?;
+                Formula::Distance(Box::new(p), Box::new(q))
+            }
+            ExprKind::Neg(a) => Formula::Neg(Box::new(self.formula(a, scope)?)),
+            ExprKind::Binary(operator, a, b) => {
+                let (left, right) = (self.formula(a, scope), self.formula(b, scope));
+                let (left, right) = (Box::new(left?), Box::new(right?));
+                match operator {
+                    Operator::Add => Formula::Add(left, right),
+                    Operator::Sub => Formula::Sub(left, right),
+                    Operator::Mul => Formula::Mul(left, right),
+                    Operator::Div => Formula::Div(left, right, self.origin(b.span)),
+                }
+            }
+            ExprKind::Pow(a, n) => Formula::Pow(Box::new(self.formula(a, scope)?), *n),
+            ExprKind::Call(function, a) => Formula::Call(*function, Box::new(self.formula(a, scope)?)),
+            ExprKind::Atan2(y, x) => {
+                let (y, x) = (self.formula(y, scope), self.formula(x, scope));
+                Formula::Atan2(Box::new(y?), Box::new(x?))
+            }
+            ExprKind::Apply(name, arguments) => {
+                for argument in arguments {
+                    // Mistakes inside are worth telling at once, too.
+                    _ = self.formula(argument, scope);
+                }
+                self.no_function(name);
+                return None;
+            }
+        })
+    }
+
+    /// A name that stands for a number.
+    fn value(&mut self, used: &NameUse, scope: &Scope) -> Option<Formula> {
+        let name = used.text();
+        if is_reserved(&name) {
+            return self.reserved(&name, used, scope);
+        }
+        let is_value: fn(Symbol) -> bool =
+            |symbol| matches!(symbol, Symbol::Parameter(_) | Symbol::Scalar(_) | Symbol::Define(_));
+        let declared = self.resolve(used, "parameter, coordinate or define", is_value)?;
+        let span = used.ident.span();
+        match declared.symbol {
+            Symbol::Body(_) => {
+                let message =
+                    format!("`{name}` is a body; its coordinates are `{name}.x`, `{name}.y` and `{name}.phi`");
+                self.report.error(span, message);
+                return None;
+            }
+            Symbol::Point(_) => {
+                let message = format!("`{name}` is a point; its coordinates are `{name}.x` and `{name}.y`");
+                self.report.error(span, message);
+                return None;
+            }
+            _ => {}
+        }
+        let index = self.member(used, &declared, scope.range)?;
+        let origin = self.origin(span);
+        match declared.symbol {
+            Symbol::Parameter(family) => Some(Formula::Parameter(Member { family, index, origin })),
+            Symbol::Scalar(family) => {
+                self.require(Class::Coordinate, &format!("`{name}` is a coordinate"), span, scope)?;
+                Some(Formula::Scalar(Member { family, index, origin }))
+            }
+            Symbol::Define(family) => {
+                // A define with a mistake has been reported.
+                let class = self.defines.get(family)?.as_ref()?.1;
+                let depends = match class {
+                    Class::Coordinate => "coordinates",
+                    Class::Signal | Class::Constant => "`t`",
+                };
+                self.require(class, &format!("the define `{name}` holds {depends}"), span, scope)?;
+                Some(Formula::Define(Member { family, index, origin }))
+            }
+            Symbol::Body(_) | Symbol::Point(_) => None,
+        }
+    }
+
+    fn reserved(&mut self, name: &str, used: &NameUse, scope: &Scope) -> Option<Formula> {
+        if let Some(index) = &used.index {
+            self.report.error(index.span, format!("`{name}` takes no index"));
+            return None;
+        }
+        let span = used.ident.span();
+        match name {
+            "pi" => Some(Formula::Pi),
+            "t" => self.require(Class::Signal, "`t` is time", span, scope).map(|()| Formula::Time),
+            "ground" => {
+                self.report.error(span, "`ground` is a body; an expression has numbers");
+                None
+            }
+            _ => {
+                self.report
+                    .error(span, format!("`{name}` is a function; its argument stands in parentheses, `{name}(…)`"));
+                None
+            }
+        }
+    }
+
+    /// `crank.phi`, `tip.x`.
+    fn component(&mut self, used: &NameUse, component: &Ident, scope: &Scope) -> Option<Formula> {
+        let name = used.text();
+        let is_ground = name == "ground";
+        if !is_ground && is_reserved(&name) {
+            let message = format!("`{name}` has no components; bodies and points have");
+            self.report.error(component.span(), message);
+            return None;
+        }
+        let has_components: fn(Symbol) -> bool = |symbol| matches!(symbol, Symbol::Body(_) | Symbol::Point(_));
+        let declared = if is_ground { None } else { Some(self.resolve(used, "body or point", has_components)?) };
+        let whole = format!("`{name}.{}` is a coordinate", text(component));
+        match declared.as_ref().map(|d| d.symbol) {
+            None | Some(Symbol::Body(_)) => {
+                let which = self.body_component(component, &name);
+                let body = match declared {
+                    None => self.body(used, scope.range),
+                    Some(declared) => {
+                        let Symbol::Body(family) = declared.symbol else { return None };
+                        let index = self.member(used, &declared, scope.range);
+                        let origin = self.origin(used.ident.span());
+                        index.map(|index| BodyRef::Body { family, index, origin })
+                    }
+                }?;
+                let class = if body.is_ground() { Class::Constant } else { Class::Coordinate };
+                self.require(class, &whole, used.ident.span(), scope)?;
+                Some(Formula::Pose(body, which?))
+            }
+            Some(Symbol::Point(k)) => {
+                let which = self.point_component(component);
+                let declared = declared?;
+                let place = self.point_member(k, &declared, used, scope.range)?;
+                let class = if place.body.is_ground() { Class::Constant } else { Class::Coordinate };
+                self.require(class, &whole, used.ident.span(), scope)?;
+                Some(Formula::PointCoordinate(Box::new(place), which?))
+            }
+            Some(other) => {
+                let message = format!("`{name}` is {} and has no components; bodies and points have", other.noun());
+                self.report.error(component.span(), message);
+                None
+            }
+        }
+    }
+
+    /// x, y or phi.
+    pub(super) fn body_component(&mut self, component: &Ident, body: &str) -> Option<Component> {
+        let name = text(component);
+        let found = Component::ALL.into_iter().find(|c| c.name() == name);
+        if found.is_none() && !self.is_completed(component) {
+            let message = format!("a body has `x`, `y` and `phi`; `{body}.{name}` does not exist");
+            self.report.error(component.span(), message);
+        }
+        found
+    }
+
+    fn point_component(&mut self, component: &Ident) -> Option<Component> {
+        match text(component).as_str() {
+            "x" => Some(Component::X),
+            "y" => Some(Component::Y),
+            name => {
+                if !self.is_completed(component) {
+                    let message = format!("a point has `x` and `y`; `{name}` would belong to its body");
+                    self.report.error(component.span(), message);
+                }
+                None
+            }
+        }
+    }
+
+    fn is_completed(&mut self, ident: &Ident) -> bool {
+        let is_marker = super::place::is_completion_marker(ident);
+        self.completing |= is_marker;
+        is_marker
+    }
+
+    fn no_function(&self, name: &Ident) {
+        let word = text(name);
+        let message = match self.names.find(&word) {
+            Some(found) => {
+                format!("`{word}` is {}, not a function; a product is written with `*`", found.symbol.noun())
+            }
+            None if self.names_missing => return,
+            None => {
+                let others = ["atan2", "pow", "distance"];
+                let suggestion = did_you_mean(&word, Function::ALL.iter().map(|f| f.name()).chain(others));
+                format!(
+                    "no function `{word}`{suggestion}; there are sin, cos, tan, asin, acos, atan, atan2, sqrt, exp, ln, abs, pow and distance"
+                )
+            }
+        };
+        self.report.error(name.span(), message);
+    }
+
+    /// Notes the class of a part, and reports it where it may not stand.
+    fn require(&mut self, class: Class, found: &str, span: Span, scope: &Scope) -> Option<()> {
+        self.reached = self.reached.max(class);
+        if class <= scope.allow.class() {
+            return Some(());
+        }
+        let right = match scope.allow {
+            Allow::Parameters => "numbers and parameters only",
+            Allow::Signals | Allow::Everything => "numbers, parameters and `t` only",
+        };
+        self.report.error(span, format!("{found}; {} takes {right}", scope.what));
+        None
+    }
+}

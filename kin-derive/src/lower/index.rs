@@ -1,0 +1,68 @@
+//! Indices: `link[2*i + 1]` in a row that runs over `i`.
+
+use super::Lowerer;
+use super::declare::IndexRange;
+use super::names::{Declared, Shape};
+use crate::ast::{IndexExpr, NameUse, text};
+use kin_core::mechanism::Index;
+
+impl Lowerer<'_> {
+    /// The index of a use of `declared`; `None` when it is wrong, which is reported.
+    pub(super) fn member(&self, used: &NameUse, declared: &Declared, range: &IndexRange) -> Option<Index> {
+        let (name, noun) = (&declared.name, declared.symbol.noun());
+        match (&declared.shape, &used.index) {
+            (Shape::Unknown, _) => None,
+            (Shape::Single, None) => Some(Index::default()),
+            (Shape::Single, Some(index)) => {
+                self.report.error(index.span, format!("`{name}` is {noun}, not a family; it takes no index"));
+                None
+            }
+            (Shape::Family(members), None) => {
+                let (first, last) = (members.start, members.end - 1);
+                let message = if members.is_empty() {
+                    format!("`{name}` has no elements")
+                } else {
+                    format!("`{name}` is a family; one of its members is written `{name}[{first}]` to `{name}[{last}]`")
+                };
+                self.report.error(used.ident.span(), message);
+                None
+            }
+            (Shape::Family(_), Some(index)) => self.index(index, range),
+        }
+    }
+
+    fn index(&self, index: &IndexExpr, range: &IndexRange) -> Option<Index> {
+        let constant = Some(Index::constant(index.offset));
+        let Some(variable) = &index.variable else { return constant };
+        let name = text(variable);
+        match range {
+            IndexRange::Unknown => None,
+            // With a single step the variable is a number, which keeps compositions small.
+            IndexRange::Over(range) if text(&range.variable) == name && range.end - range.start == 1 => {
+                Some(Index::constant(index.scale * range.start + index.offset))
+            }
+            IndexRange::Over(range) if text(&range.variable) == name => {
+                Some(Index { scale: index.scale, offset: index.offset })
+            }
+            _ if self.names_missing => None,
+            IndexRange::Over(range) => {
+                let message = format!("no index variable `{name}` here; it is called `{}`", range.variable);
+                self.report.error(variable.span(), message);
+                None
+            }
+            IndexRange::None => {
+                let message = match self.names.find(&name) {
+                    Some(found) => format!(
+                        "`{name}` is {}; an index is made of integers and the index variable",
+                        found.symbol.noun()
+                    ),
+                    None => {
+                        format!("no index variable `{name}` here; a repeated row names it: `N[{name} in 0..10]: …`")
+                    }
+                };
+                self.report.error(variable.span(), message);
+                None
+            }
+        }
+    }
+}

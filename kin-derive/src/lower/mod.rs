@@ -1,0 +1,224 @@
+//! [`Description`] to [`Mechanism`]: names become ids, tokens become [`Origin`]s.
+
+mod body;
+mod declare;
+mod formula;
+mod index;
+mod names;
+mod place;
+mod row;
+mod substitute;
+
+use crate::ast::{Description, Flags, Item, text};
+use crate::report::Report;
+use kin_core::error::Origin;
+use kin_core::mechanism::{Define, Mechanism, NamedPoint};
+use names::Names;
+use proc_macro2::Span;
+use syn::{Ident, ItemStruct, Type};
+
+/// Everything that expansion needs to know of a description.
+pub(crate) struct Lowered {
+    /// The model.
+    pub(crate) mechanism: Mechanism,
+    /// Where each [`Origin`] is: `Origin(k)` at `spans[k]`.
+    pub(crate) spans: Vec<Span>,
+    /// The struct without our attributes.
+    pub(crate) item: ItemStruct,
+    /// Every use and declaration of a user's name inside our attributes.
+    pub(crate) mentions: Vec<Mention>,
+    /// The fields of the struct, in order.
+    pub(crate) fields: Vec<Field>,
+    /// What `#[mechanism(…)]` asks for.
+    pub(crate) flags: Flags,
+    /// `Default` stands in a `derive`.
+    pub(crate) derives_default: bool,
+    /// Documentation.
+    pub(crate) docs: Docs,
+}
+
+/// A user's name, as written: emitted with its own span it keeps go-to-definition, hover and rename alive.
+#[derive(Clone, Debug)]
+pub(crate) struct Mention {
+    pub(crate) kind: MentionKind,
+    pub(crate) ident: Ident,
+}
+
+/// What a mentioned name is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum MentionKind {
+    Parameter,
+    Body,
+    Scalar,
+    Point,
+    Define,
+    Input,
+    Function,
+}
+
+/// A field of the struct.
+#[derive(Clone)]
+pub(crate) struct Field {
+    pub(crate) ident: Ident,
+    pub(crate) ty: Type,
+    /// Number of elements of an array field.
+    pub(crate) len: Option<usize>,
+    pub(crate) role: FieldRole,
+}
+
+/// What a field is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum FieldRole {
+    /// An entry of `Mechanism::parameters`.
+    Parameter(usize),
+    /// An entry of `Mechanism::functions`.
+    Function(usize),
+}
+
+/// First paragraphs of doc comments; what has none is not listed.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Docs {
+    /// The struct's.
+    pub(crate) mechanism: String,
+    /// Those of bodies, coordinates, points and defines, by name.
+    pub(crate) names: Vec<(String, String)>,
+    /// Those of rows, by name.
+    pub(crate) rows: Vec<(String, String)>,
+}
+
+/// What lowering gives.
+pub(crate) struct Outcome {
+    pub(crate) lowered: Lowered,
+    /// An editor asks what could stand at its marker: nobody sees the errors of this expansion.
+    pub(crate) completing: bool,
+}
+
+/// Resolves the names of `description`; what cannot be resolved is reported and left out of the model.
+pub(crate) fn lower(description: Description, item: ItemStruct, report: &Report) -> Outcome {
+    let mut lowerer = Lowerer::new(&description, report);
+    let mut mechanism = Mechanism {
+        name: text(&description.name),
+        origin: lowerer.origin(description.name.span()),
+        ..Mechanism::default()
+    };
+    let (names, shapes) = lowerer.declare(&description, &mut mechanism);
+    lowerer.names = names;
+    lowerer.points_and_defines(&description.items, &mut mechanism);
+    lowerer.bodies(&description.items, &mut mechanism);
+    lowerer.rows(&description.items, &shapes, &mut mechanism);
+    if lowerer.completing {
+        skeleton(&mut mechanism);
+    }
+    let (fields, docs) = (fields(&description), docs(&description));
+    let Lowerer { spans, mentions, completing, .. } = lowerer;
+    let lowered = Lowered {
+        mechanism,
+        spans,
+        item,
+        mentions,
+        fields,
+        flags: description.flags,
+        derives_default: description.derives_default,
+        docs,
+    };
+    Outcome { lowered, completing }
+}
+
+/// Keeps names and forgets what they mean, so that an unfinished description expands to something.
+fn skeleton(mechanism: &mut Mechanism) {
+    mechanism.joints.clear();
+    mechanism.guesses.clear();
+    for body in &mut mechanism.bodies {
+        body.origin_at = body::FREE;
+        body.phi = None;
+    }
+    let origin = mechanism.origin;
+    mechanism.points.iter_mut().for_each(|point| point.place = place::placeholder(origin));
+    mechanism.defines.iter_mut().for_each(|define| define.formula = kin_core::mechanism::Formula::ZERO);
+}
+
+fn fields(description: &Description) -> Vec<Field> {
+    let fields = description.fields.iter().enumerate();
+    fields
+        .map(|(k, field)| Field {
+            ident: field.ident.clone(),
+            ty: field.ty.clone(),
+            len: field.len,
+            role: FieldRole::Parameter(k),
+        })
+        .collect()
+}
+
+fn docs(description: &Description) -> Docs {
+    let mut docs = Docs { mechanism: description.doc.clone(), ..Docs::default() };
+    for item in &description.items {
+        let (name, list) = match item {
+            Item::Body(decl) => (&decl.name, &mut docs.names),
+            Item::Scalar(decl) => (&decl.name, &mut docs.names),
+            Item::Point(decl) => (&decl.name, &mut docs.names),
+            Item::Define(decl) => (&decl.name, &mut docs.names),
+            Item::Row(row) => (&row.name, &mut docs.rows),
+            Item::Guess(_) => continue,
+        };
+        if !name.doc.is_empty() {
+            list.push((text(&name.ident), name.doc.clone()));
+        }
+    }
+    docs
+}
+
+/// What a formula depends on, from nothing to everything.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Class {
+    /// Numbers and parameters.
+    Constant,
+    /// Also t and inputs.
+    Signal,
+    /// Also coordinates.
+    Coordinate,
+}
+
+/// The state of lowering.
+struct Lowerer<'a> {
+    report: &'a Report,
+    names: Names,
+    /// A declaration could not be read: an unknown name may be one that it declares.
+    names_missing: bool,
+    spans: Vec<Span>,
+    mentions: Vec<Mention>,
+    completing: bool,
+    /// The highest class that the formula at hand has reached.
+    reached: Class,
+    /// Points by number; `None` for one with a mistake.
+    points: Vec<Option<NamedPoint>>,
+    /// Defines by number with their classes; `None` for one with a mistake.
+    defines: Vec<Option<(Define, Class)>>,
+}
+
+impl<'a> Lowerer<'a> {
+    fn new(description: &Description, report: &'a Report) -> Self {
+        Self {
+            report,
+            names: Names::default(),
+            names_missing: description.names_missing,
+            spans: Vec::new(),
+            mentions: Vec::new(),
+            completing: false,
+            reached: Class::Constant,
+            points: Vec::new(),
+            defines: Vec::new(),
+        }
+    }
+
+    /// The origin of a token.
+    fn origin(&mut self, span: Span) -> Origin {
+        // More tokens than fit into 32 bits do not fit into a source file either.
+        let origin = Origin(u32::try_from(self.spans.len()).unwrap_or(u32::MAX));
+        self.spans.push(span);
+        origin
+    }
+
+    fn mention(&mut self, kind: MentionKind, ident: &Ident) {
+        self.mentions.push(Mention { kind, ident: ident.clone() });
+    }
+}

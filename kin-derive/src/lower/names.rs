@@ -1,0 +1,96 @@
+//! The table of names and what is said about those that are not in it.
+
+use super::MentionKind;
+use crate::suggest::{listed, nearest};
+use std::collections::BTreeMap;
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Symbol {
+    Parameter(usize),
+    Body(usize),
+    Scalar(usize),
+    Point(usize),
+    Define(usize),
+}
+
+impl Symbol {
+    /// The kind of thing, with its article.
+    pub(super) const fn noun(self) -> &'static str {
+        match self {
+            Self::Parameter(_) => "a parameter",
+            Self::Body(_) => "a body",
+            Self::Scalar(_) => "a coordinate",
+            Self::Point(_) => "a point",
+            Self::Define(_) => "a define",
+        }
+    }
+
+    /// How the expansion mentions it.
+    pub(super) const fn mention(self) -> MentionKind {
+        match self {
+            Self::Parameter(_) => MentionKind::Parameter,
+            Self::Body(_) => MentionKind::Body,
+            Self::Scalar(_) => MentionKind::Scalar,
+            Self::Point(_) => MentionKind::Point,
+            Self::Define(_) => MentionKind::Define,
+        }
+    }
+}
+
+/// How many things a name stands for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Shape {
+    /// One; it takes no index.
+    Single,
+    /// The members with these indices.
+    Family(std::ops::Range<i64>),
+    /// Its brackets could not be read.
+    Unknown,
+}
+
+/// A name that is declared.
+#[derive(Clone, Debug)]
+pub(super) struct Declared {
+    pub(super) name: String,
+    pub(super) symbol: Symbol,
+    pub(super) shape: Shape,
+}
+
+/// All names; of two with one name the first counts.
+#[derive(Debug, Default)]
+pub(super) struct Names {
+    all: Vec<Declared>,
+    by_name: BTreeMap<String, usize>,
+}
+
+impl Names {
+    /// Adds a name.
+    pub(super) fn insert(&mut self, declared: Declared) {
+        self.by_name.entry(declared.name.clone()).or_insert(self.all.len());
+        self.all.push(declared);
+    }
+
+    /// What `name` stands for.
+    pub(super) fn find(&self, name: &str) -> Option<&Declared> {
+        self.by_name.get(name).and_then(|&k| self.all.get(k))
+    }
+
+    /// What to say about a name that is not in the table where one of the `wanted` things belongs.
+    pub(super) fn unknown(&self, name: &str, what: &str, wanted: fn(Symbol) -> bool) -> String {
+        let fitting = || self.all.iter().filter(|d| wanted(d.symbol)).map(|d| d.name.as_str());
+        // `ground` is a body that nobody declares.
+        let ground = wanted(Symbol::Body(0)).then_some("ground");
+        if let Some(best) = nearest(name, fitting().chain(ground)) {
+            return format!("no {what} named `{name}`; did you mean `{best}`?");
+        }
+        let others = self.all.iter().filter(|d| !wanted(d.symbol));
+        if let Some(best) = nearest(name, others.map(|d| d.name.as_str())).and_then(|best| self.find(best)) {
+            return format!("no {what} named `{name}`; there is {} `{}`", best.symbol.noun(), best.name);
+        }
+        if fitting().next().is_none() {
+            return format!("no {what} named `{name}`; none is declared");
+        }
+        format!("no {what} named `{name}`; there are {}", listed(fitting(), "and"))
+    }
+}

@@ -1,0 +1,137 @@
+//! Bodies and points where they are used.
+
+use super::declare::IndexRange;
+use super::formula::{Allow, Scope};
+use super::names::{Declared, Shape, Symbol};
+use super::{Lowerer, MentionKind, substitute};
+use crate::ast::{NameUse, PointExpr};
+use kin_core::error::Origin;
+use kin_core::mechanism::{BodyRef, Formula, Index, Place};
+use syn::Ident;
+
+/// What stands for a point that could not be read.
+pub(super) const fn placeholder(origin: Origin) -> Place {
+    Place { body: BodyRef::Ground(origin), x: Formula::ZERO, y: Formula::ZERO, origin }
+}
+
+/// True for the identifier that an editor puts where it wants to know what could stand.
+pub(super) fn is_completion_marker(ident: &Ident) -> bool {
+    let name = ident.to_string();
+    name.contains("raCompletionMarker") || name.contains("intellijRulezz")
+}
+
+impl Lowerer<'_> {
+    /// What a name stands for, or an error that names what is wanted.
+    pub(super) fn resolve(&mut self, used: &NameUse, what: &str, wanted: fn(Symbol) -> bool) -> Option<Declared> {
+        let name = used.text();
+        if let Some(declared) = self.names.find(&name).cloned() {
+            self.mention(declared.symbol.mention(), &used.ident);
+            return Some(declared);
+        }
+        if is_completion_marker(&used.ident) {
+            self.completing = true;
+            // Parameters live in `self`, everything else in `Self`; an expression offers parameters first.
+            let kind = if wanted(Symbol::Parameter(0)) { MentionKind::Parameter } else { MentionKind::Body };
+            self.mention(kind, &used.ident);
+        } else if !self.names_missing {
+            self.report.error(used.ident.span(), self.names.unknown(&name, what, wanted));
+        }
+        None
+    }
+
+    /// A body.
+    pub(super) fn body(&mut self, used: &NameUse, range: &IndexRange) -> Option<BodyRef> {
+        if used.text() == "ground" {
+            if let Some(index) = &used.index {
+                self.report.error(index.span, "there is one ground; it takes no index");
+                return None;
+            }
+            return Some(BodyRef::Ground(self.origin(used.ident.span())));
+        }
+        let declared = self.resolve(used, "body", |symbol| matches!(symbol, Symbol::Body(_)))?;
+        let Symbol::Body(family) = declared.symbol else {
+            let message = format!("`{}` is {}; a body is needed here", declared.name, declared.symbol.noun());
+            self.report.error(used.ident.span(), message);
+            return None;
+        };
+        let index = self.member(used, &declared, range)?;
+        let origin = self.origin(used.ident.span());
+        Some(BodyRef::Body { family, index, origin })
+    }
+
+    /// A point.
+    pub(super) fn place(&mut self, point: &PointExpr, range: &IndexRange) -> Option<Place> {
+        match point {
+            PointExpr::Hole => None,
+            PointExpr::Named(used) => self.named_point(used, range),
+            PointExpr::At { body, x, y } => {
+                let origin = self.origin(body.ident.span());
+                let scope = Scope { what: "a body-fixed point", allow: Allow::Parameters, range };
+                let body = self.body(body, range);
+                let x = self.formula(x, &scope);
+                let y = self.formula(y, &scope);
+                Some(Place { body: body?, x: x?, y: y?, origin })
+            }
+        }
+    }
+
+    fn named_point(&mut self, used: &NameUse, range: &IndexRange) -> Option<Place> {
+        let name = used.text();
+        if name == "ground" {
+            self.report.error(used.ident.span(), "`ground` is a body; a point of it is written `ground @ (0, 0)`");
+            return None;
+        }
+        let declared = self.resolve(used, "point", |symbol| matches!(symbol, Symbol::Point(_)))?;
+        match declared.symbol {
+            Symbol::Point(k) => self.point_member(k, &declared, used, range),
+            Symbol::Body(_) => {
+                let message = format!("`{name}` is a body; a point of it is written `{name} @ (0, 0)`");
+                self.report.error(used.ident.span(), message);
+                None
+            }
+            other => {
+                let message =
+                    format!("`{name}` is {}; a point is needed here: `body @ (x, y)` or a named point", other.noun());
+                self.report.error(used.ident.span(), message);
+                None
+            }
+        }
+    }
+
+    /// The place of a member of point `k`, seen from where it is used.
+    pub(super) fn point_member(
+        &mut self,
+        k: usize,
+        declared: &Declared,
+        used: &NameUse,
+        range: &IndexRange,
+    ) -> Option<Place> {
+        let index = self.member(used, declared, range)?;
+        self.within(index, declared, used, range)?;
+        let place = self.points.get(k)?.as_ref()?.place.clone();
+        let origin = self.origin(used.ident.span());
+        Some(Place { origin, ..substitute::place(&place, index) })
+    }
+
+    /// Checks the bounds of an index here, since the model has no trace of the point that was used.
+    fn within(&self, index: Index, declared: &Declared, used: &NameUse, range: &IndexRange) -> Option<()> {
+        let Shape::Family(members) = &declared.shape else { return Some(()) };
+        let (first, last) = match range {
+            IndexRange::Over(range) => (range.start, range.end - 1),
+            IndexRange::None | IndexRange::Unknown => (0, 0),
+        };
+        for i in [first, last] {
+            let value = index.scale.saturating_mul(i).saturating_add(index.offset);
+            if !members.contains(&value) {
+                let name = &declared.name;
+                let at = if index.scale == 0 { String::new() } else { format!(" (where the index variable is {i})") };
+                let (first, last) = (members.start, members.end - 1);
+                let message =
+                    format!("`{name}[{value}]` does not exist{at}; there are `{name}[{first}]` to `{name}[{last}]`");
+                self.report.error(used.ident.span(), message);
+                return None;
+            }
+        }
+        Some(())
+    }
+}

@@ -1,0 +1,153 @@
+//! Functions of the language, as calls and as methods.
+
+use super::expr::{deeper, end_of_expr, join, nested};
+use super::fold::constant;
+use super::point::point_at_depth;
+use crate::ast::{Expr, ExprKind, text};
+use crate::suggest::did_you_mean;
+use kin_core::mechanism::Function;
+use syn::parse::ParseStream;
+use syn::{Error, Ident, Result, Token, parenthesized};
+
+/// `name(…)`; the cursor stands before the parenthesis.
+pub(super) fn function(name: Ident, input: ParseStream, depth: usize) -> Result<Expr> {
+    let content;
+    let parens = parenthesized!(content in input);
+    let span = join(name.span(), parens.span.join());
+    match text(&name).as_str() {
+        "distance" => distance(&name, &content, depth),
+        "dot" => Err(Error::new(name.span(), "`dot` belongs to `nonholonomic`, which is not supported yet")),
+        "powi" | "powf" => {
+            let message = format!("`{name}` is a method, `a.{name}(n)`; as a function it is called `pow(a, n)`");
+            Err(Error::new(name.span(), message))
+        }
+        "pow" => {
+            let [base, exponent] = take(&name, arguments(&content, depth)?, "pow(a, n)")?;
+            power(base, &exponent, "pow", span)
+        }
+        "atan2" => {
+            let [y, x] = take(&name, arguments(&content, depth)?, "atan2(y, x)")?;
+            atan2(y, x, span)
+        }
+        known => {
+            let arguments = arguments(&content, depth)?;
+            let Some(function) = Function::from_name(known) else {
+                let heights: Vec<usize> = arguments.iter().map(|a| a.height).collect();
+                return Expr::over(ExprKind::Apply(name, arguments), span, &heights);
+            };
+            let [a] = take(&name, arguments, &format!("{known}(a)"))?;
+            call(function, a, span)
+        }
+    }
+}
+
+/// `value.name(…)`; the cursor stands before the parenthesis.
+pub(super) fn method(value: Expr, name: Ident, input: ParseStream, depth: usize) -> Result<Expr> {
+    let depth = deeper(input, depth)?;
+    let content;
+    let parens = parenthesized!(content in input);
+    let span = join(value.span, parens.span.join());
+    let arguments = arguments(&content, depth)?;
+    match text(&name).as_str() {
+        "atan2" => {
+            let [x] = take(&name, arguments, "y.atan2(x)")?;
+            atan2(value, x, span)
+        }
+        "powi" => {
+            let [n] = take(&name, arguments, "a.powi(n)")?;
+            power(value, &n, "powi", span)
+        }
+        "powf" => {
+            let [n] = take(&name, arguments, "a.powf(n)")?;
+            power(value, &n, "powf", span)
+        }
+        "pow" => Err(Error::new(name.span(), "powers are written `pow(a, n)`, `a.powi(n)` or `a.powf(n)`")),
+        known => {
+            let Some(function) = Function::from_name(known) else {
+                return Err(unknown_method(&name, known));
+            };
+            let [] = take(&name, arguments, &format!("a.{known}()"))?;
+            call(function, value, span)
+        }
+    }
+}
+
+fn unknown_method(name: &Ident, known: &str) -> Error {
+    const OTHERS: [&str; 3] = ["atan2", "powi", "powf"];
+    let methods = Function::ALL.iter().map(|f| f.name()).chain(OTHERS);
+    let suggestion = did_you_mean(known, methods);
+    let message = if suggestion.is_empty() {
+        format!(
+            "no function `{known}`; there are sin, cos, tan, asin, acos, atan, atan2, sqrt, exp, ln, abs, powi and powf"
+        )
+    } else {
+        format!("no function `{known}`{suggestion}")
+    };
+    Error::new(name.span(), message)
+}
+
+fn call(function: Function, a: Expr, span: proc_macro2::Span) -> Result<Expr> {
+    let height = a.height;
+    Expr::over(ExprKind::Call(function, Box::new(a)), span, &[height])
+}
+
+fn atan2(y: Expr, x: Expr, span: proc_macro2::Span) -> Result<Expr> {
+    let heights = [y.height, x.height];
+    Expr::over(ExprKind::Atan2(Box::new(y), Box::new(x)), span, &heights)
+}
+
+fn power(base: Expr, exponent: &Expr, name: &str, span: proc_macro2::Span) -> Result<Expr> {
+    let n = constant(exponent, "an exponent")?;
+    if name == "powi" && n.fract() != 0.0 {
+        return Err(Error::new(exponent.span, "the exponent of `powi` is an integer; `powf` takes any number"));
+    }
+    let height = base.height;
+    Expr::over(ExprKind::Pow(Box::new(base), n), span, &[height])
+}
+
+fn distance(name: &Ident, content: ParseStream, depth: usize) -> Result<Expr> {
+    let wrong = || Error::new(name.span(), "`distance` takes two points: `distance(P, Q)`, `distance(a @ (0, 0), Q)`");
+    let (p, p_height) = point_at_depth(content, depth)?;
+    if content.is_empty() {
+        return Err(wrong());
+    }
+    content.parse::<Token![,]>().map_err(|error| Error::new(error.span(), "expected a comma between two points"))?;
+    if content.is_empty() {
+        return Err(wrong());
+    }
+    let (q, q_height) = point_at_depth(content, depth)?;
+    if content.peek(Token![,]) {
+        content.parse::<Token![,]>()?;
+    }
+    if !content.is_empty() {
+        return Err(wrong());
+    }
+    Expr::over(ExprKind::Distance(p, q), name.span(), &[p_height, q_height])
+}
+
+fn arguments(content: ParseStream, depth: usize) -> Result<Vec<Expr>> {
+    let mut arguments = Vec::new();
+    while !content.is_empty() {
+        arguments.push(nested(content, depth)?);
+        end_of_expr(content)?;
+        if content.is_empty() {
+            break;
+        }
+        content
+            .parse::<Token![,]>()
+            .map_err(|error| Error::new(error.span(), "an `=` cannot stand inside the brackets of a function"))?;
+    }
+    Ok(arguments)
+}
+
+/// Exactly `N` arguments, or an error on the function's name with the right `form`.
+fn take<const N: usize>(name: &Ident, arguments: Vec<Expr>, form: &str) -> Result<[Expr; N]> {
+    let given = arguments.len();
+    arguments.try_into().map_err(|_| {
+        let values = if given == 1 { "value" } else { "values" };
+        Error::new(
+            name.span(),
+            format!("`{}` is written `{form}`; here are {given} {values} in its brackets", text(name)),
+        )
+    })
+}

@@ -1,0 +1,170 @@
+//! What declares names: bodies, coordinates, points and defines; and the guess.
+
+use super::expr::{end_of_expr, expr};
+use super::index::{identifier, name_or_family, new_name};
+use super::list::{comma, end_of_part, list, skip_part};
+use super::parts::is_option;
+use super::point::point;
+use crate::ast::{BodyDecl, DefineDecl, Expr, GuessDecl, Item, PointDecl, PointExpr, ScalarDecl, text};
+use crate::report::Report;
+use crate::suggest::did_you_mean;
+use syn::ext::IdentExt;
+use syn::parse::ParseStream;
+use syn::{Error, Ident, Result, Token};
+
+/// `crank, link[10]`; false when a name could not be read.
+pub(super) fn bodies(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
+    nonempty(input, keyword, "#[bodies(crank, coupler)]", report);
+    list(input, report, |input| {
+        let name = new_name(input, report)?;
+        items.push(Item::Body(BodyDecl { name, held: Vec::new(), carried: None }));
+        if input.peek(Token![=]) {
+            return Err(input
+                .error("what is given of a body stands in an attribute of its own: `#[body(crank, x = 0, y = 0)]`"));
+        }
+        Ok(())
+    })
+}
+
+/// `phi1, u[3]`.
+pub(super) fn coordinates(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
+    nonempty(input, keyword, "#[coordinates(phi1, phi2)]", report);
+    list(input, report, |input| {
+        let name = new_name(input, report)?;
+        items.push(Item::Scalar(ScalarDecl { name }));
+        Ok(())
+    })
+}
+
+/// `tip = coupler @ (0, 0.1)`.
+pub(super) fn points(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
+    const FORM: &str = "#[point(tip = coupler @ (0, 0.1))]";
+    nonempty(input, keyword, FORM, report);
+    list(input, report, |input| {
+        let name = new_name(input, report)?;
+        let place = report.ok(equals(input, FORM).and_then(|()| point(input))).unwrap_or(PointExpr::Hole);
+        items.push(Item::Point(PointDecl { name, place }));
+        Ok(())
+    })
+}
+
+/// `stroke = slider.x - d1`.
+pub(super) fn defines(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
+    const FORM: &str = "#[define(stroke = slider.x - d1)]";
+    nonempty(input, keyword, FORM, report);
+    list(input, report, |input| {
+        let name = new_name(input, report)?;
+        let value = equals(input, FORM).and_then(|()| value(input));
+        let value = report.ok(value).unwrap_or(Expr::hole(name.ident.span()));
+        items.push(Item::Define(DefineDecl { name, value }));
+        Ok(())
+    })
+}
+
+/// `coupler.phi = 0.9, u = 0.3, link[i in 0..10].phi = 0`.
+pub(super) fn guess(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) {
+    const FORM: &str = "#[guess(coupler.phi = 0.9)]";
+    nonempty(input, keyword, FORM, report);
+    list(input, report, |input| {
+        let (target, range) = name_or_family(input)?;
+        let component = if input.peek(Token![.]) {
+            input.parse::<Token![.]>()?;
+            Some(input.call(Ident::parse_any)?)
+        } else {
+            None
+        };
+        let value = report.ok(equals(input, FORM).and_then(|()| value(input)));
+        let value = value.unwrap_or(Expr::hole(target.ident.span()));
+        items.push(Item::Guess(GuessDecl { target, range, component, value }));
+        Ok(())
+    });
+}
+
+/// `b, x = e, y = e, phi = e` or `b, origin = a @ (ex, ey)`; false when the name could not be read.
+pub(super) fn body(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
+    const FORM: &str = "#[body(crank, x = 0, y = 0)]";
+    nonempty(input, keyword, FORM, report);
+    let name = match new_name(input, report) {
+        Ok(name) => name,
+        Err(_) if input.is_empty() => return false,
+        Err(error) => {
+            report.push(error);
+            return false;
+        }
+    };
+    let mut decl = BodyDecl { name, held: Vec::new(), carried: None };
+    finish(end_of_part(input), input, report);
+    while !input.is_empty() {
+        if !is_option(input) {
+            report.push(
+                input.error(format!("`body` declares one body; what is given follows as `key = value`: `{FORM}`")),
+            );
+            skip_part(input);
+            comma(input);
+            continue;
+        }
+        finish(given(input, &mut decl), input, report);
+    }
+    items.push(Item::Body(decl));
+    true
+}
+
+fn given(input: ParseStream, decl: &mut BodyDecl) -> Result<()> {
+    const KEYS: [&str; 4] = ["x", "y", "phi", "origin"];
+    let key = identifier(input)?;
+    input.parse::<Token![=]>()?;
+    let name = text(&key);
+    let twice = decl.held.iter().any(|(given, _)| text(given) == name) || name == "origin" && decl.carried.is_some();
+    if twice {
+        return Err(Error::new(key.span(), format!("`{name}` is given twice; one value is enough")));
+    }
+    match name.as_str() {
+        "origin" => {
+            // Given, even when its value cannot be read.
+            let (_, slot) = decl.carried.insert((key, PointExpr::Hole));
+            *slot = point(input)?;
+        }
+        "x" | "y" | "phi" => {
+            let span = key.span();
+            decl.held.push((key, Expr::hole(span)));
+            let value = value(input)?;
+            if let Some((_, slot)) = decl.held.last_mut() {
+                *slot = value;
+            }
+        }
+        _ => {
+            let suggestion = did_you_mean(&name, KEYS);
+            let message =
+                format!("`body` has no option `{name}`{suggestion}; its options are `x`, `y`, `phi` and `origin`");
+            return Err(Error::new(key.span(), message));
+        }
+    }
+    end_of_part(input)
+}
+
+fn finish(result: Result<()>, input: ParseStream, report: &Report) {
+    if report.ok(result).is_none() {
+        skip_part(input);
+    }
+    comma(input);
+}
+
+fn value(input: ParseStream) -> Result<Expr> {
+    let value = expr(input)?;
+    end_of_expr(input)?;
+    Ok(value)
+}
+
+fn equals(input: ParseStream, form: &str) -> Result<()> {
+    if input.peek(Token![=]) && !input.peek(Token![==]) {
+        input.parse::<Token![=]>()?;
+        return Ok(());
+    }
+    Err(input.error(format!("expected `=` and a value: `{form}`")))
+}
+
+fn nonempty(input: ParseStream, keyword: &Ident, form: &str, report: &Report) {
+    if input.is_empty() {
+        report.error(keyword.span(), format!("`{keyword}` says nothing here; it is written `{form}`"));
+    }
+}

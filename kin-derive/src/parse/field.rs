@@ -1,0 +1,186 @@
+//! Fields of the struct and `#[param(default, unit = "m")]`.
+
+use super::docs::first_paragraph;
+use super::expr::{end_of_expr, expr};
+use super::fold::constant;
+use super::keyword::{self, Keyword};
+use super::list::{comma, end_of_part, inside, skip_part};
+use super::parts::is_option;
+use crate::ast::{FieldDecl, text};
+use crate::report::Report;
+use crate::suggest::did_you_mean;
+use kin_core::mechanism::check::MAX_MEMBERS;
+use proc_macro2::Span;
+use syn::ext::IdentExt;
+use syn::parse::ParseStream;
+use syn::spanned::Spanned;
+use syn::{Attribute, Error, Expr, ExprLit, Field, Lit, LitStr, Meta, Result, Token, Type, bracketed, token};
+
+const FORM: &str = "#[param(0.1, unit = \"m\")]";
+
+/// A default as written: one number for all elements, or one for each.
+enum Default {
+    One(f64),
+    Each(Vec<f64>, Span),
+}
+
+#[derive(Default)]
+struct Param {
+    default: Option<Default>,
+    unit: Option<String>,
+}
+
+/// Takes our attributes off a field and reads it; the flag is set when an attribute that declares names is lost.
+pub(super) fn field(field: &mut Field, report: &Report, names_missing: &mut bool) -> Option<FieldDecl> {
+    let mut param: Option<Param> = None;
+    let attributes = std::mem::take(&mut field.attrs);
+    for attribute in attributes {
+        let Some(word) = attribute.path().get_ident().cloned() else {
+            field.attrs.push(attribute);
+            continue;
+        };
+        let name = text(&word);
+        match keyword::find(&name) {
+            Some(Keyword::Param) if param.is_some() => {
+                report.error(word.span(), "`param` is given twice; one default and one unit are enough");
+            }
+            Some(Keyword::Param) => param = Some(read_param(&attribute, report)),
+            Some(other) => {
+                *names_missing |= other.declares();
+                let message = format!("`{name}` stands above the struct; a field takes `{FORM}`");
+                report.error(word.span(), message);
+            }
+            None => match keyword::near_miss(&name) {
+                Some((message, declares)) => {
+                    *names_missing |= declares;
+                    report.error(word.span(), message);
+                }
+                None => field.attrs.push(attribute),
+            },
+        }
+    }
+    let ident = field.ident.clone()?;
+    let len = report.ok(array_len(&field.ty));
+    let Param { default, unit } = param.unwrap_or_default();
+    let default = match (default, len) {
+        (Some(default), Some(len)) => report.ok(elements(default, len, &text(&ident))),
+        _ => None,
+    };
+    let doc = first_paragraph(&field.attrs);
+    Some(FieldDecl { ident, ty: field.ty.clone(), len: len.flatten(), default, unit, doc })
+}
+
+fn read_param(attribute: &Attribute, report: &Report) -> Param {
+    let mut param = Param::default();
+    // `#[param]` marks a parameter without default.
+    if matches!(attribute.meta, Meta::Path(_)) {
+        return param;
+    }
+    let Some(word) = attribute.path().get_ident() else { return param };
+    inside(attribute, word, FORM, report, |input| {
+        let mut first = true;
+        while !input.is_empty() {
+            if report.ok(part(input, first, &mut param)).is_none() {
+                skip_part(input);
+            }
+            comma(input);
+            first = false;
+        }
+        Ok(())
+    });
+    param
+}
+
+fn part(input: ParseStream, first: bool, param: &mut Param) -> Result<()> {
+    if is_option(input) {
+        let key = input.call(syn::Ident::parse_any)?;
+        input.parse::<Token![=]>()?;
+        let name = text(&key);
+        if name != "unit" {
+            let suggestion = did_you_mean(&name, ["unit"]);
+            let message = format!("`param` has no option `{name}`{suggestion}; it is written `{FORM}`");
+            return Err(Error::new(key.span(), message));
+        }
+        if param.unit.is_some() {
+            return Err(Error::new(key.span(), "`unit` is given twice; one is enough"));
+        }
+        let unit: LitStr = input
+            .parse()
+            .map_err(|error: Error| Error::new(error.span(), "a unit is written in quotes: `unit = \"m\"`"))?;
+        param.unit = Some(unit.value());
+        return end_of_part(input);
+    }
+    if !first {
+        return Err(input.error(format!("a parameter has one default, then its unit: `{FORM}`")));
+    }
+    param.default = Some(if input.peek(token::Bracket) { each(input)? } else { Default::One(number(input)?) });
+    end_of_part(input)
+}
+
+fn each(input: ParseStream) -> Result<Default> {
+    let content;
+    let brackets = bracketed!(content in input);
+    let mut values = Vec::new();
+    while !content.is_empty() {
+        values.push(number(&content)?);
+        if !content.is_empty() {
+            content.parse::<Token![,]>()?;
+        }
+    }
+    Ok(Default::Each(values, brackets.span.join()))
+}
+
+fn number(input: ParseStream) -> Result<f64> {
+    let value = expr(input)?;
+    end_of_expr(input)?;
+    constant(&value, "a default")
+}
+
+/// The default of every element.
+fn elements(default: Default, len: Option<usize>, name: &str) -> Result<Vec<f64>> {
+    match (default, len) {
+        (Default::One(value), len) => Ok(vec![value; len.unwrap_or(1)]),
+        (Default::Each(_, span), None) => {
+            Err(Error::new(span, format!("`{name}` is a single number; its default is one number")))
+        }
+        (Default::Each(values, span), Some(len)) if values.len() != len => {
+            let given = values.len();
+            Err(Error::new(
+                span,
+                format!("`{name}` has {len} elements and {given} defaults; give one for each, or one number for all"),
+            ))
+        }
+        (Default::Each(values, _), Some(_)) => Ok(values),
+    }
+}
+
+/// The length of an array type, `None` for a single number.
+fn array_len(ty: &Type) -> Result<Option<usize>> {
+    match ty {
+        Type::Group(group) => array_len(&group.elem),
+        Type::Paren(paren) => array_len(&paren.elem),
+        Type::Path(_) | Type::Macro(_) => Ok(None),
+        Type::Array(array) => {
+            if array_len(&array.elem)?.is_some() {
+                return Err(Error::new(array.elem.span(), "an array parameter has one index: `[f64; 10]`"));
+            }
+            literal_len(&array.len).map(Some)
+        }
+        _ => Err(Error::new(
+            ty.span(),
+            "a parameter is a number such as `f64` or an array of numbers such as `[f64; 10]`",
+        )),
+    }
+}
+
+fn literal_len(len: &Expr) -> Result<usize> {
+    let wrong = || Error::new(len.span(), "the length of an array parameter is an integer literal: `[f64; 10]`");
+    match len {
+        Expr::Group(group) => literal_len(&group.expr),
+        Expr::Lit(ExprLit { lit: Lit::Int(int), .. }) => match int.base10_parse::<usize>() {
+            Ok(n) if n <= MAX_MEMBERS => Ok(n),
+            _ => Err(Error::new(int.span(), format!("an array parameter has at most {MAX_MEMBERS} elements"))),
+        },
+        _ => Err(wrong()),
+    }
+}

@@ -1,0 +1,60 @@
+//! Constant expressions: defaults of parameters and exponents are numbers when the macro runs.
+
+use crate::ast::{Expr, ExprKind, Operator};
+use kin_core::mechanism::Function;
+use syn::{Error, Result};
+
+/// The value of `expr`; an error on the first part that is no constant.
+pub(super) fn constant(expr: &Expr, what: &str) -> Result<f64> {
+    let value = value(expr, what)?;
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::new(expr.span, format!("{what} is a finite number; this one is {value}")))
+    }
+}
+
+fn value(expr: &Expr, what: &str) -> Result<f64> {
+    Ok(match &expr.kind {
+        ExprKind::Number(value) => *value,
+        ExprKind::Name(name) if name.index.is_none() && name.text() == "pi" => core::f64::consts::PI,
+        ExprKind::Neg(a) => -value(a, what)?,
+        ExprKind::Binary(operator, a, b) => {
+            let (a, b) = (value(a, what)?, value(b, what)?);
+            match operator {
+                Operator::Add => a + b,
+                Operator::Sub => a - b,
+                Operator::Mul => a * b,
+                Operator::Div => a / b,
+            }
+        }
+        ExprKind::Pow(a, n) => value(a, what)?.powf(*n),
+        ExprKind::Call(function, a) => call(*function, value(a, what)?),
+        ExprKind::Atan2(y, x) => value(y, what)?.atan2(value(x, what)?),
+        ExprKind::Name(name) | ExprKind::Component(name, _) => {
+            let message = format!("{what} is a constant made of numbers and `pi`; `{}` has no value here", name.text());
+            return Err(Error::new(name.ident.span(), message));
+        }
+        ExprKind::Apply(name, _) => {
+            return Err(Error::new(name.span(), format!("{what} is a constant; there is no function `{name}`")));
+        }
+        ExprKind::Distance(..) | ExprKind::Hole => {
+            return Err(Error::new(expr.span, format!("{what} is a constant made of numbers and `pi`")));
+        }
+    })
+}
+
+fn call(function: Function, a: f64) -> f64 {
+    match function {
+        Function::Sin => a.sin(),
+        Function::Cos => a.cos(),
+        Function::Tan => a.tan(),
+        Function::Asin => a.asin(),
+        Function::Acos => a.acos(),
+        Function::Atan => a.atan(),
+        Function::Sqrt => a.sqrt(),
+        Function::Exp => a.exp(),
+        Function::Ln => a.ln(),
+        Function::Abs => a.abs(),
+    }
+}

@@ -1,0 +1,237 @@
+//! Names with brackets: `link[10]`, `N[i in 0..10]`, and indices such as `link[2*i + 1]`.
+
+use super::docs::inner_doc;
+use crate::ast::{Bracket, IndexExpr, NameUse, NewName, RangeDecl, text};
+use crate::report::Report;
+use kin_core::mechanism::check::MAX_MEMBERS;
+use proc_macro2::Span;
+use syn::ext::IdentExt;
+use syn::parse::ParseStream;
+use syn::{Error, Ident, LitInt, Result, Token, bracketed, token};
+
+/// The largest number in an index; what a family can hold is far smaller.
+const MAX_NUMBER: i64 = 1_000_000;
+
+/// The name of something new with its doc comment; brackets that cannot be read are reported and leave a hole,
+/// so that the name is known nevertheless.
+pub(super) fn new_name(input: ParseStream, report: &Report) -> Result<NewName> {
+    let doc = inner_doc(input)?;
+    let ident = identifier(input)?;
+    let bracket = input.peek(token::Bracket).then(|| report.ok(bracket(input)).unwrap_or(Bracket::Hole));
+    Ok(NewName { ident, bracket, doc })
+}
+
+/// A name that is used, or a family all of whose members are meant: `link[i in 0..10]`.
+pub(super) fn name_or_family(input: ParseStream) -> Result<(NameUse, Option<RangeDecl>)> {
+    let ident = identifier(input)?;
+    if !input.peek(token::Bracket) {
+        return Ok((NameUse { ident, index: None }, None));
+    }
+    let content;
+    let brackets = bracketed!(content in input);
+    let span = brackets.span.join();
+    if !is_range(&content) {
+        return Ok((NameUse { ident, index: Some(linear(&content, span)?) }, None));
+    }
+    let range = range(&content, span)?;
+    let index = IndexExpr { scale: 1, variable: Some(range.variable.clone()), offset: 0, span };
+    Ok((NameUse { ident, index: Some(index) }, Some(range)))
+}
+
+fn is_range(content: ParseStream) -> bool {
+    content.peek(Ident::peek_any) && content.peek2(Token![in])
+}
+
+/// A name that is used.
+pub(super) fn name_use(input: ParseStream) -> Result<NameUse> {
+    let ident = identifier(input)?;
+    let index = if input.peek(token::Bracket) { Some(index(input)?) } else { None };
+    Ok(NameUse { ident, index })
+}
+
+/// An identifier; keywords of Rust are told how to become one.
+pub(super) fn identifier(input: ParseStream) -> Result<Ident> {
+    if !input.peek(Ident) && input.peek(Ident::peek_any) {
+        let word = Ident::parse_any(input)?;
+        let name = text(&word);
+        let message = match name.as_str() {
+            "self" | "Self" => "names stand alone: `l1`, not `self.l1`".to_owned(),
+            "super" | "crate" | "_" => format!("expected a name, found `{name}`"),
+            _ => format!("`{name}` is a keyword of Rust; as a name it is written `r#{name}`"),
+        };
+        return Err(Error::new(word.span(), message));
+    }
+    input.parse().map_err(|error: Error| Error::new(error.span(), "expected a name"))
+}
+
+fn bracket(input: ParseStream) -> Result<Bracket> {
+    let content;
+    let brackets = bracketed!(content in input);
+    let span = brackets.span.join();
+    if is_range(&content) {
+        return range(&content, span).map(Bracket::Range);
+    }
+    let len = whole_number(&content).map_err(|error| {
+        let right =
+            "brackets of a new name hold a length, `link[10]`, or a range, `N[i in 0..10]`; both are integer literals";
+        Error::new(error.span(), right)
+    })?;
+    nothing_left(&content, "a length is one integer literal, `link[10]`")?;
+    match usize::try_from(len.0) {
+        Ok(0) => Err(Error::new(len.1, "a family has at least one member")),
+        Ok(n) if n <= MAX_MEMBERS => Ok(Bracket::Len(n, span)),
+        _ => Err(Error::new(len.1, format!("a family has at most {MAX_MEMBERS} members"))),
+    }
+}
+
+fn range(content: ParseStream, span: Span) -> Result<RangeDecl> {
+    let variable = identifier(content)?;
+    content.parse::<Token![in]>()?;
+    let literal = |input: ParseStream| {
+        whole_number(input)
+            .map_err(|error| Error::new(error.span(), "bounds of a range are integer literals: `N[i in 0..10]`"))
+    };
+    let (start, _) = literal(content)?;
+    if content.peek(Token![..=]) || content.peek(Token![...]) {
+        return Err(content.error("a range is written `start..end` and ends before `end`"));
+    }
+    content
+        .parse::<Token![..]>()
+        .map_err(|error| Error::new(error.span(), "a range is written `i in start..end`: `N[i in 0..10]`"))?;
+    let (end, end_span) = literal(content)?;
+    nothing_left(content, "a range is written `i in start..end`: `N[i in 0..10]`")?;
+    if start >= end {
+        return Err(Error::new(
+            end_span,
+            format!("the range {start}..{end} is empty; it ends before its second bound"),
+        ));
+    }
+    if end > MAX_MEMBERS as i64 {
+        return Err(Error::new(end_span, format!("a range ends at {MAX_MEMBERS} at the latest")));
+    }
+    Ok(RangeDecl { variable, start, end, span })
+}
+
+/// `[2*i + 1]`.
+fn index(input: ParseStream) -> Result<IndexExpr> {
+    let content;
+    let brackets = bracketed!(content in input);
+    linear(&content, brackets.span.join())
+}
+
+fn linear(content: ParseStream, span: Span) -> Result<IndexExpr> {
+    if content.is_empty() {
+        return Err(Error::new(span, "an index is missing: `link[3]`, `link[i + 1]`"));
+    }
+    if is_range(content) {
+        let message = "a range stands behind the name of the row: `N[i in 0..10]: link[i] @ (0, 0), …`";
+        return Err(Error::new(span, message));
+    }
+    let sum = sum(content)?;
+    nothing_left(content, "an index is linear in the index variable: `3`, `i + 1`, `2*i`")?;
+    Ok(IndexExpr { scale: sum.scale, variable: sum.variable, offset: sum.offset, span })
+}
+
+/// `scale * variable + offset` on the way.
+struct Linear {
+    scale: i64,
+    variable: Option<Ident>,
+    offset: i64,
+}
+
+impl Linear {
+    fn add(self, other: Self, sign: i64, span: Span) -> Result<Self> {
+        if let (Some(a), Some(b)) = (&self.variable, &other.variable)
+            && text(a) != text(b)
+        {
+            return Err(Error::new(b.span(), "an index has one variable"));
+        }
+        Self {
+            scale: self.scale.saturating_add(other.scale.saturating_mul(sign)),
+            variable: self.variable.or(other.variable),
+            offset: self.offset.saturating_add(other.offset.saturating_mul(sign)),
+        }
+        .bounded(span)
+    }
+
+    fn mul(self, other: Self, span: Span) -> Result<Self> {
+        let (factor, linear) = match (&self.variable, &other.variable) {
+            (None, _) => (self.offset, other),
+            (_, None) => (other.offset, self),
+            _ => return Err(Error::new(span, "an index is linear in the index variable: `3`, `i + 1`, `2*i`")),
+        };
+        Self {
+            scale: linear.scale.saturating_mul(factor),
+            variable: linear.variable,
+            offset: linear.offset.saturating_mul(factor),
+        }
+        .bounded(span)
+    }
+
+    fn bounded(self, span: Span) -> Result<Self> {
+        if self.scale.abs() > MAX_NUMBER || self.offset.abs() > MAX_NUMBER {
+            return Err(Error::new(span, format!("numbers in an index are at most {MAX_NUMBER}")));
+        }
+        Ok(self)
+    }
+}
+
+fn sum(input: ParseStream) -> Result<Linear> {
+    let mut total = product(input)?;
+    loop {
+        let sign = match () {
+            () if input.peek(Token![+]) => input.parse::<Token![+]>().map(|_| 1)?,
+            () if input.peek(Token![-]) => input.parse::<Token![-]>().map(|_| -1)?,
+            () => return Ok(total),
+        };
+        let span = input.span();
+        total = total.add(product(input)?, sign, span)?;
+    }
+}
+
+fn product(input: ParseStream) -> Result<Linear> {
+    let mut total = factor(input)?;
+    while input.peek(Token![*]) {
+        input.parse::<Token![*]>()?;
+        let span = input.span();
+        total = total.mul(factor(input)?, span)?;
+    }
+    Ok(total)
+}
+
+fn factor(input: ParseStream) -> Result<Linear> {
+    let mut sign = 1;
+    while input.peek(Token![-]) {
+        input.parse::<Token![-]>()?;
+        sign = -sign;
+    }
+    let span = input.span();
+    let value = if input.peek(token::Paren) {
+        let content;
+        syn::parenthesized!(content in input);
+        let inner = sum(&content)?;
+        nothing_left(&content, "an index is linear in the index variable: `3`, `i + 1`, `2*i`")?;
+        inner
+    } else if input.peek(Ident::peek_any) {
+        Linear { scale: 1, variable: Some(identifier(input)?), offset: 0 }
+    } else {
+        let (offset, _) = whole_number(input)?;
+        Linear { scale: 0, variable: None, offset }
+    };
+    value.mul(Linear { scale: 0, variable: None, offset: sign }, span)
+}
+
+/// An integer literal without sign and suffix.
+fn whole_number(input: ParseStream) -> Result<(i64, Span)> {
+    let wrong = "an index is made of integers and the index variable: `3`, `i + 1`, `2*i`";
+    let literal: LitInt = input.parse().map_err(|error: Error| Error::new(error.span(), wrong))?;
+    match literal.base10_parse::<i64>() {
+        Ok(value) if literal.suffix().is_empty() => Ok((value.min(2 * MAX_NUMBER), literal.span())),
+        Ok(_) => Err(Error::new(literal.span(), "an integer here has no suffix")),
+        Err(_) => Err(Error::new(literal.span(), format!("numbers in an index are at most {MAX_NUMBER}"))),
+    }
+}
+
+fn nothing_left(content: ParseStream, right: &str) -> Result<()> {
+    if content.is_empty() { Ok(()) } else { Err(content.error(right)) }
+}

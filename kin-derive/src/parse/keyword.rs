@@ -1,0 +1,131 @@
+//! Which attributes are ours.
+
+use super::rows::{self, RowForm};
+use crate::suggest::{listed, near};
+
+/// What an attribute of ours declares.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Keyword {
+    Bodies,
+    Body,
+    Coordinates,
+    Point,
+    Define,
+    Guess,
+    /// A joint, driver or equation.
+    Row(&'static RowForm),
+    /// Stands on a field.
+    Param,
+    /// `#[mechanism]` itself, a second time.
+    Mechanism,
+    /// Belongs to the language, but is not there yet; true when it declares a name.
+    Later {
+        declares: bool,
+    },
+}
+
+impl Keyword {
+    /// True when names may be missing after such an attribute could not be read.
+    pub(super) const fn declares(self) -> bool {
+        matches!(
+            self,
+            Self::Bodies | Self::Body | Self::Coordinates | Self::Point | Self::Define | Self::Later { declares: true }
+        )
+    }
+}
+
+const LATER: Keyword = Keyword::Later { declares: false };
+
+/// The words that are no rows.
+const WORDS: [(&str, Keyword); 20] = [
+    ("bodies", Keyword::Bodies),
+    ("body", Keyword::Body),
+    ("coordinates", Keyword::Coordinates),
+    ("point", Keyword::Point),
+    ("define", Keyword::Define),
+    ("guess", Keyword::Guess),
+    ("param", Keyword::Param),
+    ("mechanism", Keyword::Mechanism),
+    ("input", Keyword::Later { declares: true }),
+    ("function", Keyword::Later { declares: true }),
+    ("gear", LATER),
+    ("belt", LATER),
+    ("rack_pinion", LATER),
+    ("on_curve", LATER),
+    ("flat_follower", LATER),
+    ("rolling", LATER),
+    ("knife_edge", LATER),
+    ("speed", LATER),
+    ("nonholonomic", LATER),
+    ("unilateral", LATER),
+];
+
+fn words() -> impl Iterator<Item = (&'static str, Keyword)> {
+    WORDS.into_iter().chain(rows::FORMS.iter().map(|form| (form.keyword, Keyword::Row(form))))
+}
+
+/// The keyword called `name`.
+pub(super) fn find(name: &str) -> Option<Keyword> {
+    words().find(|(word, _)| *word == name).map(|(_, keyword)| keyword)
+}
+
+/// Attributes that the compiler or common crates own, however close they are to ours.
+const FOREIGN: [&str; 18] = [
+    "allow",
+    "automatically_derived",
+    "cfg",
+    "cfg_attr",
+    "cold",
+    "default",
+    "deny",
+    "deprecated",
+    "derive",
+    "doc",
+    "expect",
+    "forbid",
+    "inline",
+    "must_use",
+    "non_exhaustive",
+    "repr",
+    "serde",
+    "warn",
+];
+
+/// What is wrong with an attribute that is not ours, when it is a slip of one that is; and whether names may
+/// be missing because of it.
+pub(super) fn near_miss(name: &str) -> Option<(String, bool)> {
+    if FOREIGN.contains(&name) {
+        return None;
+    }
+    // `x` and `y` are too short for a slip.
+    let candidates = near(name, words().map(|(word, _)| word).filter(|word| word.len() > 2));
+    if candidates.is_empty() {
+        return None;
+    }
+    let declares = candidates.iter().any(|word| find(word).is_some_and(Keyword::declares));
+    let meant = listed(candidates, "or");
+    Some((format!("no attribute `{name}` in kin; did you mean {meant}?"), declares))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slips_of_our_words_are_seen() {
+        for (slip, meant) in [("revolut", "`revolute`"), ("drivers", "`driver`"), ("bodys", "`bodies` or `body`")] {
+            let (message, _) = near_miss(slip).unwrap();
+            assert!(message.contains(meant), "{message}");
+        }
+        assert!(near_miss("bodys").unwrap().1);
+        assert!(!near_miss("revolut").unwrap().1);
+    }
+
+    #[test]
+    fn attributes_of_others_are_left_alone() {
+        for name in ["derive", "serde", "doc", "test", "repr", "diesel", "garde", "builder", "pin", "error", "from"] {
+            assert!(near_miss(name).is_none(), "{name}");
+            assert!(find(name).is_none(), "{name}");
+        }
+    }
+}

@@ -1,0 +1,181 @@
+//! Tokens to [`Description`]: what is written, with all mistakes of form reported and no name resolved.
+
+mod call;
+mod declare;
+mod docs;
+mod expr;
+mod field;
+mod flags;
+mod flatten;
+mod fold;
+mod index;
+mod keyword;
+mod list;
+mod parts;
+mod point;
+mod reject;
+mod rows;
+
+use crate::ast::{Description, Flags, Item, Row, text};
+use crate::report::Report;
+use keyword::Keyword;
+use list::inside;
+use parts::Parts;
+use proc_macro2::TokenStream;
+use rows::RowForm;
+use syn::parse::ParseStream;
+use syn::spanned::Spanned;
+use syn::{Attribute, Error, Fields, GenericParam, Ident, ItemStruct, Meta, Result, Token};
+
+/// The struct without our attributes, and what they and its fields say.
+///
+/// There is no description when there is no struct with named fields to describe.
+pub(crate) fn parse(
+    args: TokenStream,
+    item: TokenStream,
+    report: &Report,
+) -> (Option<ItemStruct>, Option<Description>) {
+    for tokens in [&args, &item] {
+        if let Some(span) = flatten::too_deep(tokens) {
+            report.error(span, format!("brackets are nested more than {} deep", flatten::MAX_NESTING));
+            return (None, None);
+        }
+    }
+    let flags = flags::flags(args, report);
+    let Some(mut item) = report.ok(parse_struct(item)) else { return (None, None) };
+    let description = describe(&mut item, flags, report);
+    (Some(item), description)
+}
+
+fn parse_struct(item: TokenStream) -> Result<ItemStruct> {
+    let wrong = "a mechanism is a struct; its fields are the parameters";
+    match syn::parse2::<syn::Item>(item)? {
+        syn::Item::Struct(item) => Ok(item),
+        syn::Item::Enum(item) => Err(Error::new(item.enum_token.span, wrong)),
+        syn::Item::Union(item) => Err(Error::new(item.union_token.span, wrong)),
+        other => Err(Error::new(other.span(), wrong)),
+    }
+}
+
+fn describe(item: &mut ItemStruct, flags: Flags, report: &Report) -> Option<Description> {
+    let mut names_missing = false;
+    let mut items = Vec::new();
+    let mut kept = Vec::new();
+    for attribute in std::mem::take(&mut item.attrs) {
+        let Some(word) = attribute.path().get_ident().cloned() else {
+            kept.push(attribute);
+            continue;
+        };
+        let name = text(&word);
+        if let Some(keyword) = keyword::find(&name) {
+            let complete = read(&attribute, &word, keyword, report, &mut items);
+            names_missing |= keyword.declares() && !complete;
+        } else if let Some((message, declares)) = keyword::near_miss(&name) {
+            report.error(word.span(), message);
+            names_missing |= declares;
+        } else {
+            kept.push(attribute);
+        }
+    }
+    item.attrs = kept;
+    generics(item, report);
+    let fields = fields(item, report, &mut names_missing)?;
+    Some(Description {
+        name: item.ident.clone(),
+        items,
+        fields,
+        flags,
+        doc: docs::first_paragraph(&item.attrs),
+        derives_default: item.attrs.iter().any(derives_default),
+        names_missing,
+    })
+}
+
+/// Reads one attribute of ours; false when it could not be read to the end.
+fn read(attribute: &Attribute, word: &Ident, keyword: Keyword, report: &Report, items: &mut Vec<Item>) -> bool {
+    let form = match keyword {
+        Keyword::Bodies => "#[bodies(crank, coupler)]",
+        Keyword::Body => "#[body(crank, x = 0, y = 0)]",
+        Keyword::Coordinates => "#[coordinates(phi1, phi2)]",
+        Keyword::Point => "#[point(tip = coupler @ (0, 0.1))]",
+        Keyword::Define => "#[define(stroke = slider.x - d1)]",
+        Keyword::Guess => "#[guess(coupler.phi = 0.9)]",
+        Keyword::Row(form) => form.example,
+        Keyword::Param => {
+            report.error(word.span(), "`param` stands on a field of the struct: `#[param(0.1, unit = \"m\")] l1: f64`");
+            return true;
+        }
+        Keyword::Mechanism => {
+            report.error(word.span(), "`mechanism` stands above the struct once, before its other attributes");
+            return true;
+        }
+        Keyword::Later { .. } => {
+            report.error(word.span(), format!("`{word}` is not supported yet"));
+            return false;
+        }
+    };
+    let complete = inside(attribute, word, form, report, |input| {
+        Ok(match keyword {
+            Keyword::Bodies => declare::bodies(input, word, report, items),
+            Keyword::Body => declare::body(input, word, report, items),
+            Keyword::Coordinates => declare::coordinates(input, word, report, items),
+            Keyword::Point => declare::points(input, word, report, items),
+            Keyword::Define => declare::defines(input, word, report, items),
+            Keyword::Guess => {
+                declare::guess(input, word, report, items);
+                true
+            }
+            Keyword::Row(form) => {
+                items.push(Item::Row(row(input, word, form, report)?));
+                true
+            }
+            Keyword::Param | Keyword::Mechanism | Keyword::Later { .. } => true,
+        })
+    });
+    // What was declared before the error stays declared; what follows it may be missing.
+    complete.unwrap_or(false)
+}
+
+fn row(input: ParseStream, keyword: &Ident, form: &'static RowForm, report: &Report) -> Result<Row> {
+    let nameless =
+        |span| Error::new(span, format!("a `{keyword}` begins with its name and a colon: `{}`", form.example));
+    if input.is_empty() {
+        return Err(nameless(keyword.span()));
+    }
+    let start = input.span();
+    let name = index::new_name(input, report)?;
+    if !input.peek(Token![:]) || input.peek(Token![::]) {
+        return Err(nameless(start));
+    }
+    input.parse::<Token![:]>()?;
+    let mut parts = Parts::read(input, keyword, form, report);
+    Ok(Row { keyword: keyword.clone(), name, kind: (form.build)(&mut parts) })
+}
+
+fn fields(item: &mut ItemStruct, report: &Report, names_missing: &mut bool) -> Option<Vec<crate::ast::FieldDecl>> {
+    let span = item.fields.span();
+    let named = !matches!(item.fields, Fields::Unnamed(_));
+    let read = item.fields.iter_mut().map(|field| field::field(field, report, names_missing)).collect::<Vec<_>>();
+    if !named {
+        report.error(span, "the parameters of a mechanism have names: `struct FourBar { l1: f64 }`");
+        return None;
+    }
+    Some(read.into_iter().flatten().collect())
+}
+
+fn generics(item: &ItemStruct, report: &Report) {
+    for parameter in &item.generics.params {
+        if let GenericParam::Type(parameter) = parameter {
+            report.error(parameter.ident.span(), "type parameters on a mechanism are not supported yet");
+        }
+    }
+}
+
+fn derives_default(attribute: &Attribute) -> bool {
+    let Meta::List(list) = &attribute.meta else { return false };
+    let paths = syn::punctuated::Punctuated::<syn::Path, Token![,]>::parse_terminated;
+    attribute.path().is_ident("derive")
+        && list
+            .parse_args_with(paths)
+            .is_ok_and(|paths| paths.iter().any(|path| path.segments.last().is_some_and(|s| s.ident == "Default")))
+}

@@ -1,0 +1,67 @@
+//! What to say about a token that does not belong where it stands.
+
+use syn::parse::ParseStream;
+use syn::{Error, Token, token};
+
+/// A token follows an expression that can neither continue nor end it.
+pub(super) fn after_expr(input: ParseStream) -> Error {
+    if let Some(message) = operator(input) {
+        return input.error(message);
+    }
+    if input.is_empty() || input.peek(token::Paren) {
+        return input.error("expected an operator; a product is written with `*`");
+    }
+    if input.peek(Token![=]) {
+        return input.error("there is one `=` at most, between the sides of an equation");
+    }
+    if input.peek(Token![@]) {
+        return input.error(
+            "a point is written `body @ (x, y)`; in an expression, name it with `point(p = …)` and use `p.x`, `p.y`",
+        );
+    }
+    if input.peek(syn::Ident) || input.peek(syn::Lit) {
+        return input.error("expected an operator or a comma before this; a product is written with `*`");
+    }
+    input.error("expected `+`, `-`, `*`, `/` or the end of the expression")
+}
+
+/// A token stands where an expression begins and cannot begin one.
+pub(super) fn no_expr(input: ParseStream) -> Error {
+    if input.is_empty() {
+        return input.error("expected an expression here");
+    }
+    if input.peek(Token![+]) {
+        return input.error("expected a value; there is no unary plus");
+    }
+    if input.peek(token::Bracket) {
+        return input.error("an array cannot stand here; one element of an array parameter is written `l[3]`");
+    }
+    if input.peek(token::Brace) {
+        return input.error("a block cannot stand here; parts of an expression get a name with `define`");
+    }
+    operator(input)
+        .map_or_else(|| input.error("expected a number, a name or a function"), |message| input.error(message))
+}
+
+/// The right way to write what an operator of another language means.
+fn operator(input: ParseStream) -> Option<&'static str> {
+    if input.peek(Token![^]) {
+        Some("powers are written `pow(a, n)` or `a.powi(n)`")
+    } else if input.peek(Token![%]) {
+        Some("there is no remainder: angles are continuous, periods are the business of sin and cos")
+    } else if input.peek(Token![==]) {
+        Some("an equation has a single `=`")
+    } else if input.peek(Token![=>]) || input.peek(Token![!=]) {
+        Some("an equation has a single `=`")
+    } else if input.peek(Token![<]) || input.peek(Token![>]) {
+        Some("comparisons have no place in an expression; an equation has a single `=`")
+    } else if input.peek(Token![&]) || input.peek(Token![|]) || input.peek(Token![!]) || input.peek(Token![?]) {
+        Some("the operators are `+`, `-`, `*` and `/`")
+    } else if input.peek(Token![as]) {
+        Some("every number is a real number; no cast is needed")
+    } else if input.peek(Token![..]) {
+        Some("a range stands behind the name of a row only: `N[i in 0..10]: …`")
+    } else {
+        None
+    }
+}

@@ -1,0 +1,178 @@
+//! Joints, drivers and equations: how each is written, and what its parts become.
+//!
+//! A new kind is an entry of [`FORMS`] and a function that takes its [`Parts`] apart.
+
+use super::parts::{OperandForm, OptionForm, Parts};
+use crate::ast::RowKind;
+
+/// How a row is written.
+pub(super) struct RowForm {
+    /// The attribute.
+    pub(super) keyword: &'static str,
+    /// What stands behind the name, in order.
+    pub(super) operands: &'static [OperandForm],
+    /// True when `= expression` follows the last operand.
+    pub(super) equals: bool,
+    /// What can follow as `key = value`.
+    pub(super) options: &'static [(&'static str, OptionForm)],
+    /// A row as the user writes it.
+    pub(super) example: &'static str,
+    /// Takes the parts apart.
+    pub(super) build: fn(&mut Parts) -> RowKind,
+}
+
+impl core::fmt::Debug for RowForm {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(self.keyword)
+    }
+}
+
+use OperandForm::{Body, Expression, Point};
+
+const TWO_POINTS: &[OperandForm] = &[Point, Point];
+
+/// Every row of the language, in the order of the guide.
+pub(super) const FORMS: &[RowForm] = &[
+    RowForm {
+        keyword: "revolute",
+        operands: TWO_POINTS,
+        equals: false,
+        options: &[],
+        example: "#[revolute(A: crank @ (l1, 0), coupler @ (0, 0))]",
+        build: revolute,
+    },
+    RowForm {
+        keyword: "translational",
+        operands: TWO_POINTS,
+        equals: false,
+        options: &[("axis", OptionForm::Axis), ("angle", OptionForm::Expression)],
+        example: "#[translational(A: ground @ (0, 0), slider @ (0, 0), axis = (1, 0))]",
+        build: translational,
+    },
+    RowForm {
+        keyword: "fixed",
+        operands: TWO_POINTS,
+        equals: false,
+        options: &[("angle", OptionForm::Expression)],
+        example: "#[fixed(A: crank @ (l1, 0), plate @ (0, 0), angle = 0)]",
+        build: fixed,
+    },
+    RowForm {
+        keyword: "point_on_line",
+        operands: TWO_POINTS,
+        equals: false,
+        options: &[("axis", OptionForm::Axis), ("offset", OptionForm::Expression)],
+        example: "#[point_on_line(A: rocker @ (0, 0), crank @ (l1, 0), axis = (1, 0))]",
+        build: point_on_line,
+    },
+    RowForm {
+        keyword: "distance",
+        operands: TWO_POINTS,
+        equals: false,
+        options: &[("length", OptionForm::Expression)],
+        example: "#[distance(A: crank @ (l1, 0), rocker @ (0, 0), length = l2)]",
+        build: distance,
+    },
+    RowForm {
+        keyword: "x",
+        operands: &[Point],
+        equals: true,
+        options: &[],
+        example: "#[x(A: slider @ (0, 0) = 0.1)]",
+        build: x,
+    },
+    RowForm {
+        keyword: "y",
+        operands: &[Point],
+        equals: true,
+        options: &[],
+        example: "#[y(A: slider @ (0, 0) = 0)]",
+        build: y,
+    },
+    RowForm {
+        keyword: "angle",
+        operands: &[Body],
+        equals: true,
+        options: &[],
+        example: "#[angle(A: slider = 0)]",
+        build: angle,
+    },
+    RowForm {
+        keyword: "relative_angle",
+        operands: &[Body, Body],
+        equals: true,
+        options: &[],
+        example: "#[relative_angle(A: crank, rocker = pi/2)]",
+        build: relative_angle,
+    },
+    RowForm {
+        keyword: "constraint",
+        operands: &[Expression],
+        equals: true,
+        options: &[],
+        example: "#[constraint(close_x: l1*cos(phi1) + l2*cos(phi2) = d1)]",
+        build: constraint,
+    },
+    RowForm {
+        keyword: "driver",
+        operands: &[Expression],
+        equals: true,
+        options: &[],
+        example: "#[driver(drive: crank.phi = phi0 + omega*t)]",
+        build: driver,
+    },
+];
+
+fn revolute(parts: &mut Parts) -> RowKind {
+    RowKind::Revolute { p: parts.point(), q: parts.point() }
+}
+
+fn translational(parts: &mut Parts) -> RowKind {
+    RowKind::Translational {
+        p: parts.point(),
+        q: parts.point(),
+        axis: parts.axis("axis"),
+        angle: parts.or_zero("angle"),
+    }
+}
+
+fn fixed(parts: &mut Parts) -> RowKind {
+    RowKind::Fixed { p: parts.point(), q: parts.point(), angle: parts.or_zero("angle") }
+}
+
+fn point_on_line(parts: &mut Parts) -> RowKind {
+    RowKind::PointOnLine {
+        p: parts.point(),
+        q: parts.point(),
+        axis: parts.axis("axis"),
+        offset: parts.or_zero("offset"),
+    }
+}
+
+fn distance(parts: &mut Parts) -> RowKind {
+    RowKind::Distance { p: parts.point(), q: parts.point(), length: parts.required("length") }
+}
+
+fn x(parts: &mut Parts) -> RowKind {
+    RowKind::X { p: parts.point(), value: parts.right() }
+}
+
+fn y(parts: &mut Parts) -> RowKind {
+    RowKind::Y { p: parts.point(), value: parts.right() }
+}
+
+fn angle(parts: &mut Parts) -> RowKind {
+    RowKind::Angle { body: parts.body(), value: parts.right() }
+}
+
+fn relative_angle(parts: &mut Parts) -> RowKind {
+    RowKind::RelativeAngle { a: parts.body(), b: parts.body(), value: parts.right() }
+}
+
+fn constraint(parts: &mut Parts) -> RowKind {
+    RowKind::Constraint { left: parts.expr(), right: parts.right() }
+}
+
+fn driver(parts: &mut Parts) -> RowKind {
+    RowKind::Driver { left: parts.expr(), right: parts.right() }
+}

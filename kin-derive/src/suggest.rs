@@ -1,0 +1,69 @@
+//! What the user may have meant.
+
+/// The candidate closest to `name`, when it is close enough to be a slip of the keyboard.
+pub(crate) fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    candidates
+        .into_iter()
+        .map(|candidate| (distance(name, candidate), candidate))
+        .filter(|(d, candidate)| is_near(*d, name, candidate))
+        .min_by_key(|(d, _)| *d)
+        .map(|(_, candidate)| candidate)
+}
+
+/// All candidates that `name` may be a slip of, in their order.
+pub(crate) fn near<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
+    candidates.into_iter().filter(|candidate| is_near(distance(name, candidate), name, candidate)).collect()
+}
+
+/// Edits between two words, a swap of neighbours counting as one.
+fn distance(a: &str, b: &str) -> usize {
+    strsim::osa_distance(a, b)
+}
+
+/// At most two edits, and at most one for every three letters: short names are no slips of one another.
+fn is_near(distance: usize, a: &str, b: &str) -> bool {
+    let letters = a.chars().count().max(b.chars().count());
+    distance > 0 && distance <= 2 && 3 * distance <= letters.max(3)
+}
+
+/// `` `a`, `b` and `c` `` with the given last joining word; long lists are cut.
+pub(crate) fn listed<'a>(names: impl IntoIterator<Item = &'a str>, word: &str) -> String {
+    const SHOWN: usize = 8;
+    let all: Vec<&str> = names.into_iter().collect();
+    let mut quoted: Vec<String> = all.iter().take(SHOWN).map(|name| format!("`{name}`")).collect();
+    if all.len() > SHOWN {
+        return format!("{}, … ({} in all)", quoted.join(", "), all.len());
+    }
+    match quoted.pop() {
+        Some(last) if quoted.is_empty() => last,
+        Some(last) => format!("{} {word} {last}", quoted.join(", ")),
+        None => String::new(),
+    }
+}
+
+/// `; did you mean …?` or nothing.
+pub(crate) fn did_you_mean<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> String {
+    nearest(name, candidates).map(|best| format!("; did you mean `{best}`?")).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slips_are_found_and_strangers_are_not() {
+        assert_eq!(nearest("crnk", ["rocker", "crank"]), Some("crank"));
+        assert_eq!(nearest("rokcer", ["rocker", "crank"]), Some("rocker"));
+        assert_eq!(nearest("l5", ["l1", "l2"]), Some("l1"));
+        assert_eq!(nearest("serde", ["speed", "gear"]), None);
+        assert_eq!(nearest("test", ["belt"]), None);
+        assert_eq!(near("bodys", ["bodies", "body", "belt"]), ["bodies", "body"]);
+    }
+
+    #[test]
+    fn lists_read_like_sentences() {
+        assert_eq!(listed(["a"], "and"), "`a`");
+        assert_eq!(listed(["a", "b", "c"], "or"), "`a`, `b` or `c`");
+        assert!(listed(["a"; 20], "and").ends_with("(20 in all)"));
+    }
+}
