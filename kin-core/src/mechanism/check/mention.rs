@@ -1,0 +1,188 @@
+//! Which coordinates a row mentions, through points, defines and carried origins.
+//!
+//! The answer may hold too much, never too little: a rule may only speak of what is certainly not mentioned.
+
+use super::scope::nodes;
+use crate::mechanism::{BodyOrigin, BodyRef, Component, Formula, Joint, JointKind, Mechanism, Place};
+use std::collections::BTreeSet;
+
+/// A generalized coordinate: of a member of a family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Coordinate {
+    /// Family, member and component of a body.
+    Pose(usize, usize, Component),
+    /// Family and member of a scalar coordinate.
+    Scalar(usize, usize),
+}
+
+/// What can be mentioned; coordinates that are held or carried lead on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Mention {
+    Coordinate(Coordinate),
+    Define(usize, usize),
+}
+
+/// The free coordinates that any step of the joint's range mentions.
+pub(super) fn mentioned(mechanism: &Mechanism, joint: &Joint) -> BTreeSet<Coordinate> {
+    let indices = joint.range.map_or(0..1, |range| range.indices());
+    let mut all = Mentions::new(mechanism);
+    indices.for_each(|i| all.joint(joint, i));
+    all.follow()
+}
+
+/// The free coordinates that the joint mentions at step `i` of its range.
+pub(super) fn mentioned_at(mechanism: &Mechanism, joint: &Joint, i: i64) -> BTreeSet<Coordinate> {
+    let mut all = Mentions::new(mechanism);
+    all.joint(joint, i);
+    all.follow()
+}
+
+/// The coordinates of its own that a body has.
+pub(super) fn free_of(mechanism: &Mechanism, family: usize, member: usize) -> Vec<Coordinate> {
+    let free = |component| is_free(mechanism, family, component);
+    Component::ALL.into_iter().filter(|&c| free(c)).map(|c| Coordinate::Pose(family, member, c)).collect()
+}
+
+fn is_free(mechanism: &Mechanism, family: usize, component: Component) -> bool {
+    let Some(body) = mechanism.bodies.get(family) else { return false };
+    match (component, &body.origin_at) {
+        (Component::Phi, _) => body.phi.is_none(),
+        (_, BodyOrigin::Carried(_)) => false,
+        (Component::X, BodyOrigin::Free { x, .. }) => x.is_none(),
+        (Component::Y, BodyOrigin::Free { y, .. }) => y.is_none(),
+    }
+}
+
+struct Mentions<'a> {
+    mechanism: &'a Mechanism,
+    seen: BTreeSet<Mention>,
+    open: Vec<Mention>,
+}
+
+impl<'a> Mentions<'a> {
+    fn new(mechanism: &'a Mechanism) -> Self {
+        Self { mechanism, seen: BTreeSet::new(), open: Vec::new() }
+    }
+
+    fn note(&mut self, mention: Mention) {
+        if self.seen.insert(mention) {
+            self.open.push(mention);
+        }
+    }
+
+    /// Follows what was noted to its end and keeps the coordinates that are free.
+    fn follow(mut self) -> BTreeSet<Coordinate> {
+        let mechanism = self.mechanism;
+        while let Some(mention) = self.open.pop() {
+            match mention {
+                Mention::Define(family, member) => {
+                    if let Some(define) = mechanism.defines.get(family) {
+                        self.formula(&define.formula, index(member));
+                    }
+                }
+                Mention::Coordinate(Coordinate::Pose(family, member, component @ (Component::X | Component::Y))) => {
+                    if let Some(BodyOrigin::Carried(place)) = mechanism.bodies.get(family).map(|b| &b.origin_at) {
+                        self.place(place, &[component], index(member));
+                    }
+                }
+                Mention::Coordinate(_) => {}
+            }
+        }
+        let coordinates = self.seen.into_iter().filter_map(|mention| match mention {
+            Mention::Coordinate(coordinate) => Some(coordinate),
+            Mention::Define(..) => None,
+        });
+        coordinates
+            .filter(|coordinate| match *coordinate {
+                Coordinate::Pose(family, _, component) => is_free(mechanism, family, component),
+                Coordinate::Scalar(..) => true,
+            })
+            .collect()
+    }
+
+    fn joint(&mut self, joint: &Joint, i: i64) {
+        const BOTH: [Component; 2] = [Component::X, Component::Y];
+        match &joint.kind {
+            JointKind::Revolute { p, q } => {
+                self.place(p, &BOTH, i);
+                self.place(q, &BOTH, i);
+            }
+            JointKind::Translational { p, q, angle: value, .. }
+            | JointKind::Fixed { p, q, angle: value }
+            | JointKind::PointOnLine { p, q, offset: value, .. }
+            | JointKind::Distance { p, q, length: value, .. } => {
+                self.place(p, &BOTH, i);
+                self.place(q, &BOTH, i);
+                // The axis and the relative angle turn with the bodies.
+                self.pose(p.body, Component::Phi, i);
+                self.pose(q.body, Component::Phi, i);
+                self.formula(value, i);
+            }
+            JointKind::Coordinate { p, component, value } => {
+                self.place(p, &[*component], i);
+                self.formula(value, i);
+            }
+            JointKind::Angle { body, value } => {
+                self.pose(*body, Component::Phi, i);
+                self.formula(value, i);
+            }
+            JointKind::RelativeAngle { a, b, value } => {
+                self.pose(*a, Component::Phi, i);
+                self.pose(*b, Component::Phi, i);
+                self.formula(value, i);
+            }
+            JointKind::Constraint { left, right } | JointKind::Driver { left, right } => {
+                self.formula(left, i);
+                self.formula(right, i);
+            }
+        }
+    }
+
+    fn formula(&mut self, formula: &Formula, i: i64) {
+        for node in nodes(formula) {
+            match node {
+                Formula::Pose(body, component) => self.pose(*body, *component, i),
+                Formula::PointCoordinate(place, component) => self.place(place, &[*component], i),
+                Formula::Distance(p, q) => {
+                    self.place(p, &[Component::X, Component::Y], i);
+                    self.place(q, &[Component::X, Component::Y], i);
+                }
+                Formula::Scalar(member) => {
+                    if let Some(index) = member.index.at(i) {
+                        self.note(Mention::Coordinate(Coordinate::Scalar(member.family, index)));
+                    }
+                }
+                Formula::Define(member) => {
+                    if let Some(index) = member.index.at(i) {
+                        self.note(Mention::Define(member.family, index));
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn pose(&mut self, body: BodyRef, component: Component, i: i64) {
+        if let BodyRef::Body { family, index, .. } = body
+            && let Some(member) = index.at(i)
+        {
+            self.note(Mention::Coordinate(Coordinate::Pose(family, member, component)));
+        }
+    }
+
+    /// The given coordinates of a point; the body's angle moves them unless the point is the body's origin.
+    fn place(&mut self, place: &Place, components: &[Component], i: i64) {
+        for component in components {
+            self.pose(place.body, *component, i);
+        }
+        let is_origin = place.x.literal() == Some(0.0) && place.y.literal() == Some(0.0);
+        if !is_origin {
+            self.pose(place.body, Component::Phi, i);
+        }
+    }
+}
+
+/// A member's number as the value of the index variable.
+fn index(member: usize) -> i64 {
+    i64::try_from(member).unwrap_or(i64::MAX)
+}
