@@ -1,1 +1,138 @@
-//! Expansion snapshots.
+//! Expansion snapshots: what a description becomes, as a reader sees it. `cargo insta review` after a change.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The expansion, formatted.
+fn expansion(args: TokenStream, item: TokenStream) -> String {
+    let tokens = crate::derive(args, item);
+    let file = syn::parse2(tokens.clone()).unwrap_or_else(|error| panic!("{error} in {tokens}"));
+    prettyplease::unparse(&file)
+}
+
+#[test]
+fn slider_on_an_inclined_guide() {
+    insta::assert_snapshot!(expansion(
+        quote! {},
+        quote! {
+            /// A crank with a sliding rod.
+            #[bodies(crank, rod)]
+            #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+            #[translational(slide: crank @ (r, 0), rod @ (0, 0), axis = (0, 1))]
+            #[driver(turn: crank.phi = 2.0 * t)]
+            #[point(tip = rod @ (0.1, 0))]
+            #[define(reach = distance(tip, ground @ (0, 0)))]
+            #[guess(rod.y = r)]
+            pub struct Slider {
+                /// Radius
+                #[param(0.2, unit = "m")]
+                pub r: f64,
+            }
+        },
+    ));
+}
+
+#[test]
+fn a_family_with_an_array_of_parameters() {
+    insta::assert_snapshot!(expansion(
+        quote! {},
+        quote! {
+            #[bodies(link[2])]
+            #[revolute(root: ground @ (0, 0), link[0] @ (0, 0))]
+            #[revolute(pin[i in 0..1]: link[i] @ (l[i], 0), link[i + 1] @ (0, 0))]
+            #[driver(turn[i in 0..2]: link[i].phi = t)]
+            struct Chain {
+                #[param([0.5, 0.25])]
+                l: [f64; 2],
+            }
+        },
+    ));
+}
+
+#[test]
+fn names_that_collide_with_everything() {
+    insta::assert_snapshot!(expansion(
+        quote! { cross_check },
+        quote! {
+            #[coordinates(gamma, default, q, r#type)]
+            #[constraint(e: gamma + default = q)]
+            #[driver(phi: gamma = t)]
+            #[driver(jacobian: r#type = 2.0 * t)]
+            #[driver(w: q = t * t)]
+            struct Names;
+        },
+    ));
+}
+
+#[test]
+fn mistakes_leave_the_struct_and_an_empty_mechanism() {
+    insta::assert_snapshot!(expansion(
+        quote! {},
+        quote! {
+            #[bodies(crank)]
+            #[revolute(C: ground @ (0, 0), crnk @ (r, 0))]
+            #[driver(drive: crank.theta = t)]
+            struct Wrong {
+                #[param(1.0)]
+                r: f64,
+            }
+        },
+    ));
+}
+
+#[test]
+fn the_same_description_gives_the_same_tokens() {
+    let describe = || {
+        quote! {
+            #[bodies(a, b, c)]
+            #[revolute(A: a @ (l, 0), b @ (0, m))]
+            #[distance(B: b @ (l, m), c @ (m, l), length = 1)]
+            #[driver(drive: distance(ground @ (0, 0), a @ (0, 0)) = 1 + t)]
+            struct Same { #[param(1.0)] l: f64, #[param(2.0)] m: f64 }
+        }
+    };
+    let first = crate::derive(quote! {}, describe()).to_string();
+    for _ in 0..5 {
+        assert_eq!(first, crate::derive(quote! {}, describe()).to_string());
+    }
+}
+
+/// Statements are grouped in blocks of at most 500, and blocks hand out only what later ones need.
+#[test]
+fn long_programs_are_nested() {
+    let rows = (0..60_usize).map(|k| {
+        let (a, b) = (quote::format_ident!("c{k}"), quote::format_ident!("c{}", (k + 1) % 60));
+        let row = quote::format_ident!("row{k}");
+        quote! { #[constraint(#row: sin(#a) * exp(#b) + #a * #b * #b + #a / (2 + #b * #b) = t)] }
+    });
+    let names = (0..60_usize).map(|k| quote::format_ident!("c{k}"));
+    let text = expansion(
+        quote! {},
+        quote! {
+            #[coordinates(#(#names),*)]
+            #(#rows)*
+            struct Long;
+        },
+    );
+    assert!(!text.contains("compile_error"), "{text}");
+    let file: syn::File = syn::parse_str(&text).unwrap();
+    let mut longest = Longest::default();
+    syn::visit::visit_file(&mut longest, &file);
+    assert!(longest.statements > 100 && longest.statements <= 501, "{}", longest.statements);
+    assert!(longest.nested > 0);
+}
+
+/// The longest block, and how many blocks hand out values.
+#[derive(Default)]
+struct Longest {
+    statements: usize,
+    nested: usize,
+}
+
+impl<'ast> syn::visit::Visit<'ast> for Longest {
+    fn visit_block(&mut self, block: &'ast syn::Block) {
+        self.statements = self.statements.max(block.stmts.len());
+        self.nested += block.stmts.iter().filter(|s| quote!(#s).to_string().starts_with("let [v")).count();
+        syn::visit::visit_block(self, block);
+    }
+}

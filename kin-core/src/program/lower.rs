@@ -108,12 +108,8 @@ impl Lowering<'_> {
 
     fn add(&mut self, a: Signed, b: Signed, swap: bool) -> Signed {
         match (a.negative, b.negative) {
-            (false, true) if swap => {
-                Signed { value: self.emit(Instruction::Sub(b.value, a.value)), negative: true }
-            }
-            (true, false) if swap => {
-                Signed { value: self.emit(Instruction::Sub(a.value, b.value)), negative: true }
-            }
+            (false, true) if swap => Signed { value: self.emit(Instruction::Sub(b.value, a.value)), negative: true },
+            (true, false) if swap => Signed { value: self.emit(Instruction::Sub(a.value, b.value)), negative: true },
             (false, true) => Signed { value: self.emit(Instruction::Sub(a.value, b.value)), negative: false },
             (true, false) => Signed { value: self.emit(Instruction::Sub(b.value, a.value)), negative: false },
             (negative, _) => Signed { value: self.emit(Instruction::Add(a.value, b.value)), negative },
@@ -132,9 +128,7 @@ impl Lowering<'_> {
         let swap = self.signs.swapped.contains(&id);
         let plain = |value| Signed { value, negative: false };
         match self.graph.node(id) {
-            Node::Number(bits) if bits.value() < 0.0 => {
-                Signed { value: self.number(-bits.value()), negative: true }
-            }
+            Node::Number(bits) if bits.value() < 0.0 => Signed { value: self.number(-bits.value()), negative: true },
             Node::Number(bits) => plain(self.number(bits.value())),
             Node::Symbol(symbol) => plain(self.emit(Instruction::Load(symbol))),
             Node::Neg(a) => Self::opposite(self.signed(a)),
@@ -210,7 +204,15 @@ impl Lowering<'_> {
         };
         let (x, y) = (component(self, r.x), component(self, r.y));
         let (with_x, with_y) = if is_x { (cos, Self::opposite(sin)) } else { (sin, cos) };
-        let terms = [x.map(|x| self.mul(with_x, x)), y.map(|y| self.mul(with_y, y))];
+        let terms = [(with_x, x, r.x), (with_y, y, r.y)].map(|(factor, component, id)| {
+            let component = component?;
+            if self.graph.literal(id).map(f64::abs) == Some(1.0) {
+                // A literal ±1 is a sign, not a factor; `component` carries it where it is not folded in.
+                let minus = self.graph.literal(id) == Some(-1.0);
+                return Some(Signed { value: factor.value, negative: factor.negative ^ minus ^ negated });
+            }
+            Some(self.mul(factor, component))
+        });
         let sum = match terms {
             [Some(a), Some(b)] => self.add(a, b, false),
             [Some(a), None] | [None, Some(a)] => a,

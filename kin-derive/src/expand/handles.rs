@@ -70,7 +70,7 @@ fn constant(
         _ => "The input",
     };
     let written = lowered.docs.names.iter().find(|(documented, _)| documented == name).map(|(_, doc)| doc.clone());
-    let doc = written.unwrap_or_else(|| format!("{kind} `{name}`."));
+    let doc = written.unwrap_or_else(|| format!(" {kind} `{name}`."));
     let (ty, value) = match len {
         None => (quote! { __kin::#ty }, quote! { #(__kin::#ty(#places))* }),
         Some(len) => (quote! { [__kin::#ty; #len] }, quote! { [#(__kin::#ty(#places)),*] }),
@@ -93,9 +93,9 @@ fn handle_name(name: &str, span: Span) -> Ident {
     }
 }
 
-/// Statements that mention every name where the user wrote it.
+/// Statements that mention every name where the user wrote it, in blocks small enough for rustc.
 pub(crate) fn mentions(lowered: &Lowered) -> TokenStream {
-    (lowered.mentions.iter())
+    let mentions: Vec<TokenStream> = (lowered.mentions.iter())
         .filter(|mention| mention.ident != "default")
         .map(|mention| {
             let ident = &mention.ident;
@@ -104,5 +104,6 @@ pub(crate) fn mentions(lowered: &Lowered) -> TokenStream {
                 _ => quote! { let _ = Self::#ident; },
             }
         })
-        .collect()
+        .collect();
+    mentions.chunks(100).map(|chunk| quote! { { #(#chunk)* } }).collect()
 }

@@ -54,8 +54,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
         allow_redundant: lowered.flags.allow_redundant,
     });
     let (n, s, p, u) = (set.coordinates.len(), set.rows.len(), set.parameters.len(), set.inputs.len());
-    let (entries, seen, seen_entries) =
-        (constraints.entries.len(), set.observables.len(), observables.entries.len());
+    let (entries, seen, seen_entries) = (constraints.entries.len(), set.observables.len(), observables.entries.len());
     let parameters = parameters::read(lowered);
     let set_parameter = parameters::write(lowered);
     let evaluate = evaluate(lowered, system, &constraints, &all);

@@ -133,9 +133,7 @@ impl Emitter<'_> {
             Instruction::Load(symbol) => load(symbol),
             Instruction::SinOf(pair) => ident(name('s', pair)),
             Instruction::CosOf(pair) => ident(name('c', pair)),
-            Instruction::SuppliedOf(triple, order) => {
-                ident(name(['d', 'e', 'f'][usize::from(order.min(2))], triple))
-            }
+            Instruction::SuppliedOf(triple, order) => ident(name(['d', 'e', 'f'][usize::from(order.min(2))], triple)),
             _ => ident(name('v', value)),
         }
     }
@@ -262,7 +260,11 @@ fn binary(a: TokenStream, operator: TokenStream, b: TokenStream) -> TokenStream 
 /// A literal with its sign; finite by construction.
 pub(crate) fn literal(value: f64) -> TokenStream {
     let magnitude = Literal::f64_suffixed(value.abs());
-    if value.is_sign_negative() && value != 0.0 { quote! { -#magnitude } } else { quote! { #magnitude } }
+    if value.is_sign_negative() && value != 0.0 {
+        quote! { -#magnitude }
+    } else {
+        quote! { #magnitude }
+    }
 }
 
 fn number(value: f64) -> TokenStream {
