@@ -46,6 +46,8 @@ mod continuation;
 mod dual;
 #[cfg(feature = "std")]
 mod equations;
+#[cfg(all(test, feature = "std"))]
+mod fixture;
 #[cfg(feature = "std")]
 mod linear;
 #[cfg(feature = "std")]
@@ -60,6 +62,8 @@ mod scale;
 mod singular;
 #[cfg(feature = "std")]
 mod system;
+#[cfg(all(test, feature = "std"))]
+mod tests;
 #[cfg(feature = "std")]
 mod velocity;
 

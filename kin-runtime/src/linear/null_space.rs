@@ -16,8 +16,9 @@ pub(crate) fn null_space(a: &DMatrix<f64>, tolerance: f64) -> DMatrix<f64> {
     }
     let qr = ColPivQR::new(a.clone());
     let r = qr.r();
-    let largest = r.diagonal().amax();
-    let rank = r.diagonal().iter().filter(|p| p.abs() > tolerance * largest).count();
+    let pivots: Vec<f64> = (0..r.nrows()).map(|k| r[(k, k)].abs()).collect();
+    let largest = pivots.iter().copied().fold(0.0, f64::max);
+    let rank = pivots.iter().filter(|&&p| p > tolerance * largest).count();
     let mut basis = DMatrix::zeros(n, n - rank);
     let mut dependent = -r.view((0, rank), (rank, n - rank)).into_owned();
     r.view((0, 0), (rank, rank)).solve_upper_triangular_mut(&mut dependent);
