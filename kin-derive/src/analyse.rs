@@ -44,3 +44,6 @@ fn check_model(lowered: &Lowered, report: &Report) {
         report.error(span, error.message);
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,209 @@
+use super::{equation, errors, messages, one_error, pendulum, tokens};
+use crate::analyse::analyse;
+
+#[test]
+fn expressions_say_what_would_be_right() {
+    for (source, right) in [
+        ("u^2", "`pow(a, n)` or `a.powi(n)`"),
+        ("u**2", "powers are written"),
+        ("u % 2", "remainder"),
+        ("u == v", "single `=`"),
+        ("u < v", "comparisons"),
+        ("2 u", "a product is written with `*`"),
+        ("u (v)", "no function `u`"),
+        ("u, v", "one expression on each side"),
+        ("(u, v)", "a pair stands"),
+        ("+u", "unary plus"),
+        ("u +", "expected an expression"),
+        ("", "expected an expression"),
+        ("()", "expected an expression"),
+        ("u as f64", "no cast"),
+        ("[u]", "an array cannot stand here"),
+        ("{u}", "a block"),
+        ("u @ (0, 0)", "a point is written"),
+        ("3u8", "suffix `u8`"),
+        ("1f32", "suffix `f32`"),
+        ("1e999", "too large"),
+        ("\"u\"", "expected a number"),
+        ("std::f64::consts::PI", "paths"),
+        ("max!(u)", "macros"),
+        ("self.l1", "names stand alone"),
+        ("sin(u, v)", "`sin(a)`"),
+        ("sin()", "`sin(a)`"),
+        ("sin", "is a function"),
+        ("pow(u)", "`pow(a, n)`"),
+        ("pow(u, v)", "an exponent is a constant"),
+        ("pow(u, 1/0)", "finite"),
+        ("u.powi(0.5)", "integer"),
+        ("powi(u, 2)", "`pow(a, n)`"),
+        ("u.pow(2)", "`a.powi(n)`"),
+        ("u.sinus()", "no function `sinus`"),
+        ("u.cosh()", "did you mean `cos`"),
+        ("sine(u)", "did you mean `sin`"),
+        ("max(u, v)", "no function `max`"),
+        ("l1(u)", "a parameter, not a function"),
+        ("u.x", "`u` is a coordinate and has no components"),
+        ("(u + v).x", "belongs to a body"),
+        ("u.0", "after the dot"),
+        ("dot(u)", "not supported yet"),
+        ("distance(u)", "two points"),
+        ("u / 0", "divides by 0"),
+        ("u / (-0.0)", "divides by 0"),
+        ("t.x", "`t` has no components"),
+        ("t[0]", "takes no index"),
+        ("ground", "is a body"),
+        ("if u", "keyword"),
+        ("u ? v", "the operators are"),
+    ] {
+        let errors = errors(&equation(source));
+        assert_eq!(errors.len(), 1, "{source}: {errors:?}");
+        assert!(errors[0].contains(right), "{source}: {errors:?}");
+    }
+}
+
+#[test]
+fn depth_is_bounded() {
+    let deep = |n: usize| format!("{}u{}", "(".repeat(n), ")".repeat(n));
+    assert!(errors(&equation(&deep(100))).is_empty());
+    for source in [
+        deep(140),
+        deep(400),
+        format!("{}u", "-".repeat(5000)),
+        format!("u{}", " + v".repeat(5000)),
+        format!("u{}", ".sin()".repeat(5000)),
+        format!("{}u{}", "sin(".repeat(145), ")".repeat(145)),
+        format!("{}u{}", "distance(crank @ (".repeat(140), ", 0), P)".repeat(140)),
+    ] {
+        assert!(errors(&equation(&source)).len() <= 1, "{source}");
+    }
+    assert!(!errors(&equation(&format!("u{}", " + v".repeat(300)))).is_empty());
+    assert!(errors(&equation(&format!("u{}", " + v".repeat(150)))).is_empty());
+    assert_eq!(errors(&equation(&deep(400))).len(), 1);
+}
+
+#[test]
+fn rows_say_how_they_are_written() {
+    for (source, right) in [
+        ("#[revolute(B: crank @ (0, 0))]", "takes two points: `#[revolute(A: crank @ (l1, 0)"),
+        ("#[revolute(B: crank @ (0, 0), ground @ (0, 0), ground @ (1, 0))]", "takes two points"),
+        ("#[revolute(B: crank @ (0, 0), ground @ (0, 0), axis = (1, 0))]", "`revolute` has no options"),
+        ("#[revolute(crank @ (0, 0), ground @ (0, 0))]", "begins with its name and a colon"),
+        ("#[revolute]", "is written `#[revolute("),
+        ("#[revolute()]", "begins with its name"),
+        ("#[revolute{B: crank @ (0, 0), ground @ (0, 0)}]", "parentheses"),
+        ("#[revolute = 3]", "is written"),
+        ("#[revolute(B: crank @ (0), ground @ (0, 0))]", "second component is missing"),
+        ("#[revolute(B: crank @ (0, 0, 0), ground @ (0, 0))]", "two components"),
+        ("#[revolute(B: crank @, ground @ (0, 0))]", "`body @ (x, y)`"),
+        ("#[revolute(B: crank, ground @ (0, 0))]", "`crank` is a body; a point of it is written `crank @ (0, 0)`"),
+        ("#[revolute(B: ground, crank @ (0, 0))]", "`ground` is a body; a point of it"),
+        ("#[revolute(B: crank.x, ground @ (0, 0))]", "without a component"),
+        ("#[revolute(B: 3, ground @ (0, 0))]", "expected a point"),
+        ("#[revolute(B: crank @ (0, 0) ground @ (0, 0))]", "expected a comma"),
+        ("#[translational(B: crank @ (0, 0), ground @ (0, 0))]", "needs `axis = …`"),
+        ("#[translational(B: crank @ (0, 0), ground @ (0, 0), axis = 3)]", "an axis is a pair"),
+        ("#[translational(B: crank @ (0, 0), ground @ (0, 0), axi = (1, 0))]", "did you mean `axis`?"),
+        ("#[translational(B: crank @ (0, 0), ground @ (0, 0), axis = (1, 0), axis = (1, 0))]", "given twice"),
+        ("#[distance(B: crank @ (0, 0), ground @ (0, 0))]", "needs `length = …`"),
+        ("#[distance(B: crank @ (0, 0), ground @ (0, 0), lenght = 1)]", "did you mean `length`?"),
+        ("#[x(B: crank @ (0, 0))]", "expected `=` and a value"),
+        ("#[x(B: crank @ (0, 0) = )]", "expected an expression"),
+        ("#[x(B: crank @ (0, 0) = 1 = 2)]", "expected a comma"),
+        ("#[x(B: crank @ (0, 0) == 1)]", "expected `=` and a value"),
+        ("#[angle(B: crank.phi = 1)]", "not its coordinate"),
+        ("#[angle(B: crank @ (0, 0) = 1)]", "not a point"),
+        ("#[relative_angle(B: crank = 1)]", "takes two bodies"),
+        ("#[driver(B: crank.phi)]", "expected `=` and a value"),
+        ("#[driver(crank.phi = omega*t)]", "begins with its name"),
+        ("#[point(tip)]", "expected `=` and a value: `#[point("),
+        ("#[point(tip[3] = crank @ (0, 0))]", "names its index"),
+        ("#[define(s)]", "expected `=`"),
+        ("#[guess(crank.phi)]", "expected `=`"),
+        ("#[guess(crank = 1)]", "a guess is for one coordinate of it"),
+        ("#[guess(omega = 1)]", "is a parameter; a guess is for a coordinate"),
+        ("#[guess()]", "says nothing"),
+        ("#[bodies()]", "says nothing"),
+        ("#[body(wheel, z = 1)] #[angle(W: wheel = 0)]", "`body` has no option `z`"),
+        ("#[body(wheel, x = 1, x = 2)] #[angle(W: wheel = 0)]", "given twice"),
+        ("#[body(wheel, other)] #[angle(W: wheel = 0)]", "declares one body"),
+        ("#[bodies(#[cfg(a)] wheel)]", "only a doc comment"),
+        ("#[param(1)]", "stands on a field"),
+        ("#[mechanism]", "once"),
+        ("#[gear(G: a, b, radii = (1, 2))]", "`gear` is not supported yet"),
+        ("#[input(u)] #[driver(D: crank.phi = u)]", "`input` is not supported yet"),
+    ] {
+        let errors = errors(&pendulum(source));
+        assert_eq!(errors.len(), 1, "{source}: {errors:?}");
+        assert!(errors[0].contains(right), "{source}: {errors:?}");
+    }
+}
+
+#[test]
+fn attributes_that_are_nearly_ours() {
+    one_error(&pendulum("#[revolut(B: a @ (0, 0), b @ (0, 0))]"), &["no attribute `revolut`", "`revolute`"]);
+    one_error(&pendulum("#[drivers(D: crank.phi = t)]"), &["`driver`"]);
+    // What it declares is not missed a second time.
+    one_error("#[bodys(a, b)] #[revolute(A: a @ (0, 0), b @ (0, 0))] struct S;", &["`bodies` or `body`"]);
+    one_error(&pendulum("").replace("#[param(1)]", "#[parm(1)]"), &["did you mean `param`"]);
+    one_error(&pendulum("").replace("#[param(1)]", "#[point(p = crank @ (0, 0))]"), &["stands above the struct"]);
+}
+
+#[test]
+fn parameters_say_how_they_are_written() {
+    for (field, right) in [
+        ("#[param(1, 2)] a: f64", "one default"),
+        ("#[param(l)] a: f64", "made of numbers and `pi`"),
+        ("#[param(1/0)] a: f64", "finite"),
+        ("#[param(1, units = \"m\")] a: f64", "did you mean `unit`"),
+        ("#[param(unit = m)] a: f64", "in quotes"),
+        ("#[param(unit = \"m\", unit = \"m\")] a: f64", "given twice"),
+        ("#[param(1)] #[param(2)] a: f64", "given twice"),
+        ("#[param = 1] a: f64", "is written"),
+        ("#[param([1, 2])] a: f64", "single number"),
+        ("#[param([1, 2])] a: [f64; 3]", "3 elements and 2 defaults"),
+        ("a: [f64; N]", "integer literal"),
+        ("a: [[f64; 2]; 2]", "one index"),
+        ("a: &'static f64", "a parameter is a number"),
+        ("a: (f64, f64)", "a parameter is a number"),
+        ("a: [f64]", "a parameter is a number"),
+        ("a: fn(f64) -> f64", "a parameter is a number"),
+    ] {
+        one_error(&pendulum("").replace("omega: f64", field), &[right]);
+    }
+    for field in ["a: Real", "a: [f32; 3]", "a: std::primitive::f64", "#[param(sin(pi/2)*pow(2, 3))] a: (f64)"] {
+        assert!(errors(&pendulum("").replace("omega: f64", field)).is_empty(), "{field}");
+    }
+}
+
+#[test]
+fn only_structs_with_names_are_mechanisms() {
+    for item in ["enum E { A }", "union U { a: f64 }", "fn f() {}"] {
+        one_error(item, &["a mechanism is a struct"]);
+    }
+    one_error("struct S(#[param(1)] f64);", &["have names"]);
+    one_error("#[coordinates(u)] #[driver(d: u = t)] struct S<T> { a: T }", &["type parameters"]);
+    assert_eq!(errors("struct").len(), 1);
+}
+
+#[test]
+fn flags_are_known() {
+    let flags = |args: &str| {
+        let item = tokens("#[coordinates(u)] #[driver(d: u = t)] struct S;");
+        analyse(tokens(args), item).1.map_or_else(messages, |_| Vec::new())
+    };
+    assert!(flags("cross_chek")[0].contains("did you mean `cross_check`"));
+    assert!(flags("cross_check, cross_check")[0].contains("twice"));
+    assert_eq!(flags("3, allow, cross_check = 4, (").len().min(3), 3.min(flags("3, allow, cross_check = 4").len()));
+}
+
+#[test]
+fn all_mistakes_come_at_once() {
+    let source = "#[bodies(crank, rocker)] \
+        #[revolute(A: crnk @ (l, 0), rokcer @ (m, 0))] \
+        #[revolute(B: crank @ (u^2, 0), rocker @ (n, 0))] \
+        #[distance(C: crank @ (0, 0), ground @ (0, 0), length = -1)] \
+        #[gear(G: crank, rocker)] \
+        struct S { l: f64, #[param(x)] k: f64 }";
+    let errors = errors(source);
+    assert_eq!(errors.len(), 8, "{errors:#?}");
+}

@@ -1,0 +1,56 @@
+//! Descriptions through both gates: what comes out of good ones, and what is said about bad ones.
+
+mod families;
+mod form;
+mod names;
+mod rules;
+mod valid;
+
+use super::analyse;
+use crate::lower::Lowered;
+use proc_macro2::TokenStream;
+use std::str::FromStr;
+
+/// The tokens of a source text.
+fn tokens(source: &str) -> TokenStream {
+    TokenStream::from_str(source).unwrap()
+}
+
+/// The model of a description without mistakes.
+fn good(source: &str) -> Lowered {
+    let (item, result) = analyse(TokenStream::new(), tokens(source));
+    assert!(item.is_some());
+    result.unwrap_or_else(|error| panic!("{:?}", messages(error)))
+}
+
+/// Everything that is said about a description.
+fn errors(source: &str) -> Vec<String> {
+    analyse(TokenStream::new(), tokens(source)).1.map_or_else(messages, |_| Vec::new())
+}
+
+fn messages(error: syn::Error) -> Vec<String> {
+    error.into_iter().map(|error| error.to_string()).collect()
+}
+
+/// Asserts that one thing is said, with all of the `parts` in it.
+#[track_caller]
+fn one_error(source: &str, parts: &[&str]) {
+    let errors = errors(source);
+    assert_eq!(errors.len(), 1, "{errors:?}");
+    for part in parts {
+        assert!(errors[0].contains(part), "{part:?} is not in {:?}", errors[0]);
+    }
+}
+
+/// A pendulum with one more attribute; it has no mistake of its own.
+fn pendulum(attribute: &str) -> String {
+    format!(
+        "#[bodies(crank)] #[revolute(A: ground @ (0, 0), crank @ (l, 0))] {attribute} \
+         struct Pendulum {{ #[param(1)] l: f64, omega: f64 }}"
+    )
+}
+
+/// A global description with `expr` as the left side of its equation.
+fn equation(expr: &str) -> String {
+    format!("#[coordinates(u, v)] #[constraint(c: {expr} = u - v)] struct Loop {{ l1: f64, l2: f64 }}")
+}

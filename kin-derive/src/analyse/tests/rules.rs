@@ -1,0 +1,64 @@
+use super::{errors, one_error, pendulum};
+
+#[test]
+fn joints_have_two_bodies() {
+    one_error(&pendulum("#[revolute(B: crank @ (0, 0), crank @ (1, 0))]"), &["joins `crank` with itself"]);
+    one_error(&pendulum("#[revolute(B: ground @ (0, 0), ground @ (1, 0))]"), &["joins `ground` with itself"]);
+    one_error(&pendulum("#[relative_angle(B: crank, crank = 1)]"), &["joins `crank` with itself"]);
+    one_error(
+        "#[bodies(b[3])] #[angle(M[i in 0..3]: b[i] = t)] #[revolute(N[i in 0..2]: b[i] @ (0, 0), b[2*i] @ (1, 0))] struct S;",
+        &["joins `b[0]` with itself"],
+    );
+}
+
+#[test]
+fn geometry_is_not_degenerate() {
+    one_error(&pendulum("#[translational(B: crank @ (0, 0), ground @ (1, 0), axis = (0, -0.0))]"), &["no direction"]);
+    one_error(&pendulum("#[distance(B: crank @ (0, 0), ground @ (1, 0), length = 0)]"), &["a length of 0"]);
+    one_error(&pendulum("#[distance(B: crank @ (0, 0), ground @ (1, 0), length = -2)]"), &["is -2"]);
+}
+
+#[test]
+fn guesses_are_for_coordinates() {
+    let held = |guess: &str| {
+        pendulum(&format!(
+            "#[body(w, x = 0, phi = 1)] #[body(v, origin = crank @ (0, 0))] \
+        #[y(B: w @ (0, 0) = 0)] #[angle(C: v = 0)] #[guess({guess})]"
+        ))
+    };
+    one_error(&held("w.x = 1"), &["`w.x` is held"]);
+    one_error(&held("w.phi = 1"), &["`w.phi` is held"]);
+    one_error(&held("v.x = 1"), &["`v.x` follows from the body that carries `v`"]);
+    one_error(&held("ground.x = 1"), &["the ground does not move"]);
+    one_error(&held("crank.x = 1, crank.x = 2"), &["guessed twice"]);
+    assert!(errors(&held("w.y = 1, v.phi = 2, crank.x = l")).is_empty());
+}
+
+#[test]
+fn nothing_is_held_and_carried() {
+    one_error(
+        &pendulum("#[body(v, origin = crank @ (0, 0), x = 1)] #[angle(C: v = 0)]"),
+        &["`v` has its origin carried"],
+    );
+}
+
+#[test]
+fn everything_takes_part() {
+    one_error("struct S;", &["`S` has no coordinates"]);
+    one_error("#[body(b, x = 0, y = 0, phi = 0)] struct S;", &["everything of its body is held"]);
+    one_error(&pendulum("#[bodies(wheel)]"), &["no row touches `wheel`"]);
+    one_error(&pendulum("#[coordinates(u)] #[define(s = u)]"), &["no row mentions `u`"]);
+    one_error(&pendulum("#[driver(B: l = t)]"), &["driver `B` mentions no coordinate"]);
+    one_error(
+        &pendulum("#[body(w, phi = 1)] #[x(C: w @ (0, 0) = 0)] #[angle(B: w = 1)]"),
+        &["angle `B` mentions no coordinate"],
+    );
+    // Through a define, a named point and a carried origin.
+    assert!(
+        errors(&pendulum(
+            "#[bodies(a, b)] #[body(c, origin = b @ (0, 0), phi = 0)] #[coordinates(u)] #[point(p = a @ (1, 0))] \
+         #[define(s = p.x + u)] #[driver(D: s = t)] #[x(E: c @ (1, 0) = 0)]"
+        ))
+        .is_empty()
+    );
+}
