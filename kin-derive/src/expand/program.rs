@@ -239,11 +239,12 @@ impl Emitter<'_> {
             }
         }
         let mut placed = first;
-        for statement in statements.drain(..) {
-            let writes: Vec<TokenStream> =
-                statement.defines.iter().flat_map(|value| std::mem::take(&mut after[value.index()])).collect();
+        for mut statement in statements.drain(..) {
+            for value in &statement.defines {
+                // In one statement with what it writes, so that no block ends between the two.
+                statement.tokens.extend(std::mem::take(&mut after[value.index()]));
+            }
             placed.push(statement);
-            placed.extend(writes.into_iter().map(|tokens| Statement { defines: Vec::new(), tokens }));
         }
         *statements = placed;
     }
