@@ -94,7 +94,14 @@ fn derive(graph: &mut Graph, jets: &[Rc<Jet>], id: ExprId) -> Jet {
         Node::Atan2(y, x) => of_atan2(graph, [x, y], &jet(x), &jet(y)),
         Node::RotX(r) | Node::RotY(r) => {
             let along = graph.rotate(r.angle, [r.x, r.y]);
-            rotated(graph, matches!(graph.node(id), Node::RotX(_)), r.angle, along, &jet(r.angle), [&jet(r.x), &jet(r.y)])
+            rotated(
+                graph,
+                matches!(graph.node(id), Node::RotX(_)),
+                r.angle,
+                along,
+                &jet(r.angle),
+                [&jet(r.x), &jet(r.y)],
+            )
         }
         Node::Dot(t) | Node::Cross(t) => {
             let pair = [graph.dot(t.angle, t.u, t.d), graph.cross(t.angle, t.u, t.d)];
@@ -149,9 +156,7 @@ fn linear(graph: &mut Graph, terms: &[(Option<ExprId>, &Jet)]) -> Jet {
             let e = scaled(graph, e);
             accumulate(graph, &mut out.gradient, k, e);
         }
-        for (sum, e) in
-            [(&mut out.partial_t, jet.partial_t), (&mut out.rate, jet.rate), (&mut out.rest, jet.rest)]
-        {
+        for (sum, e) in [(&mut out.partial_t, jet.partial_t), (&mut out.rate, jet.rate), (&mut out.rest, jet.rest)] {
             let e = scaled(graph, e);
             *sum = graph.add(*sum, e);
         }
@@ -282,14 +287,7 @@ fn of_atan2(graph: &mut Graph, [x, y]: [ExprId; 2], x_jet: &Jet, y_jet: &Jet) ->
 }
 
 /// ρ = A(φ)s: ρ̇ = φ̇ perp(ρ) + A ṡ, ρ̈ = φ̈ perp(ρ) − φ̇² ρ + 2φ̇ perp(A ṡ) + A s̈.
-fn rotated(
-    graph: &mut Graph,
-    is_x: bool,
-    angle: ExprId,
-    rho: [ExprId; 2],
-    phi: &Jet,
-    s: [&Jet; 2],
-) -> Jet {
+fn rotated(graph: &mut Graph, is_x: bool, angle: ExprId, rho: [ExprId; 2], phi: &Jet, s: [&Jet; 2]) -> Jet {
     let perp = [graph.neg(rho[1]), rho[0]];
     let side = usize::from(!is_x);
     let mut out = linear(graph, &[(Some(perp[side]), phi)]);
@@ -322,19 +320,13 @@ fn rotated(
     out.rest = graph.add(out.rest, coriolis);
     let e = turned(graph, s[0].rest, s[1].rest)[side];
     out.rest = graph.add(out.rest, e);
+    out.gradient.retain(|(_, e)| !graph.is_zero(*e));
     out
 }
 
 /// With u̇ = φ̇ perp(u), c = u·d and z = u×d: ċ = φ̇ z + u·ḋ, ż = −φ̇ c + u×ḋ,
 /// c̈ = φ̈ z − φ̇² c + 2φ̇ u×ḋ + u·d̈, z̈ = −φ̈ c − φ̇² z − 2φ̇ u·ḋ + u×d̈.
-fn turning(
-    graph: &mut Graph,
-    is_dot: bool,
-    u: [ExprId; 2],
-    [dot, cross]: [ExprId; 2],
-    phi: &Jet,
-    d: [&Jet; 2],
-) -> Jet {
+fn turning(graph: &mut Graph, is_dot: bool, u: [ExprId; 2], [dot, cross]: [ExprId; 2], phi: &Jet, d: [&Jet; 2]) -> Jet {
     let (own, other) = if is_dot { (dot, cross) } else { (cross, graph.neg(dot)) };
     let minus_u_y = graph.neg(u[1]);
     let mut out = if is_dot {

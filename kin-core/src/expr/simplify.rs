@@ -8,6 +8,10 @@ use super::graph::Graph;
 use super::node::{Bits, ExprId, Node, Rotation, Turning};
 use crate::mechanism::Function;
 
+/// Products of more factors than this stay as they were built. Flattening them would cost the square of their number,
+/// and a power of a power of a power … has exponentially many.
+const MAX_FACTORS: usize = 24;
+
 impl Graph {
     /// −a.
     pub fn neg(&mut self, a: ExprId) -> ExprId {
@@ -106,10 +110,10 @@ impl Graph {
             return product;
         }
         let ((negative_a, a), (negative_b, b)) = (self.unsigned(a), self.unsigned(b));
-        let mut factors = Vec::new();
-        self.factors(a, &mut factors);
-        self.factors(b, &mut factors);
-        let product = self.product(factors);
+        let product = match self.factors(a, b).and_then(|factors| self.product(&factors)) {
+            Some(product) => product,
+            None => self.intern(Node::Mul(a.min(b), a.max(b))),
+        };
         self.signed(negative_a != negative_b, product)
     }
 
@@ -119,27 +123,35 @@ impl Graph {
         factors.into_iter().fold(one, |product, factor| self.mul(product, factor))
     }
 
-    fn factors(&self, a: ExprId, into: &mut Vec<ExprId>) {
-        match self.node(a) {
-            Node::Mul(x, y) => {
-                self.factors(x, into);
-                self.factors(y, into);
+    /// The factors of a · b, unless there are too many.
+    fn factors(&self, a: ExprId, b: ExprId) -> Option<Vec<ExprId>> {
+        let (mut factors, mut waiting) = (Vec::new(), vec![b, a]);
+        while let Some(id) = waiting.pop() {
+            match self.node(id) {
+                Node::Mul(x, y) => waiting.extend([y, x]),
+                _ => factors.push(id),
             }
-            _ => into.push(a),
+            if factors.len() + waiting.len() > MAX_FACTORS {
+                return None;
+            }
         }
+        Some(factors)
     }
 
     /// The product of unsigned factors: one number, then values, times the product of rates. Keeping rates apart lets
-    /// φ̇² be shared by all products that hold it.
-    fn product(&mut self, factors: Vec<ExprId>) -> ExprId {
-        let mut number = 1.0;
+    /// φ̇² be shared by all products that hold it. `None` when the numbers' product is out of range where they are not.
+    fn product(&mut self, factors: &[ExprId]) -> Option<ExprId> {
+        let mut number = 1.0_f64;
         let (mut values, mut rates) = (Vec::new(), Vec::new());
-        for factor in factors {
+        for &factor in factors {
             match self.literal(factor) {
                 Some(value) => number *= value,
                 None if self.depends(factor).on(super::Depends::RATE) => rates.push(factor),
                 None => values.push(factor),
             }
+        }
+        if !number.is_normal() {
+            return None;
         }
         let rank = |graph: &Self, id: &ExprId| (!graph.depends(*id).is_static(), *id);
         values.sort_by_key(|id| rank(self, id));
@@ -150,11 +162,11 @@ impl Graph {
         }
         let values = values.into_iter().reduce(|a, b| self.intern(Node::Mul(a, b)));
         let rates = rates.into_iter().reduce(|a, b| self.intern(Node::Mul(a, b)));
-        match (values, rates) {
+        Some(match (values, rates) {
             (Some(a), Some(b)) => self.intern(Node::Mul(a, b)),
             (Some(a), None) | (None, Some(a)) => a,
             (None, None) => self.number(1.0),
-        }
+        })
     }
 
     /// a / b.
@@ -241,12 +253,9 @@ impl Graph {
         if self.is_zero(a) {
             match f {
                 Function::Cos | Function::Exp => return self.number(1.0),
-                Function::Sin
-                | Function::Tan
-                | Function::Asin
-                | Function::Atan
-                | Function::Sqrt
-                | Function::Abs => return a,
+                Function::Sin | Function::Tan | Function::Asin | Function::Atan | Function::Sqrt | Function::Abs => {
+                    return a;
+                }
                 Function::Acos | Function::Ln => {}
             }
         }
@@ -310,11 +319,7 @@ impl Graph {
         let ((negative_x, positive_x), (negative_y, positive_y)) = (self.unsigned(x), self.unsigned(y));
         // A vector with x ≥ 0 (or x = 0 and y ≥ 0) is the base; its opposite is written with a sign.
         let negative = if self.is_zero(x) { negative_y } else { negative_x };
-        let base = if negative {
-            [positive_x, if negative_y { positive_y } else { self.neg(y) }]
-        } else {
-            [x, y]
-        };
+        let base = if negative { [positive_x, if negative_y { positive_y } else { self.neg(y) }] } else { [x, y] };
         let rotation = Rotation { angle, x: base[0], y: base[1] };
         let (rx, ry) = (self.intern(Node::RotX(rotation)), self.intern(Node::RotY(rotation)));
         [self.signed(negative, rx), self.signed(negative, ry)]

@@ -19,19 +19,14 @@ pub(super) struct Signs {
 
 /// Chooses signs for these outputs.
 pub(super) fn choose(graph: &Graph, outputs: impl Iterator<Item = ExprId>) -> Signs {
-    let mut votes = Votes { graph, vectors: HashMap::new(), order: Vec::new(), differences: HashMap::new() };
-    let mut counted = HashSet::new();
-    for output in outputs {
-        if counted.insert(output) {
-            votes.cast(output, 1);
-        }
-    }
+    let outputs: Vec<ExprId> = outputs.collect();
+    let votes = Votes::count(graph, &outputs);
     let mut signs = Signs::default();
-    for rotation in &votes.order {
+    for (rotation, vote) in votes.vectors {
         // Negating a component without a literal factor costs one operation each.
         let cost: i32 = [rotation.x, rotation.y].iter().map(|id| i32::from(!is_free(graph, *id))).sum();
-        if votes.vectors[rotation] < -cost {
-            signs.negated.insert(*rotation);
+        if vote < -cost {
+            signs.negated.insert(rotation);
         }
     }
     signs.swapped = votes.differences.into_iter().filter(|(_, vote)| *vote < 0).map(|(id, _)| id).collect();
@@ -47,49 +42,66 @@ pub(super) fn is_free(graph: &Graph, id: ExprId) -> bool {
     }
 }
 
-struct Votes<'g> {
-    graph: &'g Graph,
+/// Votes on the signs of vectors and of differences.
+#[derive(Debug, Default)]
+struct Votes {
     vectors: HashMap<Rotation, i32>,
-    order: Vec<Rotation>,
     differences: HashMap<ExprId, i32>,
 }
 
-impl Votes<'_> {
-    /// `sign` is what the output wants of `id`. A sum wants it of both its parts, a product of one factor.
-    fn cast(&mut self, id: ExprId, sign: i32) {
-        match self.graph.node(id) {
-            Node::Neg(a) => self.cast(a, -sign),
-            Node::RotX(rotation) | Node::RotY(rotation) => {
-                if !self.vectors.contains_key(&rotation) {
-                    self.order.push(rotation);
+impl Votes {
+    /// Every output votes once, for its own sign. A vote goes down to the operands that decide it: to both parts of a
+    /// sum, to one factor of a product. Users come after their operands in the arena, so one pass downwards suffices.
+    fn count(graph: &Graph, outputs: &[ExprId]) -> Self {
+        let order = graph.reachable(outputs.iter().copied());
+        let decides = deciding(graph, &order);
+        let mut pending = vec![0_i32; graph.len()];
+        outputs.iter().for_each(|output| pending[output.index()] = 1);
+        let mut votes = Self::default();
+        for &id in order.iter().rev() {
+            let vote = pending[id.index()];
+            let mut pass = |to: ExprId, vote: i32| {
+                pending[to.index()] = pending[to.index()].saturating_add(vote);
+            };
+            match graph.node(id) {
+                _ if vote == 0 => {}
+                Node::Neg(a) => pass(a, vote.saturating_neg()),
+                Node::RotX(rotation) | Node::RotY(rotation) => {
+                    let total = votes.vectors.entry(rotation).or_default();
+                    *total = total.saturating_add(vote);
                 }
-                *self.vectors.entry(rotation).or_default() += sign;
-            }
-            Node::Add(a, b) => {
-                if self.decides(a) && self.decides(b) {
-                    self.cast(a, sign);
-                    self.cast(b, sign);
+                Node::Add(a, b) if decides[a.index()] && decides[b.index()] => {
+                    pass(a, vote);
+                    pass(b, vote);
                 }
-            }
-            Node::Sub(..) | Node::Cross(_) => *self.differences.entry(id).or_default() += sign,
-            Node::Mul(a, b) => {
-                if let Some(factor) = [a, b].into_iter().find(|factor| self.decides(*factor)) {
-                    self.cast(factor, sign);
+                Node::Sub(..) | Node::Cross(_) => {
+                    votes.differences.insert(id, vote);
                 }
+                Node::Mul(a, b) => {
+                    if let Some(factor) = [a, b].into_iter().find(|factor| decides[factor.index()]) {
+                        pass(factor, vote);
+                    }
+                }
+                Node::Div(a, _) => pass(a, vote),
+                _ => {}
             }
-            Node::Div(a, _) => self.cast(a, sign),
-            _ => {}
         }
+        votes
     }
+}
 
-    /// True when the sign of `id` can be chosen.
-    fn decides(&self, id: ExprId) -> bool {
-        match self.graph.node(id) {
+/// For every expression whether its sign can be chosen.
+fn deciding(graph: &Graph, order: &[ExprId]) -> Vec<bool> {
+    let mut decides = vec![false; graph.len()];
+    for &id in order {
+        let of = |id: ExprId| decides[id.index()];
+        decides[id.index()] = match graph.node(id) {
             Node::RotX(_) | Node::RotY(_) | Node::Sub(..) | Node::Cross(_) => true,
-            Node::Neg(a) | Node::Div(a, _) => self.decides(a),
-            Node::Mul(a, b) => self.decides(a) || self.decides(b),
-            Node::Add(a, b) => self.decides(a) && self.decides(b),
+            Node::Neg(a) | Node::Div(a, _) => of(a),
+            Node::Mul(a, b) => of(a) || of(b),
+            Node::Add(a, b) => of(a) && of(b),
             _ => false,
-        }
+        };
     }
+    decides
 }
