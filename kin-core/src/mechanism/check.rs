@@ -45,7 +45,8 @@ pub const MAX_MEMBERS: usize = 10_000;
 /// Everything that is wrong with `mechanism`, in the order of its origins.
 pub fn check(mechanism: &Mechanism) -> Vec<ModelError> {
     let mut errors = check_parts(mechanism);
-    if is_sound(mechanism) {
+    // Of two things with one name only one is used, which is the other's fault.
+    if is_sound(mechanism) && names::are_distinct(mechanism) {
         let before = errors.len();
         has_coordinates(mechanism, &mut errors);
         if errors.len() == before {

@@ -2,7 +2,7 @@
 
 use super::MentionKind;
 use crate::suggest::{listed, nearest};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,13 +62,24 @@ pub(super) struct Declared {
 pub(super) struct Names {
     all: Vec<Declared>,
     by_name: BTreeMap<String, usize>,
+    ambiguous: BTreeSet<String>,
 }
 
 impl Names {
     /// Adds a name.
     pub(super) fn insert(&mut self, declared: Declared) {
+        if let Some(first) = self.find(&declared.name)
+            && std::mem::discriminant(&first.symbol) != std::mem::discriminant(&declared.symbol)
+        {
+            self.ambiguous.insert(declared.name.clone());
+        }
         self.by_name.entry(declared.name.clone()).or_insert(self.all.len());
         self.all.push(declared);
+    }
+
+    /// True for a name that stands for two kinds of things: nothing can be said about its uses.
+    pub(super) fn is_ambiguous(&self, name: &str) -> bool {
+        self.ambiguous.contains(name)
     }
 
     /// What `name` stands for.

@@ -24,6 +24,9 @@ impl Lowerer<'_> {
     /// What a name stands for, or an error that names what is wanted.
     pub(super) fn resolve(&mut self, used: &NameUse, what: &str, wanted: fn(Symbol) -> bool) -> Option<Declared> {
         let name = used.text();
+        if self.names.is_ambiguous(&name) {
+            return None;
+        }
         if let Some(declared) = self.names.find(&name).cloned() {
             self.mention(declared.symbol.mention(), &used.ident);
             return Some(declared);

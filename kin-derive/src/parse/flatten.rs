@@ -2,8 +2,8 @@
 
 use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
 
-/// The deepest nesting of brackets that is read.
-pub(crate) const MAX_NESTING: usize = 150;
+/// The deepest nesting of brackets that is read: parsers recurse, and macros run unoptimised on small stacks.
+pub(crate) const MAX_NESTING: usize = 64;
 
 /// The group that is nested too deep for a recursive parser, if there is one.
 pub(crate) fn too_deep(tokens: &TokenStream) -> Option<Span> {

@@ -66,8 +66,13 @@ pub(super) fn skip_part(input: ParseStream) {
 /// Moves to the first token for which `stop` holds, or to the end.
 pub(super) fn skip_to(input: ParseStream, stop: impl Fn(ParseStream) -> bool) {
     while !input.is_empty() && !stop(input) {
-        if input.parse::<TokenTree>().is_err() {
-            return;
+        // The second half of `==` is no `=`.
+        let is_double =
+            input.peek(Token![==]) || input.peek(Token![!=]) || input.peek(Token![<=]) || input.peek(Token![>=]);
+        for _ in 0..1 + usize::from(is_double) {
+            if input.parse::<TokenTree>().is_err() {
+                return;
+            }
         }
     }
 }

@@ -46,8 +46,12 @@ pub(super) struct Parts<'a> {
     operands: VecDeque<Operand>,
     right: Option<Expr>,
     options: Vec<(Ident, Option<Value>)>,
-    /// An option has an unknown key, probably a slip of the one that is missing.
-    unknown_key: bool,
+    /// An option was lost to a reported mistake, probably the one that is missing.
+    lost_option: bool,
+    /// The number of operands is wrong, which is reported.
+    miscounted: bool,
+    /// Errors before this row.
+    errors_before: usize,
 }
 
 impl<'a> Parts<'a> {
@@ -60,7 +64,9 @@ impl<'a> Parts<'a> {
             operands: VecDeque::new(),
             right: None,
             options: Vec::new(),
-            unknown_key: false,
+            lost_option: false,
+            miscounted: false,
+            errors_before: report.count(),
         };
         parts.read_operands(input);
         parts.read_options(input);
@@ -72,7 +78,7 @@ impl<'a> Parts<'a> {
         for (k, operand) in self.form.operands.iter().enumerate() {
             let last = k + 1 == count;
             if input.is_empty() || !self.form.equals && is_option(input) {
-                return self.wrong_count();
+                return self.too_few();
             }
             let result = self.read_operand(input, *operand);
             let read = self.report.ok(result).is_some();
@@ -87,7 +93,7 @@ impl<'a> Parts<'a> {
             if last && self.form.equals {
                 self.read_right(input, read);
             } else if self.form.equals && is_equals(input) {
-                return self.wrong_count();
+                return self.too_few();
             } else {
                 self.finish_part(end_of_part(input), input);
             }
@@ -122,13 +128,12 @@ impl<'a> Parts<'a> {
             if left_is_read {
                 self.report.push(input.error(format!("expected `=` and a value: `{}`", self.form.example)));
             }
-            skip_part(input);
-            comma(input);
+            // What follows a comma here would be taken for an option.
+            skip_to(input, |_| false);
         }
     }
 
     fn read_options(&mut self, input: ParseStream) {
-        let mut too_many = false;
         while !input.is_empty() {
             if is_option(input) {
                 let result = self.read_option(input);
@@ -136,8 +141,8 @@ impl<'a> Parts<'a> {
                 continue;
             }
             // One word about operands that are too many is enough.
-            if !too_many {
-                too_many = true;
+            if !self.miscounted {
+                self.miscounted = true;
                 self.report.push(input.error(self.count_message()));
             }
             skip_part(input);
@@ -156,7 +161,7 @@ impl<'a> Parts<'a> {
             return Ok(());
         }
         let Some((_, form)) = known else {
-            self.unknown_key = true;
+            self.lost_option = true;
             self.report.error(key.span(), self.unknown_option(&name));
             skip_part(input);
             return Ok(());
@@ -177,8 +182,9 @@ impl<'a> Parts<'a> {
         end_of_part(input)
     }
 
-    fn finish_part(&self, result: Result<()>, input: ParseStream) {
+    fn finish_part(&mut self, result: Result<()>, input: ParseStream) {
         if self.report.ok(result).is_none() {
+            self.lost_option = true;
             skip_part(input);
         }
         comma(input);
@@ -197,8 +203,12 @@ impl<'a> Parts<'a> {
         }
     }
 
-    fn wrong_count(&self) {
-        self.report.error(self.keyword.span(), self.count_message());
+    /// A mistake before may be the reason why there are too few.
+    fn too_few(&mut self) {
+        self.miscounted = true;
+        if self.report.count() == self.errors_before {
+            self.report.error(self.keyword.span(), self.count_message());
+        }
     }
 
     fn count_message(&self) -> String {
@@ -281,7 +291,7 @@ impl<'a> Parts<'a> {
     }
 
     fn missing(&self, key: &str, given: bool) {
-        if !given && !self.unknown_key {
+        if !given && !self.lost_option {
             let message = format!("`{}` needs `{key} = …`: `{}`", self.keyword, self.form.example);
             self.report.error(self.keyword.span(), message);
         }

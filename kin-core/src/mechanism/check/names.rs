@@ -50,6 +50,13 @@ pub(super) fn names_differ(mechanism: &Mechanism, errors: &mut Vec<ModelError>) 
     }
 }
 
+/// True when no name is declared twice.
+pub(super) fn are_distinct(mechanism: &Mechanism) -> bool {
+    let mut errors = Vec::new();
+    names_differ(mechanism, &mut errors);
+    errors.is_empty()
+}
+
 /// A name that is a word of the language.
 pub(super) fn names_are_free(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for (name, kind, origin) in declared(mechanism) {
