@@ -1,4 +1,4 @@
-//! Kinematics of planar mechanisms.
+#![doc = include_str!("guide.md")]
 #![cfg_attr(not(feature = "std"), no_std)]
 
 pub mod function;
