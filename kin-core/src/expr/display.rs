@@ -51,121 +51,123 @@ const SUM: u8 = 1;
 const PRODUCT: u8 = 2;
 const UNARY: u8 = 3;
 const POWER: u8 = 4;
+const ATOM: u8 = 5;
+
+/// A shared part is written wherever it is used, so the text of a small graph can be endless: beyond this many operands
+/// it is cut with an ellipsis.
+const MAX_OPERANDS: usize = 50_000;
+
+/// Something to write.
+enum Piece {
+    Text(&'static str),
+    Owned(String),
+    /// An expression; it needs parentheses when it binds less tightly than this.
+    Operand(ExprId, u8),
+}
+
+use Piece::{Operand, Owned, Text};
 
 impl<N: Names> fmt::Display for Shown<'_, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.write(self.id, 0, f)
+        // What is still to be written, last first: neither a long sum nor a deep nest can exhaust the stack.
+        let mut waiting = vec![Operand(self.id, 0)];
+        let mut operands = 0;
+        while let Some(piece) = waiting.pop() {
+            match piece {
+                Text(text) => f.write_str(text)?,
+                Owned(text) => f.write_str(&text)?,
+                Operand(..) if operands == MAX_OPERANDS => return f.write_str("…"),
+                Operand(id, outer) => {
+                    operands += 1;
+                    let (own, pieces) = self.pieces(id);
+                    let parentheses = own < outer;
+                    waiting.extend(parentheses.then_some(Text(")")));
+                    waiting.extend(pieces.into_iter().rev());
+                    waiting.extend(parentheses.then_some(Text("(")));
+                }
+            }
+        }
+        Ok(())
     }
 }
 
 impl<N: Names> Shown<'_, N> {
-    fn write(&self, id: ExprId, outer: u8, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let own = match self.graph.node(id) {
-            Node::Add(..) | Node::Sub(..) | Node::Dot(_) | Node::Cross(_) => SUM,
-            Node::Mul(..) | Node::Div(..) => PRODUCT,
-            Node::Neg(_) => UNARY,
-            Node::Powi(..) | Node::Powf(..) => POWER,
-            Node::Number(bits) if bits.value() < 0.0 => UNARY,
-            Node::RotX(r) | Node::RotY(r) if self.graph.is_zero(r.x) || self.graph.is_zero(r.y) => PRODUCT,
-            Node::RotX(_) | Node::RotY(_) => SUM,
-            _ => u8::MAX,
-        };
-        if own < outer {
-            f.write_str("(")?;
-        }
+    /// How tightly `id` binds, and what it is written with.
+    fn pieces(&self, id: ExprId) -> (u8, Vec<Piece>) {
         match self.graph.node(id) {
-            Node::Number(bits) => write!(f, "{}", bits.value())?,
-            Node::Symbol(symbol) => f.write_str(&self.names.symbol(symbol))?,
-            Node::Neg(a) => {
-                f.write_str("-")?;
-                self.write(a, UNARY, f)?;
-            }
-            Node::Add(a, b) => self.binary(a, " + ", b, SUM, SUM, f)?,
-            Node::Sub(a, b) => self.binary(a, " - ", b, SUM, PRODUCT, f)?,
-            Node::Mul(a, b) => self.binary(a, "*", b, PRODUCT, UNARY, f)?,
-            Node::Div(a, b) => self.binary(a, "/", b, PRODUCT, POWER, f)?,
-            Node::Powi(a, n) => {
-                self.write(a, u8::MAX, f)?;
-                write!(f, "^{n}")?;
-            }
-            Node::Powf(a, n) => {
-                self.write(a, u8::MAX, f)?;
-                write!(f, "^{}", n.value())?;
-            }
-            Node::Call(function, a) => self.call(function.name(), &[a], f)?,
-            Node::Sign(a) => self.call("sign", &[a], f)?,
-            Node::Atan2(y, x) => self.call("atan2", &[y, x], f)?,
-            Node::RotX(r) => self.turned(r.angle, ("cos", r.x), ("sin", r.y), " - ", f)?,
-            Node::RotY(r) => self.turned(r.angle, ("sin", r.x), ("cos", r.y), " + ", f)?,
-            Node::Dot(t) => self.products([(t.u[0], t.d[0]), (t.u[1], t.d[1])], " + ", f)?,
-            Node::Cross(t) => self.products([(t.u[0], t.d[1]), (t.u[1], t.d[0])], " - ", f)?,
+            Node::Number(bits) if bits.value() < 0.0 => (UNARY, vec![Owned(bits.value().to_string())]),
+            Node::Number(bits) => (ATOM, vec![Owned(bits.value().to_string())]),
+            Node::Symbol(symbol) => (ATOM, vec![Owned(self.names.symbol(symbol))]),
+            Node::Neg(a) => (UNARY, vec![Text("-"), Operand(a, UNARY)]),
+            Node::Add(a, b) => match self.minus_sine(b) {
+                Some(term) => (SUM, [vec![Operand(a, SUM), Text(" - ")], term].into_iter().flatten().collect()),
+                None => (SUM, vec![Operand(a, SUM), Text(" + "), Operand(b, SUM)]),
+            },
+            Node::Sub(a, b) => match self.minus_sine(b) {
+                Some(term) => (SUM, [vec![Operand(a, SUM), Text(" + ")], term].into_iter().flatten().collect()),
+                None => (SUM, vec![Operand(a, SUM), Text(" - "), Operand(b, PRODUCT)]),
+            },
+            Node::Mul(a, b) => (PRODUCT, vec![Operand(a, PRODUCT), Text("*"), Operand(b, UNARY)]),
+            Node::Div(a, b) => (PRODUCT, vec![Operand(a, PRODUCT), Text("/"), Operand(b, POWER)]),
+            Node::Powi(a, n) => (POWER, vec![Operand(a, ATOM), Owned(format!("^{n}"))]),
+            Node::Powf(a, n) => (POWER, vec![Operand(a, ATOM), Owned(format!("^{}", n.value()))]),
+            Node::Call(function, a) => (ATOM, call(function.name().to_owned(), &[a])),
+            Node::Sign(a) => (ATOM, call("sign".to_owned(), &[a])),
+            Node::Atan2(y, x) => (ATOM, call("atan2".to_owned(), &[y, x])),
+            Node::RotX(r) => match (self.term(r.x, "cos", r.angle), self.minus_sine(id)) {
+                (x, Some(y)) if x.is_empty() => (UNARY, [vec![Text("-")], y].into_iter().flatten().collect()),
+                (x, _) => joined(x, " - ", self.term(r.y, "sin", r.angle)),
+            },
+            Node::RotY(r) => joined(self.term(r.x, "sin", r.angle), " + ", self.term(r.y, "cos", r.angle)),
+            Node::Dot(t) => (SUM, products([(t.u[0], t.d[0]), (t.u[1], t.d[1])], " + ")),
+            Node::Cross(t) => (SUM, products([(t.u[0], t.d[1]), (t.u[1], t.d[0])], " - ")),
             Node::Supplied(function, order, a) => {
-                let primes = "'".repeat(usize::from(order));
-                self.call(&format!("{}{primes}", self.names.function(function)), &[a], f)?;
+                (ATOM, call(self.names.function(function) + &"'".repeat(usize::from(order)), &[a]))
             }
         }
-        if own < outer {
-            f.write_str(")")?;
+    }
+
+    /// `factor*of(angle)`, nothing for a literal zero.
+    fn term(&self, factor: ExprId, of: &'static str, angle: ExprId) -> Vec<Piece> {
+        match self.graph.literal(factor) {
+            Some(0.0) => Vec::new(),
+            Some(1.0) => call(of.to_owned(), &[angle]),
+            _ => [Operand(factor, UNARY), Text("*")].into_iter().chain(call(of.to_owned(), &[angle])).collect(),
         }
-        Ok(())
     }
 
-    fn binary(
-        &self,
-        a: ExprId,
-        operator: &str,
-        b: ExprId,
-        left: u8,
-        right: u8,
-        f: &mut fmt::Formatter<'_>,
-    ) -> fmt::Result {
-        self.write(a, left, f)?;
-        f.write_str(operator)?;
-        self.write(b, right, f)
-    }
-
-    fn call(&self, name: &str, arguments: &[ExprId], f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{name}(")?;
-        for (place, argument) in arguments.iter().enumerate() {
-            if place > 0 {
-                f.write_str(", ")?;
+    /// The term y*sin(φ) when `id` is −y*sin(φ), the first component of a vector (0, y).
+    fn minus_sine(&self, id: ExprId) -> Option<Vec<Piece>> {
+        match self.graph.node(id) {
+            Node::RotX(r) if self.graph.is_zero(r.x) && !self.graph.is_zero(r.y) => {
+                Some(self.term(r.y, "sin", r.angle))
             }
-            self.write(*argument, 0, f)?;
+            _ => None,
         }
-        f.write_str(")")
     }
+}
 
-    /// `x*cos(φ) − y*sin(φ)`, without the terms that are literally zero.
-    fn turned(
-        &self,
-        angle: ExprId,
-        (of_x, x): (&str, ExprId),
-        (of_y, y): (&str, ExprId),
-        operator: &str,
-        f: &mut fmt::Formatter<'_>,
-    ) -> fmt::Result {
-        let (no_x, no_y) = (self.graph.is_zero(x), self.graph.is_zero(y));
-        if !no_x {
-            self.write(x, UNARY, f)?;
-            f.write_str("*")?;
-            self.call(of_x, &[angle], f)?;
-        }
-        if !no_y {
-            match (no_x, operator) {
-                (true, " - ") => f.write_str("-")?,
-                (true, _) => {}
-                (false, operator) => f.write_str(operator)?,
-            }
-            self.write(y, UNARY, f)?;
-            f.write_str("*")?;
-            self.call(of_y, &[angle], f)?;
-        }
-        if no_x && no_y { f.write_str("0") } else { Ok(()) }
+fn call(name: String, arguments: &[ExprId]) -> Vec<Piece> {
+    let mut pieces = vec![Owned(name), Text("(")];
+    for (place, argument) in arguments.iter().enumerate() {
+        pieces.extend((place > 0).then_some(Text(", ")));
+        pieces.push(Operand(*argument, 0));
     }
+    pieces.push(Text(")"));
+    pieces
+}
 
-    fn products(&self, pairs: [(ExprId, ExprId); 2], operator: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.binary(pairs[0].0, "*", pairs[0].1, UNARY, UNARY, f)?;
-        f.write_str(operator)?;
-        self.binary(pairs[1].0, "*", pairs[1].1, UNARY, UNARY, f)
+/// Two terms, either of which may be nothing.
+fn joined(a: Vec<Piece>, operator: &'static str, b: Vec<Piece>) -> (u8, Vec<Piece>) {
+    match (a.is_empty(), b.is_empty()) {
+        (true, true) => (ATOM, vec![Text("0")]),
+        (_, true) => (PRODUCT, a),
+        (true, _) => (PRODUCT, b),
+        _ => (SUM, a.into_iter().chain([Text(operator)]).chain(b).collect()),
     }
+}
+
+fn products(pairs: [(ExprId, ExprId); 2], operator: &'static str) -> Vec<Piece> {
+    let product = |(a, b)| [Operand(a, UNARY), Text("*"), Operand(b, UNARY)];
+    product(pairs[0]).into_iter().chain([Text(operator)]).chain(product(pairs[1])).collect()
 }
