@@ -49,7 +49,7 @@ pub(crate) enum Item {
     /// `define(e = …)`.
     Define(DefineDecl),
     /// A joint, driver or equation.
-    Row(Row),
+    Row(Box<Row>),
     /// One entry of `guess(…)`.
     Guess(GuessDecl),
 }

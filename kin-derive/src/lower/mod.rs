@@ -45,6 +45,7 @@ pub(crate) struct Mention {
 }
 
 /// What a mentioned name is.
+#[allow(dead_code, reason = "inputs and supplied functions are mentioned once their attributes are read")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MentionKind {
     Parameter,
@@ -57,6 +58,7 @@ pub(crate) enum MentionKind {
 }
 
 /// A field of the struct.
+#[allow(dead_code, reason = "expansion reads types and lengths from the struct and the model so far")]
 #[derive(Clone)]
 pub(crate) struct Field {
     pub(crate) ident: Ident,
@@ -67,6 +69,7 @@ pub(crate) struct Field {
 }
 
 /// What a field is for.
+#[allow(dead_code, reason = "supplied functions come with their attribute")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FieldRole {
     /// An entry of `Mechanism::parameters`.

@@ -58,7 +58,7 @@ mod tests {
     #[test]
     fn invisible_groups_become_tokens_or_parentheses() {
         let single = invisible(quote!(l1));
-        let nested = invisible(TokenTree::from(invisible(quote!(2))).into());
+        let nested = invisible(invisible(quote!(2)).into());
         let sum = invisible(quote!(a + b));
         let flat = flatten(quote!(#single * #sum, [#nested]));
         assert_eq!(flat.to_string(), quote!(l1 * (a + b), [2]).to_string());

@@ -126,7 +126,7 @@ fn read(attribute: &Attribute, word: &Ident, keyword: Keyword, report: &Report, 
                 true
             }
             Keyword::Row(form) => {
-                items.push(Item::Row(row(input, word, form, report)?));
+                items.push(Item::Row(Box::new(row(input, word, form, report)?)));
                 true
             }
             Keyword::Param | Keyword::Mechanism | Keyword::Later { .. } => true,

@@ -27,8 +27,9 @@ pub(super) fn after_expr(input: ParseStream) -> Error {
 
 /// A token stands where an expression begins and cannot begin one.
 pub(super) fn no_expr(input: ParseStream) -> Error {
-    if input.is_empty() {
-        return input.error("expected an expression here");
+    let is_equals = input.peek(Token![=]) && !input.peek(Token![==]) && !input.peek(Token![=>]);
+    if input.is_empty() || input.peek(Token![,]) || is_equals {
+        return input.error("expected an expression before this");
     }
     if input.peek(Token![+]) {
         return input.error("expected a value; there is no unary plus");
@@ -49,9 +50,7 @@ fn operator(input: ParseStream) -> Option<&'static str> {
         Some("powers are written `pow(a, n)` or `a.powi(n)`")
     } else if input.peek(Token![%]) {
         Some("there is no remainder: angles are continuous, periods are the business of sin and cos")
-    } else if input.peek(Token![==]) {
-        Some("an equation has a single `=`")
-    } else if input.peek(Token![=>]) || input.peek(Token![!=]) {
+    } else if input.peek(Token![==]) || input.peek(Token![=>]) || input.peek(Token![!=]) {
         Some("an equation has a single `=`")
     } else if input.peek(Token![<]) || input.peek(Token![>]) {
         Some("comparisons have no place in an expression; an equation has a single `=`")
