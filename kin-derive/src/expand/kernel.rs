@@ -90,7 +90,6 @@ pub(crate) fn kernel(
     Kernel {
         item: quote! {
             #[inline]
-            #[allow(clippy::too_many_arguments)]
             fn #name<T: __kin::Scalar>(#(#arguments),*) { #statements }
         },
         call: quote! { #name::<T>(#(#values),*); },

@@ -67,6 +67,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
         type __Coordinates<T> = [T; #n];
 
         #[automatically_derived]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         impl #impl_generics __kin::Mechanism for #name #type_generics #where_clause {
             const COORDINATES: usize = #n;
             const ROWS: usize = #s;
