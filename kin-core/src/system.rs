@@ -55,20 +55,17 @@ pub fn differentiate(mut set: ConstraintSet) -> KinematicSystem {
             RowClass { holonomic: true, rheonomic, driving: declared || rheonomic }
         })
         .collect();
-    let equations = equations(&mut set, &rows);
-    let observables = self::equations(&mut set, &observed);
-    KinematicSystem { set, equations, classes, observables }
-}
-
-fn equations(set: &mut ConstraintSet, values: &[ExprId]) -> Vec<Equation> {
-    let jets = total_derivatives(&mut set.graph, values);
-    let equation = |(phi, jet): (&ExprId, Jet)| Equation {
-        phi: *phi,
+    let all: Vec<ExprId> = rows.iter().chain(&observed).copied().collect();
+    let jets = total_derivatives(&mut set.graph, &all);
+    let equation = |(phi, jet): (ExprId, Jet)| Equation {
+        phi,
         phi_q: jet.gradient,
         phi_t: jet.partial_t,
         gamma: set.graph.neg(jet.rest),
     };
-    values.iter().zip(jets).map(equation).collect()
+    let mut equations: Vec<Equation> = all.into_iter().zip(jets).map(equation).collect();
+    let observables = equations.split_off(rows.len());
+    KinematicSystem { set, equations, classes, observables }
 }
 
 impl fmt::Display for KinematicSystem {

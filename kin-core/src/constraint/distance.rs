@@ -7,7 +7,8 @@
 //! Singular when P and Q coincide: the gradient of the square vanishes there, so e must not be 0; use a revolute
 //! joint for that. Reports the distance. After Haug (1989), section 3.2.
 
-use super::assembly::{Assembly, PlacedPoint, Rows};
+use super::assembly::{Assembly, Rows};
+use super::placed::PlacedPoint;
 use super::set::Role;
 use crate::expr::ExprId;
 use crate::mechanism::{Formula, Function, Place};

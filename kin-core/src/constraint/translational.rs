@@ -8,7 +8,8 @@
 //! perp(u)·(r_P − r_i) is the constant perp(v̂)·s′_P, so the first row is written perp(u)·(r_Q − r_i) minus that
 //! constant: the same number with fewer operations. Reports the stroke u·(r_Q − r_P). After Haug (1989), section 3.3.
 
-use super::assembly::{Assembly, PlacedAxis, PlacedPoint, Rows};
+use super::assembly::{Assembly, Rows};
+use super::placed::{PlacedAxis, PlacedPoint};
 use super::set::Role;
 use crate::expr::ExprId;
 use crate::mechanism::{Axis, Formula, Place};

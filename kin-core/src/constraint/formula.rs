@@ -1,0 +1,135 @@
+//! Formulas as the user wrote them to expressions.
+
+use super::assembly::Assembly;
+use super::distance;
+use crate::error::Origin;
+use crate::expr::{ExprId, Symbol};
+use crate::mechanism::{Component, Formula, Member, Range};
+
+impl Assembly<'_> {
+    /// The place in q of a scalar coordinate at the current index, if there is one.
+    pub(super) fn scalar(&mut self, member: &Member) -> Option<u32> {
+        let len = self.mechanism.scalars.get(member.family)?.len.unwrap_or(1);
+        let index = member.index.at(self.index).filter(|i| *i < len)?;
+        Some(self.first_scalar[member.family] + index as u32)
+    }
+
+    /// A formula at the current index.
+    pub(super) fn formula(&mut self, formula: &Formula) -> ExprId {
+        match formula {
+            Formula::Number(value) => self.graph.number(*value),
+            Formula::Pi => self.graph.number(core::f64::consts::PI),
+            Formula::Time => self.graph.symbol(Symbol::Time),
+            Formula::Parameter(member) => {
+                let len = self.mechanism.parameters.get(member.family).map_or(0, |p| p.len.unwrap_or(1));
+                match member.index.at(self.index).filter(|i| *i < len) {
+                    Some(i) => {
+                        let first = self.first_parameter[member.family];
+                        self.graph.symbol(Symbol::Parameter(first + i as u32))
+                    }
+                    None => {
+                        self.error(member.origin, format!("the index is out of range: the array has {len} elements"))
+                    }
+                }
+            }
+            Formula::Input(member) => self.graph.symbol(Symbol::Input(member.family as u32, 0)),
+            Formula::Pose(body, component) => self.pose(body)[*component as usize],
+            Formula::Scalar(member) => match self.scalar(member) {
+                Some(k) => self.graph.symbol(Symbol::Coordinate(k)),
+                None => self.error(member.origin, "the index is out of range"),
+            },
+            Formula::PointCoordinate(place, component) => {
+                let r = self.place(place).r;
+                r[usize::from(*component != Component::X)]
+            }
+            Formula::Distance(p, q) => {
+                let (p, q) = (self.place(p), self.place(q));
+                distance::length(self, &p, &q)
+            }
+            Formula::Define(member) => self.define(member),
+            Formula::Neg(a) => {
+                let a = self.formula(a);
+                self.graph.neg(a)
+            }
+            Formula::Add(..) | Formula::Sub(..) | Formula::Mul(..) | Formula::Div(..) => self.arithmetic(formula),
+            Formula::Pow(a, n) => {
+                let a = self.formula(a);
+                self.graph.powf(a, *n)
+            }
+            Formula::Call(f, a) => {
+                let a = self.formula(a);
+                self.graph.call(*f, a)
+            }
+            Formula::Atan2(y, x) => {
+                let (y, x) = (self.formula(y), self.formula(x));
+                self.graph.atan2(y, x)
+            }
+            Formula::Supplied(member, a) => {
+                let a = self.formula(a);
+                self.graph.supplied(member.family as u32, 0, a)
+            }
+        }
+    }
+
+    /// Sums and products; a long one is deep on its left, so that side is walked and not called.
+    fn arithmetic(&mut self, formula: &Formula) -> ExprId {
+        let (mut operations, mut left) = (Vec::new(), formula);
+        while let Formula::Add(a, _) | Formula::Sub(a, _) | Formula::Mul(a, _) | Formula::Div(a, ..) = left {
+            operations.push(left);
+            left = a;
+        }
+        let mut value = self.formula(left);
+        for operation in operations.into_iter().rev() {
+            value = match operation {
+                Formula::Add(_, b) => {
+                    let b = self.formula(b);
+                    self.graph.add(value, b)
+                }
+                Formula::Sub(_, b) => {
+                    let b = self.formula(b);
+                    self.graph.sub(value, b)
+                }
+                Formula::Mul(_, b) => {
+                    let b = self.formula(b);
+                    self.graph.mul(value, b)
+                }
+                Formula::Div(_, b, origin) => {
+                    let b = self.formula(b);
+                    if self.graph.is_zero(b) {
+                        self.error(*origin, "division by zero")
+                    } else {
+                        self.graph.div(value, b)
+                    }
+                }
+                _ => value,
+            };
+        }
+        value
+    }
+
+    /// A define, built once however often it is used.
+    fn define(&mut self, member: &Member) -> ExprId {
+        let Some(define) = self.mechanism.defines.get(member.family) else { return self.graph.zero() };
+        let range = define.range.map_or(0..1, Range::indices);
+        let Some(index) = member.index.at(self.index).filter(|i| range.contains(&(*i as i64))) else {
+            return self.error(member.origin, format!("the index is out of range: `{}` has {range:?}", define.name));
+        };
+        self.define_at(member.family, index as i64, member.origin)
+    }
+
+    /// The define of a family at an index.
+    pub(super) fn define_at(&mut self, family: usize, index: i64, origin: Origin) -> ExprId {
+        let define = &self.mechanism.defines[family];
+        match self.defines.get(&(family, index)) {
+            Some(Some(value)) => return *value,
+            Some(None) => return self.error(origin, format!("`{}` is defined by itself", define.name)),
+            None => {}
+        }
+        self.defines.insert((family, index), None);
+        let outer = std::mem::replace(&mut self.index, index);
+        let value = self.formula(&define.formula);
+        self.index = outer;
+        self.defines.insert((family, index), Some(value));
+        value
+    }
+}

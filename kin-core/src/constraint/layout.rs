@@ -1,0 +1,80 @@
+//! Layout: families to instances, with their names and their places in q.
+
+use super::assembly::Assembly;
+use super::placed::Pose;
+use super::set::{BodyInstance, ConstraintSet, Coordinate, CoordinateKind};
+use crate::expr::{ExprId, Graph};
+use crate::mechanism::{BodyOrigin, Component, Mechanism};
+use std::collections::HashMap;
+
+/// `name` or `name[index]`.
+pub(super) fn indexed(name: &str, is_array: bool, index: impl core::fmt::Display) -> String {
+    if is_array { format!("{name}[{index}]") } else { name.to_owned() }
+}
+
+impl<'m> Assembly<'m> {
+    /// An assembly with all parameters, bodies and coordinates laid out.
+    pub(super) fn new(mechanism: &'m Mechanism, set: &mut ConstraintSet) -> Self {
+        let mut first_parameter = Vec::new();
+        for parameter in &mechanism.parameters {
+            first_parameter.push(set.parameters.len() as u32);
+            for index in 0..parameter.len.unwrap_or(1) {
+                set.parameters.push(indexed(&parameter.name, parameter.len.is_some(), index));
+            }
+        }
+        set.functions = mechanism.functions.iter().map(|f| f.name.clone()).collect();
+        set.inputs = mechanism.inputs.iter().map(|input| input.name.clone()).collect();
+        let (mut first_body, mut coordinates_of) = (Vec::new(), Vec::new());
+        for (family, body) in mechanism.bodies.iter().enumerate() {
+            first_body.push(coordinates_of.len());
+            let held = match &body.origin_at {
+                BodyOrigin::Free { x, y } => [x.is_some(), y.is_some(), body.phi.is_some()],
+                BodyOrigin::Carried(_) => [true, true, body.phi.is_some()],
+            };
+            for index in 0..body.len.unwrap_or(1) {
+                let name = indexed(&body.name, body.len.is_some(), index);
+                let place = coordinates_of.len();
+                let coordinates = std::array::from_fn(|c| {
+                    (!held[c]).then(|| {
+                        let component = Component::ALL[c];
+                        set.coordinates.push(Coordinate {
+                            name: format!("{name}.{component}"),
+                            kind: CoordinateKind::Pose(place, component),
+                        });
+                        set.coordinates.len() as u32 - 1
+                    })
+                });
+                coordinates_of.push(coordinates);
+                set.bodies.push(BodyInstance {
+                    name,
+                    family: (family, index),
+                    coordinates,
+                    carried_by: None,
+                    pose: [ExprId::default(); 3],
+                    observables: [0; 3],
+                });
+            }
+        }
+        let mut first_scalar = Vec::new();
+        for scalar in &mechanism.scalars {
+            first_scalar.push(set.coordinates.len() as u32);
+            for index in 0..scalar.len.unwrap_or(1) {
+                let name = indexed(&scalar.name, scalar.len.is_some(), index);
+                set.coordinates.push(Coordinate { name, kind: CoordinateKind::Scalar });
+            }
+        }
+        let poses = vec![Pose::Unknown; coordinates_of.len()];
+        Self {
+            mechanism,
+            graph: Graph::new(),
+            first_body,
+            poses,
+            coordinates_of,
+            first_scalar,
+            first_parameter,
+            defines: HashMap::new(),
+            index: 0,
+            errors: Vec::new(),
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! Bodies, points and axes in the inertial frame.
+
+use super::assembly::Assembly;
+use super::set::Frame;
+use crate::expr::{ExprId, Symbol};
+use crate::mechanism::{Axis, Body, BodyOrigin, BodyRef, Formula, Function, Place};
+
+/// A point in the inertial frame: r = r_i + A_i s.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PlacedPoint {
+    pub(super) frame: Frame,
+    /// s.
+    pub(super) local: [ExprId; 2],
+    /// r_i.
+    pub(super) base: [ExprId; 2],
+    /// r.
+    pub(super) r: [ExprId; 2],
+    /// φ_i.
+    pub(super) angle: ExprId,
+}
+
+/// A unit axis fixed in a frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PlacedAxis {
+    /// v̂ in the frame.
+    pub(super) local: [ExprId; 2],
+    /// u = A v̂.
+    pub(super) u: [ExprId; 2],
+    /// The angle it turns with.
+    pub(super) angle: ExprId,
+}
+
+/// The pose of a body, as far as it is known.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Pose {
+    Unknown,
+    /// It is being built; to need it now is to need itself.
+    Building,
+    Known([ExprId; 3]),
+}
+
+impl<'m> Assembly<'m> {
+    /// The frame that a body reference means at `index`, if there is one.
+    pub(super) fn resolve(&self, body: &BodyRef, index: i64) -> Option<Frame> {
+        match body {
+            BodyRef::Ground(_) => Some(Frame::Ground),
+            BodyRef::Body { family, index: of, .. } => {
+                let found = of.at(index).filter(|i| *i < self.members(*family))?;
+                Some(Frame::Body(self.first_body[*family] + found))
+            }
+        }
+    }
+
+    /// Number of bodies of a family.
+    fn members(&self, family: usize) -> usize {
+        self.mechanism.bodies.get(family).map_or(0, |b| b.len.unwrap_or(1))
+    }
+
+    /// The frame that a body reference means at the current index.
+    pub(super) fn frame(&mut self, body: &BodyRef) -> Option<Frame> {
+        let found = self.resolve(body, self.index);
+        if let (None, BodyRef::Body { family, origin, .. }) = (found, body) {
+            let len = self.members(*family);
+            self.error(*origin, format!("the index is out of range: there are {len} bodies of this name"));
+        }
+        found
+    }
+
+    /// x, y, φ of a body at the current index.
+    pub(super) fn pose(&mut self, body: &BodyRef) -> [ExprId; 3] {
+        let frame = self.frame(body).unwrap_or(Frame::Ground);
+        self.pose_in(frame)
+    }
+
+    fn pose_in(&mut self, frame: Frame) -> [ExprId; 3] {
+        match frame {
+            Frame::Body(place) => self.pose_of(place),
+            Frame::Ground => [self.graph.zero(); 3],
+        }
+    }
+
+    /// x, y, φ of the body at `place`. Carriers come first, however long the chain of them is.
+    pub(super) fn pose_of(&mut self, place: usize) -> [ExprId; 3] {
+        let (mut chain, mut next) = (Vec::new(), Some(place));
+        while let Some(place) = next {
+            match self.poses[place] {
+                Pose::Known(_) => break,
+                Pose::Building => {
+                    let origin = self.family_of(place).0.origin;
+                    self.error(origin, "this body is carried by itself, directly or through other bodies");
+                    self.poses[place] = Pose::Known([self.graph.zero(); 3]);
+                    break;
+                }
+                Pose::Unknown => {
+                    self.poses[place] = Pose::Building;
+                    chain.push(place);
+                    next = self.carrier_of(place);
+                }
+            }
+        }
+        for place in chain.into_iter().rev() {
+            self.poses[place] = Pose::Known(self.build_pose(place));
+        }
+        match self.poses[place] {
+            Pose::Known(pose) => pose,
+            _ => [self.graph.zero(); 3],
+        }
+    }
+
+    /// The family of the body at `place`, and its index there.
+    fn family_of(&self, place: usize) -> (&'m Body, i64) {
+        let family = self.first_body.partition_point(|first| *first <= place) - 1;
+        (&self.mechanism.bodies[family], (place - self.first_body[family]) as i64)
+    }
+
+    /// The body that carries the origin of another.
+    fn carrier_of(&self, place: usize) -> Option<usize> {
+        let (body, index) = self.family_of(place);
+        let BodyOrigin::Carried(carrier) = &body.origin_at else { return None };
+        match self.resolve(&carrier.body, index) {
+            Some(Frame::Body(carrier)) => Some(carrier),
+            _ => None,
+        }
+    }
+
+    fn build_pose(&mut self, place: usize) -> [ExprId; 3] {
+        let (body, index) = self.family_of(place);
+        let outer = std::mem::replace(&mut self.index, index);
+        let [x, y] = match &body.origin_at {
+            BodyOrigin::Free { x, y } => {
+                [self.held_or_free(x.as_ref(), place, 0), self.held_or_free(y.as_ref(), place, 1)]
+            }
+            BodyOrigin::Carried(carrier) => self.place(carrier).r,
+        };
+        let phi = self.held_or_free(body.phi.as_ref(), place, 2);
+        self.index = outer;
+        [x, y, phi]
+    }
+
+    fn held_or_free(&mut self, held: Option<&Formula>, place: usize, component: usize) -> ExprId {
+        match (held, self.coordinates_of[place][component]) {
+            (Some(formula), _) => self.formula(formula),
+            (None, Some(k)) => self.graph.symbol(Symbol::Coordinate(k)),
+            (None, None) => self.graph.zero(),
+        }
+    }
+
+    /// A body-fixed point in the inertial frame.
+    pub(super) fn place(&mut self, place: &Place) -> PlacedPoint {
+        let frame = self.frame(&place.body).unwrap_or(Frame::Ground);
+        let [x, y, angle] = self.pose_in(frame);
+        let local = [self.formula(&place.x), self.formula(&place.y)];
+        let rho = self.graph.rotate(angle, local);
+        let r = [self.graph.add(x, rho[0]), self.graph.add(y, rho[1])];
+        PlacedPoint { frame, local, base: [x, y], r, angle }
+    }
+
+    /// The unit vector of an axis fixed in the frame of `p`, v̂ = v/|v|.
+    pub(super) fn axis(&mut self, axis: &Axis, p: &PlacedPoint) -> PlacedAxis {
+        let v = [self.formula(&axis.x), self.formula(&axis.y)];
+        let local = match (self.graph.literal(v[0]), self.graph.literal(v[1])) {
+            (Some(x), Some(y)) => {
+                let norm = x.hypot(y);
+                if norm == 0.0 {
+                    self.error(axis.origin, "an axis of length zero has no direction");
+                    v
+                } else {
+                    [self.graph.number(x / norm), self.graph.number(y / norm)]
+                }
+            }
+            _ => {
+                let square = self.graph.plain_dot(v, v);
+                let norm = self.graph.call(Function::Sqrt, square);
+                [self.graph.div(v[0], norm), self.graph.div(v[1], norm)]
+            }
+        };
+        PlacedAxis { local, u: self.graph.rotate(p.angle, local), angle: p.angle }
+    }
+}
