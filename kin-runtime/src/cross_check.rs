@@ -80,8 +80,8 @@ pub struct CrossCheck {
     pub entries: usize,
     /// The entry with the largest error; without names where a mechanism has no rows.
     pub worst: WorstEntry,
-    /// Largest error over all entries: |closed form − automatic| divided by the largest entry of that row of Φ_q, of
-    /// Φ_t, or of γ (or by the largest entry of Φ_q times the largest of q̇ squared), but by no less than one. Whatever
+    /// Largest error over all entries: |closed form − automatic|, relative to the largest entry of that row of Φ_q,
+    /// to Φ_t, or to γ (or that row of Φ_q times the largest q̇ squared, if larger), but to no less than one. Whatever
     /// is not a number has an infinite error.
     pub max_error: f64,
 }
@@ -291,13 +291,10 @@ impl Comparison {
             }
         }
         let speed = largest(&at.q_dot).powi(2).max(1.0);
-        for (matrix, closed, automatic, floor) in
-            [("Φ_t", phi_t, &dual.phi_t, 0.0), ("γ", gamma, &dual.gamma, largest(&phi_q) * speed)]
-        {
-            let size = largest(closed).max(largest(automatic)).max(floor);
-            for (row, (&a, &b)) in closed.iter().zip(automatic).enumerate() {
-                self.entry(at, matrix, row, "", [a, b], size);
-            }
+        for (row, phi_q) in phi_q.chunks(n.max(1)).take(s).enumerate() {
+            let curvature = largest(phi_q) * speed;
+            self.entry(at, "Φ_t", row, "", [phi_t[row], dual.phi_t[row]], dual.phi_t[row].abs());
+            self.entry(at, "γ", row, "", [gamma[row], dual.gamma[row]], dual.gamma[row].abs().max(curvature));
         }
     }
 

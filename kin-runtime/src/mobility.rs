@@ -10,6 +10,7 @@ use crate::linear::{Dependency, Factorization, dependencies, null_space};
 use crate::model::{Component, CoordinateKind, Level};
 use crate::scale::Scale;
 use crate::workspace::Subset;
+use core::fmt;
 use nalgebra::{ColPivQR, DMatrix};
 
 /// A row that the rows declared before it already imply.
@@ -62,6 +63,26 @@ pub struct Mobility {
     pub condition: f64,
     /// Coordinates that still move, so that each of them could be given.
     pub could_be_given: Vec<usize>,
+}
+
+impl fmt::Display for Mobility {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{} coordinates, {} rows ({} driving), rank {}: {} degrees of freedom, {} left",
+            self.coordinates,
+            self.rows,
+            self.driving_rows,
+            self.rank,
+            self.degrees_of_freedom,
+            self.degrees_of_freedom_left
+        )?;
+        for row in &self.redundant {
+            let verb = if row.consistent { "repeats" } else { "contradicts" };
+            write!(f, "; row `{}` of joint `{}` {verb} {}", row.name, row.joint, row.circuit.join(", "))?;
+        }
+        Ok(())
+    }
 }
 
 /// Weight of a column that a driving row mentions, when dependent coordinates are chosen.

@@ -7,6 +7,7 @@ use crate::closure::close;
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::linear::Factorization;
+use crate::model::{Component, CoordinateKind};
 use crate::newton::Outcome;
 use crate::scale::Scale;
 use crate::solver::Position;
@@ -17,8 +18,26 @@ pub(crate) fn position(equations: &mut Equations<'_>, start: &[f64]) -> Result<P
     equations.check("q", start)?;
     equations.scale = Scale::around(equations, start);
     let mut q = start.to_vec();
-    let outcome = close_all(equations, &mut q);
+    let mut outcome = close_all(equations, &mut q);
+    let origins = origins(equations);
+    if !outcome.converged && !origins.is_empty() {
+        // Angles say more about the mode than origins do: once more with origins that fit the angles.
+        let mut other = start.to_vec();
+        let rows = equations.rows_where(Equations::holonomic);
+        let before = close(equations, &rows, &origins, &mut other);
+        let again = close_all(equations, &mut other);
+        if again.converged || again.gap < outcome.gap {
+            let iterations = outcome.iterations + before.iterations + again.iterations;
+            (q, outcome) = (other, Outcome { iterations, ..again });
+        }
+    }
     finish(equations, q, outcome)
+}
+
+/// The coordinates that are x or y of a body.
+fn origins(equations: &Equations<'_>) -> Vec<usize> {
+    let is_origin = |kind| matches!(kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. });
+    (0..equations.coordinates()).filter(|&k| is_origin(equations.model.coordinates[k].kind)).collect()
 }
 
 /// Closes all rows of position level.

@@ -7,15 +7,16 @@
 //! Φ_q l = −(Φ_q k)_q k        l = ∂²q/∂f²        second-order ratio (acceleration coefficient)
 //! ```
 //!
-//! −(Φ_q k)_q k is the even part of γ in q̇: ½ [γ(k) + γ(−k)] − γ(0). A driver of a distance is written with squares,
-//! |d|² − f² = 0, so its ratios are per change of f².
+//! −(Φ_q k)_q k is the even part of γ in q̇: ½ [γ(k) + γ(−k)] − γ(0). A distance is written with squares, |d|² − f² = 0;
+//! its ratios are per change of f itself: Φ_q k = 2 f e_d and Φ_q l = −(Φ_q k)_q k + 2 e_d.
 
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::linear::Factorization;
+use crate::model::{JointInfo, JointKind, Role};
 use crate::state::State;
 use crate::velocity::{factorize, inconsistency, scaled};
-use crate::workspace::Subset;
+use crate::workspace::{Instant, Subset};
 use nalgebra::DVector;
 
 /// How q follows one driving row.
@@ -28,13 +29,13 @@ pub struct VelocityRatio {
     pub row_name: &'static str,
     /// Its joint.
     pub joint: &'static str,
-    /// k = ∂q/∂f, n numbers: Φ_q k = e_d, with f the right-hand side of the row as it stands in Φ.
+    /// k = ∂q/∂f, n numbers: Φ_q k = e_d, with f the row's right-hand side (Φ_q k = 2 f e_d for a distance).
     pub first: Vec<f64>,
-    /// l = ∂²q/∂f², n numbers: Φ_q l = −(Φ_q k)_q k.
+    /// l = ∂²q/∂f², n numbers: Φ_q l = −(Φ_q k)_q k (plus 2 e_d for a distance).
     pub second: Vec<f64>,
-    /// The row's own share of q̇: k ν_d.
+    /// The row's own share of q̇: k ḟ.
     pub q_dot: Vec<f64>,
-    /// The row's own share of q̈, all others standing still: −k Φ_tt,d + l ν_d².
+    /// The row's own share of q̈, all others standing still: k f̈ + l ḟ².
     pub q_ddot: Vec<f64>,
 }
 
@@ -52,6 +53,7 @@ pub(crate) fn velocity_ratios(equations: &mut Equations<'_>, state: &State) -> R
     let factor = factorize(equations, &state.q, None)?;
     let nu = -equations.phi_t.clone();
     let at_rest = gamma(equations, &state.q, &vec![0.0; state.q.len()])?;
+    let distances = distances(equations)?;
     let mut drivers = Vec::new();
     for row in equations.rows_where(|e, row| e.drives(row)) {
         let mut unit = DVector::zeros(equations.rows());
@@ -60,17 +62,34 @@ pub(crate) fn velocity_ratios(equations: &mut Equations<'_>, state: &State) -> R
         let forward = gamma(equations, &state.q, first.as_slice())?;
         let backward = gamma(equations, &state.q, (-&first).as_slice())?;
         let second = respond(equations, &factor, &(0.5 * (forward + backward) - &at_rest))?;
+        let distance = distances.iter().find(|(of, _)| *of == row).map(|&(_, f)| f);
         drivers.push(VelocityRatio {
             row,
             row_name: equations.row_name(row),
             joint: equations.joint_name(row),
             q_dot: (nu[row] * &first).as_slice().to_vec(),
             q_ddot: (at_rest[row] * &first + nu[row] * nu[row] * &second).as_slice().to_vec(),
-            first: first.as_slice().to_vec(),
-            second: second.as_slice().to_vec(),
+            second: match distance {
+                Some(f) => (4.0 * f * f * second + 2.0 * &first).as_slice().to_vec(),
+                None => second.as_slice().to_vec(),
+            },
+            first: (distance.map_or(1.0, |f| 2.0 * f) * first).as_slice().to_vec(),
         });
     }
     Ok(VelocityRatios { drivers })
+}
+
+/// Rows |d|² − f² with their f.
+fn distances(equations: &Equations<'_>) -> Result<Vec<(usize, f64)>, SolveError> {
+    let at = Instant { t: equations.t, inputs: &equations.inputs };
+    let numbers = equations.system.geometry(&at)?;
+    let value = |joint: &JointInfo| {
+        let has = |role| joint.geometry.iter().find(|g| g.role == role);
+        let place = has(Role::P).and(has(Role::Q)).and(has(Role::Value))?.offset;
+        numbers.get(place).map(|&f| (joint.first_row, f))
+    };
+    let squared = |joint: &&JointInfo| matches!(joint.kind, JointKind::Distance | JointKind::Driver);
+    Ok(equations.model.joints.iter().filter(squared).filter_map(value).collect())
 }
 
 /// γ at q and q̇.

@@ -8,6 +8,7 @@ use crate::equations::{Equations, finite};
 use crate::error::SolveError;
 use crate::model::{Frame, Geometry, JointInfo, JointKind, Role};
 use crate::workspace::Instant;
+use core::fmt;
 
 /// The angle at a revolute joint between the lines to the next joints of its two bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,6 +26,12 @@ impl TransmissionAngle {
     /// Deviation from the best, |angle − π/2|, in [0, π/2].
     pub fn deviation(&self) -> f64 {
         (self.angle - core::f64::consts::FRAC_PI_2).abs()
+    }
+}
+
+impl fmt::Display for TransmissionAngle {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} between {} and {}: {:.6}", self.joint, self.between[0], self.between[1], self.angle)
     }
 }
 

@@ -5,7 +5,7 @@ use crate::fixture::{FiveBar, FourBarLoop, Parallelogram, Squeezer, StretchedSli
 use crate::{CrossCheckOptions, Instant, Kinematics, Signal, SolveError};
 
 const FOUR_BAR: [[f64; 3]; 3] = [
-    [0.785_398_163_397_4, 0.914_586_521_609_3, 5.000_498_421_347_2],
+    [core::f64::consts::FRAC_PI_4, 0.914_586_521_609_3, 5.000_498_421_347_2],
     [2.3, -0.623_820_247_603_630_4, -0.121_922_453_094_630_3],
     [0.0, 1.046_663_388_800_07, 2.788_295_632_026_088_5],
 ];

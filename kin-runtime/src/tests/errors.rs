@@ -56,7 +56,7 @@ fn permanent_redundancy_is_not_singular() {
 #[test]
 fn what_is_given_twice_is_a_conflict() {
     let at = Instant::at(0.0);
-    for value in [0.785_398_163_397_448_3, 0.3] {
+    for value in [core::f64::consts::FRAC_PI_4, 0.3] {
         let given = Signal { value, rate: 2.3, acceleration: 0.0 };
         let error = FourBarLoop::default().solver().with_given(0, given).state(&at).unwrap_err();
         let SolveError::GivenConflict { coordinate, open, given, .. } = error else { panic!("{error}") };
