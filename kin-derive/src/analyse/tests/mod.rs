@@ -2,6 +2,7 @@
 
 mod families;
 mod form;
+mod mutation;
 mod names;
 mod rules;
 mod valid;
