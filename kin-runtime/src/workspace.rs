@@ -24,7 +24,7 @@ pub struct Instant<'a, T = f64> {
     pub inputs: &'a [Signal<T>],
 }
 
-impl<T> Instant<'static, T> {
+impl<T> Instant<'_, T> {
     /// Time `t` of a mechanism without inputs.
     pub const fn at(t: T) -> Self {
         Self { t, inputs: &[] }
