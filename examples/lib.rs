@@ -1,1 +1,1 @@
-//! x
+//! One mechanism per file: `cargo run --release --example four_bar`.
