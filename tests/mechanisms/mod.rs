@@ -1,0 +1,96 @@
+//! The test mechanisms, one per file. A new one needs its line here and one in [`every_mechanism`](crate::every_mechanism);
+//! it then passes through every law.
+
+mod andrews_cartesian;
+mod andrews_pins;
+mod chain10;
+mod elliptic_trammel;
+mod excavator;
+mod fourbar_ends;
+mod fourbar_lecture_angles;
+mod fourbar_lecture_mid;
+mod fourbar_relative;
+mod infeasible_fourbar;
+mod klann_leg;
+mod macpherson_strut;
+mod marghitu_six_link;
+mod nikravesh_fourbar;
+mod ondsel_fourbar;
+mod peaucellier;
+mod quick_return;
+mod redundant_parallelogram;
+mod robot_3rrr;
+mod scotch_yoke;
+mod singular_slider_crank;
+mod slider_crank_inline;
+mod toggle_press;
+mod underdriven_fivebar;
+mod watt_sixbar;
+mod welded_pendulums;
+
+pub use andrews_cartesian::AndrewsCartesian;
+pub use andrews_pins::AndrewsPins;
+pub use chain10::Chain10;
+pub use elliptic_trammel::EllipticTrammel;
+pub use excavator::Excavator;
+pub use fourbar_ends::FourbarEnds;
+pub use fourbar_lecture_angles::FourbarLectureAngles;
+pub use fourbar_lecture_mid::FourbarLectureMid;
+pub use fourbar_relative::FourbarRelative;
+pub use infeasible_fourbar::InfeasibleFourbar;
+pub use klann_leg::KlannLeg;
+pub use macpherson_strut::MacphersonStrut;
+pub use marghitu_six_link::MarghituSixLink;
+pub use nikravesh_fourbar::NikraveshFourbar;
+pub use ondsel_fourbar::OndselFourbar;
+pub use peaucellier::Peaucellier;
+pub use quick_return::QuickReturn;
+pub use redundant_parallelogram::RedundantParallelogram;
+pub use robot_3rrr::Robot3rrr;
+pub use scotch_yoke::ScotchYoke;
+pub use singular_slider_crank::SingularSliderCrank;
+pub use slider_crank_inline::SliderCrankInline;
+pub use toggle_press::TogglePress;
+pub use underdriven_fivebar::UnderdrivenFivebar;
+pub use watt_sixbar::WattSixbar;
+pub use welded_pendulums::WeldedPendulums;
+
+/// Calls the macro `$law` with every test mechanism: a name for its tests, its type, and an interval of time in which
+/// it moves; mechanisms without an interval never assemble.
+#[macro_export]
+macro_rules! every_mechanism {
+    ($law:ident) => {
+        $law! {
+            moving {
+                andrews_cartesian: AndrewsCartesian, 0.0, 0.027;
+                andrews_pins: AndrewsPins, 0.0, 0.02;
+                chain10: Chain10, 0.0, 1.9;
+                elliptic_trammel: EllipticTrammel, 0.0, 1.9;
+                excavator: Excavator, 0.0, 1.9;
+                fourbar_ends: FourbarEnds, 0.0, 2.6;
+                fourbar_lecture_angles: FourbarLectureAngles, 0.0, 2.6;
+                fourbar_lecture_mid: FourbarLectureMid, 0.0, 2.6;
+                fourbar_relative: FourbarRelative, 0.0, 2.6;
+                klann_leg: KlannLeg, 0.0, 3.1;
+                macpherson_strut: MacphersonStrut, 0.0, 1.9;
+                marghitu_six_link: MarghituSixLink, 0.0, 0.08;
+                nikravesh_fourbar: NikraveshFourbar, 0.0, 0.9;
+                ondsel_fourbar: OndselFourbar, 0.0, 0.9;
+                peaucellier: Peaucellier, 0.0, 1.9;
+                quick_return: QuickReturn, 0.0, 1.9;
+                redundant_parallelogram: RedundantParallelogram, 0.0, 1.6;
+                robot_3rrr: Robot3rrr, 0.0, 1.5;
+                scotch_yoke: ScotchYoke, 0.0, 1.9;
+                singular_slider_crank: SingularSliderCrank, 0.0, 0.44;
+                slider_crank_inline: SliderCrankInline, 0.0, 1.9;
+                toggle_press: TogglePress, 0.0, 1.27;
+                underdriven_fivebar: UnderdrivenFivebar, 0.0, 1.3;
+                watt_sixbar: WattSixbar, 0.0, 1.9;
+                welded_pendulums: WeldedPendulums, 0.0, 1.9;
+            }
+            unassembled {
+                infeasible_fourbar: InfeasibleFourbar;
+            }
+        }
+    };
+}
