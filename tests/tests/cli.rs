@@ -1,0 +1,243 @@
+//! The command line as its users meet it: a process, its streams and its status.
+
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+
+use serde_json::Value;
+
+/// What one run gave.
+struct Ran {
+    status: Option<i32>,
+    out: String,
+    err: String,
+}
+
+fn kin(line: &str) -> Ran {
+    let output = Command::new(env!("CARGO_BIN_EXE_several"))
+        .args(line.split_whitespace())
+        .stdin(Stdio::null())
+        .output()
+        .expect("the program starts");
+    Ran {
+        status: output.status.code(),
+        out: String::from_utf8(output.stdout).expect("stdout is UTF-8"),
+        err: String::from_utf8(output.stderr).expect("stderr is UTF-8"),
+    }
+}
+
+/// A run whose answer is good and which has nothing to say beside it.
+fn good(line: &str) -> String {
+    let ran = kin(line);
+    assert_eq!((ran.status, ran.err.as_str()), (Some(0), ""), "{line}");
+    ran.out
+}
+
+fn json(line: &str) -> Value {
+    serde_json::from_str(&good(line)).expect("one JSON document")
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().expect("a list").iter().map(|v| v.as_f64().expect("a number")).collect()
+}
+
+fn failed(line: &str, status: i32, expected: &[&str]) -> Ran {
+    let ran = kin(line);
+    assert_eq!(ran.status, Some(status), "{line}: {}", ran.err);
+    for text in expected {
+        assert!(ran.err.contains(text), "{line}: `{text}` is not in\n{}", ran.err);
+    }
+    assert!(ran.err.starts_with("error: ") || ran.err.contains("\nerror: "), "{line}: {}", ran.err);
+    ran
+}
+
+#[test]
+fn the_report_names_everything_and_fits_the_screen() {
+    let text = good("fourbar");
+    let parts = [
+        "FourbarLectureMid",
+        "crank, coupler, rocker",
+        "degrees of freedom",
+        "fully driven",
+        "scleronomic",
+        "rheonomic",
+        "bilateral",
+        "crank.phi",
+        "0.785398",
+        "2.300000",
+        "revolute",
+        "driver",
+        "condition",
+        "worst error",
+    ];
+    for part in parts {
+        assert!(text.contains(part), "{part} is not in\n{text}");
+    }
+    for line in text.lines() {
+        assert!(line.chars().count() <= 100, "{line}");
+    }
+    // Numbers of ordinary size are plain decimals.
+    let tables = text.split("Checks").next().unwrap_or_default();
+    assert!(!tables.lines().filter(|l| l.contains("coupler.")).any(|l| l.contains("e-")), "{tables}");
+}
+
+#[test]
+fn solve_json_has_the_documented_keys_in_order() {
+    let text = good("fourbar solve --at 0.5 --format json");
+    let keys = ["t", "coordinates", "q", "q_dot", "q_ddot", "points", "bodies", "defines", "joints", "mechanism"];
+    let places: Vec<_> = keys.iter().map(|k| text.find(&format!("\n  \"{k}\": "))).collect();
+    assert!(places.iter().all(Option::is_some) && places.is_sorted(), "{places:?}\n{text}");
+    let solved: Value = serde_json::from_str(&text).expect("one JSON object");
+    assert_eq!(solved["coordinates"].as_array().map(Vec::len), Some(9));
+    assert_eq!((numbers(&solved["q"]).len(), numbers(&solved["q_ddot"]).len()), (9, 9));
+    for part in ["r", "v", "a"] {
+        assert_eq!(numbers(&solved["points"]["B"][part]).len(), 2);
+    }
+    let crank = numbers(&solved["q"])[2];
+    assert_eq!(solved["bodies"]["crank"]["phi"].as_f64(), Some(crank));
+    assert!((crank - (std::f64::consts::FRAC_PI_4 + 2.3 * 0.5)).abs() < 1e-12);
+    assert_eq!(solved["degrees_of_freedom_left"], 0);
+    let held = json("ends solve --format json");
+    assert_eq!(held["bodies"]["crank"]["x"].as_f64(), Some(0.0));
+}
+
+#[test]
+fn sweep_csv_is_a_header_and_one_row_per_instant() {
+    let text = good("fourbar sweep --from -1 --to 1 --steps 8 --format csv");
+    let lines: Vec<&str> = text.lines().collect();
+    assert!(lines[0].starts_with("t,crank.x,crank.x_dot,crank.x_ddot,crank.y,crank.y_dot,crank.y_ddot,crank.phi,"));
+    assert_eq!((lines.len(), lines[0].split(',').count()), (10, 28));
+    let first: Vec<f64> = lines[1].split(',').map(|n| n.parse().expect("a number")).collect();
+    assert_eq!((first.len(), first[0]), (28, -1.0));
+    let solved = json("fourbar sweep --times -1,1 --format json");
+    let (q, last) = (numbers(&solved["states"][1]["q"]), lines[9]);
+    let row: Vec<f64> = last.split(',').map(|n| n.parse().expect("a number")).collect();
+    for (k, value) in q.iter().enumerate() {
+        assert!((row[1 + 3 * k] - value).abs() < 1e-9, "far-apart instants give the same branch");
+    }
+}
+
+#[test]
+fn info_json_counts() {
+    let info = json("fourbar info --format json");
+    assert_eq!(info["degrees_of_freedom"], 1);
+    assert_eq!(info["rows"].as_array().map(Vec::len), Some(9));
+    assert_eq!(info["rows"][8]["joint"], "drive");
+    assert_eq!(info["rows"][8]["classes"], serde_json::json!(["holonomic", "rheonomic", "bilateral"]));
+    for operation in ["add", "mul", "neg", "div", "sqrt", "sincos", "function"] {
+        assert!(info["operations"][operation].is_u64(), "{operation}");
+    }
+    assert_eq!(info["operations"]["sincos"], 3);
+    let twice = json("redundant info --format json");
+    assert_eq!((twice["rank"].as_u64(), twice["redundant"].as_array().map(Vec::len)), (Some(12), Some(1)));
+}
+
+#[test]
+fn info_is_given_as_far_as_it_goes_without_a_configuration() {
+    let ran = failed("infeasible info --format json", 1, &["not assembled", "need a configuration"]);
+    let info: Value = serde_json::from_str(&ran.out).expect("one JSON object");
+    assert!(info["degrees_of_freedom"].is_null() && info["rows"].is_array());
+    let solve = failed("infeasible solve --format json", 1, &["not assembled at t = 0", "--guess"]);
+    assert_eq!(solve.out, "");
+}
+
+#[test]
+fn info_tells_the_rank_of_a_singular_configuration() {
+    failed("singular solve --at 0.475", 1, &["singular configuration at t = 0.475: rank 8 instead of 9"]);
+    assert_eq!(json("singular info --at 0.475 --format json")["rank"], 8);
+    assert_eq!(json("singular info --at 0.1 --format json")["rank"], 9);
+}
+
+#[test]
+fn check_passes() {
+    for name in ["fourbar", "ends", "redundant", "singular"] {
+        assert!(good(&format!("{name} check")).ends_with("  passed\n"), "{name}");
+    }
+}
+
+#[test]
+fn an_under_driven_mechanism_says_what_could_be_given() {
+    let open = ["under-driven", "could be given: ", "crank2.phi", "--given", "--least-norm"];
+    for command in ["solve", "sweep --to 1 --steps 2", "", "check"] {
+        let ran = failed(&format!("underdriven {command}"), 1, &open);
+        assert!(!ran.err.contains("crank1.phi"), "what the driver moves is not open: {}", ran.err);
+    }
+    let given = json("underdriven solve --given crank2.phi=2.5:-0.4:0.1 --format json");
+    assert_eq!(given["degrees_of_freedom_left"], 0);
+    for (key, expected) in [("phi", 2.5), ("phi_dot", -0.4), ("phi_ddot", 0.1)] {
+        let value = given["bodies"]["crank2"][key].as_f64().expect("a number");
+        assert!((value - expected).abs() < 1e-12, "{key} = {value}");
+    }
+    let least = kin("underdriven solve --least-norm --format json");
+    assert_eq!(least.status, Some(0));
+    assert_eq!(least.err, "note: 1 degree of freedom left open; this is the answer of least norm\n");
+    let moved = json("underdriven sweep --to 0.5 --steps 5 --given crank2.phi=2.5:0.2 --format json");
+    let phi = numbers(&moved["states"][5]["q"])[5];
+    assert!((phi - 2.6).abs() < 1e-12, "{phi}");
+    assert_eq!(json("underdriven info --format json")["degrees_of_freedom"], 2);
+}
+
+#[test]
+fn what_is_given_twice_or_against_the_rows_is_refused() {
+    failed("fourbar solve --given crank.phi=0.1", 1, &["`crank.phi` = 0.1 cannot be given"]);
+    let open = "could be given, 1 of them: crank2.x";
+    failed("underdriven solve --given crank2.phi=2.5,link2.phi=0.1", 1, &["`link2.phi` = 0.1 cannot be given", open]);
+    failed("underdriven solve --given crank1.phi=1.2", 1, &["`crank1.phi` = 1.2 cannot be given", open]);
+}
+
+#[test]
+fn a_sweep_that_ends_early_keeps_its_rows() {
+    let line = "singular sweep --from 0 --to 0.6 --steps 6 --format csv";
+    let ran = failed(line, 1, &["the sweep ended early: 5 of 7 instants written", "t = "]);
+    assert_eq!(ran.out.lines().count(), 6, "{}", ran.out);
+    let file = temporary("early.json");
+    let ran = failed(&format!("singular sweep --to 0.6 --steps 6 --out {}", file.display()), 1, &["ended early"]);
+    let written: Value = serde_json::from_str(&std::fs::read_to_string(&file).expect("a file")).expect("JSON");
+    assert_eq!((ran.out.as_str(), &written["complete"]), ("", &Value::Bool(false)));
+    std::fs::remove_file(file).expect("the file goes");
+}
+
+#[test]
+fn bad_options_are_named_with_status_2() {
+    failed("fourbar solve --set l9=1", 2, &["--set: no parameter named `l9`; did you mean", "l1, l2, l3, d1, d2, w"]);
+    failed("fourbar solve --set l1=NaN", 2, &["--set l1: `NaN` is not finite"]);
+    failed("fourbar solve --guess rocker=1", 2, &["--guess: no coordinate named `rocker`"]);
+    failed("fourbar solve --input u=1", 2, &["this mechanism has no inputs"]);
+    failed("fourbar sweep --to 1 --steps 0", 2, &["--steps"]);
+    failed("fourbar sweep --times 0,1 --to 2", 2, &["--times: cannot stand beside --to"]);
+    failed("fourbar sweep --times 0,nan", 2, &["--times"]);
+    failed("fourbar swep", 2, &["swep"]);
+    failed("fourbar solve --at", 2, &["--at"]);
+}
+
+#[test]
+fn negative_numbers_are_values() {
+    assert_eq!(json("fourbar solve --at -0.5 --set d2=-0.1,d1=.38 --format json")["t"], -0.5);
+    assert_eq!(good("fourbar sweep --times -1,0,1 --format csv").lines().count(), 4);
+    assert_eq!(good("fourbar sweep --from -1 --to -.5 --steps 1 --format csv").lines().count(), 3);
+}
+
+#[test]
+fn guesses_choose_the_branch() {
+    let angle = |guess: &str| {
+        let solved = json(&format!("fourbar solve --guess coupler.phi={guess} --format json"));
+        numbers(&solved["q"])[5]
+    };
+    assert!((angle("0.9,rocker.phi=5.0") - angle("-0.6,rocker.phi=1.4")).abs() > 0.5);
+}
+
+#[test]
+fn a_reader_that_leaves_is_no_panic() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_several"))
+        .args(["fourbar", "sweep", "--to", "1", "--steps", "5000", "--format", "csv"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("the program ends");
+    assert_eq!((output.status.code(), String::from_utf8_lossy(&output.stderr).as_ref()), (Some(0), ""));
+}
+
+fn temporary(name: &str) -> PathBuf {
+    std::env::temp_dir().join(format!("kin-cli-{}-{name}", std::process::id()))
+}

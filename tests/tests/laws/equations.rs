@@ -1,0 +1,98 @@
+//! Laws of the equations at configurations that are not assembled.
+
+use crate::{evaluated, random_configuration};
+use kin_runtime::model::{Frame, JointKind};
+use kin_runtime::{Instant, Kinematics, Mechanism, Subset};
+use kin_tests::compare::{Differences, largest};
+use kin_tests::random::Random;
+
+/// Φ_q, Φ_t and γ against dual numbers, at configurations that are not assembled.
+pub(crate) fn closed_forms_equal_duals<M: Kinematics + Default>() {
+    let check = M::default().cross_check().unwrap();
+    assert!(check.configurations > 0 && check.passes(1e-12), "{check}");
+}
+
+/// Each of Φ, Φ_q, Φ_t, γ alone, and each pair that an analysis asks for, is bit by bit the combined evaluation's.
+pub(crate) fn subsets_equal_the_whole<M: Mechanism + Default>() {
+    let mechanism = M::default();
+    let (t, q, q_dot) = random_configuration::<M>(&mut Random::new(3));
+    let at = Instant::at(t);
+    let whole = evaluated(&mechanism, t, &q, &q_dot);
+    let bits = |values: &[f64]| values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+    assert_eq!(bits(whole.phi()), bits(mechanism.constraints(&at, &q).unwrap().as_ref()));
+    assert_eq!(bits(whole.phi_q()), bits(mechanism.jacobian(&at, &q).unwrap().as_ref()));
+    assert_eq!(bits(whole.phi_t()), bits(mechanism.time_derivative(&at, &q).unwrap().as_ref()));
+    assert_eq!(bits(whole.gamma()), bits(mechanism.gamma(&at, &q, &q_dot).unwrap().as_ref()));
+    for subset in [Subset::POSITION, Subset::VELOCITY] {
+        let mut part = M::workspace::<f64>();
+        mechanism.evaluate(subset, &at, &q, &q_dot, &mut part).unwrap();
+        assert_eq!(bits(whole.phi_q()), bits(part.phi_q()));
+        if subset.phi {
+            assert_eq!(bits(whole.phi()), bits(part.phi()));
+        }
+        if subset.phi_t {
+            assert_eq!(bits(whole.phi_t()), bits(part.phi_t()));
+        }
+    }
+}
+
+/// The equations in `f32` are those in `f64`, to the precision of `f32`.
+pub(crate) fn single_precision_agrees<M: Mechanism + Default>() {
+    let mechanism = M::default();
+    let mut random = Random::new(11);
+    let mut differences = Differences::new();
+    for round in 0..5 {
+        let (t, q, q_dot) = random_configuration::<M>(&mut random);
+        let single = |values: &[f64]| values.iter().map(|&value| value as f32).collect::<Vec<_>>();
+        let (t, q, q_dot) = (t as f32, single(&q), single(&q_dot));
+        let double = |values: &[f32]| values.iter().map(|&value| f64::from(value)).collect::<Vec<_>>();
+        let expected = evaluated(&mechanism, f64::from(t), &double(&q), &double(&q_dot));
+        let found = evaluated(&mechanism, t, &q, &q_dot);
+        differences.at(format_args!("configuration {round}"));
+        let parts = [
+            ("Φ", expected.phi(), found.phi()),
+            ("Φ_q", expected.phi_q(), found.phi_q()),
+            ("Φ_t", expected.phi_t(), found.phi_t()),
+            ("γ", expected.gamma(), found.gamma()),
+        ];
+        for (what, expected, found) in parts {
+            let tolerance = 2e-5 * largest(expected).max(1.0);
+            differences.vector(what, |place| place, expected, &double(found), tolerance);
+        }
+    }
+    differences.finish();
+}
+
+/// A joint between two moving bodies has the same residual norm after both were moved as one rigid body.
+pub(crate) fn joints_do_not_feel_rigid_motion<M: Mechanism + Default>() {
+    let mechanism = M::default();
+    let model = M::model();
+    let mut random = Random::new(29);
+    for joint in model.joints {
+        let [Some(Frame::Body(first)), Some(Frame::Body(second))] = joint.frames else { continue };
+        if matches!(joint.kind, JointKind::Constraint) {
+            continue;
+        }
+        let poses = [first, second].map(|body| model.bodies[body].coordinates);
+        if poses.iter().flatten().any(Option::is_none) {
+            continue;
+        }
+        let (t, q, _) = random_configuration::<M>(&mut random);
+        let (turn, shift) = (random.between(-3.0, 3.0), random.vector(2, -2.0, 2.0));
+        let (sin, cos) = turn.sin_cos();
+        let mut moved = q.clone();
+        for pose in poses {
+            let [x, y, phi] = pose.map(|place| place.expect("checked above"));
+            moved[x] = shift[0] + cos * q[x] - sin * q[y];
+            moved[y] = shift[1] + sin * q[x] + cos * q[y];
+            moved[phi] = q[phi] + turn;
+        }
+        let norm = |q: &[f64]| {
+            let phi = mechanism.constraints(&Instant::at(t), q).expect("lengths agree");
+            let rows = &phi.as_ref()[joint.first_row..joint.first_row + joint.rows];
+            rows.iter().map(|row| row * row).sum::<f64>().sqrt()
+        };
+        let (before, after) = (norm(&q), norm(&moved));
+        assert!((before - after).abs() <= 1e-13 * before.max(1.0), "joint {}: {before} and {after}", joint.name);
+    }
+}

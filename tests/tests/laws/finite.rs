@@ -1,0 +1,101 @@
+//! NaN, infinity and wrong lengths in give an error from every analysis, never an answer.
+
+use kin_runtime::{Instant, Kinematics, SolveError, State};
+use std::fmt::Debug;
+
+/// NaN or infinity in time, q, q̇, guesses or parameters.
+pub(crate) fn nothing_comes_of_what_is_not_finite<M: Kinematics + Default>(t: f64) {
+    let mechanism = M::default();
+    let good = mechanism.state_at(&Instant::at(t)).unwrap();
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        at_a_bad_time(&mechanism, &good, bad);
+        for place in [0, M::COORDINATES / 2, M::COORDINATES - 1] {
+            with_a_bad_coordinate(&mechanism, &good, place, bad);
+        }
+        for parameter in 0..M::PARAMETERS {
+            let mut broken = M::default();
+            assert!(broken.set_parameter(parameter, bad), "{}", M::model().parameters[parameter].name);
+            let at = good.instant();
+            refused("state with a bad parameter", broken.state_at(&at));
+            refused("position with a bad parameter", broken.position_analysis(&at, &good.q));
+            refused("velocity with a bad parameter", broken.velocity_analysis(&at, &good.q));
+            refused("acceleration with a bad parameter", broken.acceleration_analysis(&at, &good.q, &good.q_dot));
+            refused("mobility with a bad parameter", broken.mobility(&at, &good.q));
+        }
+    }
+}
+
+fn at_a_bad_time<M: Kinematics>(mechanism: &M, good: &State, bad: f64) {
+    let at = Instant::at(bad);
+    let solver = mechanism.solver();
+    refused("state", solver.state(&at));
+    refused("assemble", solver.assemble(&at));
+    refused("position", solver.position(&at, &good.q));
+    refused("velocity", solver.velocity(&at, &good.q));
+    refused("acceleration", solver.acceleration(&at, &good.q, &good.q_dot));
+    refused("mobility", solver.mobility(&at, &good.q));
+    refused("transmission angles", solver.transmission_angles(&at, &good.q));
+    refused("motion", solver.motion(&State { t: bad, ..good.clone() }));
+    refused("velocity ratios", solver.velocity_ratios(&State { t: bad, ..good.clone() }));
+    for times in [&[bad][..], &[good.t, bad], &[bad, good.t]] {
+        refused("sweep", solver.sweep(times).map_err(|error| error.source));
+        refused("sweep_from", solver.sweep_from(&good.q, times).map_err(|error| error.source));
+    }
+}
+
+fn with_a_bad_coordinate<M: Kinematics>(mechanism: &M, good: &State, place: usize, bad: f64) {
+    let at = good.instant();
+    let solver = mechanism.solver();
+    let mut q = good.q.clone();
+    q[place] = bad;
+    let mut q_dot = good.q_dot.clone();
+    q_dot[place] = bad;
+    refused("position", solver.position(&at, &q));
+    refused("state_from", solver.state_from(&at, &q));
+    refused("sweep_from", solver.sweep_from(&q, &[good.t]).map_err(|error| error.source));
+    refused("velocity", solver.velocity(&at, &q));
+    refused("acceleration", solver.acceleration(&at, &q, &good.q_dot));
+    refused("acceleration, q_dot", solver.acceleration(&at, &good.q, &q_dot));
+    refused("mobility", solver.mobility(&at, &q));
+    refused("transmission angles", solver.transmission_angles(&at, &q));
+    refused("guess", solver.clone().with_guess(place, bad).assemble(&at));
+    refused("motion", solver.motion(&State { q: q.clone(), ..good.clone() }));
+    refused("motion, q_dot", solver.motion(&State { q_dot: q_dot.clone(), ..good.clone() }));
+    refused("velocity ratios", solver.velocity_ratios(&State { q, ..good.clone() }));
+}
+
+/// Any error will do, as long as it is typed and says something.
+fn refused<T: Debug>(what: &str, answer: Result<T, SolveError>) {
+    match answer {
+        Ok(answer) => panic!("{what} answered {answer:?}"),
+        Err(error) => assert!(!error.to_string().is_empty(), "{what}"),
+    }
+}
+
+/// One number too few or too many, or inputs that the mechanism does not have.
+pub(crate) fn wrong_lengths_are_errors<M: Kinematics + Default>(t: f64) {
+    let mechanism = M::default();
+    let at = Instant::at(t);
+    let solver = mechanism.solver();
+    let right = vec![0.1; M::COORDINATES];
+    for length in [0, M::COORDINATES - 1, M::COORDINATES + 1] {
+        if length == M::COORDINATES {
+            continue;
+        }
+        let wrong = vec![0.1; length];
+        let answers = [
+            solver.position(&at, &wrong).map(|_| ()),
+            solver.velocity(&at, &wrong).map(|_| ()),
+            solver.acceleration(&at, &wrong, &right).map(|_| ()),
+            solver.acceleration(&at, &right, &wrong).map(|_| ()),
+            solver.state_from(&at, &wrong).map(|_| ()),
+            solver.mobility(&at, &wrong).map(|_| ()),
+            solver.sweep_from(&wrong, &[t]).map(|_| ()).map_err(|error| error.source),
+        ];
+        for (place, answer) in answers.into_iter().enumerate() {
+            assert!(matches!(answer, Err(SolveError::Length(_))), "analysis {place}: {answer:?}");
+        }
+        assert!(mechanism.constraints(&at, &wrong).is_err());
+        assert!(mechanism.gamma(&at, &right, &wrong).is_err());
+    }
+}

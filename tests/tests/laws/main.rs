@@ -1,0 +1,118 @@
+//! Laws that every mechanism obeys, over all test mechanisms.
+
+mod equations;
+mod finite;
+mod four_bars;
+mod motion;
+mod observables;
+
+use kin_runtime::{Instant, Mechanism, Scalar, Subset, Workspace};
+use kin_tests::every_mechanism;
+use kin_tests::mechanisms::*;
+use kin_tests::random::Random;
+
+/// Laws of Φ, Φ_q, Φ_t, γ at any configuration.
+macro_rules! equation_laws {
+    ($Mechanism:ident) => {
+        use crate::*;
+
+        #[test]
+        fn closed_forms_equal_duals() {
+            equations::closed_forms_equal_duals::<$Mechanism>();
+        }
+
+        #[test]
+        fn subsets_equal_the_whole() {
+            equations::subsets_equal_the_whole::<$Mechanism>();
+        }
+
+        #[test]
+        fn single_precision_agrees() {
+            equations::single_precision_agrees::<$Mechanism>();
+        }
+
+        #[test]
+        fn joints_do_not_feel_rigid_motion() {
+            equations::joints_do_not_feel_rigid_motion::<$Mechanism>();
+        }
+    };
+}
+
+/// Laws of solved configurations, between two instants.
+macro_rules! motion_laws {
+    ($Mechanism:ident, $from:literal, $to:literal) => {
+        #[test]
+        fn solved_configurations_close() {
+            motion::solved_configurations_close::<$Mechanism>($from, $to);
+        }
+
+        #[test]
+        fn rates_are_derivatives() {
+            motion::rates_are_derivatives::<$Mechanism>($from, $to);
+        }
+
+        #[test]
+        fn far_instants_equal_close_ones() {
+            motion::far_instants_equal_close_ones::<$Mechanism>($from, $to);
+        }
+
+        #[test]
+        fn any_start_closes_or_fails() {
+            motion::any_start_closes_or_fails::<$Mechanism>($from);
+        }
+
+        #[test]
+        fn observables_are_differentiated() {
+            observables::observables_are_differentiated::<$Mechanism>($from, $to);
+        }
+
+        #[test]
+        fn point_jacobians_give_velocities() {
+            observables::point_jacobians_give_velocities::<$Mechanism>($from, $to);
+        }
+
+        #[test]
+        fn velocity_ratios_add_up() {
+            observables::velocity_ratios_add_up::<$Mechanism>($from, $to);
+        }
+
+        #[test]
+        fn nothing_comes_of_what_is_not_finite() {
+            finite::nothing_comes_of_what_is_not_finite::<$Mechanism>($from);
+        }
+
+        #[test]
+        fn wrong_lengths_are_errors() {
+            finite::wrong_lengths_are_errors::<$Mechanism>($from);
+        }
+    };
+}
+
+macro_rules! law_tests {
+    (
+        moving { $($moving:ident: $Moving:ident, $from:literal, $to:literal;)* }
+        unassembled { $($other:ident: $Other:ident;)* }
+    ) => {
+        $(mod $moving {
+            equation_laws!($Moving);
+            motion_laws!($Moving, $from, $to);
+        })*
+        $(mod $other {
+            equation_laws!($Other);
+        })*
+    };
+}
+
+every_mechanism!(law_tests);
+
+/// A configuration that closes nothing: instant, q, q̇.
+fn random_configuration<M: Mechanism>(random: &mut Random) -> (f64, Vec<f64>, Vec<f64>) {
+    let t = random.between(0.0, 1.0);
+    (t, random.vector(M::COORDINATES, -1.5, 1.5), random.vector(M::COORDINATES, -2.0, 2.0))
+}
+
+fn evaluated<M: Mechanism, T: Scalar>(mechanism: &M, t: T, q: &[T], q_dot: &[T]) -> Workspace<M, T> {
+    let mut workspace = M::workspace::<T>();
+    mechanism.evaluate(Subset::ALL, &Instant::at(t), q, q_dot, &mut workspace).expect("lengths agree");
+    workspace
+}

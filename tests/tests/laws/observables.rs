@@ -1,0 +1,108 @@
+//! Laws of what a mechanism reports besides q: poses, points, named expressions, joint quantities, ratios.
+
+use crate::motion::swept;
+use kin_runtime::model::{Observable, Point};
+use kin_runtime::{Kinematics, Mechanism, Motion};
+use kin_tests::compare::{Differences, largest};
+use kin_tests::stencil::Stencil;
+
+/// Every observable with its name, as (value, rate, acceleration).
+fn reported<M: Mechanism>(motion: &Motion) -> Vec<(String, [f64; 3])> {
+    let model = M::model();
+    let mut all = Vec::new();
+    for (info, body) in model.bodies.iter().zip(&motion.bodies) {
+        all.push((format!("{}.x", info.name), [body.x, body.x_dot, body.x_ddot]));
+        all.push((format!("{}.y", info.name), [body.y, body.y_dot, body.y_ddot]));
+        all.push((format!("{}.phi", info.name), [body.phi, body.phi_dot, body.phi_ddot]));
+    }
+    for (info, point) in model.points.iter().zip(&motion.points) {
+        for (axis, name) in ["x", "y"].iter().enumerate() {
+            all.push((format!("point {}.{name}", info.name), [point.r[axis], point.v[axis], point.a[axis]]));
+        }
+    }
+    for (info, define) in model.defines.iter().zip(&motion.defines) {
+        all.push((format!("define {}", info.name), [define.value, define.rate, define.acceleration]));
+    }
+    for (info, rates) in model.joints.iter().zip(&motion.joints) {
+        for (quantity, rates) in info.quantities.iter().zip(rates) {
+            let name = format!("{} of joint {}", quantity.name, info.name);
+            all.push((name, [rates.value, rates.rate, rates.acceleration]));
+        }
+    }
+    assert_eq!(model.observables.len(), all.len(), "{:?}", model.observables);
+    all
+}
+
+/// Rates and accelerations of everything reported are the derivatives of its values.
+pub(crate) fn observables_are_differentiated<M: Kinematics + Default>(from: f64, to: f64) {
+    if M::model().observables.is_empty() {
+        return;
+    }
+    let mechanism = M::default();
+    let mut differences = Differences::new();
+    for stencil in Stencil::several(from, to) {
+        let trajectory = swept(&mechanism, &stencil.times(from));
+        let states = &trajectory.states[1..];
+        let middle = &states[Stencil::REACH];
+        if middle.degrees_of_freedom_left > 0 {
+            return;
+        }
+        let samples: Vec<_> = states
+            .iter()
+            .map(|state| reported::<M>(&mechanism.solver().motion(state).expect("a solved state")))
+            .collect();
+        differences.at(format_args!("t = {}", middle.t));
+        let (slow, slower) = (largest(&middle.q_dot), largest(&middle.q_ddot));
+        for (place, (name, found)) in samples[Stencil::REACH].iter().enumerate() {
+            let values: Vec<f64> = samples.iter().map(|sample| sample[place].1[0]).collect();
+            stencil.compare(&mut differences, name, &values, [found[1], found[2]], [slow, slower]);
+        }
+    }
+    differences.finish();
+}
+
+/// ∂r/∂q · q̇ is a point's velocity, where the point's pose does not depend on time itself.
+pub(crate) fn point_jacobians_give_velocities<M: Kinematics + Default>(from: f64, to: f64) {
+    let mechanism = M::default();
+    let solver = mechanism.solver();
+    for state in &swept(&mechanism, &[from, 0.5 * (from + to)]) {
+        let motion = solver.motion(state).unwrap();
+        for (place, point) in M::model().points.iter().enumerate() {
+            let jacobian = solver.point_jacobian(&state.instant(), &state.q, Point(place)).unwrap();
+            assert_eq!((2, M::COORDINATES), jacobian.shape());
+            for axis in 0..2 {
+                let terms: Vec<f64> = (0..M::COORDINATES).map(|k| jacobian[(axis, k)] * state.q_dot[k]).collect();
+                let (found, expected) = (terms.iter().sum::<f64>(), motion.points[place].v[axis]);
+                let tolerance = 1e-13 * largest(&terms).max(1.0);
+                assert!((found - expected).abs() <= tolerance, "{}: {found} and {expected}", point.name);
+            }
+        }
+    }
+    let named = M::model().observables.iter().filter(|o| matches!(o, Observable::Point { .. })).count();
+    assert_eq!(2 * M::model().points.len(), named);
+}
+
+/// The driving rows' own shares of q̇ add up to q̇.
+pub(crate) fn velocity_ratios_add_up<M: Kinematics + Default>(from: f64, to: f64) {
+    let mechanism = M::default();
+    let driving = M::model().rows.iter().filter(|row| row.driving).count();
+    let mut differences = Differences::new();
+    for state in &swept(&mechanism, &[from, 0.5 * (from + to)]) {
+        let ratios = mechanism.solver().velocity_ratios(state).unwrap().drivers;
+        assert_eq!(driving, ratios.len());
+        let sum: Vec<f64> = (0..M::COORDINATES).map(|k| ratios.iter().map(|ratio| ratio.q_dot[k]).sum()).collect();
+        differences.at(format_args!("t = {}", state.t));
+        let name = |place: usize| M::model().coordinates[place].name;
+        differences.vector("sum of shares", name, &state.q_dot, &sum, 1e-11 * largest(&state.q_dot));
+        if let [only] = &ratios[..] {
+            differences.vector(
+                "only share",
+                name,
+                &state.q_ddot,
+                &only.q_ddot,
+                1e-10 * largest(&state.q_ddot).max(1.0),
+            );
+        }
+    }
+    differences.finish();
+}
