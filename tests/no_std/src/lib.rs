@@ -1,0 +1,51 @@
+//! A controller without std and without an allocator evaluates a mechanism. It brings its own panic handler; a std
+//! that crept in would bring a second one, and the build would fail with a duplicate lang item.
+#![no_std]
+
+use kin_runtime::{Instant, Mechanism, Subset, mechanism};
+
+/// The lecture's four-bar.
+#[mechanism]
+#[bodies(crank, coupler, rocker)]
+#[revolute(C: ground @ (0, 0), crank @ (-l1/2, 0))]
+#[revolute(A: crank @ (l1/2, 0), coupler @ (-l2/2, 0))]
+#[revolute(B: coupler @ (l2/2, 0), rocker @ (-l3/2, 0))]
+#[revolute(D: rocker @ (l3/2, 0), ground @ (0.4, 0.1))]
+#[driver(drive: crank.phi = pi/4 + exp(-t) + atan2(t, 2))]
+#[point(tip = coupler @ (0, 0.1))]
+#[guess(coupler.phi = 0.9, rocker.phi = 5.0)]
+pub struct FourBar {
+    #[param(0.1)]
+    l1: f64,
+    #[param(0.4)]
+    l2: f64,
+    #[param(0.3)]
+    l3: f64,
+}
+
+/// One step of the controller: the sum of all that was evaluated, so that nothing of it is optimised away.
+#[unsafe(no_mangle)]
+pub extern "C" fn step(t: f64) -> f64 {
+    sum(t) + f64::from(sum(t as f32))
+}
+
+fn sum<T: kin_runtime::Scalar>(t: T) -> T {
+    let four_bar = FourBar::default();
+    let (q, q_dot) = ([t; FourBar::COORDINATES], [T::from_f64(1.0); FourBar::COORDINATES]);
+    let at = Instant::at(t);
+    let mut workspace = FourBar::workspace::<T>();
+    let mut observations = FourBar::observations::<T>();
+    let parameters = four_bar.parameters::<T>();
+    if four_bar.evaluate(Subset::ALL, &at, &q, &q_dot, &mut workspace).is_err()
+        || four_bar.observe_with(parameters.as_ref(), &at, &q, &q_dot, &mut observations).is_err()
+    {
+        return T::from_f64(0.0);
+    }
+    let parts = [workspace.phi(), workspace.phi_q(), workspace.phi_t(), workspace.gamma(), observations.phi()];
+    parts.into_iter().flatten().fold(T::from_f64(0.0), |sum, &value| sum + value)
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    loop {}
+}
