@@ -2,11 +2,11 @@
 
 use serde::Serialize;
 
-use super::engine::{Engine, Miss, Setup};
+use super::engine::{Engine, Miss};
 use super::failure::Failure;
 use super::options::{Format, FreedomArgs, InstantArgs, OutputArgs, SetupArgs};
 use super::session::Session;
-use super::solved::{analysis, fully_driven};
+use super::solved::{analysis, driven_state};
 use crate::cross_check::{Configuration, CrossCheck, CrossCheckOptions};
 use crate::present::json::to_json;
 use crate::present::number::{magnitude, plain};
@@ -73,7 +73,7 @@ pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Sessi
     if args.output.format() == Format::Csv {
         return Err(Failure::option("--format", "`check` has no csv form; write text or json"));
     }
-    let solved = solve(engine, &setup, t, args.freedom.least_norm);
+    let solved = driven_state(engine, &setup, t, args.freedom.least_norm).map(|(state, _)| state);
     let findings = find(engine, t, solved.as_ref().ok(), args.configurations as usize)?;
     let text = match args.output.format() {
         Format::Text | Format::Csv => {
@@ -87,15 +87,6 @@ pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Sessi
     session.deliver(&args.output, &text)?;
     solved?;
     if findings.passed { Ok(()) } else { Err(Failure::Analysis(complaint(&findings))) }
-}
-
-fn solve(engine: &dyn Engine, setup: &Setup, t: f64, least_norm: bool) -> Result<State, Failure> {
-    let say = |error| analysis(engine, &error);
-    let state = engine.state(setup, t).map_err(say)?;
-    if !least_norm {
-        fully_driven(engine, &engine.mobility(setup, &state).map_err(say)?, t)?;
-    }
-    Ok(state)
 }
 
 /// Compares at the solved configuration, where there is one, and at random ones.

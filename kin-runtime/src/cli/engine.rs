@@ -61,11 +61,13 @@ pub(super) trait Engine {
     fn model(&self) -> &'static Model;
     fn parameters(&self) -> Vec<f64>;
     fn set_parameter(&mut self, index: usize, value: f64) -> bool;
+    /// An assembled configuration, singular or not.
+    fn assemble(&self, setup: &Setup, t: f64) -> Result<Vec<f64>, SolveError>;
     fn state(&self, setup: &Setup, t: f64) -> Result<State, SolveError>;
     /// The states up to the first failure, and the failure.
     fn sweep(&self, setup: &Setup, times: &[f64]) -> (Vec<State>, Option<SolveError>);
     fn motion(&self, state: &State) -> Result<Motion, SolveError>;
-    fn mobility(&self, setup: &Setup, state: &State) -> Result<Mobility, SolveError>;
+    fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError>;
     fn velocity_ratios(&self, setup: &Setup, state: &State) -> Result<VelocityRatios, SolveError>;
     fn transmission_angles(&self, state: &State) -> Result<Vec<TransmissionAngle>, SolveError>;
     fn cross_check(&self, options: &CrossCheckOptions) -> Result<CrossCheck, SolveError>;
@@ -103,6 +105,10 @@ impl<M: Mechanism> Engine for Bound<M> {
         self.mechanism.set_parameter(index, value)
     }
 
+    fn assemble(&self, setup: &Setup, t: f64) -> Result<Vec<f64>, SolveError> {
+        self.solver(setup).assemble(&Instant { t, inputs: &setup.inputs })
+    }
+
     fn state(&self, setup: &Setup, t: f64) -> Result<State, SolveError> {
         self.solver(setup).state(&Instant { t, inputs: &setup.inputs })
     }
@@ -121,8 +127,8 @@ impl<M: Mechanism> Engine for Bound<M> {
         Solver::new(&self.mechanism).motion(state)
     }
 
-    fn mobility(&self, setup: &Setup, state: &State) -> Result<Mobility, SolveError> {
-        self.solver(setup).mobility(&state.instant(), &state.q)
+    fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError> {
+        self.solver(setup).mobility(at, q)
     }
 
     fn velocity_ratios(&self, setup: &Setup, state: &State) -> Result<VelocityRatios, SolveError> {

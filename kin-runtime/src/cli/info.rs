@@ -5,12 +5,12 @@ use super::failure::Failure;
 use super::options::{Format, InstantArgs, OutputArgs, SetupArgs};
 use super::session::Session;
 use super::solved::analysis;
-use crate::mobility::{Mobility, RedundantRow};
+use crate::mobility::RedundantRow;
 use crate::model::Model;
 use crate::present::json::to_json;
-use crate::present::structure::{StructureRecord, drivers};
+use crate::present::structure::{Known, StructureRecord, drivers};
 use crate::present::text::{self, Facts, classes, coordinate_names};
-use crate::state::State;
+use crate::workspace::Instant;
 
 /// Counts, rows and their classes, degrees of freedom
 #[derive(Clone, Debug, clap::Args)]
@@ -41,8 +41,9 @@ pub(super) fn run(args: &InfoArgs, engine: &mut dyn Engine, session: &mut Sessio
     if !setup.missing_inputs.is_empty() {
         session.note(&format!("note: inputs without a value are taken as 0: {}", setup.missing_inputs.join(", ")));
     }
-    let solved = engine.state(&setup, t).and_then(|s| engine.mobility(&setup, &s).map(|m| (s, m)));
-    let known = solved.as_ref().ok().map(|(s, m)| (s, m));
+    let at = Instant { t, inputs: &setup.inputs };
+    let solved = engine.assemble(&setup, t).and_then(|q| engine.mobility(&setup, &at, &q).map(|m| (q, m)));
+    let known = solved.as_ref().ok().map(|(q, mobility)| Known { t, q, mobility });
     let text = match args.output.format() {
         Format::Json => to_json(&record(engine, known)).map_err(Failure::Output)?,
         _ => text(engine, known),
@@ -58,12 +59,12 @@ pub(super) fn run(args: &InfoArgs, engine: &mut dyn Engine, session: &mut Sessio
 }
 
 /// The structure, for JSON.
-pub(super) fn record<'a>(engine: &dyn Engine, known: Option<(&'a State, &'a Mobility)>) -> StructureRecord<'a> {
+pub(super) fn record<'a>(engine: &dyn Engine, known: Option<Known<'a>>) -> StructureRecord<'a> {
     StructureRecord::new(engine.model(), &engine.parameters(), known)
 }
 
 /// Name, counts, parameters, rows.
-pub(super) fn text(engine: &dyn Engine, known: Option<(&State, &Mobility)>) -> String {
+pub(super) fn text(engine: &dyn Engine, known: Option<Known<'_>>) -> String {
     let model = engine.model();
     let mut facts = Facts::default();
     facts
@@ -74,7 +75,7 @@ pub(super) fn text(engine: &dyn Engine, known: Option<(&State, &Mobility)>) -> S
     if !model.inputs.is_empty() {
         facts.add("inputs", model.inputs.len(), model.inputs.iter().copied());
     }
-    if let Some((_, mobility)) = known {
+    if let Some(Known { mobility, .. }) = known {
         let left = mobility.degrees_of_freedom_left;
         let driven = if left == 0 { "fully driven".to_owned() } else { format!("{left} left open by the drivers") };
         facts

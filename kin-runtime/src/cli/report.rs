@@ -9,11 +9,11 @@ use super::info;
 use super::options::{Format, FreedomArgs, InstantArgs, OutputArgs, SetupArgs};
 use super::session::Session;
 use super::solve::{body, record};
-use super::solved::solve;
+use super::solved::{note_freedom, solve};
 use crate::present::json::to_json;
 use crate::present::number::plain;
 use crate::present::record::StateRecord;
-use crate::present::structure::StructureRecord;
+use crate::present::structure::{Known, StructureRecord};
 use crate::present::text;
 
 /// Random configurations of the cross-check in the report.
@@ -58,18 +58,20 @@ pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Sess
             return Err(failure);
         }
     };
+    note_freedom(session, solved.state.degrees_of_freedom_left);
+    let known = Known { t, q: &solved.state.q, mobility: &solved.mobility };
     let findings = find(engine, t, Some(&solved.state), CONFIGURATIONS)?;
     let model = engine.model();
     let text = match format {
         Format::Json => to_json(&ReportRecord {
-            info: info::record(engine, Some((&solved.state, &solved.mobility))),
+            info: info::record(engine, Some(known)),
             state: record(engine, &solved),
             check: findings.clone(),
         })
         .map_err(Failure::Output)?,
         _ => format!(
             "{}\nAt t = {}\n{}{}{}\nChecks\n{}",
-            info::text(engine, Some((&solved.state, &solved.mobility))),
+            info::text(engine, Some(known)),
             plain(t),
             body(model, &solved),
             text::ratios(model, &solved.ratios),

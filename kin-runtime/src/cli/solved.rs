@@ -3,6 +3,7 @@
 use super::engine::{Engine, Setup};
 use super::failure::Failure;
 use super::names::listing;
+use super::session::Session;
 use crate::error::SolveError;
 use crate::mobility::Mobility;
 use crate::motion::Motion;
@@ -10,6 +11,7 @@ use crate::present::text;
 use crate::ratios::VelocityRatios;
 use crate::state::State;
 use crate::transmission::TransmissionAngle;
+use crate::workspace::Instant;
 
 /// A solved instant.
 #[derive(Clone, Debug)]
@@ -24,16 +26,35 @@ pub(super) struct Solved {
 /// Solves at `t` and refuses motions that the drivers leave open.
 pub(super) fn solve(engine: &dyn Engine, setup: &Setup, t: f64, least_norm: bool) -> Result<Solved, Failure> {
     let say = |error| analysis(engine, &error);
-    let state = engine.state(setup, t).map_err(say)?;
-    let mobility = engine.mobility(setup, &state).map_err(say)?;
-    if !least_norm {
-        fully_driven(engine, &mobility, t)?;
-    }
+    let (state, mobility) = driven_state(engine, setup, t, least_norm)?;
     let motion = engine.motion(&state).map_err(say)?;
     // Neither belongs to the motion: where they do not exist, the state is good nevertheless.
     let ratios = engine.velocity_ratios(setup, &state).unwrap_or(VelocityRatios { drivers: Vec::new() });
     let angles = engine.transmission_angles(&state).unwrap_or_default();
     Ok(Solved { state, motion, mobility, ratios, angles })
+}
+
+/// A solved instant without what is reported about it.
+pub(super) fn driven_state(
+    engine: &dyn Engine,
+    setup: &Setup,
+    t: f64,
+    least_norm: bool,
+) -> Result<(State, Mobility), Failure> {
+    let state = engine.state(setup, t).map_err(|error| misfit(engine, setup, t, &error))?;
+    let mobility = engine.mobility(setup, &state.instant(), &state.q).map_err(|error| analysis(engine, &error))?;
+    if !least_norm {
+        fully_driven(engine, &mobility, t)?;
+    }
+    Ok((state, mobility))
+}
+
+/// Says that an answer is one of many.
+pub(super) fn note_freedom(session: &mut Session<'_>, left: usize) {
+    if left > 0 {
+        let open = text::count(left, "degree");
+        session.note(&format!("note: {open} of freedom left open; this is the answer of least norm"));
+    }
 }
 
 /// An error when degrees of freedom are left, with the coordinates that could be given.
@@ -53,6 +74,21 @@ pub(super) fn fully_driven(engine: &dyn Engine, mobility: &Mobility, t: f64) -> 
     )))
 }
 
+/// An error of an analysis; where the given coordinates are to blame, with those that would do.
+fn misfit(engine: &dyn Engine, setup: &Setup, t: f64, error: &SolveError) -> Failure {
+    let conflict = matches!(error, SolveError::GivenConflict { open: 1.., .. });
+    let without = Setup { given: Vec::new(), ..setup.clone() };
+    let mobility = |q: Vec<f64>| engine.mobility(&without, &Instant { t, inputs: &without.inputs }, &q);
+    match engine.assemble(&without, t).and_then(mobility) {
+        Ok(open) if conflict => {
+            let names = text::coordinate_names(engine.model(), &open.could_be_given);
+            let lead = format!("  could be given, {} of them: ", open.degrees_of_freedom_left);
+            Failure::Analysis(format!("{}: {error}\n{}", engine.model().name, listing(&lead, &names)))
+        }
+        _ => analysis(engine, error),
+    }
+}
+
 /// An error of an analysis, with what may help.
 pub(super) fn analysis(engine: &dyn Engine, error: &SolveError) -> Failure {
     let hint = match error {
@@ -62,7 +98,7 @@ pub(super) fn analysis(engine: &dyn Engine, error: &SolveError) -> Failure {
         SolveError::GivenConflict { open: 0, .. } => {
             "the drivers determine every coordinate already: leave --given out"
         }
-        SolveError::GivenConflict { .. } => "give other coordinates, or fewer, with --given",
+        SolveError::GivenConflict { .. } => "give other coordinates, or fewer",
         SolveError::NonFinite { what: "Φ", .. } => {
             "the equations have no value there: other parameters (--set) or guesses (--guess) may have"
         }

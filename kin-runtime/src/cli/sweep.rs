@@ -1,15 +1,15 @@
 //! `sweep`: the motion over many instants.
 
-use super::engine::{Engine, Setup};
+use super::engine::Engine;
 use super::failure::Failure;
 use super::options::{Format, FreedomArgs, OutputArgs, SetupArgs};
 use super::session::Session;
-use super::solved::{analysis, fully_driven};
+use super::solved::{analysis, driven_state, fully_driven, note_freedom};
 use super::values;
 use crate::motion::Motion;
 use crate::present::grid;
 use crate::present::json::to_json;
-use crate::present::number::plain;
+use crate::present::number::rounded;
 use crate::present::record::{Parameters, SweepRecord};
 use crate::present::text::count;
 use crate::state::State;
@@ -80,15 +80,15 @@ pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Sessi
     let times = args.times()?;
     let setup = args.setup.apply_complete(engine)?;
     let engine = &*engine;
-    if !args.freedom.least_norm {
-        refuse_open_motion(engine, &setup, times.first().copied().unwrap_or(0.0))?;
-    }
+    // A long sweep fails at its start, when the drivers leave the motion open there.
+    let first = times.first().copied().unwrap_or(0.0);
+    let (start, _) = driven_state(engine, &setup, first, args.freedom.least_norm)?;
     let (mut states, mut ended) = engine.sweep(&setup, &times);
     let ended = ended.take().map(|error| analysis(engine, &error)).or_else(|| {
         // A sweep may also pass through a position where the drivers lose their grip.
         let open = states.iter().position(|s| s.degrees_of_freedom_left > 0).filter(|_| !args.freedom.least_norm)?;
         let at = states.get(open).map_or(f64::NAN, |s| s.t);
-        let failure = states.get(open).map(|s| engine.mobility(&setup, s));
+        let failure = states.get(open).map(|s| engine.mobility(&setup, &s.instant(), &s.q));
         states.truncate(open);
         match failure {
             Some(Ok(mobility)) => fully_driven(engine, &mobility, at).err(),
@@ -99,7 +99,10 @@ pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Sessi
     let motions = if args.points { motions(engine, &states)? } else { Vec::new() };
     let text = render(args, engine, &states, &motions, ended.is_none())?;
     match ended {
-        None => session.deliver(&args.output, &text),
+        None => {
+            note_freedom(session, start.degrees_of_freedom_left);
+            session.deliver(&args.output, &text)
+        }
         Some(failure) => {
             if !states.is_empty() {
                 session.deliver(&args.output, &text)?;
@@ -109,16 +112,6 @@ pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Sessi
             Err(failure)
         }
     }
-}
-
-/// Fails before a long sweep when the drivers leave the motion open at its start.
-fn refuse_open_motion(engine: &dyn Engine, setup: &Setup, t: f64) -> Result<(), Failure> {
-    let say = |error| analysis(engine, &error);
-    let state = engine.state(setup, t).map_err(say)?;
-    if state.degrees_of_freedom_left == 0 {
-        return Ok(());
-    }
-    fully_driven(engine, &engine.mobility(setup, &state).map_err(say)?, t)
 }
 
 fn motions(engine: &dyn Engine, states: &[State]) -> Result<Vec<Motion>, Failure> {
@@ -141,7 +134,7 @@ fn render(
         }
         Format::Text => {
             let (first, last) = (states.first(), states.last());
-            let [from, to] = [first, last].map(|s| s.map_or_else(String::new, |s| plain(s.t)));
+            let [from, to] = [first, last].map(|s| s.map_or_else(String::new, |s| rounded(s.t)));
             let heading = format!("{}, {} from t = {from} to t = {to}\n", model.name, count(states.len(), "instant"));
             Ok(heading + &grid::text(model, states, motions, ACROSS))
         }

@@ -5,7 +5,14 @@ use serde::Serialize;
 use super::text::{classes, coordinate_names, frame_name};
 use crate::mobility::{Mobility, RedundantRow};
 use crate::model::{BodyInfo, Level, Model, OperationCount, OriginKind};
-use crate::state::State;
+
+/// A configuration, and what can move in it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Known<'a> {
+    pub(crate) t: f64,
+    pub(crate) q: &'a [f64],
+    pub(crate) mobility: &'a Mobility,
+}
 
 /// The structure; what needs a configuration is null without one.
 #[derive(Clone, Debug, Serialize)]
@@ -38,8 +45,8 @@ pub(crate) struct StructureRecord<'a> {
 }
 
 impl<'a> StructureRecord<'a> {
-    pub(crate) fn new(model: &'static Model, values: &[f64], known: Option<(&'a State, &'a Mobility)>) -> Self {
-        let mobility = known.map(|(_, mobility)| mobility);
+    pub(crate) fn new(model: &'static Model, values: &[f64], known: Option<Known<'a>>) -> Self {
+        let mobility = known.map(|k| k.mobility);
         let names = |places: fn(&Mobility) -> &[usize]| mobility.map(|m| coordinate_names(model, places(m)));
         Self {
             mechanism: model.name,
@@ -65,7 +72,7 @@ impl<'a> StructureRecord<'a> {
             redundant: mobility.map(|m| m.redundant.as_slice()),
             condition: mobility.map(|m| m.condition),
             singular_values: mobility.map(|m| m.singular_values.as_slice()),
-            configuration: known.map(|(state, _)| ConfigurationRecord { t: state.t, q: &state.q }),
+            configuration: known.map(|k| ConfigurationRecord { t: k.t, q: k.q }),
         }
     }
 }
