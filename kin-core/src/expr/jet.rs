@@ -52,10 +52,14 @@ fn derive(graph: &mut Graph, jets: &[Rc<Jet>], id: ExprId) -> Jet {
             linear(graph, &[(None, &jet(a)), (Some(minus), &jet(b))])
         }
         Node::Mul(a, b) if a == b => {
-            // (a²)˙ = 2a ȧ, (a²)¨ = 2a ä + 2ȧ².
-            let (a_jet, two) = (jet(a), graph.number(2.0));
-            let factor = graph.mul(two, a);
-            compose(graph, &a_jet, factor, |_| two)
+            // (a²)˙ = 2a ȧ, (a²)¨ = 2a ä + 2ȧ²; in the rest the factor 2 is taken out.
+            let (a_jet, double) = (jet(a), graph.double(a));
+            let mut out = linear(graph, &[(Some(double), &a_jet)]);
+            let (product, square) = (graph.mul(a, a_jet.rest), graph.square(a_jet.rate));
+            let half = graph.add(product, square);
+            let two = graph.number(2.0);
+            out.rest = graph.mul(two, half);
+            out
         }
         Node::Mul(a, b) => {
             // (ab)˙ = a ḃ + b ȧ, (ab)¨ = a b̈ + b ä + 2ȧ ḃ.

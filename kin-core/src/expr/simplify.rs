@@ -57,7 +57,13 @@ impl Graph {
                 let two = self.number(2.0);
                 self.mul(two, a)
             }
-            ((false, a), (false, b)) => self.intern(Node::Add(a.min(b), a.max(b))),
+            ((false, a), (false, b)) => match (self.half(a), self.half(b)) {
+                (Some(a), Some(b)) => {
+                    let (two, sum) = (self.number(2.0), self.add(a, b));
+                    self.mul(two, sum)
+                }
+                _ => self.intern(Node::Add(a.min(b), a.max(b))),
+            },
             ((true, a), (true, b)) => {
                 let sum = self.add(a, b);
                 self.neg(sum)
@@ -85,9 +91,13 @@ impl Graph {
             return difference;
         }
         match (self.unsigned(a), self.unsigned(b)) {
-            ((false, a), (false, b)) => match self.find(&Node::Sub(b, a)) {
-                Some(opposite) => self.neg(opposite),
-                None => self.intern(Node::Sub(a, b)),
+            ((false, a), (false, b)) => match (self.half(a), self.half(b), self.find(&Node::Sub(b, a))) {
+                (Some(a), Some(b), _) => {
+                    let (two, difference) = (self.number(2.0), self.sub(a, b));
+                    self.mul(two, difference)
+                }
+                (_, _, Some(opposite)) => self.neg(opposite),
+                _ => self.intern(Node::Sub(a, b)),
             },
             ((false, a), (true, b)) => self.add(a, b),
             ((true, a), (false, b)) => {
@@ -195,6 +205,26 @@ impl Graph {
         let ((negative_a, a), (negative_b, b)) = (self.unsigned(a), self.unsigned(b));
         let quotient = self.intern(Node::Div(a, b));
         self.signed(negative_a != negative_b, quotient)
+    }
+
+    /// a when `id` is the product 2·a.
+    fn half(&self, id: ExprId) -> Option<ExprId> {
+        match self.node(id) {
+            Node::Mul(two, a) if self.literal(two) == Some(2.0) => Some(a),
+            _ => None,
+        }
+    }
+
+    /// 2a as a + a: one factor, which all products that hold it share.
+    pub fn double(&mut self, a: ExprId) -> ExprId {
+        match (self.simplify, self.literal(a), self.unsigned(a)) {
+            (true, Some(value), _) => self.number(2.0 * value),
+            (true, None, (negative, a)) => {
+                let double = self.intern(Node::Add(a, a));
+                self.signed(negative, double)
+            }
+            (false, ..) => self.intern(Node::Add(a, a)),
+        }
     }
 
     /// The folded literal of two literals, when it is finite.

@@ -187,31 +187,35 @@ impl Lowering<'_> {
         (sin, cos)
     }
 
-    /// A component of A(φ)s; a literal zero component costs nothing.
+    /// A component of A(φ)s; a literal zero component costs nothing, and a literal ±1 is a sign and not a factor.
+    ///
+    /// To compute −ρ only one component of s is negated, the first that is not zero: its term then leads, and the
+    /// other is added or subtracted.
     fn rotation(&mut self, r: Rotation, is_x: bool) -> Signed {
         let (sin, cos) = self.sin_cos(r.angle);
         let negated = self.signs.negated.contains(&r);
-        let component = |lowering: &mut Self, id: ExprId| {
-            if lowering.graph.is_zero(id) {
+        let (with_x, with_y) = if is_x { (cos, Self::opposite(sin)) } else { (sin, cos) };
+        let x_is_zero = self.graph.is_zero(r.x);
+        let terms = [(with_x, r.x, true), (with_y, r.y, x_is_zero)].map(|(factor, id, leads)| {
+            if self.graph.is_zero(id) {
                 return None;
             }
-            let signed = lowering.signed(id);
-            if !negated {
-                return Some(signed);
-            }
-            let value = if signed.negative { signed.value } else { lowering.negate(signed.value) };
-            Some(Signed { value, negative: false })
-        };
-        let (x, y) = (component(self, r.x), component(self, r.y));
-        let (with_x, with_y) = if is_x { (cos, Self::opposite(sin)) } else { (sin, cos) };
-        let terms = [(with_x, x, r.x), (with_y, y, r.y)].map(|(factor, component, id)| {
-            let component = component?;
+            let component = self.signed(id);
             if self.graph.literal(id).map(f64::abs) == Some(1.0) {
-                // A literal ±1 is a sign, not a factor; `component` carries it where it is not folded in.
-                let minus = self.graph.literal(id) == Some(-1.0);
-                return Some(Signed { value: factor.value, negative: factor.negative ^ minus ^ negated });
+                let negative = factor.negative ^ component.negative ^ negated;
+                return Some(Signed { value: factor.value, negative });
             }
-            Some(self.mul(factor, component))
+            if !negated {
+                return Some(self.mul(factor, component));
+            }
+            let component = Self::opposite(component);
+            Some(match (leads, component.negative) {
+                (true, true) => {
+                    let value = self.negate(component.value);
+                    self.mul(factor, Signed { value, negative: false })
+                }
+                _ => self.mul(factor, component),
+            })
         });
         let sum = match terms {
             [Some(a), Some(b)] => self.add(a, b, false),

@@ -23,8 +23,9 @@ pub(super) fn choose(graph: &Graph, outputs: impl Iterator<Item = ExprId>) -> Si
     let votes = Votes::count(graph, &outputs);
     let mut signs = Signs::default();
     for (rotation, vote) in votes.vectors {
-        // Negating a component without a literal factor costs one operation each.
-        let cost: i32 = [rotation.x, rotation.y].iter().map(|id| i32::from(!is_free(graph, *id))).sum();
+        // Negating the leading component costs an operation unless it has a literal factor.
+        let leading = if graph.is_zero(rotation.x) { rotation.y } else { rotation.x };
+        let cost = i32::from(!is_free(graph, leading));
         if vote < -cost {
             signs.negated.insert(rotation);
         }
@@ -67,8 +68,10 @@ impl Votes {
                 _ if vote == 0 => {}
                 Node::Neg(a) => pass(a, vote.saturating_neg()),
                 Node::RotX(rotation) | Node::RotY(rotation) => {
+                    // Of a vector (0, y) the first component is −sin φ y: it has the other sign to start with.
+                    let turned_round = matches!(graph.node(id), Node::RotX(_)) && graph.is_zero(rotation.x);
                     let total = votes.vectors.entry(rotation).or_default();
-                    *total = total.saturating_add(vote);
+                    *total = total.saturating_add(if turned_round { vote.saturating_neg() } else { vote });
                 }
                 Node::Add(a, b) if decides[a.index()] && decides[b.index()] => {
                     pass(a, vote);
@@ -82,6 +85,8 @@ impl Votes {
                         pass(factor, vote);
                     }
                 }
+                // u·d turns round when both components of d do.
+                Node::Dot(t) if decides[id.index()] => t.d.into_iter().for_each(|d| pass(d, vote)),
                 Node::Div(a, _) => pass(a, vote),
                 _ => {}
             }
@@ -100,6 +105,7 @@ fn deciding(graph: &Graph, order: &[ExprId]) -> Vec<bool> {
             Node::Neg(a) | Node::Div(a, _) => of(a),
             Node::Mul(a, b) => of(a) || of(b),
             Node::Add(a, b) => of(a) && of(b),
+            Node::Dot(t) => t.d.into_iter().all(of),
             _ => false,
         };
     }
