@@ -206,6 +206,7 @@ fn bad_options_are_named_with_status_2() {
     failed("fourbar sweep --times 0,1 --to 2", 2, &["--times: cannot stand beside --to"]);
     failed("fourbar sweep --times 0,nan", 2, &["--times"]);
     failed("fourbar swep", 2, &["swep"]);
+    failed("fourbar --at 1 solve", 2, &["Options stand behind the command"]);
     failed("fourbar solve --at", 2, &["--at"]);
 }
 

@@ -84,7 +84,10 @@ fn run(engine: &mut dyn Engine, args: Vec<OsString>, out: &mut dyn Write, err: &
     let arguments = match parse(engine, args) {
         Ok(arguments) => arguments,
         Err(error) => {
-            let text = error.render().to_string();
+            let mut text = error.render().to_string();
+            if error.kind() == ErrorKind::ArgumentConflict {
+                text.push_str("\nOptions stand behind the command: solve --at 0.5\n");
+            }
             let asked_for = matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion);
             return if asked_for { session.print(&text) } else { session.complain(&text, 2) };
         }

@@ -14,8 +14,6 @@ use crate::present::record::{Parameters, SweepRecord};
 use crate::present::text::count;
 use crate::state::State;
 
-/// Columns beside t in one table.
-const ACROSS: usize = 6;
 /// Steps when --steps is not there.
 const STEPS: usize = 100;
 
@@ -136,7 +134,7 @@ fn render(
             let (first, last) = (states.first(), states.last());
             let [from, to] = [first, last].map(|s| s.map_or_else(String::new, |s| rounded(s.t)));
             let heading = format!("{}, {} from t = {from} to t = {to}\n", model.name, count(states.len(), "instant"));
-            Ok(heading + &grid::text(model, states, motions, ACROSS))
+            Ok(heading + &grid::text(model, states, motions))
         }
     }
 }

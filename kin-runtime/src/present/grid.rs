@@ -71,13 +71,32 @@ fn exact(value: f64) -> String {
     if value.is_finite() { plain(value) } else { value.to_string() }
 }
 
-/// Tables of at most `across` columns side by side, each starting with t.
-pub(crate) fn text(model: &Model, states: &[State], motions: &[Motion], across: usize) -> String {
+/// Columns on the screen that a table may take beside t.
+const COLUMNS: usize = 86;
+
+/// Value, rate and acceleration together, as many as fit beside one another.
+fn side_by_side(columns: &[Column]) -> Vec<&[Column]> {
+    let width = |part: &[Column]| part.iter().map(|(name, _)| name.chars().count().max(9) + 2).sum::<usize>();
+    let mut parts = Vec::new();
+    let mut rest = columns;
+    while !rest.is_empty() {
+        let fits = |n: &usize| rest.get(..*n).is_some_and(|part| width(part) <= COLUMNS);
+        let (part, others) =
+            rest.split_at((6..=rest.len()).step_by(3).take_while(fits).last().unwrap_or(3).min(rest.len()));
+        parts.push(part);
+        rest = others;
+    }
+    parts
+}
+
+/// Tables below one another, each starting with t.
+pub(crate) fn text(model: &Model, states: &[State], motions: &[Motion]) -> String {
     let columns = columns(model, states, motions);
     let Some((t, rest)) = columns.split_first() else { return String::new() };
     let decimals = t.1.iter().map(|v| plain(*v)).collect::<Vec<_>>();
-    let short = decimals.iter().all(|text| text.len() <= 10);
-    rest.chunks(across.max(1))
+    let short = decimals.iter().all(|text| text.len() <= 10 && !text.contains('e'));
+    side_by_side(rest)
+        .into_iter()
         .map(|part| {
             let start = if short {
                 Table::new().right("t", decimals.iter().map(|d| padded(d, &decimals)))
