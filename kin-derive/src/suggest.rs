@@ -20,10 +20,11 @@ fn distance(a: &str, b: &str) -> usize {
     strsim::osa_distance(a, b)
 }
 
-/// At most two edits, and at most one for every three letters: short names are no slips of one another.
+/// At most two edits, at most one for every three letters, and something in common: short names are no slips of one
+/// another.
 fn is_near(distance: usize, a: &str, b: &str) -> bool {
-    let letters = a.chars().count().max(b.chars().count());
-    distance > 0 && distance <= 2 && 3 * distance <= letters.max(3)
+    let (a, b) = (a.chars().count(), b.chars().count());
+    distance > 0 && distance <= 2 && distance < a.max(b) && 3 * distance <= a.max(b).max(3)
 }
 
 /// `` `a`, `b` and `c` `` with the given last joining word; long lists are cut.
@@ -55,6 +56,7 @@ mod tests {
         assert_eq!(nearest("crnk", ["rocker", "crank"]), Some("crank"));
         assert_eq!(nearest("rokcer", ["rocker", "crank"]), Some("rocker"));
         assert_eq!(nearest("l5", ["l1", "l2"]), Some("l1"));
+        assert_eq!(nearest("m", ["a", "b"]), None);
         assert_eq!(nearest("serde", ["speed", "gear"]), None);
         assert_eq!(nearest("test", ["belt"]), None);
         assert_eq!(near("bodys", ["bodies", "body", "belt"]), ["bodies", "body"]);

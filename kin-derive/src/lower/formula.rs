@@ -235,7 +235,7 @@ impl Lowerer<'_> {
                 let others = ["atan2", "pow", "distance"];
                 let suggestion = did_you_mean(&word, Function::ALL.iter().map(|f| f.name()).chain(others));
                 format!(
-                    "no function `{word}`{suggestion}; there are sin, cos, tan, asin, acos, atan, atan2, sqrt, exp, ln, abs, pow and distance"
+                    "no function `{word}`; there are sin, cos, tan, asin, acos, atan, atan2, sqrt, exp, ln, abs, pow and distance{suggestion}"
                 )
             }
         };

@@ -5,6 +5,7 @@ use super::declare::IndexRange;
 use super::names::{Declared, Shape};
 use crate::ast::{IndexExpr, NameUse, text};
 use kin_core::mechanism::Index;
+use std::ops::Range;
 
 impl Lowerer<'_> {
     /// The index of a use of `declared`; `None` when it is wrong, which is reported.
@@ -27,8 +28,39 @@ impl Lowerer<'_> {
                 self.report.error(used.ident.span(), message);
                 None
             }
-            (Shape::Family(_), Some(index)) => self.index(index, range),
+            (Shape::Family(members), Some(used)) => {
+                let index = self.index(used, range)?;
+                self.within(index, members, name, used, range)
+            }
         }
+    }
+
+    /// The index, when it is within its family at both ends of the range, and so between them.
+    fn within(
+        &self,
+        index: Index,
+        members: &Range<i64>,
+        name: &str,
+        used: &IndexExpr,
+        range: &IndexRange,
+    ) -> Option<Index> {
+        let ends = match range {
+            IndexRange::Over(range) => [range.start, range.end - 1],
+            IndexRange::None | IndexRange::Unknown => [0, 0],
+        };
+        let at = |i: i64| index.scale.saturating_mul(i).saturating_add(index.offset);
+        let Some(i) = ends.into_iter().find(|&i| !members.contains(&at(i))) else { return Some(index) };
+        let value = at(i);
+        let step =
+            used.variable.as_ref().map_or(String::new(), |variable| format!(" (where `{}` is {i})", text(variable)));
+        let message = if members.is_empty() {
+            format!("`{name}` has no elements, so that `{name}[{value}]` does not exist")
+        } else {
+            let (first, last) = (members.start, members.end - 1);
+            format!("`{name}[{value}]` does not exist{step}; there are `{name}[{first}]` to `{name}[{last}]`")
+        };
+        self.report.error(used.span, message);
+        None
     }
 
     fn index(&self, index: &IndexExpr, range: &IndexRange) -> Option<Index> {

@@ -2,11 +2,11 @@
 
 use super::declare::IndexRange;
 use super::formula::{Allow, Scope};
-use super::names::{Declared, Shape, Symbol};
+use super::names::{Declared, Symbol};
 use super::{Lowerer, MentionKind, substitute};
 use crate::ast::{NameUse, PointExpr};
 use kin_core::error::Origin;
-use kin_core::mechanism::{BodyRef, Formula, Index, Place};
+use kin_core::mechanism::{BodyRef, Formula, Place};
 use syn::Ident;
 
 /// What stands for a point that could not be read.
@@ -110,31 +110,8 @@ impl Lowerer<'_> {
         range: &IndexRange,
     ) -> Option<Place> {
         let index = self.member(used, declared, range)?;
-        self.within(index, declared, used, range)?;
         let place = self.points.get(k)?.as_ref()?.place.clone();
         let origin = self.origin(used.ident.span());
         Some(Place { origin, ..substitute::place(&place, index) })
-    }
-
-    /// Checks the bounds of an index here, since the model has no trace of the point that was used.
-    fn within(&self, index: Index, declared: &Declared, used: &NameUse, range: &IndexRange) -> Option<()> {
-        let Shape::Family(members) = &declared.shape else { return Some(()) };
-        let (first, last) = match range {
-            IndexRange::Over(range) => (range.start, range.end - 1),
-            IndexRange::None | IndexRange::Unknown => (0, 0),
-        };
-        for i in [first, last] {
-            let value = index.scale.saturating_mul(i).saturating_add(index.offset);
-            if !members.contains(&value) {
-                let name = &declared.name;
-                let at = if index.scale == 0 { String::new() } else { format!(" (where the index variable is {i})") };
-                let (first, last) = (members.start, members.end - 1);
-                let message =
-                    format!("`{name}[{value}]` does not exist{at}; there are `{name}[{first}]` to `{name}[{last}]`");
-                self.report.error(used.ident.span(), message);
-                return None;
-            }
-        }
-        Some(())
     }
 }

@@ -76,13 +76,9 @@ fn unknown_method(name: &Ident, known: &str) -> Error {
     const OTHERS: [&str; 3] = ["atan2", "powi", "powf"];
     let methods = Function::ALL.iter().map(|f| f.name()).chain(OTHERS);
     let suggestion = did_you_mean(known, methods);
-    let message = if suggestion.is_empty() {
-        format!(
-            "no function `{known}`; there are sin, cos, tan, asin, acos, atan, atan2, sqrt, exp, ln, abs, powi and powf"
-        )
-    } else {
-        format!("no function `{known}`{suggestion}")
-    };
+    let message = format!(
+        "no function `{known}`; there are sin, cos, tan, asin, acos, atan, atan2, sqrt, exp, ln, abs, powi and powf{suggestion}"
+    );
     Error::new(name.span(), message)
 }
 

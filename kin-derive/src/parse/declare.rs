@@ -3,8 +3,9 @@
 use super::expr::{end_of_expr, expr};
 use super::index::{identifier, name_or_family, new_name};
 use super::list::{comma, end_of_part, list, skip_part};
-use super::parts::is_option;
 use super::point::point;
+use super::read::is_option;
+use super::reject::here;
 use crate::ast::{BodyDecl, DefineDecl, Expr, GuessDecl, Item, PointDecl, PointExpr, ScalarDecl, text};
 use crate::report::Report;
 use crate::suggest::did_you_mean;
@@ -96,9 +97,10 @@ pub(super) fn body(input: ParseStream, keyword: &Ident, report: &Report, items: 
     finish(end_of_part(input), input, report);
     while !input.is_empty() {
         if !is_option(input) {
-            report.push(
-                input.error(format!("`body` declares one body; what is given follows as `key = value`: `{FORM}`")),
-            );
+            report.push(here(
+                input,
+                format!("`body` declares one body; what is given follows as `key = value`: `{FORM}`"),
+            ));
             skip_part(input);
             comma(input);
             continue;
@@ -135,7 +137,7 @@ fn given(input: ParseStream, decl: &mut BodyDecl) -> Result<()> {
         _ => {
             let suggestion = did_you_mean(&name, KEYS);
             let message =
-                format!("`body` has no option `{name}`{suggestion}; its options are `x`, `y`, `phi` and `origin`");
+                format!("`body` has no option `{name}`; its options are `x`, `y`, `phi` and `origin`{suggestion}");
             return Err(Error::new(key.span(), message));
         }
     }
@@ -160,7 +162,7 @@ fn equals(input: ParseStream, form: &str) -> Result<()> {
         input.parse::<Token![=]>()?;
         return Ok(());
     }
-    Err(input.error(format!("expected `=` and a value: `{form}`")))
+    Err(here(input, format!("expected `=` and a value: `{form}`")))
 }
 
 fn nonempty(input: ParseStream, keyword: &Ident, form: &str, report: &Report) {

@@ -4,7 +4,7 @@
 
 use super::call;
 use super::index::{identifier, name_use};
-use super::reject;
+use super::reject::{self, here};
 use crate::ast::{Expr, ExprKind, Operator, text};
 use proc_macro2::Span;
 use syn::ext::IdentExt;
@@ -73,7 +73,7 @@ fn product(input: ParseStream, depth: usize) -> Result<Expr> {
         let operator = if input.peek(Token![*]) {
             input.parse::<Token![*]>()?;
             if input.peek(Token![*]) {
-                return Err(input.error("powers are written `pow(a, n)` or `a.powi(n)`"));
+                return Err(here(input, "powers are written `pow(a, n)` or `a.powi(n)`"));
             }
             Operator::Mul
         } else if input.peek(Token![/]) {
@@ -108,9 +108,10 @@ fn postfix(input: ParseStream, depth: usize) -> Result<Expr> {
     while input.peek(Token![.]) && !input.peek(Token![..]) {
         input.parse::<Token![.]>()?;
         if !input.peek(Ident::peek_any) {
-            return Err(
-                input.error("expected a component (`x`, `y`, `phi`) or a method such as `.sin()` after the dot")
-            );
+            return Err(here(
+                input,
+                "expected a component (`x`, `y`, `phi`) or a method such as `.sin()` after the dot",
+            ));
         }
         let name = Ident::parse_any(input)?;
         value =
@@ -143,7 +144,7 @@ fn primary(input: ParseStream, depth: usize) -> Result<Expr> {
             return call::function(name, input, deeper(input, depth)?);
         }
         if input.peek2(Token![::]) || input.peek2(Token![!]) && !input.peek2(Token![!=]) {
-            return Err(input.error("an expression has names, numbers and functions; paths and macros are not read"));
+            return Err(here(input, "an expression has names, numbers and functions; paths and macros are not read"));
         }
         let name = name_use(input)?;
         let span = name.ident.span();
@@ -160,7 +161,7 @@ fn parentheses(input: ParseStream, depth: usize) -> Result<Expr> {
     let parens = parenthesized!(content in input);
     let mut inner = sum(&content, depth)?;
     if content.peek(Token![,]) {
-        return Err(content.error("a pair stands behind `@` and in `axis` only: `crank @ (l1/2, 0)`"));
+        return Err(here(&content, "a pair stands behind `@` and in `axis` only: `crank @ (l1/2, 0)`"));
     }
     if !content.is_empty() {
         return Err(reject::after_expr(&content));

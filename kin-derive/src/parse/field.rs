@@ -5,7 +5,8 @@ use super::expr::{end_of_expr, expr};
 use super::fold::constant;
 use super::keyword::{self, Keyword};
 use super::list::{comma, end_of_part, inside, skip_part};
-use super::parts::is_option;
+use super::read::is_option;
+use super::reject::here;
 use crate::ast::{FieldDecl, text};
 use crate::report::Report;
 use crate::suggest::did_you_mean;
@@ -98,7 +99,7 @@ fn part(input: ParseStream, first: bool, param: &mut Param) -> Result<()> {
         let name = text(&key);
         if name != "unit" {
             let suggestion = did_you_mean(&name, ["unit"]);
-            let message = format!("`param` has no option `{name}`{suggestion}; it is written `{FORM}`");
+            let message = format!("`param` has no option `{name}`; it is written `{FORM}`{suggestion}");
             return Err(Error::new(key.span(), message));
         }
         if param.unit.is_some() {
@@ -111,7 +112,7 @@ fn part(input: ParseStream, first: bool, param: &mut Param) -> Result<()> {
         return end_of_part(input);
     }
     if !first {
-        return Err(input.error(format!("a parameter has one default, then its unit: `{FORM}`")));
+        return Err(here(input, format!("a parameter has one default, then its unit: `{FORM}`")));
     }
     param.default = Some(if input.peek(token::Bracket) { each(input)? } else { Default::One(number(input)?) });
     end_of_part(input)

@@ -38,7 +38,7 @@ fn flag(input: ParseStream, flags: &mut Flags) -> Result<()> {
         _ => {
             let suggestion = did_you_mean(&name, NAMES);
             let message = format!(
-                "no flag `{name}`{suggestion}; the flags are `cross_check`, `allow_redundant` and `check_units`"
+                "no flag `{name}`; the flags are `cross_check`, `allow_redundant` and `check_units`{suggestion}"
             );
             return Err(Error::new(word.span(), message));
         }

@@ -1,6 +1,7 @@
 //! Names with brackets: `link[10]`, `N[i in 0..10]`, and indices such as `link[2*i + 1]`.
 
 use super::docs::inner_doc;
+use super::reject::here;
 use crate::ast::{Bracket, IndexExpr, NameUse, NewName, RangeDecl, text};
 use crate::report::Report;
 use kin_core::mechanism::check::MAX_MEMBERS;
@@ -93,7 +94,7 @@ fn range(content: ParseStream, span: Span) -> Result<RangeDecl> {
     };
     let (start, _) = literal(content)?;
     if content.peek(Token![..=]) || content.peek(Token![...]) {
-        return Err(content.error("a range is written `start..end` and ends before `end`"));
+        return Err(here(content, "a range is written `start..end` and ends before `end`"));
     }
     content
         .parse::<Token![..]>()
@@ -233,5 +234,5 @@ fn whole_number(input: ParseStream) -> Result<(i64, Span)> {
 }
 
 fn nothing_left(content: ParseStream, right: &str) -> Result<()> {
-    if content.is_empty() { Ok(()) } else { Err(content.error(right)) }
+    if content.is_empty() { Ok(()) } else { Err(here(content, right)) }
 }

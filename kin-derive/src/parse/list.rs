@@ -1,6 +1,7 @@
 //! Reading on after a mistake: the parts of an attribute are separated by commas, and each is read for itself.
 
 use super::flatten::flatten;
+use super::reject::here;
 use crate::report::Report;
 use proc_macro2::TokenTree;
 use syn::parse::ParseStream;
@@ -55,7 +56,7 @@ pub(super) fn list(input: ParseStream, report: &Report, mut part: impl FnMut(Par
 
 /// An error unless a comma or the end follows.
 pub(super) fn end_of_part(input: ParseStream) -> Result<()> {
-    if input.is_empty() || input.peek(Token![,]) { Ok(()) } else { Err(input.error("expected a comma before this")) }
+    if input.is_empty() || input.peek(Token![,]) { Ok(()) } else { Err(here(input, "expected a comma before this")) }
 }
 
 /// Moves to the next comma or the end.

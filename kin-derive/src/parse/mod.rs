@@ -13,6 +13,7 @@ mod keyword;
 mod list;
 mod parts;
 mod point;
+mod read;
 mod reject;
 mod rows;
 

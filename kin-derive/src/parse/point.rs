@@ -2,7 +2,7 @@
 
 use super::expr::{deeper, end_of_expr, nested};
 use super::index::name_use;
-use super::reject;
+use super::reject::{self, here};
 use crate::ast::{AxisExpr, Expr, NameUse, PointExpr};
 use proc_macro2::Span;
 use syn::ext::IdentExt;
@@ -17,11 +17,11 @@ pub(super) fn point(input: ParseStream) -> Result<PointExpr> {
 /// A point and the height of its coordinates, inside brackets that are `depth` levels deep.
 pub(super) fn point_at_depth(input: ParseStream, depth: usize) -> Result<(PointExpr, usize)> {
     if !input.peek(Ident::peek_any) {
-        return Err(input.error("expected a point: `body @ (x, y)` or the name of a `point`"));
+        return Err(here(input, "expected a point: `body @ (x, y)` or the name of a `point`"));
     }
     let name = name_use(input)?;
     if input.peek(Token![.]) {
-        return Err(input.error("a point is `body @ (x, y)` or the name of a `point`, without a component"));
+        return Err(here(input, "a point is `body @ (x, y)` or the name of a `point`, without a component"));
     }
     if !input.peek(Token![@]) {
         return Ok((PointExpr::Named(name), 0));
@@ -35,14 +35,14 @@ pub(super) fn point_at_depth(input: ParseStream, depth: usize) -> Result<(PointE
 /// A body operand.
 pub(super) fn body(input: ParseStream) -> Result<NameUse> {
     if !input.peek(Ident::peek_any) {
-        return Err(input.error("expected the name of a body"));
+        return Err(here(input, "expected the name of a body"));
     }
     let name = name_use(input)?;
     if input.peek(Token![@]) {
-        return Err(input.error("here stands a body, not a point: the name alone"));
+        return Err(here(input, "here stands a body, not a point: the name alone"));
     }
     if input.peek(Token![.]) {
-        return Err(input.error("here stands a body, not its coordinate: the name alone"));
+        return Err(here(input, "here stands a body, not its coordinate: the name alone"));
     }
     Ok(name)
 }
@@ -55,7 +55,7 @@ pub(super) fn axis(input: ParseStream) -> Result<AxisExpr> {
 
 fn pair(input: ParseStream, depth: usize, form: &str) -> Result<(Expr, Expr, Span)> {
     if !input.peek(token::Paren) {
-        return Err(input.error(form));
+        return Err(here(input, form));
     }
     let content;
     let parens = parenthesized!(content in input);
@@ -78,7 +78,7 @@ fn pair(input: ParseStream, depth: usize, form: &str) -> Result<(Expr, Expr, Spa
     if content.is_empty() {
         Ok((x, y, span))
     } else {
-        Err(content.error("a pair has two components: motion is planar"))
+        Err(here(&content, "a pair has two components: motion is planar"))
     }
 }
 

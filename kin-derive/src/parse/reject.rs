@@ -1,47 +1,54 @@
 //! What to say about a token that does not belong where it stands.
 
+use core::fmt::Display;
 use syn::parse::ParseStream;
 use syn::{Error, Token, token};
+
+/// `message` on the next token, or on the bracket that ends the stream.
+pub(super) fn here(input: ParseStream, message: impl Display) -> Error {
+    Error::new(input.span(), message)
+}
 
 /// A token follows an expression that can neither continue nor end it.
 pub(super) fn after_expr(input: ParseStream) -> Error {
     if let Some(message) = operator(input) {
-        return input.error(message);
+        return here(input, message);
     }
     if input.is_empty() || input.peek(token::Paren) {
-        return input.error("expected an operator; a product is written with `*`");
+        return here(input, "expected an operator; a product is written with `*`");
     }
     if input.peek(Token![=]) {
-        return input.error("there is one `=` at most, between the sides of an equation");
+        return here(input, "there is one `=` at most, between the sides of an equation");
     }
     if input.peek(Token![@]) {
-        return input.error(
+        return here(
+            input,
             "a point is written `body @ (x, y)`; in an expression, name it with `point(p = …)` and use `p.x`, `p.y`",
         );
     }
     if input.peek(syn::Ident) || input.peek(syn::Lit) {
-        return input.error("expected an operator or a comma before this; a product is written with `*`");
+        return here(input, "expected an operator or a comma before this; a product is written with `*`");
     }
-    input.error("expected `+`, `-`, `*`, `/` or the end of the expression")
+    here(input, "expected `+`, `-`, `*`, `/` or the end of the expression")
 }
 
 /// A token stands where an expression begins and cannot begin one.
 pub(super) fn no_expr(input: ParseStream) -> Error {
     let is_equals = input.peek(Token![=]) && !input.peek(Token![==]) && !input.peek(Token![=>]);
     if input.is_empty() || input.peek(Token![,]) || is_equals {
-        return input.error("expected an expression before this");
+        return here(input, "expected an expression before this");
     }
     if input.peek(Token![+]) {
-        return input.error("expected a value; there is no unary plus");
+        return here(input, "expected a value; there is no unary plus");
     }
     if input.peek(token::Bracket) {
-        return input.error("an array cannot stand here; one element of an array parameter is written `l[3]`");
+        return here(input, "an array cannot stand here; one element of an array parameter is written `l[3]`");
     }
     if input.peek(token::Brace) {
-        return input.error("a block cannot stand here; parts of an expression get a name with `define`");
+        return here(input, "a block cannot stand here; parts of an expression get a name with `define`");
     }
     operator(input)
-        .map_or_else(|| input.error("expected a number, a name or a function"), |message| input.error(message))
+        .map_or_else(|| here(input, "expected a number, a name or a function"), |message| here(input, message))
 }
 
 /// The right way to write what an operator of another language means.

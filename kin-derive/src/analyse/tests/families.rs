@@ -73,7 +73,7 @@ fn chain(attribute: &str) -> String {
 fn indices_are_checked_at_every_step() {
     one_error(
         &chain("#[revolute(X[i in 0..10]: link[i] @ (0, 0), link[i+1] @ (0, 0))]"),
-        &["`link[10]` does not exist (where the index variable is 9)", "`link[0]` to `link[9]`"],
+        &["`link[10]` does not exist (where `i` is 9)", "`link[0]` to `link[9]`"],
     );
     one_error(&chain("#[angle(X[i in 0..2]: link[i-1] = 0)]"), &["`link[-1]` does not exist"]);
     one_error(&chain("#[angle(X: link[10] = 0)]"), &["`link[10]` does not exist;"]);

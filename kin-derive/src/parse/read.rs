@@ -1,0 +1,192 @@
+//! Reading the parts of a row, on past mistakes.
+
+use super::expr::{end_of_expr, expr};
+use super::index::identifier;
+use super::list::{comma, end_of_part, skip_part, skip_to};
+use super::parts::{Operand, OperandForm, OptionForm, Parts, Value};
+use super::point::{axis, body, point};
+use super::reject::here;
+use super::rows::RowForm;
+use crate::ast::{Expr, PointExpr, text};
+use crate::report::Report;
+use crate::suggest::{did_you_mean, listed};
+use std::collections::VecDeque;
+use syn::parse::ParseStream;
+use syn::{Ident, Result, Token};
+
+impl<'a> Parts<'a> {
+    /// Reads everything behind `name:`.
+    pub(super) fn read(input: ParseStream, keyword: &'a Ident, form: &'static RowForm, report: &'a Report) -> Self {
+        let mut parts = Self {
+            keyword,
+            form,
+            report,
+            operands: VecDeque::new(),
+            right: None,
+            options: Vec::new(),
+            lost_option: false,
+            miscounted: false,
+            errors_before: report.count(),
+        };
+        parts.read_operands(input);
+        parts.read_options(input);
+        parts
+    }
+
+    fn read_operands(&mut self, input: ParseStream) {
+        let count = self.form.operands.len();
+        for (k, operand) in self.form.operands.iter().enumerate() {
+            let last = k + 1 == count;
+            if input.is_empty() || !self.form.equals && is_option(input) {
+                return self.too_few();
+            }
+            let result = self.read_operand(input, *operand);
+            let read = self.report.ok(result).is_some();
+            if !read {
+                self.operands.push_back(match operand {
+                    OperandForm::Point => Operand::Point(PointExpr::Hole),
+                    OperandForm::Body => Operand::Body(None),
+                    OperandForm::Expression => Operand::Expression(Expr::hole(self.keyword.span())),
+                });
+                skip_to(input, |input| input.peek(Token![,]) || last && self.form.equals && is_equals(input));
+            }
+            if last && self.form.equals {
+                self.read_right(input, read);
+            } else if self.form.equals && is_equals(input) {
+                return self.too_few();
+            } else {
+                self.finish_part(end_of_part(input), input);
+            }
+        }
+    }
+
+    fn read_operand(&mut self, input: ParseStream, form: OperandForm) -> Result<()> {
+        let operand = match form {
+            OperandForm::Point => Operand::Point(point(input)?),
+            OperandForm::Body => Operand::Body(Some(body(input)?)),
+            OperandForm::Expression => {
+                let expr = expr(input)?;
+                end_of_expr(input)?;
+                Operand::Expression(expr)
+            }
+        };
+        self.operands.push_back(operand);
+        Ok(())
+    }
+
+    /// The right-hand side; a missing `=` is no second mistake when the left side already had one.
+    fn read_right(&mut self, input: ParseStream, left_is_read: bool) {
+        if is_equals(input) {
+            let right = input.parse::<Token![=]>().and_then(|_| expr(input));
+            self.right = self.report.ok(right);
+            if self.right.is_none() {
+                skip_part(input);
+            }
+            let end = if is_equals(input) { end_of_part(input) } else { end_of_expr(input) };
+            self.finish_part(end, input);
+        } else {
+            if left_is_read {
+                self.report.push(here(input, format!("expected `=` and a value: `{}`", self.form.example)));
+            }
+            // What follows a comma here would be taken for an option.
+            skip_to(input, |_| false);
+        }
+    }
+
+    fn read_options(&mut self, input: ParseStream) {
+        while !input.is_empty() {
+            if is_option(input) {
+                let result = self.read_option(input);
+                self.finish_part(result, input);
+                continue;
+            }
+            // One word about operands that are too many is enough.
+            if !self.miscounted {
+                self.miscounted = true;
+                self.report.push(here(input, self.count_message()));
+            }
+            skip_part(input);
+            comma(input);
+        }
+    }
+
+    fn read_option(&mut self, input: ParseStream) -> Result<()> {
+        let key = identifier(input)?;
+        input.parse::<Token![=]>()?;
+        let name = text(&key);
+        let known = self.form.options.iter().find(|(option, _)| *option == name);
+        if self.options.iter().any(|(given, _)| text(given) == name) {
+            self.report.error(key.span(), format!("`{name}` is given twice; one value is enough"));
+            skip_part(input);
+            return Ok(());
+        }
+        let Some((_, form)) = known else {
+            self.lost_option = true;
+            self.report.error(key.span(), self.unknown_option(&name));
+            skip_part(input);
+            return Ok(());
+        };
+        // The key counts as given even when its value cannot be read.
+        self.options.push((key, None));
+        let value = match form {
+            OptionForm::Axis => axis(input).map(Value::Axis)?,
+            OptionForm::Expression => {
+                let value = expr(input)?;
+                end_of_expr(input)?;
+                Value::Expression(value)
+            }
+        };
+        if let Some((_, slot)) = self.options.last_mut() {
+            *slot = Some(value);
+        }
+        end_of_part(input)
+    }
+
+    fn finish_part(&mut self, result: Result<()>, input: ParseStream) {
+        if self.report.ok(result).is_none() {
+            self.lost_option = true;
+            skip_part(input);
+        }
+        comma(input);
+    }
+
+    fn unknown_option(&self, name: &str) -> String {
+        let options = || self.form.options.iter().map(|(option, _)| *option);
+        let suggestion = did_you_mean(name, options());
+        let keyword = self.keyword;
+        let list = listed(options(), "and");
+        match self.form.options.len() {
+            0 => format!("`{keyword}` has no options; it is written `{}`", self.form.example),
+            1 => format!("`{keyword}` has no option `{name}`; its option is {list}{suggestion}"),
+            _ => format!("`{keyword}` has no option `{name}`; its options are {list}{suggestion}"),
+        }
+    }
+
+    /// A mistake before may be the reason why there are too few.
+    fn too_few(&mut self) {
+        self.miscounted = true;
+        if self.report.count() == self.errors_before {
+            self.report.error(self.keyword.span(), self.count_message());
+        }
+    }
+
+    fn count_message(&self) -> String {
+        let operands = match self.form.operands {
+            [OperandForm::Point] => "one point",
+            [OperandForm::Point, ..] => "two points",
+            [OperandForm::Body] => "one body",
+            [OperandForm::Body, ..] => "two bodies",
+            _ => "one expression on each side of `=`",
+        };
+        format!("`{}` takes {operands}: `{}`", self.keyword, self.form.example)
+    }
+}
+
+/// `key =` follows.
+pub(super) fn is_option(input: ParseStream) -> bool {
+    input.peek(Ident) && input.peek2(Token![=]) && !input.peek2(Token![==])
+}
+
+fn is_equals(input: ParseStream) -> bool {
+    input.peek(Token![=]) && !input.peek(Token![==]) && !input.peek(Token![=>])
+}
