@@ -57,6 +57,11 @@ impl Lowerer<'_> {
             ExprKind::Neg(a) => Formula::Neg(Box::new(self.formula(a, scope)?)),
             ExprKind::Binary(operator, a, b) => {
                 let (left, right) = (self.formula(a, scope), self.formula(b, scope));
+                if *operator == Operator::Div && right.as_ref().and_then(Formula::literal) == Some(0.0) {
+                    // Said here, since the model has no trace of a row that has another mistake, too.
+                    self.report.error(b.span, "this divides by 0; a divisor is never a literal 0");
+                    return None;
+                }
                 let (left, right) = (Box::new(left?), Box::new(right?));
                 match operator {
                     Operator::Add => Formula::Add(left, right),

@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
 
 /// The deepest nesting of brackets that is read: parsers recurse, and macros run unoptimised on small stacks.
-pub(crate) const MAX_NESTING: usize = 64;
+pub(crate) const MAX_NESTING: usize = 48;
 
 /// The group that is nested too deep for a recursive parser, if there is one.
 pub(crate) fn too_deep(tokens: &TokenStream) -> Option<Span> {
@@ -14,6 +14,36 @@ pub(crate) fn too_deep(tokens: &TokenStream) -> Option<Span> {
             Some(TokenTree::Group(group)) => open.push(group.stream().into_iter()),
             Some(_) => {}
             None => _ = open.pop(),
+        }
+    }
+    None
+}
+
+/// A token of a struct after so many that nest without brackets, `&&&…` or `Vec<Vec<…`, that a recursive parser would
+/// not come back; what stands in attributes is not counted.
+pub(super) fn too_tangled(item: &TokenStream) -> Option<Span> {
+    const MAX_PREFIXES: usize = 32;
+    const MAX_TOKENS: usize = 400;
+    let mut open = vec![item.clone()];
+    while let Some(level) = open.pop() {
+        let (mut prefixes, mut tokens, mut after_pound) = (0, 0, false);
+        for tree in level {
+            tokens += 1;
+            let was_pound = std::mem::take(&mut after_pound);
+            match &tree {
+                TokenTree::Group(_) if was_pound => (prefixes, tokens) = (0, 0),
+                TokenTree::Group(group) => open.push(group.stream()),
+                TokenTree::Punct(punct) => match punct.as_char() {
+                    ',' | ';' => (prefixes, tokens) = (0, 0),
+                    '#' => after_pound = true,
+                    '<' | '&' | '*' | '-' => prefixes += 1,
+                    _ => {}
+                },
+                _ => {}
+            }
+            if prefixes > MAX_PREFIXES || tokens > MAX_TOKENS {
+                return Some(tree.span());
+            }
         }
     }
     None
@@ -62,6 +92,16 @@ mod tests {
         let sum = invisible(quote!(a + b));
         let flat = flatten(quote!(#single * #sum, [#nested]));
         assert_eq!(flat.to_string(), quote!(l1 * (a + b), [2]).to_string());
+    }
+
+    #[test]
+    fn types_are_bounded() {
+        let field =
+            |ty: String| format!("struct S {{ #[a({})] a: {ty}, b: V<f64> }}", "&".repeat(900)).parse().unwrap();
+        assert!(too_tangled(&field(format!("{}f64{}", "V<".repeat(9), ">".repeat(9)))).is_none());
+        for ty in [format!("{}f64{}", "V<".repeat(99), ">".repeat(99)), "&'a ".repeat(99), "if a ".repeat(999)] {
+            assert!(too_tangled(&field(ty)).is_some());
+        }
     }
 
     #[test]

@@ -42,6 +42,10 @@ pub(crate) fn parse(
             return (None, None);
         }
     }
+    if let Some(span) = flatten::too_tangled(&item) {
+        report.error(span, "this is nested too deep; the fields of a mechanism are numbers and arrays of numbers");
+        return (None, None);
+    }
     let flags = flags::flags(args, report);
     let Some(mut item) = report.ok(parse_struct(item)) else { return (None, None) };
     let description = describe(&mut item, flags, report);
