@@ -57,9 +57,28 @@ impl Scale {
             typical.extend((0..n).filter(|&j| equations.jacobian[(row, j)] != 0.0).map(|j| (row, j, 1.0)));
         }
         let mut scale = Self { rows: vec![1.0; s], columns: vec![1.0; n], length };
+        scale.start(equations, &typical);
         scale.equilibrate(&typical);
         scale.normalise(equations);
         scale
+    }
+
+    /// Lengths over the typical length, and every row over its largest entry: from here on no unit matters.
+    fn start(&mut self, equations: &Equations<'_>, entries: &[(usize, usize, f64)]) {
+        for (column, info) in self.columns.iter_mut().zip(equations.model.coordinates) {
+            if matches!(info.kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. }) {
+                *column = self.length;
+            }
+        }
+        let mut largest = vec![0.0_f64; self.rows.len()];
+        for &(i, j, size) in entries {
+            largest[i] = largest[i].max(size * self.columns[j]);
+        }
+        for (row, max) in self.rows.iter_mut().zip(largest) {
+            if max > 0.0 && max.is_finite() {
+                *row = 1.0 / max;
+            }
+        }
     }
 
     /// Alternating division of rows and columns by the square roots of their largest entries.

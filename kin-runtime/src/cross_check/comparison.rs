@@ -1,0 +1,108 @@
+//! Closed forms and dual numbers, entry by entry.
+
+use super::automatic::{Automatic, automatic};
+use super::{Configuration, CrossCheck, WorstEntry};
+use crate::error::SolveError;
+use crate::mechanism::Mechanism;
+use crate::model::Model;
+use crate::workspace::{Instant, Subset};
+
+/// Errors collected over configurations.
+pub(super) struct Comparison {
+    model: &'static Model,
+    result: CrossCheck,
+}
+
+impl Comparison {
+    pub(super) fn new(model: &'static Model) -> Self {
+        let worst = WorstEntry {
+            matrix: "",
+            row_name: "",
+            column_name: "",
+            closed_form: 0.0,
+            automatic: 0.0,
+            error: -1.0,
+            q: Vec::new(),
+            q_dot: Vec::new(),
+            t: 0.0,
+        };
+        Self { model, result: CrossCheck { configurations: 0, skipped: 0, entries: 0, worst, max_error: 0.0 } }
+    }
+
+    /// One configuration.
+    pub(super) fn compare<M: Mechanism>(
+        &mut self,
+        mechanism: &M,
+        parameters: &[f64],
+        at: &Configuration,
+    ) -> Result<(), SolveError> {
+        let dual = automatic(mechanism, parameters, at)?;
+        if dual.phi.iter().any(|p| !p.is_finite()) {
+            self.result.skipped += 1;
+            return Ok(());
+        }
+        let mut workspace = M::workspace::<f64>();
+        let instant = Instant { t: at.t, inputs: &at.inputs };
+        mechanism.evaluate_with(parameters, Subset::ALL, &instant, &at.q, &at.q_dot, &mut workspace)?;
+        self.entries(at, &dual, workspace.phi_q(), workspace.phi_t(), workspace.gamma());
+        Ok(())
+    }
+
+    /// All entries of one configuration.
+    fn entries(&mut self, at: &Configuration, dual: &Automatic, non_zeros: &[f64], phi_t: &[f64], gamma: &[f64]) {
+        let (s, n) = (self.model.rows.len(), self.model.coordinates.len());
+        let mut phi_q = vec![0.0; s * n];
+        for (&(row, column), &value) in self.model.constraint_pattern.entries.iter().zip(non_zeros) {
+            phi_q[row * n + column] += value;
+        }
+        self.result.configurations += 1;
+        for (row, (closed, automatic)) in phi_q.chunks(n.max(1)).zip(dual.phi_q.chunks(n.max(1))).enumerate() {
+            let size = largest(closed).max(largest(automatic));
+            for (column, (&a, &b)) in closed.iter().zip(automatic).enumerate() {
+                self.entry(at, "Φ_q", row, self.model.coordinates[column].name, [a, b], size);
+            }
+        }
+        let speed = largest(&at.q_dot).powi(2).max(1.0);
+        for (row, phi_q) in phi_q.chunks(n.max(1)).take(s).enumerate() {
+            let curvature = largest(phi_q) * speed;
+            self.entry(at, "Φ_t", row, "", [phi_t[row], dual.phi_t[row]], dual.phi_t[row].abs());
+            self.entry(at, "γ", row, "", [gamma[row], dual.gamma[row]], dual.gamma[row].abs().max(curvature));
+        }
+    }
+
+    /// One entry; whatever is not a number never agrees.
+    fn entry(
+        &mut self,
+        at: &Configuration,
+        matrix: &'static str,
+        row: usize,
+        column_name: &'static str,
+        [closed_form, automatic]: [f64; 2],
+        size: f64,
+    ) {
+        self.result.entries += 1;
+        let error = (closed_form - automatic).abs() / size.max(1.0);
+        let error = if error.is_finite() { error } else { f64::INFINITY };
+        if error > self.result.worst.error {
+            let row_name = self.model.rows.get(row).map_or("", |r| r.name);
+            let (q, q_dot, t) = (at.q.clone(), at.q_dot.clone(), at.t);
+            self.result.worst =
+                WorstEntry { matrix, row_name, column_name, closed_form, automatic, error, q, q_dot, t };
+        }
+    }
+
+    /// The result, unless nothing could be compared.
+    pub(super) fn finish(mut self) -> Result<CrossCheck, SolveError> {
+        if self.result.configurations == 0 {
+            return Err(SolveError::NothingCompared { skipped: self.result.skipped });
+        }
+        self.result.worst.error = self.result.worst.error.max(0.0);
+        self.result.max_error = self.result.worst.error;
+        Ok(self.result)
+    }
+}
+
+/// Largest finite absolute value.
+fn largest(values: &[f64]) -> f64 {
+    values.iter().map(|v| v.abs()).filter(|v| v.is_finite()).fold(0.0, f64::max)
+}
