@@ -3,14 +3,18 @@
 
 #![allow(dead_code, missing_docs, unreachable_pub, unused_imports)]
 
+mod direct;
 mod linkage;
 mod number;
 mod partial;
+mod random;
 mod reader;
 mod tree;
 
+pub use direct::*;
 pub use linkage::*;
 pub use number::*;
 pub use partial::*;
+pub use random::*;
 pub use reader::*;
 pub use tree::*;

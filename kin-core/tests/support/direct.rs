@@ -1,0 +1,253 @@
+//! Mechanisms evaluated directly, joint by joint, with complex numbers: an oracle that builds no expressions.
+
+use super::Number;
+use kin_core::mechanism::{
+    Axis, BodyOrigin, BodyRef, Component, Formula, Function, JointKind, Mechanism, Member, Place, Range,
+};
+use std::cell::Cell;
+use std::collections::HashMap;
+use std::ops::{Add, Mul, Sub};
+
+/// x + iy.
+#[derive(Clone, Copy, Debug)]
+pub struct Complex<S> {
+    pub x: S,
+    pub y: S,
+}
+
+impl<S: Number> Complex<S> {
+    fn turn(angle: S) -> Self {
+        Self { x: angle.call(Function::Cos), y: angle.call(Function::Sin) }
+    }
+
+    fn conjugate(self) -> Self {
+        Self { x: self.x, y: -self.y }
+    }
+
+    fn square_of_length(self) -> S {
+        (self * self.conjugate()).x
+    }
+}
+
+impl<S: Number> Add for Complex<S> {
+    type Output = Self;
+    fn add(self, b: Self) -> Self {
+        Self { x: self.x + b.x, y: self.y + b.y }
+    }
+}
+
+impl<S: Number> Sub for Complex<S> {
+    type Output = Self;
+    fn sub(self, b: Self) -> Self {
+        Self { x: self.x - b.x, y: self.y - b.y }
+    }
+}
+
+impl<S: Number> Mul for Complex<S> {
+    type Output = Self;
+    fn mul(self, b: Self) -> Self {
+        Self { x: self.x * b.x - self.y * b.y, y: self.x * b.y + self.y * b.x }
+    }
+}
+
+/// A mechanism at one instant.
+pub struct Direct<'m, S> {
+    pub mechanism: &'m Mechanism,
+    /// Element by element.
+    pub parameters: &'m [f64],
+    pub t: S,
+    pub inputs: Vec<S>,
+    pub q: Vec<S>,
+    /// Set when t or an input has been looked at.
+    pub saw_time: Cell<bool>,
+    poses: HashMap<(usize, usize, Component), usize>,
+    scalars: HashMap<(usize, usize), usize>,
+}
+
+/// The names of q as the language defines them: bodies in order of declaration, then scalars.
+pub fn coordinate_names(mechanism: &Mechanism) -> Vec<String> {
+    layout(mechanism).0
+}
+
+type Layout = (Vec<String>, HashMap<(usize, usize, Component), usize>, HashMap<(usize, usize), usize>);
+
+fn layout(mechanism: &Mechanism) -> Layout {
+    let (mut names, mut poses, mut scalars) = (Vec::new(), HashMap::new(), HashMap::new());
+    let name_of = |name: &str, len: Option<usize>, i: usize| match len {
+        Some(_) => format!("{name}[{i}]"),
+        None => name.to_owned(),
+    };
+    for (family, body) in mechanism.bodies.iter().enumerate() {
+        for i in 0..body.len.unwrap_or(1) {
+            for component in Component::ALL {
+                let held = match (&body.origin_at, component) {
+                    (_, Component::Phi) => body.phi.is_some(),
+                    (BodyOrigin::Carried(_), _) => true,
+                    (BodyOrigin::Free { x, .. }, Component::X) => x.is_some(),
+                    (BodyOrigin::Free { y, .. }, Component::Y) => y.is_some(),
+                };
+                if !held {
+                    poses.insert((family, i, component), names.len());
+                    names.push(format!("{}.{component}", name_of(&body.name, body.len, i)));
+                }
+            }
+        }
+    }
+    for (family, scalar) in mechanism.scalars.iter().enumerate() {
+        for i in 0..scalar.len.unwrap_or(1) {
+            scalars.insert((family, i), names.len());
+            names.push(name_of(&scalar.name, scalar.len, i));
+        }
+    }
+    (names, poses, scalars)
+}
+
+impl<'m, S: Number> Direct<'m, S> {
+    pub fn new(mechanism: &'m Mechanism, parameters: &'m [f64], t: S, inputs: Vec<S>, q: Vec<S>) -> Self {
+        let (_, poses, scalars) = layout(mechanism);
+        Self { mechanism, parameters, t, inputs, q, saw_time: Cell::new(false), poses, scalars }
+    }
+
+    fn index(member: Member, i: i64) -> usize {
+        usize::try_from(member.index.scale * i + member.index.offset).expect("an index in range")
+    }
+
+    pub fn formula(&self, formula: &Formula, i: i64) -> S {
+        let of = |a: &Formula| self.formula(a, i);
+        match formula {
+            Formula::Number(value) => S::real(*value),
+            Formula::Pi => S::real(std::f64::consts::PI),
+            Formula::Time => {
+                self.saw_time.set(true);
+                self.t
+            }
+            Formula::Parameter(member) => {
+                let before: usize = self.mechanism.parameters[..member.family].iter().map(|p| p.len.unwrap_or(1)).sum();
+                S::real(self.parameters[before + Self::index(*member, i)])
+            }
+            Formula::Input(member) => {
+                self.saw_time.set(true);
+                self.inputs[member.family]
+            }
+            Formula::Pose(body, component) => {
+                let (r, angle) = self.pose(body, i);
+                match component {
+                    Component::X => r.x,
+                    Component::Y => r.y,
+                    Component::Phi => angle,
+                }
+            }
+            Formula::Scalar(member) => self.q[self.scalars[&(member.family, Self::index(*member, i))]],
+            Formula::PointCoordinate(place, Component::X) => self.point(place, i).x,
+            Formula::PointCoordinate(place, _) => self.point(place, i).y,
+            Formula::Distance(p, q) => (self.point(q, i) - self.point(p, i)).square_of_length().call(Function::Sqrt),
+            Formula::Define(member) => {
+                let define = &self.mechanism.defines[member.family];
+                self.formula(&define.formula, Self::index(*member, i) as i64)
+            }
+            Formula::Neg(a) => -of(a),
+            Formula::Add(a, b) => of(a) + of(b),
+            Formula::Sub(a, b) => of(a) - of(b),
+            Formula::Mul(a, b) => of(a) * of(b),
+            Formula::Div(a, b, _) => of(a) / of(b),
+            Formula::Pow(a, n) if n.fract() == 0.0 => of(a).powi(*n as i32),
+            Formula::Pow(a, n) => of(a).powf(*n),
+            Formula::Call(f, a) => of(a).call(*f),
+            Formula::Atan2(y, x) => of(y).atan2(of(x)),
+            Formula::Supplied(member, a) => of(a).supplied(member.family as u32, 0),
+        }
+    }
+
+    /// r and φ of a body.
+    pub fn pose(&self, body: &BodyRef, i: i64) -> (Complex<S>, S) {
+        let BodyRef::Body { family, index, origin } = body else {
+            return (Complex { x: S::real(0.0), y: S::real(0.0) }, S::real(0.0));
+        };
+        let i = Self::index(Member { family: *family, index: *index, origin: *origin }, i);
+        let declared = &self.mechanism.bodies[*family];
+        let own = |held: &Option<Formula>, component: Component| match held {
+            Some(held) => self.formula(held, i as i64),
+            None => self.q[self.poses[&(*family, i, component)]],
+        };
+        let r = match &declared.origin_at {
+            BodyOrigin::Free { x, y } => Complex { x: own(x, Component::X), y: own(y, Component::Y) },
+            BodyOrigin::Carried(carrier) => self.point(carrier, i as i64),
+        };
+        (r, own(&declared.phi, Component::Phi))
+    }
+
+    /// r + e^{iφ} s.
+    pub fn point(&self, place: &Place, i: i64) -> Complex<S> {
+        let (r, angle) = self.pose(&place.body, i);
+        r + Complex::turn(angle) * Complex { x: self.formula(&place.x, i), y: self.formula(&place.y, i) }
+    }
+
+    /// d along and across an axis of the first body: conj(u) d = u·d + i perp(u)·d.
+    fn by_axis(&self, p: &Place, q: &Place, axis: &Axis, i: i64) -> Complex<S> {
+        let v = Complex { x: self.formula(&axis.x, i), y: self.formula(&axis.y, i) };
+        let length = v.square_of_length().call(Function::Sqrt);
+        let unit = Complex { x: v.x / length, y: v.y / length };
+        let u = Complex::turn(self.pose(&p.body, i).1) * unit;
+        u.conjugate() * (self.point(q, i) - self.point(p, i))
+    }
+
+    /// All rows of Φ, by name.
+    pub fn rows(&self) -> Vec<(String, S)> {
+        let mut rows = Vec::new();
+        for joint in &self.mechanism.joints {
+            for i in members(joint.range) {
+                let name = match joint.range {
+                    Some(_) => format!("{}[{i}]", joint.name),
+                    None => joint.name.clone(),
+                };
+                for (part, value) in self.residuals(&joint.kind, i) {
+                    rows.push((format!("{name}{part}"), value));
+                }
+            }
+        }
+        rows
+    }
+
+    fn residuals(&self, kind: &JointKind, i: i64) -> Vec<(&'static str, S)> {
+        let turn = |p: &BodyRef, q: &BodyRef| self.pose(q, i).1 - self.pose(p, i).1;
+        match kind {
+            JointKind::Revolute { p, q } => {
+                let d = self.point(q, i) - self.point(p, i);
+                vec![(".x", d.x), (".y", d.y)]
+            }
+            JointKind::Translational { p, q, axis, angle } => vec![
+                (".normal", self.by_axis(p, q, axis, i).y),
+                (".angle", turn(&p.body, &q.body) - self.formula(angle, i)),
+            ],
+            JointKind::Fixed { p, q, angle } => {
+                let d = self.point(q, i) - self.point(p, i);
+                vec![(".x", d.x), (".y", d.y), (".angle", turn(&p.body, &q.body) - self.formula(angle, i))]
+            }
+            JointKind::PointOnLine { p, q, axis, offset } => {
+                vec![("", self.by_axis(p, q, axis, i).y - self.formula(offset, i))]
+            }
+            JointKind::Distance { p, q, length, .. } => vec![("", self.distance(p, q, length, i))],
+            JointKind::Coordinate { p, component, value } => {
+                let r = self.point(p, i);
+                let coordinate = if *component == Component::X { r.x } else { r.y };
+                vec![("", coordinate - self.formula(value, i))]
+            }
+            JointKind::Angle { body, value } => vec![("", self.pose(body, i).1 - self.formula(value, i))],
+            JointKind::RelativeAngle { a, b, value } => vec![("", turn(a, b) - self.formula(value, i))],
+            JointKind::Driver { left: Formula::Distance(p, q), right } => vec![("", self.distance(p, q, right, i))],
+            JointKind::Constraint { left, right } | JointKind::Driver { left, right } => {
+                vec![("", self.formula(left, i) - self.formula(right, i))]
+            }
+        }
+    }
+
+    fn distance(&self, p: &Place, q: &Place, length: &Formula, i: i64) -> S {
+        let length = self.formula(length, i);
+        (self.point(q, i) - self.point(p, i)).square_of_length() - length * length
+    }
+}
+
+/// The indices of a repeated thing; a single thing is its own only member.
+pub fn members(range: Option<Range>) -> std::ops::Range<i64> {
+    range.map_or(0..1, |range| range.start..range.end)
+}
