@@ -6,3 +6,8 @@ pub mod compare;
 pub mod mechanisms;
 pub mod random;
 pub mod stencil;
+
+/// The README, whose code compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;
