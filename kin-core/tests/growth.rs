@@ -222,6 +222,10 @@ fn vectors_that_do_not_turn_cost_nothing() {
     let found = evaluate(&graph, &turned, &at(2.0));
     assert_eq!(found, [2.0 * 0.5_f64.cos(), 2.0 * 0.5_f64.sin()]);
     let opposite = graph.neg(q);
-    let [x, y] = graph.rotate(half, [opposite, zero]);
-    assert_eq!([graph.neg(x), graph.neg(y)], turned, "one atom with a sign");
+    for s in [[q, zero], [zero, q], [q, half], [q, opposite]] {
+        let turned = graph.rotate(half, s);
+        let minus_s = s.map(|s| graph.neg(s));
+        let minus_turned = graph.rotate(half, minus_s);
+        assert_eq!(minus_turned.map(|e| graph.neg(e)), turned, "one atom with a sign");
+    }
 }

@@ -60,18 +60,15 @@ pub trait Number:
         if self.near(0.0) { sign.lost() } else { sign }
     }
 
-    /// By the quotient that stays away from the axes' poles; the real part is then put right.
+    /// The angle at the real parts, and the small angle from there.
     fn atan2(self, x: Self) -> Self {
         let (y_value, x_value) = (self.value(), x.value());
-        if (self.near(0.0) && x_value <= 0.0) || (self.near(0.0) && x.near(0.0)) {
+        if self.near(0.0) && (x_value <= 0.0 || x.near(0.0)) {
             return self.lost();
         }
-        let out = if x_value.abs() > y_value.abs() {
-            (self / x).call(Function::Atan)
-        } else {
-            -(x / self).call(Function::Atan)
-        };
-        out + Self::real(y_value.atan2(x_value) - out.value())
+        let (real_y, real_x) = (Self::real(y_value), Self::real(x_value));
+        let small = (real_x * self - real_y * x) / (real_x * x + real_y * self);
+        Self::real(y_value.atan2(x_value)) + small.call(Function::Atan)
     }
 
     /// The supplied function of the tests, f(x) = sin 1.3x + x²/4 + k x, or one of its derivatives.
@@ -262,6 +259,15 @@ impl Div for Bounded {
         let out = Self::rounded(value, (self.error + value.abs() * b.error) / b.value.abs());
         if b.error > 0.0 && b.near(0.0) { out.lost() } else { out }
     }
+}
+
+/// The value of `id`, when everything under it is a plain number, far from overflow and from the jumps of functions:
+/// another order of the same operations then changes nothing but the rounding.
+pub fn bounded(graph: &Graph, id: ExprId, symbol: impl Fn(Symbol) -> Bounded) -> Option<Bounded> {
+    let all = graph.reachable([id]);
+    let values = evaluate_over(graph, &all, symbol);
+    let place = all.binary_search(&id).ok()?;
+    values.iter().all(|value| value.is_sound()).then(|| values[place])
 }
 
 /// The values of `roots` over any kind of number, straight from the definition of each node.
