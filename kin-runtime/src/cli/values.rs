@@ -4,7 +4,7 @@ use super::failure::Failure;
 use crate::workspace::Signal;
 
 /// The most instants that one sweep computes.
-const MOST_STEPS: usize = 10_000_000;
+const MOST_STEPS: usize = 1_000_000;
 
 /// A finite number.
 pub(super) fn number(option: &str, text: &str) -> Result<f64, Failure> {

@@ -93,13 +93,14 @@ fn side_by_side(columns: &[Column]) -> Vec<&[Column]> {
 pub(crate) fn text(model: &Model, states: &[State], motions: &[Motion]) -> String {
     let columns = columns(model, states, motions);
     let Some((t, rest)) = columns.split_first() else { return String::new() };
-    let decimals = t.1.iter().map(|v| plain(*v)).collect::<Vec<_>>();
-    let short = decimals.iter().all(|text| text.len() <= 10 && !text.contains('e'));
+    let exact = t.1.iter().map(|v| plain(*v)).collect::<Vec<_>>();
+    let short = exact.iter().all(|text| text.len() <= 10 && !text.contains('e'));
+    let instants = padded(&exact);
     side_by_side(rest)
         .into_iter()
         .map(|part| {
             let start = if short {
-                Table::new().right("t", decimals.iter().map(|d| padded(d, &decimals)))
+                Table::new().right("t", instants.iter().map(String::as_str))
             } else {
                 Table::new().numbers("t", t.1.iter().copied())
             };
@@ -109,11 +110,34 @@ pub(crate) fn text(model: &Model, states: &[State], motions: &[Motion]) -> Strin
         .collect()
 }
 
-/// A decimal with zeros behind it, so that the points of all stand below one another.
-fn padded(text: &str, all: &[String]) -> String {
+/// Decimals with zeros behind them, so that their points stand below one another.
+fn padded(texts: &[String]) -> Vec<String> {
     let decimals = |t: &str| t.split_once('.').map_or(0, |(_, d)| d.len());
-    let most = all.iter().map(|t| decimals(t)).max().unwrap_or(0);
-    let missing = most - decimals(text).min(most);
-    let point = if most > 0 && !text.contains('.') { "." } else { "" };
-    format!("{text}{point}{}", "0".repeat(missing))
+    let most = texts.iter().map(|t| decimals(t)).max().unwrap_or(0);
+    let pad = |text: &String| {
+        let point = if most > 0 && !text.contains('.') { "." } else { "" };
+        format!("{text}{point}{}", "0".repeat(most - decimals(text).min(most)))
+    };
+    texts.iter().map(pad).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn instants_stand_point_below_point() {
+        let texts = ["0", "0.25", "-10.5"].map(str::to_owned);
+        assert_eq!(padded(&texts), ["0.00", "0.25", "-10.50"]);
+        assert_eq!(padded(&texts[..1]), ["0"]);
+    }
+
+    #[test]
+    fn value_rate_and_acceleration_stay_together() {
+        let columns: Vec<Column> = (0..12).map(|k| (format!("coordinate_{k}"), Vec::new())).collect();
+        let parts: Vec<usize> = side_by_side(&columns).iter().map(|p| p.len()).collect();
+        assert_eq!(parts, [6, 6]);
+        let long: Vec<Column> = (0..6).map(|k| (format!("a_coordinate_with_a_long_name_{k}"), Vec::new())).collect();
+        assert_eq!(side_by_side(&long).iter().map(|p| p.len()).collect::<Vec<_>>(), [3, 3]);
+    }
 }
