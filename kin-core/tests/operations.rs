@@ -132,6 +132,14 @@ fn rows_without_geometry_cost_their_formula() {
 }
 
 #[test]
+fn a_negative_double_is_one_product() {
+    let square = Formula::Pow(Box::new(Formula::Time), 2.0);
+    let count = count(&one_joint(JointKind::Angle { body: body(0), value: square }));
+    // φ − t², Φ_t = −2t, γ = 2.
+    assert_eq!((count.add, count.mul, count.neg), (1, 2, 0), "{count:?}");
+}
+
+#[test]
 fn programs_grow_with_the_number_of_loops() {
     let sizes = [10_usize, 20, 40].map(|loops| {
         let system = differentiate(assemble(&chain(loops)).expect("a sound mechanism"));

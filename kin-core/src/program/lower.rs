@@ -86,11 +86,15 @@ impl Lowering<'_> {
         if negative { self.negate(value) } else { value }
     }
 
-    /// −value, folded into a literal where there is one.
+    /// −value, folded into a literal where there is one; −(a + a) is −2a.
     fn negate(&mut self, value: Value) -> Value {
         match self.out[value.index()] {
             Instruction::Number(number) => self.number(-number.value()),
             Instruction::Neg(inner) => inner,
+            Instruction::Add(a, b) if a == b => {
+                let minus_two = self.number(-2.0);
+                self.emit(Instruction::Mul(a, minus_two))
+            }
             Instruction::Mul(a, b) => match (self.out[a.index()], self.out[b.index()]) {
                 (Instruction::Number(number), _) => {
                     let opposite = self.number(-number.value());
