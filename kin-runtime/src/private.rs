@@ -21,10 +21,7 @@ pub fn fixed<'a, T, const N: usize>(what: &'static str, slice: &'a [T]) -> Resul
 
 /// `slice` as a mutable array, or how its length is wrong.
 #[inline(always)]
-pub fn fixed_mut<'a, T, const N: usize>(
-    what: &'static str,
-    slice: &'a mut [T],
-) -> Result<&'a mut [T; N], LengthError> {
+pub fn fixed_mut<'a, T, const N: usize>(what: &'static str, slice: &'a mut [T]) -> Result<&'a mut [T; N], LengthError> {
     let found = slice.len();
     slice.try_into().map_err(|_| LengthError { what, expected: N, found })
 }
