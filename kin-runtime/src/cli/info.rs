@@ -67,8 +67,10 @@ pub(super) fn record<'a>(engine: &dyn Engine, known: Option<Known<'a>>) -> Struc
 pub(super) fn text(engine: &dyn Engine, known: Option<Known<'_>>) -> String {
     let model = engine.model();
     let mut facts = Facts::default();
+    if !model.bodies.is_empty() {
+        facts.add("bodies", model.bodies.len(), model.bodies.iter().map(|b| b.name));
+    }
     facts
-        .add("bodies", model.bodies.len(), model.bodies.iter().map(|b| b.name))
         .add("coordinates", model.coordinates.len(), Vec::<String>::new())
         .add("rows of Φ", model.rows.len(), row_summary(model))
         .add("drivers", drivers(model).len(), drivers(model));

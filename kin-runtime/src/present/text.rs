@@ -113,7 +113,7 @@ pub(crate) fn rows(model: &Model) -> String {
                 joint.name.to_owned(),
                 joint.kind.to_string(),
                 bodies.join(" – "),
-                group.iter().map(|r| r.name).collect::<Vec<_>>().join(", "),
+                group.iter().map(|r| short(r.name, joint.name)).collect::<Vec<_>>().join(", "),
                 class,
             ]);
         }
@@ -123,9 +123,14 @@ pub(crate) fn rows(model: &Model) -> String {
         .words("joint", column(0))
         .words("kind", column(1))
         .words("between", column(2))
-        .words("rows of Φ", column(3))
+        .words("rows", column(3))
         .words("class", column(4));
     section("Joints and drivers", &table)
+}
+
+/// The name of a row without its joint's: `x` for `A.x`.
+fn short<'a>(row: &'a str, joint: &str) -> &'a str {
+    row.strip_prefix(joint).and_then(|rest| rest.strip_prefix('.')).unwrap_or(row)
 }
 
 /// The name of a body, or `ground`.
