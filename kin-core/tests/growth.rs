@@ -4,7 +4,7 @@ mod support;
 
 use kin_core::expr::{Graph, Shown, Symbol, evaluate, total_derivatives};
 use kin_core::mechanism::{BodyOrigin, Define, Formula, Function, Mechanism, Range};
-use kin_core::program::{Slot, interpret, lower};
+use kin_core::program::{Instruction, Slot, interpret, lower};
 use kin_core::{assemble, differentiate};
 use support::*;
 
@@ -194,6 +194,25 @@ fn numbers_at_the_edge_stay_numbers() {
     assert!(evaluate(&graph, &[none], &at(1.0))[0].is_nan());
     let cancelled = graph.sub(pole, pole);
     assert!(graph.is_zero(cancelled));
+}
+
+#[test]
+fn literals_stay_finite() {
+    let mut graph = Graph::new();
+    let (q, max) = (graph.symbol(Q), graph.number(f64::MAX));
+    let (power, double, square) = (graph.powf(q, 1e200), graph.double(max), graph.square(max));
+    let product = graph.mul(max, q);
+    let much = graph.square(product);
+    let cube = graph.powi(max, 3);
+    let roots = [power, double, square, much, cube];
+    let jets = total_derivatives(&mut graph, &roots);
+    let outputs = roots.into_iter().chain(jets.iter().flat_map(|jet| [jet.rate, jet.rest]));
+    let outputs: Vec<_> = outputs.enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
+    for instruction in lower(&graph, &outputs).instructions {
+        if let Instruction::Number(number) = instruction {
+            assert!(number.value().is_finite());
+        }
+    }
 }
 
 #[test]

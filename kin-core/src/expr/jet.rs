@@ -87,9 +87,8 @@ fn derive(graph: &mut Graph, jets: &[Rc<Jet>], id: ExprId) -> Jet {
             let factor = graph.number(n);
             let first = graph.mul(factor, power);
             compose(graph, &jet(a), first, |graph| {
-                let power = graph.powf(a, n - 2.0);
-                let factor = graph.number(n * (n - 1.0));
-                graph.mul(factor, power)
+                let factors = [graph.number(n), graph.number(n - 1.0), graph.powf(a, n - 2.0)];
+                graph.mul_all(factors)
             })
         }
         Node::Call(f, a) => of_function(graph, f, id, a, &jet(a)),

@@ -217,14 +217,15 @@ impl Graph {
 
     /// 2a as a + a: one factor, which all products that hold it share.
     pub fn double(&mut self, a: ExprId) -> ExprId {
-        match (self.simplify, self.literal(a), self.unsigned(a)) {
-            (true, Some(value), _) => self.number(2.0 * value),
-            (true, None, (negative, a)) => {
-                let double = self.intern(Node::Add(a, a));
-                self.signed(negative, double)
-            }
-            (false, ..) => self.intern(Node::Add(a, a)),
+        if !self.simplify {
+            return self.intern(Node::Add(a, a));
         }
+        if let Some(sum) = self.fold(a, a, |x, y| x + y) {
+            return sum;
+        }
+        let (negative, a) = self.unsigned(a);
+        let double = self.intern(Node::Add(a, a));
+        self.signed(negative, double)
     }
 
     /// The folded literal of two literals, when it is finite.
@@ -296,7 +297,7 @@ impl Graph {
                 self.signed(negative, value)
             }
             Function::Cos | Function::Abs => self.intern(Node::Call(f, inner)),
-            Function::Sqrt => match self.literal(a).filter(|v| *v > 0.0) {
+            Function::Sqrt => match self.literal(a).filter(|v| *v > 0.0 && v.is_finite()) {
                 Some(value) => self.number(value.sqrt()),
                 None => self.intern(Node::Call(f, a)),
             },
