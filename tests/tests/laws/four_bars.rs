@@ -76,3 +76,28 @@ fn degrees_of_freedom_are_those_of_the_lecture() {
     check::<FourbarEnds>(7);
     check::<FourbarRelative>(3);
 }
+
+/// Metres, millimetres, nanometres: the same angles after the same work.
+#[test]
+fn no_unit_changes_the_analysis() {
+    let in_units = |unit: f64| {
+        let [l1, l2, l3, d1, d2] = [0.1, 0.4, 0.3, 0.4, 0.1].map(|length| length / unit);
+        let four_bar = FourbarLectureMid { l1, l2, l3, d1, d2, ..FourbarLectureMid::default() };
+        let trajectory = four_bar.kinematic_analysis(&TIMES).unwrap_or_else(|error| panic!("{unit}: {error}"));
+        let iterations: usize = trajectory.iter().map(|state| state.iterations).sum();
+        (angles(&trajectory, ["crank.phi", "coupler.phi", "rocker.phi"]), iterations)
+    };
+    let (metres, effort) = in_units(1.0);
+    let mut differences = Differences::new();
+    for unit in [1e-9, 1e-6, 1e-3, 1e3, 1e6] {
+        let (found, iterations) = in_units(unit);
+        differences.at(format_args!("unit {unit}"));
+        for (expected, found) in metres.iter().zip(found) {
+            differences.vector("instant", |place| TIMES[place], expected, &found, 1e-11 * largest(expected).max(1.0));
+        }
+        if iterations > 2 * effort {
+            differences.report(format_args!("{iterations} iterations instead of {effort}"));
+        }
+    }
+    differences.finish();
+}
