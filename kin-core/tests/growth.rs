@@ -241,6 +241,13 @@ fn vectors_that_do_not_turn_cost_nothing() {
     let found = evaluate(&graph, &turned, &at(2.0));
     assert_eq!(found, [2.0 * 0.5_f64.cos(), 2.0 * 0.5_f64.sin()]);
     let opposite = graph.neg(q);
+    for k in -8..=8_i32 {
+        let angle = graph.number(f64::from(k) * core::f64::consts::FRAC_PI_2);
+        let turned = graph.rotate(angle, [q, one]);
+        let (sin, cos) = [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)][k.rem_euclid(4) as usize];
+        assert_eq!(evaluate(&graph, &turned, &at(2.0)), [2.0 * cos - sin, 2.0 * sin + cos]);
+        assert_eq!(lower(&graph, &[(Slot::Entry(0), turned[0])]).operations().sincos, 0);
+    }
     for s in [[q, zero], [zero, q], [q, half], [q, opposite]] {
         let turned = graph.rotate(half, s);
         let minus_s = s.map(|s| graph.neg(s));

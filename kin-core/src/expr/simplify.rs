@@ -1,12 +1,14 @@
 //! Construction with local simplification.
 //!
 //! Rules: literals fold; 0 and 1 vanish; signs move outwards, so that ρ and −ρ share one node; factors of a product
-//! are sorted (numbers, parameters, the rest, rates apart from values), so that equal products meet. Nothing is
-//! expanded, and nothing is cancelled that could hide a division by zero (x/x stays).
+//! are sorted (numbers, parameters, the rest, rates apart from values), so that equal products meet; vectors turned by
+//! right angles only change places. Nothing is expanded, and nothing is cancelled that could hide a division by zero
+//! (x/x stays).
 
 use super::graph::Graph;
 use super::node::{Bits, ExprId, Node, Rotation, Turning};
 use crate::mechanism::Function;
+use core::f64::consts::FRAC_PI_2;
 
 /// Products of more factors than this stay as they were built. Flattening them would cost the square of their number,
 /// and a power of a power of a power … has exponentially many.
@@ -335,14 +337,24 @@ impl Graph {
         self.intern(Node::Supplied(function, order, a))
     }
 
+    /// Quarter turns (0 to 3) of an angle that is literally a multiple of π/2, a few turns at most. Whoever writes
+    /// `pi/2` means a right angle, and not the number next to it whose cosine is 6e-17.
+    fn quarters(&self, angle: ExprId) -> Option<usize> {
+        let value = self.literal(angle)?;
+        let quarters = (value / FRAC_PI_2).round();
+        let is_multiple = quarters.abs() <= 16.0 && quarters * FRAC_PI_2 == value;
+        is_multiple.then(|| quarters.rem_euclid(4.0) as usize)
+    }
+
     /// ρ = A(φ)·(x, y). ρ and −ρ share one atom and differ by a sign.
     pub fn rotate(&mut self, angle: ExprId, [x, y]: [ExprId; 2]) -> [ExprId; 2] {
         if !self.simplify {
             let rotation = Rotation { angle, x, y };
             return [self.intern(Node::RotX(rotation)), self.intern(Node::RotY(rotation))];
         }
-        if self.is_zero(angle) {
-            return [x, y];
+        if let Some(quarters) = self.quarters(angle) {
+            let (minus_x, minus_y) = (self.neg(x), self.neg(y));
+            return [[x, y], [minus_y, x], [minus_x, minus_y], [y, minus_x]][quarters];
         }
         if self.is_zero(x) && self.is_zero(y) {
             return [x, y];

@@ -17,6 +17,10 @@ pub trait Number:
     fn near(self, edge: f64) -> bool;
     /// Infinitely uncertain.
     fn lost(self) -> Self;
+    /// As uncertain as an angle is: a multiple of π is not one exactly.
+    fn as_angle(self) -> Self {
+        self
+    }
 
     fn powi(self, n: i32) -> Self {
         let (x, m) = (self.value(), f64::from(n));
@@ -40,7 +44,9 @@ pub trait Number:
             Function::Sqrt | Function::Ln | Function::Abs => &[0.0],
             _ => &[],
         };
-        let out = self.chain(match function {
+        let is_angle = matches!(function, Function::Sin | Function::Cos | Function::Tan);
+        let argument = if is_angle { self.as_angle() } else { self };
+        let out = argument.chain(match function {
             Function::Sin => [sin, cos, -sin],
             Function::Cos => [cos, -sin, -cos],
             Function::Tan => [x.tan(), 1.0 / (cos * cos), 2.0 * sin / (cos * cos * cos)],
@@ -219,6 +225,9 @@ impl Number for Bounded {
     }
     fn lost(self) -> Self {
         Self { error: f64::INFINITY, ..self }
+    }
+    fn as_angle(self) -> Self {
+        Self::rounded(self.value, self.error)
     }
 }
 

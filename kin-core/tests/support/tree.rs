@@ -102,7 +102,8 @@ impl Tree {
 }
 
 fn numbers() -> impl Strategy<Value = f64> {
-    let special = [0.0, 0.0, 1.0, -1.0, 2.0, -2.0, 0.5, -0.25, 4.0, -8.0, 3.0, -0.7];
+    use std::f64::consts::{FRAC_PI_2, PI};
+    let special = [0.0, 0.0, 1.0, -1.0, 2.0, -2.0, 0.5, -0.25, 4.0, -8.0, 3.0, -0.7, PI, -FRAC_PI_2];
     prop_oneof![4 => proptest::sample::select(special.to_vec()), 1 => -4.0..4.0_f64]
 }
 
