@@ -206,12 +206,22 @@ impl fmt::Display for SolveError {
 impl core::error::Error for SolveError {}
 
 /// A sweep that ended early: what went well, and why it ended.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct SweepError {
     /// The states of all instants before the one that failed.
     pub trajectory: Trajectory,
     /// Why there is no next one.
     pub source: SolveError,
+}
+
+/// Without the states, which would drown the reason.
+impl fmt::Debug for SweepError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("SweepError")
+            .field("good_instants", &self.trajectory.len())
+            .field("source", &self.source)
+            .finish_non_exhaustive()
+    }
 }
 
 impl fmt::Display for SweepError {

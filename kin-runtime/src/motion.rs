@@ -9,6 +9,7 @@ use crate::mechanism::LengthError;
 use crate::model::{Body, Model, Point, Quantity};
 use crate::state::State;
 use crate::workspace::Instant;
+use core::fmt;
 use core::ops::Index;
 use nalgebra::DMatrix;
 
@@ -63,7 +64,7 @@ pub struct PointMotion {
 /// Motion of bodies, points, defines and joints at one instant.
 ///
 /// Indexed by the handles of the mechanism: `motion[FourBar::tip].v`.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Motion {
     /// The mechanism's names.
     pub model: &'static Model,
@@ -76,6 +77,18 @@ pub struct Motion {
     /// Per joint of [`Model::joints`], its quantities in the order of [`JointInfo::quantities`](crate::model::JointInfo::quantities):
     /// the rate of an angle is the relative angular velocity, of a stroke the sliding velocity.
     pub joints: Vec<Vec<Rates>>,
+}
+
+impl fmt::Debug for Motion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Motion")
+            .field("model", &self.model.name)
+            .field("bodies", &self.bodies)
+            .field("points", &self.points)
+            .field("defines", &self.defines)
+            .field("joints", &self.joints)
+            .finish()
+    }
 }
 
 impl Index<Body> for Motion {

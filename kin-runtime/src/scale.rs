@@ -24,12 +24,14 @@ pub(crate) struct Scale {
     pub(crate) columns: Vec<f64>,
     /// A typical length of the mechanism.
     pub(crate) length: f64,
+    /// Places of angles in q.
+    angles: Vec<usize>,
 }
 
 impl Scale {
     /// No scaling.
     pub(crate) fn unit(rows: usize, columns: usize) -> Self {
-        Self { rows: vec![1.0; rows], columns: vec![1.0; columns], length: 1.0 }
+        Self { rows: vec![1.0; rows], columns: vec![1.0; columns], length: 1.0, angles: Vec::new() }
     }
 
     /// Scales at the current instant, from configurations around `q`.
@@ -56,7 +58,8 @@ impl Scale {
         for row in equations.model.rows.len()..s {
             typical.extend((0..n).filter(|&j| equations.jacobian[(row, j)] != 0.0).map(|j| (row, j, 1.0)));
         }
-        let mut scale = Self { rows: vec![1.0; s], columns: vec![1.0; n], length };
+        let angles = (0..n).filter(|&k| is_angle(equations.model.coordinates[k].kind)).collect();
+        let mut scale = Self { rows: vec![1.0; s], columns: vec![1.0; n], length, angles };
         scale.start(equations, &typical);
         scale.equilibrate(&typical);
         scale.normalise(equations);
@@ -116,9 +119,8 @@ impl Scale {
                 .collect();
             (!scales.is_empty()).then(|| median_of_nonzero(&mut scales))
         };
-        let angles = |kind| matches!(kind, CoordinateKind::Pose { component: Component::Phi, .. });
         let poses = |kind| matches!(kind, CoordinateKind::Pose { .. });
-        let factor = match (of(angles), of(poses), of(|_| true)) {
+        let factor = match (of(is_angle), of(poses), of(|_| true)) {
             (Some(angle), _, _) => angle,
             (None, Some(pose), _) => pose / self.length,
             (None, None, Some(scalar)) => scalar,
@@ -134,6 +136,17 @@ impl Scale {
     pub(crate) fn size(&self, displacement: &[f64]) -> f64 {
         displacement.iter().zip(&self.columns).map(|(x, d)| (x / d).abs()).fold(0.0, f64::max)
     }
+
+    /// As [`size`](Self::size), but no angle counts for less than its radians.
+    pub(crate) fn turn(&self, displacement: &[f64]) -> f64 {
+        let radians = self.angles.iter().filter_map(|&k| displacement.get(k)).map(|x| x.abs());
+        radians.fold(self.size(displacement), f64::max)
+    }
+}
+
+/// True for φ of a body.
+fn is_angle(kind: CoordinateKind) -> bool {
+    matches!(kind, CoordinateKind::Pose { component: Component::Phi, .. })
 }
 
 /// Distance of joints from the origins of their moving bodies; of the ground's joints where there is none.

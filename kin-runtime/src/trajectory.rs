@@ -2,9 +2,10 @@
 
 use crate::model::Model;
 use crate::state::State;
+use core::fmt;
 
 /// The states of one motion, in the order of the instants asked for.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Trajectory {
     /// The mechanism's names.
     pub model: &'static Model,
@@ -61,6 +62,12 @@ impl Trajectory {
             return Some(of(|s| &s.q_dot, k));
         }
         (name == "t").then(|| self.states.iter().map(|s| s.t).collect())
+    }
+}
+
+impl fmt::Debug for Trajectory {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Trajectory").field("model", &self.model.name).field("states", &self.states).finish()
     }
 }
 

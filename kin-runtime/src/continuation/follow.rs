@@ -82,8 +82,8 @@ impl<'e, 'a> Follower<'e, 'a> {
         let state = &self.node.state;
         let scale = &self.equations.scale;
         let most = self.equations.options.max_rotation_per_step;
-        let by_velocity = most / scale.size(&state.q_dot);
-        let by_acceleration = (2.0 * most / scale.size(&state.q_ddot)).sqrt();
+        let by_velocity = most / scale.turn(&state.q_dot);
+        let by_acceleration = (2.0 * most / scale.turn(&state.q_ddot)).sqrt();
         by_velocity.min(by_acceleration)
     }
 

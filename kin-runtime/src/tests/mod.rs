@@ -3,6 +3,7 @@
 mod accuracy;
 mod errors;
 mod freedom;
+mod iteration;
 mod sweeps;
 
 /// Asserts that two vectors agree to `tolerance`, scaled by the largest expected entry.
