@@ -176,6 +176,9 @@ impl fmt::Display for SolveError {
                 "no acceleration satisfies all rows at t = {t}: row `{row_name}` of joint `{joint}` is off by \
                  {residual:.3e} (scaled; rank {rank})"
             ),
+            Self::StepRefused { t, t_refused, reason: reason @ Refusal::TooManySteps, .. } => {
+                write!(f, "{reason} on the way from t = {t} to t = {t_refused}; ask for instants in between")
+            }
             Self::StepRefused { t, t_refused, row_name, joint, reason } => write!(
                 f,
                 "the branch ends after t = {t}: at t = {t_refused} {reason} (joint `{joint}`, row `{row_name}`)"

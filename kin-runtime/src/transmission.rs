@@ -2,11 +2,12 @@
 //!
 //! At a revolute joint N between moving bodies i and j, every other joint a on i and b on j that stands at a point
 //! gives one angle, between r_a − r_N and r_b − r_N. In a four-bar the one at the joint of coupler and rocker, between
-//! the crank's end and the rocker's pivot, is the textbook's.
+//! the crank's end and the rocker's pivot, is the textbook's. Joints of a body whose rotation is driven, and joints
+//! whose relative angle is driven, transmit from the drive and not to an output: they are left out.
 
 use crate::equations::{Equations, finite};
 use crate::error::SolveError;
-use crate::model::{Frame, Geometry, JointInfo, JointKind, Role};
+use crate::model::{Component, CoordinateKind, Frame, Geometry, JointInfo, JointKind, Model, Role};
 use crate::workspace::Instant;
 use core::fmt;
 
@@ -53,11 +54,15 @@ pub(crate) fn transmission_angles(
     equations.check("q", q)?;
     let joints = equations.model.joints;
     let places = places(equations, q)?;
+    let driven = driven(equations.model);
     let mut found = Vec::new();
     for (index, joint) in joints.iter().enumerate() {
         let (JointKind::Revolute, [Some(Frame::Body(i)), Some(Frame::Body(j))]) = (joint.kind, joint.frames) else {
             continue;
         };
+        if driven.iter().any(|bodies| matches!(bodies[..], [a] if a == i || a == j) || *bodies == sorted(i, j)) {
+            continue;
+        }
         let at = |body: usize| places.iter().filter(move |p| p.body == body);
         let Some(centre) = at(i).find(|p| p.joint == index) else { continue };
         for a in at(i).filter(|p| p.joint != index) {
@@ -70,6 +75,26 @@ pub(crate) fn transmission_angles(
         }
     }
     Ok(found)
+}
+
+/// For every driving row that mentions nothing but rotations of bodies: those bodies, sorted.
+fn driven(model: &Model) -> Vec<Vec<usize>> {
+    let rotations = |row: usize| -> Option<Vec<usize>> {
+        let columns = model.constraint_pattern.entries.iter().filter(|entry| entry.0 == row);
+        let mut bodies: Vec<usize> = columns
+            .map(|&(_, column)| match model.coordinates[column].kind {
+                CoordinateKind::Pose { body, component: Component::Phi } => Some(body),
+                _ => None,
+            })
+            .collect::<Option<_>>()?;
+        bodies.sort_unstable();
+        Some(bodies)
+    };
+    (0..model.rows.len()).filter(|&row| model.rows[row].driving).filter_map(rotations).collect()
+}
+
+fn sorted(i: usize, j: usize) -> Vec<usize> {
+    vec![i.min(j), i.max(j)]
 }
 
 /// The points of all point-like joints on moving bodies, in the inertial frame.
