@@ -8,9 +8,17 @@ use kin_core::mechanism::check::{check, check_parts};
 use proc_macro2::{Span, TokenStream};
 use syn::ItemStruct;
 
+/// A description with mistakes: all of them, and what could be read nevertheless.
+pub(crate) struct Broken {
+    /// Every mistake.
+    pub(crate) error: syn::Error,
+    /// Names and what else was understood; parts with mistakes are missing.
+    pub(crate) lowered: Option<Box<Lowered>>,
+}
+
 /// Reads `#[mechanism(args)] item`: the struct without our attributes, also when there are errors, and what the
 /// description says.
-pub(crate) fn analyse(args: TokenStream, item: TokenStream) -> (Option<ItemStruct>, syn::Result<Lowered>) {
+pub(crate) fn analyse(args: TokenStream, item: TokenStream) -> (Option<ItemStruct>, Result<Lowered, Broken>) {
     let report = Report::new();
     let (item, description) = parse(args, item, &report);
     let lowered = match (&item, description) {
@@ -26,10 +34,11 @@ pub(crate) fn analyse(args: TokenStream, item: TokenStream) -> (Option<ItemStruc
         _ => None,
     };
     let result = match (report.finish(), lowered) {
-        (Err(error), _) => Err(error),
+        (Err(error), lowered) => Err(Broken { error, lowered: lowered.map(Box::new) }),
         (Ok(()), Some(lowered)) => Ok(lowered),
         (Ok(()), None) => {
-            Err(syn::Error::new(Span::call_site(), "a mechanism is a struct; its fields are the parameters"))
+            let error = syn::Error::new(Span::call_site(), "a mechanism is a struct; its fields are the parameters");
+            Err(Broken { error, lowered: None })
         }
     };
     (item, result)

@@ -1,21 +1,30 @@
-//! Useful while broken: the struct and empty items beside the errors, so that the real mistakes are the only red lines.
+//! Useful while broken: the struct, its handles and empty items beside the errors, so that the real mistakes are the
+//! only red lines.
 
+use crate::analyse::Broken;
+use crate::expand::{mentions, placeholders};
+use crate::parse::{derives_default, near_param, without_ours};
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::ItemStruct;
+use syn::{Attribute, Field, Ident, ItemStruct, Meta};
 
 /// The errors, the struct, and an implementation of the trait for a mechanism without anything in it.
-pub(crate) fn fallback(item: Option<&ItemStruct>, has_default: bool, error: &syn::Error) -> TokenStream {
-    let errors = error.to_compile_error();
-    let Some(item) = item else { return errors };
-    let name = &item.ident;
-    let (impl_generics, type_generics, where_clause) = item.generics.split_for_impl();
+///
+/// `item` is what the user wrote; `cleaned` is the same without our attributes, when it is a struct.
+pub(crate) fn fallback(cleaned: Option<&ItemStruct>, item: TokenStream, broken: &Broken) -> TokenStream {
+    let errors = broken.error.to_compile_error();
+    let Some(cleaned) = cleaned else {
+        let item = without_ours(item);
+        return quote! { #errors #item };
+    };
+    let name = &cleaned.ident;
+    let (impl_generics, type_generics, where_clause) = cleaned.generics.split_for_impl();
     let empty = |name: &str| {
-        let name = syn::Ident::new(name, proc_macro2::Span::call_site());
-        quote! { type #name<T: __kin::Scalar> = [T; 0]; }
+        let name = Ident::new(name, proc_macro2::Span::call_site());
+        quote! { type #name<__T: __kin::Scalar> = [__T; 0]; }
     };
     let types = ["Parameters", "Coordinates", "Rows", "NonZeros", "Observables", "ObservableNonZeros"].map(empty);
-    let default = has_default.then(|| {
+    let default = promises_default(item).then(|| {
         quote! {
             #[automatically_derived]
             impl #impl_generics __kin::Default for #name #type_generics #where_clause {
@@ -25,13 +34,21 @@ pub(crate) fn fallback(item: Option<&ItemStruct>, has_default: bool, error: &syn
             }
         }
     });
+    let (handles, mentions) = match &broken.lowered {
+        Some(lowered) => (placeholders(lowered), mentions(lowered)),
+        None => Default::default(),
+    };
     let nothing = quote! { -> __kin::Result<(), __kin::LengthError> { __kin::Ok(()) } };
     quote! {
         #errors
         #[allow(dead_code)]
-        #item
+        #cleaned
         const _: () = {
             use ::kin_runtime::private as __kin;
+            #[allow(non_upper_case_globals, dead_code)]
+            impl #impl_generics #name #type_generics #where_clause {
+                #handles
+            }
             #[automatically_derived]
             impl #impl_generics __kin::Mechanism for #name #type_generics #where_clause {
                 const COORDINATES: usize = 0;
@@ -40,39 +57,35 @@ pub(crate) fn fallback(item: Option<&ItemStruct>, has_default: bool, error: &syn
                 const INPUTS: usize = 0;
                 #(#types)*
                 fn model() -> &'static __kin::Model { ::core::unimplemented!() }
-                fn parameters<T: __kin::Scalar>(&self) -> [T; 0] { [] }
-                fn set_parameter(&mut self, _: usize, _: f64) -> bool { false }
-                fn evaluate_with<T: __kin::Scalar>(
-                    &self, _: &[T], _: __kin::Subset, _: &__kin::Instant<'_, T>, _: &[T], _: &[T],
-                    _: &mut __kin::Workspace<Self, T>,
+                fn parameters<__T: __kin::Scalar>(&self) -> [__T; 0] { [] }
+                fn set_parameter(&mut self, _: usize, _: f64) -> bool { #mentions false }
+                fn evaluate_with<__T: __kin::Scalar>(
+                    &self, _: &[__T], _: __kin::Subset, _: &__kin::Instant<'_, __T>, _: &[__T], _: &[__T],
+                    _: &mut __kin::Workspace<Self, __T>,
                 ) #nothing
-                fn observe_with<T: __kin::Scalar>(
-                    &self, _: &[T], _: &__kin::Instant<'_, T>, _: &[T], _: &[T],
-                    _: &mut __kin::Observations<Self, T>,
+                fn observe_with<__T: __kin::Scalar>(
+                    &self, _: &[__T], _: &__kin::Instant<'_, __T>, _: &[__T], _: &[__T],
+                    _: &mut __kin::Observations<Self, __T>,
                 ) #nothing
-                fn write_geometry<T: __kin::Scalar>(
-                    &self, _: &[T], _: &__kin::Instant<'_, T>, _: &mut [T],
+                fn write_geometry<__T: __kin::Scalar>(
+                    &self, _: &[__T], _: &__kin::Instant<'_, __T>, _: &mut [__T],
                 ) #nothing
-                fn write_guesses<T: __kin::Scalar>(&self, _: &[T], _: &mut [T]) #nothing
+                fn write_guesses<__T: __kin::Scalar>(&self, _: &[__T], _: &mut [__T]) #nothing
             }
             #default
         };
     }
 }
 
-/// True when every field of the struct has a default, so that the user may count on `Default`.
-pub(crate) fn promises_default(item: TokenStream) -> bool {
+/// True when every field of the struct has a default, so that the user may count on `Default`; one that cannot be
+/// read counts.
+fn promises_default(item: TokenStream) -> bool {
     let Ok(item) = syn::parse2::<ItemStruct>(item) else { return false };
-    let derived = |attribute: &syn::Attribute| {
-        attribute.path().is_ident("derive") && quote!(#attribute).to_string().contains("Default")
+    let gives_default = |attribute: &Attribute| {
+        let Meta::List(list) = &attribute.meta else { return false };
+        let first = list.tokens.clone().into_iter().next();
+        near_param(attribute) && first.is_some_and(|first| first.to_string() != "unit")
     };
-    let has_default = |field: &syn::Field| {
-        let tokens = field.attrs.iter().find(|a| a.path().is_ident("param")).and_then(|a| match &a.meta {
-            syn::Meta::List(list) => Some(list.tokens.clone()),
-            _ => None,
-        });
-        let first = tokens.and_then(|tokens| tokens.into_iter().next());
-        first.is_some_and(|first| first.to_string() != "unit")
-    };
-    !item.attrs.iter().any(derived) && item.fields.iter().all(has_default)
+    let has_default = |field: &Field| field.attrs.iter().any(gives_default);
+    !item.attrs.iter().any(derives_default) && item.fields.iter().all(has_default)
 }

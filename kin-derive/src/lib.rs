@@ -19,6 +19,7 @@ mod suggest;
 #[cfg(test)]
 mod tests;
 
+use analyse::Broken;
 use lower::Lowered;
 use proc_macro::TokenStream;
 use proc_macro2::{Span, TokenStream as TokenStream2};
@@ -31,13 +32,12 @@ pub fn mechanism(args: TokenStream, item: TokenStream) -> TokenStream {
 
 /// The attribute on token streams of any origin, so that tests can call it.
 fn derive(args: TokenStream2, item: TokenStream2) -> TokenStream2 {
-    let promises_default = fallback::promises_default(item.clone());
-    let (cleaned, lowered) = analyse::analyse(args, item);
-    let derived = lowered.and_then(|lowered| {
-        let system = system(&lowered)?;
-        Ok(expand::expand(&lowered, &system))
+    let (cleaned, lowered) = analyse::analyse(args, item.clone());
+    let derived = lowered.and_then(|lowered| match system(&lowered) {
+        Ok(system) => Ok(expand::expand(&lowered, &system)),
+        Err(error) => Err(Broken { error, lowered: Some(Box::new(lowered)) }),
     });
-    derived.unwrap_or_else(|error| fallback::fallback(cleaned.as_ref(), promises_default, &error))
+    derived.unwrap_or_else(|broken| fallback::fallback(cleaned.as_ref(), item, &broken))
 }
 
 /// The differentiated equations; errors only where the rules of the model were not enough.

@@ -45,6 +45,22 @@ pub(crate) fn handles(lowered: &Lowered, system: &KinematicSystem) -> TokenStrea
     }
 }
 
+/// The constants of a description with mistakes: everything that has a name, and no place that means anything.
+pub(crate) fn placeholders(lowered: &Lowered) -> TokenStream {
+    let mechanism = &lowered.mechanism;
+    let range = |range: Option<kin_core::mechanism::Range>| range.map(|range| range.indices().count());
+    let bodies = mechanism.bodies.iter().map(|b| (&b.name, b.origin, b.len, "Body"));
+    let scalars = mechanism.scalars.iter().map(|s| (&s.name, s.origin, s.len, "Coordinate"));
+    let points = mechanism.points.iter().map(|p| (&p.name, p.origin, range(p.range), "Point"));
+    let defines = mechanism.defines.iter().map(|d| (&d.name, d.origin, range(d.range), "Quantity"));
+    // Of two things with one name the first has the constant.
+    let mut seen = std::collections::BTreeSet::new();
+    (bodies.chain(scalars).chain(points).chain(defines))
+        .filter(|(name, ..)| seen.insert(name.as_str()))
+        .map(|(name, origin, len, ty)| constant(lowered, name, origin, len, ty, &vec![0; len.unwrap_or(1)]))
+        .collect()
+}
+
 /// The instances of a family.
 fn places(families: impl Iterator<Item = usize>, family: usize) -> Vec<usize> {
     families.enumerate().filter(|(_, f)| *f == family).map(|(place, _)| place).collect()

@@ -8,6 +8,8 @@ mod parameters;
 mod program;
 mod tables;
 
+pub(crate) use handles::{mentions, placeholders};
+
 use crate::ast::Flags;
 use crate::lower::{FieldRole, Lowered};
 use kernel::{Layout, kernel};

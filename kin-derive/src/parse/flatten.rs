@@ -70,7 +70,8 @@ pub(super) fn flatten(tokens: TokenStream) -> TokenStream {
     flat
 }
 
-fn regroup(delimiter: Delimiter, stream: TokenStream, span: Span) -> TokenTree {
+/// A group with the span of another one.
+pub(super) fn regroup(delimiter: Delimiter, stream: TokenStream, span: Span) -> TokenTree {
     let mut group = Group::new(delimiter, stream);
     group.set_span(span);
     group.into()

@@ -107,6 +107,11 @@ pub(super) fn near_miss(name: &str) -> Option<(String, bool)> {
     Some((format!("no attribute `{name}` in kin; did you mean {meant}?"), declares))
 }
 
+/// True for `keyword` and for a slip of it.
+pub(super) fn is_nearly(name: &str, keyword: &str) -> bool {
+    name == keyword || find(name).is_none() && !FOREIGN.contains(&name) && !near(name, [keyword]).is_empty()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

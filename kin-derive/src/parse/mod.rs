@@ -16,6 +16,9 @@ mod point;
 mod read;
 mod reject;
 mod rows;
+mod strip;
+
+pub(crate) use strip::without_ours;
 
 use crate::ast::{Description, Flags, Item, Row, text};
 use crate::report::Report;
@@ -176,7 +179,13 @@ fn generics(item: &ItemStruct, report: &Report) {
     }
 }
 
-fn derives_default(attribute: &Attribute) -> bool {
+/// True for `#[param(…)]`, misspelt or not.
+pub(crate) fn near_param(attribute: &Attribute) -> bool {
+    attribute.path().get_ident().is_some_and(|word| keyword::is_nearly(&text(word), "param"))
+}
+
+/// True for a `derive` with `Default` among its traits.
+pub(crate) fn derives_default(attribute: &Attribute) -> bool {
     let Meta::List(list) = &attribute.meta else { return false };
     let paths = syn::punctuated::Punctuated::<syn::Path, Token![,]>::parse_terminated;
     attribute.path().is_ident("derive")

@@ -7,7 +7,7 @@ mod names;
 mod rules;
 mod valid;
 
-use super::analyse;
+use super::{Broken, analyse};
 use crate::lower::Lowered;
 use proc_macro2::TokenStream;
 use std::str::FromStr;
@@ -21,7 +21,7 @@ fn tokens(source: &str) -> TokenStream {
 fn good(source: &str) -> Lowered {
     let (item, result) = analyse(TokenStream::new(), tokens(source));
     assert!(item.is_some());
-    result.unwrap_or_else(|error| panic!("{:?}", messages(error)))
+    result.unwrap_or_else(|broken| panic!("{:?}", messages(broken)))
 }
 
 /// Everything that is said about a description.
@@ -29,8 +29,8 @@ fn errors(source: &str) -> Vec<String> {
     analyse(TokenStream::new(), tokens(source)).1.map_or_else(messages, |_| Vec::new())
 }
 
-fn messages(error: syn::Error) -> Vec<String> {
-    error.into_iter().map(|error| error.to_string()).collect()
+fn messages(broken: Broken) -> Vec<String> {
+    broken.error.into_iter().map(|error| error.to_string()).collect()
 }
 
 /// Asserts that one thing is said, with all of the `parts` in it.
