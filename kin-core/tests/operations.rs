@@ -153,25 +153,3 @@ fn programs_grow_with_the_number_of_loops() {
     assert_eq!(2 * step(sizes[0].2, sizes[1].2), step(sizes[1].2, sizes[2].2));
     assert_eq!(lower(&kin_core::expr::Graph::new(), &[]).instructions.len(), 0);
 }
-
-/// `cargo test -p kin-core --test operations -- --ignored --nocapture` prints where the time goes.
-#[test]
-#[ignore = "prints times, checks nothing"]
-fn times_of_a_hundred_loops() {
-    let mechanism = chain(100);
-    let start = std::time::Instant::now();
-    let set = assemble(&mechanism).expect("a sound mechanism");
-    let assembled = start.elapsed();
-    let system = differentiate(set);
-    let differentiated = start.elapsed();
-    let program = combined(&system);
-    let lowered = start.elapsed();
-    println!(
-        "assemble {assembled:?}, differentiate {:?}, lower {:?}; {} instructions, {} expressions",
-        differentiated - assembled,
-        lowered - differentiated,
-        program.instructions.len(),
-        system.set.graph.len()
-    );
-    println!("printed in {:?}: {} bytes", start.elapsed(), system.to_string().len());
-}

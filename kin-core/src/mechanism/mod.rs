@@ -5,6 +5,7 @@
 
 mod body;
 pub mod check;
+mod display;
 mod formula;
 mod joint;
 

@@ -2,6 +2,7 @@
 //!
 //! Imports `expr` alone.
 
+mod display;
 mod interpret;
 mod lower;
 mod signs;
@@ -11,7 +12,6 @@ pub use lower::lower;
 
 use crate::expr::{Bits, Symbol};
 use crate::mechanism::Function;
-use core::fmt;
 
 /// A value of a program: the place of its instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -183,17 +183,5 @@ impl Program {
             }
         }
         count
-    }
-}
-
-impl fmt::Display for Program {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (place, instruction) in self.instructions.iter().enumerate() {
-            writeln!(f, "v{place} = {instruction:?}")?;
-        }
-        for (slot, value) in &self.outputs {
-            writeln!(f, "{slot:?} = v{}", value.0)?;
-        }
-        Ok(())
     }
 }

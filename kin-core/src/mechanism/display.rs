@@ -1,0 +1,134 @@
+//! A mechanism as text, in the user's language: what was understood.
+
+use super::{BodyOrigin, BodyRef, Component, Formula, GuessTarget, Index, Joint, JointKind, Mechanism, Member, Place};
+use core::fmt;
+
+impl fmt::Display for Mechanism {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{}", self.name)?;
+        for parameter in &self.parameters {
+            writeln!(f, "  parameter {}{}", parameter.name, length(parameter.len))?;
+        }
+        for body in &self.bodies {
+            write!(f, "  body {}{}", body.name, length(body.len))?;
+            match &body.origin_at {
+                BodyOrigin::Free { x, y } => {
+                    for (name, held) in [("x", x), ("y", y)] {
+                        if let Some(held) = held {
+                            write!(f, ", {name} = {}", self.text(held))?;
+                        }
+                    }
+                }
+                BodyOrigin::Carried(place) => write!(f, ", origin = {}", self.place(place))?,
+            }
+            match &body.phi {
+                Some(held) => writeln!(f, ", phi = {}", self.text(held))?,
+                None => writeln!(f)?,
+            }
+        }
+        for scalar in &self.scalars {
+            writeln!(f, "  coordinate {}{}", scalar.name, length(scalar.len))?;
+        }
+        for point in &self.points {
+            writeln!(f, "  point {} = {}", point.name, self.place(&point.place))?;
+        }
+        for define in &self.defines {
+            writeln!(f, "  define {} = {}", define.name, self.text(&define.formula))?;
+        }
+        for joint in &self.joints {
+            writeln!(f, "  {}", self.joint(joint))?;
+        }
+        for guess in &self.guesses {
+            let target = match &guess.target {
+                GuessTarget::Pose(body, component) => format!("{}.{component}", self.body(body)),
+                GuessTarget::Scalar(member) => self.member(self.scalars.get(member.family).map(|s| &s.name), member),
+            };
+            writeln!(f, "  guess {target} = {}", self.text(&guess.value))?;
+        }
+        Ok(())
+    }
+}
+
+fn length(len: Option<usize>) -> String {
+    len.map(|len| format!("[{len}]")).unwrap_or_default()
+}
+
+fn index(index: Index) -> String {
+    match (index.scale, index.offset) {
+        (0, 0) => String::new(),
+        (0, offset) => format!("[{offset}]"),
+        (scale, offset) => format!("[{scale}*i{offset:+}]"),
+    }
+}
+
+impl Mechanism {
+    fn member(&self, name: Option<&String>, member: &Member) -> String {
+        format!("{}{}", name.map_or("?", String::as_str), index(member.index))
+    }
+
+    fn body(&self, body: &BodyRef) -> String {
+        match body {
+            BodyRef::Ground(_) => "ground".to_owned(),
+            BodyRef::Body { family, index: at, .. } => {
+                format!("{}{}", self.bodies.get(*family).map_or("?", |b| b.name.as_str()), index(*at))
+            }
+        }
+    }
+
+    fn place(&self, place: &Place) -> String {
+        format!("{} @ ({}, {})", self.body(&place.body), self.text(&place.x), self.text(&place.y))
+    }
+
+    fn joint(&self, joint: &Joint) -> String {
+        let range = joint.range.map(|r| format!("[i in {}..{}]", r.start, r.end)).unwrap_or_default();
+        let (p, t) = (|place: &Place| self.place(place), |formula: &Formula| self.text(formula));
+        let operands = match &joint.kind {
+            JointKind::Revolute { p: a, q: b } => format!("{}, {}", p(a), p(b)),
+            JointKind::Translational { p: a, q: b, axis, angle } => {
+                format!("{}, {}, axis = ({}, {}), angle = {}", p(a), p(b), t(&axis.x), t(&axis.y), t(angle))
+            }
+            JointKind::Fixed { p: a, q: b, angle } => format!("{}, {}, angle = {}", p(a), p(b), t(angle)),
+            JointKind::PointOnLine { p: a, q: b, axis, offset } => {
+                format!("{}, {}, axis = ({}, {}), offset = {}", p(a), p(b), t(&axis.x), t(&axis.y), t(offset))
+            }
+            JointKind::Distance { p: a, q: b, length, .. } => format!("{}, {}, length = {}", p(a), p(b), t(length)),
+            JointKind::Coordinate { p: a, value, .. } => format!("{} = {}", p(a), t(value)),
+            JointKind::Angle { body, value } => format!("{} = {}", self.body(body), t(value)),
+            JointKind::RelativeAngle { a, b, value } => format!("{}, {} = {}", self.body(a), self.body(b), t(value)),
+            JointKind::Constraint { left, right } | JointKind::Driver { left, right } => {
+                format!("{} = {}", t(left), t(right))
+            }
+        };
+        format!("{} {}{range}: {operands}", joint.kind.keyword(), joint.name)
+    }
+
+    /// A formula with every operation in brackets, as it was understood.
+    fn text(&self, formula: &Formula) -> String {
+        let binary =
+            |a: &Formula, operator: &str, b: &Formula| format!("({} {operator} {})", self.text(a), self.text(b));
+        match formula {
+            Formula::Number(value) => value.to_string(),
+            Formula::Pi => "pi".to_owned(),
+            Formula::Time => "t".to_owned(),
+            Formula::Parameter(m) => self.member(self.parameters.get(m.family).map(|p| &p.name), m),
+            Formula::Input(m) => self.member(self.inputs.get(m.family).map(|i| &i.name), m),
+            Formula::Scalar(m) => self.member(self.scalars.get(m.family).map(|s| &s.name), m),
+            Formula::Define(m) => self.member(self.defines.get(m.family).map(|d| &d.name), m),
+            Formula::Pose(body, component) => format!("{}.{component}", self.body(body)),
+            Formula::PointCoordinate(place, Component::X) => format!("({}).x", self.place(place)),
+            Formula::PointCoordinate(place, _) => format!("({}).y", self.place(place)),
+            Formula::Distance(p, q) => format!("distance({}, {})", self.place(p), self.place(q)),
+            Formula::Neg(a) => format!("(-{})", self.text(a)),
+            Formula::Add(a, b) => binary(a, "+", b),
+            Formula::Sub(a, b) => binary(a, "-", b),
+            Formula::Mul(a, b) => binary(a, "*", b),
+            Formula::Div(a, b, _) => binary(a, "/", b),
+            Formula::Pow(a, n) => format!("pow({}, {n})", self.text(a)),
+            Formula::Call(function, a) => format!("{}({})", function.name(), self.text(a)),
+            Formula::Atan2(y, x) => format!("atan2({}, {})", self.text(y), self.text(x)),
+            Formula::Supplied(m, a) => {
+                format!("{}({})", self.member(self.functions.get(m.family).map(|f| &f.name), m), self.text(a))
+            }
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! Programs as text: one line for every instruction that does something, literals and loads in place.
+
+use super::{Instruction, Program, Slot, Value};
+use crate::expr::{Names, Symbol};
+use core::fmt;
+
+/// An operand as it is read: a literal, a symbol, a part of a pair, or the line that computes it.
+struct Operand<'p>(&'p Program, Value);
+
+impl fmt::Display for Operand<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(program, value) = *self;
+        match program.instructions.get(value.index()) {
+            Some(Instruction::Number(bits)) => write!(f, "{}", bits.value()),
+            Some(Instruction::Load(symbol)) => f.write_str(&loaded(*symbol)),
+            Some(Instruction::SinOf(pair)) => write!(f, "sin{}", pair.0),
+            Some(Instruction::CosOf(pair)) => write!(f, "cos{}", pair.0),
+            Some(Instruction::SuppliedOf(triple, order)) => {
+                write!(f, "f{}{}", triple.0, "'".repeat(usize::from(*order)))
+            }
+            _ => write!(f, "v{}", value.0),
+        }
+    }
+}
+
+fn loaded(symbol: Symbol) -> String {
+    ().symbol(symbol)
+}
+
+impl fmt::Display for Program {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (place, instruction) in self.instructions.iter().enumerate() {
+            let v = |value: Value| Operand(self, value);
+            match *instruction {
+                Instruction::Number(_)
+                | Instruction::Load(_)
+                | Instruction::SinOf(_)
+                | Instruction::CosOf(_)
+                | Instruction::SuppliedOf(..) => {}
+                Instruction::Neg(a) => writeln!(f, "v{place} = -{}", v(a))?,
+                Instruction::Add(a, b) => writeln!(f, "v{place} = {} + {}", v(a), v(b))?,
+                Instruction::Sub(a, b) => writeln!(f, "v{place} = {} - {}", v(a), v(b))?,
+                Instruction::Mul(a, b) => writeln!(f, "v{place} = {} * {}", v(a), v(b))?,
+                Instruction::Div(a, b) => writeln!(f, "v{place} = {} / {}", v(a), v(b))?,
+                Instruction::SinCos(a) => writeln!(f, "(sin{place}, cos{place}) = sin_cos({})", v(a))?,
+                Instruction::Call(g, a) => writeln!(f, "v{place} = {}({})", g.name(), v(a))?,
+                Instruction::Sign(a) => writeln!(f, "v{place} = sign({})", v(a))?,
+                Instruction::Atan2(y, x) => writeln!(f, "v{place} = atan2({}, {})", v(y), v(x))?,
+                Instruction::Powi(a, n) => writeln!(f, "v{place} = {}^{n}", v(a))?,
+                Instruction::Powf(a, n) => writeln!(f, "v{place} = {}^{}", v(a), n.value())?,
+                Instruction::Supplied(g, a) => {
+                    writeln!(f, "(f{place}, f{place}', f{place}'') = supplied {g}({})", v(a))?;
+                }
+            }
+        }
+        for (slot, value) in &self.outputs {
+            writeln!(f, "{slot} = {}", Operand(self, *value))?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for Slot {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Phi(k) => write!(f, "Φ[{k}]"),
+            Self::PhiQ(k) => write!(f, "Φ_q[{k}]"),
+            Self::PhiT(k) => write!(f, "Φ_t[{k}]"),
+            Self::Gamma(k) => write!(f, "γ[{k}]"),
+            Self::Entry(k) => write!(f, "[{k}]"),
+        }
+    }
+}
