@@ -99,6 +99,8 @@ impl<N: Names> Shown<'_, N> {
             Node::Number(bits) => (ATOM, vec![Owned(bits.value().to_string())]),
             Node::Symbol(symbol) => (ATOM, vec![Owned(self.names.symbol(symbol))]),
             Node::Neg(a) => (UNARY, vec![Text("-"), Operand(a, UNARY)]),
+            // A sum is cheaper than a product, and a product is what a person writes.
+            Node::Add(a, b) if a == b => (PRODUCT, vec![Text("2*"), Operand(a, UNARY)]),
             Node::Add(a, b) => match self.minus_sine(b) {
                 Some(term) => (SUM, [vec![Operand(a, SUM), Text(" - ")], term].into_iter().flatten().collect()),
                 None => (SUM, vec![Operand(a, SUM), Text(" + "), Operand(b, SUM)]),
