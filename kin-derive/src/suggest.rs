@@ -5,7 +5,7 @@ pub(crate) fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a s
     candidates
         .into_iter()
         .map(|candidate| (distance(name, candidate), candidate))
-        .filter(|(d, candidate)| is_near(*d, name, candidate))
+        .filter(|(d, candidate)| is_near(*d, name, candidate) || *d > 0 && name.eq_ignore_ascii_case(candidate))
         .min_by_key(|(d, _)| *d)
         .map(|(_, candidate)| candidate)
 }

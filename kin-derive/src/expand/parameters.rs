@@ -9,6 +9,8 @@ use quote::quote;
 /// A field with the range of its parameters.
 struct Span<'a> {
     ident: &'a proc_macro2::Ident,
+    /// As the user wrote it: a type that is no number is told so there.
+    ty: &'a syn::Type,
     len: Option<usize>,
     first: usize,
     default: Option<&'a [f64]>,
@@ -22,7 +24,13 @@ fn fields(lowered: &Lowered) -> Vec<Span<'_>> {
             FieldRole::Function(_) => None,
         })
         .map(|(field, parameter)| {
-            let span = Span { ident: &field.ident, len: parameter.len, first, default: parameter.default.as_deref() };
+            let span = Span {
+                ident: &field.ident,
+                ty: &field.ty,
+                len: parameter.len,
+                first,
+                default: parameter.default.as_deref(),
+            };
             first += parameter.len.unwrap_or(1);
             span
         })
@@ -35,11 +43,13 @@ pub(crate) fn read(lowered: &Lowered) -> TokenStream {
     let total: usize = lowered.mechanism.parameters.iter().map(|p| p.len.unwrap_or(1)).sum();
     let reads = fields.iter().map(|field| {
         let (ident, first) = (field.ident, Literal::usize_unsuffixed(field.first));
+        let ty = field.ty;
+        let get = quote! { <#ty as __kin::Parameter>::get };
         match field.len {
-            None => quote! { out[#first] = <T as __kin::Scalar>::from_f64(__kin::Parameter::get(&self.#ident, 0)); },
+            None => quote! { out[#first] = <T as __kin::Scalar>::from_f64(#get(&self.#ident, 0)); },
             Some(len) => quote! {
                 for k in 0..#len {
-                    out[#first + k] = <T as __kin::Scalar>::from_f64(__kin::Parameter::get(&self.#ident, k));
+                    out[#first + k] = <T as __kin::Scalar>::from_f64(#get(&self.#ident, k));
                 }
             },
         }
@@ -65,7 +75,8 @@ pub(crate) fn write(lowered: &Lowered) -> TokenStream {
     let arms = fields(lowered).into_iter().map(|field| {
         let (ident, first) = (field.ident, field.first);
         let last = first + field.len.unwrap_or(1);
-        quote! { #first..#last => __kin::Parameter::set(&mut self.#ident, index - #first, value), }
+        let ty = field.ty;
+        quote! { #first..#last => <#ty as __kin::Parameter>::set(&mut self.#ident, index - #first, value), }
     });
     quote! {
         fn set_parameter(&mut self, index: usize, value: f64) -> bool {
@@ -90,7 +101,8 @@ pub(crate) fn default(lowered: &Lowered) -> TokenStream {
     let values = fields.iter().map(|field| {
         let (ident, values) = (field.ident, field.default.unwrap_or_default());
         let values = values.iter().map(|value| literal(*value));
-        quote! { #ident: __kin::Parameter::from_values(&[#(#values),*]), }
+        let ty = field.ty;
+        quote! { #ident: <#ty as __kin::Parameter>::from_values(&[#(#values),*]), }
     });
     quote! {
         #[automatically_derived]

@@ -95,6 +95,14 @@ impl Lowerer<'_> {
         }
         let is_value: fn(Symbol) -> bool =
             |symbol| matches!(symbol, Symbol::Parameter(_) | Symbol::Scalar(_) | Symbol::Define(_));
+        if let IndexRange::Over(range) = scope.range
+            && text(&range.variable) == name
+            && self.names.find(&name).is_none()
+        {
+            let message = format!("`{name}` is the index variable; it stands in brackets: `l[{name}]`");
+            self.report.error(used.ident.span(), message);
+            return None;
+        }
         let declared = self.resolve(used, "parameter, coordinate or define", is_value)?;
         let span = used.ident.span();
         match declared.symbol {
@@ -191,7 +199,14 @@ impl Lowerer<'_> {
                 Some(Formula::PointCoordinate(Box::new(place), which?))
             }
             Some(other) => {
-                let message = format!("`{name}` is {} and has no components; bodies and points have", other.noun());
+                let noun = other.noun();
+                let message = match Function::from_name(&text(component)) {
+                    Some(function) => {
+                        let function = function.name();
+                        format!("`{name}` is {noun}; a function is called with brackets: `{name}.{function}()`")
+                    }
+                    None => format!("`{name}` is {noun} and has no components; bodies and points have"),
+                };
                 self.report.error(component.span(), message);
                 None
             }
@@ -203,7 +218,13 @@ impl Lowerer<'_> {
         let name = text(component);
         let found = Component::ALL.into_iter().find(|c| c.name() == name);
         if found.is_none() && !self.is_completed(component) {
-            let message = format!("a body has `x`, `y` and `phi`; `{body}.{name}` does not exist");
+            let right = match name.as_str() {
+                "x_dot" | "y_dot" | "phi_dot" | "xdot" | "ydot" | "phidot" | "dot" | "omega" => {
+                    ": equations are of position, rates are derived"
+                }
+                _ => "",
+            };
+            let message = format!("a body has `x`, `y` and `phi`; `{body}.{name}` does not exist{right}");
             self.report.error(component.span(), message);
         }
         found
@@ -235,10 +256,16 @@ impl Lowerer<'_> {
             Some(found) => {
                 format!("`{word}` is {}, not a function; a product is written with `*`", found.symbol.noun())
             }
+            None if matches!(word.as_str(), "t" | "pi" | "ground") => {
+                format!("`{word}` is no function; a product is written with `*`")
+            }
             None if self.names_missing => return,
             None => {
                 let others = ["atan2", "pow", "distance"];
-                let suggestion = did_you_mean(&word, Function::ALL.iter().map(|f| f.name()).chain(others));
+                let suggestion = match word.as_str() {
+                    "log" => "; the natural logarithm is `ln`".to_owned(),
+                    _ => did_you_mean(&word, Function::ALL.iter().map(|f| f.name()).chain(others)),
+                };
                 format!(
                     "no function `{word}`; there are sin, cos, tan, asin, acos, atan, atan2, sqrt, exp, ln, abs, pow and distance{suggestion}"
                 )

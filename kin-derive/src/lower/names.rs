@@ -89,6 +89,13 @@ impl Names {
 
     /// What to say about a name that is not in the table where one of the `wanted` things belongs.
     pub(super) fn unknown(&self, name: &str, what: &str, wanted: fn(Symbol) -> bool) -> String {
+        if wanted(Symbol::Parameter(0)) {
+            match name {
+                "T" | "time" => return format!("no {what} named `{name}`; time is `t`"),
+                "PI" | "Pi" | "π" => return format!("no {what} named `{name}`; the number π is `pi`"),
+                _ => {}
+            }
+        }
         let fitting = || self.all.iter().filter(|d| wanted(d.symbol)).map(|d| d.name.as_str());
         // `ground` is a body that nobody declares.
         let ground = wanted(Symbol::Body(0)).then_some("ground");
@@ -100,7 +107,15 @@ impl Names {
             return format!("no {what} named `{name}`; there is {} `{}`", best.symbol.noun(), best.name);
         }
         if fitting().next().is_none() {
-            return format!("no {what} named `{name}`; none is declared");
+            let right = match () {
+                () if wanted(Symbol::Parameter(0)) => "",
+                () if wanted(Symbol::Body(0)) => "; bodies are declared with `#[bodies(crank, …)]`",
+                () if wanted(Symbol::Point(0)) => {
+                    "; points are declared with `#[point(tip = body @ (x, y))]` or written in place"
+                }
+                () => "; coordinates are declared with `#[coordinates(u, …)]`",
+            };
+            return format!("no {what} named `{name}`; none is declared{right}");
         }
         format!("no {what} named `{name}`; there are {}", listed(fitting(), "and"))
     }

@@ -3,6 +3,7 @@
 use super::expr::{deeper, end_of_expr, join, nested};
 use super::fold::constant;
 use super::point::point_at_depth;
+use super::reject::{RADIANS, is_angle_word};
 use crate::ast::{Expr, ExprKind, text};
 use crate::suggest::did_you_mean;
 use kin_core::mechanism::Function;
@@ -17,6 +18,7 @@ pub(super) fn function(name: Ident, input: ParseStream, depth: usize) -> Result<
     match text(&name).as_str() {
         "distance" => distance(&name, &content, depth),
         "dot" => Err(Error::new(name.span(), "`dot` belongs to `nonholonomic`, which is not supported yet")),
+        word if is_angle_word(word) => Err(Error::new(name.span(), RADIANS)),
         "powi" | "powf" => {
             let message = format!("`{name}` is a method, `a.{name}(n)`; as a function it is called `pow(a, n)`");
             Err(Error::new(name.span(), message))
@@ -73,6 +75,12 @@ pub(super) fn method(value: Expr, name: Ident, input: ParseStream, depth: usize)
 }
 
 fn unknown_method(name: &Ident, known: &str) -> Error {
+    if matches!(known, "x" | "y" | "phi") {
+        return Error::new(name.span(), format!("`{known}` is a coordinate, written without brackets: `.{known}`"));
+    }
+    if is_angle_word(known) {
+        return Error::new(name.span(), RADIANS);
+    }
     const OTHERS: [&str; 3] = ["atan2", "powi", "powf"];
     let methods = Function::ALL.iter().map(|f| f.name()).chain(OTHERS);
     let suggestion = did_you_mean(known, methods);
@@ -93,7 +101,10 @@ fn atan2(y: Expr, x: Expr, span: proc_macro2::Span) -> Result<Expr> {
 }
 
 fn power(base: Expr, exponent: &Expr, name: &str, span: proc_macro2::Span) -> Result<Expr> {
-    let n = constant(exponent, "an exponent")?;
+    let n = constant(exponent, "an exponent").map_err(|error| {
+        let right = "where an exponent varies, write `exp(n*ln(a))`";
+        if is_variable(exponent) { Error::new(error.span(), format!("{error}; {right}")) } else { error }
+    })?;
     if name == "powi" && n.fract() != 0.0 {
         return Err(Error::new(exponent.span, "the exponent of `powi` is an integer; `powf` takes any number"));
     }
@@ -101,8 +112,22 @@ fn power(base: Expr, exponent: &Expr, name: &str, span: proc_macro2::Span) -> Re
     Expr::over(ExprKind::Pow(Box::new(base), n), span, &[height])
 }
 
+/// True for an expression with something in it that is no number.
+fn is_variable(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Number(_) | ExprKind::Hole | ExprKind::Apply(..) => false,
+        ExprKind::Name(used) => used.text() != "pi",
+        ExprKind::Component(..) | ExprKind::Distance(..) => true,
+        ExprKind::Neg(a) | ExprKind::Pow(a, _) | ExprKind::Call(_, a) => is_variable(a),
+        ExprKind::Binary(_, a, b) | ExprKind::Atan2(a, b) => is_variable(a) || is_variable(b),
+    }
+}
+
 fn distance(name: &Ident, content: ParseStream, depth: usize) -> Result<Expr> {
     let wrong = || Error::new(name.span(), "`distance` takes two points: `distance(P, Q)`, `distance(a @ (0, 0), Q)`");
+    if content.is_empty() {
+        return Err(wrong());
+    }
     let (p, p_height) = point_at_depth(content, depth)?;
     if content.is_empty() {
         return Err(wrong());
@@ -140,10 +165,11 @@ fn arguments(content: ParseStream, depth: usize) -> Result<Vec<Expr>> {
 fn take<const N: usize>(name: &Ident, arguments: Vec<Expr>, form: &str) -> Result<[Expr; N]> {
     let given = arguments.len();
     arguments.try_into().map_err(|_| {
-        let values = if given == 1 { "value" } else { "values" };
-        Error::new(
-            name.span(),
-            format!("`{}` is written `{form}`; here are {given} {values} in its brackets", text(name)),
-        )
+        let values = match given {
+            0 => "is nothing".to_owned(),
+            1 => "is 1 value".to_owned(),
+            n => format!("are {n} values"),
+        };
+        Error::new(name.span(), format!("`{}` is written `{form}`; here {values} in its brackets", text(name)))
     })
 }

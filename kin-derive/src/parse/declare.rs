@@ -4,7 +4,7 @@ use super::expr::{end_of_expr, expr};
 use super::index::{identifier, name_or_family, new_name};
 use super::list::{comma, end_of_part, list, skip_part};
 use super::point::point;
-use super::read::is_option;
+use super::read::{is_option, no_equals};
 use super::reject::here;
 use crate::ast::{BodyDecl, DefineDecl, Expr, GuessDecl, Item, PointDecl, PointExpr, ScalarDecl, text};
 use crate::report::Report;
@@ -20,8 +20,10 @@ pub(super) fn bodies(input: ParseStream, keyword: &Ident, report: &Report, items
         let name = new_name(input, report)?;
         items.push(Item::Body(BodyDecl { name, held: Vec::new(), carried: None }));
         if input.peek(Token![=]) {
-            return Err(input
-                .error("what is given of a body stands in an attribute of its own: `#[body(crank, x = 0, y = 0)]`"));
+            return Err(here(
+                input,
+                "what is given of a body stands in an attribute of its own: `#[body(crank, x = 0, y = 0)]`",
+            ));
         }
         Ok(())
     })
@@ -32,7 +34,11 @@ pub(super) fn coordinates(input: ParseStream, keyword: &Ident, report: &Report, 
     nonempty(input, keyword, "#[coordinates(phi1, phi2)]", report);
     list(input, report, |input| {
         let name = new_name(input, report)?;
+        let start = format!("a coordinate is a name; its start is given with `#[guess({} = 0)]`", name.ident);
         items.push(Item::Scalar(ScalarDecl { name }));
+        if input.peek(Token![=]) {
+            return Err(here(input, start));
+        }
         Ok(())
     })
 }
@@ -70,6 +76,9 @@ pub(super) fn guess(input: ParseStream, keyword: &Ident, report: &Report, items:
         let (target, range) = name_or_family(input)?;
         let component = if input.peek(Token![.]) {
             input.parse::<Token![.]>()?;
+            if !input.peek(Ident::peek_any) {
+                return Err(here(input, "expected `x`, `y` or `phi` after the dot"));
+            }
             Some(input.call(Ident::parse_any)?)
         } else {
             None
@@ -162,7 +171,7 @@ fn equals(input: ParseStream, form: &str) -> Result<()> {
         input.parse::<Token![=]>()?;
         return Ok(());
     }
-    Err(here(input, format!("expected `=` and a value: `{form}`")))
+    Err(no_equals(input, form))
 }
 
 fn nonempty(input: ParseStream, keyword: &Ident, form: &str, report: &Report) {

@@ -138,6 +138,9 @@ fn primary(input: ParseStream, depth: usize) -> Result<Expr> {
     if input.peek(token::Paren) {
         return parentheses(input, deeper(input, depth)?);
     }
+    if let Some(error) = reject::keyword(input) {
+        return Err(error);
+    }
     if input.peek(Ident::peek_any) {
         if input.peek2(token::Paren) && input.peek(Ident) {
             let name = identifier(input)?;
@@ -175,6 +178,9 @@ fn number(literal: Lit) -> Result<Expr> {
     let (digits, suffix) = match &literal {
         Lit::Int(int) => (int.base10_digits(), int.suffix()),
         Lit::Float(float) => (float.base10_digits(), float.suffix()),
+        Lit::Str(_) => {
+            return Err(Error::new(span, "a number is written without quotes; angles are in radians"));
+        }
         _ => return Err(Error::new(span, "expected a number, a name or a function")),
     };
     if !matches!(suffix, "" | "f64") {

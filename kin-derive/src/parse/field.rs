@@ -123,7 +123,13 @@ fn each(input: ParseStream) -> Result<Default> {
     let brackets = bracketed!(content in input);
     let mut values = Vec::new();
     while !content.is_empty() {
-        values.push(number(&content)?);
+        values.push(expr(&content).and_then(|value| {
+            if content.peek(Token![;]) {
+                return Err(here(&content, "one number stands for all elements: `#[param(0.1)]`"));
+            }
+            end_of_expr(&content)?;
+            constant(&value, "a default")
+        })?);
         if !content.is_empty() {
             content.parse::<Token![,]>()?;
         }
@@ -155,11 +161,26 @@ fn elements(default: Default, len: Option<usize>, name: &str) -> Result<Vec<f64>
     }
 }
 
+/// Types that are no parameters; of others the compiler decides.
+const NO_NUMBERS: [&str; 20] = [
+    "bool", "char", "i8", "i16", "i32", "i64", "i128", "isize", "str", "u8", "u16", "u32", "u64", "u128", "usize",
+    "Box", "HashMap", "Option", "String", "Vec",
+];
+
+fn no_number(ty: &Type) -> Error {
+    Error::new_spanned(ty, "a parameter is a number such as `f64` or an array of numbers such as `[f64; 10]`")
+}
+
 /// The length of an array type, `None` for a single number.
 fn array_len(ty: &Type) -> Result<Option<usize>> {
     match ty {
         Type::Group(group) => array_len(&group.elem),
         Type::Paren(paren) => array_len(&paren.elem),
+        Type::Path(path)
+            if path.path.segments.last().is_some_and(|s| NO_NUMBERS.contains(&text(&s.ident).as_str())) =>
+        {
+            Err(no_number(ty))
+        }
         Type::Path(_) | Type::Macro(_) => Ok(None),
         Type::Array(array) => {
             if array_len(&array.elem)?.is_some() {
@@ -167,10 +188,7 @@ fn array_len(ty: &Type) -> Result<Option<usize>> {
             }
             literal_len(&array.len).map(Some)
         }
-        _ => Err(Error::new(
-            ty.span(),
-            "a parameter is a number such as `f64` or an array of numbers such as `[f64; 10]`",
-        )),
+        _ => Err(no_number(ty)),
     }
 }
 

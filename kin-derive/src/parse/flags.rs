@@ -3,12 +3,13 @@
 use super::flatten::flatten;
 use super::index::identifier;
 use super::list::list;
+use super::reject::here;
 use crate::ast::{Flags, text};
 use crate::report::Report;
 use crate::suggest::did_you_mean;
 use proc_macro2::TokenStream;
 use syn::parse::{ParseStream, Parser};
-use syn::{Error, Result};
+use syn::{Error, Result, Token};
 
 /// The flags among the arguments of the attribute.
 pub(super) fn flags(args: TokenStream, report: &Report) -> Flags {
@@ -43,7 +44,11 @@ fn flag(input: ParseStream, flags: &mut Flags) -> Result<()> {
             return Err(Error::new(word.span(), message));
         }
     };
-    if std::mem::replace(slot, true) {
+    let is_set = std::mem::replace(slot, true);
+    if input.peek(Token![=]) {
+        return Err(here(input, format!("a flag stands alone: `#[mechanism({name})]`")));
+    }
+    if is_set {
         return Err(Error::new(word.span(), format!("`{name}` is given twice; once is enough")));
     }
     Ok(())

@@ -72,6 +72,9 @@ fn bracket(input: ParseStream) -> Result<Bracket> {
     if is_range(&content) {
         return range(&content, span).map(Bracket::Range);
     }
+    if content.peek(LitInt) && content.peek2(Token![..]) {
+        return Err(here(&content, "a range names its index: `N[i in 0..10]`"));
+    }
     let len = whole_number(&content).map_err(|error| {
         let right =
             "brackets of a new name hold a length, `link[10]`, or a range, `N[i in 0..10]`; both are integer literals";
@@ -79,7 +82,7 @@ fn bracket(input: ParseStream) -> Result<Bracket> {
     })?;
     nothing_left(&content, "a length is one integer literal, `link[10]`")?;
     match usize::try_from(len.0) {
-        Ok(0) => Err(Error::new(len.1, "a family has at least one member")),
+        Ok(0) | Err(_) if len.0 <= 0 => Err(Error::new(len.1, "a family has at least one member")),
         Ok(n) if n <= MAX_MEMBERS => Ok(Bracket::Len(n, span)),
         _ => Err(Error::new(len.1, format!("a family has at most {MAX_MEMBERS} members"))),
     }
@@ -92,7 +95,7 @@ fn range(content: ParseStream, span: Span) -> Result<RangeDecl> {
         whole_number(input)
             .map_err(|error| Error::new(error.span(), "bounds of a range are integer literals: `N[i in 0..10]`"))
     };
-    let (start, _) = literal(content)?;
+    let (start, start_span) = literal(content)?;
     if content.peek(Token![..=]) || content.peek(Token![...]) {
         return Err(here(content, "a range is written `start..end` and ends before `end`"));
     }
@@ -101,6 +104,9 @@ fn range(content: ParseStream, span: Span) -> Result<RangeDecl> {
         .map_err(|error| Error::new(error.span(), "a range is written `i in start..end`: `N[i in 0..10]`"))?;
     let (end, end_span) = literal(content)?;
     nothing_left(content, "a range is written `i in start..end`: `N[i in 0..10]`")?;
+    if start < 0 {
+        return Err(Error::new(start_span, "a range begins at 0 or later"));
+    }
     if start >= end {
         return Err(Error::new(
             end_span,

@@ -91,11 +91,32 @@ const FOREIGN: [&str; 18] = [
     "warn",
 ];
 
+/// What others call it.
+const SYNONYMS: [(&str, &str); 14] = [
+    ("actuator", "driver"),
+    ("assembly", "guess"),
+    ("equation", "constraint"),
+    ("hinge", "revolute"),
+    ("initial_guess", "guess"),
+    ("links", "bodies"),
+    ("motor", "driver"),
+    ("parameter", "param"),
+    ("pin_joint", "revolute"),
+    ("prismatic", "translational"),
+    ("revolute_joint", "revolute"),
+    ("rigid", "fixed"),
+    ("slider", "translational"),
+    ("weld", "fixed"),
+];
+
 /// What is wrong with an attribute that is not ours, when it is a slip of one that is; and whether names may
 /// be missing because of it.
 pub(super) fn near_miss(name: &str) -> Option<(String, bool)> {
     if FOREIGN.contains(&name) {
         return None;
+    }
+    if let Some((_, meant)) = SYNONYMS.iter().find(|(word, _)| *word == name) {
+        return Some((format!("no attribute `{name}` in kin; it is called `{meant}`"), *meant == "bodies"));
     }
     // `x` and `y` are too short for a slip.
     let candidates = near(name, words().map(|(word, _)| word).filter(|word| word.len() > 2));

@@ -9,7 +9,8 @@ use syn::{Attribute, Ident, MacroDelimiter, Meta, MetaList, Result, Token};
 
 /// Runs `read` over what stands in the brackets of our attribute; `form` shows how it is written.
 ///
-/// `None` when there are no brackets or when `read` gave up; both are reported.
+/// `None` when there are no brackets or when `read` gave up; both are reported. A value with reported mistakes in it
+/// is a value.
 pub(super) fn inside<T>(
     attribute: &Attribute,
     keyword: &Ident,
@@ -27,15 +28,18 @@ pub(super) fn inside<T>(
     }
     let list = MetaList { tokens: flatten(list.tokens.clone()), ..list.clone() };
     let before = report.count();
-    match list.parse_args_with(read) {
-        Ok(value) => Some(value),
-        // Tokens that were skipped after a reported mistake come back as "unexpected token" at the end.
-        Err(error) => {
-            if report.count() == before {
-                report.push(error);
-            }
+    let mut value = None;
+    let result = list.parse_args_with(|input: ParseStream| {
+        value = Some(read(input)?);
+        Ok(())
+    });
+    // Tokens that were skipped after a reported mistake come back as "unexpected token" at the end.
+    match result {
+        Err(error) if value.is_none() || report.count() == before => {
+            report.push(error);
             None
         }
+        _ => value,
     }
 }
 
@@ -56,7 +60,13 @@ pub(super) fn list(input: ParseStream, report: &Report, mut part: impl FnMut(Par
 
 /// An error unless a comma or the end follows.
 pub(super) fn end_of_part(input: ParseStream) -> Result<()> {
-    if input.is_empty() || input.peek(Token![,]) { Ok(()) } else { Err(here(input, "expected a comma before this")) }
+    if input.is_empty() || input.peek(Token![,]) {
+        Ok(())
+    } else if input.peek(Token![=]) {
+        Err(here(input, "an `=` too many; expected a comma"))
+    } else {
+        Err(here(input, "expected a comma before this"))
+    }
 }
 
 /// Moves to the next comma or the end.

@@ -61,6 +61,7 @@ fn parse_struct(item: TokenStream) -> Result<ItemStruct> {
         syn::Item::Struct(item) => Ok(item),
         syn::Item::Enum(item) => Err(Error::new(item.enum_token.span, wrong)),
         syn::Item::Union(item) => Err(Error::new(item.union_token.span, wrong)),
+        syn::Item::Fn(item) => Err(Error::new(item.sig.fn_token.span, wrong)),
         other => Err(Error::new(other.span(), wrong)),
     }
 }
@@ -174,7 +175,7 @@ fn fields(item: &mut ItemStruct, report: &Report, names_missing: &mut bool) -> O
 fn generics(item: &ItemStruct, report: &Report) {
     for parameter in &item.generics.params {
         if let GenericParam::Type(parameter) = parameter {
-            report.error(parameter.ident.span(), "type parameters on a mechanism are not supported yet");
+            report.error(parameter.ident.span(), "type parameters on a mechanism are not supported yet; its fields are `f64` or arrays of numbers, and its equations can be evaluated with any scalar");
         }
     }
 }

@@ -4,9 +4,10 @@ use super::expr::{deeper, end_of_expr, nested};
 use super::index::name_use;
 use super::reject::{self, here};
 use crate::ast::{AxisExpr, Expr, NameUse, PointExpr};
-use proc_macro2::Span;
+use proc_macro2::{Span, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
+use syn::parse::discouraged::Speculative;
 use syn::{Error, Ident, Result, Token, parenthesized, token};
 
 /// A point operand.
@@ -22,6 +23,11 @@ pub(super) fn point_at_depth(input: ParseStream, depth: usize) -> Result<(PointE
     let name = name_use(input)?;
     if input.peek(Token![.]) {
         return Err(here(input, "a point is `body @ (x, y)` or the name of a `point`, without a component"));
+    }
+    if input.peek(token::Paren) {
+        let error = here(input, "a point is written `body @ (x, y)`");
+        input.parse::<TokenTree>()?;
+        return Err(error);
     }
     if !input.peek(Token![@]) {
         return Ok((PointExpr::Named(name), 0));
@@ -55,7 +61,9 @@ pub(super) fn axis(input: ParseStream) -> Result<AxisExpr> {
 
 fn pair(input: ParseStream, depth: usize, form: &str) -> Result<(Expr, Expr, Span)> {
     if !input.peek(token::Paren) {
-        return Err(here(input, form));
+        let error = here(input, form);
+        skip_bare_pair(input, depth);
+        return Err(error);
     }
     let content;
     let parens = parenthesized!(content in input);
@@ -79,6 +87,15 @@ fn pair(input: ParseStream, depth: usize, form: &str) -> Result<(Expr, Expr, Spa
         Ok((x, y, span))
     } else {
         Err(here(&content, "a pair has two components: motion is planar"))
+    }
+}
+
+/// Skips `x, y` without brackets, so that `y` is not taken for what follows the pair.
+fn skip_bare_pair(input: ParseStream, depth: usize) {
+    let ahead = input.fork();
+    let pair = nested(&ahead, depth).and_then(|_| ahead.parse::<Token![,]>()).and_then(|_| nested(&ahead, depth));
+    if pair.is_ok() && (ahead.is_empty() || ahead.peek(Token![,])) {
+        input.advance_to(&ahead);
     }
 }
 

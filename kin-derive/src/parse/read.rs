@@ -5,14 +5,14 @@ use super::index::identifier;
 use super::list::{comma, end_of_part, skip_part, skip_to};
 use super::parts::{Operand, OperandForm, OptionForm, Parts, Value};
 use super::point::{axis, body, point};
-use super::reject::here;
+use super::reject::{self, here};
 use super::rows::RowForm;
 use crate::ast::{Expr, PointExpr, text};
 use crate::report::Report;
 use crate::suggest::{did_you_mean, listed};
 use std::collections::VecDeque;
 use syn::parse::ParseStream;
-use syn::{Ident, Result, Token};
+use syn::{Error, Ident, Result, Token};
 
 impl<'a> Parts<'a> {
     /// Reads everything behind `name:`.
@@ -52,6 +52,9 @@ impl<'a> Parts<'a> {
             }
             if last && self.form.equals {
                 self.read_right(input, read);
+            } else if last && is_equals(input) {
+                let message = format!("`{}` is no equation: `{}`", self.keyword, self.form.example);
+                self.finish_part(Err(here(input, message)), input);
             } else if self.form.equals && is_equals(input) {
                 return self.too_few();
             } else {
@@ -82,11 +85,12 @@ impl<'a> Parts<'a> {
             if self.right.is_none() {
                 skip_part(input);
             }
-            let end = if is_equals(input) { end_of_part(input) } else { end_of_expr(input) };
+            let end = end_of_expr(input)
+                .and_then(|()| if is_equals(input) { Err(reject::after_expr(input)) } else { Ok(()) });
             self.finish_part(end, input);
         } else {
             if left_is_read {
-                self.report.push(here(input, format!("expected `=` and a value: `{}`", self.form.example)));
+                self.report.push(no_equals(input, self.form.example));
             }
             // What follows a comma here would be taken for an option.
             skip_to(input, |_| false);
@@ -100,14 +104,24 @@ impl<'a> Parts<'a> {
                 self.finish_part(result, input);
                 continue;
             }
-            // One word about operands that are too many is enough.
-            if !self.miscounted {
+            // One word about operands that are too many is enough; one of them may be an option without its key.
+            let option = self.option_without_equals(input);
+            if let Some(key) = option {
+                self.report.push(here(input, format!("`{key}` is given with `=`: `{}`", self.form.example)));
+            } else if !self.miscounted {
                 self.miscounted = true;
                 self.report.push(here(input, self.count_message()));
             }
+            self.lost_option = true;
             skip_part(input);
             comma(input);
         }
+    }
+
+    /// An option of this row that stands here, followed by something other than `=`.
+    fn option_without_equals(&self, input: ParseStream) -> Option<&'static str> {
+        let word = text(&input.fork().parse::<Ident>().ok()?);
+        self.form.options.iter().map(|(option, _)| *option).find(|option| *option == word)
     }
 
     fn read_option(&mut self, input: ParseStream) -> Result<()> {
@@ -178,13 +192,22 @@ impl<'a> Parts<'a> {
             [OperandForm::Body, ..] => "two bodies",
             _ => "one expression on each side of `=`",
         };
-        format!("`{}` takes {operands}: `{}`", self.keyword, self.form.example)
+        let then = if self.form.options.is_empty() { "" } else { ", then options as `key = value`" };
+        format!("`{}` takes {operands}{then}: `{}`", self.keyword, self.form.example)
     }
 }
 
 /// `key =` follows.
 pub(super) fn is_option(input: ParseStream) -> bool {
     input.peek(Ident) && input.peek2(Token![=]) && !input.peek2(Token![==])
+}
+
+/// No single `=` follows where one is needed.
+pub(super) fn no_equals(input: ParseStream, form: &str) -> Error {
+    if input.peek(Token![==]) {
+        return here(input, format!("a single `=` stands here: `{form}`"));
+    }
+    here(input, format!("expected `=` and a value: `{form}`"))
 }
 
 fn is_equals(input: ParseStream) -> bool {

@@ -1,11 +1,25 @@
 //! What to say about a token that does not belong where it stands.
 
 use core::fmt::Display;
+use proc_macro2::{Spacing, TokenStream, TokenTree};
+use syn::ext::IdentExt;
 use syn::parse::ParseStream;
-use syn::{Error, Token, token};
+use syn::{Error, Ident, Token, token};
 
-/// `message` on the next token, or on the bracket that ends the stream.
+/// What to say to whoever writes degrees.
+pub(super) const RADIANS: &str = "angles are in radians: 90 degrees are `pi/2`";
+
+/// `message` on the next token, an operator such as `==` included, or on the bracket that ends the stream.
 pub(super) fn here(input: ParseStream, message: impl Display) -> Error {
+    let ahead = input.fork();
+    let mut operator = TokenStream::new();
+    while let Ok(TokenTree::Punct(punct)) = ahead.parse::<TokenTree>() {
+        let is_joint = punct.spacing() == Spacing::Joint;
+        operator.extend([TokenTree::Punct(punct)]);
+        if !is_joint {
+            return Error::new_spanned(operator, message);
+        }
+    }
     Error::new(input.span(), message)
 }
 
@@ -26,7 +40,10 @@ pub(super) fn after_expr(input: ParseStream) -> Error {
             "a point is written `body @ (x, y)`; in an expression, name it with `point(p = …)` and use `p.x`, `p.y`",
         );
     }
-    if input.peek(syn::Ident) || input.peek(syn::Lit) {
+    if is_angle_unit(input) {
+        return here(input, RADIANS);
+    }
+    if input.peek(Ident) || input.peek(syn::Lit) {
         return here(input, "expected an operator or a comma before this; a product is written with `*`");
     }
     here(input, "expected `+`, `-`, `*`, `/` or the end of the expression")
@@ -49,6 +66,32 @@ pub(super) fn no_expr(input: ParseStream) -> Error {
     }
     operator(input)
         .map_or_else(|| here(input, "expected a number, a name or a function"), |message| here(input, message))
+}
+
+/// The keyword of Rust that follows has no meaning in an expression, not even as a raw name.
+pub(super) fn keyword(input: ParseStream) -> Option<Error> {
+    if input.peek(Ident) {
+        return None;
+    }
+    let word = Ident::parse_any(&input.fork()).ok()?;
+    match word.to_string().as_str() {
+        "true" | "false" => Some(here(input, "expected a number, a name or a function")),
+        "if" | "match" | "loop" | "while" | "for" => Some(here(
+            input,
+            format!("an expression has no branches and no loops; a name `{word}` is written `r#{word}`"),
+        )),
+        _ => None,
+    }
+}
+
+fn is_angle_unit(input: ParseStream) -> bool {
+    let word = input.fork().parse::<Ident>();
+    word.is_ok_and(|word| is_angle_word(&word.to_string()))
+}
+
+/// True for what other languages call the unit of an angle.
+pub(super) fn is_angle_word(word: &str) -> bool {
+    matches!(word, "deg" | "degree" | "degrees" | "rad" | "radian" | "radians" | "to_radians" | "to_degrees")
 }
 
 /// The right way to write what an operator of another language means.

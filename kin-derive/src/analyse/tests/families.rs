@@ -90,7 +90,7 @@ fn indices_stand_where_they_belong() {
     one_error(&chain("#[angle(X[k in 0..2]: link[i] = 0)]"), &["no index variable `i`", "`k`"]);
     one_error(&chain("#[angle(X: link[l] = 0)]"), &["`l` is a parameter"]);
     one_error(&chain("#[angle(X: ground[0] = 0)]"), &["there is one ground"]);
-    one_error(&chain("#[angle(X[k in 0..2]: link[k] = k)]"), &["no parameter, coordinate or define named `k`"]);
+    one_error(&chain("#[angle(X[k in 0..2]: link[k] = k)]"), &["`k` is the index variable"]);
     one_error(&chain("#[angle(X[k in 0..2]: link[k*k] = 0)]"), &["linear"]);
     one_error(&chain("#[angle(X: link[1.5] = 0)]"), &["integers"]);
     one_error(&chain("#[angle(X: link[] = 0)]"), &["an index is missing"]);
@@ -104,6 +104,9 @@ fn ranges_are_literals_that_hold_something() {
     one_error(&chain("#[angle(X[i in 0..=3]: link[i] = 0)]"), &["start..end"]);
     one_error(&chain("#[angle(X[i in 0..n]: link[i] = 0)]"), &["integer literals"]);
     one_error(&chain("#[angle(X[3]: link[0] = 0)]"), &["names its index"]);
+    one_error(&chain("#[angle(X[0..3]: link[0] = 0)]"), &["names its index"]);
+    one_error(&chain("#[angle(X[i in -1..3]: link[0] = 0)]"), &["begins at 0 or later"]);
+    one_error(&chain("#[bodies(more[-1])]"), &["at least one member"]);
     one_error(&chain("#[angle(X[i in 0..99999]: link[i] = 0)]"), &["10000"]);
     assert_eq!(errors("#[bodies(a[0], b[n], c[99999999])] #[angle(N: b[1] = 0)] struct S;").len(), 3);
     one_error("#[coordinates(u[i in 1..3])] #[driver(d: u[1] = t)] struct S;", &["counted from 0"]);

@@ -7,7 +7,7 @@ fn unknown_names_come_with_a_suggestion() {
     one_error(&pendulum("#[angle(B: wheel = 0)]"), &["no body named `wheel`; there are `crank`"]);
     one_error(&pendulum("#[driver(B: crank.phi = omga*t)]"), &["did you mean `omega`?"]);
     one_error(&pendulum("#[driver(B: crnk.phi = t)]"), &["no body or point named `crnk`; did you mean `crank`?"]);
-    one_error(&pendulum("#[x(B: tip = 0)]"), &["no point named `tip`; none is declared"]);
+    one_error(&pendulum("#[x(B: tip = 0)]"), &["no point named `tip`; none is declared; points are declared with"]);
     one_error(&pendulum("#[x(B: omga @ (0, 0) = 0)]"), &["no body named `omga`; there is a parameter `omega`"]);
 }
 
@@ -48,6 +48,8 @@ fn mistakes_of_declarations_do_not_cascade() {
         &["expected a name"],
     );
     one_error(&pendulum("#[point(p = crank @ (0))] #[x(B: p = 0)]"), &["second component"]);
+    // What was declared is known, so that other unknown names are told.
+    assert_eq!(errors(&pendulum("#[point(p = crank @ (0 0))] #[x(B: q = 0)] #[y(C: p = 0)]")).len(), 2);
     one_error(&pendulum("#[define(s = crank.z)] #[driver(B: s = 0)]"), &["a body has"]);
     one_error(&pendulum("#[body(w[n], x = 0)] #[angle(B: w[2] = 0)]"), &["length"]);
     one_error(&pendulum("#[function(f)] #[driver(B: crank.phi = f(t))]"), &["not supported yet"]);
