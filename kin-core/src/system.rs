@@ -1,6 +1,6 @@
 //! The kinematic system: Φ with Φ_q, Φ_t and γ, and the class of every row.
 //!
-//! Both derivatives come from [`total_derivatives`](crate::expr::total_derivatives): Φ̇ = Φ_q q̇ + Φ_t and
+//! Both derivatives come from [`total_derivatives`]: Φ̇ = Φ_q q̇ + Φ_t and
 //! Φ̈ = Φ_q q̈ − γ, so that the velocity equations are Φ_q q̇ = ν = −Φ_t and the acceleration equations Φ_q q̈ = γ.
 
 use crate::constraint::{ConstraintSet, JointTag};
