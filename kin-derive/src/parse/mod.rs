@@ -174,6 +174,11 @@ fn fields(item: &mut ItemStruct, report: &Report, names_missing: &mut bool) -> O
 
 fn generics(item: &ItemStruct, report: &Report) {
     for parameter in &item.generics.params {
+        if let GenericParam::Const(parameter) = parameter
+            && parameter.ident == "T"
+        {
+            report.error(parameter.ident.span(), "`T` is the scalar of the generated code; call this one `N`");
+        }
         if let GenericParam::Type(parameter) = parameter {
             report.error(parameter.ident.span(), "type parameters on a mechanism are not supported yet; its fields are `f64` or arrays of numbers, and its equations can be evaluated with any scalar");
         }

@@ -64,6 +64,9 @@ pub(super) fn no_expr(input: ParseStream) -> Error {
     if input.peek(token::Brace) {
         return here(input, "a block cannot stand here; parts of an expression get a name with `define`");
     }
+    if input.peek(Token![.]) && input.peek2(syn::Lit) {
+        return here(input, "a number begins with a digit: `0.5`, not `.5`");
+    }
     operator(input)
         .map_or_else(|| here(input, "expected a number, a name or a function"), |message| here(input, message))
 }

@@ -55,6 +55,7 @@ fn expressions_say_what_would_be_right() {
         ("if u", "no branches"),
         ("u ? v", "the operators are"),
         ("true", "expected a number"),
+        (".5", "begins with a digit"),
         ("match", "no branches"),
         ("type", "written `r#type`"),
         ("90 deg", "radians"),
@@ -213,6 +214,7 @@ fn only_structs_with_names_are_mechanisms() {
     }
     one_error("struct S(#[param(1)] f64);", &["have names"]);
     one_error("#[coordinates(u)] #[driver(d: u = t)] struct S<T> { a: T }", &["type parameters"]);
+    one_error("#[coordinates(u)] #[driver(d: u = t)] struct S<const T: usize> { a: f64 }", &["call this one `N`"]);
     assert_eq!(errors("struct").len(), 1);
 }
 

@@ -1,0 +1,60 @@
+//! What cannot be a mechanism; it stays in the program, so that nothing else turns red.
+
+use kin_runtime::mechanism;
+
+#[mechanism]
+#[bodies(crank)]
+#[derive(Clone, Copy)]
+enum Enumeration {
+    #[param(1)]
+    A,
+}
+
+#[mechanism]
+#[bodies(crank)]
+union Union {
+    a: f64,
+}
+
+#[mechanism]
+#[coordinates(u)]
+fn function() {}
+
+#[mechanism]
+#[coordinates(u)]
+#[driver(drive: u = t)]
+struct Tuple(#[param(1)] f64, f64);
+
+#[mechanism]
+#[coordinates(u)]
+#[driver(drive: u = t)]
+struct Generic<T> {
+    a: T,
+}
+
+#[mechanism]
+#[coordinates(u)]
+#[driver(drive: u = t)]
+struct Scalar<const T: usize>;
+
+#[mechanism]
+struct Empty;
+
+#[mechanism]
+#[bodies(crank)]
+#[mechanism]
+#[param(1)]
+#[angle(A: crank = t)]
+struct Misplaced;
+
+#[mechanism]
+#[bodies(crank, planet)]
+#[gear(A: crank, planet, radii = (1, 2))]
+#[input(u)]
+#[driver(B: crank.phi = u)]
+struct Later;
+
+fn main() {
+    let _ = (Enumeration::A, Union { a: 1.0 }, Tuple(1.0, 2.0), Generic { a: 1.0 }, Scalar::<1>, Empty, Misplaced, Later);
+    function();
+}

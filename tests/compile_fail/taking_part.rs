@@ -1,0 +1,32 @@
+//! Bodies and coordinates that nothing holds, and mechanisms that cannot move.
+
+use kin_runtime::mechanism;
+
+#[mechanism]
+#[bodies(crank, wheel)]
+#[coordinates(u, v)]
+#[point(tip = wheel @ (1, 0))]
+#[define(s = v)]
+#[revolute(A: ground @ (0, 0), crank @ (0, 0))]
+#[driver(drive: u = t)]
+struct Untouched;
+
+#[mechanism]
+struct Nothing {
+    #[param(1)]
+    l: f64,
+}
+
+#[mechanism]
+#[body(frame, x = 0, y = 0, phi = 0)]
+struct Held;
+
+#[mechanism]
+#[body(frame, x = 0, y = 0, phi = 0)]
+#[body(table, origin = frame @ (1, 0), phi = 0)]
+#[point(corner = table @ (1, 0))]
+struct AllHeld;
+
+fn main() {
+    let _ = (Untouched, Nothing::default(), Held, AllHeld::corner);
+}

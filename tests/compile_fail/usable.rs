@@ -1,0 +1,43 @@
+//! A description with a mistake leaves everything else usable: the only errors are kin's.
+
+use kin_runtime::{Instant, Kinematics, Mechanism, Solver, cli, mechanism};
+use std::process::ExitCode;
+
+#[mechanism(cross_check)]
+#[derive(Debug, Clone, PartialEq)]
+#[bodies(crank, coupler, link[2])]
+#[coordinates(reach)]
+#[revolute(C: ground @ (0, 0), crnk @ (-l1/2, 0))]
+#[point(tip = coupler @ (0, 0.1), ends[i in 0..2] = link[i] @ (1, 0), torn = coupler @ (0 0))]
+#[define(stroke = tip.x - reach, broken = tip.z)]
+#[driver(drive: crank.phi = omega * time)]
+pub struct FourBar {
+    #[param(0.1, unit = "m")]
+    pub l1: f64,
+    #[param("1")]
+    pub omega: f64,
+    #[parm([0.1, 0.2])]
+    pub l: [f64; 2],
+}
+
+impl FourBar {
+    fn longer(&self) -> Self {
+        Self { l1: 2.0 * self.l1, ..self.clone() }
+    }
+}
+
+fn run<M: Mechanism + Default>(args: &[&str]) -> ExitCode {
+    cli::run_from::<M>(args)
+}
+
+fn main() -> ExitCode {
+    let four_bar = FourBar { l1: 0.2, ..Default::default() };
+    assert_eq!(four_bar.longer(), FourBar::default().longer());
+    let state = four_bar.state_at(&Instant::at(0.0)).unwrap();
+    println!("{:?} {:?}", state.q, FourBar::model().coordinates.len());
+    println!("{:?} {:?}", FourBar::crank, (FourBar::link[1], FourBar::reach, FourBar::ends[0], FourBar::torn));
+    println!("{:?} {:?}", FourBar::stroke, FourBar::broken);
+    println!("{:?}", Solver::new(&four_bar).position(&Instant::at(0.0), &[]).is_ok());
+    println!("{:?}", four_bar.kinematic_analysis(&[0.0, 1.0]).is_ok());
+    if std::env::args().len() > 1 { run::<FourBar>(&["four_bar"]) } else { cli::main::<FourBar>() }
+}
