@@ -352,3 +352,39 @@ fn array_parameters() {
     let state = Arm { l: [1.0, 2.0], ..Arm::default() }.state_at(&Instant::at(0.0)).unwrap();
     assert!((state.q[2] - 3.0).abs() < 1e-12, "{:?}", state.q);
 }
+
+/// Without the prelude, with modules and macros of the names that generated code reaches for, and with names that the
+/// language uses in other places.
+mod bare {
+    #![no_implicit_prelude]
+    use ::kin_runtime::mechanism;
+
+    #[allow(unused_macros)]
+    macro_rules! assert {
+        () => {};
+    }
+    mod core {}
+    mod std {}
+
+    #[mechanism]
+    #[bodies(x, y, phi)]
+    #[coordinates(f, u, out)]
+    #[point(p = x @ (1, 0))]
+    #[define(d = p.x + p.y)]
+    #[revolute(x: ground @ (0, 0), x @ (0, 0))]
+    #[revolute(y: p, y @ (0, 0))]
+    #[revolute(phi: y @ (1, 0), phi @ (0, 0))]
+    #[driver(f: x.phi = t)]
+    #[driver(u: y.phi = t)]
+    #[driver(out: phi.phi = x.phi + y.x * 2)]
+    #[constraint(axis: f = d)]
+    #[constraint(angle: u = f)]
+    #[constraint(length: out = u + 1)]
+    #[guess(x.x = 0, out = 3)]
+    pub(super) struct Bare;
+}
+
+#[test]
+fn bare_surroundings() {
+    works(&bare::Bare);
+}
