@@ -45,7 +45,7 @@ pub(crate) fn fallback(cleaned: Option<&ItemStruct>, item: TokenStream, broken: 
         #cleaned
         const _: () = {
             use ::kin_runtime::private as __kin;
-            #[allow(non_upper_case_globals, dead_code)]
+            #[allow(non_upper_case_globals, dead_code, missing_docs)]
             impl #impl_generics #name #type_generics #where_clause {
                 #handles
             }

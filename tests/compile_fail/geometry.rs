@@ -6,6 +6,7 @@ use kin_runtime::mechanism;
 #[bodies(crank, rod)]
 #[coordinates(u)]
 #[body(held, phi = 1)]
+#[body(carried, origin = rod @ (1, 0))]
 #[revolute(A: crank @ (0, 0), crank @ (1, 0))]
 #[revolute(B: ground @ (0, 0), ground @ (1, 0))]
 #[relative_angle(C: rod, rod = 1)]
@@ -21,7 +22,7 @@ use kin_runtime::mechanism;
 #[driver(M: l = omega * t)]
 #[driver(N: ground.x = t)]
 #[x(O: held @ (1 / 0, 0) = 2)]
-#[guess(held.phi = 1, crank.x = 0, crank.x = 1, rod.phi = 2, rod.phi = 2, u = 1, u = 2)]
+#[guess(held.phi = 1, crank.x = 0, crank.x = 1, rod.phi = 2, rod.phi = 2, u = 1, u = 2, carried.x = 1, carried.phi = 2)]
 #[constraint(P: u = rod.x)]
 struct Geometry {
     #[param(1)]

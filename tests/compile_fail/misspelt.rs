@@ -50,6 +50,22 @@ struct Synonyms {
 }
 
 #[mechanism]
+#[bodies(crank)]
+#[x(A: tip = PI)]
+#[y(B: crnk = 0)]
+#[guess(crank.phi = 1, u = 1)]
+struct NoneDeclared;
+
+#[mechanism]
+#[body(crank, x = lenght)]
+#[angle(A: length = 0)]
+#[y(B: cranc = Length)]
+struct OtherKind {
+    #[param(1)]
+    length: f64,
+}
+
+#[mechanism]
 #[bodys(crank)]
 #[revolute(A: crank @ (0, 0), ground @ (0, 0))]
 struct Declaration;

@@ -71,6 +71,11 @@ struct Parameters<'a> {
     integers: [i32; 3],
     #[point(tip = ground @ (0, 0))]
     point: f64,
+    #[cfg(all())]
+    #[param(0.1)]
+    sometimes: f64,
+    #[cfg_attr(all(), param(0.1))]
+    conditional: f64,
     #[params(0.1)]
     misspelt: f64,
     #[mechanism]

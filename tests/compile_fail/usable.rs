@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 #[mechanism(cross_check)]
 #[derive(Debug, Clone, PartialEq)]
-#[bodies(crank, coupler, link[2])]
+#[bodies(crank, coupler, link[2], wheel[WHEELS])]
 #[coordinates(reach)]
 #[revolute(C: ground @ (0, 0), crnk @ (-l1/2, 0))]
 #[point(tip = coupler @ (0, 0.1), ends[i in 0..2] = link[i] @ (1, 0), torn = coupler @ (0 0))]
@@ -35,8 +35,8 @@ fn main() -> ExitCode {
     assert_eq!(four_bar.longer(), FourBar::default().longer());
     let state = four_bar.state_at(&Instant::at(0.0)).unwrap();
     println!("{:?} {:?}", state.q, FourBar::model().coordinates.len());
-    println!("{:?} {:?}", FourBar::crank, (FourBar::link[1], FourBar::reach, FourBar::ends[0], FourBar::torn));
-    println!("{:?} {:?}", FourBar::stroke, FourBar::broken);
+    println!("{:?} {:?}", FourBar::crank, (FourBar::link[1], FourBar::wheel[3], FourBar::ends[0], FourBar::torn));
+    println!("{:?} {:?}", (FourBar::reach, FourBar::stroke), FourBar::broken);
     println!("{:?}", Solver::new(&four_bar).position(&Instant::at(0.0), &[]).is_ok());
     println!("{:?}", four_bar.kinematic_analysis(&[0.0, 1.0]).is_ok());
     if std::env::args().len() > 1 { run::<FourBar>(&["four_bar"]) } else { cli::main::<FourBar>() }

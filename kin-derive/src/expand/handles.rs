@@ -3,6 +3,7 @@
 
 use crate::lower::{Lowered, MentionKind};
 use kin_core::Origin;
+use kin_core::mechanism::check::MAX_MEMBERS;
 use kin_core::system::KinematicSystem;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
@@ -57,7 +58,18 @@ pub(crate) fn placeholders(lowered: &Lowered) -> TokenStream {
     let mut seen = std::collections::BTreeSet::new();
     (bodies.chain(scalars).chain(points).chain(defines))
         .filter(|(name, ..)| seen.insert(name.as_str()))
-        .map(|(name, origin, len, ty)| constant(lowered, name, origin, len, ty, &vec![0; len.unwrap_or(1)]))
+        .map(|(name, origin, len, ty)| {
+            let span = lowered.spans.get(origin.0 as usize).copied().unwrap_or_else(Span::call_site);
+            let (handle, ty) = (handle_name(name, span), Ident::new(ty, Span::call_site()));
+            // A family of unknown length has every member that a family can have.
+            let len = if lowered.boundless.contains(name) { Some(MAX_MEMBERS) } else { len };
+            let (ty, value) = match len {
+                None => (quote! { __kin::#ty }, quote! { __kin::#ty(0) }),
+                Some(len) => (quote! { [__kin::#ty; #len] }, quote! { [__kin::#ty(0); #len] }),
+            };
+            let visibility = &lowered.item.vis;
+            quote! { #visibility const #handle: #ty = #value; }
+        })
         .collect()
 }
 

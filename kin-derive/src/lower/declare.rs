@@ -94,6 +94,9 @@ impl Lowerer<'_> {
     }
 
     fn name(&mut self, name: &NewName, symbol: Symbol, shape: &Shape, names: &mut Names) -> Origin {
+        if *shape == Shape::Unknown {
+            self.boundless.insert(text(&name.ident));
+        }
         names.insert(Declared { name: text(&name.ident), symbol, shape: shape.clone() });
         self.mention(symbol.mention(), &name.ident);
         self.origin(name.ident.span())

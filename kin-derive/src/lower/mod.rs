@@ -15,6 +15,7 @@ use kin_core::error::Origin;
 use kin_core::mechanism::{Define, Mechanism, NamedPoint};
 use names::Names;
 use proc_macro2::Span;
+use std::collections::BTreeSet;
 use syn::{Ident, ItemStruct, Type};
 
 /// Everything that expansion needs to know of a description.
@@ -35,6 +36,8 @@ pub(crate) struct Lowered {
     pub(crate) derives_default: bool,
     /// Documentation.
     pub(crate) docs: Docs,
+    /// Families whose brackets could not be read.
+    pub(crate) boundless: BTreeSet<String>,
 }
 
 /// A user's name, as written: emitted with its own span it keeps go-to-definition, hover and rename alive.
@@ -113,7 +116,7 @@ pub(crate) fn lower(description: Description, item: ItemStruct, report: &Report)
         skeleton(&mut mechanism);
     }
     let (fields, docs) = (fields(&description), docs(&description));
-    let Lowerer { spans, mentions, completing, .. } = lowerer;
+    let Lowerer { spans, mentions, completing, boundless, .. } = lowerer;
     let lowered = Lowered {
         mechanism,
         spans,
@@ -123,6 +126,7 @@ pub(crate) fn lower(description: Description, item: ItemStruct, report: &Report)
         flags: description.flags,
         derives_default: description.derives_default,
         docs,
+        boundless,
     };
     Outcome { lowered, completing }
 }
@@ -190,6 +194,8 @@ struct Lowerer<'a> {
     spans: Vec<Span>,
     mentions: Vec<Mention>,
     completing: bool,
+    /// Families whose brackets could not be read.
+    boundless: BTreeSet<String>,
     /// The highest class that the formula at hand has reached.
     reached: Class,
     /// Points by number; `None` for one with a mistake.
@@ -207,6 +213,7 @@ impl<'a> Lowerer<'a> {
             spans: Vec::new(),
             mentions: Vec::new(),
             completing: false,
+            boundless: BTreeSet::new(),
             reached: Class::Constant,
             points: Vec::new(),
             defines: Vec::new(),

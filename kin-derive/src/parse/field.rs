@@ -11,7 +11,7 @@ use crate::ast::{FieldDecl, text};
 use crate::report::Report;
 use crate::suggest::did_you_mean;
 use kin_core::mechanism::check::MAX_MEMBERS;
-use proc_macro2::Span;
+use proc_macro2::{Span, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::spanned::Spanned;
@@ -51,6 +51,13 @@ pub(super) fn field(field: &mut Field, report: &Report, names_missing: &mut bool
                 let message = format!("`{name}` stands above the struct; a field takes `{FORM}`");
                 report.error(word.span(), message);
             }
+            None if name == "cfg" => {
+                let message = "a parameter does not come and go; `cfg` stands above the mechanism";
+                report.error(word.span(), message);
+            }
+            None if name == "cfg_attr" && holds_param(&attribute) => {
+                report.error(word.span(), format!("`param` stands alone, not inside `cfg_attr`: `{FORM}`"));
+            }
             None => match keyword::near_miss(&name) {
                 Some((message, declares)) => {
                     *names_missing |= declares;
@@ -69,6 +76,12 @@ pub(super) fn field(field: &mut Field, report: &Report, names_missing: &mut bool
     };
     let doc = first_paragraph(&field.attrs);
     Some(FieldDecl { ident, ty: field.ty.clone(), len: len.flatten(), default, unit, doc })
+}
+
+/// True for `#[cfg_attr(…, param(…))]`.
+fn holds_param(attribute: &Attribute) -> bool {
+    let Meta::List(list) = &attribute.meta else { return false };
+    list.tokens.clone().into_iter().any(|tree| matches!(tree, TokenTree::Ident(word) if word == "param"))
 }
 
 fn read_param(attribute: &Attribute, report: &Report) -> Param {

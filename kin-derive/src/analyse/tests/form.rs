@@ -196,13 +196,21 @@ fn parameters_say_how_they_are_written() {
         ("a: (f64, f64)", "a parameter is a number"),
         ("a: [f64]", "a parameter is a number"),
         ("a: fn(f64) -> f64", "a parameter is a number"),
+        ("#[cfg(test)] a: f64", "come and go"),
+        ("#[cfg_attr(all(), param(1))] a: f64", "not inside `cfg_attr`"),
         ("a: usize", "a parameter is a number"),
         ("a: std::string::String", "a parameter is a number"),
         ("a: [i32; 3]", "a parameter is a number"),
     ] {
         one_error(&pendulum("").replace("omega: f64", field), &[right]);
     }
-    for field in ["a: Real", "a: [f32; 3]", "a: std::primitive::f64", "#[param(sin(pi/2)*pow(2, 3))] a: (f64)"] {
+    for field in [
+        "a: Real",
+        "#[cfg_attr(all(), serde(skip))] a: f64",
+        "a: [f32; 3]",
+        "a: std::primitive::f64",
+        "#[param(sin(pi/2)*pow(2, 3))] a: (f64)",
+    ] {
         assert!(errors(&pendulum("").replace("omega: f64", field)).is_empty(), "{field}");
     }
 }
