@@ -99,7 +99,11 @@ fn damaged_descriptions_get_an_answer() {
             damaged = damage(damaged, &mut at, &mut dice, &stock);
         }
         let args = if dice.below(20) == 0 { damaged.clone() } else { TokenStream::new() };
-        wrong += usize::from(analyse(args, damaged).1.is_err());
+        let is_wrong = analyse(args.clone(), damaged.clone()).1.is_err();
+        wrong += usize::from(is_wrong);
+        // What passes both gates expands; the rest has its errors.
+        let expanded = crate::derive(args, damaged).to_string();
+        assert_eq!(is_wrong, expanded.contains("compile_error"), "{expanded}");
     }
     assert!(wrong > rounds / 2);
 }
