@@ -1,6 +1,6 @@
 //! The error ledger: every mistake of a description is collected, so that all are shown at once.
 
-use proc_macro2::Span;
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use std::cell::RefCell;
 use std::fmt::Display;
 
@@ -19,6 +19,12 @@ impl Report {
     /// Notes `message` on the token at `span`.
     pub(crate) fn error(&self, span: Span, message: impl Display) {
         self.push(syn::Error::new(span, message));
+    }
+
+    /// Notes `message` on everything from the token at `first` to the one at `last`.
+    pub(crate) fn error_between(&self, first: Span, last: Span, message: impl Display) {
+        let ends = [first, last].map(|span| TokenTree::from(Ident::new("_", span)));
+        self.push(syn::Error::new_spanned(TokenStream::from_iter(ends), message));
     }
 
     /// Notes an error that a parser returned.

@@ -51,7 +51,7 @@ impl Lowerer<'_> {
                 let (p, q) = (self.place(p, scope.range), self.place(q, scope.range));
                 let (p, q) = (p?, q?);
                 let class = if p.body.is_ground() && q.body.is_ground() { Class::Constant } else { Class::Coordinate };
-                self.require(class, "this distance holds coordinates", expr.span, scope)?;
+                self.require(class, "this distance holds coordinates", (expr.span, expr.span), scope)?;
                 Formula::Distance(Box::new(p), Box::new(q))
             }
             ExprKind::Neg(a) => Formula::Neg(Box::new(self.formula(a, scope)?)),
@@ -124,7 +124,7 @@ impl Lowerer<'_> {
         match declared.symbol {
             Symbol::Parameter(family) => Some(Formula::Parameter(Member { family, index, origin })),
             Symbol::Scalar(family) => {
-                self.require(Class::Coordinate, &format!("`{name}` is a coordinate"), span, scope)?;
+                self.require(Class::Coordinate, &format!("`{name}` is a coordinate"), (span, span), scope)?;
                 Some(Formula::Scalar(Member { family, index, origin }))
             }
             Symbol::Define(family) => {
@@ -134,7 +134,7 @@ impl Lowerer<'_> {
                     Class::Coordinate => "coordinates",
                     Class::Signal | Class::Constant => "`t`",
                 };
-                self.require(class, &format!("the define `{name}` holds {depends}"), span, scope)?;
+                self.require(class, &format!("the define `{name}` holds {depends}"), (span, span), scope)?;
                 Some(Formula::Define(Member { family, index, origin }))
             }
             Symbol::Body(_) | Symbol::Point(_) => None,
@@ -149,7 +149,7 @@ impl Lowerer<'_> {
         let span = used.ident.span();
         match name {
             "pi" => Some(Formula::Pi),
-            "t" => self.require(Class::Signal, "`t` is time", span, scope).map(|()| Formula::Time),
+            "t" => self.require(Class::Signal, "`t` is time", (span, span), scope).map(|()| Formula::Time),
             "ground" => {
                 self.report.error(span, "`ground` is a body; an expression has numbers");
                 None
@@ -187,7 +187,7 @@ impl Lowerer<'_> {
                     }
                 }?;
                 let class = if body.is_ground() { Class::Constant } else { Class::Coordinate };
-                self.require(class, &whole, used.ident.span(), scope)?;
+                self.require(class, &whole, (used.ident.span(), component.span()), scope)?;
                 Some(Formula::Pose(body, which?))
             }
             Some(Symbol::Point(k)) => {
@@ -195,7 +195,7 @@ impl Lowerer<'_> {
                 let declared = declared?;
                 let place = self.point_member(k, &declared, used, scope.range)?;
                 let class = if place.body.is_ground() { Class::Constant } else { Class::Coordinate };
-                self.require(class, &whole, used.ident.span(), scope)?;
+                self.require(class, &whole, (used.ident.span(), component.span()), scope)?;
                 Some(Formula::PointCoordinate(Box::new(place), which?))
             }
             Some(other) => {
@@ -275,7 +275,7 @@ impl Lowerer<'_> {
     }
 
     /// Notes the class of a part, and reports it where it may not stand.
-    fn require(&mut self, class: Class, found: &str, span: Span, scope: &Scope) -> Option<()> {
+    fn require(&mut self, class: Class, found: &str, (first, last): (Span, Span), scope: &Scope) -> Option<()> {
         self.reached = self.reached.max(class);
         if class <= scope.allow.class() {
             return Some(());
@@ -284,7 +284,7 @@ impl Lowerer<'_> {
             Allow::Parameters => "numbers and parameters only",
             Allow::Signals | Allow::Everything => "numbers, parameters and `t` only",
         };
-        self.report.error(span, format!("{found}; {} takes {right}", scope.what));
+        self.report.error_between(first, last, format!("{found}; {} takes {right}", scope.what));
         None
     }
 }
