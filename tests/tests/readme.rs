@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-#[allow(dead_code)]
+#[allow(dead_code, unreachable_pub)]
 #[path = "../../examples/four_bar.rs"]
 mod four_bar;
 
