@@ -73,6 +73,14 @@ fn propagate(equations: &mut Equations<'_>, guesses: &[Option<f64>], start: &[f6
     let mut known: Vec<bool> = guesses.iter().map(Option::is_some).collect();
     let rows: Vec<(usize, Vec<usize>)> =
         equations.rows_where(Equations::holonomic).into_iter().map(|row| (row, columns_of(equations, row))).collect();
+    // What a row says alone, a driven angle for example, needs no guess, and no guess can change it.
+    for (row, columns) in &rows {
+        let &[k] = columns.as_slice() else { continue };
+        if let Some(value) = affine_root(equations, *row, k, &mut q) {
+            q[k] = value;
+            known[k] = true;
+        }
+    }
     loop {
         let mut changed = false;
         for (row, columns) in &rows {

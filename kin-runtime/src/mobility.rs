@@ -102,7 +102,7 @@ pub(crate) fn mobility(equations: &mut Equations<'_>, q: &[f64]) -> Result<Mobil
     let all: Vec<usize> = (0..equations.rows()).collect();
     let passive = equations.rows_where(|e, row| !e.drives(row));
     let rank_of = |rows: &[usize]| {
-        Factorization::revealing(&equations.scaled_rows(rows), &equations.scale.columns, tolerance).rank
+        Factorization::absolute(&equations.scaled_rows(rows), &equations.scale.columns, tolerance).rank
     };
     let (rank, rank_without_driving) = (rank_of(&all), rank_of(&passive));
     let scaled = equations.scaled(&all);

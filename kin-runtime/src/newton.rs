@@ -56,6 +56,8 @@ const LAST_STEP: f64 = 1e-9;
 const PROGRESS: f64 = 1e-3;
 const PATIENCE: usize = 12;
 const LARGEST_RADIUS: f64 = 2.0;
+/// Residuals above this never count as closed, however far from zero the coordinates are.
+const LARGEST_ROUNDING: f64 = 1e-6;
 
 /// Iterates from `q`, which ends at the best point found.
 pub(crate) fn solve(problem: &mut dyn Residual, q: &mut [f64], settings: &Settings) -> Outcome {
@@ -137,7 +139,13 @@ pub(crate) fn solve(problem: &mut dyn Residual, q: &mut [f64], settings: &Settin
 /// The tolerance, but not below what rounding of q itself leaves.
 fn tolerance(settings: &Settings, q: &[f64], columns: &[f64]) -> f64 {
     let far = q.iter().zip(columns).map(|(x, d)| (x / d).abs()).fold(0.0, f64::max);
-    settings.tolerance.max(16.0 * f64::EPSILON * far)
+    settings.tolerance.max(rounding(far))
+}
+
+/// What rounding of coordinates of scaled size `far` leaves of a residual. Where that is more than a position worth
+/// having, rounding is no excuse.
+pub(crate) fn rounding(far: f64) -> f64 {
+    (16.0 * f64::EPSILON * far).min(LARGEST_ROUNDING)
 }
 
 /// Row and size of the largest entry.

@@ -92,5 +92,5 @@ fn rank_at(equations: &mut Equations<'_>, q: &[f64]) -> Option<usize> {
     equations.evaluate(Subset::JACOBIAN, q, None).ok()?;
     let rows: Vec<usize> = (0..equations.rows()).collect();
     let matrix = equations.scaled_rows(&rows);
-    Some(Factorization::revealing(&matrix, &equations.scale.columns, equations.options.rank_tolerance).rank)
+    Some(Factorization::absolute(&matrix, &equations.scale.columns, equations.options.rank_tolerance).rank)
 }

@@ -40,7 +40,7 @@ pub(crate) fn factorize(
     let (s, n) = (equations.rows(), equations.coordinates());
     let rows: Vec<usize> = (0..s).collect();
     let matrix = equations.scaled_rows(&rows);
-    let factor = Factorization::revealing(&matrix, &equations.scale.columns, equations.options.rank_tolerance);
+    let factor = Factorization::absolute(&matrix, &equations.scale.columns, equations.options.rank_tolerance);
     let conflict = given_conflict(equations);
     if factor.rank < s.min(n) && usual_rank.is_none_or(|usual| factor.rank < usual) {
         if let Some(error) = singular::diagnose(equations, q, &factor) {

@@ -5,6 +5,7 @@ use crate::acceleration::acceleration;
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::linear::Factorization;
+use crate::newton::rounding;
 use crate::state::State;
 use crate::velocity::{inconsistency, scaled};
 use crate::workspace::Subset;
@@ -148,7 +149,7 @@ fn correct(equations: &mut Equations<'_>, predicted: &[f64], allowed: f64, last_
 
 /// Largest scaled residual that counts as closed at q.
 fn closed(equations: &Equations<'_>, q: &[f64]) -> f64 {
-    equations.options.tolerance.max(16.0 * f64::EPSILON * equations.scale.size(q))
+    equations.options.tolerance.max(rounding(equations.scale.size(q)))
 }
 
 /// True if the velocity is about where q̇ + h q̈ expects it.

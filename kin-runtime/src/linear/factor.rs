@@ -50,12 +50,24 @@ impl Factorization {
 
     /// Complete orthogonal decomposition: pivots below `tolerance` times the largest do not count.
     pub(crate) fn revealing(a: &DMatrix<f64>, columns: &[f64], tolerance: f64) -> Self {
+        Self::orthogonal(a, columns, tolerance, 0.0)
+    }
+
+    /// As [`revealing`](Self::revealing), for a scale taken at this very configuration: pivots below `tolerance` do not
+    /// count either, so that a matrix that is small altogether is seen to vanish.
+    pub(crate) fn absolute(a: &DMatrix<f64>, columns: &[f64], tolerance: f64) -> Self {
+        Self::orthogonal(a, columns, tolerance, 1.0)
+    }
+
+    /// Pivots below `tolerance` times the largest or `unit` do not count.
+    fn orthogonal(a: &DMatrix<f64>, columns: &[f64], tolerance: f64, unit: f64) -> Self {
         let qr = ColPivQR::new(scaled(a, columns));
         let r = qr.r();
         let pivots: Vec<f64> = (0..r.nrows().min(r.ncols())).map(|k| r[(k, k)].abs()).collect();
         let (_, largest) = extremes(&pivots);
-        let rank = pivots.iter().filter(|&&p| p > tolerance * largest).count();
-        let counted = pivots.iter().copied().filter(|&p| p > tolerance * largest).fold(f64::INFINITY, f64::min);
+        let counts = |p: f64| p > tolerance * largest.max(unit);
+        let rank = pivots.iter().filter(|&&p| counts(p)).count();
+        let counted = pivots.iter().copied().filter(|&p| counts(p)).fold(f64::INFINITY, f64::min);
         let smallest = pivots.iter().copied().fold(f64::INFINITY, f64::min);
         let ratio = |p: f64| if pivots.is_empty() { 1.0 } else { largest / p };
         let (condition, full_condition) = (if rank == 0 { 1.0 } else { ratio(counted) }, ratio(smallest));

@@ -1,0 +1,64 @@
+//! Configurations at the edge of what has an answer: far guesses, late instants, rows that vanish altogether.
+
+use kin_runtime::{Instant, Kinematics, Mechanism, SolveError, mechanism};
+
+#[mechanism]
+#[bodies(crank, rod, slider)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (0.2, 0), rod @ (0, 0))]
+#[revolute(B: rod @ (0.7, 0), slider @ (0, 0))]
+#[translational(guide: ground @ (0, 0), slider @ (0, 0), axis = (1, 0))]
+#[driver(drive: crank.phi = 3 * t)]
+#[guess(crank.phi = 0.1, rod.phi = -0.1, slider.x = 0.9)]
+struct SliderCrank;
+
+#[mechanism]
+#[coordinates(u)]
+#[constraint(square: u * u = t)]
+#[guess(u = 1)]
+struct Square;
+
+#[mechanism]
+#[coordinates(u)]
+#[constraint(sine: sin(u) = t)]
+struct Sine;
+
+/// A guess of a driven angle belongs to one instant; the driver knows the angle at all of them.
+#[test]
+fn a_guess_does_not_hold_back_a_driven_angle() {
+    for t in [0.0, 10.0, 100.0, -200.0, 1e6] {
+        let state = SliderCrank.state_at(&Instant::at(t)).unwrap();
+        let phi = 3.0 * t;
+        let x = 0.2 * phi.cos() + (0.7_f64.powi(2) - (0.2 * phi.sin()).powi(2)).sqrt();
+        assert_eq!(phi, state.q[2]);
+        assert!((state.q[6] - x).abs() < 1e-10, "t = {t}: {} instead of {x}", state.q[6]);
+    }
+}
+
+/// Rounding of a coordinate far away is no excuse for joints that stay open.
+#[test]
+fn a_coordinate_that_rounds_to_turns_closes_nothing() {
+    let solver = SliderCrank.solver().with_guess(5, 1e18);
+    match solver.state(&Instant::at(0.0)) {
+        Ok(state) => {
+            let closed = SliderCrank.constraints(&Instant::at(0.0), &state.q).unwrap();
+            assert!(closed.iter().all(|r| r.abs() < 1e-9), "{closed:?}");
+        }
+        Err(error) => assert!(matches!(error, SolveError::NotAssembled { .. }), "{error}"),
+    }
+}
+
+/// One row that vanishes is as singular as one among many.
+#[test]
+fn a_single_row_can_be_singular() {
+    let at = |result: Result<kin_runtime::State, SolveError>| match result {
+        Err(SolveError::Singular { rank, expected_rank, .. }) => (rank, expected_rank),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!((0, 1), at(Square.state_at(&Instant::at(0.0))));
+    assert_eq!((0, 1), at(Sine.state_at(&Instant::at(1.0))));
+    for t in [1e-6, 0.25, 100.0] {
+        let state = Square.state_at(&Instant::at(t)).unwrap();
+        assert!((state.q_dot[0] - 0.5 / t.sqrt()).abs() < 1e-9 * state.q_dot[0]);
+    }
+}
