@@ -133,7 +133,7 @@ impl<'ast> syn::visit::Visit<'ast> for Longest {
     fn visit_block(&mut self, block: &'ast syn::Block) {
         let lets = block.stmts.iter().filter(|s| matches!(s, syn::Stmt::Local(_))).count();
         self.lets = self.lets.max(lets);
-        self.nested += block.stmts.iter().filter(|s| quote!(#s).to_string().starts_with("let [v")).count();
+        self.nested += block.stmts.iter().filter(|s| quote!(#s).to_string().starts_with("let [__v")).count();
         syn::visit::visit_block(self, block);
     }
 }

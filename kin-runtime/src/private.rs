@@ -13,6 +13,20 @@ pub use core::default::Default;
 pub use core::option::Option::{self, None, Some};
 pub use core::result::Result::{self, Err, Ok};
 
+/// The names of local variables and arguments in generated code.
+///
+/// A `let` cannot shadow a constant or static of the user's with its name, but it can shadow a function; and a function
+/// that is imported into a block hides what the modules around it declare.
+pub mod locals {
+    macro_rules! names {
+        ($($name:ident)*) => { $(pub const fn $name() {})* };
+    }
+    names! {
+        at gamma geometry guesses index k observations out p parameters phi phi_q phi_t q
+        q_dot subset t this u value w workspace x
+    }
+}
+
 /// `slice` as an array, or how its length is wrong.
 #[inline(always)]
 pub fn fixed<'a, T, const N: usize>(what: &'static str, slice: &'a [T]) -> Result<&'a [T; N], LengthError> {

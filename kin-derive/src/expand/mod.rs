@@ -29,6 +29,8 @@ pub(crate) fn expand(lowered: &Lowered, system: &KinematicSystem) -> TokenStream
         #item
         const _: () = {
             use ::kin_runtime::private as __kin;
+            #[allow(unused_imports)]
+            use __kin::locals::*;
             #handles
             #mechanism
             #default
@@ -249,9 +251,9 @@ fn cross_check(name: &Ident, flags: Flags) -> TokenStream {
         #[cfg(test)]
         #[test]
         fn #test() {
-            let checked = ::kin_runtime::private::cross_check(&<#name as ::core::default::Default>::default());
-            if let ::core::result::Result::Err(difference) = checked {
-                ::core::panic!("{}: {}", #failure, difference);
+            let __checked = ::kin_runtime::private::cross_check(&<#name as ::core::default::Default>::default());
+            if let ::core::result::Result::Err(__difference) = __checked {
+                ::core::panic!("{}: {}", #failure, __difference);
             }
         }
     }

@@ -100,8 +100,9 @@ struct Emitter<'p> {
     functions: &'p [Ident],
 }
 
+/// A local of its own; see `kin_runtime::private::locals` for why no user's constant may have its name.
 fn name(prefix: char, value: Value) -> Ident {
-    Ident::new(&format!("{prefix}{}", value.0), Span::call_site())
+    Ident::new(&format!("__{prefix}{}", value.0), Span::call_site())
 }
 
 impl Emitter<'_> {
