@@ -6,7 +6,7 @@
 use crate::equations::{Equations, finite};
 use crate::error::SolveError;
 use crate::mechanism::LengthError;
-use crate::model::{Body, Model, Point, Quantity};
+use crate::model::{Body, Model, Observable, Point, Quantity};
 use crate::state::State;
 use crate::workspace::Instant;
 use core::fmt;
@@ -158,7 +158,7 @@ pub(crate) fn motion(equations: &mut Equations<'_>, state: &State) -> Result<Mot
     }
     for (index, rate) in rates.iter().enumerate() {
         for value in [rate.value, rate.rate, rate.acceleration] {
-            finite("observables", index, "", value)?;
+            finite("observables", index, name(model, index), value)?;
         }
     }
     let at = |k: usize| rates.get(k).copied().unwrap_or_default();
@@ -188,6 +188,17 @@ pub(crate) fn motion(equations: &mut Equations<'_>, state: &State) -> Result<Mot
         defines: model.defines.iter().map(|define| at(define.observable)).collect(),
         joints: joints.collect(),
     })
+}
+
+/// The body, point, define or joint that an observable belongs to.
+fn name(model: &Model, observable: usize) -> &'static str {
+    match model.observables.get(observable) {
+        Some(&Observable::Pose { body, .. }) => model.bodies.get(body).map_or("", |body| body.name),
+        Some(&Observable::Point { point, .. }) => model.points.get(point).map_or("", |point| point.name),
+        Some(&Observable::Define(define)) => model.defines.get(define).map_or("", |define| define.name),
+        Some(&Observable::Joint { joint, .. }) => model.joints.get(joint).map_or("", |joint| joint.name),
+        None => "",
+    }
 }
 
 /// ∂r_P/∂q of a named point, 2×n.

@@ -208,6 +208,8 @@ fn bad_options_are_named_with_status_2() {
     failed("fourbar swep", 2, &["swep"]);
     failed("fourbar --at 1 solve", 2, &["Options stand behind the command"]);
     failed("fourbar solve --at", 2, &["--at"]);
+    let twice = failed("fourbar solve --at 1 --at 2", 2, &["multiple times"]);
+    assert!(!twice.err.contains("behind the command"), "{}", twice.err);
 }
 
 #[test]

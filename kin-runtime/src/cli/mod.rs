@@ -18,7 +18,7 @@ use std::ffi::OsString;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use clap::error::ErrorKind;
+use clap::error::{ContextKind, ErrorKind};
 use clap::{CommandFactory, FromArgMatches};
 
 use crate::mechanism::Mechanism;
@@ -85,7 +85,7 @@ fn run(engine: &mut dyn Engine, args: Vec<OsString>, out: &mut dyn Write, err: &
         Ok(arguments) => arguments,
         Err(error) => {
             let mut text = error.render().to_string();
-            if error.kind() == ErrorKind::ArgumentConflict {
+            if error.kind() == ErrorKind::ArgumentConflict && error.get(ContextKind::InvalidSubcommand).is_some() {
                 text.push_str("\nOptions stand behind the command: solve --at 0.5\n");
             }
             let asked_for = matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion);

@@ -69,8 +69,9 @@ impl Factorization {
         let rank = pivots.iter().filter(|&&p| counts(p)).count();
         let counted = pivots.iter().copied().filter(|&p| counts(p)).fold(f64::INFINITY, f64::min);
         let smallest = pivots.iter().copied().fold(f64::INFINITY, f64::min);
-        let ratio = |p: f64| if pivots.is_empty() { 1.0 } else { largest / p };
-        let (condition, full_condition) = (if rank == 0 { 1.0 } else { ratio(counted) }, ratio(smallest));
+        let ratio = |large: f64, small: f64| if pivots.is_empty() { 1.0 } else { large / small };
+        let condition = if rank == 0 { 1.0 } else { ratio(largest, counted) };
+        let full_condition = ratio(largest.max(unit), smallest);
         let kind = if rank == a.ncols() {
             Kind::Tall(qr, r)
         } else {
