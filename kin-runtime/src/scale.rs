@@ -106,7 +106,7 @@ impl Scale {
         }
     }
 
-    /// Makes the column scale of angles one, or of lengths the typical length, or of scalars one.
+    /// Makes the column scale of angles one, or of lengths the typical length, or the smallest of scalars one.
     fn normalise(&mut self, equations: &Equations<'_>) {
         let of = |wanted: fn(CoordinateKind) -> bool| {
             let mut scales: Vec<f64> = equations
@@ -123,7 +123,8 @@ impl Scale {
         let factor = match (of(is_angle), of(poses), of(|_| true)) {
             (Some(angle), _, _) => angle,
             (None, Some(pose), _) => pose / self.length,
-            (None, None, Some(scalar)) => scalar,
+            // Scalars that are angles move rows of a mechanism in millimetres more than those that are lengths.
+            (None, None, Some(_)) => self.columns.iter().copied().filter(|&d| d > 0.0).fold(f64::INFINITY, f64::min),
             (None, None, None) => 1.0,
         };
         if factor > 0.0 && factor.is_finite() {

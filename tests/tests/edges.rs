@@ -78,3 +78,21 @@ fn what_has_no_rate_is_named() {
         other => panic!("{other:?}"),
     }
 }
+
+/// A cylinder's length by the law of cosines, without a guess, in metres as in millimetres.
+#[test]
+fn scalar_coordinates_have_no_unit() {
+    #[mechanism]
+    #[coordinates(s, f)]
+    #[constraint(cosines: s * s = a * a + b * b - 2 * a * b * cos(f))]
+    #[driver(drive: f = 1 + t)]
+    struct Cylinder {
+        a: f64,
+        b: f64,
+    }
+    let expected = (0.49 + 0.81 - 1.26 * 1.0_f64.cos()).sqrt();
+    for unit in [1e-3, 1.0, 1e3, 1e6] {
+        let state = Cylinder { a: 0.7 * unit, b: 0.9 * unit }.state_at(&Instant::at(0.0)).unwrap();
+        assert!((state.q[0].abs() / unit - expected).abs() < 1e-10, "{unit}: {:?}", state.q);
+    }
+}
