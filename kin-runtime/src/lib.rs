@@ -78,6 +78,10 @@ pub use mechanism::{LengthError, Mechanism, Observations, Workspace};
 pub use scalar::Scalar;
 pub use workspace::{Array, Evaluation, Instant, Signal, Subset};
 
+/// The linear algebra of dense results, so that a crate needs no version of its own to match.
+#[cfg(feature = "std")]
+pub use nalgebra;
+
 #[cfg(feature = "std")]
 pub use cross_check::{Configuration, CrossCheck, CrossCheckOptions, WorstEntry};
 #[cfg(feature = "std")]

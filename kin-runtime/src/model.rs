@@ -372,3 +372,10 @@ pub struct Model {
     /// The derivation as text; empty without the feature `equations`.
     pub equations: &'static [EquationText],
 }
+
+impl Model {
+    /// The place in q of the coordinate called `name`: `crank.phi`, `link[3].x`, or a scalar's own name.
+    pub fn coordinate(&self, name: &str) -> Option<usize> {
+        self.coordinates.iter().position(|coordinate| coordinate.name == name)
+    }
+}

@@ -50,7 +50,7 @@ impl Default for Options {
             max_rotation_per_step: 0.3,
             prediction_tolerance: 0.1,
             min_step: 1e-13,
-            max_steps: 2_000_000,
+            max_steps: 200_000,
         }
     }
 }
