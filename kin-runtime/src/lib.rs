@@ -2,6 +2,7 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 pub mod function;
+mod handles;
 pub mod mechanism;
 pub mod model;
 #[doc(hidden)]

@@ -2,27 +2,8 @@
 //!
 //! Generated code holds one static [`Model`] per mechanism. All indices are 0-based.
 
+pub use crate::handles::{Body, Coordinate, Input, Point, Quantity};
 use core::fmt;
-
-/// A body of a mechanism, for typed access to results: `FourBar::crank`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Body(pub usize);
-
-/// A named point of a mechanism.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Point(pub usize);
-
-/// A scalar generalized coordinate; the number is its place in q.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Coordinate(pub usize);
-
-/// A named expression (`define`).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Quantity(pub usize);
-
-/// A signal known only at run time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Input(pub usize);
 
 /// A body or the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -287,6 +268,30 @@ pub enum Observable {
     },
 }
 
+/// What the members of a family are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum FamilyKind {
+    /// Bodies, `bodies(link[10])`.
+    Bodies,
+    /// Rows, `N[i in 0..10]: …`.
+    Rows,
+}
+
+/// A repeated body or row; its members stand one after another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FamilyInfo {
+    /// Name without index.
+    pub name: &'static str,
+    /// Bodies or rows.
+    pub kind: FamilyKind,
+    /// Place of the first member in [`Model::bodies`] or [`Model::rows`].
+    pub first: usize,
+    /// Number of members.
+    pub members: usize,
+    /// Bodies or rows of one member; that of member k begins at `first + k * stride`.
+    pub stride: usize,
+}
+
 /// Sparsity of a Jacobian: the entries in row-major order, and which of them never change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pattern {
@@ -361,6 +366,8 @@ pub struct Model {
     pub observables: &'static [Observable],
     /// Sparsity of the observables' Jacobian.
     pub observable_pattern: Pattern,
+    /// Repeated bodies and rows.
+    pub families: &'static [FamilyInfo],
     /// Coordinates that have a guess, in the order of the values that [`Mechanism::write_guesses`](crate::Mechanism::write_guesses) writes.
     pub guesses: &'static [usize],
     /// Length of the geometry array.

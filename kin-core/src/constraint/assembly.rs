@@ -3,8 +3,8 @@
 use super::layout::indexed;
 use super::placed::{PlacedPoint, Pose};
 use super::set::{
-    ConstraintRow, ConstraintSet, DefineInstance, Frame, Geometry, JointInstance, JointTag, Observable, ObservableKind,
-    PointInstance, Quantity, Role,
+    ConstraintRow, ConstraintSet, DefineInstance, Family, Frame, Geometry, JointInstance, JointTag, Observable,
+    ObservableKind, PointInstance, Quantity, Role,
 };
 use super::{angle, coordinate, distance, driver, fixed, point_on_line, revolute, translational};
 use crate::error::{ModelError, Origin};
@@ -137,10 +137,17 @@ impl Assembly<'_> {
 
     fn joints(&mut self, set: &mut ConstraintSet) {
         for (family, joint) in self.mechanism.joints.iter().enumerate() {
-            for (shown, index) in Self::instances(joint.range) {
+            let first = set.rows.len();
+            let instances = Self::instances(joint.range);
+            let members = instances.len();
+            for (shown, index) in instances {
                 self.index = index;
                 let rows = self.rows_of(joint);
                 self.write(set, joint, (family, index), indexed(&joint.name, shown.is_some(), index), rows);
+            }
+            if joint.range.is_some() && members > 0 {
+                let stride = (set.rows.len() - first) / members;
+                set.row_families.push(Family { name: joint.name.clone(), first, members, stride });
             }
         }
     }

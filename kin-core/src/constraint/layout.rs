@@ -2,7 +2,7 @@
 
 use super::assembly::Assembly;
 use super::placed::Pose;
-use super::set::{BodyInstance, ConstraintSet, Coordinate, CoordinateKind};
+use super::set::{BodyInstance, ConstraintSet, Coordinate, CoordinateKind, Family};
 use crate::expr::{ExprId, Graph};
 use crate::mechanism::{BodyOrigin, Component, Mechanism};
 use std::collections::HashMap;
@@ -27,6 +27,10 @@ impl<'m> Assembly<'m> {
         let (mut first_body, mut coordinates_of) = (Vec::new(), Vec::new());
         for (family, body) in mechanism.bodies.iter().enumerate() {
             first_body.push(coordinates_of.len());
+            if let Some(members) = body.len {
+                let first = coordinates_of.len();
+                set.body_families.push(Family { name: body.name.clone(), first, members, stride: 1 });
+            }
             let held = match &body.origin_at {
                 BodyOrigin::Free { x, y } => [x.is_some(), y.is_some(), body.phi.is_some()],
                 BodyOrigin::Carried(_) => [true, true, body.phi.is_some()],

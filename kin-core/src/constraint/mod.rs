@@ -18,6 +18,6 @@ mod translational;
 
 pub use assembly::assemble;
 pub use set::{
-    BodyInstance, ConstraintRow, ConstraintSet, Coordinate, CoordinateKind, DefineInstance, Frame, Geometry,
+    BodyInstance, ConstraintRow, ConstraintSet, Coordinate, CoordinateKind, DefineInstance, Family, Frame, Geometry,
     JointInstance, JointTag, Observable, ObservableKind, PointInstance, Quantity, Role,
 };

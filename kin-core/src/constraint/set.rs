@@ -168,6 +168,19 @@ pub struct ConstraintRow {
     pub phi: ExprId,
 }
 
+/// A family after it has been laid out: its members stand one after another.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Family {
+    /// Name without index.
+    pub name: String,
+    /// Place of the first member's first body or row.
+    pub first: usize,
+    /// Number of members.
+    pub members: usize,
+    /// Bodies or rows of one member; that of member k begins at `first + k * stride`.
+    pub stride: usize,
+}
+
 /// What an observable is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ObservableKind {
@@ -219,6 +232,10 @@ pub struct ConstraintSet {
     pub observables: Vec<Observable>,
     /// Local points, axes and values.
     pub geometry: Vec<ExprId>,
+    /// Families of bodies, by place in `bodies`.
+    pub body_families: Vec<Family>,
+    /// Families of rows, by place in `rows`.
+    pub row_families: Vec<Family>,
     /// Guessed coordinates and values.
     pub guesses: Vec<(u32, ExprId)>,
 }

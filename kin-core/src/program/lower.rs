@@ -26,7 +26,7 @@ pub fn lower(graph: &Graph, outputs: &[(Slot, ExprId)]) -> Program {
         let value = lowering.positive(*id);
         written.push((*slot, value));
     }
-    schedule(Program { instructions: lowering.out, outputs: written })
+    schedule(Program { instructions: lowering.out, outputs: written, families: Vec::new() })
 }
 
 struct Lowering<'g> {
@@ -284,7 +284,7 @@ impl Lowering<'_> {
 
 /// Drops what no output needs and orders by depth in sines and cosines, so that those of one depth stand together.
 fn schedule(program: Program) -> Program {
-    let Program { instructions, mut outputs } = program;
+    let Program { instructions, mut outputs, families } = program;
     let mut needed = vec![false; instructions.len()];
     outputs.iter().for_each(|(_, value)| needed[value.index()] = true);
     for place in (0..instructions.len()).rev() {
@@ -310,5 +310,5 @@ fn schedule(program: Program) -> Program {
     let instructions =
         order.iter().map(|old| instructions[*old].map_operands(|value| renumbered[value.index()])).collect();
     outputs.iter_mut().for_each(|(_, value)| *value = renumbered[value.index()]);
-    Program { instructions, outputs }
+    Program { instructions, outputs, families }
 }

@@ -1,6 +1,7 @@
 //! Kernels: the functions that evaluate a set of rows, one for every subset worth its own code.
 
 use super::program::{Reads, body};
+use kin_core::constraint::Family;
 use kin_core::expr::{ExprId, Graph};
 use kin_core::program::{Program, Slot, lower};
 use kin_core::system::Equation;
@@ -14,12 +15,14 @@ pub(crate) struct Layout {
     /// Entries that are literal constants.
     pub(crate) constants: Vec<(usize, f64)>,
     outputs: Vec<(Slot, ExprId)>,
+    families: Vec<Family>,
 }
 
 impl Layout {
     /// Lays out equations; literal entries of Φ_q and literal zeros of Φ_t and γ are never written by a kernel.
-    pub(crate) fn new(graph: &Graph, equations: &[Equation]) -> Self {
-        let mut layout = Self { entries: Vec::new(), constants: Vec::new(), outputs: Vec::new() };
+    pub(crate) fn new(graph: &Graph, equations: &[Equation], families: &[Family]) -> Self {
+        let families = families.to_vec();
+        let mut layout = Self { entries: Vec::new(), constants: Vec::new(), outputs: Vec::new(), families };
         for (row, equation) in equations.iter().enumerate() {
             layout.outputs.push((Slot::Phi(row), equation.phi));
             for (column, e) in &equation.phi_q {
@@ -42,7 +45,21 @@ impl Layout {
     /// The program of the outputs that `keep` keeps.
     pub(crate) fn program(&self, graph: &Graph, keep: impl Fn(Slot) -> bool) -> Program {
         let outputs: Vec<_> = self.outputs.iter().copied().filter(|(slot, _)| keep(*slot)).collect();
-        lower(graph, &outputs)
+        let mut program = lower(graph, &outputs);
+        for family in &self.families {
+            let layout = [family.first, family.members, family.stride];
+            program.note_family(&family.name, layout, |slot| self.row_of(slot));
+        }
+        program
+    }
+
+    /// The row that an output belongs to.
+    fn row_of(&self, slot: Slot) -> Option<usize> {
+        match slot {
+            Slot::Phi(row) | Slot::PhiT(row) | Slot::Gamma(row) => Some(row),
+            Slot::PhiQ(place) => self.entries.get(place).map(|entry| entry.0),
+            Slot::Entry(_) => None,
+        }
     }
 }
 

@@ -45,8 +45,8 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
     let set = &system.set;
     let name = &item.ident;
     let (impl_generics, type_generics, where_clause) = item.generics.split_for_impl();
-    let constraints = Layout::new(&set.graph, &system.equations);
-    let observables = Layout::new(&set.graph, &system.observables);
+    let constraints = Layout::new(&set.graph, &system.equations, &set.row_families);
+    let observables = Layout::new(&set.graph, &system.observables, &[]);
     let all = constraints.program(&set.graph, |_| true);
     let tables = tables::model(&tables::Tables {
         mechanism: &lowered.mechanism,

@@ -2,7 +2,7 @@
 
 use super::kernel::Layout;
 use super::program::literal;
-use kin_core::constraint::{CoordinateKind, Frame, JointTag, ObservableKind, Role};
+use kin_core::constraint::{CoordinateKind, Family, Frame, JointTag, ObservableKind, Role};
 use kin_core::mechanism::{Component, Mechanism};
 use kin_core::program::OperationCount;
 use kin_core::system::KinematicSystem;
@@ -81,6 +81,7 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     });
     let constraint_pattern = pattern(tables.constraints, set.rows.len());
     let observable_pattern = pattern(tables.observables, set.observables.len());
+    let families = families(tables.system);
     let guesses = set.guesses.iter().map(|(k, _)| *k as usize);
     let geometry = set.geometry.len();
     let operations = operations(tables.operations);
@@ -100,6 +101,7 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
             constraint_pattern: #constraint_pattern,
             observables: &[#(#observables),*],
             observable_pattern: #observable_pattern,
+            families: &[#(#families),*],
             guesses: &[#(#guesses),*],
             geometry: #geometry,
             allow_redundant: #allow_redundant,
@@ -206,6 +208,21 @@ fn rows(system: &KinematicSystem) -> impl Iterator<Item = TokenStream> {
             }
         }
     })
+}
+
+fn families(system: &KinematicSystem) -> impl Iterator<Item = TokenStream> {
+    let of = |families: &[Family], kind: &'static str| {
+        let tokens = families.iter().map(|family| {
+            let (name, first, members, stride) = (&family.name, family.first, family.members, family.stride);
+            let kind = variant("FamilyKind", kind);
+            quote! {
+                __kin::FamilyInfo { name: #name, kind: #kind, first: #first, members: #members, stride: #stride }
+            }
+        });
+        tokens.collect::<Vec<_>>()
+    };
+    let set = &system.set;
+    of(&set.body_families, "Bodies").into_iter().chain(of(&set.row_families, "Rows"))
 }
 
 fn pattern(layout: &Layout, rows: usize) -> TokenStream {

@@ -82,6 +82,7 @@ const MODEL: Model = Model {
         entries: &[(2, 0), (3, 0), (4, 0), (5, 1), (6, 1)],
         constants: &[(0, 1.0), (3, 2.0), (4, 1.0)],
     },
+    families: &[],
     guesses: &[0],
     geometry: 2,
     allow_redundant: false,
