@@ -7,6 +7,16 @@ pub mod mechanisms;
 pub mod random;
 pub mod stencil;
 
+use kin_runtime::{Instant, Kinematics};
+
+/// Fails unless the mechanism assembles at t = 0, nothing is left open, and its closed forms are right.
+pub fn works<M: Kinematics>(mechanism: &M) {
+    let state = mechanism.state_at(&Instant::at(0.0)).unwrap();
+    assert_eq!(0, state.degrees_of_freedom_left);
+    let check = mechanism.cross_check().unwrap();
+    assert!(check.passes(1e-12), "{check}");
+}
+
 /// The README, whose code compiles.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -3,14 +3,7 @@
 
 use kin_runtime::model::{Body, Coordinate, Point};
 use kin_runtime::{Instant, Kinematics, Mechanism, mechanism};
-
-/// It assembles at t = 0, nothing is left open, and its closed forms are right.
-fn works<M: Kinematics>(mechanism: &M) {
-    let state = mechanism.state_at(&Instant::at(0.0)).unwrap();
-    assert_eq!(0, state.degrees_of_freedom_left);
-    let check = mechanism.cross_check().unwrap();
-    assert!(check.passes(1e-12), "{check}");
-}
+use kin_tests::works;
 
 #[mechanism]
 #[bodies(gamma, modes, jacobian, q, q_dot, default, e, evaluate, constraints, parameters, model)]
@@ -351,71 +344,4 @@ fn array_parameters() {
     works(&Arm::default());
     let state = Arm { l: [1.0, 2.0], ..Arm::default() }.state_at(&Instant::at(0.0)).unwrap();
     assert!((state.q[2] - 3.0).abs() < 1e-12, "{:?}", state.q);
-}
-
-/// Without the prelude, with modules and macros of the names that generated code reaches for, and with names that the
-/// language uses in other places.
-mod bare {
-    #![no_implicit_prelude]
-    use ::kin_runtime::mechanism;
-
-    #[allow(unused_macros)]
-    macro_rules! assert {
-        () => {};
-    }
-    mod core {}
-    mod std {}
-
-    #[mechanism]
-    #[bodies(x, y, phi)]
-    #[coordinates(f, u, out)]
-    #[point(p = x @ (1, 0))]
-    #[define(d = p.x + p.y)]
-    #[revolute(x: ground @ (0, 0), x @ (0, 0))]
-    #[revolute(y: p, y @ (0, 0))]
-    #[revolute(phi: y @ (1, 0), phi @ (0, 0))]
-    #[driver(f: x.phi = t)]
-    #[driver(u: y.phi = t)]
-    #[driver(out: phi.phi = x.phi + y.x * 2)]
-    #[constraint(axis: f = d)]
-    #[constraint(angle: u = f)]
-    #[constraint(length: out = u + 1)]
-    #[guess(x.x = 0, out = 3)]
-    pub(super) struct Bare;
-}
-
-#[test]
-fn bare_surroundings() {
-    works(&bare::Bare);
-}
-
-/// Constants and statics with the names that generated code gives to its locals: a `let` cannot shadow them.
-mod constants {
-    #![expect(non_upper_case_globals, dead_code, reason = "collisions are wanted")]
-
-    macro_rules! named {
-        ($($name:ident)*) => { $(const $name: &str = "the user's";)* };
-    }
-    named!(at gamma geometry guesses index k observations out p parameters phi phi_q phi_t q q_dot subset u value w
-        workspace x this difference v0 v1 v2 v3 s0 s1 c0 c1 d0 e0 f0);
-    static t: f64 = 1.0;
-
-    #[kin_runtime::mechanism(cross_check)]
-    #[bodies(arm)]
-    #[revolute(O: ground @ (0, 0), arm @ (l[0], 0))]
-    #[driver(drive: arm.phi = sin(speed * t) + t * t)]
-    #[point(tip = arm @ (l[1], 0))]
-    #[guess(arm.x = speed)]
-    struct Arm {
-        #[param([1, 2])]
-        l: [f64; 2],
-        #[param(3)]
-        speed: f64,
-    }
-
-    #[test]
-    fn of_generated_locals_can_be_the_users() {
-        super::works(&Arm::default());
-        assert_eq!(1.0, t);
-    }
 }

@@ -1,0 +1,71 @@
+//! Surroundings that generated code could trip over: no prelude, modules and macros of common names, constants with the
+//! names of generated locals.
+
+use kin_tests::works;
+
+/// Without the prelude, with modules and macros of the names that generated code reaches for, and with names that the
+/// language uses in other places.
+mod bare {
+    #![no_implicit_prelude]
+    use ::kin_runtime::mechanism;
+
+    #[allow(unused_macros)]
+    macro_rules! assert {
+        () => {};
+    }
+    mod core {}
+    mod std {}
+
+    #[mechanism]
+    #[bodies(x, y, phi)]
+    #[coordinates(f, u, out)]
+    #[point(p = x @ (1, 0))]
+    #[define(d = p.x + p.y)]
+    #[revolute(x: ground @ (0, 0), x @ (0, 0))]
+    #[revolute(y: p, y @ (0, 0))]
+    #[revolute(phi: y @ (1, 0), phi @ (0, 0))]
+    #[driver(f: x.phi = t)]
+    #[driver(u: y.phi = t)]
+    #[driver(out: phi.phi = x.phi + y.x * 2)]
+    #[constraint(axis: f = d)]
+    #[constraint(angle: u = f)]
+    #[constraint(length: out = u + 1)]
+    #[guess(x.x = 0, out = 3)]
+    pub(super) struct Bare;
+}
+
+#[test]
+fn bare_surroundings() {
+    works(&bare::Bare);
+}
+
+/// Constants and statics with the names that generated code gives to its locals: a `let` cannot shadow them.
+mod constants {
+    #![expect(non_upper_case_globals, dead_code, reason = "collisions are wanted")]
+
+    macro_rules! named {
+        ($($name:ident)*) => { $(const $name: &str = "the user's";)* };
+    }
+    named!(at gamma geometry guesses index k observations out p parameters phi phi_q phi_t q q_dot subset u value w
+        workspace x this difference v0 v1 v2 v3 s0 s1 c0 c1 d0 e0 f0);
+    static t: f64 = 1.0;
+
+    #[kin_runtime::mechanism(cross_check)]
+    #[bodies(arm)]
+    #[revolute(O: ground @ (0, 0), arm @ (l[0], 0))]
+    #[driver(drive: arm.phi = sin(speed * t) + t * t)]
+    #[point(tip = arm @ (l[1], 0))]
+    #[guess(arm.x = speed)]
+    struct Arm {
+        #[param([1, 2])]
+        l: [f64; 2],
+        #[param(3)]
+        speed: f64,
+    }
+
+    #[test]
+    fn of_generated_locals_can_be_the_users() {
+        super::works(&Arm::default());
+        assert_eq!(1.0, t);
+    }
+}
