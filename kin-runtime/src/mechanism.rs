@@ -85,6 +85,25 @@ pub trait Mechanism: Sized {
         workspace: &mut Workspace<Self, T>,
     ) -> Result<(), LengthError>;
 
+    /// Φ(q, t) alone, at parameters that the caller supplies. A scalar that is only used here, a dual number for
+    /// example, compiles nothing of the derivatives.
+    ///
+    /// # Errors
+    /// As [`evaluate_with`](Self::evaluate_with).
+    fn constraints_with<T: Scalar>(
+        &self,
+        parameters: &[T],
+        at: &Instant<'_, T>,
+        q: &[T],
+        phi: &mut Self::Rows<T>,
+    ) -> Result<(), LengthError> {
+        let mut workspace = Self::workspace::<T>();
+        let rest = Self::Coordinates::<T>::generate(|_| T::from_f64(0.0));
+        self.evaluate_with(parameters, Subset::PHI, at, q, rest.as_ref(), &mut workspace)?;
+        *phi = *workspace.parts_mut().0;
+        Ok(())
+    }
+
     /// The observables with their Jacobian, time derivative and acceleration right-hand side.
     ///
     /// # Errors
@@ -146,10 +165,9 @@ pub trait Mechanism: Sized {
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn constraints<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::Rows<T>, LengthError> {
-        let mut workspace = Self::workspace::<T>();
-        let rest = Self::Coordinates::<T>::generate(|_| T::from_f64(0.0));
-        self.evaluate(Subset::PHI, at, q, rest.as_ref(), &mut workspace)?;
-        Ok(*workspace.parts_mut().0)
+        let mut phi = Self::Rows::<T>::generate(|_| T::from_f64(0.0));
+        self.constraints_with(self.parameters::<T>().as_ref(), at, q, &mut phi)?;
+        Ok(phi)
     }
 
     /// The non-zeros of Φ_q(q, t), in the order of [`Model::constraint_pattern`].

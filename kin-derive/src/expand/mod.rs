@@ -61,6 +61,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
     let (entries, seen, seen_entries) = (constraints.entries.len(), set.observables.len(), observables.entries.len());
     let parameters = parameters::read(lowered);
     let set_parameter = parameters::write(lowered);
+    let values = values(lowered, system, &constraints);
     let evaluate = evaluate(lowered, system, &constraints, &all);
     let observe = observe(lowered, system, &observables);
     let geometry = list(lowered, system, set.geometry.iter().copied());
@@ -91,6 +92,16 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
 
             #parameters
             #set_parameter
+
+            fn constraints_with<T: __kin::Scalar>(
+                &self,
+                parameters: &[T],
+                at: &__kin::Instant<'_, T>,
+                q: &[T],
+                phi: &mut [T; #s],
+            ) -> __kin::Result<(), __kin::LengthError> {
+                #values
+            }
 
             fn evaluate_with<T: __kin::Scalar>(
                 &self,
@@ -155,11 +166,34 @@ fn targets(rows: usize, entries: usize) -> [(&'static str, TokenStream); 4] {
 }
 
 fn lengths() -> TokenStream {
+    let position = position_lengths();
+    quote! {
+        #position
+        let w: &__Coordinates<T> = __kin::fixed("q_dot", q_dot)?;
+    }
+}
+
+fn position_lengths() -> TokenStream {
     quote! {
         let p: &__Parameters<T> = __kin::fixed("parameters", parameters)?;
         let u: &__Inputs<T> = __kin::fixed("inputs", at.inputs)?;
         let q: &__Coordinates<T> = __kin::fixed("q", q)?;
-        let w: &__Coordinates<T> = __kin::fixed("q_dot", q_dot)?;
+    }
+}
+
+/// Φ alone, in a function of its own: what is only evaluated for Φ (dual numbers) compiles nothing else.
+fn values(lowered: &Lowered, system: &KinematicSystem, layout: &Layout) -> TokenStream {
+    let program = layout.program(&system.set.graph, |slot| matches!(slot, Slot::Phi(_)));
+    let targets = targets(system.set.rows.len(), layout.entries.len());
+    let name = Ident::new("values", Span::call_site());
+    let kernel = kernel(&name, &lowered.item.ident, &program, &functions(lowered), &targets);
+    let (item, call, lengths) = (kernel.item, kernel.call, position_lengths());
+    quote! {
+        #item
+        #lengths
+        let _ = (p, u, q, &phi);
+        #call
+        __kin::Ok(())
     }
 }
 
@@ -170,14 +204,13 @@ fn evaluate(lowered: &Lowered, system: &KinematicSystem, layout: &Layout, all: &
     let named = |name: &str, program: &Program| {
         kernel(&Ident::new(name, Span::call_site()), &lowered.item.ident, program, &functions, &targets)
     };
-    let phi = named("values", &layout.program(graph, |slot| matches!(slot, Slot::Phi(_))));
     let position = layout.program(graph, |slot| matches!(slot, Slot::Phi(_) | Slot::PhiQ(_)));
     let position = named("values_and_jacobian", &position);
     let velocity = layout.program(graph, |slot| matches!(slot, Slot::PhiQ(_) | Slot::PhiT(_)));
     let velocity = named("jacobian_and_rates", &velocity);
     let all = named("everything", all);
-    let items = [&phi, &position, &velocity, &all].map(|kernel| &kernel.item);
-    let [phi, position, velocity, all] = [&phi, &position, &velocity, &all].map(|kernel| &kernel.call);
+    let items = [&position, &velocity, &all].map(|kernel| &kernel.item);
+    let [position, velocity, all] = [&position, &velocity, &all].map(|kernel| &kernel.call);
     let lengths = lengths();
     quote! {
         #(#items)*
@@ -191,7 +224,7 @@ fn evaluate(lowered: &Lowered, system: &KinematicSystem, layout: &Layout, all: &
         } else if subset.phi_q {
             #position
         } else if subset.phi {
-            #phi
+            __kin::Mechanism::constraints_with(self, parameters, at, q, phi)?;
         }
         __kin::Ok(())
     }

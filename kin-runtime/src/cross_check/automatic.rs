@@ -2,7 +2,7 @@
 
 use super::Configuration;
 use crate::mechanism::{LengthError, Mechanism};
-use crate::workspace::{Instant, Signal, Subset};
+use crate::workspace::{Array, Instant, Signal};
 use num_dual::{Dual2_64, Dual64};
 
 /// What differentiating Φ with dual numbers gives at one configuration.
@@ -52,10 +52,9 @@ fn first<M: Mechanism>(
         })
         .collect();
     let instant = Instant { t: Dual64::new(at.t, time), inputs: &inputs };
-    let rest = vec![Dual64::from_re(0.0); at.q.len()];
-    let mut workspace = M::workspace::<Dual64>();
-    mechanism.evaluate_with(&parameters, Subset::PHI, &instant, &q, &rest, &mut workspace)?;
-    let phi: &[Dual64] = workspace.phi();
+    let mut phi = M::Rows::<Dual64>::generate(|_| Dual64::from_re(0.0));
+    mechanism.constraints_with(&parameters, &instant, &q, &mut phi)?;
+    let phi = phi.as_ref();
     Ok((phi.iter().map(|p| p.re).collect(), phi.iter().map(|p| p.eps).collect()))
 }
 
@@ -74,9 +73,7 @@ fn second<M: Mechanism>(mechanism: &M, parameters: &[f64], at: &Configuration) -
         })
         .collect();
     let instant = Instant { t: Dual2_64::new(at.t, 1.0, 0.0), inputs: &inputs };
-    let rest = vec![constant(0.0); q.len()];
-    let mut workspace = M::workspace::<Dual2_64>();
-    mechanism.evaluate_with(&parameters, Subset::PHI, &instant, &q, &rest, &mut workspace)?;
-    let phi: &[Dual2_64] = workspace.phi();
-    Ok(phi.iter().map(|p| -p.v2).collect())
+    let mut phi = M::Rows::<Dual2_64>::generate(|_| constant(0.0));
+    mechanism.constraints_with(&parameters, &instant, &q, &mut phi)?;
+    Ok(phi.as_ref().iter().map(|p| -p.v2).collect())
 }
