@@ -163,14 +163,15 @@ fn families_of_rows_reach_the_program() {
     let entries: Vec<usize> = (system.equations.iter().enumerate())
         .flat_map(|(row, equation)| equation.phi_q.iter().map(move |_| row))
         .collect();
+    let row_of = |slot: Slot| match slot {
+        Slot::Phi(row) | Slot::PhiT(row) | Slot::Gamma(row) => Some(row),
+        Slot::PhiQ(place) => entries.get(place).copied(),
+        Slot::Entry(_) => None,
+    };
     let mut program = combined(&system);
     for family in &set.row_families {
         let layout = [family.first, family.members, family.stride];
-        program.note_family(&family.name, layout, |slot| match slot {
-            Slot::Phi(row) | Slot::PhiT(row) | Slot::Gamma(row) => Some(row),
-            Slot::PhiQ(place) => entries.get(place).copied(),
-            Slot::Entry(_) => None,
-        });
+        program.note_family(&family.name, layout, row_of);
     }
     assert_eq!(program.families.len(), set.row_families.len());
     for (family, rows) in program.families.iter().zip(&set.row_families) {
@@ -178,7 +179,15 @@ fn families_of_rows_reach_the_program() {
         for (k, member) in family.members.iter().enumerate() {
             let phi = program.outputs[member.start].0;
             assert_eq!(phi, Slot::Phi(rows.first + k * rows.stride), "{}[{k}]", family.name);
-            assert_eq!(member.len(), family.members[0].len(), "{}[{k}]", family.name);
+            let rows_of_member = rows.first + k * rows.stride..rows.first + (k + 1) * rows.stride;
+            for (slot, _) in &program.outputs[member.clone()] {
+                assert!(row_of(*slot).is_some_and(|row| rows_of_member.contains(&row)), "{}[{k}]: {slot}", family.name);
+            }
+            // Φ, Φ_t and γ of every row at least, and all of them.
+            let own =
+                program.outputs.iter().filter(|(slot, _)| row_of(*slot).is_some_and(|r| rows_of_member.contains(&r)));
+            assert_eq!(member.len(), own.count(), "{}[{k}]", family.name);
+            assert!(member.len() >= 3 * rows.stride, "{}[{k}]", family.name);
         }
     }
 }
