@@ -81,11 +81,11 @@ pub(crate) fn kernel(
     let writes = |target: &str| program.outputs.iter().any(|(slot, _)| target_name(*slot) == target);
     let inputs = [
         (reads.functions, "this", quote! { &#this }, quote! { self }),
-        (reads.parameters, "p", quote! { &__Parameters<T> }, quote! { p }),
-        (reads.time, "t", quote! { T }, quote! { at.t }),
-        (reads.inputs, "u", quote! { &__Inputs<T> }, quote! { u }),
-        (reads.coordinates, "q", quote! { &__Coordinates<T> }, quote! { q }),
-        (reads.rates, "w", quote! { &__Coordinates<T> }, quote! { w }),
+        (reads.parameters, "p", quote! { &__Parameters<__T> }, quote! { p }),
+        (reads.time, "t", quote! { __T }, quote! { at.t }),
+        (reads.inputs, "u", quote! { &__Inputs<__T> }, quote! { u }),
+        (reads.coordinates, "q", quote! { &__Coordinates<__T> }, quote! { q }),
+        (reads.rates, "w", quote! { &__Coordinates<__T> }, quote! { w }),
     ];
     let (mut arguments, mut values) = (Vec::new(), Vec::new());
     for (_, argument, ty, value) in inputs.into_iter().filter(|(used, ..)| *used) {
@@ -107,9 +107,9 @@ pub(crate) fn kernel(
     Kernel {
         item: quote! {
             #[inline]
-            fn #name<T: __kin::Scalar>(#(#arguments),*) { #statements }
+            fn #name<__T: __kin::Scalar>(#(#arguments),*) { #statements }
         },
-        call: quote! { #name::<T>(#(#values),*); },
+        call: quote! { #name::<__T>(#(#values),*); },
     }
 }
 

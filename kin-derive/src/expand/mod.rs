@@ -67,9 +67,9 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
     let geometry = list(lowered, system, set.geometry.iter().copied());
     let guesses = list(lowered, system, set.guesses.iter().map(|(_, value)| *value));
     quote! {
-        type __Parameters<T> = [T; #p];
-        type __Inputs<T> = [__kin::Signal<T>; #u];
-        type __Coordinates<T> = [T; #n];
+        type __Parameters<__T> = [__T; #p];
+        type __Inputs<__T> = [__kin::Signal<__T>; #u];
+        type __Coordinates<__T> = [__T; #n];
 
         #[automatically_derived]
         #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
@@ -78,12 +78,12 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
             const ROWS: usize = #s;
             const PARAMETERS: usize = #p;
             const INPUTS: usize = #u;
-            type Parameters<T: __kin::Scalar> = [T; #p];
-            type Coordinates<T: __kin::Scalar> = [T; #n];
-            type Rows<T: __kin::Scalar> = [T; #s];
-            type NonZeros<T: __kin::Scalar> = [T; #entries];
-            type Observables<T: __kin::Scalar> = [T; #seen];
-            type ObservableNonZeros<T: __kin::Scalar> = [T; #seen_entries];
+            type Parameters<__T: __kin::Scalar> = [__T; #p];
+            type Coordinates<__T: __kin::Scalar> = [__T; #n];
+            type Rows<__T: __kin::Scalar> = [__T; #s];
+            type NonZeros<__T: __kin::Scalar> = [__T; #entries];
+            type Observables<__T: __kin::Scalar> = [__T; #seen];
+            type ObservableNonZeros<__T: __kin::Scalar> = [__T; #seen_entries];
 
             fn model() -> &'static __kin::Model {
                 static MODEL: __kin::Model = #tables;
@@ -93,59 +93,59 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
             #parameters
             #set_parameter
 
-            fn constraints_with<T: __kin::Scalar>(
+            fn constraints_with<__T: __kin::Scalar>(
                 &self,
-                parameters: &[T],
-                at: &__kin::Instant<'_, T>,
-                q: &[T],
-                phi: &mut [T; #s],
+                parameters: &[__T],
+                at: &__kin::Instant<'_, __T>,
+                q: &[__T],
+                phi: &mut [__T; #s],
             ) -> __kin::Result<(), __kin::LengthError> {
                 #values
             }
 
-            fn evaluate_with<T: __kin::Scalar>(
+            fn evaluate_with<__T: __kin::Scalar>(
                 &self,
-                parameters: &[T],
+                parameters: &[__T],
                 subset: __kin::Subset,
-                at: &__kin::Instant<'_, T>,
-                q: &[T],
-                q_dot: &[T],
-                workspace: &mut __kin::Workspace<Self, T>,
+                at: &__kin::Instant<'_, __T>,
+                q: &[__T],
+                q_dot: &[__T],
+                workspace: &mut __kin::Workspace<Self, __T>,
             ) -> __kin::Result<(), __kin::LengthError> {
                 #evaluate
             }
 
-            fn observe_with<T: __kin::Scalar>(
+            fn observe_with<__T: __kin::Scalar>(
                 &self,
-                parameters: &[T],
-                at: &__kin::Instant<'_, T>,
-                q: &[T],
-                q_dot: &[T],
-                observations: &mut __kin::Observations<Self, T>,
+                parameters: &[__T],
+                at: &__kin::Instant<'_, __T>,
+                q: &[__T],
+                q_dot: &[__T],
+                observations: &mut __kin::Observations<Self, __T>,
             ) -> __kin::Result<(), __kin::LengthError> {
                 #observe
             }
 
-            fn write_geometry<T: __kin::Scalar>(
+            fn write_geometry<__T: __kin::Scalar>(
                 &self,
-                parameters: &[T],
-                at: &__kin::Instant<'_, T>,
-                geometry: &mut [T],
+                parameters: &[__T],
+                at: &__kin::Instant<'_, __T>,
+                geometry: &mut [__T],
             ) -> __kin::Result<(), __kin::LengthError> {
-                let p: &__Parameters<T> = __kin::fixed("parameters", parameters)?;
-                let u: &__Inputs<T> = __kin::fixed("inputs", at.inputs)?;
+                let p: &__Parameters<__T> = __kin::fixed("parameters", parameters)?;
+                let u: &__Inputs<__T> = __kin::fixed("inputs", at.inputs)?;
                 let out = __kin::fixed_mut("geometry", geometry)?;
                 let _ = (p, u);
                 #geometry
                 __kin::Ok(())
             }
 
-            fn write_guesses<T: __kin::Scalar>(
+            fn write_guesses<__T: __kin::Scalar>(
                 &self,
-                parameters: &[T],
-                guesses: &mut [T],
+                parameters: &[__T],
+                guesses: &mut [__T],
             ) -> __kin::Result<(), __kin::LengthError> {
-                let p: &__Parameters<T> = __kin::fixed("parameters", parameters)?;
+                let p: &__Parameters<__T> = __kin::fixed("parameters", parameters)?;
                 let out = __kin::fixed_mut("guesses", guesses)?;
                 let _ = p;
                 #guesses
@@ -158,10 +158,10 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
 /// The four arrays of an evaluation with their types.
 fn targets(rows: usize, entries: usize) -> [(&'static str, TokenStream); 4] {
     [
-        ("phi", quote! { [T; #rows] }),
-        ("phi_q", quote! { [T; #entries] }),
-        ("phi_t", quote! { [T; #rows] }),
-        ("gamma", quote! { [T; #rows] }),
+        ("phi", quote! { [__T; #rows] }),
+        ("phi_q", quote! { [__T; #entries] }),
+        ("phi_t", quote! { [__T; #rows] }),
+        ("gamma", quote! { [__T; #rows] }),
     ]
 }
 
@@ -169,15 +169,15 @@ fn lengths() -> TokenStream {
     let position = position_lengths();
     quote! {
         #position
-        let w: &__Coordinates<T> = __kin::fixed("q_dot", q_dot)?;
+        let w: &__Coordinates<__T> = __kin::fixed("q_dot", q_dot)?;
     }
 }
 
 fn position_lengths() -> TokenStream {
     quote! {
-        let p: &__Parameters<T> = __kin::fixed("parameters", parameters)?;
-        let u: &__Inputs<T> = __kin::fixed("inputs", at.inputs)?;
-        let q: &__Coordinates<T> = __kin::fixed("q", q)?;
+        let p: &__Parameters<__T> = __kin::fixed("parameters", parameters)?;
+        let u: &__Inputs<__T> = __kin::fixed("inputs", at.inputs)?;
+        let q: &__Coordinates<__T> = __kin::fixed("q", q)?;
     }
 }
 
@@ -256,11 +256,11 @@ fn list(
     let count = outputs.len();
     let program = lower(&system.set.graph, &outputs);
     let name = Ident::new("write", Span::call_site());
-    let kernel = kernel(&name, &lowered.item.ident, &program, &functions(lowered), &[("out", quote! { [T; #count] })]);
+    let kernel = kernel(&name, &lowered.item.ident, &program, &functions(lowered), &[("out", quote! { [__T; #count] })]);
     let (item, call) = (kernel.item, kernel.call);
     quote! {
         #item
-        let out: &mut [T; #count] = out;
+        let out: &mut [__T; #count] = out;
         let _ = &out;
         #call
     }

@@ -46,10 +46,10 @@ pub(crate) fn read(lowered: &Lowered) -> TokenStream {
         let ty = field.ty;
         let get = quote! { <#ty as __kin::Parameter>::get };
         match field.len {
-            None => quote! { out[#first] = <T as __kin::Scalar>::from_f64(#get(&self.#ident, 0)); },
+            None => quote! { out[#first] = <__T as __kin::Scalar>::from_f64(#get(&self.#ident, 0)); },
             Some(len) => quote! {
                 for k in 0..#len {
-                    out[#first + k] = <T as __kin::Scalar>::from_f64(#get(&self.#ident, k));
+                    out[#first + k] = <__T as __kin::Scalar>::from_f64(#get(&self.#ident, k));
                 }
             },
         }
@@ -58,14 +58,14 @@ pub(crate) fn read(lowered: &Lowered) -> TokenStream {
         quote! { [] }
     } else {
         quote! {
-            let mut out = [<T as __kin::Scalar>::from_f64(0.0); #total];
+            let mut out = [<__T as __kin::Scalar>::from_f64(0.0); #total];
             #(#reads)*
             out
         }
     };
     quote! {
         #[inline]
-        fn parameters<T: __kin::Scalar>(&self) -> [T; #total] { #body }
+        fn parameters<__T: __kin::Scalar>(&self) -> [__T; #total] { #body }
     }
 }
 

@@ -271,7 +271,7 @@ pub(crate) fn literal(value: f64) -> TokenStream {
 
 fn number(value: f64) -> TokenStream {
     let value = literal(value);
-    quote! { <T as __kin::Scalar>::from_f64(#value) }
+    quote! { <__T as __kin::Scalar>::from_f64(#value) }
 }
 
 fn load(symbol: Symbol) -> TokenStream {
