@@ -8,6 +8,7 @@ pub mod model;
 #[doc(hidden)]
 pub mod private;
 pub mod scalar;
+pub mod vocabulary;
 pub mod workspace;
 
 #[cfg(feature = "std")]

@@ -1,0 +1,21 @@
+//! The vocabulary of `#[mechanism]`: for each kind its equation, its rows, a sketch and an example.
+//!
+//! In all of it r_P = r_i + A_i s′ is a point P of body i, A(φ) = [[cos φ, −sin φ], [sin φ, cos φ]],
+//! perp(v) = (−v_y, v_x), v̂ = v/|v| (normalised by kin), and the first operand belongs to body i, the second to body j.
+//! The examples are compiled and held against dual numbers by the tests.
+//!
+//! - [`parts`]: bodies, coordinates, points, defines, guesses, families;
+//! - [`joints`]: revolute, translational, fixed, point on line;
+//! - [`relations`]: distances, absolute and relative coordinates;
+//! - [`equations`]: free equations and drivers.
+//!
+//! These modules hold documentation only.
+
+#[doc = include_str!("equations.md")]
+pub mod equations {}
+#[doc = include_str!("joints.md")]
+pub mod joints {}
+#[doc = include_str!("parts.md")]
+pub mod parts {}
+#[doc = include_str!("relations.md")]
+pub mod relations {}
