@@ -256,7 +256,8 @@ fn list(
     let count = outputs.len();
     let program = lower(&system.set.graph, &outputs);
     let name = Ident::new("write", Span::call_site());
-    let kernel = kernel(&name, &lowered.item.ident, &program, &functions(lowered), &[("out", quote! { [__T; #count] })]);
+    let kernel =
+        kernel(&name, &lowered.item.ident, &program, &functions(lowered), &[("out", quote! { [__T; #count] })]);
     let (item, call) = (kernel.item, kernel.call);
     quote! {
         #item
