@@ -74,3 +74,33 @@ fn the_chain_ends_where_its_links_lead() {
     }
     assert!((end.r[0] - r[0]).hypot(end.r[1] - r[1]) < 1e-12);
 }
+
+/// Pendulums along a wall, each longer than the one before: indices as values, also through a family of points.
+#[mechanism]
+#[bodies(bob[6])]
+#[point(hook[i in 0..6] = ground @ (spacing * i, 0.1 * (i - 2)))]
+#[revolute(pin[k in 1..6]: hook[k], bob[k] @ (0.5 + k/10, 0))]
+#[revolute(first: hook[0], bob[0] @ (0.5, 0))]
+#[driver(swing[k in 0..6]: bob[k].phi = pi/2 + k * sin(t))]
+#[guess(bob[i in 0..6].x = i)]
+pub struct Pendulums {
+    /// Distance of the hooks.
+    #[param(0.3)]
+    pub spacing: f64,
+}
+
+#[test]
+fn an_index_is_a_number() {
+    let t = 0.4_f64;
+    let pendulums = Pendulums::default();
+    assert_eq!(pendulums.solver().guess()[3], Some(1.0));
+    let state = pendulums.state_at(&Instant::at(t)).expect("six pendulums");
+    for k in 0..6 {
+        let (i, angle) = (f64::from(k), core::f64::consts::FRAC_PI_2 + f64::from(k) * t.sin());
+        let length = 0.5 + i / 10.0;
+        let expected = [0.3 * i - length * angle.cos(), 0.1 * (i - 2.0) - length * angle.sin(), angle];
+        for (found, expected) in state.q[3 * k as usize..].iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-12, "bob[{k}]: {found} and {expected}");
+        }
+    }
+}

@@ -20,6 +20,10 @@ impl Assembly<'_> {
             Formula::Number(value) => self.graph.number(*value),
             Formula::Pi => self.graph.number(core::f64::consts::PI),
             Formula::Time => self.graph.symbol(Symbol::Time),
+            Formula::Index(index) => {
+                let value = index.scale.saturating_mul(self.index).saturating_add(index.offset);
+                self.graph.number(value as f64)
+            }
             Formula::Parameter(member) => {
                 let len = self.mechanism.parameters.get(member.family).map_or(0, |p| p.len.unwrap_or(1));
                 match member.index.at(self.index).filter(|i| *i < len) {

@@ -110,6 +110,7 @@ impl Mechanism {
             Formula::Number(value) => value.to_string(),
             Formula::Pi => "pi".to_owned(),
             Formula::Time => "t".to_owned(),
+            Formula::Index(at) => format!("({}*i{:+})", at.scale, at.offset),
             Formula::Parameter(m) => self.member(self.parameters.get(m.family).map(|p| &p.name), m),
             Formula::Input(m) => self.member(self.inputs.get(m.family).map(|i| &i.name), m),
             Formula::Scalar(m) => self.member(self.scalars.get(m.family).map(|s| &s.name), m),

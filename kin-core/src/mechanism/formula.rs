@@ -142,6 +142,8 @@ pub enum Formula {
     Pi,
     /// Time t.
     Time,
+    /// The number of the member of a family: an index as a value.
+    Index(Index),
     /// A parameter of the mechanism (a field of the struct).
     Parameter(Member),
     /// A signal known only at run time.

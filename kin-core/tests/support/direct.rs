@@ -117,6 +117,7 @@ impl<'m, S: Number> Direct<'m, S> {
         match formula {
             Formula::Number(value) => S::real(*value),
             Formula::Pi => S::real(std::f64::consts::PI),
+            Formula::Index(index) => S::real((index.scale * i + index.offset) as f64),
             Formula::Time => {
                 self.saw_time.set(true);
                 self.t

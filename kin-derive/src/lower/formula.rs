@@ -6,7 +6,7 @@ use super::{Class, Lowerer};
 use crate::ast::{Expr, ExprKind, NameUse, Operator, text};
 use crate::suggest::did_you_mean;
 use kin_core::mechanism::check::is_reserved;
-use kin_core::mechanism::{BodyRef, Component, Formula, Function, Member};
+use kin_core::mechanism::{BodyRef, Component, Formula, Function, Index, Member};
 use proc_macro2::Span;
 use syn::Ident;
 
@@ -99,9 +99,11 @@ impl Lowerer<'_> {
             && text(&range.variable) == name
             && self.names.find(&name).is_none()
         {
-            let message = format!("`{name}` is the index variable; it stands in brackets: `l[{name}]`");
-            self.report.error(used.ident.span(), message);
-            return None;
+            if let Some(index) = &used.index {
+                self.report.error(index.span, format!("`{name}` is the index variable; it takes no index"));
+                return None;
+            }
+            return Some(Formula::Index(Index { scale: 1, offset: 0 }));
         }
         let declared = self.resolve(used, "parameter, coordinate or define", is_value)?;
         let span = used.ident.span();

@@ -30,6 +30,7 @@ fn formula(f: &Formula, at: Index) -> Formula {
     let inside = |a: &Formula| Box::new(formula(a, at));
     match f {
         Formula::Number(_) | Formula::Pi | Formula::Time => f.clone(),
+        Formula::Index(i) => Formula::Index(compose(*i, at)),
         Formula::Parameter(m) => Formula::Parameter(member(*m, at)),
         Formula::Input(m) => Formula::Input(member(*m, at)),
         Formula::Scalar(m) => Formula::Scalar(member(*m, at)),

@@ -159,6 +159,7 @@ pub(super) fn nodes(formula: &Formula) -> Vec<&Formula> {
             Formula::Number(_)
             | Formula::Pi
             | Formula::Time
+            | Formula::Index(_)
             | Formula::Parameter(_)
             | Formula::Input(_)
             | Formula::Pose(..)

@@ -90,7 +90,7 @@ fn indices_stand_where_they_belong() {
     one_error(&chain("#[angle(X[k in 0..2]: link[i] = 0)]"), &["no index variable `i`", "`k`"]);
     one_error(&chain("#[angle(X: link[l] = 0)]"), &["`l` is a parameter"]);
     one_error(&chain("#[angle(X: ground[0] = 0)]"), &["there is one ground"]);
-    one_error(&chain("#[angle(X[k in 0..2]: link[k] = k)]"), &["`k` is the index variable"]);
+    one_error(&chain("#[angle(X[k in 0..2]: link[k] = k[0])]"), &["`k` is the index variable", "no index"]);
     one_error(&chain("#[angle(X[k in 0..2]: link[k*k] = 0)]"), &["linear"]);
     one_error(&chain("#[angle(X: link[1.5] = 0)]"), &["integers"]);
     one_error(&chain("#[angle(X: link[] = 0)]"), &["an index is missing"]);

@@ -145,6 +145,7 @@ fn shape(f: &Formula) -> String {
         Formula::Number(v) => format!("{v:?}"),
         Formula::Pi => "pi".into(),
         Formula::Time => "t".into(),
+        Formula::Index(at) => format!("{}*i+{}", at.scale, at.offset),
         Formula::Parameter(m) => ["l1", "l2"][m.family].into(),
         Formula::Scalar(m) => ["u", "v"][m.family].into(),
         Formula::Neg(a) => format!("-{}", shape(a)),
