@@ -7,11 +7,12 @@ pub mod mechanisms;
 pub mod random;
 pub mod stencil;
 
-use kin_runtime::{Instant, Kinematics};
+use kin_runtime::{Instant, Kinematics, Signal};
 
-/// Fails unless the mechanism assembles at t = 0, nothing is left open, and its closed forms are right.
+/// Fails unless the mechanism assembles at t = 0 with all inputs at 0, nothing is left open, and its closed forms are right.
 pub fn works<M: Kinematics>(mechanism: &M) {
-    let state = mechanism.state_at(&Instant::at(0.0)).unwrap();
+    let inputs = vec![Signal::default(); M::INPUTS];
+    let state = mechanism.state_at(&Instant { t: 0.0, inputs: &inputs }).unwrap();
     assert_eq!(0, state.degrees_of_freedom_left);
     let check = mechanism.cross_check().unwrap();
     assert!(check.passes(1e-12), "{check}");

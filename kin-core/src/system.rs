@@ -3,8 +3,9 @@
 //! Both derivatives come from [`total_derivatives`]: Φ̇ = Φ_q q̇ + Φ_t and
 //! Φ̈ = Φ_q q̈ − γ, so that the velocity equations are Φ_q q̇ = ν = −Φ_t and the acceleration equations Φ_q q̈ = γ.
 
-use crate::constraint::{ConstraintSet, JointTag};
-use crate::expr::{ExprId, Jet, total_derivatives};
+use crate::constraint::{ConstraintSet, JointTag, ObservableKind};
+use crate::error::{ModelError, Origin};
+use crate::expr::{ExprId, Jet, MAX_ORDER, Node, Symbol, total_derivatives};
 use core::fmt;
 
 /// A row with its derivatives.
@@ -45,7 +46,11 @@ pub struct KinematicSystem {
 }
 
 /// Differentiates a constraint set.
-pub fn differentiate(mut set: ConstraintSet) -> KinematicSystem {
+///
+/// # Errors
+/// Rows and defines whose equations need a third derivative of an input or a supplied function: an evaluation has
+/// value, rate and acceleration.
+pub fn differentiate(mut set: ConstraintSet) -> Result<KinematicSystem, Vec<ModelError>> {
     let rows: Vec<ExprId> = set.rows.iter().map(|row| row.phi).collect();
     let observed: Vec<ExprId> = set.observables.iter().map(|o| o.value).collect();
     let classes = (set.rows.iter())
@@ -65,7 +70,42 @@ pub fn differentiate(mut set: ConstraintSet) -> KinematicSystem {
     };
     let mut equations: Vec<Equation> = all.into_iter().zip(jets).map(equation).collect();
     let observables = equations.split_off(rows.len());
-    KinematicSystem { set, equations, classes, observables }
+    let system = KinematicSystem { set, equations, classes, observables };
+    let errors = needs_what_is_not_supplied(&system);
+    if errors.is_empty() { Ok(system) } else { Err(errors) }
+}
+
+/// One error for every row and define that needs more than a second derivative of what only the caller knows.
+fn needs_what_is_not_supplied(system: &KinematicSystem) -> Vec<ModelError> {
+    let set = &system.set;
+    let beyond = |id: &ExprId| match set.graph.node(*id) {
+        Node::Symbol(Symbol::Input(k, order)) if order > MAX_ORDER => Some(set.input_name(k)),
+        Node::Supplied(f, order, _) if order > MAX_ORDER => set.functions.get(f as usize).map(String::as_str),
+        _ => None,
+    };
+    if !set.graph.ids().any(|id| beyond(&id).is_some()) {
+        return Vec::new();
+    }
+    let rows = set.rows.iter().map(|row| (&row.name, set.joints[row.joint].origin));
+    let observed = set.observables.iter().map(|observable| match observable.kind {
+        ObservableKind::Define(k) => (&set.defines[k].name, set.defines[k].origin),
+        ObservableKind::Joint(k, _) => (&set.joints[k].name, set.joints[k].origin),
+        ObservableKind::Pose(k, _) => (&set.bodies[k].name, Origin::default()),
+        ObservableKind::Point(k, _) => (&set.points[k].name, Origin::default()),
+    });
+    let mut errors = Vec::new();
+    for ((name, origin), equation) in rows.chain(observed).zip(system.equations.iter().chain(&system.observables)) {
+        let outputs = [equation.phi, equation.phi_t, equation.gamma];
+        let needed = set.graph.reachable(outputs.into_iter().chain(equation.phi_q.iter().map(|(_, e)| *e)));
+        if let Some(missing) = needed.iter().find_map(beyond) {
+            let message = format!(
+                "`{name}` needs the third derivative of `{missing}`; value, rate and acceleration are what there is of it"
+            );
+            errors.push(ModelError::new(origin, message));
+        }
+    }
+    errors.dedup();
+    errors
 }
 
 impl fmt::Display for KinematicSystem {

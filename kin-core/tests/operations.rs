@@ -8,7 +8,7 @@ use kin_core::{assemble, differentiate};
 use support::*;
 
 fn count(mechanism: &Mechanism) -> OperationCount {
-    let system = differentiate(assemble(mechanism).expect("a sound mechanism"));
+    let system = differentiate(assemble(mechanism).expect("a sound mechanism")).expect("no third derivatives");
     let program = combined(&system);
     println!("{system}\n{program}\n{:?}", program.operations());
     program.operations()
@@ -142,7 +142,7 @@ fn a_negative_double_is_one_product() {
 #[test]
 fn programs_grow_with_the_number_of_loops() {
     let sizes = [10_usize, 20, 40].map(|loops| {
-        let system = differentiate(assemble(&chain(loops)).expect("a sound mechanism"));
+        let system = differentiate(assemble(&chain(loops)).expect("a sound mechanism")).expect("no third derivatives");
         assert_eq!(system.equations.len(), 9 * loops);
         let program = combined(&system);
         (program.instructions.len(), program.operations().flops(), system.set.graph.len())
@@ -157,7 +157,7 @@ fn programs_grow_with_the_number_of_loops() {
 /// Families survive to the program: the outputs of every member stand together, in order, and there are equally many.
 #[test]
 fn families_of_rows_reach_the_program() {
-    let system = differentiate(assemble(&chain(5)).expect("a sound mechanism"));
+    let system = differentiate(assemble(&chain(5)).expect("a sound mechanism")).expect("no third derivatives");
     let set = &system.set;
     assert!(set.body_families.iter().all(|family| (family.members, family.stride) == (5, 1)));
     let entries: Vec<usize> = (system.equations.iter().enumerate())

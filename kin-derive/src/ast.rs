@@ -44,6 +44,8 @@ pub(crate) enum Item {
     Body(BodyDecl),
     /// A member of `coordinates(…)`.
     Scalar(ScalarDecl),
+    /// A member of `input(…)`.
+    Input(InputDecl),
     /// `point(p = …)`.
     Point(PointDecl),
     /// `define(e = …)`.
@@ -102,6 +104,12 @@ pub(crate) struct BodyDecl {
 /// A scalar coordinate.
 #[derive(Debug)]
 pub(crate) struct ScalarDecl {
+    pub(crate) name: NewName,
+}
+
+/// A signal known only at run time.
+#[derive(Debug)]
+pub(crate) struct InputDecl {
     pub(crate) name: NewName,
 }
 
@@ -214,7 +222,7 @@ pub(crate) struct Expr {
 #[derive(Debug)]
 pub(crate) enum ExprKind {
     Number(f64),
-    /// `t`, `pi`, a parameter, a scalar coordinate, a define.
+    /// `t`, `pi`, a parameter, a scalar coordinate, an input, a define.
     Name(NameUse),
     /// `crank.phi`, `tip.x`.
     Component(NameUse, Ident),

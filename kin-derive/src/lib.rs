@@ -42,7 +42,7 @@ fn derive(args: TokenStream2, item: TokenStream2) -> TokenStream2 {
 
 /// The differentiated equations; errors only where the rules of the model were not enough.
 fn system(lowered: &Lowered) -> syn::Result<kin_core::KinematicSystem> {
-    let set = kin_core::assemble(&lowered.mechanism).map_err(|errors| {
+    kin_core::assemble(&lowered.mechanism).and_then(kin_core::differentiate).map_err(|errors| {
         let spanned = errors.into_iter().map(|error| {
             let span = lowered.spans.get(error.origin.0 as usize).copied().unwrap_or_else(Span::call_site);
             syn::Error::new(span, error)
@@ -52,6 +52,5 @@ fn system(lowered: &Lowered) -> syn::Result<kin_core::KinematicSystem> {
             all
         });
         combined.unwrap_or_else(|| syn::Error::new(Span::call_site(), "the mechanism cannot be assembled"))
-    })?;
-    Ok(kin_core::differentiate(set))
+    })
 }

@@ -158,12 +158,7 @@ impl<'a> Equations<'a> {
         self.t = t;
         let elapsed = t - self.start_time;
         for given in &mut self.given {
-            let Signal { value, rate, acceleration } = given.start;
-            given.now = Signal {
-                value: value + elapsed * (rate + 0.5 * elapsed * acceleration),
-                rate: rate + elapsed * acceleration,
-                acceleration,
-            };
+            given.now = given.start.after(elapsed);
         }
         let mut inputs = core::mem::take(&mut self.inputs);
         if let Some(function) = self.input_function {

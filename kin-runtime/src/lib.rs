@@ -8,6 +8,7 @@ pub mod model;
 #[doc(hidden)]
 pub mod private;
 pub mod scalar;
+pub mod signal;
 pub mod vocabulary;
 pub mod workspace;
 
@@ -78,7 +79,8 @@ pub use function::ScalarFunction;
 pub use kin_derive::mechanism;
 pub use mechanism::{LengthError, Mechanism, Observations, Workspace};
 pub use scalar::Scalar;
-pub use workspace::{Array, Evaluation, Instant, Signal, Subset};
+pub use signal::{Instant, Signal};
+pub use workspace::{Array, Evaluation, Subset};
 
 /// The linear algebra of dense results, so that a crate needs no version of its own to match.
 #[cfg(feature = "std")]

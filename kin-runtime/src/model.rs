@@ -385,4 +385,9 @@ impl Model {
     pub fn coordinate(&self, name: &str) -> Option<usize> {
         self.coordinates.iter().position(|coordinate| coordinate.name == name)
     }
+
+    /// The input called `name`.
+    pub fn input(&self, name: &str) -> Option<Input> {
+        self.inputs.iter().position(|input| *input == name).map(Input)
+    }
 }

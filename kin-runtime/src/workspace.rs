@@ -2,40 +2,7 @@
 
 use crate::model::Pattern;
 use crate::scalar::Scalar;
-
-/// Value, rate and acceleration of an input.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Signal<T = f64> {
-    /// u.
-    pub value: T,
-    /// u̇.
-    pub rate: T,
-    /// ü.
-    pub acceleration: T,
-}
-
-/// When: time, and the inputs at that time.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Instant<'a, T = f64> {
-    /// Time t.
-    pub t: T,
-    /// The inputs, in the order of declaration; empty where the mechanism has none.
-    pub inputs: &'a [Signal<T>],
-}
-
-impl<T> Instant<'_, T> {
-    /// Time `t` of a mechanism without inputs.
-    pub const fn at(t: T) -> Self {
-        Self { t, inputs: &[] }
-    }
-}
-
-impl From<f64> for Instant<'static> {
-    fn from(t: f64) -> Self {
-        Self::at(t)
-    }
-}
+pub use crate::signal::{Instant, Signal};
 
 /// Which of Φ, Φ_q, Φ_t, γ an evaluation must give; the others may be left as they were.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

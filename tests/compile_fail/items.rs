@@ -50,8 +50,7 @@ struct Misplaced;
 #[mechanism]
 #[bodies(crank, planet)]
 #[gear(A: crank, planet, radii = (1, 2))]
-#[input(u)]
-#[driver(B: crank.phi = u)]
+#[driver(B: crank.phi = t)]
 struct Later;
 
 fn main() {

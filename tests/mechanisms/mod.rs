@@ -6,6 +6,7 @@ mod andrews_pins;
 mod chain10;
 mod elliptic_trammel;
 mod excavator;
+mod five_bar_leg;
 mod fourbar_ends;
 mod fourbar_lecture_angles;
 mod fourbar_lecture_mid;
@@ -14,6 +15,7 @@ mod infeasible_fourbar;
 mod klann_leg;
 mod macpherson_strut;
 mod marghitu_six_link;
+mod measured_excavator;
 mod nikravesh_fourbar;
 mod ondsel_fourbar;
 mod peaucellier;
@@ -21,6 +23,7 @@ mod quick_return;
 mod redundant_parallelogram;
 mod robot_3rrr;
 mod scotch_yoke;
+mod signal_table;
 mod singular_slider_crank;
 mod slider_crank_inline;
 mod toggle_press;
@@ -33,6 +36,7 @@ pub use andrews_pins::AndrewsPins;
 pub use chain10::Chain10;
 pub use elliptic_trammel::EllipticTrammel;
 pub use excavator::Excavator;
+pub use five_bar_leg::{DrivenLeg, FiveBarLeg};
 pub use fourbar_ends::FourbarEnds;
 pub use fourbar_lecture_angles::FourbarLectureAngles;
 pub use fourbar_lecture_mid::FourbarLectureMid;
@@ -41,6 +45,7 @@ pub use infeasible_fourbar::InfeasibleFourbar;
 pub use klann_leg::KlannLeg;
 pub use macpherson_strut::MacphersonStrut;
 pub use marghitu_six_link::MarghituSixLink;
+pub use measured_excavator::MeasuredExcavator;
 pub use nikravesh_fourbar::NikraveshFourbar;
 pub use ondsel_fourbar::OndselFourbar;
 pub use peaucellier::Peaucellier;
@@ -48,12 +53,31 @@ pub use quick_return::QuickReturn;
 pub use redundant_parallelogram::RedundantParallelogram;
 pub use robot_3rrr::Robot3rrr;
 pub use scotch_yoke::ScotchYoke;
+pub use signal_table::SignalTable;
 pub use singular_slider_crank::SingularSliderCrank;
 pub use slider_crank_inline::SliderCrankInline;
 pub use toggle_press::TogglePress;
 pub use underdriven_fivebar::UnderdrivenFivebar;
 pub use watt_sixbar::WattSixbar;
 pub use welded_pendulums::WeldedPendulums;
+
+use kin_runtime::{Mechanism, Signal};
+
+/// The inputs of a test mechanism at time t, smooth over its interval; none where it has none.
+#[must_use]
+pub fn signals<M: Mechanism>(t: f64) -> Vec<Signal> {
+    match M::model().name {
+        "FiveBarLeg" => five_bar_leg::signals(t).to_vec(),
+        "MeasuredExcavator" => measured_excavator::signals(t).to_vec(),
+        "SignalTable" => signal_table::signals(t).to_vec(),
+        _ => Vec::new(),
+    }
+}
+
+/// [`signals`] for `Solver::with_inputs`.
+pub fn write_signals<M: Mechanism>(t: f64, inputs: &mut [Signal]) {
+    inputs.copy_from_slice(&signals::<M>(t));
+}
 
 /// Calls the macro `$law` with every test mechanism: a name for its tests, its type, and an interval of time in which
 /// it moves; mechanisms without an interval never assemble.
@@ -67,6 +91,8 @@ macro_rules! every_mechanism {
                 chain10: Chain10, 0.0, 1.9;
                 elliptic_trammel: EllipticTrammel, 0.0, 1.9;
                 excavator: Excavator, 0.0, 1.9;
+                driven_leg: DrivenLeg, 0.0, 1.9;
+                five_bar_leg: FiveBarLeg, 0.0, 1.9;
                 fourbar_ends: FourbarEnds, 0.0, 2.6;
                 fourbar_lecture_angles: FourbarLectureAngles, 0.0, 2.6;
                 fourbar_lecture_mid: FourbarLectureMid, 0.0, 2.6;
@@ -74,6 +100,7 @@ macro_rules! every_mechanism {
                 klann_leg: KlannLeg, 0.0, 3.1;
                 macpherson_strut: MacphersonStrut, 0.0, 1.9;
                 marghitu_six_link: MarghituSixLink, 0.0, 0.08;
+                measured_excavator: MeasuredExcavator, 0.0, 1.9;
                 nikravesh_fourbar: NikraveshFourbar, 0.0, 0.9;
                 ondsel_fourbar: OndselFourbar, 0.0, 0.9;
                 peaucellier: Peaucellier, 0.0, 1.9;
@@ -81,6 +108,7 @@ macro_rules! every_mechanism {
                 redundant_parallelogram: RedundantParallelogram, 0.0, 1.6;
                 robot_3rrr: Robot3rrr, 0.0, 1.5;
                 scotch_yoke: ScotchYoke, 0.0, 1.9;
+                signal_table: SignalTable, 0.0, 1.9;
                 singular_slider_crank: SingularSliderCrank, 0.0, 0.44;
                 slider_crank_inline: SliderCrankInline, 0.0, 1.9;
                 toggle_press: TogglePress, 0.0, 1.27;

@@ -1,7 +1,7 @@
 //! Names and shapes that generated code could trip over: each mechanism here compiles without a warning and works.
 #![deny(missing_docs, warnings)]
 
-use kin_runtime::model::{Body, Coordinate, Point};
+use kin_runtime::model::{Body, Coordinate, Input, Point};
 use kin_runtime::{Instant, Kinematics, Mechanism, mechanism};
 use kin_tests::works;
 
@@ -65,6 +65,13 @@ struct Coordinates {}
 #[revolute(gamma: ground @ (0, 0), gamma)]
 #[driver(drive: b.phi = t)]
 struct Points;
+
+#[mechanism]
+#[coordinates(c)]
+#[input(gamma, modes, jacobian, q, q_dot, default, e, evaluate, u, p, w, at, inputs, phi, r#type, T[2])]
+#[driver(drive: c = gamma + modes + jacobian + q + q_dot + default + e + evaluate + u + p + w + at * inputs * phi
+    + r#type + T[0] * T[1])]
+struct Inputs;
 
 #[mechanism]
 #[coordinates(u)]
@@ -133,6 +140,7 @@ fn awkward_names() {
     works(&Bodies);
     works(&Coordinates {});
     works(&Points);
+    works(&Inputs);
     works(&Parameters::default());
     works(&RawIdentifiers::default());
 }
@@ -147,6 +155,10 @@ fn handles_have_their_types() {
     let point: Point = Points::modes;
     assert_eq!(Point(1), point);
     assert_eq!((Body(0), Body(1)), (RawIdentifiers::r#type, RawIdentifiers::r#loop));
+    let [first, second]: [Input; 2] = Inputs::T;
+    assert_eq!((Input(15), Input(16)), (first, second));
+    assert_eq!(Some(Inputs::r#type), Inputs::model().input("type"));
+    assert_eq!("T[1]", Inputs::model().inputs[second.0]);
 }
 
 #[test]

@@ -43,6 +43,7 @@ pub(super) struct Assembly<'m> {
     pub(super) coordinates_of: Vec<[Option<u32>; 3]>,
     pub(super) first_scalar: Vec<u32>,
     pub(super) first_parameter: Vec<u32>,
+    pub(super) first_input: Vec<u32>,
     /// Defines by family and index; `None` while one is being built.
     pub(super) defines: HashMap<(usize, i64), Option<ExprId>>,
     /// The index variable of the range that is being laid out.
@@ -127,6 +128,7 @@ impl Assembly<'_> {
                 let observable = self.observe(set, ObservableKind::Define(set.defines.len()), value);
                 set.defines.push(DefineInstance {
                     name: indexed(&define.name, shown.is_some(), index),
+                    origin: define.origin,
                     family: (family, index.max(0) as usize),
                     observable,
                     varies: !self.graph.depends(value).is_static(),
@@ -192,6 +194,7 @@ impl Assembly<'_> {
         let tag = tag(&joint.kind);
         set.joints.push(JointInstance {
             name,
+            origin: joint.keyword,
             family,
             tag,
             frames: rows.frames,

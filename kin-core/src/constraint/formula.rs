@@ -36,7 +36,16 @@ impl Assembly<'_> {
                     }
                 }
             }
-            Formula::Input(member) => self.graph.symbol(Symbol::Input(member.family as u32, 0)),
+            Formula::Input(member) => {
+                let len = self.mechanism.inputs.get(member.family).map_or(0, |input| input.len.unwrap_or(1));
+                match member.index.at(self.index).filter(|i| *i < len) {
+                    Some(i) => {
+                        let first = self.first_input[member.family];
+                        self.graph.symbol(Symbol::Input(first + i as u32, 0))
+                    }
+                    None => self.error(member.origin, format!("the index is out of range: there are {len} inputs")),
+                }
+            }
             Formula::Pose(body, component) => self.pose(body)[*component as usize],
             Formula::Scalar(member) => match self.scalar(member) {
                 Some(k) => self.graph.symbol(Symbol::Coordinate(k)),

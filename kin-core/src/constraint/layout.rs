@@ -23,7 +23,11 @@ impl<'m> Assembly<'m> {
             }
         }
         set.functions = mechanism.functions.iter().map(|f| f.name.clone()).collect();
-        set.inputs = mechanism.inputs.iter().map(|input| input.name.clone()).collect();
+        let mut first_input = Vec::new();
+        for input in &mechanism.inputs {
+            first_input.push(set.inputs.len() as u32);
+            set.inputs.extend((0..input.len.unwrap_or(1)).map(|k| indexed(&input.name, input.len.is_some(), k)));
+        }
         let (mut first_body, mut coordinates_of) = (Vec::new(), Vec::new());
         for (family, body) in mechanism.bodies.iter().enumerate() {
             first_body.push(coordinates_of.len());
@@ -76,6 +80,7 @@ impl<'m> Assembly<'m> {
             coordinates_of,
             first_scalar,
             first_parameter,
+            first_input,
             defines: HashMap::new(),
             index: 0,
             errors: Vec::new(),

@@ -1,5 +1,6 @@
 //! The constraint set: Φ with everything that is reported about it, all families laid out.
 
+use crate::error::Origin;
 use crate::expr::{ExprId, Graph, Names, Symbol};
 use crate::mechanism::Component;
 use core::fmt;
@@ -68,6 +69,8 @@ pub struct PointInstance {
 pub struct DefineInstance {
     /// Its name.
     pub name: String,
+    /// The token that declared it.
+    pub origin: Origin,
     /// Place of its family in the mechanism, and its index there.
     pub family: (usize, usize),
     /// Its observable.
@@ -141,6 +144,8 @@ pub enum JointTag {
 pub struct JointInstance {
     /// `A` or `N[3]`.
     pub name: String,
+    /// The keyword's token.
+    pub origin: Origin,
     /// Place of its family in the mechanism, and its index there.
     pub family: (usize, i64),
     /// Kind.
@@ -261,6 +266,11 @@ impl ConstraintSet {
     /// The name of q_k.
     pub fn coordinate_name(&self, k: u32) -> &str {
         self.coordinates.get(k as usize).map_or("", |c| c.name.as_str())
+    }
+
+    /// The name of an input.
+    pub fn input_name(&self, k: u32) -> &str {
+        self.inputs.get(k as usize).map_or("", String::as_str)
     }
 
     /// `id` as text.

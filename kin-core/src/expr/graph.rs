@@ -103,6 +103,11 @@ impl Graph {
         self.literal(id) == Some(0.0)
     }
 
+    /// Every expression that was built, operands first.
+    pub fn ids(&self) -> impl Iterator<Item = ExprId> + use<> {
+        (0..self.nodes.len() as u32).map(ExprId)
+    }
+
     /// Everything that `roots` are made of, operands first.
     pub fn reachable(&self, roots: impl IntoIterator<Item = ExprId>) -> Vec<ExprId> {
         let mut seen = vec![false; self.nodes.len()];

@@ -15,4 +15,4 @@ pub(crate) use eval::function;
 pub use eval::{Environment, evaluate};
 pub use graph::Graph;
 pub use jet::{Jet, total_derivatives};
-pub use node::{Bits, Depends, ExprId, Node, Rotation, Symbol, Turning};
+pub use node::{Bits, Depends, ExprId, MAX_ORDER, Node, Rotation, Symbol, Turning};

@@ -13,6 +13,9 @@ impl ExprId {
     }
 }
 
+/// The highest derivative of inputs and supplied functions that an evaluation has: value, rate, acceleration.
+pub const MAX_ORDER: u8 = 2;
+
 /// What an evaluation supplies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Symbol {
@@ -20,7 +23,8 @@ pub enum Symbol {
     Parameter(u32),
     /// Time t.
     Time,
-    /// An input: its value, rate or acceleration (order 0, 1, 2).
+    /// An input: its value, rate or acceleration (order 0, 1, 2). Differentiation may write a higher order, up to
+    /// twice the highest; [`differentiate`](crate::system::differentiate) refuses results that need it.
     Input(u32, u8),
     /// A generalized coordinate q_k.
     Coordinate(u32),

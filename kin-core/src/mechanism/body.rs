@@ -93,8 +93,10 @@ pub struct Parameter {
 /// A signal known only at run time, with its rate and acceleration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Input {
-    /// Name.
+    /// Name without index.
     pub name: String,
+    /// Number of members; `None` for a single one.
+    pub len: Option<usize>,
     /// The token that declared it.
     pub origin: Origin,
 }

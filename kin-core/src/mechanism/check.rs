@@ -102,7 +102,8 @@ fn sorted(mut errors: Vec<ModelError>) -> Vec<ModelError> {
 fn families_have_members(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     let bodies = mechanism.bodies.iter().map(|b| (&b.name, b.len, b.origin));
     let scalars = mechanism.scalars.iter().map(|s| (&s.name, s.len, s.origin));
-    for (name, len, origin) in bodies.chain(scalars) {
+    let inputs = mechanism.inputs.iter().map(|i| (&i.name, i.len, i.origin));
+    for (name, len, origin) in bodies.chain(scalars).chain(inputs) {
         match len {
             Some(0) => {
                 errors.push(ModelError::new(origin, format!("`{name}` has no member; a family has at least one")))

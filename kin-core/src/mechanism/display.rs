@@ -9,6 +9,9 @@ impl fmt::Display for Mechanism {
         for parameter in &self.parameters {
             writeln!(f, "  parameter {}{}", parameter.name, length(parameter.len))?;
         }
+        for input in &self.inputs {
+            writeln!(f, "  input {}{}", input.name, length(input.len))?;
+        }
         for body in &self.bodies {
             write!(f, "  body {}{}", body.name, length(body.len))?;
             match &body.origin_at {

@@ -75,7 +75,7 @@ pub fn mechanism(seed: u64) -> Mechanism {
         name: "Random".into(),
         parameters: parameters(&[&plain[..], &[("l", Some(LEN as usize))]].concat()),
         functions: vec![SuppliedFunction { name: "f".into(), origin: AT }],
-        inputs: ["u", "v"].map(|name| Input { name: name.into(), origin: AT }).to_vec(),
+        inputs: ["u", "v"].map(|name| Input { name: name.into(), len: None, origin: AT }).to_vec(),
         bodies: bodies.into_iter().map(|(_, body)| body).collect(),
         scalars: vec![
             Scalar { name: "s".into(), len: None, origin: AT },

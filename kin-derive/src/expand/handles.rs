@@ -33,8 +33,11 @@ pub(crate) fn handles(lowered: &Lowered, system: &KinematicSystem) -> TokenStrea
         let len = define.range.map(|_| places.len());
         constants.extend(constant(lowered, &define.name, define.origin, len, "Quantity", &places));
     }
-    for (place, input) in mechanism.inputs.iter().enumerate() {
-        constants.extend(constant(lowered, &input.name, input.origin, None, "Input", &[place]));
+    let mut place = 0;
+    for input in &mechanism.inputs {
+        let places: Vec<usize> = (place..place + input.len.unwrap_or(1)).collect();
+        place += places.len();
+        constants.extend(constant(lowered, &input.name, input.origin, input.len, "Input", &places));
     }
     let name = &lowered.item.ident;
     let (impl_generics, type_generics, where_clause) = lowered.item.generics.split_for_impl();
@@ -52,11 +55,12 @@ pub(crate) fn placeholders(lowered: &Lowered) -> TokenStream {
     let range = |range: Option<kin_core::mechanism::Range>| range.map(|range| range.indices().count());
     let bodies = mechanism.bodies.iter().map(|b| (&b.name, b.origin, b.len, "Body"));
     let scalars = mechanism.scalars.iter().map(|s| (&s.name, s.origin, s.len, "Coordinate"));
+    let inputs = mechanism.inputs.iter().map(|i| (&i.name, i.origin, i.len, "Input"));
     let points = mechanism.points.iter().map(|p| (&p.name, p.origin, range(p.range), "Point"));
     let defines = mechanism.defines.iter().map(|d| (&d.name, d.origin, range(d.range), "Quantity"));
     // Of two things with one name the first has the constant.
     let mut seen = std::collections::BTreeSet::new();
-    (bodies.chain(scalars).chain(points).chain(defines))
+    (bodies.chain(scalars).chain(inputs).chain(points).chain(defines))
         .filter(|(name, ..)| seen.insert(name.as_str()))
         .map(|(name, origin, len, ty)| {
             let span = lowered.spans.get(origin.0 as usize).copied().unwrap_or_else(Span::call_site);

@@ -50,7 +50,7 @@ impl Lowerer<'_> {
                     defines.push(named.len());
                     named.push(Named::Define(defines.len() - 1, decl));
                 }
-                Item::Body(_) | Item::Scalar(_) | Item::Row(_) | Item::Guess(_) => {}
+                Item::Body(_) | Item::Scalar(_) | Item::Input(_) | Item::Row(_) | Item::Guess(_) => {}
             }
         }
         self.points = vec![None; points.len()];
@@ -58,7 +58,7 @@ impl Lowerer<'_> {
         let place_of = |symbol| match symbol {
             Symbol::Point(k) => points.get(k).copied(),
             Symbol::Define(k) => defines.get(k).copied(),
-            Symbol::Parameter(_) | Symbol::Body(_) | Symbol::Scalar(_) => None,
+            Symbol::Parameter(_) | Symbol::Body(_) | Symbol::Scalar(_) | Symbol::Input(_) => None,
         };
         let edges: Vec<Vec<usize>> =
             named.iter().map(|decl| self.parts(decl).into_iter().filter_map(place_of).collect()).collect();

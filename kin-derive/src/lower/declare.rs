@@ -4,7 +4,7 @@ use super::names::{Declared, Names, Shape, Symbol};
 use super::{Lowerer, body, place};
 use crate::ast::{Bracket, Description, Item, NewName, RangeDecl, text};
 use kin_core::error::Origin;
-use kin_core::mechanism::{Body, Define, Formula, Mechanism, NamedPoint, Parameter, Range, Scalar};
+use kin_core::mechanism::{Body, Define, Formula, Input, Mechanism, NamedPoint, Parameter, Range, Scalar};
 
 /// The range that the index variable of an item runs over.
 #[derive(Clone, Debug)]
@@ -48,6 +48,14 @@ impl Lowerer<'_> {
                     let origin = self.name(&decl.name, symbol, &shape, &mut names);
                     let (name, len) = (text(&decl.name.ident), len_of(&shape));
                     mechanism.scalars.push(Scalar { name, len, origin });
+                    range
+                }
+                Item::Input(decl) => {
+                    let (shape, range) = self.length(&decl.name, "#[input(u[3])]");
+                    let symbol = Symbol::Input(mechanism.inputs.len());
+                    let origin = self.name(&decl.name, symbol, &shape, &mut names);
+                    let (name, len) = (text(&decl.name.ident), len_of(&shape));
+                    mechanism.inputs.push(Input { name, len, origin });
                     range
                 }
                 Item::Point(decl) => {

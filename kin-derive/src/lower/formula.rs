@@ -94,7 +94,7 @@ impl Lowerer<'_> {
             return self.reserved(&name, used, scope);
         }
         let is_value: fn(Symbol) -> bool =
-            |symbol| matches!(symbol, Symbol::Parameter(_) | Symbol::Scalar(_) | Symbol::Define(_));
+            |symbol| matches!(symbol, Symbol::Parameter(_) | Symbol::Scalar(_) | Symbol::Input(_) | Symbol::Define(_));
         if let IndexRange::Over(range) = scope.range
             && text(&range.variable) == name
             && self.names.find(&name).is_none()
@@ -125,6 +125,10 @@ impl Lowerer<'_> {
         let origin = self.origin(span);
         match declared.symbol {
             Symbol::Parameter(family) => Some(Formula::Parameter(Member { family, index, origin })),
+            Symbol::Input(family) => {
+                self.require(Class::Signal, &format!("`{name}` is an input"), (span, span), scope)?;
+                Some(Formula::Input(Member { family, index, origin }))
+            }
             Symbol::Scalar(family) => {
                 self.require(Class::Coordinate, &format!("`{name}` is a coordinate"), (span, span), scope)?;
                 Some(Formula::Scalar(Member { family, index, origin }))
@@ -134,7 +138,7 @@ impl Lowerer<'_> {
                 let class = self.defines.get(family)?.as_ref()?.1;
                 let depends = match class {
                     Class::Coordinate => "coordinates",
-                    Class::Signal | Class::Constant => "`t`",
+                    Class::Signal | Class::Constant => "`t` or inputs",
                 };
                 self.require(class, &format!("the define `{name}` holds {depends}"), (span, span), scope)?;
                 Some(Formula::Define(Member { family, index, origin }))
@@ -199,6 +203,12 @@ impl Lowerer<'_> {
                 let class = if place.body.is_ground() { Class::Constant } else { Class::Coordinate };
                 self.require(class, &whole, (used.ident.span(), component.span()), scope)?;
                 Some(Formula::PointCoordinate(Box::new(place), which?))
+            }
+            Some(Symbol::Input(_)) => {
+                let message =
+                    format!("`{name}` is an input; an expression takes its value, `{name}`, and derives the rest");
+                self.report.error(component.span(), message);
+                None
             }
             Some(other) => {
                 let noun = other.noun();
@@ -284,7 +294,7 @@ impl Lowerer<'_> {
         }
         let right = match scope.allow {
             Allow::Parameters => "numbers and parameters only",
-            Allow::Signals | Allow::Everything => "numbers, parameters and `t` only",
+            Allow::Signals | Allow::Everything => "numbers, parameters, `t` and inputs only",
         };
         self.report.error_between(first, last, format!("{found}; {} takes {right}", scope.what));
         None

@@ -48,7 +48,7 @@ pub(crate) struct Mention {
 }
 
 /// What a mentioned name is.
-#[allow(dead_code, reason = "inputs and supplied functions are mentioned once their attributes are read")]
+#[allow(dead_code, reason = "supplied functions are mentioned once their attribute is read")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MentionKind {
     Parameter,
@@ -86,7 +86,7 @@ pub(crate) enum FieldRole {
 pub(crate) struct Docs {
     /// The struct's.
     pub(crate) mechanism: String,
-    /// Those of bodies, coordinates, points and defines, by name.
+    /// Those of bodies, coordinates, inputs, points and defines, by name.
     pub(crate) names: Vec<(String, String)>,
     /// Those of rows, by name.
     pub(crate) rows: Vec<(String, String)>,
@@ -162,6 +162,7 @@ fn docs(description: &Description) -> Docs {
         let (name, list) = match item {
             Item::Body(decl) => (&decl.name, &mut docs.names),
             Item::Scalar(decl) => (&decl.name, &mut docs.names),
+            Item::Input(decl) => (&decl.name, &mut docs.names),
             Item::Point(decl) => (&decl.name, &mut docs.names),
             Item::Define(decl) => (&decl.name, &mut docs.names),
             Item::Row(row) => (&row.name, &mut docs.rows),

@@ -10,6 +10,7 @@ pub(super) enum Symbol {
     Parameter(usize),
     Body(usize),
     Scalar(usize),
+    Input(usize),
     Point(usize),
     Define(usize),
 }
@@ -21,6 +22,7 @@ impl Symbol {
             Self::Parameter(_) => "a parameter",
             Self::Body(_) => "a body",
             Self::Scalar(_) => "a coordinate",
+            Self::Input(_) => "an input",
             Self::Point(_) => "a point",
             Self::Define(_) => "a define",
         }
@@ -32,6 +34,7 @@ impl Symbol {
             Self::Parameter(_) => MentionKind::Parameter,
             Self::Body(_) => MentionKind::Body,
             Self::Scalar(_) => MentionKind::Scalar,
+            Self::Input(_) => MentionKind::Input,
             Self::Point(_) => MentionKind::Point,
             Self::Define(_) => MentionKind::Define,
         }

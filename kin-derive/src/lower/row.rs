@@ -20,7 +20,7 @@ impl Lowerer<'_> {
                     }
                 }
                 Item::Guess(guess) => mechanism.guesses.extend(self.guess(guess, range)),
-                Item::Body(_) | Item::Scalar(_) | Item::Point(_) | Item::Define(_) => {}
+                Item::Body(_) | Item::Scalar(_) | Item::Input(_) | Item::Point(_) | Item::Define(_) => {}
             }
         }
     }

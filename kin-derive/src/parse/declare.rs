@@ -1,4 +1,4 @@
-//! What declares names: bodies, coordinates, points and defines; and the guess.
+//! What declares names: bodies, coordinates, inputs, points and defines; and the guess.
 
 use super::expr::{end_of_expr, expr};
 use super::index::{identifier, name_or_family, new_name};
@@ -6,7 +6,7 @@ use super::list::{comma, end_of_part, list, skip_part};
 use super::point::point;
 use super::read::{is_option, no_equals};
 use super::reject::here;
-use crate::ast::{BodyDecl, DefineDecl, Expr, GuessDecl, Item, PointDecl, PointExpr, ScalarDecl, text};
+use crate::ast::{BodyDecl, DefineDecl, Expr, GuessDecl, InputDecl, Item, PointDecl, PointExpr, ScalarDecl, text};
 use crate::report::Report;
 use crate::suggest::did_you_mean;
 use syn::ext::IdentExt;
@@ -38,6 +38,21 @@ pub(super) fn coordinates(input: ParseStream, keyword: &Ident, report: &Report, 
         items.push(Item::Scalar(ScalarDecl { name }));
         if input.peek(Token![=]) {
             return Err(here(input, start));
+        }
+        Ok(())
+    })
+}
+
+/// `boom_length, u[3]`.
+pub(super) fn inputs(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
+    nonempty(input, keyword, "#[input(boom_length, stick_length)]", report);
+    list(input, report, |input| {
+        let name = new_name(input, report)?;
+        let caller =
+            format!("an input is a name; value, rate and acceleration of `{}` come with every call", name.ident);
+        items.push(Item::Input(InputDecl { name }));
+        if input.peek(Token![=]) {
+            return Err(here(input, caller));
         }
         Ok(())
     })

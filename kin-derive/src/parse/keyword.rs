@@ -9,6 +9,7 @@ pub(super) enum Keyword {
     Bodies,
     Body,
     Coordinates,
+    Input,
     Point,
     Define,
     Guess,
@@ -29,7 +30,13 @@ impl Keyword {
     pub(super) const fn declares(self) -> bool {
         matches!(
             self,
-            Self::Bodies | Self::Body | Self::Coordinates | Self::Point | Self::Define | Self::Later { declares: true }
+            Self::Bodies
+                | Self::Body
+                | Self::Coordinates
+                | Self::Input
+                | Self::Point
+                | Self::Define
+                | Self::Later { declares: true }
         )
     }
 }
@@ -46,7 +53,7 @@ const WORDS: [(&str, Keyword); 20] = [
     ("guess", Keyword::Guess),
     ("param", Keyword::Param),
     ("mechanism", Keyword::Mechanism),
-    ("input", Keyword::Later { declares: true }),
+    ("input", Keyword::Input),
     ("function", Keyword::Later { declares: true }),
     ("gear", LATER),
     ("belt", LATER),
@@ -92,7 +99,7 @@ const FOREIGN: [&str; 18] = [
 ];
 
 /// What others call it.
-const SYNONYMS: [(&str, &str); 14] = [
+const SYNONYMS: [(&str, &str); 15] = [
     ("actuator", "driver"),
     ("assembly", "guess"),
     ("equation", "constraint"),
@@ -105,6 +112,7 @@ const SYNONYMS: [(&str, &str); 14] = [
     ("prismatic", "translational"),
     ("revolute_joint", "revolute"),
     ("rigid", "fixed"),
+    ("signal", "input"),
     ("slider", "translational"),
     ("weld", "fixed"),
 ];
@@ -116,7 +124,10 @@ pub(super) fn near_miss(name: &str) -> Option<(String, bool)> {
         return None;
     }
     if let Some((_, meant)) = SYNONYMS.iter().find(|(word, _)| *word == name) {
-        return Some((format!("no attribute `{name}` in kin; it is called `{meant}`"), *meant == "bodies"));
+        return Some((
+            format!("no attribute `{name}` in kin; it is called `{meant}`"),
+            matches!(*meant, "bodies" | "input"),
+        ));
     }
     // `x` and `y` are too short for a slip.
     let candidates = near(name, words().map(|(word, _)| word).filter(|word| word.len() > 2));

@@ -38,11 +38,7 @@ impl Setup {
     /// The inputs a time `dt` after the first instant: acceleration stays constant.
     fn inputs_after(&self, dt: f64, out: &mut [Signal]) {
         for (to, u) in out.iter_mut().zip(&self.inputs) {
-            *to = Signal {
-                value: u.value + dt * (u.rate + 0.5 * dt * u.acceleration),
-                rate: u.rate + dt * u.acceleration,
-                acceleration: u.acceleration,
-            };
+            *to = u.after(dt);
         }
     }
 }

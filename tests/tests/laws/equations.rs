@@ -1,6 +1,6 @@
 //! Laws of the equations at configurations that are not assembled.
 
-use crate::{evaluated, random_configuration};
+use crate::{When, evaluated, random_configuration};
 use kin_runtime::model::{Frame, JointKind};
 use kin_runtime::{Instant, Kinematics, Mechanism, Subset};
 use kin_tests::compare::{Differences, largest};
@@ -15,9 +15,9 @@ pub(crate) fn closed_forms_equal_duals<M: Kinematics + Default>() {
 /// Each of Φ, Φ_q, Φ_t, γ alone, and each pair that an analysis asks for, is bit by bit the combined evaluation's.
 pub(crate) fn subsets_equal_the_whole<M: Mechanism + Default>() {
     let mechanism = M::default();
-    let (t, q, q_dot) = random_configuration::<M>(&mut Random::new(3));
-    let at = Instant::at(t);
-    let whole = evaluated(&mechanism, t, &q, &q_dot);
+    let (when, q, q_dot) = random_configuration::<M>(&mut Random::new(3));
+    let at = when.at();
+    let whole = evaluated(&mechanism, &at, &q, &q_dot);
     let bits = |values: &[f64]| values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
     assert_eq!(bits(whole.phi()), bits(mechanism.constraints(&at, &q).unwrap().as_ref()));
     assert_eq!(bits(whole.phi_q()), bits(mechanism.jacobian(&at, &q).unwrap().as_ref()));
@@ -42,12 +42,14 @@ pub(crate) fn single_precision_agrees<M: Mechanism + Default>() {
     let mut random = Random::new(11);
     let mut differences = Differences::new();
     for round in 0..5 {
-        let (t, q, q_dot) = random_configuration::<M>(&mut random);
+        let (when, q, q_dot) = random_configuration::<M>(&mut random);
         let single = |values: &[f64]| values.iter().map(|&value| value as f32).collect::<Vec<_>>();
-        let (t, q, q_dot) = (t as f32, single(&q), single(&q_dot));
+        let (t, q, q_dot) = (when.t as f32, single(&q), single(&q_dot));
+        let inputs: Vec<_> = when.inputs.iter().map(|u| u.map(|value| value as f32)).collect();
         let double = |values: &[f32]| values.iter().map(|&value| f64::from(value)).collect::<Vec<_>>();
-        let expected = evaluated(&mechanism, f64::from(t), &double(&q), &double(&q_dot));
-        let found = evaluated(&mechanism, t, &q, &q_dot);
+        let rounded = When { t: f64::from(t), inputs: inputs.iter().map(|u| u.map(f64::from)).collect() };
+        let expected = evaluated(&mechanism, &rounded.at(), &double(&q), &double(&q_dot));
+        let found = evaluated(&mechanism, &Instant { t, inputs: &inputs }, &q, &q_dot);
         differences.at(format_args!("configuration {round}"));
         let parts = [
             ("Φ", expected.phi(), found.phi()),
@@ -77,7 +79,7 @@ pub(crate) fn joints_do_not_feel_rigid_motion<M: Mechanism + Default>() {
         if poses.iter().flatten().any(Option::is_none) {
             continue;
         }
-        let (t, q, _) = random_configuration::<M>(&mut random);
+        let (when, q, _) = random_configuration::<M>(&mut random);
         let (turn, shift) = (random.between(-3.0, 3.0), random.vector(2, -2.0, 2.0));
         let (sin, cos) = turn.sin_cos();
         let mut moved = q.clone();
@@ -88,7 +90,7 @@ pub(crate) fn joints_do_not_feel_rigid_motion<M: Mechanism + Default>() {
             moved[phi] = q[phi] + turn;
         }
         let norm = |q: &[f64]| {
-            let phi = mechanism.constraints(&Instant::at(t), q).expect("lengths agree");
+            let phi = mechanism.constraints(&when.at(), q).expect("lengths agree");
             let rows = &phi.as_ref()[joint.first_row..joint.first_row + joint.rows];
             rows.iter().map(|row| row * row).sum::<f64>().sqrt()
         };

@@ -1,12 +1,14 @@
 //! NaN, infinity and wrong lengths in give an error from every analysis, never an answer.
 
-use kin_runtime::{Instant, Kinematics, SolveError, State};
+use crate::When;
+use kin_runtime::{Instant, Kinematics, LengthError, Signal, SolveError, State};
+use kin_tests::mechanisms::write_signals;
 use std::fmt::Debug;
 
 /// NaN or infinity in time, q, q̇, guesses or parameters.
 pub(crate) fn nothing_comes_of_what_is_not_finite<M: Kinematics + Default>(t: f64) {
     let mechanism = M::default();
-    let good = mechanism.state_at(&Instant::at(t)).unwrap();
+    let good = mechanism.state_at(&When::of::<M>(t).at()).unwrap();
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         at_a_bad_time(&mechanism, &good, bad);
         for place in [0, M::COORDINATES / 2, M::COORDINATES - 1] {
@@ -26,8 +28,8 @@ pub(crate) fn nothing_comes_of_what_is_not_finite<M: Kinematics + Default>(t: f6
 }
 
 fn at_a_bad_time<M: Kinematics>(mechanism: &M, good: &State, bad: f64) {
-    let at = Instant::at(bad);
-    let solver = mechanism.solver();
+    let at = Instant { t: bad, inputs: &good.inputs };
+    let solver = mechanism.solver().with_inputs(&write_signals::<M>);
     refused("state", solver.state(&at));
     refused("assemble", solver.assemble(&at));
     refused("position", solver.position(&at, &good.q));
@@ -75,8 +77,10 @@ fn refused<T: Debug>(what: &str, answer: Result<T, SolveError>) {
 /// One number too few or too many, or inputs that the mechanism does not have.
 pub(crate) fn wrong_lengths_are_errors<M: Kinematics + Default>(t: f64) {
     let mechanism = M::default();
-    let at = Instant::at(t);
-    let solver = mechanism.solver();
+    let when = When::of::<M>(t);
+    let at = when.at();
+    let solver = mechanism.solver().with_inputs(&write_signals::<M>);
+    wrong_inputs_are_named(&mechanism, &when);
     let right = vec![0.1; M::COORDINATES];
     for length in [0, M::COORDINATES - 1, M::COORDINATES + 1] {
         if length == M::COORDINATES {
@@ -97,5 +101,25 @@ pub(crate) fn wrong_lengths_are_errors<M: Kinematics + Default>(t: f64) {
         }
         assert!(mechanism.constraints(&at, &wrong).is_err());
         assert!(mechanism.gamma(&at, &right, &wrong).is_err());
+    }
+}
+
+/// One input too many, one too few, and numbers among them that are not finite.
+fn wrong_inputs_are_named<M: Kinematics>(mechanism: &M, when: &When) {
+    let mut more = when.inputs.clone();
+    more.push(Signal::default());
+    for inputs in [&more[..], when.inputs.get(1..).unwrap_or(&more)] {
+        let error = mechanism.state_at(&Instant { t: when.t, inputs }).unwrap_err();
+        let right = LengthError { what: "inputs", expected: M::INPUTS, found: inputs.len() };
+        assert_eq!(SolveError::Length(right), error);
+    }
+    for (place, input) in M::model().inputs.iter().enumerate() {
+        for part in 0..3 {
+            let mut inputs = when.inputs.clone();
+            let broken = &mut inputs[place];
+            *[&mut broken.value, &mut broken.rate, &mut broken.acceleration][part] = f64::NAN;
+            let error = mechanism.state_at(&Instant { t: when.t, inputs: &inputs }).unwrap_err();
+            assert_eq!(SolveError::NonFinite { what: "inputs", index: place, name: input }, error);
+        }
     }
 }

@@ -6,9 +6,9 @@ mod four_bars;
 mod motion;
 mod observables;
 
-use kin_runtime::{Instant, Mechanism, Scalar, Subset, Workspace};
+use kin_runtime::{Instant, Mechanism, Scalar, Signal, Subset, Workspace};
 use kin_tests::every_mechanism;
-use kin_tests::mechanisms::*;
+use kin_tests::mechanisms::{signals, *};
 use kin_tests::random::Random;
 
 /// Laws of Φ, Φ_q, Φ_t, γ at any configuration.
@@ -105,14 +105,30 @@ macro_rules! law_tests {
 
 every_mechanism!(law_tests);
 
-/// A configuration that closes nothing: instant, q, q̇.
-fn random_configuration<M: Mechanism>(random: &mut Random) -> (f64, Vec<f64>, Vec<f64>) {
-    let t = random.between(0.0, 1.0);
-    (t, random.vector(M::COORDINATES, -1.5, 1.5), random.vector(M::COORDINATES, -2.0, 2.0))
+/// An instant with the inputs that the mechanism has then.
+struct When {
+    t: f64,
+    inputs: Vec<Signal>,
 }
 
-fn evaluated<M: Mechanism, T: Scalar>(mechanism: &M, t: T, q: &[T], q_dot: &[T]) -> Workspace<M, T> {
+impl When {
+    fn of<M: Mechanism>(t: f64) -> Self {
+        Self { t, inputs: signals::<M>(t) }
+    }
+
+    fn at(&self) -> Instant<'_> {
+        Instant { t: self.t, inputs: &self.inputs }
+    }
+}
+
+/// A configuration that closes nothing: instant, q, q̇.
+fn random_configuration<M: Mechanism>(random: &mut Random) -> (When, Vec<f64>, Vec<f64>) {
+    let when = When::of::<M>(random.between(0.0, 1.0));
+    (when, random.vector(M::COORDINATES, -1.5, 1.5), random.vector(M::COORDINATES, -2.0, 2.0))
+}
+
+fn evaluated<M: Mechanism, T: Scalar>(mechanism: &M, at: &Instant<'_, T>, q: &[T], q_dot: &[T]) -> Workspace<M, T> {
     let mut workspace = M::workspace::<T>();
-    mechanism.evaluate(Subset::ALL, &Instant::at(t), q, q_dot, &mut workspace).expect("lengths agree");
+    mechanism.evaluate(Subset::ALL, at, q, q_dot, &mut workspace).expect("lengths agree");
     workspace
 }

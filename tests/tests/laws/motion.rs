@@ -1,8 +1,9 @@
 //! Laws of solved configurations.
 
-use crate::evaluated;
-use kin_runtime::{Instant, Kinematics, SolveError, Trajectory};
+use crate::{When, evaluated};
+use kin_runtime::{Kinematics, SolveError, Trajectory};
 use kin_tests::compare::{Differences, largest};
+use kin_tests::mechanisms::write_signals;
 use kin_tests::random::Random;
 use kin_tests::stencil::Stencil;
 
@@ -12,7 +13,7 @@ pub(crate) fn grid(from: f64, to: f64, count: u32) -> Vec<f64> {
 }
 
 pub(crate) fn swept<M: Kinematics>(mechanism: &M, times: &[f64]) -> Trajectory {
-    mechanism.kinematic_analysis(times).unwrap_or_else(|error| panic!("{error}"))
+    mechanism.solver().with_inputs(&write_signals::<M>).sweep(times).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// |Φ| ≤ 1e-12 after solving, and Φ_q q̇ + Φ_t and Φ_q q̈ − γ vanish.
@@ -20,7 +21,7 @@ pub(crate) fn solved_configurations_close<M: Kinematics + Default>(from: f64, to
     let mechanism = M::default();
     let mut differences = Differences::new();
     for state in &swept(&mechanism, &grid(from, to, 12)) {
-        let found = evaluated(&mechanism, state.t, &state.q, &state.q_dot);
+        let found = evaluated(&mechanism, &state.instant(), &state.q, &state.q_dot);
         let times = |vector: &[f64]| {
             let mut product = vec![0.0; M::ROWS];
             for (&(row, column), entry) in M::model().constraint_pattern.entries.iter().zip(found.phi_q()) {
@@ -83,7 +84,8 @@ pub(crate) fn far_instants_equal_close_ones<M: Kinematics + Default>(from: f64, 
 /// From any start a position analysis closes the mechanism, or says that it did not.
 pub(crate) fn any_start_closes_or_fails<M: Kinematics + Default>(from: f64) {
     let mechanism = M::default();
-    let at = Instant::at(from);
+    let when = When::of::<M>(from);
+    let at = when.at();
     let near = mechanism.state_at(&at).unwrap().q;
     let mut random = Random::new(17);
     for (spread, starts) in [(0.05, 4), (0.5, 4), (3.0, 4), (100.0, 2)] {

@@ -127,6 +127,7 @@ impl<'a> Scope<'a> {
         for node in self.nodes() {
             match node {
                 Formula::Parameter(member) => uses.extend(parameter_use(mechanism, *member)),
+                Formula::Input(member) => uses.extend(input_use(mechanism, *member)),
                 Formula::Scalar(member) => uses.extend(scalar_use(mechanism, *member)),
                 Formula::Define(member) => uses.extend(define_use(mechanism, *member)),
                 Formula::Pose(body, _) => uses.extend(body_use(mechanism, *body)),
@@ -188,6 +189,11 @@ fn parameter_use(mechanism: &Mechanism, member: Member) -> Option<Use<'_>> {
     let Member { family, index, origin } = member;
     let parameter = mechanism.parameters.get(family)?;
     Some(Use { name: &parameter.name, members: within(parameter.len), index, origin })
+}
+
+fn input_use(mechanism: &Mechanism, member: Member) -> Option<Use<'_>> {
+    let Member { family, index, origin } = member;
+    mechanism.inputs.get(family).map(|input| Use { name: &input.name, members: within(input.len), index, origin })
 }
 
 fn define_use(mechanism: &Mechanism, member: Member) -> Option<Use<'_>> {

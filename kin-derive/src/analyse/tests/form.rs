@@ -158,7 +158,9 @@ fn rows_say_how_they_are_written() {
         ("#[param(1)]", "stands on a field"),
         ("#[mechanism]", "once"),
         ("#[gear(G: a, b, radii = (1, 2))]", "`gear` is not supported yet"),
-        ("#[input(u)] #[driver(D: crank.phi = u)]", "`input` is not supported yet"),
+        ("#[input()] #[driver(D: crank.phi = t)]", "says nothing"),
+        ("#[input(u = 1)] #[driver(D: crank.phi = u)]", "value, rate and acceleration of `u` come with every call"),
+        ("#[input(u[i in 1..3])] #[driver(D: crank.phi = u[0])]", "counted from 0: `#[input(u[3])]`"),
     ] {
         let errors = errors(&pendulum(source));
         assert_eq!(errors.len(), 1, "{source}: {errors:?}");

@@ -66,7 +66,7 @@ fn only_what_makes_sense_stands_in_its_place() {
     one_error(&pendulum("#[x(B: crank @ (0, 0) = crank.y)]"), &["the right-hand side of `x` takes"]);
     one_error(
         &pendulum("#[distance(B: crank @ (0, 0), ground @ (0, 0), length = crank.phi)]"),
-        &["`length` takes numbers, parameters and `t` only"],
+        &["`length` takes numbers, parameters, `t` and inputs only"],
     );
     one_error(&pendulum("#[translational(B: crank @ (0, 0), ground @ (0, 0), axis = (t, 1))]"), &["an axis takes"]);
     one_error(&pendulum("#[guess(crank.phi = t)]"), &["a guess takes"]);
@@ -74,7 +74,7 @@ fn only_what_makes_sense_stands_in_its_place() {
     one_error(&pendulum("#[define(s = crank.x)] #[x(B: crank @ (s, 0) = 0)]"), &["the define `s` holds coordinates"]);
     one_error(
         &pendulum("#[define(s = 2*t)] #[define(r = s + 1)] #[x(B: crank @ (r, 0) = 0)]"),
-        &["the define `r` holds `t`"],
+        &["the define `r` holds `t` or inputs"],
     );
     one_error(
         &pendulum("#[point(p = crank @ (0, 0))] #[x(B: crank @ (0, 0) = distance(p, ground @ (0, 0)))]"),
