@@ -268,6 +268,8 @@ pub(crate) struct FieldDecl {
     pub(crate) ty: Type,
     /// Number of elements of an array field.
     pub(crate) len: Option<usize>,
+    /// The type parameter that its numbers are of.
+    pub(crate) scalar: Option<Ident>,
     /// Default of every element.
     pub(crate) default: Option<Vec<f64>>,
     pub(crate) unit: Option<String>,

@@ -2,7 +2,7 @@
 //! only red lines.
 
 use crate::analyse::Broken;
-use crate::expand::{mentions, placeholders};
+use crate::expand::{mentions, placeholder, placeholders};
 use crate::parse::{derives_default, near_param, without_ours};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -34,8 +34,8 @@ pub(crate) fn fallback(cleaned: Option<&ItemStruct>, item: TokenStream, broken: 
             }
         }
     });
-    let (handles, mentions) = match &broken.lowered {
-        Some(lowered) => (placeholders(lowered), mentions(lowered)),
+    let (handles, mentions, generic) = match &broken.lowered {
+        Some(lowered) => (placeholders(lowered), mentions(lowered), placeholder(lowered)),
         None => Default::default(),
     };
     let nothing = quote! { -> __kin::Result<(), __kin::LengthError> { __kin::Ok(()) } };
@@ -72,6 +72,7 @@ pub(crate) fn fallback(cleaned: Option<&ItemStruct>, item: TokenStream, broken: 
                 ) #nothing
                 fn write_guesses<__T: __kin::Scalar>(&self, _: &[__T], _: &mut [__T]) #nothing
             }
+            #generic
             #default
         };
     }

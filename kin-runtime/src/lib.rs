@@ -2,6 +2,7 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 pub mod function;
+pub mod generic;
 mod handles;
 pub mod mechanism;
 pub mod model;
@@ -76,6 +77,7 @@ pub mod cli;
 pub mod present;
 
 pub use function::ScalarFunction;
+pub use generic::GenericMechanism;
 pub use kin_derive::mechanism;
 pub use mechanism::{LengthError, Mechanism, Observations, Workspace};
 pub use scalar::Scalar;

@@ -1,6 +1,7 @@
 //! The names that generated code uses. Not part of the public interface.
 
 pub use crate::function::ScalarFunction;
+pub use crate::generic::GenericMechanism;
 pub use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 pub use crate::model::{
     Body, BodyInfo, Component, Coordinate, CoordinateInfo, CoordinateKind, DefineInfo, EquationText, FamilyInfo,

@@ -26,18 +26,6 @@ fn function() {}
 struct Tuple(#[param(1)] f64, f64);
 
 #[mechanism]
-#[coordinates(u)]
-#[driver(drive: u = t)]
-struct Generic<T> {
-    a: T,
-}
-
-#[mechanism]
-#[coordinates(u)]
-#[driver(drive: u = t)]
-struct Scalar<const T: usize>;
-
-#[mechanism]
 struct Empty;
 
 #[mechanism]

@@ -1,6 +1,8 @@
 //! Kernels: the functions that evaluate a set of rows, one for every subset worth its own code.
 
+use super::generics;
 use super::program::{Reads, body};
+use crate::lower::{FieldRole, Lowered};
 use kin_core::constraint::Family;
 use kin_core::expr::{ExprId, Graph};
 use kin_core::program::{Program, Slot, lower};
@@ -70,17 +72,15 @@ pub(crate) struct Kernel {
 }
 
 /// The kernel `name` of `program`; `targets` are the arrays it may write: (name, type), in the caller's scope.
-pub(crate) fn kernel(
-    name: &Ident,
-    this: &Ident,
-    program: &Program,
-    functions: &[Ident],
-    targets: &[(&str, TokenStream)],
-) -> Kernel {
+pub(crate) fn kernel(name: &str, lowered: &Lowered, program: &Program, targets: &[(&str, TokenStream)]) -> Kernel {
+    let name = Ident::new(name, Span::call_site());
     let reads = Reads::of(program);
+    let generics = generics::kernel(lowered, reads.functions);
+    let (impl_generics, _, where_clause) = generics.split_for_impl();
+    let (this, (_, type_generics, _)) = (&lowered.item.ident, lowered.item.generics.split_for_impl());
     let writes = |target: &str| program.outputs.iter().any(|(slot, _)| target_name(*slot) == target);
     let inputs = [
-        (reads.functions, "this", quote! { &#this }, quote! { self }),
+        (reads.functions, "this", quote! { &#this #type_generics }, quote! { self }),
         (reads.parameters, "p", quote! { &__Parameters<__T> }, quote! { p }),
         (reads.time, "t", quote! { __T }, quote! { at.t }),
         (reads.inputs, "u", quote! { &__Inputs<__T> }, quote! { u }),
@@ -103,14 +103,21 @@ pub(crate) fn kernel(
     if arguments.is_empty() {
         return Kernel { item: TokenStream::new(), call: TokenStream::new() };
     }
-    let statements = body(program, functions);
+    let statements = body(program, &functions(lowered));
     Kernel {
         item: quote! {
+            #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
             #[inline]
-            fn #name<__T: __kin::Scalar>(#(#arguments),*) { #statements }
+            fn #name #impl_generics (#(#arguments),*) #where_clause { #statements }
         },
-        call: quote! { #name::<__T>(#(#values),*); },
+        call: quote! { #name(#(#values),*); },
     }
+}
+
+/// The fields that hold supplied functions.
+fn functions(lowered: &Lowered) -> Vec<Ident> {
+    let is_function = |role| matches!(role, FieldRole::Function(_));
+    lowered.fields.iter().filter(|field| is_function(field.role)).map(|field| field.ident.clone()).collect()
 }
 
 fn target_name(slot: Slot) -> &'static str {

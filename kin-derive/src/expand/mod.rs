@@ -2,21 +2,22 @@
 //!
 //! Nothing iterates a hash map on the way here: the same description gives the same tokens.
 
+mod generics;
 mod handles;
 mod kernel;
 mod parameters;
 mod program;
 mod tables;
 
+pub(crate) use generics::placeholder;
 pub(crate) use handles::{mentions, placeholders};
 
-use crate::ast::Flags;
-use crate::lower::{FieldRole, Lowered};
-use kernel::{Layout, kernel};
+use crate::lower::Lowered;
+use kernel::{Kernel, Layout, kernel};
 use kin_core::program::{Program, Slot, lower};
 use kin_core::system::KinematicSystem;
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{ToTokens, format_ident, quote};
+use quote::{format_ident, quote};
 
 /// All items of a mechanism: the struct, its handles, the trait, and what the flags ask for.
 pub(crate) fn expand(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
@@ -24,7 +25,7 @@ pub(crate) fn expand(lowered: &Lowered, system: &KinematicSystem) -> TokenStream
     let handles = handles::handles(lowered, system);
     let mechanism = mechanism(lowered, system);
     let default = parameters::default(lowered);
-    let cross_check = cross_check(&item.ident, lowered.flags);
+    let cross_check = cross_check(lowered);
     quote! {
         #item
         const _: () = {
@@ -44,7 +45,8 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
     let item = &lowered.item;
     let set = &system.set;
     let name = &item.ident;
-    let (impl_generics, type_generics, where_clause) = item.generics.split_for_impl();
+    let generics = generics::bounded(lowered, "Parameter");
+    let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
     let constraints = Layout::new(&set.graph, &system.equations, &set.row_families);
     let observables = Layout::new(&set.graph, &system.observables, &[]);
     let all = constraints.program(&set.graph, |_| true);
@@ -62,14 +64,29 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
     let parameters = parameters::read(lowered);
     let set_parameter = parameters::write(lowered);
     let values = values(lowered, system, &constraints);
-    let evaluate = evaluate(lowered, system, &constraints, &all);
-    let observe = observe(lowered, system, &observables);
+    let evaluations = Evaluations {
+        evaluate: evaluate(lowered, system, &constraints, &all, &values),
+        observe: observe(lowered, system, &observables),
+        counts: [p, s, entries, seen, seen_entries],
+    };
+    let generic = generics::own(lowered, &evaluations);
+    let scalar = Ident::new("__T", Span::call_site());
+    let [position_lengths, lengths] = [position_lengths(&scalar), lengths(&scalar)];
+    let Evaluations { evaluate, observe, .. } = &evaluations;
+    let kernels = [&values.item, &evaluate.item, &observe.item];
+    let [values, evaluate, observe] = [&values.call, &evaluate.call, &observe.call];
     let geometry = list(lowered, system, set.geometry.iter().copied());
     let guesses = list(lowered, system, set.guesses.iter().map(|(_, value)| *value));
     quote! {
         type __Parameters<__T> = [__T; #p];
         type __Inputs<__T> = [__kin::Signal<__T>; #u];
         type __Coordinates<__T> = [__T; #n];
+
+        static __MODEL: __kin::Model = #tables;
+
+        #(#kernels)*
+
+        #generic
 
         #[automatically_derived]
         #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
@@ -86,8 +103,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
             type ObservableNonZeros<__T: __kin::Scalar> = [__T; #seen_entries];
 
             fn model() -> &'static __kin::Model {
-                static MODEL: __kin::Model = #tables;
-                &MODEL
+                &__MODEL
             }
 
             #parameters
@@ -100,7 +116,10 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
                 q: &[__T],
                 phi: &mut [__T; #s],
             ) -> __kin::Result<(), __kin::LengthError> {
+                #position_lengths
+                let _ = (p, u, q, &phi);
                 #values
+                __kin::Ok(())
             }
 
             fn evaluate_with<__T: __kin::Scalar>(
@@ -112,7 +131,9 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
                 q_dot: &[__T],
                 workspace: &mut __kin::Workspace<Self, __T>,
             ) -> __kin::Result<(), __kin::LengthError> {
+                #lengths
                 #evaluate
+                __kin::Ok(())
             }
 
             fn observe_with<__T: __kin::Scalar>(
@@ -123,7 +144,9 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
                 q_dot: &[__T],
                 observations: &mut __kin::Observations<Self, __T>,
             ) -> __kin::Result<(), __kin::LengthError> {
+                #lengths
                 #observe
+                __kin::Ok(())
             }
 
             fn write_geometry<__T: __kin::Scalar>(
@@ -165,84 +188,77 @@ fn targets(rows: usize, entries: usize) -> [(&'static str, TokenStream); 4] {
     ]
 }
 
-fn lengths() -> TokenStream {
-    let position = position_lengths();
+fn lengths(scalar: &Ident) -> TokenStream {
+    let position = position_lengths(scalar);
     quote! {
         #position
-        let w: &__Coordinates<__T> = __kin::fixed("q_dot", q_dot)?;
+        let w: &__Coordinates<#scalar> = __kin::fixed("q_dot", q_dot)?;
     }
 }
 
-fn position_lengths() -> TokenStream {
+fn position_lengths(scalar: &Ident) -> TokenStream {
     quote! {
-        let p: &__Parameters<__T> = __kin::fixed("parameters", parameters)?;
-        let u: &__Inputs<__T> = __kin::fixed("inputs", at.inputs)?;
-        let q: &__Coordinates<__T> = __kin::fixed("q", q)?;
+        let p: &__Parameters<#scalar> = __kin::fixed("parameters", parameters)?;
+        let u: &__Inputs<#scalar> = __kin::fixed("inputs", at.inputs)?;
+        let q: &__Coordinates<#scalar> = __kin::fixed("q", q)?;
     }
+}
+
+/// Kernels as items beside the trait, and the statements that call them.
+struct Evaluations {
+    evaluate: Kernel,
+    observe: Kernel,
+    /// Parameters, rows, non-zeros, observables, and non-zeros of these.
+    counts: [usize; 5],
 }
 
 /// Φ alone, in a function of its own: what is only evaluated for Φ (dual numbers) compiles nothing else.
-fn values(lowered: &Lowered, system: &KinematicSystem, layout: &Layout) -> TokenStream {
+fn values(lowered: &Lowered, system: &KinematicSystem, layout: &Layout) -> Kernel {
     let program = layout.program(&system.set.graph, |slot| matches!(slot, Slot::Phi(_)));
     let targets = targets(system.set.rows.len(), layout.entries.len());
-    let name = Ident::new("values", Span::call_site());
-    let kernel = kernel(&name, &lowered.item.ident, &program, &functions(lowered), &targets);
-    let (item, call, lengths) = (kernel.item, kernel.call, position_lengths());
-    quote! {
-        #item
-        #lengths
-        let _ = (p, u, q, &phi);
-        #call
-        __kin::Ok(())
-    }
+    kernel("values", lowered, &program, &targets)
 }
 
-fn evaluate(lowered: &Lowered, system: &KinematicSystem, layout: &Layout, all: &Program) -> TokenStream {
+fn evaluate(lowered: &Lowered, system: &KinematicSystem, layout: &Layout, all: &Program, values: &Kernel) -> Kernel {
     let graph = &system.set.graph;
     let targets = targets(system.set.rows.len(), layout.entries.len());
-    let functions = functions(lowered);
-    let named = |name: &str, program: &Program| {
-        kernel(&Ident::new(name, Span::call_site()), &lowered.item.ident, program, &functions, &targets)
-    };
+    let named = |name: &str, program: &Program| kernel(name, lowered, program, &targets);
     let position = layout.program(graph, |slot| matches!(slot, Slot::Phi(_) | Slot::PhiQ(_)));
     let position = named("values_and_jacobian", &position);
     let velocity = layout.program(graph, |slot| matches!(slot, Slot::PhiQ(_) | Slot::PhiT(_)));
     let velocity = named("jacobian_and_rates", &velocity);
     let all = named("everything", all);
     let items = [&position, &velocity, &all].map(|kernel| &kernel.item);
-    let [position, velocity, all] = [&position, &velocity, &all].map(|kernel| &kernel.call);
-    let lengths = lengths();
-    quote! {
-        #(#items)*
-        #lengths
-        let (phi, phi_q, phi_t, gamma) = workspace.parts_mut();
-        let _ = (p, u, q, w, &phi, &phi_q, &phi_t, &gamma);
-        if subset.gamma || subset.phi && subset.phi_t {
-            #all
-        } else if subset.phi_t {
-            #velocity
-        } else if subset.phi_q {
-            #position
-        } else if subset.phi {
-            __kin::Mechanism::constraints_with(self, parameters, at, q, phi)?;
-        }
-        __kin::Ok(())
+    let [values, position, velocity, all] = [values, &position, &velocity, &all].map(|kernel| &kernel.call);
+    Kernel {
+        item: quote! { #(#items)* },
+        call: quote! {
+            let (phi, phi_q, phi_t, gamma) = workspace.parts_mut();
+            let _ = (p, u, q, w, &phi, &phi_q, &phi_t, &gamma);
+            if subset.gamma || subset.phi && subset.phi_t {
+                #all
+            } else if subset.phi_t {
+                #velocity
+            } else if subset.phi_q {
+                #position
+            } else if subset.phi {
+                #values
+            }
+        },
     }
 }
 
-fn observe(lowered: &Lowered, system: &KinematicSystem, layout: &Layout) -> TokenStream {
+fn observe(lowered: &Lowered, system: &KinematicSystem, layout: &Layout) -> Kernel {
     let targets = targets(system.set.observables.len(), layout.entries.len());
     let program = layout.program(&system.set.graph, |_| true);
-    let name = Ident::new("observe", Span::call_site());
-    let kernel = kernel(&name, &lowered.item.ident, &program, &functions(lowered), &targets);
-    let (item, call, lengths) = (kernel.item, kernel.call, lengths());
-    quote! {
-        #item
-        #lengths
-        let (phi, phi_q, phi_t, gamma) = observations.parts_mut();
-        let _ = (p, u, q, w, &phi, &phi_q, &phi_t, &gamma);
-        #call
-        __kin::Ok(())
+    let Kernel { item, call } = kernel("observe", lowered, &program, &targets);
+    Kernel {
+        item,
+        call: quote! {
+            let (phi, phi_q, phi_t, gamma) = observations.parts_mut();
+            let _ = (p, u, q, w, &phi, &phi_q, &phi_t, &gamma);
+            #call
+        },
     }
 }
 
@@ -255,9 +271,7 @@ fn list(
     let outputs: Vec<_> = values.enumerate().map(|(place, value)| (Slot::Entry(place), value)).collect();
     let count = outputs.len();
     let program = lower(&system.set.graph, &outputs);
-    let name = Ident::new("write", Span::call_site());
-    let kernel =
-        kernel(&name, &lowered.item.ident, &program, &functions(lowered), &[("out", quote! { [__T; #count] })]);
+    let kernel = kernel("write", lowered, &program, &[("out", quote! { [__T; #count] })]);
     let (item, call) = (kernel.item, kernel.call);
     quote! {
         #item
@@ -267,25 +281,21 @@ fn list(
     }
 }
 
-/// The fields that hold supplied functions.
-fn functions(lowered: &Lowered) -> Vec<Ident> {
-    let is_function = |role| matches!(role, FieldRole::Function(_));
-    lowered.fields.iter().filter(|field| is_function(field.role)).map(|field| field.ident.clone()).collect()
-}
-
-/// The test that `#[mechanism(cross_check)]` writes.
-fn cross_check(name: &Ident, flags: Flags) -> TokenStream {
-    if !flags.cross_check {
+/// The test that `#[mechanism(cross_check)]` writes; a generic scalar is `f64` in it.
+fn cross_check(lowered: &Lowered) -> TokenStream {
+    if !lowered.flags.cross_check {
         return TokenStream::new();
     }
+    let name = &lowered.item.ident;
     let test = format_ident!("cross_check_of_{}", snake_case(&name.to_string()));
     let failure = "the closed forms and the dual numbers disagree";
-    let name = name.to_token_stream();
+    let arguments = generics::in_numbers(lowered);
     quote! {
         #[cfg(test)]
         #[test]
         fn #test() {
-            let __checked = ::kin_runtime::private::cross_check(&<#name as ::core::default::Default>::default());
+            let __checked =
+                ::kin_runtime::private::cross_check(&<#name #arguments as ::core::default::Default>::default());
             if let ::core::result::Result::Err(__difference) = __checked {
                 ::core::panic!("{}: {}", #failure, __difference);
             }

@@ -1,5 +1,6 @@
 //! The parameters of a mechanism: fields in, numbers out, and back.
 
+use super::generics::bounded;
 use super::handles::mentions;
 use super::program::literal;
 use crate::lower::{FieldRole, Lowered};
@@ -14,6 +15,8 @@ struct Span<'a> {
     len: Option<usize>,
     first: usize,
     default: Option<&'a [f64]>,
+    /// The type parameter that its numbers are of.
+    scalar: Option<&'a proc_macro2::Ident>,
 }
 
 fn fields(lowered: &Lowered) -> Vec<Span<'_>> {
@@ -30,6 +33,7 @@ fn fields(lowered: &Lowered) -> Vec<Span<'_>> {
                 len: parameter.len,
                 first,
                 default: parameter.default.as_deref(),
+                scalar: field.scalar.as_ref(),
             };
             first += parameter.len.unwrap_or(1);
             span
@@ -69,6 +73,25 @@ pub(crate) fn read(lowered: &Lowered) -> TokenStream {
     }
 }
 
+/// `fn own_parameters`: those of the scalar as they are, the others converted.
+pub(crate) fn own(lowered: &Lowered, scalar: &proc_macro2::Ident) -> TokenStream {
+    let total: usize = lowered.mechanism.parameters.iter().map(|p| p.len.unwrap_or(1)).sum();
+    let values = fields(lowered).into_iter().flat_map(|field| {
+        let (ident, ty) = (field.ident, field.ty);
+        (0..field.len.unwrap_or(1)).map(move |k| match (field.scalar, field.len) {
+            (Some(_), None) => quote! { self.#ident },
+            (Some(_), Some(_)) => quote! { self.#ident[#k] },
+            (None, _) => {
+                quote! { <#scalar as __kin::Scalar>::from_f64(<#ty as __kin::Parameter>::get(&self.#ident, #k)) }
+            }
+        })
+    });
+    quote! {
+        #[inline]
+        fn own_parameters(&self) -> [#scalar; #total] { [#(#values),*] }
+    }
+}
+
 /// `fn set_parameter`; it also mentions every name, because it is called rarely and reads the fields.
 pub(crate) fn write(lowered: &Lowered) -> TokenStream {
     let mentions = mentions(lowered);
@@ -97,12 +120,17 @@ pub(crate) fn default(lowered: &Lowered) -> TokenStream {
         return TokenStream::new();
     }
     let name = &lowered.item.ident;
-    let (impl_generics, type_generics, where_clause) = lowered.item.generics.split_for_impl();
+    let generics = bounded(lowered, "Scalar");
+    let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
     let values = fields.iter().map(|field| {
         let (ident, values) = (field.ident, field.default.unwrap_or_default());
         let values = values.iter().map(|value| literal(*value));
         let ty = field.ty;
-        quote! { #ident: <#ty as __kin::Parameter>::from_values(&[#(#values),*]), }
+        match (field.scalar, field.len) {
+            (None, _) => quote! { #ident: <#ty as __kin::Parameter>::from_values(&[#(#values),*]), },
+            (Some(scalar), None) => quote! { #ident: #(<#scalar as __kin::Scalar>::from_f64(#values))*, },
+            (Some(scalar), Some(_)) => quote! { #ident: [#(<#scalar as __kin::Scalar>::from_f64(#values)),*], },
+        }
     });
     quote! {
         #[automatically_derived]

@@ -68,6 +68,8 @@ pub(crate) struct Field {
     pub(crate) ty: Type,
     /// Number of elements of an array field.
     pub(crate) len: Option<usize>,
+    /// The type parameter of the struct that its numbers are of.
+    pub(crate) scalar: Option<Ident>,
     pub(crate) role: FieldRole,
 }
 
@@ -151,6 +153,7 @@ fn fields(description: &Description) -> Vec<Field> {
             ident: field.ident.clone(),
             ty: field.ty.clone(),
             len: field.len,
+            scalar: field.scalar.clone(),
             role: FieldRole::Parameter(k),
         })
         .collect()

@@ -3,6 +3,7 @@
 use super::docs::first_paragraph;
 use super::expr::{end_of_expr, expr};
 use super::fold::constant;
+use super::generics::scalar_parameter;
 use super::keyword::{self, Keyword};
 use super::list::{comma, end_of_part, inside, skip_part};
 use super::read::is_option;
@@ -15,7 +16,7 @@ use proc_macro2::{Span, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::spanned::Spanned;
-use syn::{Attribute, Error, Expr, ExprLit, Field, Lit, LitStr, Meta, Result, Token, Type, bracketed, token};
+use syn::{Attribute, Error, Expr, ExprLit, Field, Ident, Lit, LitStr, Meta, Result, Token, Type, bracketed, token};
 
 const FORM: &str = "#[param(0.1, unit = \"m\")]";
 
@@ -32,7 +33,13 @@ struct Param {
 }
 
 /// Takes our attributes off a field and reads it; the flag is set when an attribute that declares names is lost.
-pub(super) fn field(field: &mut Field, report: &Report, names_missing: &mut bool) -> Option<FieldDecl> {
+/// `types` are the type parameters of the struct.
+pub(super) fn field(
+    field: &mut Field,
+    types: &[Ident],
+    report: &Report,
+    names_missing: &mut bool,
+) -> Option<FieldDecl> {
     let mut param: Option<Param> = None;
     let attributes = std::mem::take(&mut field.attrs);
     for attribute in attributes {
@@ -68,14 +75,15 @@ pub(super) fn field(field: &mut Field, report: &Report, names_missing: &mut bool
         }
     }
     let ident = field.ident.clone()?;
-    let len = report.ok(array_len(&field.ty));
+    let len = report.ok(array_len(&field.ty, types));
+    let scalar = len.and_then(|_| report.ok(scalar_parameter(&field.ty, types))).flatten();
     let Param { default, unit } = param.unwrap_or_default();
     let default = match (default, len) {
         (Some(default), Some(len)) => report.ok(elements(default, len, &text(&ident))),
         _ => None,
     };
     let doc = first_paragraph(&field.attrs);
-    Some(FieldDecl { ident, ty: field.ty.clone(), len: len.flatten(), default, unit, doc })
+    Some(FieldDecl { ident, ty: field.ty.clone(), len: len.flatten(), scalar, default, unit, doc })
 }
 
 /// True for `#[cfg_attr(…, param(…))]`.
@@ -107,7 +115,7 @@ fn read_param(attribute: &Attribute, report: &Report) -> Param {
 
 fn part(input: ParseStream, first: bool, param: &mut Param) -> Result<()> {
     if is_option(input) {
-        let key = input.call(syn::Ident::parse_any)?;
+        let key = input.call(Ident::parse_any)?;
         input.parse::<Token![=]>()?;
         let name = text(&key);
         if name != "unit" {
@@ -185,10 +193,11 @@ fn no_number(ty: &Type) -> Error {
 }
 
 /// The length of an array type, `None` for a single number.
-fn array_len(ty: &Type) -> Result<Option<usize>> {
+fn array_len(ty: &Type, types: &[Ident]) -> Result<Option<usize>> {
     match ty {
-        Type::Group(group) => array_len(&group.elem),
-        Type::Paren(paren) => array_len(&paren.elem),
+        Type::Group(group) => array_len(&group.elem, types),
+        Type::Paren(paren) => array_len(&paren.elem, types),
+        Type::Path(path) if path.path.get_ident().is_some_and(|ident| types.contains(ident)) => Ok(None),
         Type::Path(path)
             if path.path.segments.last().is_some_and(|s| NO_NUMBERS.contains(&text(&s.ident).as_str())) =>
         {
@@ -196,7 +205,7 @@ fn array_len(ty: &Type) -> Result<Option<usize>> {
         }
         Type::Path(_) | Type::Macro(_) => Ok(None),
         Type::Array(array) => {
-            if array_len(&array.elem)?.is_some() {
+            if array_len(&array.elem, types)?.is_some() {
                 return Err(Error::new(array.elem.span(), "an array parameter has one index: `[f64; 10]`"));
             }
             literal_len(&array.len).map(Some)

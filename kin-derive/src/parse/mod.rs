@@ -8,6 +8,7 @@ mod field;
 mod flags;
 mod flatten;
 mod fold;
+mod generics;
 mod index;
 mod keyword;
 mod list;
@@ -29,7 +30,7 @@ use proc_macro2::TokenStream;
 use rows::RowForm;
 use syn::parse::ParseStream;
 use syn::spanned::Spanned;
-use syn::{Attribute, Error, Fields, GenericParam, Ident, ItemStruct, Meta, Result, Token};
+use syn::{Attribute, Error, Fields, Ident, ItemStruct, Meta, Result, Token};
 
 /// The struct without our attributes, and what they and its fields say.
 ///
@@ -51,6 +52,9 @@ pub(crate) fn parse(
     }
     let flags = flags::flags(args, report);
     let Some(mut item) = report.ok(parse_struct(item)) else { return (None, None) };
+    if generics::reserved(&item, report) {
+        return (None, None);
+    }
     let description = describe(&mut item, flags, report);
     (Some(item), description)
 }
@@ -87,8 +91,10 @@ fn describe(item: &mut ItemStruct, flags: Flags, report: &Report) -> Option<Desc
         }
     }
     item.attrs = kept;
-    generics(item, report);
     let fields = fields(item, report, &mut names_missing)?;
+    if flags.cross_check {
+        generics::testable(item, &fields, report);
+    }
     Some(Description {
         name: item.ident.clone(),
         items,
@@ -166,25 +172,14 @@ fn row(input: ParseStream, keyword: &Ident, form: &'static RowForm, report: &Rep
 fn fields(item: &mut ItemStruct, report: &Report, names_missing: &mut bool) -> Option<Vec<crate::ast::FieldDecl>> {
     let span = item.fields.span();
     let named = !matches!(item.fields, Fields::Unnamed(_));
-    let read = item.fields.iter_mut().map(|field| field::field(field, report, names_missing)).collect::<Vec<_>>();
+    let types = generics::type_parameters(&item.generics);
+    let read =
+        (item.fields.iter_mut()).map(|field| field::field(field, &types, report, names_missing)).collect::<Vec<_>>();
     if !named {
         report.error(span, "the parameters of a mechanism have names: `struct FourBar { l1: f64 }`");
         return None;
     }
     Some(read.into_iter().flatten().collect())
-}
-
-fn generics(item: &ItemStruct, report: &Report) {
-    for parameter in &item.generics.params {
-        if let GenericParam::Const(parameter) = parameter
-            && parameter.ident == "T"
-        {
-            report.error(parameter.ident.span(), "`T` is the scalar of the generated code; call this one `N`");
-        }
-        if let GenericParam::Type(parameter) = parameter {
-            report.error(parameter.ident.span(), "type parameters on a mechanism are not supported yet; its fields are `f64` or arrays of numbers, and its equations can be evaluated with any scalar");
-        }
-    }
 }
 
 /// True for `#[param(…)]`, misspelt or not.

@@ -2,7 +2,7 @@
 //! that crept in would bring a second one, and the build would fail with a duplicate lang item.
 #![no_std]
 
-use kin_runtime::{Instant, Mechanism, Subset, mechanism};
+use kin_runtime::{GenericMechanism, Instant, Mechanism, Subset, mechanism};
 
 /// The lecture's four-bar.
 #[mechanism]
@@ -43,6 +43,30 @@ fn sum<T: kin_runtime::Scalar>(t: T) -> T {
     }
     let parts = [workspace.phi(), workspace.phi_q(), workspace.phi_t(), workspace.gamma(), observations.phi()];
     parts.into_iter().flatten().fold(T::from_f64(0.0), |sum, &value| sum + value)
+}
+
+/// A pendulum whose numbers are as wide as the controller's.
+#[mechanism]
+#[bodies(arm)]
+#[revolute(O: ground @ (0, 0), arm @ (-l, 0))]
+#[driver(drive: arm.phi = amplitude[0] * sin(omega * t))]
+pub struct Pendulum<T> {
+    #[param(0.5)]
+    l: T,
+    #[param([0.1])]
+    amplitude: [T; 1],
+    #[param(3)]
+    omega: T,
+}
+
+/// One step in `f32` from the parameters on.
+#[unsafe(no_mangle)]
+pub extern "C" fn swing(t: f32) -> f32 {
+    let mut workspace = Pendulum::<f32>::own_workspace();
+    match Pendulum::default().evaluate_own(Subset::ALL, &Instant::at(t), &[t; 3], &[t; 3], &mut workspace) {
+        Ok(()) => workspace.gamma().iter().fold(0.0, |sum, &value| sum + value),
+        Err(_) => 0.0,
+    }
 }
 
 #[panic_handler]

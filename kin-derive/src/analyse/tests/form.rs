@@ -223,8 +223,8 @@ fn only_structs_with_names_are_mechanisms() {
         one_error(item, &["a mechanism is a struct"]);
     }
     one_error("struct S(#[param(1)] f64);", &["have names"]);
-    one_error("#[coordinates(u)] #[driver(d: u = t)] struct S<T> { a: T }", &["type parameters"]);
-    one_error("#[coordinates(u)] #[driver(d: u = t)] struct S<const T: usize> { a: f64 }", &["call this one `N`"]);
+    one_error("#[coordinates(u)] #[driver(d: u = t)] struct S<T> { a: Vec2<T> }", &["such as `T`"]);
+    one_error("#[coordinates(u)] #[driver(d: u = t)] struct S<const __T: usize> { a: f64 }", &["generated code"]);
     assert_eq!(errors("struct").len(), 1);
 }
 

@@ -211,7 +211,7 @@ fn names_that_collide_with_nothing() {
 
 #[test]
 fn flags_and_lifetimes() {
-    let source = "#[coordinates(u)] #[driver(d: u = t)] struct S<'a, const N: usize>;";
+    let source = "#[coordinates(u)] #[driver(d: u = t)] struct S<'a, const N: usize = 3>;";
     let (_, result) = analyse(tokens("cross_check, check_units,"), tokens(source));
     let flags = result.ok().unwrap().flags;
     assert!(flags.cross_check && flags.check_units && !flags.allow_redundant);

@@ -1,0 +1,153 @@
+//! Structs with parameters of their own: what the impls and kernels repeat of them, and evaluation in the struct's own
+//! scalar.
+
+use super::{Evaluations, lengths, parameters};
+use crate::lower::{FieldRole, Lowered};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+use syn::{GenericParam, Generics, parse_quote};
+
+/// The type parameters that are numbers, each once, in the order of the fields.
+fn scalars(lowered: &Lowered) -> Vec<&Ident> {
+    let mut scalars = Vec::new();
+    for scalar in lowered.fields.iter().filter_map(|field| field.scalar.as_ref()) {
+        if !scalars.contains(&scalar) {
+            scalars.push(scalar);
+        }
+    }
+    scalars
+}
+
+/// The struct's generics, with a bound of generated code on the type parameters that are numbers.
+pub(crate) fn bounded(lowered: &Lowered, bound: &str) -> Generics {
+    let mut generics = lowered.item.generics.clone();
+    let bound = Ident::new(bound, Span::call_site());
+    for scalar in scalars(lowered) {
+        generics.make_where_clause().predicates.push(parse_quote! { #scalar: __kin::#bound });
+    }
+    add_functions(lowered, &mut generics);
+    generics
+}
+
+/// Supplied functions may be of any type that is one.
+fn add_functions(lowered: &Lowered, generics: &mut Generics) {
+    let types: Vec<Ident> = generics.type_params().map(|parameter| parameter.ident.clone()).collect();
+    let is_function = |role| matches!(role, FieldRole::Function(_));
+    for field in lowered.fields.iter().filter(|field| is_function(field.role)) {
+        let ty = &field.ty;
+        if let syn::Type::Path(path) = ty
+            && path.path.get_ident().is_some_and(|ident| types.contains(ident))
+        {
+            generics.make_where_clause().predicates.push(parse_quote! { #ty: __kin::ScalarFunction });
+        }
+    }
+}
+
+/// The generics of a kernel: its scalar, and the struct's where it reads the struct.
+pub(crate) fn kernel(lowered: &Lowered, reads_struct: bool) -> Generics {
+    let mut generics = if reads_struct { lowered.item.generics.clone() } else { Generics::default() };
+    if reads_struct {
+        add_functions(lowered, &mut generics);
+    }
+    generics.params.push(parse_quote! { __T: __kin::Scalar });
+    generics
+}
+
+/// The arguments that make the struct one of `f64`; other parameters keep their defaults.
+pub(crate) fn in_numbers(lowered: &Lowered) -> TokenStream {
+    let scalars = scalars(lowered);
+    let arguments: Vec<TokenStream> = (lowered.item.generics.params.iter())
+        .filter_map(|parameter| match parameter {
+            GenericParam::Lifetime(_) => Some(quote! { 'static }),
+            GenericParam::Type(parameter) if scalars.contains(&&parameter.ident) => Some(quote! { f64 }),
+            GenericParam::Type(parameter) => parameter.default.as_ref().map(|(_, default)| quote! { #default }),
+            GenericParam::Const(parameter) => parameter.default.as_ref().map(|(_, default)| quote! { #default }),
+        })
+        .collect();
+    if arguments.is_empty() {
+        TokenStream::new()
+    } else {
+        quote! { <#(#arguments),*> }
+    }
+}
+
+/// Empty evaluation in the struct's own scalar, beside errors.
+pub(crate) fn placeholder(lowered: &Lowered) -> TokenStream {
+    let scalars = scalars(lowered);
+    let &[scalar] = scalars.as_slice() else { return TokenStream::new() };
+    let name = &lowered.item.ident;
+    let generics = bounded(lowered, "Scalar");
+    let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
+    let at = quote! { _: &__kin::Instant<'_, #scalar>, _: &[#scalar], _: &[#scalar] };
+    let room = quote! { __kin::Evaluation<[#scalar; 0], [#scalar; 0]> };
+    let nothing = quote! { -> __kin::Result<(), __kin::LengthError> { __kin::Ok(()) } };
+    quote! {
+        #[automatically_derived]
+        impl #impl_generics __kin::GenericMechanism for #name #type_generics #where_clause {
+            type Scalar = #scalar;
+            type Parameters = [#scalar; 0];
+            type Workspace = #room;
+            type Observations = #room;
+            fn own_workspace() -> #room { ::core::unimplemented!() }
+            fn own_observations() -> #room { ::core::unimplemented!() }
+            fn own_parameters(&self) -> [#scalar; 0] { [] }
+            fn evaluate_own(&self, _: __kin::Subset, #at, _: &mut #room) #nothing
+            fn observe_own(&self, #at, _: &mut #room) #nothing
+        }
+    }
+}
+
+/// Evaluation in the struct's own scalar, where it has one.
+pub(super) fn own(lowered: &Lowered, evaluations: &Evaluations) -> TokenStream {
+    let scalars = scalars(lowered);
+    let &[scalar] = scalars.as_slice() else { return TokenStream::new() };
+    let name = &lowered.item.ident;
+    let generics = bounded(lowered, "Scalar");
+    let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
+    let [p, s, entries, seen, seen_entries] = evaluations.counts;
+    let (evaluate, observe) = (&evaluations.evaluate.call, &evaluations.observe.call);
+    let (lengths, own_parameters) = (lengths(scalar), parameters::own(lowered, scalar));
+    quote! {
+        #[automatically_derived]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+        impl #impl_generics __kin::GenericMechanism for #name #type_generics #where_clause {
+            type Scalar = #scalar;
+            type Parameters = [#scalar; #p];
+            type Workspace = __kin::Evaluation<[#scalar; #s], [#scalar; #entries]>;
+            type Observations = __kin::Evaluation<[#scalar; #seen], [#scalar; #seen_entries]>;
+
+            fn own_workspace() -> Self::Workspace { __kin::Evaluation::new(&__MODEL.constraint_pattern) }
+
+            fn own_observations() -> Self::Observations { __kin::Evaluation::new(&__MODEL.observable_pattern) }
+
+            #own_parameters
+
+            fn evaluate_own(
+                &self,
+                subset: __kin::Subset,
+                at: &__kin::Instant<'_, #scalar>,
+                q: &[#scalar],
+                q_dot: &[#scalar],
+                workspace: &mut Self::Workspace,
+            ) -> __kin::Result<(), __kin::LengthError> {
+                let parameters: &[#scalar] = &__kin::GenericMechanism::own_parameters(self);
+                #lengths
+                #evaluate
+                __kin::Ok(())
+            }
+
+            fn observe_own(
+                &self,
+                at: &__kin::Instant<'_, #scalar>,
+                q: &[#scalar],
+                q_dot: &[#scalar],
+                observations: &mut Self::Observations,
+            ) -> __kin::Result<(), __kin::LengthError> {
+                let parameters: &[#scalar] = &__kin::GenericMechanism::own_parameters(self);
+                #lengths
+                #observe
+                __kin::Ok(())
+            }
+        }
+    }
+}
