@@ -18,6 +18,8 @@ mod report;
 mod suggest;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod timing;
 
 use analyse::Broken;
 use lower::Lowered;
