@@ -5,7 +5,7 @@ mod support;
 
 use kin_core::constraint::ObservableKind;
 use kin_core::expr::{ExprId, evaluate};
-use kin_core::mechanism::{BodyRef, Component, Index, Mechanism};
+use kin_core::mechanism::{BodyRef, Component, Index, Mechanism, Relation};
 use kin_core::program::{Slot, interpret};
 use kin_core::system::{Equation, KinematicSystem};
 use kin_core::{assemble, differentiate};
@@ -62,6 +62,15 @@ fn everything<S: Number>(system: &KinematicSystem, direct: &Direct<'_, S>) -> Ve
             ObservableKind::Define(define) => {
                 let (family, index) = system.set.defines[define].family;
                 direct.formula(&mechanism.defines[family].formula, index as i64)
+            }
+            ObservableKind::Condition(condition) => {
+                let (family, index) = system.set.conditions[condition].family;
+                let condition = &mechanism.conditions[family];
+                let sides = [&condition.left, &condition.right].map(|side| direct.formula(side, index));
+                match condition.relation {
+                    Relation::Greater => sides[0].clone() - sides[1].clone(),
+                    Relation::Less => sides[1].clone() - sides[0].clone(),
+                }
             }
             ObservableKind::Joint(..) => continue,
         };

@@ -3,7 +3,7 @@
 //! What could not be parsed is a hole ([`ExprKind::Hole`], [`PointExpr::Hole`]): its error is already reported,
 //! and the rest of its row is still read for mistakes.
 
-use kin_core::mechanism::Function;
+use kin_core::mechanism::{Function, Relation};
 use proc_macro2::Span;
 use syn::ext::IdentExt;
 use syn::{Ident, Type};
@@ -52,6 +52,8 @@ pub(crate) enum Item {
     Define(DefineDecl),
     /// A joint, driver or equation.
     Row(Box<Row>),
+    /// `unilateral(N: a > b)`.
+    Condition(Box<ConditionDecl>),
     /// One entry of `guess(…)`.
     Guess(GuessDecl),
 }
@@ -137,6 +139,17 @@ pub(crate) struct GuessDecl {
     /// `x`, `y` or `phi` of a body.
     pub(crate) component: Option<Ident>,
     pub(crate) value: Expr,
+}
+
+/// A unilateral condition.
+#[derive(Debug)]
+pub(crate) struct ConditionDecl {
+    pub(crate) keyword: Ident,
+    pub(crate) name: NewName,
+    pub(crate) left: Expr,
+    /// The smaller side where its operator could not be read is anyone's guess; that is reported.
+    pub(crate) relation: Relation,
+    pub(crate) right: Expr,
 }
 
 /// A joint, driver or equation.

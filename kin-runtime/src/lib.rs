@@ -18,6 +18,8 @@ pub mod cross_check;
 #[cfg(feature = "std")]
 pub mod error;
 #[cfg(feature = "std")]
+pub mod events;
+#[cfg(feature = "std")]
 pub mod kinematics;
 #[cfg(feature = "std")]
 pub mod mobility;
@@ -93,11 +95,13 @@ pub use cross_check::{Configuration, CrossCheck, CrossCheckOptions, WorstEntry};
 #[cfg(feature = "std")]
 pub use error::{Refusal, SolveError, SweepError};
 #[cfg(feature = "std")]
+pub use events::{Crossing, Event};
+#[cfg(feature = "std")]
 pub use kinematics::Kinematics;
 #[cfg(feature = "std")]
 pub use mobility::{Mobility, RedundantRow};
 #[cfg(feature = "std")]
-pub use motion::{BodyMotion, Motion, PointMotion, Rates};
+pub use motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates};
 #[cfg(feature = "std")]
 pub use options::Options;
 #[cfg(feature = "std")]

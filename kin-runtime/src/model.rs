@@ -240,6 +240,21 @@ pub struct RowInfo {
     pub bilateral: bool,
 }
 
+/// A unilateral condition: an inequality that is watched and never solved as an equation.
+///
+/// It is no row of Φ. Its observable is g, by how much the larger side exceeds the other: satisfied while g > 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ConditionInfo {
+    /// `limit` or `limit[3]`; it differs from the names of all joints.
+    pub name: &'static str,
+    /// The inequality as kin understood it: `slider.x < stroke`.
+    pub text: &'static str,
+    /// Its observable in [`Model::observables`].
+    pub observable: usize,
+    /// Rheonomic (t or an input appears) or scleronomic; it is holonomic and unilateral.
+    pub rheonomic: bool,
+}
+
 /// What an observable is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Observable {
@@ -266,6 +281,8 @@ pub enum Observable {
         /// Place in its [`JointInfo::quantities`].
         quantity: usize,
     },
+    /// By how much a unilateral condition is satisfied.
+    Condition(usize),
 }
 
 /// What the members of a family are.
@@ -360,6 +377,8 @@ pub struct Model {
     pub joints: &'static [JointInfo],
     /// Rows of Φ.
     pub rows: &'static [RowInfo],
+    /// Unilateral conditions in order of declaration.
+    pub conditions: &'static [ConditionInfo],
     /// Sparsity of Φ_q.
     pub constraint_pattern: Pattern,
     /// What the mechanism reports besides q.

@@ -61,7 +61,21 @@ pub struct PointMotion {
     pub a: [f64; 2],
 }
 
-/// Motion of bodies, points, defines and joints at one instant.
+/// A unilateral condition at one instant: g, by how much its larger side exceeds the other, with its derivatives.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ConditionMotion {
+    /// g.
+    pub value: f64,
+    /// ġ.
+    pub rate: f64,
+    /// g̈.
+    pub acceleration: f64,
+    /// g > 0.
+    pub satisfied: bool,
+}
+
+/// Motion of bodies, points, defines, joints and conditions at one instant.
 ///
 /// Indexed by the handles of the mechanism: `motion[FourBar::tip].v`.
 #[derive(Clone, PartialEq)]
@@ -77,6 +91,8 @@ pub struct Motion {
     /// Per joint of [`Model::joints`], its quantities in the order of [`JointInfo::quantities`](crate::model::JointInfo::quantities):
     /// the rate of an angle is the relative angular velocity, of a stroke the sliding velocity.
     pub joints: Vec<Vec<Rates>>,
+    /// Unilateral conditions, in the order of [`Model::conditions`].
+    pub conditions: Vec<ConditionMotion>,
 }
 
 impl fmt::Debug for Motion {
@@ -87,6 +103,7 @@ impl fmt::Debug for Motion {
             .field("points", &self.points)
             .field("defines", &self.defines)
             .field("joints", &self.joints)
+            .field("conditions", &self.conditions)
             .finish()
     }
 }
@@ -131,11 +148,13 @@ impl serde::Serialize for Motion {
             .filter(|(_, rates)| !rates.is_empty())
             .map(|(j, rates)| (j.name, j.quantities.iter().map(|q| q.name).zip(rates).collect()))
             .collect();
-        let mut s = serializer.serialize_struct("Motion", 4)?;
+        let conditions: BTreeMap<_, _> = self.model.conditions.iter().map(|c| c.name).zip(&self.conditions).collect();
+        let mut s = serializer.serialize_struct("Motion", 5)?;
         s.serialize_field("bodies", &bodies)?;
         s.serialize_field("points", &points)?;
         s.serialize_field("defines", &defines)?;
         s.serialize_field("joints", &joints)?;
+        s.serialize_field("conditions", &conditions)?;
         s.end()
     }
 }
@@ -181,12 +200,17 @@ pub(crate) fn motion(equations: &mut Equations<'_>, state: &State) -> Result<Mot
         PointMotion { r: [x.value, y.value], v: [x.rate, y.rate], a: [x.acceleration, y.acceleration] }
     });
     let joints = model.joints.iter().map(|joint| joint.quantities.iter().map(|q| at(q.observable)).collect());
+    let conditions = model.conditions.iter().map(|condition| {
+        let Rates { value, rate, acceleration } = at(condition.observable);
+        ConditionMotion { value, rate, acceleration, satisfied: value > 0.0 }
+    });
     Ok(Motion {
         model,
         bodies: bodies.collect(),
         points: points.collect(),
         defines: model.defines.iter().map(|define| at(define.observable)).collect(),
         joints: joints.collect(),
+        conditions: conditions.collect(),
     })
 }
 
@@ -196,6 +220,7 @@ fn name(model: &Model, observable: usize) -> &'static str {
         Some(&Observable::Pose { body, .. }) => model.bodies.get(body).map_or("", |body| body.name),
         Some(&Observable::Point { point, .. }) => model.points.get(point).map_or("", |point| point.name),
         Some(&Observable::Define(define)) => model.defines.get(define).map_or("", |define| define.name),
+        Some(&Observable::Condition(k)) => model.conditions.get(k).map_or("", |condition| condition.name),
         Some(&Observable::Joint { joint, .. }) => model.joints.get(joint).map_or("", |joint| joint.name),
         None => "",
     }

@@ -36,6 +36,8 @@ pub struct Options {
     pub min_step: f64,
     /// Most internal steps of a sweep between two neighbouring instants.
     pub max_steps: usize,
+    /// True to end a sweep at the first event of a unilateral condition.
+    pub stop_at_events: bool,
 }
 
 impl Default for Options {
@@ -51,6 +53,7 @@ impl Default for Options {
             prediction_tolerance: 0.1,
             min_step: 1e-13,
             max_steps: 200_000,
+            stop_at_events: false,
         }
     }
 }

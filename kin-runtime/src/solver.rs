@@ -77,6 +77,14 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         self
     }
 
+    /// Whether a sweep ends at its first event: its trajectory then has the states before it and the one at it, and says
+    /// so in [`Trajectory::stopped`].
+    #[must_use]
+    pub fn stop_at_events(mut self, stop: bool) -> Self {
+        self.options.stop_at_events = stop;
+        self
+    }
+
     /// Guesses a coordinate (place in q) as start of assembly, instead of the mechanism's own guess.
     #[must_use]
     pub fn with_guess(mut self, coordinate: usize, value: f64) -> Self {
@@ -296,7 +304,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         times: &[f64],
         first: impl FnOnce(&mut Equations<'_>) -> Result<Position, SolveError>,
     ) -> Result<Trajectory, SweepError> {
-        let nothing = || Trajectory { model: M::model(), states: Vec::new() };
+        let nothing = || Trajectory::new(M::model());
         let Some(&t) = times.first() else { return Ok(nothing()) };
         let mut inputs = Vec::new();
         if let Some(function) = self.inputs {

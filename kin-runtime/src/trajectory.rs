@@ -1,5 +1,6 @@
 //! Solved configurations over time.
 
+use crate::events::Event;
 use crate::model::Model;
 use crate::state::State;
 use core::fmt;
@@ -11,9 +12,20 @@ pub struct Trajectory {
     pub model: &'static Model,
     /// The states.
     pub states: Vec<State>,
+    /// Where unilateral conditions met their limits, in the order in which the sweep came to it.
+    pub events: Vec<Event>,
+    /// Unilateral conditions that were violated at the first instant, by their places in [`Model::conditions`].
+    pub violated_at_start: Vec<usize>,
+    /// True when the sweep ended at its first event, as it was asked to; the last state is the one at the event.
+    pub stopped: bool,
 }
 
 impl Trajectory {
+    /// A trajectory without states.
+    pub(crate) fn new(model: &'static Model) -> Self {
+        Self { model, states: Vec::new(), events: Vec::new(), violated_at_start: Vec::new(), stopped: false }
+    }
+
     /// Number of states.
     pub fn len(&self) -> usize {
         self.states.len()
@@ -67,7 +79,13 @@ impl Trajectory {
 
 impl fmt::Debug for Trajectory {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Trajectory").field("model", &self.model.name).field("states", &self.states).finish()
+        f.debug_struct("Trajectory")
+            .field("model", &self.model.name)
+            .field("states", &self.states)
+            .field("events", &self.events)
+            .field("violated_at_start", &self.violated_at_start)
+            .field("stopped", &self.stopped)
+            .finish()
     }
 }
 
@@ -94,10 +112,15 @@ impl serde::Serialize for Trajectory {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         use serde::ser::SerializeStruct;
         let names: Vec<&str> = self.model.coordinates.iter().map(|c| c.name).collect();
-        let mut s = serializer.serialize_struct("Trajectory", 3)?;
+        let violated = self.violated_at_start.iter().filter_map(|&k| self.model.conditions.get(k));
+        let violated: Vec<&str> = violated.map(|condition| condition.name).collect();
+        let mut s = serializer.serialize_struct("Trajectory", 6)?;
         s.serialize_field("mechanism", self.model.name)?;
         s.serialize_field("coordinates", &names)?;
         s.serialize_field("states", &self.states)?;
+        s.serialize_field("events", &self.events)?;
+        s.serialize_field("violated_at_start", &violated)?;
+        s.serialize_field("stopped", &self.stopped)?;
         s.end()
     }
 }

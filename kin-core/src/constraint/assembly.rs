@@ -63,6 +63,7 @@ pub fn assemble(mechanism: &Mechanism) -> Result<ConstraintSet, Vec<ModelError>>
     assembly.points(&mut set);
     assembly.defines(&mut set);
     assembly.joints(&mut set);
+    assembly.conditions(&mut set);
     assembly.guesses(&mut set);
     set.graph = assembly.graph;
     if assembly.errors.is_empty() { Ok(set) } else { Err(assembly.errors) }
@@ -74,7 +75,7 @@ impl Assembly<'_> {
         self.graph.zero()
     }
 
-    fn observe(&self, set: &mut ConstraintSet, kind: ObservableKind, value: ExprId) -> usize {
+    pub(super) fn observe(&self, set: &mut ConstraintSet, kind: ObservableKind, value: ExprId) -> usize {
         set.observables.push(Observable { kind, value });
         set.observables.len() - 1
     }
@@ -93,7 +94,7 @@ impl Assembly<'_> {
     }
 
     /// The instances of a range: a single one, or one for every index.
-    fn instances(range: Option<Range>) -> Vec<(Option<i64>, i64)> {
+    pub(super) fn instances(range: Option<Range>) -> Vec<(Option<i64>, i64)> {
         match range {
             None => vec![(None, 0)],
             Some(range) => range.indices().map(|i| (Some(i), i)).collect(),

@@ -4,6 +4,7 @@
 
 mod angle;
 mod assembly;
+mod condition;
 mod coordinate;
 mod distance;
 mod driver;
@@ -18,6 +19,6 @@ mod translational;
 
 pub use assembly::assemble;
 pub use set::{
-    BodyInstance, ConstraintRow, ConstraintSet, Coordinate, CoordinateKind, DefineInstance, Family, Frame, Geometry,
-    JointInstance, JointTag, Observable, ObservableKind, PointInstance, Quantity, Role,
+    BodyInstance, ConditionInstance, ConstraintRow, ConstraintSet, Coordinate, CoordinateKind, DefineInstance, Family,
+    Frame, Geometry, JointInstance, JointTag, Observable, ObservableKind, PointInstance, Quantity, Role,
 };

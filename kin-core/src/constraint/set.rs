@@ -2,7 +2,7 @@
 
 use crate::error::Origin;
 use crate::expr::{ExprId, Graph, Names, Symbol};
-use crate::mechanism::Component;
+use crate::mechanism::{Component, Relation};
 use core::fmt;
 
 /// A body by its place in [`ConstraintSet::bodies`], or the ground.
@@ -173,6 +173,27 @@ pub struct ConstraintRow {
     pub phi: ExprId,
 }
 
+/// A unilateral condition: an inequality that is watched and never solved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ConditionInstance {
+    /// `limit` or `limit[3]`.
+    pub name: String,
+    /// Place of its family in the mechanism, and its index there.
+    pub family: (usize, i64),
+    /// Left side.
+    pub left: ExprId,
+    /// Which side is the larger one.
+    pub relation: Relation,
+    /// Right side.
+    pub right: ExprId,
+    /// Its observable: by how much the larger side exceeds the other.
+    pub observable: usize,
+    /// True when t or an input appears.
+    pub rheonomic: bool,
+    /// Where it was declared.
+    pub origin: Origin,
+}
+
 /// A family after it has been laid out: its members stand one after another.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Family {
@@ -197,6 +218,8 @@ pub enum ObservableKind {
     Define(usize),
     /// Joint, and place in its quantities.
     Joint(usize, usize),
+    /// A unilateral condition.
+    Condition(usize),
 }
 
 /// Something that is reported with rate and acceleration.
@@ -233,6 +256,8 @@ pub struct ConstraintSet {
     pub joints: Vec<JointInstance>,
     /// Rows of Φ.
     pub rows: Vec<ConstraintRow>,
+    /// Unilateral conditions.
+    pub conditions: Vec<ConditionInstance>,
     /// Observables.
     pub observables: Vec<Observable>,
     /// Local points, axes and values.
@@ -273,6 +298,11 @@ impl ConstraintSet {
         self.inputs.get(k as usize).map_or("", String::as_str)
     }
 
+    /// A condition as text: `slider.x < stroke`.
+    pub fn inequality(&self, condition: &ConditionInstance) -> String {
+        format!("{} {} {}", self.show(condition.left), condition.relation, self.show(condition.right))
+    }
+
     /// `id` as text.
     pub fn show(&self, id: ExprId) -> String {
         crate::expr::Shown { graph: &self.graph, names: self, id }.to_string()
@@ -284,6 +314,9 @@ impl fmt::Display for ConstraintSet {
         writeln!(f, "{}: {} coordinates, {} rows", self.name, self.coordinates.len(), self.rows.len())?;
         for row in &self.rows {
             writeln!(f, "  {}: {} = 0", row.name, self.show(row.phi))?;
+        }
+        for condition in &self.conditions {
+            writeln!(f, "  {}: {}", condition.name, self.inequality(condition))?;
         }
         Ok(())
     }

@@ -13,13 +13,15 @@
 //! 10. `lengths_are_positive`: a literal length is greater than 0;
 //! 11. `divisors_are_not_zero`: nothing is divided by a literal 0;
 //! 12. `guesses_are_for_coordinates`: a guess is for a free coordinate, one for each;
-//! 13. `rows_hold_coordinates`: a row that mentions no coordinate constrains nothing.
+//! 13. `rows_hold_coordinates`: a row that mentions no coordinate constrains nothing;
+//! 14. `conditions_change`: a condition of parameters alone is always or never satisfied.
 //!
 //! As a whole ([`check`]):
-//! 14. `has_coordinates`: something can move;
-//! 15. `bodies_are_touched`: some row mentions a coordinate of every body;
-//! 16. `scalars_are_mentioned`: some row mentions every scalar coordinate.
+//! 15. `has_coordinates`: something can move;
+//! 16. `bodies_are_touched`: some row mentions a coordinate of every body;
+//! 17. `scalars_are_mentioned`: some row mentions every scalar coordinate.
 
+mod condition;
 pub mod cycle;
 mod geometry;
 mod guess;
@@ -35,6 +37,7 @@ use std::collections::BTreeSet;
 
 pub use names::{RESERVED, is_reserved};
 
+use condition::conditions_change;
 use geometry::{axes_have_a_direction, divisors_are_not_zero, joints_join_two_bodies, lengths_are_positive};
 use guess::guesses_are_for_coordinates;
 use names::{names_are_free, names_differ, row_names_differ};
@@ -75,6 +78,7 @@ pub fn check_parts(mechanism: &Mechanism) -> Vec<ModelError> {
         joints_join_two_bodies(mechanism, &mut errors);
         guesses_are_for_coordinates(mechanism, &mut errors);
         rows_hold_coordinates(mechanism, &mut errors);
+        conditions_change(mechanism, &mut errors);
     }
     sorted(errors)
 }
@@ -120,7 +124,8 @@ fn families_have_members(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     let points = mechanism.points.iter().map(|p| (&p.name, p.range, p.origin));
     let defines = mechanism.defines.iter().map(|d| (&d.name, d.range, d.origin));
     let joints = mechanism.joints.iter().map(|j| (&j.name, j.range, j.origin));
-    for (name, range, origin) in points.chain(defines).chain(joints) {
+    let conditions = mechanism.conditions.iter().map(|c| (&c.name, c.range, c.origin));
+    for (name, range, origin) in points.chain(defines).chain(joints).chain(conditions) {
         let Some(range) = range else { continue };
         let (start, end) = (range.start, range.end);
         if start >= end {

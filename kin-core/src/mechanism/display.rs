@@ -41,6 +41,11 @@ impl fmt::Display for Mechanism {
         for joint in &self.joints {
             writeln!(f, "  {}", self.joint(joint))?;
         }
+        for condition in &self.conditions {
+            let range = condition.range.map(|r| format!("[i in {}..{}]", r.start, r.end)).unwrap_or_default();
+            let (left, right) = (self.text(&condition.left), self.text(&condition.right));
+            writeln!(f, "  unilateral {}{range}: {left} {} {right}", condition.name, condition.relation)?;
+        }
         for guess in &self.guesses {
             let target = match &guess.target {
                 GuessTarget::Pose(body, component) => format!("{}.{component}", self.body(body)),

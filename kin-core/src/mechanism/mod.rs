@@ -5,6 +5,7 @@
 
 mod body;
 pub mod check;
+mod condition;
 mod display;
 mod formula;
 mod joint;
@@ -12,6 +13,7 @@ mod joint;
 pub use body::{
     Body, BodyOrigin, BodyRef, Define, Input, NamedPoint, Parameter, Place, Range, Scalar, SuppliedFunction,
 };
+pub use condition::{Condition, Relation};
 pub use formula::{Component, Formula, Function, Index, Member};
 pub use joint::{Axis, Guess, GuessTarget, Joint, JointKind};
 
@@ -40,6 +42,8 @@ pub struct Mechanism {
     pub defines: Vec<Define>,
     /// Joints, drivers and equations in order of declaration; their rows stand in this order in Φ.
     pub joints: Vec<Joint>,
+    /// Unilateral conditions in order of declaration; they are no rows of Φ.
+    pub conditions: Vec<Condition>,
     /// Start of assembly.
     pub guesses: Vec<Guess>,
 }

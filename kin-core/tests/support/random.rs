@@ -2,8 +2,8 @@
 
 use super::*;
 use kin_core::mechanism::{
-    Axis, Body, BodyOrigin, BodyRef, Component, Define, Formula, Function, Input, Joint, JointKind, Mechanism,
-    NamedPoint, Place, Range, Scalar, SuppliedFunction,
+    Axis, Body, BodyOrigin, BodyRef, Component, Condition, Define, Formula, Function, Input, Joint, JointKind,
+    Mechanism, NamedPoint, Place, Range, Relation, Scalar, SuppliedFunction,
 };
 
 /// SplitMix64.
@@ -100,6 +100,12 @@ pub fn mechanism(seed: u64) -> Mechanism {
         let (name, range) = (format!("N{k}"), builder.range);
         let kind = builder.joint();
         out.joints.push(Joint { range, ..joint(&name, kind) });
+    }
+    for (k, relation) in [Relation::Greater, Relation::Less].into_iter().enumerate() {
+        builder.range = if builder.random.chance(50) { ranged } else { None };
+        let (left, right) = (builder.formula(Holds::Everything, 2), builder.formula(Holds::Everything, 1));
+        let (name, range) = (format!("C{k}"), builder.range);
+        out.conditions.push(Condition { name, range, left, relation, right, keyword: AT, origin: AT });
     }
     out
 }

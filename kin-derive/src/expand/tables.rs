@@ -78,6 +78,14 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
         ObservableKind::Joint(joint, quantity) => {
             quote! { __kin::Observable::Joint { joint: #joint, quantity: #quantity } }
         }
+        ObservableKind::Condition(k) => quote! { __kin::Observable::Condition(#k) },
+    });
+    let conditions = set.conditions.iter().map(|condition| {
+        let (name, text, rheonomic) = (&condition.name, set.inequality(condition), condition.rheonomic);
+        let observable = condition.observable;
+        quote! {
+            __kin::ConditionInfo { name: #name, text: #text, observable: #observable, rheonomic: #rheonomic }
+        }
     });
     let constraint_pattern = pattern(tables.constraints, set.rows.len());
     let observable_pattern = pattern(tables.observables, set.observables.len());
@@ -98,6 +106,7 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
             defines: &[#(#defines),*],
             joints: &[#(#joints),*],
             rows: &[#(#rows),*],
+            conditions: &[#(#conditions),*],
             constraint_pattern: #constraint_pattern,
             observables: &[#(#observables),*],
             observable_pattern: #observable_pattern,

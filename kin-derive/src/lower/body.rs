@@ -50,7 +50,12 @@ impl Lowerer<'_> {
                     defines.push(named.len());
                     named.push(Named::Define(defines.len() - 1, decl));
                 }
-                Item::Body(_) | Item::Scalar(_) | Item::Input(_) | Item::Row(_) | Item::Guess(_) => {}
+                Item::Body(_)
+                | Item::Scalar(_)
+                | Item::Input(_)
+                | Item::Row(_)
+                | Item::Condition(_)
+                | Item::Guess(_) => {}
             }
         }
         self.points = vec![None; points.len()];

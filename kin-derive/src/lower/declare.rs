@@ -75,6 +75,7 @@ impl Lowerer<'_> {
                     range
                 }
                 Item::Row(row) => self.repetition(&row.name, "N[i in 0..3]: …").1,
+                Item::Condition(decl) => self.repetition(&decl.name, "N[i in 0..3]: …").1,
                 Item::Guess(guess) => guess.range.clone().map_or(IndexRange::None, IndexRange::Over),
             };
             ranges.push(range);

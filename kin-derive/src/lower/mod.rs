@@ -136,6 +136,7 @@ pub(crate) fn lower(description: Description, item: ItemStruct, report: &Report)
 /// Keeps names and forgets what they mean, so that an unfinished description expands to something.
 fn skeleton(mechanism: &mut Mechanism) {
     mechanism.joints.clear();
+    mechanism.conditions.clear();
     mechanism.guesses.clear();
     for body in &mut mechanism.bodies {
         body.origin_at = body::FREE;
@@ -169,6 +170,7 @@ fn docs(description: &Description) -> Docs {
             Item::Point(decl) => (&decl.name, &mut docs.names),
             Item::Define(decl) => (&decl.name, &mut docs.names),
             Item::Row(row) => (&row.name, &mut docs.rows),
+            Item::Condition(decl) => (&decl.name, &mut docs.rows),
             Item::Guess(_) => continue,
         };
         if !name.doc.is_empty() {

@@ -4,8 +4,10 @@ use super::Lowerer;
 use super::declare::IndexRange;
 use super::formula::{Allow, Scope};
 use super::names::Symbol;
-use crate::ast::{AxisExpr, Expr, GuessDecl, Item, NameUse, RowKind, text};
-use kin_core::mechanism::{Axis, BodyRef, Component, Formula, Guess, GuessTarget, Joint, JointKind, Mechanism, Member};
+use crate::ast::{AxisExpr, ConditionDecl, Expr, GuessDecl, Item, NameUse, RowKind, text};
+use kin_core::mechanism::{
+    Axis, BodyRef, Component, Condition, Formula, Guess, GuessTarget, Joint, JointKind, Mechanism, Member,
+};
 
 impl Lowerer<'_> {
     /// All rows and guesses in order; one with a mistake is left out.
@@ -19,6 +21,7 @@ impl Lowerer<'_> {
                         mechanism.joints.push(Joint { name, range: range.model(), kind, keyword, origin });
                     }
                 }
+                Item::Condition(decl) => mechanism.conditions.extend(self.condition(decl, range)),
                 Item::Guess(guess) => mechanism.guesses.extend(self.guess(guess, range)),
                 Item::Body(_) | Item::Scalar(_) | Item::Input(_) | Item::Point(_) | Item::Define(_) => {}
             }
@@ -80,6 +83,14 @@ impl Lowerer<'_> {
                 JointKind::Driver { left: left?, right: right? }
             }
         })
+    }
+
+    fn condition(&mut self, decl: &ConditionDecl, range: &IndexRange) -> Option<Condition> {
+        let (keyword, origin) = (self.origin(decl.keyword.span()), self.origin(decl.name.ident.span()));
+        let scope = Scope { what: "a condition", allow: Allow::Everything, range };
+        let (left, right) = (self.formula(&decl.left, &scope), self.formula(&decl.right, &scope));
+        let (name, relation) = (text(&decl.name.ident), decl.relation);
+        Some(Condition { name, range: range.model(), left: left?, relation, right: right?, keyword, origin })
     }
 
     fn operand(&mut self, body: Option<&NameUse>, range: &IndexRange) -> Option<BodyRef> {

@@ -15,6 +15,8 @@ pub(super) enum Keyword {
     Guess,
     /// A joint, driver or equation.
     Row(&'static RowForm),
+    /// A unilateral condition.
+    Condition,
     /// Stands on a field.
     Param,
     /// `#[mechanism]` itself, a second time.
@@ -64,7 +66,7 @@ const WORDS: [(&str, Keyword); 20] = [
     ("knife_edge", LATER),
     ("speed", LATER),
     ("nonholonomic", LATER),
-    ("unilateral", LATER),
+    ("unilateral", Keyword::Condition),
 ];
 
 fn words() -> impl Iterator<Item = (&'static str, Keyword)> {
@@ -99,12 +101,14 @@ const FOREIGN: [&str; 18] = [
 ];
 
 /// What others call it.
-const SYNONYMS: [(&str, &str); 15] = [
+const SYNONYMS: &[(&str, &str)] = &[
     ("actuator", "driver"),
     ("assembly", "guess"),
     ("equation", "constraint"),
     ("hinge", "revolute"),
+    ("inequality", "unilateral"),
     ("initial_guess", "guess"),
+    ("limit", "unilateral"),
     ("links", "bodies"),
     ("motor", "driver"),
     ("parameter", "param"),

@@ -1,6 +1,7 @@
 //! Tokens to [`Description`]: what is written, with all mistakes of form reported and no name resolved.
 
 mod call;
+mod condition;
 mod declare;
 mod docs;
 mod expr;
@@ -21,7 +22,7 @@ mod strip;
 
 pub(crate) use strip::without_ours;
 
-use crate::ast::{Description, Flags, Item, Row, text};
+use crate::ast::{Description, Flags, Item, NewName, Row, text};
 use crate::report::Report;
 use keyword::Keyword;
 use list::inside;
@@ -117,6 +118,7 @@ fn read(attribute: &Attribute, word: &Ident, keyword: Keyword, report: &Report, 
         Keyword::Define => "#[define(stroke = slider.x - d1)]",
         Keyword::Guess => "#[guess(coupler.phi = 0.9)]",
         Keyword::Row(form) => form.example,
+        Keyword::Condition => condition::EXAMPLE,
         Keyword::Param => {
             report.error(word.span(), "`param` stands on a field of the struct: `#[param(0.1, unit = \"m\")] l1: f64`");
             return true;
@@ -146,6 +148,10 @@ fn read(attribute: &Attribute, word: &Ident, keyword: Keyword, report: &Report, 
                 items.push(Item::Row(Box::new(row(input, word, form, report)?)));
                 true
             }
+            Keyword::Condition => {
+                items.push(Item::Condition(Box::new(condition::condition(input, word, report)?)));
+                true
+            }
             Keyword::Param | Keyword::Mechanism | Keyword::Later { .. } => true,
         })
     });
@@ -154,8 +160,14 @@ fn read(attribute: &Attribute, word: &Ident, keyword: Keyword, report: &Report, 
 }
 
 fn row(input: ParseStream, keyword: &Ident, form: &'static RowForm, report: &Report) -> Result<Row> {
-    let nameless =
-        |span| Error::new(span, format!("a `{keyword}` begins with its name and a colon: `{}`", form.example));
+    let name = row_name(input, keyword, form.example, report)?;
+    let mut parts = Parts::read(input, keyword, form, report);
+    Ok(Row { keyword: keyword.clone(), name, kind: (form.build)(&mut parts) })
+}
+
+/// `name:`, with which every row begins.
+fn row_name(input: ParseStream, keyword: &Ident, example: &str, report: &Report) -> Result<NewName> {
+    let nameless = |span| Error::new(span, format!("a `{keyword}` begins with its name and a colon: `{example}`"));
     if input.is_empty() {
         return Err(nameless(keyword.span()));
     }
@@ -165,8 +177,7 @@ fn row(input: ParseStream, keyword: &Ident, form: &'static RowForm, report: &Rep
         return Err(nameless(start));
     }
     input.parse::<Token![:]>()?;
-    let mut parts = Parts::read(input, keyword, form, report);
-    Ok(Row { keyword: keyword.clone(), name, kind: (form.build)(&mut parts) })
+    Ok(name)
 }
 
 fn fields(item: &mut ItemStruct, report: &Report, names_missing: &mut bool) -> Option<Vec<crate::ast::FieldDecl>> {

@@ -67,6 +67,7 @@ const MODEL: Model = Model {
     defines: &[DefineInfo { name: "twice", observable: 5, varies: true }],
     joints: &[joint("slide", JointKind::Constraint, 0, STROKE), joint("drive", JointKind::Driver, 1, &[])],
     rows: &[row("slide", 0, false), row("drive", 1, true)],
+    conditions: &[],
     constraint_pattern: Pattern { rows: 2, entries: &[(0, 0), (0, 1), (1, 0), (1, 1)], constants: &[] },
     observables: &[
         pose(Component::X),

@@ -3,6 +3,7 @@
 use super::step::{Fault, Node, step};
 use crate::equations::Equations;
 use crate::error::{Refusal, SolveError};
+use crate::events::Watch;
 use crate::linear::{Factorization, null_space};
 use crate::singular::dependent_rows;
 use crate::state::State;
@@ -17,15 +18,17 @@ pub(crate) struct Follower<'e, 'a> {
     node: Node,
     /// Length of the next internal step.
     proposed: f64,
+    /// The unilateral conditions, where there are any.
+    pub(crate) watch: Option<Watch>,
 }
 
 impl<'e, 'a> Follower<'e, 'a> {
     /// Starts at `node`.
-    pub(crate) fn new(equations: &'e mut Equations<'a>, node: Node) -> Self {
-        Self { equations, node, proposed: f64::INFINITY }
+    pub(crate) fn new(equations: &'e mut Equations<'a>, node: Node, watch: Option<Watch>) -> Self {
+        Self { equations, node, proposed: f64::INFINITY, watch }
     }
 
-    /// Goes to `target`, in internal steps, and gives the state there.
+    /// Goes to `target`, in internal steps, and gives the state there, or that at the first event when it is to stop there.
     pub(crate) fn advance(&mut self, target: f64) -> Result<State, SolveError> {
         let options = self.equations.options;
         let mut iterations = 0;
@@ -53,7 +56,10 @@ impl<'e, 'a> Follower<'e, 'a> {
             match step(self.equations, &self.node, t, t == target) {
                 Ok((node, effort)) => {
                     iterations += node.state.iterations;
-                    self.node = node;
+                    let before = std::mem::replace(&mut self.node, node);
+                    if let Some(state) = self.pass(&before)? {
+                        return Ok(state);
+                    }
                     let growth = (0.3 / effort.max(1e-3)).cbrt().clamp(0.5, 4.0);
                     let walked = (t - from).abs();
                     // A step cut short by the target says nothing against the longer one proposed before.
@@ -75,6 +81,22 @@ impl<'e, 'a> Follower<'e, 'a> {
             joint: "",
             reason: Refusal::TooManySteps,
         })
+    }
+
+    /// Looks for events since `before`; the state at the first one, when the sweep is to end there.
+    fn pass(&mut self, before: &Node) -> Result<Option<State>, SolveError> {
+        let Some(watch) = &mut self.watch else { return Ok(None) };
+        watch.pass(self.equations, &self.node.state, &mut |equations, t| state_between(equations, before, t))?;
+        if !self.equations.options.stop_at_events {
+            return Ok(None);
+        }
+        watch.keep_first();
+        Ok(watch.events().first().map(|event| event.state.clone()))
+    }
+
+    /// True when an event ended the sweep.
+    pub(crate) fn stopped(&self) -> bool {
+        self.equations.options.stop_at_events && self.watch.as_ref().is_some_and(|watch| !watch.events().is_empty())
     }
 
     /// The step within which nothing turns by more than is allowed.
@@ -119,4 +141,14 @@ impl<'e, 'a> Follower<'e, 'a> {
         let (row_name, joint) = (self.equations.row_name(row), self.equations.joint_name(row));
         SolveError::StepRefused { t, t_refused, row_name, joint, reason }
     }
+}
+
+/// The state at `t` on the way from a node to one that was reached in one step; it is closed to the end.
+fn state_between(equations: &mut Equations<'_>, from: &Node, t: f64) -> Option<State> {
+    let directly = step(equations, from, t, true).ok();
+    let reached = directly.or_else(|| {
+        let (middle, _) = step(equations, from, from.state.t + 0.5 * (t - from.state.t), false).ok()?;
+        step(equations, &middle, t, true).ok()
+    });
+    reached.map(|(node, _)| node.state)
 }

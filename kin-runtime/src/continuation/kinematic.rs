@@ -6,8 +6,8 @@ use super::step::Node;
 use crate::analysis;
 use crate::equations::{Equations, finite};
 use crate::error::{SolveError, SweepError};
+use crate::events::Watch;
 use crate::solver::Position;
-use crate::state::State;
 use crate::trajectory::Trajectory;
 
 /// The states at `times`, on the branch of `first`, which is the position at the first of them.
@@ -16,22 +16,24 @@ pub(crate) fn kinematic(
     first: Position,
     times: &[f64],
 ) -> Result<Trajectory, SweepError> {
-    let mut trajectory = Trajectory { model: equations.model, states: Vec::with_capacity(times.len()) };
-    match follow(equations, first, times, &mut trajectory.states) {
+    let mut trajectory = Trajectory::new(equations.model);
+    trajectory.states.reserve_exact(times.len());
+    match follow(equations, first, times, &mut trajectory) {
         Ok(()) => Ok(trajectory),
         Err(source) => Err(SweepError { trajectory, source }),
     }
 }
 
-/// Appends one state per instant until one fails.
+/// Appends one state per instant until one fails or the sweep is to stop at an event.
 fn follow(
     equations: &mut Equations<'_>,
     first: Position,
     times: &[f64],
-    states: &mut Vec<State>,
+    trajectory: &mut Trajectory,
 ) -> Result<(), SolveError> {
     let state = analysis::state(equations, first, None)?;
-    states.push(state.clone());
+    trajectory.states.push(state.clone());
+    let watch = Watch::start(equations, &state)?;
     let rank = equations.coordinates() - state.degrees_of_freedom_left;
     let t = state.t;
     let singular = || SolveError::Singular {
@@ -42,10 +44,20 @@ fn follow(
         condition: f64::INFINITY,
     };
     let orientation = Orientation::here(equations, rank).ok_or_else(singular)?;
-    let mut follower = Follower::new(equations, Node { state, orientation, rank });
-    for (index, &t) in times.iter().enumerate().skip(1) {
+    let mut follower = Follower::new(equations, Node { state, orientation, rank }, watch);
+    let mut instants = times.iter().enumerate().skip(1);
+    let result = instants.try_for_each(|(index, &t)| {
+        if trajectory.stopped {
+            return Ok(());
+        }
         finite("times", index, "", t)?;
-        states.push(follower.advance(t)?);
+        let reached = follower.advance(t)?;
+        trajectory.stopped = follower.stopped();
+        trajectory.states.push(reached);
+        Ok(())
+    });
+    if let Some(watch) = follower.watch {
+        (trajectory.events, trajectory.violated_at_start) = watch.finish();
     }
-    Ok(())
+    result
 }

@@ -29,6 +29,9 @@ fn reported<M: Mechanism>(motion: &Motion) -> Vec<(String, [f64; 3])> {
             all.push((name, [rates.value, rates.rate, rates.acceleration]));
         }
     }
+    for (info, g) in model.conditions.iter().zip(&motion.conditions) {
+        all.push((format!("condition {}", info.name), [g.value, g.rate, g.acceleration]));
+    }
     assert_eq!(model.observables.len(), all.len(), "{:?}", model.observables);
     all
 }

@@ -73,19 +73,19 @@ pub(super) fn names_are_free(mechanism: &Mechanism, errors: &mut Vec<ModelError>
     }
 }
 
-/// Two rows with one name.
+/// Two rows with one name; a condition counts as a row.
 pub(super) fn row_names_differ(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
-    let mut joints: Vec<_> = mechanism.joints.iter().collect();
-    joints.sort_by_key(|joint| joint.origin);
+    let joints = mechanism.joints.iter().map(|joint| (joint.name.as_str(), joint.kind.keyword(), joint.origin));
+    let conditions = mechanism.conditions.iter().map(|c| (c.name.as_str(), "unilateral", c.origin));
+    let mut rows: Vec<_> = joints.chain(conditions).collect();
+    rows.sort_by_key(|(_, _, origin)| *origin);
     let mut first = BTreeMap::new();
-    for joint in joints {
-        let keyword = joint.kind.keyword();
-        match first.get(joint.name.as_str()) {
-            None => _ = first.insert(joint.name.as_str(), keyword),
+    for (name, keyword, origin) in rows {
+        match first.get(name) {
+            None => _ = first.insert(name, keyword),
             Some(other) => {
-                let message =
-                    format!("there is a row `{}` already, a `{other}`; every row has a name of its own", joint.name);
-                errors.push(ModelError::new(joint.origin, message));
+                let message = format!("there is a row `{name}` already, a `{other}`; every row has a name of its own");
+                errors.push(ModelError::new(origin, message));
             }
         }
     }

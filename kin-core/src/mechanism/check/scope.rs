@@ -2,7 +2,8 @@
 
 use crate::error::Origin;
 use crate::mechanism::{
-    Axis, Body, BodyOrigin, BodyRef, Formula, GuessTarget, Index, Joint, JointKind, Mechanism, Member, Place, Range,
+    Axis, Body, BodyOrigin, BodyRef, Condition, Formula, GuessTarget, Index, Joint, JointKind, Mechanism, Member,
+    Place, Range,
 };
 
 /// What one declaration is made of.
@@ -53,7 +54,8 @@ pub(super) fn scopes(mechanism: &Mechanism) -> Vec<Scope<'_>> {
             GuessTarget::Scalar(member) => scope.scalar(member),
         }
     });
-    points.chain(defines).chain(bodies).chain(joints).chain(guesses).collect()
+    let conditions = mechanism.conditions.iter().map(Scope::of_condition);
+    points.chain(defines).chain(bodies).chain(joints).chain(conditions).chain(guesses).collect()
 }
 
 impl<'a> Scope<'a> {
@@ -89,6 +91,11 @@ impl<'a> Scope<'a> {
                 scope.formula(left).formula(right)
             }
         }
+    }
+
+    /// A unilateral condition.
+    fn of_condition(condition: &'a Condition) -> Self {
+        Self::new(condition.range).formula(&condition.left).formula(&condition.right)
     }
 
     fn formula(mut self, formula: &'a Formula) -> Self {

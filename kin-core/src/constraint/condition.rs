@@ -1,0 +1,39 @@
+//! Unilateral conditions.
+//!
+//! ```text
+//! left > right:  g = left − right        left < right:  g = right − left
+//! ```
+//! The condition is satisfied while g > 0. g is an observable like any other, with ġ = g_q q̇ + g_t and
+//! g̈ = g_q q̈ − γ_g, in the unit of the two sides; it is no row of Φ (lecture, slides 27–34: bilateral and unilateral).
+
+use super::assembly::Assembly;
+use super::layout::indexed;
+use super::set::{ConditionInstance, ConstraintSet, ObservableKind};
+use crate::mechanism::Relation;
+
+impl Assembly<'_> {
+    /// All conditions, one for every index of a range.
+    pub(super) fn conditions(&mut self, set: &mut ConstraintSet) {
+        for (family, condition) in self.mechanism.conditions.iter().enumerate() {
+            for (shown, index) in Self::instances(condition.range) {
+                self.index = index;
+                let (left, right) = (self.formula(&condition.left), self.formula(&condition.right));
+                let value = match condition.relation {
+                    Relation::Greater => self.graph.sub(left, right),
+                    Relation::Less => self.graph.sub(right, left),
+                };
+                let observable = self.observe(set, ObservableKind::Condition(set.conditions.len()), value);
+                set.conditions.push(ConditionInstance {
+                    name: indexed(&condition.name, shown.is_some(), index),
+                    family: (family, index),
+                    left,
+                    relation: condition.relation,
+                    right,
+                    observable,
+                    rheonomic: self.graph.depends(value).is_rheonomic(),
+                    origin: condition.origin,
+                });
+            }
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! What is reported of an event.
+
+use crate::state::State;
+use core::fmt;
+
+/// How a motion meets the limit of a unilateral condition, in the direction in which the sweep runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum Crossing {
+    /// Satisfied before, violated after.
+    Violated,
+    /// Violated before, satisfied after.
+    Restored,
+    /// The limit is reached within rounding and not passed: ġ = 0 there, and both sides of the instant are alike.
+    Touched,
+}
+
+impl fmt::Display for Crossing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Violated => "violated",
+            Self::Restored => "satisfied again",
+            Self::Touched => "touched",
+        })
+    }
+}
+
+/// A unilateral condition whose limit the motion meets, and when.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Event {
+    /// Name of the condition.
+    pub name: &'static str,
+    /// Its place in [`Model::conditions`](crate::model::Model::conditions).
+    pub condition: usize,
+    /// Time.
+    pub t: f64,
+    /// Which way.
+    pub crossing: Crossing,
+    /// Width of the interval of time around t in which the limit is met: at most 1e-10 for |t| up to 10⁴, relative to
+    /// |t| beyond. Larger only where the motion cannot be solved closer to it.
+    pub within: f64,
+    /// The configuration at t.
+    pub state: State,
+}

@@ -1,0 +1,78 @@
+//! A condition at one instant.
+
+use crate::equations::{Equations, finite};
+use crate::error::SolveError;
+use crate::state::State;
+use crate::workspace::Instant;
+
+/// Largest condition number that widens what counts as rounding.
+const WORST_CONDITION: f64 = 1e4;
+
+/// g at an instant with its derivatives and what rounding may make of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Sample {
+    pub(crate) t: f64,
+    /// g.
+    pub(crate) value: f64,
+    /// ġ; not a number where g has no derivative.
+    pub(crate) rate: f64,
+    /// g̈, likewise.
+    pub(crate) acceleration: f64,
+    /// Values up to this are zero within rounding.
+    pub(crate) noise: f64,
+}
+
+impl Sample {
+    /// The side on which a motion that goes on in the direction of `h` finds itself: true where the condition is satisfied.
+    ///
+    /// At the limit that is where ġ leads, or g̈ where the motion turns there.
+    pub(crate) fn side_after(&self, h: f64) -> bool {
+        let (rate, acceleration) = (self.rate * h.signum(), self.acceleration);
+        if self.value.abs() > self.noise || rate.is_nan() || acceleration.is_nan() {
+            return self.value > 0.0;
+        }
+        let turns = acceleration * rate < 0.0 && rate * rate <= 2.0 * acceleration.abs() * self.noise;
+        if rate == 0.0 || turns {
+            return if acceleration == 0.0 { self.value > 0.0 } else { acceleration > 0.0 };
+        }
+        rate > 0.0
+    }
+
+    /// Near enough to zero for the last digits of the configuration to matter.
+    pub(crate) fn is_near(&self) -> bool {
+        self.value.abs() <= 1e6 * self.noise
+    }
+}
+
+/// All conditions at a state.
+///
+/// # Errors
+/// [`NonFinite`](SolveError::NonFinite) where a condition has no value.
+pub(crate) fn samples(equations: &mut Equations<'_>, state: &State) -> Result<Vec<Sample>, SolveError> {
+    let model = equations.model;
+    let at = Instant { t: state.t, inputs: &state.inputs };
+    equations.system.observe(&at, &state.q, &state.q_dot)?;
+    let parts = equations.system.observables();
+    let rounding = 4.0 * f64::EPSILON * (4.0 + state.condition.clamp(1.0, WORST_CONDITION));
+    let mut all = Vec::with_capacity(model.conditions.len());
+    for (index, condition) in model.conditions.iter().enumerate() {
+        let row = condition.observable;
+        let (value, mut rate, mut acceleration) = (parts.phi[row], parts.phi_t[row], -parts.gamma[row]);
+        finite("conditions", index, condition.name, value)?;
+        let mut size = value.abs() + (rate * state.t).abs();
+        // The pattern is sorted by rows.
+        let entries = model.observable_pattern.entries;
+        let first = entries.partition_point(|&(r, _)| r < row);
+        for (&(r, k), &entry) in entries.iter().zip(parts.phi_q).skip(first) {
+            if r != row {
+                break;
+            }
+            rate += entry * state.q_dot[k];
+            acceleration += entry * state.q_ddot[k];
+            size += (entry * state.q[k]).abs() + (entry * equations.scale.columns[k]).abs();
+        }
+        let noise = if size.is_finite() { rounding * size } else { 0.0 };
+        all.push(Sample { t: state.t, value, rate, acceleration, noise });
+    }
+    Ok(all)
+}
