@@ -172,8 +172,27 @@ pub(crate) enum RowKind {
     Y { p: PointExpr, value: Expr },
     Angle { body: Option<NameUse>, value: Expr },
     RelativeAngle { a: Option<NameUse>, b: Option<NameUse>, value: Expr },
+    OnCurve { p: PointExpr, q: PointExpr, curve: CurveExpr },
+    FlatFollower { p: PointExpr, q: PointExpr, axis: AxisExpr, support: Expr },
     Constraint { left: Expr, right: Expr },
     Driver { left: Expr, right: Expr },
+}
+
+/// A curve; see [`kin_core::mechanism::Curve`].
+#[derive(Debug)]
+pub(crate) enum CurveExpr {
+    Polar(Expr),
+    Implicit(Expr),
+    Parametric {
+        parameter: NameUse,
+        x: Expr,
+        y: Expr,
+        /// The pair.
+        span: Span,
+        roller: Option<Expr>,
+    },
+    /// Could not be read; reported.
+    Hole,
 }
 
 /// `(vx, vy)`.

@@ -129,6 +129,14 @@ pub enum JointKind {
     Angle,
     /// φ_b − φ_a − e.
     RelativeAngle,
+    /// |w| − ρ(θ): a point on a curve in polar form.
+    OnPolarCurve,
+    /// e(X, Y) at w: a point on a curve in implicit form.
+    OnImplicitCurve,
+    /// r_Q − r_P − A_i c(u): a point on a curve in parametric form.
+    OnParametricCurve,
+    /// n·(r_Q − r_P) − h(θ): a flat-faced follower on a cam.
+    FlatFollower,
     /// A free-form holonomic row.
     Constraint,
     /// A driving constraint.
@@ -148,6 +156,8 @@ impl JointKind {
             Self::Y => "y",
             Self::Angle => "angle",
             Self::RelativeAngle => "relative_angle",
+            Self::OnPolarCurve | Self::OnImplicitCurve | Self::OnParametricCurve => "on_curve",
+            Self::FlatFollower => "flat_follower",
             Self::Constraint => "constraint",
             Self::Driver => "driver",
         }
@@ -168,7 +178,7 @@ pub enum Role {
     P,
     /// Body-fixed coordinates of the second operand's point, two numbers.
     Q,
-    /// Unit vector of an axis in the first operand's body, two numbers.
+    /// Unit vector of an axis in the frame it is fixed in, two numbers.
     Axis,
     /// Length, angle, offset or right-hand side, one number; may depend on t and inputs.
     Value,
@@ -188,8 +198,9 @@ pub struct Geometry {
 /// A quantity that a joint reports: relative angle, stroke, distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct JointQuantity {
-    /// `angle` (φ_j − φ_i), `stroke` (displacement along the axis) or `distance`; its rate is the relative angular
-    /// velocity, the sliding velocity or the rate of change of the distance.
+    /// `angle` (φ_j − φ_i), `stroke` (displacement along the axis), `distance`, or `theta` (direction of a flat
+    /// follower's face as the cam sees it); its rate is the relative angular velocity, the sliding velocity or the rate of
+    /// change of the distance.
     pub name: &'static str,
     /// Its observable in [`Model::observables`].
     pub observable: usize,

@@ -3,7 +3,15 @@
 
 mod andrews_cartesian;
 mod andrews_pins;
+mod bogie_on_rail;
+mod cam_ellipse_implicit;
+mod cam_oscillating_follower;
+mod cams_on_carriage;
 mod chain10;
+mod eccentric_flat_oscillating;
+mod eccentric_flat_translating;
+mod eccentric_roller;
+mod elliptic_roller;
 mod elliptic_trammel;
 mod excavator;
 mod five_bar_leg;
@@ -34,7 +42,15 @@ mod welded_pendulums;
 
 pub use andrews_cartesian::AndrewsCartesian;
 pub use andrews_pins::AndrewsPins;
+pub use bogie_on_rail::BogieOnRail;
+pub use cam_ellipse_implicit::CamEllipseImplicit;
+pub use cam_oscillating_follower::CamOscillatingFollower;
+pub use cams_on_carriage::CamsOnCarriage;
 pub use chain10::Chain10;
+pub use eccentric_flat_oscillating::EccentricFlatOscillating;
+pub use eccentric_flat_translating::EccentricFlatTranslating;
+pub use eccentric_roller::{EccentricRollerImplicit, EccentricRollerParametric, EccentricRollerPolar};
+pub use elliptic_roller::{EllipticPath, EllipticRoller};
 pub use elliptic_trammel::EllipticTrammel;
 pub use excavator::Excavator;
 pub use five_bar_leg::{DrivenLeg, FiveBarLeg};
@@ -90,7 +106,18 @@ macro_rules! every_mechanism {
             moving {
                 andrews_cartesian: AndrewsCartesian, 0.0, 0.027;
                 andrews_pins: AndrewsPins, 0.0, 0.02;
+                bogie_on_rail: BogieOnRail, 0.0, 1.9;
+                cam_ellipse_implicit: CamEllipseImplicit, 0.0, 1.9;
+                cam_oscillating_follower: CamOscillatingFollower, 0.0, 1.9;
+                cams_on_carriage: CamsOnCarriage, 0.0, 1.9;
                 chain10: Chain10, 0.0, 1.9;
+                eccentric_flat_oscillating: EccentricFlatOscillating, 0.0, 1.9;
+                eccentric_flat_translating: EccentricFlatTranslating, 0.0, 1.9;
+                eccentric_roller_implicit: EccentricRollerImplicit, 0.0, 1.9;
+                eccentric_roller_parametric: EccentricRollerParametric, 0.0, 1.9;
+                eccentric_roller_polar: EccentricRollerPolar, 0.0, 1.9;
+                elliptic_path: EllipticPath, 0.0, 1.9;
+                elliptic_roller: EllipticRoller, 0.0, 1.9;
                 elliptic_trammel: EllipticTrammel, 0.0, 1.9;
                 excavator: Excavator, 0.0, 1.9;
                 driven_leg: DrivenLeg, 0.0, 1.9;

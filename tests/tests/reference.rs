@@ -46,6 +46,9 @@ macro_rules! cases {
 
 cases! {
     andrews_cartesian: AndrewsCartesian,
+    bogie_on_rail: BogieOnRail,
+    cam_ellipse_implicit: CamEllipseImplicit,
+    cam_oscillating_follower: CamOscillatingFollower,
     chain10: Chain10,
     elliptic_trammel: EllipticTrammel,
     excavator: Excavator,

@@ -6,10 +6,10 @@ use super::set::{
     ConstraintRow, ConstraintSet, DefineInstance, Family, Frame, Geometry, JointInstance, JointTag, Observable,
     ObservableKind, PointInstance, Quantity, Role,
 };
-use super::{angle, coordinate, distance, driver, fixed, point_on_line, revolute, translational};
+use super::{angle, coordinate, curve, distance, driver, fixed, point_on_line, revolute, translational};
 use crate::error::{ModelError, Origin};
 use crate::expr::{ExprId, Graph};
-use crate::mechanism::{BodyOrigin, Component, GuessTarget, Joint, JointKind, Mechanism, Range};
+use crate::mechanism::{BodyOrigin, Component, Curve, GuessTarget, Joint, JointKind, Mechanism, Range};
 use std::collections::HashMap;
 
 /// What a joint hands back: rows as (suffix of the name, residual), and what it reports.
@@ -48,6 +48,8 @@ pub(super) struct Assembly<'m> {
     pub(super) defines: HashMap<(usize, i64), Option<ExprId>>,
     /// The index variable of the range that is being laid out.
     pub(super) index: i64,
+    /// What the variables of the curve that is being written stand for.
+    pub(super) variables: curve::Variables,
     pub(super) errors: Vec<ModelError>,
 }
 
@@ -165,6 +167,8 @@ impl Assembly<'_> {
             JointKind::Coordinate { p, component, value } => coordinate::rows(self, p, *component, value),
             JointKind::Angle { body, value } => angle::absolute(self, body, value),
             JointKind::RelativeAngle { a, b, value } => angle::relative(self, a, b, value),
+            JointKind::OnCurve { p, q, curve } => curve::rows(self, p, q, curve),
+            JointKind::FlatFollower { p, q, axis, support } => curve::flat_follower::rows(self, p, q, axis, support),
             JointKind::Constraint { left, right } => driver::equation(self, left, right),
             JointKind::Driver { left, right } => driver::rows(self, left, right),
         }
@@ -241,6 +245,10 @@ fn tag(kind: &JointKind) -> JointTag {
         JointKind::Coordinate { .. } => JointTag::X,
         JointKind::Angle { .. } => JointTag::Angle,
         JointKind::RelativeAngle { .. } => JointTag::RelativeAngle,
+        JointKind::OnCurve { curve: Curve::Polar { .. }, .. } => JointTag::OnPolarCurve,
+        JointKind::OnCurve { curve: Curve::Implicit { .. }, .. } => JointTag::OnImplicitCurve,
+        JointKind::OnCurve { curve: Curve::Parametric { .. }, .. } => JointTag::OnParametricCurve,
+        JointKind::FlatFollower { .. } => JointTag::FlatFollower,
         JointKind::Constraint { .. } => JointTag::Constraint,
         JointKind::Driver { .. } => JointTag::Driver,
     }

@@ -60,6 +60,8 @@ impl Assembly<'_> {
                 distance::length(self, &p, &q)
             }
             Formula::Define(member) => self.define(member),
+            // Outside of its curve there is no such variable; lowering has said so.
+            Formula::Curve(variable) => self.variables.get(*variable).unwrap_or_else(|| self.graph.zero()),
             Formula::Neg(a) => {
                 let a = self.formula(a);
                 self.graph.neg(a)

@@ -83,6 +83,7 @@ impl<'m> Assembly<'m> {
             first_input,
             defines: HashMap::new(),
             index: 0,
+            variables: Default::default(),
             errors: Vec::new(),
         }
     }

@@ -1,11 +1,12 @@
 //! From a mechanism to Φ: one constraint type per file, each writing its rows of Φ and nothing else.
 //!
-//! Imports `expr` and `mechanism`. Nothing here differentiates.
+//! Imports `expr` and `mechanism`. Nothing here differentiates; a roller asks `expr` for the direction of its curve.
 
 mod angle;
 mod assembly;
 mod condition;
 mod coordinate;
+mod curve;
 mod distance;
 mod driver;
 mod fixed;

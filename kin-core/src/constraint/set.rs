@@ -133,6 +133,14 @@ pub enum JointTag {
     Angle,
     /// Relative angle.
     RelativeAngle,
+    /// Point on a curve in polar form.
+    OnPolarCurve,
+    /// Point on a curve in implicit form.
+    OnImplicitCurve,
+    /// Point on a curve in parametric form.
+    OnParametricCurve,
+    /// Flat-faced follower on a cam.
+    FlatFollower,
     /// Free-form equation.
     Constraint,
     /// Driving constraint.

@@ -37,6 +37,13 @@ pub fn total_derivatives(graph: &mut Graph, roots: &[ExprId]) -> Vec<Jet> {
     roots.iter().map(|root| Jet::clone(&jets[root.index()])).collect()
 }
 
+/// The partial derivatives of `roots` by the coordinate `k`.
+pub fn partial<const N: usize>(graph: &mut Graph, roots: [ExprId; N], k: u32) -> [ExprId; N] {
+    let (jets, zero) = (total_derivatives(graph, &roots), graph.zero());
+    let by_k = |jet: &Jet| jet.gradient.iter().find(|(other, _)| *other == k).map_or(zero, |(_, e)| *e);
+    core::array::from_fn(|place| jets.get(place).map_or(zero, by_k))
+}
+
 /// The jet of `id` from those of its operands.
 fn derive(graph: &mut Graph, jets: &[Rc<Jet>], id: ExprId) -> Jet {
     let jet = |id: ExprId| Rc::clone(&jets[id.index()]);
@@ -94,7 +101,15 @@ fn derive(graph: &mut Graph, jets: &[Rc<Jet>], id: ExprId) -> Jet {
         Node::Call(f, a) => of_function(graph, f, id, a, &jet(a)),
         // A literal never changes, and a sign is constant wherever it has a derivative.
         Node::Number(_) | Node::Sign(_) => constant(graph),
-        Node::Atan2(y, x) => of_atan2(graph, [x, y], &jet(x), &jet(y)),
+        Node::Atan2(y, x) => match (graph.node(y), graph.node(x)) {
+            // atan2(u×d, u·d) is the direction of d less that of u, which turns with φ.
+            (Node::Cross(t), Node::Dot(other)) if t == other => {
+                let direction = of_atan2(graph, t.d, &jet(t.d[0]), &jet(t.d[1]));
+                let minus = graph.number(-1.0);
+                linear(graph, &[(None, &direction), (Some(minus), &jet(t.angle))])
+            }
+            _ => of_atan2(graph, [x, y], &jet(x), &jet(y)),
+        },
         Node::RotX(r) | Node::RotY(r) => {
             let along = graph.rotate(r.angle, [r.x, r.y]);
             rotated(

@@ -14,14 +14,17 @@
 //! 11. `divisors_are_not_zero`: nothing is divided by a literal 0;
 //! 12. `guesses_are_for_coordinates`: a guess is for a free coordinate, one for each;
 //! 13. `rows_hold_coordinates`: a row that mentions no coordinate constrains nothing;
-//! 14. `conditions_change`: a condition of parameters alone is always or never satisfied.
+//! 14. `conditions_change`: a condition of parameters alone is always or never satisfied;
+//! 15. `curves_are_curves`: a literal polar radius is positive, and a curve holds its variables;
+//! 16. `rollers_know_their_curve`: a roller runs on no curve that has only two derivatives.
 //!
 //! As a whole ([`check`]):
-//! 15. `has_coordinates`: something can move;
-//! 16. `bodies_are_touched`: some row mentions a coordinate of every body;
-//! 17. `scalars_are_mentioned`: some row mentions every scalar coordinate.
+//! 17. `has_coordinates`: something can move;
+//! 18. `bodies_are_touched`: some row mentions a coordinate of every body;
+//! 19. `scalars_are_mentioned`: some row mentions every scalar coordinate.
 
 mod condition;
+mod curve;
 pub mod cycle;
 mod geometry;
 mod guess;
@@ -38,6 +41,7 @@ use std::collections::BTreeSet;
 pub use names::{RESERVED, is_reserved};
 
 use condition::conditions_change;
+use curve::{curves_are_curves, rollers_know_their_curve};
 use geometry::{axes_have_a_direction, divisors_are_not_zero, joints_join_two_bodies, lengths_are_positive};
 use guess::guesses_are_for_coordinates;
 use names::{names_are_free, names_differ, row_names_differ};
@@ -74,6 +78,8 @@ pub fn check_parts(mechanism: &Mechanism) -> Vec<ModelError> {
     axes_have_a_direction(mechanism, &mut errors);
     lengths_are_positive(mechanism, &mut errors);
     divisors_are_not_zero(mechanism, &mut errors);
+    curves_are_curves(mechanism, &mut errors);
+    rollers_know_their_curve(mechanism, &mut errors);
     if is_sound(mechanism) {
         joints_join_two_bodies(mechanism, &mut errors);
         guesses_are_for_coordinates(mechanism, &mut errors);

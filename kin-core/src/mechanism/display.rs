@@ -1,6 +1,8 @@
 //! A mechanism as text, in the user's language: what was understood.
 
-use super::{BodyOrigin, BodyRef, Component, Formula, GuessTarget, Index, Joint, JointKind, Mechanism, Member, Place};
+use super::{
+    BodyOrigin, BodyRef, Component, Curve, Formula, GuessTarget, Index, Joint, JointKind, Mechanism, Member, Place,
+};
 use core::fmt;
 
 impl fmt::Display for Mechanism {
@@ -103,11 +105,28 @@ impl Mechanism {
             JointKind::Coordinate { p: a, value, .. } => format!("{} = {}", p(a), t(value)),
             JointKind::Angle { body, value } => format!("{} = {}", self.body(body), t(value)),
             JointKind::RelativeAngle { a, b, value } => format!("{}, {} = {}", self.body(a), self.body(b), t(value)),
+            JointKind::OnCurve { p: a, q: b, curve } => format!("{}, {}, {}", p(a), p(b), self.curve(curve)),
+            JointKind::FlatFollower { p: a, q: b, axis, support } => {
+                let (x, y) = (t(&axis.x), t(&axis.y));
+                format!("{}, {}, axis = ({x}, {y}), support(theta) = {}", p(a), p(b), t(support))
+            }
             JointKind::Constraint { left, right } | JointKind::Driver { left, right } => {
                 format!("{} = {}", t(left), t(right))
             }
         };
         format!("{} {}{range}: {operands}", joint.kind.keyword(), joint.name)
+    }
+
+    fn curve(&self, curve: &Curve) -> String {
+        match curve {
+            Curve::Polar { radius, .. } => format!("polar(theta) = {}", self.text(radius)),
+            Curve::Implicit { value, .. } => format!("implicit(X, Y) = {}", self.text(value)),
+            Curve::Parametric { parameter, x, y, roller, .. } => {
+                let u = self.member(self.scalars.get(parameter.family).map(|s| &s.name), parameter);
+                let roller = roller.as_ref().map(|r| format!(", roller = {}", self.text(r))).unwrap_or_default();
+                format!("parametric({u}) = ({}, {}){roller}", self.text(x), self.text(y))
+            }
+        }
     }
 
     /// A formula with every operation in brackets, as it was understood.
@@ -123,6 +142,7 @@ impl Mechanism {
             Formula::Input(m) => self.member(self.inputs.get(m.family).map(|i| &i.name), m),
             Formula::Scalar(m) => self.member(self.scalars.get(m.family).map(|s| &s.name), m),
             Formula::Define(m) => self.member(self.defines.get(m.family).map(|d| &d.name), m),
+            Formula::Curve(variable) => variable.name().to_owned(),
             Formula::Pose(body, component) => format!("{}.{component}", self.body(body)),
             Formula::PointCoordinate(place, Component::X) => format!("({}).x", self.place(place)),
             Formula::PointCoordinate(place, _) => format!("({}).y", self.place(place)),

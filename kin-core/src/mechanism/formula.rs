@@ -1,6 +1,6 @@
 //! Formulas as the user wrote them: names resolved to ids, nothing simplified yet.
 
-use super::{BodyRef, Place};
+use super::{BodyRef, CurveVariable, Place};
 use crate::error::Origin;
 use core::fmt;
 
@@ -158,6 +158,8 @@ pub enum Formula {
     Distance(Box<Place>, Box<Place>),
     /// A named expression.
     Define(Member),
+    /// The variable of the curve that the formula belongs to.
+    Curve(CurveVariable),
     /// −a.
     Neg(Box<Formula>),
     /// a + b.

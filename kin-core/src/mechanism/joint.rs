@@ -1,9 +1,9 @@
 //! Joints, drivers and free equations: what contributes rows to Φ.
 
-use super::{BodyRef, Component, Formula, Member, Place, Range};
+use super::{BodyRef, Component, Curve, Formula, Member, Place, Range};
 use crate::error::Origin;
 
-/// An axis direction in the frame of the first operand's body; kin normalises it.
+/// An axis direction in the frame of the first operand's body (a flat follower's: of the second); kin normalises it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     /// First component, a formula of parameters.
@@ -91,6 +91,26 @@ pub enum JointKind {
         /// e.
         value: Formula,
     },
+    /// Q on a curve fixed in body i, centred at P: |w| − ρ(θ), e(X, Y), or r_Q − r_P − A_i c(u); w = A_iᵀ(r_Q − r_P).
+    OnCurve {
+        /// The curve's centre, of body i.
+        p: Place,
+        /// Point of body j.
+        q: Place,
+        /// The curve.
+        curve: Curve,
+    },
+    /// n·(r_Q − r_P) − h(θ), n = perp(A_j v̂), θ the angle of n in body i.
+    FlatFollower {
+        /// The centre of the support function, of body i.
+        p: Place,
+        /// Point of body j on its face.
+        q: Place,
+        /// v along the face, in body j.
+        axis: Axis,
+        /// h.
+        support: Formula,
+    },
     /// Left minus right, a free-form holonomic row.
     Constraint {
         /// Left side.
@@ -120,6 +140,8 @@ impl JointKind {
             Self::Coordinate { .. } => "x",
             Self::Angle { .. } => "angle",
             Self::RelativeAngle { .. } => "relative_angle",
+            Self::OnCurve { .. } => "on_curve",
+            Self::FlatFollower { .. } => "flat_follower",
             Self::Constraint { .. } => "constraint",
             Self::Driver { .. } => "driver",
         }

@@ -6,6 +6,7 @@
 mod body;
 pub mod check;
 mod condition;
+mod curve;
 mod display;
 mod formula;
 mod joint;
@@ -14,6 +15,7 @@ pub use body::{
     Body, BodyOrigin, BodyRef, Define, Input, NamedPoint, Parameter, Place, Range, Scalar, SuppliedFunction,
 };
 pub use condition::{Condition, Relation};
+pub use curve::{Curve, CurveVariable};
 pub use formula::{Component, Formula, Function, Index, Member};
 pub use joint::{Axis, Guess, GuessTarget, Joint, JointKind};
 

@@ -2,7 +2,8 @@
 
 use super::Number;
 use kin_core::mechanism::{
-    Axis, BodyOrigin, BodyRef, Component, Formula, Function, JointKind, Mechanism, Member, Place, Range,
+    Axis, BodyOrigin, BodyRef, Component, Curve, CurveVariable, Formula, Function, JointKind, Mechanism, Member, Place,
+    Range,
 };
 use std::cell::Cell;
 use std::collections::HashMap;
@@ -62,6 +63,8 @@ pub struct Direct<'m, S> {
     pub saw_time: Cell<bool>,
     poses: HashMap<(usize, usize, Component), usize>,
     scalars: HashMap<(usize, usize), usize>,
+    /// What θ, X and Y stand for.
+    variables: Cell<[Option<S>; 3]>,
 }
 
 /// The names of q as the language defines them: bodies in order of declaration, then scalars.
@@ -105,7 +108,17 @@ fn layout(mechanism: &Mechanism) -> Layout {
 impl<'m, S: Number> Direct<'m, S> {
     pub fn new(mechanism: &'m Mechanism, parameters: &'m [f64], t: S, inputs: Vec<S>, q: Vec<S>) -> Self {
         let (_, poses, scalars) = layout(mechanism);
-        Self { mechanism, parameters, t, inputs, q, saw_time: Cell::new(false), poses, scalars }
+        Self {
+            mechanism,
+            parameters,
+            t,
+            inputs,
+            q,
+            saw_time: Cell::new(false),
+            poses,
+            scalars,
+            variables: Cell::new([None; 3]),
+        }
     }
 
     fn index(member: Member, i: i64) -> usize {
@@ -146,6 +159,7 @@ impl<'m, S: Number> Direct<'m, S> {
                 let define = &self.mechanism.defines[member.family];
                 self.formula(&define.formula, Self::index(*member, i) as i64)
             }
+            Formula::Curve(variable) => self.variables.get()[*variable as usize].expect("a formula of a curve"),
             Formula::Neg(a) => -of(a),
             Formula::Add(a, b) => of(a) + of(b),
             Formula::Sub(a, b) => of(a) - of(b),
@@ -235,11 +249,46 @@ impl<'m, S: Number> Direct<'m, S> {
             }
             JointKind::Angle { body, value } => vec![("", self.pose(body, i).1 - self.formula(value, i))],
             JointKind::RelativeAngle { a, b, value } => vec![("", turn(a, b) - self.formula(value, i))],
+            JointKind::OnCurve { p, q, curve } => {
+                let d = self.point(q, i) - self.point(p, i);
+                let w = Complex::turn(self.pose(&p.body, i).1).conjugate() * d;
+                match curve {
+                    Curve::Polar { radius, .. } => {
+                        let theta = w.y.atan2(w.x);
+                        let radius = self.within(radius, &[(CurveVariable::Theta, theta)], i);
+                        vec![("", w.square_of_length().call(Function::Sqrt) - radius)]
+                    }
+                    Curve::Implicit { value, .. } => {
+                        vec![("", self.within(value, &[(CurveVariable::X, w.x), (CurveVariable::Y, w.y)], i))]
+                    }
+                    Curve::Parametric { x, y, roller, .. } => {
+                        assert!(roller.is_none(), "the parallel curve needs a derivative");
+                        let c = Complex { x: self.formula(x, i), y: self.formula(y, i) };
+                        let gap = d - Complex::turn(self.pose(&p.body, i).1) * c;
+                        vec![(".x", gap.x), (".y", gap.y)]
+                    }
+                }
+            }
+            JointKind::FlatFollower { p, q, axis, support } => {
+                // conj(u) d = u·d + i n·d.
+                let lift = self.by_axis(q, p, axis, i).y;
+                let v = Complex { x: self.formula(&axis.x, i), y: self.formula(&axis.y, i) };
+                let theta = turn(&p.body, &q.body) + v.x.atan2(-v.y);
+                vec![("", -lift - self.within(support, &[(CurveVariable::Theta, theta)], i))]
+            }
             JointKind::Driver { left: Formula::Distance(p, q), right } => vec![("", self.distance(p, q, right, i))],
             JointKind::Constraint { left, right } | JointKind::Driver { left, right } => {
                 vec![("", self.formula(left, i) - self.formula(right, i))]
             }
         }
+    }
+
+    /// A formula of a curve whose variables have these values.
+    fn within(&self, formula: &Formula, values: &[(CurveVariable, S)], i: i64) -> S {
+        let mut variables = [None; 3];
+        values.iter().for_each(|(variable, value)| variables[*variable as usize] = Some(*value));
+        self.variables.set(variables);
+        self.formula(formula, i)
     }
 
     fn distance(&self, p: &Place, q: &Place, length: &Formula, i: i64) -> S {

@@ -2,8 +2,8 @@
 
 use super::*;
 use kin_core::mechanism::{
-    Axis, Body, BodyOrigin, BodyRef, Component, Condition, Define, Formula, Function, Input, Joint, JointKind,
-    Mechanism, NamedPoint, Place, Range, Relation, Scalar, SuppliedFunction,
+    Axis, Body, BodyOrigin, BodyRef, Component, Condition, Curve, CurveVariable, Define, Formula, Function, Input,
+    Joint, JointKind, Mechanism, NamedPoint, Place, Range, Relation, Scalar, SuppliedFunction,
 };
 
 /// SplitMix64.
@@ -57,6 +57,8 @@ struct Builder {
     range: Option<Range>,
     /// Defines that may be used.
     defines: usize,
+    /// The variables of the curve that is being described.
+    variables: Vec<Formula>,
 }
 
 /// A mechanism with held and carried origins several levels deep, families, points, defines and all joints.
@@ -66,7 +68,7 @@ pub fn mechanism(seed: u64) -> Mechanism {
     for k in (1..position.len()).rev() {
         position.swap(k, random.below(k + 1));
     }
-    let mut builder = Builder { random, position, range: None, defines: 0 };
+    let mut builder = Builder { random, position, range: None, defines: 0, variables: Vec::new() };
     let mut bodies: Vec<(usize, Body)> = (0..2 + SINGLE).map(|k| (builder.position[k], builder.body(k))).collect();
     bodies.sort_by_key(|(position, _)| *position);
     let plain = ["p0", "p1", "p2", "p3"].map(|name| (name, None));
@@ -192,6 +194,9 @@ impl Builder {
     }
 
     fn leaf(&mut self, holds: Holds) -> Formula {
+        if holds == Holds::Time && !self.variables.is_empty() && self.random.chance(50) {
+            return self.random.pick(&self.variables.clone());
+        }
         match (holds, self.random.below(10)) {
             (_, 0) => number(self.random.pick(&[0.0, 1.0, -1.0, 2.0, 0.5, -0.7, 3.0])),
             (_, 1) => Formula::Pi,
@@ -258,9 +263,17 @@ impl Builder {
         }
     }
 
+    /// A formula of parameters, t, inputs and the variables of a curve.
+    fn on_curve(&mut self, variables: &[Formula]) -> Formula {
+        self.variables = variables.to_vec();
+        let formula = self.formula(Holds::Time, 2);
+        self.variables.clear();
+        formula
+    }
+
     fn joint(&mut self) -> JointKind {
         let (p, q) = (self.place(), self.place());
-        let choice = self.random.below(11);
+        let choice = self.random.below(15);
         let mut value = || self.formula(Holds::Time, 1);
         match choice {
             0 | 1 => JointKind::Revolute { p, q },
@@ -282,6 +295,24 @@ impl Builder {
                     _ => self.formula(Holds::Everything, 2),
                 };
                 JointKind::Driver { left, right }
+            }
+            10 => {
+                let radius = self.on_curve(&[Formula::Curve(CurveVariable::Theta)]);
+                JointKind::OnCurve { p, q, curve: Curve::Polar { radius, origin: AT } }
+            }
+            11 => {
+                let value = self.on_curve(&[CurveVariable::X, CurveVariable::Y].map(Formula::Curve));
+                JointKind::OnCurve { p, q, curve: Curve::Implicit { value, origin: AT } }
+            }
+            12 => {
+                let (scale, offset) = self.small_index();
+                let parameter = member(1, index(scale, offset));
+                let [x, y] = [0; 2].map(|_| self.on_curve(&[Formula::Scalar(parameter)]));
+                JointKind::OnCurve { p, q, curve: Curve::Parametric { parameter, x, y, roller: None, origin: AT } }
+            }
+            13 => {
+                let support = self.on_curve(&[Formula::Curve(CurveVariable::Theta)]);
+                JointKind::FlatFollower { p, q, support, axis: self.axis() }
             }
             _ => {
                 let (left, right) = (self.formula(Holds::Everything, 3), self.formula(Holds::Everything, 2));

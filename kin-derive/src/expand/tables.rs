@@ -202,6 +202,10 @@ fn kind(tag: JointTag) -> &'static str {
         JointTag::Y => "Y",
         JointTag::Angle => "Angle",
         JointTag::RelativeAngle => "RelativeAngle",
+        JointTag::OnPolarCurve => "OnPolarCurve",
+        JointTag::OnImplicitCurve => "OnImplicitCurve",
+        JointTag::OnParametricCurve => "OnParametricCurve",
+        JointTag::FlatFollower => "FlatFollower",
         JointTag::Constraint => "Constraint",
         JointTag::Driver => "Driver",
     }

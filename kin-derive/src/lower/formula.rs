@@ -4,7 +4,7 @@ use super::declare::IndexRange;
 use super::names::Symbol;
 use super::{Class, Lowerer};
 use crate::ast::{Expr, ExprKind, NameUse, Operator, text};
-use crate::suggest::did_you_mean;
+use crate::suggest::{did_you_mean, listed};
 use kin_core::mechanism::check::is_reserved;
 use kin_core::mechanism::{BodyRef, Component, Formula, Function, Index, Member};
 use proc_macro2::Span;
@@ -90,6 +90,9 @@ impl Lowerer<'_> {
     /// A name that stands for a number.
     fn value(&mut self, used: &NameUse, scope: &Scope) -> Option<Formula> {
         let name = used.text();
+        if let Some(variable) = self.inside.variable(&name) {
+            return self.curve_variable(variable, used, scope);
+        }
         if is_reserved(&name) {
             return self.reserved(&name, used, scope);
         }
@@ -104,6 +107,9 @@ impl Lowerer<'_> {
                 return None;
             }
             return Some(Formula::Index(Index { scale: 1, offset: 0 }));
+        }
+        if self.is_slip_of_the_curve(used) {
+            return None;
         }
         let declared = self.resolve(used, "parameter, coordinate or define", is_value)?;
         let span = used.ident.span();
@@ -128,6 +134,9 @@ impl Lowerer<'_> {
             Symbol::Input(family) => {
                 self.require(Class::Signal, &format!("`{name}` is an input"), (span, span), scope)?;
                 Some(Formula::Input(Member { family, index, origin }))
+            }
+            Symbol::Scalar(family) if self.inside.is_parameter(family, index) && scope.allow == Allow::Signals => {
+                Some(Formula::Scalar(Member { family, index, origin }))
             }
             Symbol::Scalar(family) => {
                 self.require(Class::Coordinate, &format!("`{name}` is a coordinate"), (span, span), scope)?;
@@ -287,14 +296,26 @@ impl Lowerer<'_> {
     }
 
     /// Notes the class of a part, and reports it where it may not stand.
-    fn require(&mut self, class: Class, found: &str, (first, last): (Span, Span), scope: &Scope) -> Option<()> {
+    pub(super) fn require(
+        &mut self,
+        class: Class,
+        found: &str,
+        (first, last): (Span, Span),
+        scope: &Scope,
+    ) -> Option<()> {
         self.reached = self.reached.max(class);
         if class <= scope.allow.class() {
             return Some(());
         }
+        let words = self.inside.words();
         let right = match scope.allow {
-            Allow::Parameters => "numbers and parameters only",
-            Allow::Signals | Allow::Everything => "numbers, parameters, `t` and inputs only",
+            Allow::Parameters => "numbers and parameters only".to_owned(),
+            Allow::Signals | Allow::Everything if words.is_empty() => {
+                "numbers, parameters, `t` and inputs only".to_owned()
+            }
+            Allow::Signals | Allow::Everything => {
+                format!("numbers, parameters, `t`, inputs and {} only", listed(words, "and"))
+            }
         };
         self.report.error_between(first, last, format!("{found}; {} takes {right}", scope.what));
         None

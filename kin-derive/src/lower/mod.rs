@@ -1,6 +1,7 @@
 //! [`Description`] to [`Mechanism`]: names become ids, tokens become [`Origin`]s.
 
 mod body;
+mod curve;
 mod declare;
 mod formula;
 mod index;
@@ -204,6 +205,8 @@ struct Lowerer<'a> {
     boundless: BTreeSet<String>,
     /// The highest class that the formula at hand has reached.
     reached: Class,
+    /// The curve whose formula is at hand.
+    inside: curve::Inside,
     /// Points by number; `None` for one with a mistake.
     points: Vec<Option<NamedPoint>>,
     /// Defines by number with their classes; `None` for one with a mistake.
@@ -221,6 +224,7 @@ impl<'a> Lowerer<'a> {
             completing: false,
             boundless: BTreeSet::new(),
             reached: Class::Constant,
+            inside: curve::Inside::default(),
             points: Vec::new(),
             defines: Vec::new(),
         }

@@ -74,6 +74,16 @@ impl Lowerer<'_> {
                 let value = self.signal(value, "the right-hand side of `relative_angle`", range);
                 JointKind::RelativeAngle { a: a?, b: b?, value: value? }
             }
+            RowKind::OnCurve { p, q, curve } => {
+                let (p, q) = (self.place(p, range), self.place(q, range));
+                let curve = self.curve(curve, range);
+                JointKind::OnCurve { p: p?, q: q?, curve: curve? }
+            }
+            RowKind::FlatFollower { p, q, axis, support } => {
+                let (p, q) = (self.place(p, range), self.place(q, range));
+                let (axis, support) = (self.axis(axis, range), self.support(support, range));
+                JointKind::FlatFollower { p: p?, q: q?, axis: axis?, support: support? }
+            }
             RowKind::Constraint { left, right } => {
                 let (left, right) = (self.anything(left, range), self.anything(right, range));
                 JointKind::Constraint { left: left?, right: right? }

@@ -29,7 +29,7 @@ fn compose(outer: Index, inner: Index) -> Index {
 fn formula(f: &Formula, at: Index) -> Formula {
     let inside = |a: &Formula| Box::new(formula(a, at));
     match f {
-        Formula::Number(_) | Formula::Pi | Formula::Time => f.clone(),
+        Formula::Number(_) | Formula::Pi | Formula::Time | Formula::Curve(_) => f.clone(),
         Formula::Index(i) => Formula::Index(compose(*i, at)),
         Formula::Parameter(m) => Formula::Parameter(member(*m, at)),
         Formula::Input(m) => Formula::Input(member(*m, at)),

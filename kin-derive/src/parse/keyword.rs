@@ -46,7 +46,7 @@ impl Keyword {
 const LATER: Keyword = Keyword::Later { declares: false };
 
 /// The words that are no rows.
-const WORDS: [(&str, Keyword); 20] = [
+const WORDS: [(&str, Keyword); 18] = [
     ("bodies", Keyword::Bodies),
     ("body", Keyword::Body),
     ("coordinates", Keyword::Coordinates),
@@ -60,8 +60,6 @@ const WORDS: [(&str, Keyword); 20] = [
     ("gear", LATER),
     ("belt", LATER),
     ("rack_pinion", LATER),
-    ("on_curve", LATER),
-    ("flat_follower", LATER),
     ("rolling", LATER),
     ("knife_edge", LATER),
     ("speed", LATER),

@@ -2,6 +2,7 @@
 
 mod call;
 mod condition;
+mod curve;
 mod declare;
 mod docs;
 mod expr;

@@ -3,6 +3,7 @@
 use super::rows::RowForm;
 use crate::ast::{AxisExpr, Expr, NameUse, PointExpr, text};
 use crate::report::Report;
+use proc_macro2::Span;
 use std::collections::VecDeque;
 use syn::Ident;
 
@@ -19,6 +20,10 @@ pub(super) enum OperandForm {
 pub(super) enum OptionForm {
     Axis,
     Expression,
+    /// `key(theta) = expression`, with the words that stand in the brackets.
+    Curve(&'static [&'static str]),
+    /// `key(u) = (ex, ey)`.
+    Path,
 }
 
 /// An operand that was read, or its hole.
@@ -32,6 +37,7 @@ pub(super) enum Operand {
 pub(super) enum Value {
     Axis(AxisExpr),
     Expression(Expr),
+    Path { parameter: NameUse, x: Expr, y: Expr, span: Span },
 }
 
 /// What was read of a row; whoever takes a part that is not there gets a hole.
@@ -112,14 +118,18 @@ impl Parts<'_> {
         }
     }
 
-    fn take(&mut self, key: &str) -> Option<Option<Value>> {
+    pub(super) fn take(&mut self, key: &str) -> Option<Option<Value>> {
         let place = self.options.iter().position(|(given, _)| text(given) == key)?;
         Some(self.options.swap_remove(place).1)
     }
 
     fn missing(&self, key: &str, given: bool) {
         if !given && !self.lost_option {
-            let message = format!("`{}` needs `{key} = …`: `{}`", self.keyword, self.form.example);
+            let variables = match self.form.options.iter().find(|(option, _)| *option == key) {
+                Some((_, OptionForm::Curve(variables))) => format!("({})", variables.join(", ")),
+                _ => String::new(),
+            };
+            let message = format!("`{}` needs `{key}{variables} = …`: `{}`", self.keyword, self.form.example);
             self.report.error(self.keyword.span(), message);
         }
     }

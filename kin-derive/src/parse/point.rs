@@ -55,11 +55,11 @@ pub(super) fn body(input: ParseStream) -> Result<NameUse> {
 
 /// The value of `axis`.
 pub(super) fn axis(input: ParseStream) -> Result<AxisExpr> {
-    let (x, y, span) = pair(input, 0, "an axis is a pair in the frame of the first body: `axis = (1, 0)`")?;
+    let (x, y, span) = pair(input, 0, "an axis is a pair in the frame of its body: `axis = (1, 0)`")?;
     Ok(AxisExpr { x, y, span })
 }
 
-fn pair(input: ParseStream, depth: usize, form: &str) -> Result<(Expr, Expr, Span)> {
+pub(super) fn pair(input: ParseStream, depth: usize, form: &str) -> Result<(Expr, Expr, Span)> {
     if !input.peek(token::Paren) {
         let error = here(input, form);
         skip_bare_pair(input, depth);

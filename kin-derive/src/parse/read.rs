@@ -1,5 +1,6 @@
 //! Reading the parts of a row, on past mistakes.
 
+use super::curve::{self, is_bracketed};
 use super::expr::{end_of_expr, expr};
 use super::index::identifier;
 use super::list::{comma, end_of_part, skip_part, skip_to};
@@ -12,7 +13,7 @@ use crate::report::Report;
 use crate::suggest::{did_you_mean, listed};
 use std::collections::VecDeque;
 use syn::parse::ParseStream;
-use syn::{Error, Ident, Result, Token};
+use syn::{Error, Ident, Result, Token, token};
 
 impl<'a> Parts<'a> {
     /// Reads everything behind `name:`.
@@ -37,7 +38,7 @@ impl<'a> Parts<'a> {
         let count = self.form.operands.len();
         for (k, operand) in self.form.operands.iter().enumerate() {
             let last = k + 1 == count;
-            if input.is_empty() || !self.form.equals && is_option(input) {
+            if input.is_empty() || !self.form.equals && self.begins_option(input) {
                 return self.too_few();
             }
             let result = self.read_operand(input, *operand);
@@ -99,7 +100,7 @@ impl<'a> Parts<'a> {
 
     fn read_options(&mut self, input: ParseStream) {
         while !input.is_empty() {
-            if is_option(input) {
+            if self.begins_option(input) {
                 let result = self.read_option(input);
                 self.finish_part(result, input);
                 continue;
@@ -124,9 +125,18 @@ impl<'a> Parts<'a> {
         self.form.options.iter().map(|(option, _)| *option).find(|option| *option == word)
     }
 
+    /// `key =` or `key(…) =` follows, or one that is known to be written with brackets, however it goes on.
+    fn begins_option(&self, input: ParseStream) -> bool {
+        let has_brackets = |form| matches!(form, OptionForm::Curve(_) | OptionForm::Path);
+        let is_known =
+            |word: &Ident| self.form.options.iter().any(|(option, form)| has_brackets(*form) && *option == text(word));
+        is_option(input)
+            || is_bracketed(input)
+            || input.peek2(token::Paren) && input.fork().parse::<Ident>().is_ok_and(|word| is_known(&word))
+    }
+
     fn read_option(&mut self, input: ParseStream) -> Result<()> {
         let key = identifier(input)?;
-        input.parse::<Token![=]>()?;
         let name = text(&key);
         let known = self.form.options.iter().find(|(option, _)| *option == name);
         if self.options.iter().any(|(given, _)| text(given) == name) {
@@ -141,8 +151,13 @@ impl<'a> Parts<'a> {
             return Ok(());
         };
         // The key counts as given even when its value cannot be read.
-        self.options.push((key, None));
+        self.options.push((key.clone(), None));
+        if matches!(form, OptionForm::Axis | OptionForm::Expression) {
+            input.parse::<Token![=]>().map_err(|_| here(input, format!("`{key}` is given as `{key} = …`")))?;
+        }
         let value = match form {
+            OptionForm::Curve(variables) => curve::formula(input, &key, variables)?,
+            OptionForm::Path => curve::path(input, &key)?,
             OptionForm::Axis => axis(input).map(Value::Axis)?,
             OptionForm::Expression => {
                 let value = expr(input)?;

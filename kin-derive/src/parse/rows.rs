@@ -106,6 +106,27 @@ pub(super) const FORMS: &[RowForm] = &[
         build: relative_angle,
     },
     RowForm {
+        keyword: "on_curve",
+        operands: TWO_POINTS,
+        equals: false,
+        options: &[
+            ("polar", OptionForm::Curve(&["theta"])),
+            ("implicit", OptionForm::Curve(&["X", "Y"])),
+            ("parametric", OptionForm::Path),
+            ("roller", OptionForm::Expression),
+        ],
+        example: "#[on_curve(A: cam @ (0, 0), follower @ (0, 0), polar(theta) = r + e*cos(theta))]",
+        build: on_curve,
+    },
+    RowForm {
+        keyword: "flat_follower",
+        operands: TWO_POINTS,
+        equals: false,
+        options: &[("axis", OptionForm::Axis), ("support", OptionForm::Curve(&["theta"]))],
+        example: "#[flat_follower(A: cam @ (0, 0), follower @ (0, 0), axis = (1, 0), support(theta) = r + e*cos(theta))]",
+        build: flat_follower,
+    },
+    RowForm {
         keyword: "constraint",
         operands: &[Expression],
         equals: true,
@@ -167,6 +188,19 @@ fn angle(parts: &mut Parts) -> RowKind {
 
 fn relative_angle(parts: &mut Parts) -> RowKind {
     RowKind::RelativeAngle { a: parts.body(), b: parts.body(), value: parts.right() }
+}
+
+fn on_curve(parts: &mut Parts) -> RowKind {
+    RowKind::OnCurve { p: parts.point(), q: parts.point(), curve: parts.curve() }
+}
+
+fn flat_follower(parts: &mut Parts) -> RowKind {
+    RowKind::FlatFollower {
+        p: parts.point(),
+        q: parts.point(),
+        axis: parts.axis("axis"),
+        support: parts.required("support"),
+    }
 }
 
 fn constraint(parts: &mut Parts) -> RowKind {

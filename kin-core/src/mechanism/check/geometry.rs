@@ -11,7 +11,9 @@ fn bodies(kind: &JointKind) -> Option<(BodyRef, BodyRef, Origin)> {
         | JointKind::Translational { p, q, .. }
         | JointKind::Fixed { p, q, .. }
         | JointKind::PointOnLine { p, q, .. }
-        | JointKind::Distance { p, q, .. } => Some((p.body, q.body, q.origin)),
+        | JointKind::Distance { p, q, .. }
+        | JointKind::OnCurve { p, q, .. }
+        | JointKind::FlatFollower { p, q, .. } => Some((p.body, q.body, q.origin)),
         JointKind::RelativeAngle { a, b, .. } => Some((*a, *b, b.origin())),
         JointKind::Coordinate { .. }
         | JointKind::Angle { .. }
@@ -53,7 +55,10 @@ pub(super) fn joints_join_two_bodies(mechanism: &Mechanism, errors: &mut Vec<Mod
 /// The axis of a joint points somewhere.
 pub(super) fn axes_have_a_direction(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for joint in &mechanism.joints {
-        let (JointKind::Translational { axis, .. } | JointKind::PointOnLine { axis, .. }) = &joint.kind else {
+        let (JointKind::Translational { axis, .. }
+        | JointKind::PointOnLine { axis, .. }
+        | JointKind::FlatFollower { axis, .. }) = &joint.kind
+        else {
             continue;
         };
         if axis.x.literal() == Some(0.0) && axis.y.literal() == Some(0.0) {

@@ -3,7 +3,7 @@
 //! The answer may hold too much, never too little: a rule may only speak of what is certainly not mentioned.
 
 use super::scope::nodes;
-use crate::mechanism::{BodyOrigin, BodyRef, Component, Formula, Joint, JointKind, Mechanism, Place};
+use crate::mechanism::{BodyOrigin, BodyRef, Component, Curve, Formula, Joint, JointKind, Mechanism, Member, Place};
 use std::collections::BTreeSet;
 
 /// A generalized coordinate: of a member of a family.
@@ -118,6 +118,23 @@ impl<'a> Mentions<'a> {
                 self.pose(q.body, Component::Phi, i);
                 self.formula(value, i);
             }
+            JointKind::FlatFollower { p, q, support: value, .. } => {
+                self.place(p, &BOTH, i);
+                self.place(q, &BOTH, i);
+                self.pose(p.body, Component::Phi, i);
+                self.pose(q.body, Component::Phi, i);
+                self.formula(value, i);
+            }
+            JointKind::OnCurve { p, q, curve } => {
+                self.place(p, &BOTH, i);
+                self.place(q, &BOTH, i);
+                // The curve turns with its body.
+                self.pose(p.body, Component::Phi, i);
+                curve.formulas().into_iter().for_each(|formula| self.formula(formula, i));
+                if let Curve::Parametric { parameter, .. } = curve {
+                    self.scalar(parameter, i);
+                }
+            }
             JointKind::Coordinate { p, component, value } => {
                 self.place(p, &[*component], i);
                 self.formula(value, i);
@@ -147,11 +164,7 @@ impl<'a> Mentions<'a> {
                     self.place(p, &[Component::X, Component::Y], i);
                     self.place(q, &[Component::X, Component::Y], i);
                 }
-                Formula::Scalar(member) => {
-                    if let Some(index) = member.index.at(i) {
-                        self.note(Mention::Coordinate(Coordinate::Scalar(member.family, index)));
-                    }
-                }
+                Formula::Scalar(member) => self.scalar(member, i),
                 Formula::Define(member) => {
                     if let Some(index) = member.index.at(i) {
                         self.note(Mention::Define(member.family, index));
@@ -159,6 +172,12 @@ impl<'a> Mentions<'a> {
                 }
                 _ => {}
             }
+        }
+    }
+
+    fn scalar(&mut self, member: &Member, i: i64) {
+        if let Some(index) = member.index.at(i) {
+            self.note(Mention::Coordinate(Coordinate::Scalar(member.family, index)));
         }
     }
 

@@ -2,8 +2,8 @@
 
 use crate::error::Origin;
 use crate::mechanism::{
-    Axis, Body, BodyOrigin, BodyRef, Condition, Formula, GuessTarget, Index, Joint, JointKind, Mechanism, Member,
-    Place, Range,
+    Axis, Body, BodyOrigin, BodyRef, Condition, Curve, Formula, GuessTarget, Index, Joint, JointKind, Mechanism,
+    Member, Place, Range,
 };
 
 /// What one declaration is made of.
@@ -87,6 +87,15 @@ impl<'a> Scope<'a> {
             JointKind::Coordinate { p, value, .. } => scope.place(p).formula(value),
             JointKind::Angle { body, value } => scope.body(*body).formula(value),
             JointKind::RelativeAngle { a, b, value } => scope.body(*a).body(*b).formula(value),
+            JointKind::OnCurve { p, q, curve } => {
+                let scope = scope.place(p).place(q);
+                let scope = curve.formulas().into_iter().fold(scope, Self::formula);
+                match curve {
+                    Curve::Parametric { parameter, .. } => scope.scalar(*parameter),
+                    Curve::Polar { .. } | Curve::Implicit { .. } => scope,
+                }
+            }
+            JointKind::FlatFollower { p, q, axis, support } => scope.place(p).place(q).axis(axis).formula(support),
             JointKind::Constraint { left, right } | JointKind::Driver { left, right } => {
                 scope.formula(left).formula(right)
             }
@@ -172,6 +181,7 @@ pub(super) fn nodes(formula: &Formula) -> Vec<&Formula> {
             | Formula::Input(_)
             | Formula::Pose(..)
             | Formula::Scalar(_)
+            | Formula::Curve(_)
             | Formula::Define(_) => {}
         }
     }

@@ -1,0 +1,149 @@
+//! Curves: their variables are known inside their formulas only, where they shadow other names.
+
+use super::declare::IndexRange;
+use super::formula::{Allow, Scope};
+use super::names::Symbol;
+use super::{Class, Lowerer};
+use crate::ast::{CurveExpr, Expr, NameUse};
+use crate::suggest::nearest;
+use kin_core::mechanism::{Curve, CurveVariable, Formula, Index, Member};
+
+/// What the curve whose formula is being lowered brings along.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Inside {
+    variables: &'static [CurveVariable],
+    /// Family and index of the parameter of a parametric curve, and how it is written.
+    parameter: Option<(usize, Index, String)>,
+}
+
+impl Inside {
+    /// The variable called `name`.
+    pub(super) fn variable(&self, name: &str) -> Option<CurveVariable> {
+        self.variables.iter().copied().find(|variable| variable.name() == name)
+    }
+
+    /// True for the parameter of the curve.
+    pub(super) fn is_parameter(&self, family: usize, index: Index) -> bool {
+        self.parameter.as_ref().is_some_and(|(own, at, _)| (*own, *at) == (family, index))
+    }
+
+    /// What can stand in the curve besides numbers, parameters and `t`; nothing outside of one.
+    pub(super) fn words(&self) -> Vec<&str> {
+        let variables = self.variables.iter().map(|variable| variable.name());
+        variables.chain(self.parameter.as_ref().map(|(_, _, word)| word.as_str())).collect()
+    }
+}
+
+const THETA: &[CurveVariable] = &[CurveVariable::Theta];
+const POINT: &[CurveVariable] = &[CurveVariable::X, CurveVariable::Y];
+
+impl Lowerer<'_> {
+    /// The curve of a row.
+    pub(super) fn curve(&mut self, curve: &CurveExpr, range: &IndexRange) -> Option<Curve> {
+        match curve {
+            CurveExpr::Hole => None,
+            CurveExpr::Polar(radius) => {
+                let origin = self.origin(radius.span);
+                let radius = self.inside(radius, THETA, range)?;
+                Some(Curve::Polar { radius, origin })
+            }
+            CurveExpr::Implicit(value) => {
+                let origin = self.origin(value.span);
+                let value = self.inside(value, POINT, range)?;
+                Some(Curve::Implicit { value, origin })
+            }
+            CurveExpr::Parametric { parameter, x, y, span, roller } => {
+                let origin = self.origin(*span);
+                let member = self.parameter(parameter, range);
+                if let Some(member) = member {
+                    let word = (member.family, member.index, written(parameter));
+                    self.inside = Inside { parameter: Some(word), ..Inside::default() };
+                }
+                let scope = Scope { what: "a curve", allow: Allow::Signals, range };
+                // Without its parameter every use of it would be a second mistake.
+                let components = member.map(|_| [x, y].map(|component| self.formula(component, &scope)));
+                self.inside = Inside::default();
+                let scope = Scope { what: "`roller`", allow: Allow::Parameters, range };
+                let roller = roller.as_ref().map(|roller| self.formula(roller, &scope));
+                let [x, y] = components?;
+                let roller = match roller {
+                    None => None,
+                    Some(roller) => Some(roller?),
+                };
+                Some(Curve::Parametric { parameter: member?, x: x?, y: y?, roller, origin })
+            }
+        }
+    }
+
+    /// A support function.
+    pub(super) fn support(&mut self, support: &Expr, range: &IndexRange) -> Option<Formula> {
+        self.inside(support, THETA, range)
+    }
+
+    fn inside(&mut self, expr: &Expr, variables: &'static [CurveVariable], range: &IndexRange) -> Option<Formula> {
+        self.inside = Inside { variables, parameter: None };
+        let formula = self.formula(expr, &Scope { what: "a curve", allow: Allow::Signals, range });
+        self.inside = Inside::default();
+        formula
+    }
+
+    /// The scalar coordinate that a parametric curve runs over.
+    fn parameter(&mut self, used: &NameUse, range: &IndexRange) -> Option<Member> {
+        let declared = self.resolve(used, "coordinate", |symbol| matches!(symbol, Symbol::Scalar(_)))?;
+        let Symbol::Scalar(family) = declared.symbol else {
+            let message = format!(
+                "`{}` is {}; the parameter of a curve is a scalar coordinate, `#[coordinates(u)]`",
+                declared.name,
+                declared.symbol.noun()
+            );
+            self.report.error(used.ident.span(), message);
+            return None;
+        };
+        let index = self.member(used, &declared, range)?;
+        let origin = self.origin(used.ident.span());
+        Some(Member { family, index, origin })
+    }
+
+    /// A variable of the curve at hand where it is used.
+    pub(super) fn curve_variable(
+        &mut self,
+        variable: CurveVariable,
+        used: &NameUse,
+        scope: &Scope<'_>,
+    ) -> Option<Formula> {
+        let (name, span) = (variable.name(), used.ident.span());
+        if let Some(index) = &used.index {
+            self.report.error(index.span, format!("`{name}` is the variable of this curve; it takes no index"));
+            return None;
+        }
+        if scope.allow == Allow::Parameters {
+            let found = format!("`{name}` is the variable of the curve");
+            self.require(Class::Coordinate, &found, (span, span), scope)?;
+        }
+        Some(Formula::Curve(variable))
+    }
+
+    /// True for a slip of a word of the curve, which is reported.
+    pub(super) fn is_slip_of_the_curve(&mut self, used: &NameUse) -> bool {
+        let name = used.text();
+        if self.names.find(&name).is_some() {
+            return false;
+        }
+        let Some(best) = nearest(&name, self.inside.words()) else { return false };
+        self.report.error(used.ident.span(), format!("no name `{name}` in this curve; did you mean `{best}`?"));
+        true
+    }
+}
+
+/// A use of a name as it is written.
+fn written(used: &NameUse) -> String {
+    let name = used.text();
+    match &used.index {
+        None => name,
+        Some(index) => match (&index.variable, index.offset) {
+            (None, offset) => format!("{name}[{offset}]"),
+            (Some(variable), 0) if index.scale == 1 => format!("{name}[{variable}]"),
+            (Some(_), _) => format!("{name}[…]"),
+        },
+    }
+}

@@ -1,0 +1,145 @@
+//! Cams: one motion however the contact is written, and the textbook's closed forms.
+
+use kin_runtime::{Instant, Kinematics, Mechanism, Trajectory, mechanism};
+use kin_tests::compare::Differences;
+use kin_tests::mechanisms::*;
+
+/// One turn of the shaft.
+fn turn() -> Vec<f64> {
+    (0..=60).map(|k| 0.05 * f64::from(k)).collect()
+}
+
+fn swept<M: Kinematics + Default>() -> Trajectory {
+    M::default().kinematic_analysis(&turn()).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn column(trajectory: &Trajectory, name: &str) -> Vec<f64> {
+    trajectory.column(name).unwrap_or_else(|| panic!("no column {name}"))
+}
+
+fn agree(a: &Trajectory, b: &Trajectory, coordinate: &str) {
+    let mut differences = Differences::new();
+    for suffix in ["", "_dot", "_ddot"] {
+        let name = format!("{coordinate}{suffix}");
+        differences.vector(&name, |k| turn()[k], &column(a, &name), &column(b, &name), 1e-11);
+    }
+    differences.finish();
+}
+
+#[test]
+fn a_roller_cam_is_the_same_in_polar_implicit_and_parametric_form() {
+    let polar = swept::<EccentricRollerPolar>();
+    agree(&polar, &swept::<EccentricRollerImplicit>(), "follower.y");
+    agree(&polar, &swept::<EccentricRollerParametric>(), "follower.y");
+}
+
+#[test]
+fn a_roller_runs_on_the_parallel_curve_that_is_written_out() {
+    let (roller, path) = (swept::<EllipticRoller>(), swept::<EllipticPath>());
+    agree(&roller, &path, "lever.phi");
+    agree(&roller, &path, "u");
+}
+
+/// The lift of an eccentric circle of radius r and eccentricity e under a flat face is r + e sin φ.
+#[test]
+fn the_lift_of_an_eccentric_circle_under_a_flat_face() {
+    let EccentricFlatTranslating { r, e, w } = EccentricFlatTranslating::default();
+    let trajectory = swept::<EccentricFlatTranslating>();
+    let shaft = |t: f64| (0.3 + w * t + 0.2 * t * t, w + 0.4 * t, 0.4);
+    let exact = |f: &dyn Fn(f64, f64, f64) -> f64| -> Vec<f64> {
+        let at = |t: &f64| {
+            let (phi, phi_dot, phi_ddot) = shaft(*t);
+            f(phi, phi_dot, phi_ddot)
+        };
+        turn().iter().map(at).collect()
+    };
+    let mut differences = Differences::new();
+    let expected = [
+        ("follower.y", exact(&|phi, _, _| r + e * phi.sin())),
+        ("follower.y_dot", exact(&|phi, w, _| e * w * phi.cos())),
+        ("follower.y_ddot", exact(&|phi, w, a| e * (a * phi.cos() - w * w * phi.sin()))),
+    ];
+    for (name, expected) in &expected {
+        differences.vector(name, |k| turn()[k], expected, &column(&trajectory, name), 1e-13);
+    }
+    differences.finish();
+}
+
+/// The face of the lever is tangent to the circle: its distance from the circle's centre is r, on the outer side.
+#[test]
+fn the_face_of_an_oscillating_follower_touches_the_circle() {
+    let cam = EccentricFlatOscillating::default();
+    let trajectory = swept::<EccentricFlatOscillating>();
+    let (phi, x, y) = (column(&trajectory, "cam.phi"), column(&trajectory, "lever.x"), column(&trajectory, "lever.y"));
+    for (k, lever) in column(&trajectory, "lever.phi").into_iter().enumerate() {
+        let centre = [cam.e * (phi[k] + cam.a).cos(), cam.e * (phi[k] + cam.a).sin()];
+        let face = [x[k] + 0.15 * lever.cos() - cam.fy * lever.sin(), y[k] + 0.15 * lever.sin() + cam.fy * lever.cos()];
+        let slope = lever + cam.vy.atan();
+        let distance = -slope.sin() * (face[0] - centre[0]) + slope.cos() * (face[1] - centre[1]);
+        assert!((distance - cam.r).abs() < 1e-13, "{distance} at step {k}");
+    }
+}
+
+/// Every contact of the carriage's cams, from the poses alone: the roller's centre is r + R from the circle's centre,
+/// the plate's face r.
+#[test]
+fn cams_on_a_moving_carriage_touch_their_followers() {
+    let cams = CamsOnCarriage::default();
+    let trajectory = swept::<CamsOnCarriage>();
+    for i in 0..2 {
+        let of = |what: &str| column(&trajectory, what);
+        let body = |name: &str| ["x", "y", "phi"].map(|c| of(&format!("{name}[{i}].{c}")));
+        let ([cam, tappet], plate) = (["cam", "tappet"].map(body), body("plate"));
+        for k in 0..turn().len() {
+            let e = cams.e[i];
+            let centre = [cam[0][k] + e * cam[2][k].cos(), cam[1][k] + e * cam[2][k].sin()];
+            let gap = (tappet[0][k] - centre[0]).hypot(tappet[1][k] - centre[1]);
+            assert!((gap - cams.r - 0.01).abs() < 1e-12, "roller {i} at step {k}: {gap}");
+            let (sin, cos) = plate[2][k].sin_cos();
+            let down = sin * (plate[0][k] - centre[0]) - cos * (plate[1][k] - centre[1]);
+            assert!((down - cams.r).abs() < 1e-12, "plate {i} at step {k}: {down}");
+        }
+    }
+}
+
+/// `theta` and `X` mean the curve's variables inside of curves only.
+#[mechanism(cross_check)]
+#[bodies(cam, arm, X)]
+#[coordinates(Y)]
+#[revolute(O: ground @ (0, 0), cam @ (0, 0))]
+#[revolute(F: ground @ (1, 0), arm @ (0, 0))]
+#[on_curve(rim: cam @ (0, 0), arm @ (theta, 0), polar(theta) = 0.7 + 0.1*cos(theta))]
+#[fixed(weld: arm @ (0, 0), X @ (0, 0), angle = theta)]
+#[on_curve(track: cam @ (0, 0), X @ (0, 0), parametric(Y) = ((0.5 + Y)*cos(theta), (0.5 + Y)*sin(theta)))]
+#[guess(arm.phi = 2.0, Y = 0.4)]
+struct Shadows {
+    #[param(0.5)]
+    theta: f64,
+}
+
+#[test]
+fn variables_of_a_curve_shadow_other_names_inside_it_only() {
+    let state = Shadows::default().state_at(&Instant::at(0.0)).unwrap_or_else(|error| panic!("{error}"));
+    let at = |name: &str| state.q[Shadows::model().coordinate(name).unwrap()];
+    let (x, y) = (1.0 + 0.5 * at("arm.phi").cos() - at("cam.x"), 0.5 * at("arm.phi").sin() - at("cam.y"));
+    let theta = y.atan2(x) - at("cam.phi");
+    assert!((x.hypot(y) - 0.7 - 0.1 * theta.cos()).abs() < 1e-13);
+    assert!((at("X.phi") - at("arm.phi") - 0.5).abs() < 1e-13);
+    assert!((at("Y") - 0.5).abs() < 1e-13);
+}
+
+#[test]
+fn the_direction_of_a_face_is_never_wrapped() {
+    let times: Vec<f64> = (0..=100).map(|k| 0.2 * f64::from(k)).collect();
+    let cam = EccentricFlatTranslating::default();
+    let contact = EccentricFlatTranslating::model().joints.iter().position(|joint| joint.name == "contact").unwrap();
+    let solver = cam.solver();
+    let trajectory = solver.sweep(&times).unwrap_or_else(|error| panic!("{error}"));
+    for state in &trajectory.states {
+        let motion = solver.motion(state).expect("a solved state");
+        let theta = motion.joints[contact][0].value;
+        let phi = 0.3 + cam.w * state.t + 0.2 * state.t * state.t;
+        let expected = core::f64::consts::FRAC_PI_2 - phi;
+        assert!((theta - expected).abs() < 1e-12, "{theta} and {expected}");
+    }
+}
