@@ -8,7 +8,7 @@ use serde::de::Deserializer;
 pub struct Case {
     /// Name of the file, without its ending.
     pub name: String,
-    /// `regular`, `redundant`, `singular`, `infeasible` or `underdriven`.
+    /// `regular`, `redundant`, `singular`, `infeasible`, `underdriven` or `nonholonomic`.
     pub expect: String,
     /// Names of the entries of q, `phi_crank` style.
     pub coordinates: Vec<String>,
@@ -56,14 +56,23 @@ pub struct Case {
 pub struct Mode {
     /// Its name.
     pub name: String,
-    /// A configuration near the first instant's.
-    #[serde(deserialize_with = "numbers")]
+    /// A configuration near the first instant's; empty where it is not determined by equations of position.
+    #[serde(default, deserialize_with = "numbers")]
     pub initial_guess: Vec<f64>,
     /// The exact states.
     pub instants: Vec<Instant>,
 }
 
 impl Mode {
+    /// Where a sweep starts: near the first instant, or at its exact position where only that is a start.
+    #[must_use]
+    pub fn start(&self) -> &[f64] {
+        match self.instants.first() {
+            Some(first) if self.initial_guess.is_empty() => &first.q,
+            _ => &self.initial_guess,
+        }
+    }
+
     /// The instants' times.
     #[must_use]
     pub fn times(&self) -> Vec<f64> {
@@ -133,8 +142,8 @@ pub struct OffManifold {
     /// q̇.
     #[serde(rename = "qd", deserialize_with = "numbers")]
     pub q_dot: Vec<f64>,
-    /// Φ.
-    #[serde(rename = "Phi", deserialize_with = "numbers")]
+    /// Φ; 0 for a row of velocity level, which has none.
+    #[serde(rename = "Phi", deserialize_with = "numbers_or_zero")]
     pub phi: Vec<f64>,
     /// Φ_q, Φ_t and γ.
     #[serde(flatten)]
@@ -255,6 +264,11 @@ fn number<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
 
 fn numbers<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
     Vec::<Digits>::deserialize(from)?.into_iter().map(Digits::value).collect()
+}
+
+fn numbers_or_zero<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+    let numbers = Vec::<Option<Digits>>::deserialize(from)?;
+    numbers.into_iter().map(|digits| digits.map_or(Ok(0.0), Digits::value)).collect()
 }
 
 fn vectors<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<Vec<f64>>, D::Error> {

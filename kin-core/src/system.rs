@@ -2,22 +2,25 @@
 //!
 //! Both derivatives come from [`total_derivatives`]: Φ̇ = Φ_q q̇ + Φ_t and
 //! Φ̈ = Φ_q q̈ − γ, so that the velocity equations are Φ_q q̇ = ν = −Φ_t and the acceleration equations Φ_q q̈ = γ.
+//!
+//! A row of velocity level, η = B q̇ + b = 0, is differentiated once: η̇ = B q̈ − γ. B and b stand in its rows of Φ_q
+//! and Φ_t, so that velocity and acceleration equations look like those of all other rows.
 
-use crate::constraint::{ConstraintSet, JointTag, ObservableKind};
+use crate::constraint::{ConstraintRow, ConstraintSet, JointTag, ObservableKind, VelocityRow};
 use crate::error::{ModelError, Origin};
-use crate::expr::{ExprId, Jet, MAX_ORDER, Node, Symbol, total_derivatives};
+use crate::expr::{ExprId, Jet, MAX_ORDER, Node, Symbol, total_derivatives, velocity_derivatives};
 use core::fmt;
 
 /// A row with its derivatives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equation {
-    /// Φ, or the value of an observable.
+    /// Φ, or the value of an observable; 0 for a row of velocity level.
     pub phi: ExprId,
-    /// Non-zero entries of the row of Φ_q, by coordinate.
+    /// Non-zero entries of the row of Φ_q, by coordinate; B of a row of velocity level.
     pub phi_q: Vec<(u32, ExprId)>,
-    /// Φ_t.
+    /// Φ_t; b of a row of velocity level.
     pub phi_t: ExprId,
-    /// γ = −(Φ_q q̇)_q q̇ − 2 Φ_qt q̇ − Φ_tt.
+    /// γ = −(Φ_q q̇)_q q̇ − 2 Φ_qt q̇ − Φ_tt; of a row of velocity level −η_q q̇ − η_t at fixed q̇.
     pub gamma: ExprId,
 }
 
@@ -28,7 +31,7 @@ pub struct RowClass {
     pub holonomic: bool,
     /// t or an input appears; otherwise scleronomic.
     pub rheonomic: bool,
-    /// Declared by `driver`, or rheonomic.
+    /// Declared by `driver` or `speed`, or rheonomic.
     pub driving: bool,
 }
 
@@ -53,13 +56,7 @@ pub struct KinematicSystem {
 pub fn differentiate(mut set: ConstraintSet) -> Result<KinematicSystem, Vec<ModelError>> {
     let rows: Vec<ExprId> = set.rows.iter().map(|row| row.phi).collect();
     let observed: Vec<ExprId> = set.observables.iter().map(|o| o.value).collect();
-    let classes = (set.rows.iter())
-        .map(|row| {
-            let rheonomic = set.graph.depends(row.phi).is_rheonomic();
-            let declared = set.joints[row.joint].tag == JointTag::Driver;
-            RowClass { holonomic: true, rheonomic, driving: declared || rheonomic }
-        })
-        .collect();
+    let classes = set.rows.iter().map(|row| class(&set, row)).collect();
     let all: Vec<ExprId> = rows.iter().chain(&observed).copied().collect();
     let jets = total_derivatives(&mut set.graph, &all);
     let equation = |(phi, jet): (ExprId, Jet)| Equation {
@@ -70,6 +67,7 @@ pub fn differentiate(mut set: ConstraintSet) -> Result<KinematicSystem, Vec<Mode
     };
     let mut equations: Vec<Equation> = all.into_iter().zip(jets).map(equation).collect();
     let observables = equations.split_off(rows.len());
+    velocity_level(&mut set, &mut equations);
     let system = KinematicSystem { set, equations, classes, observables };
     let errors = needs_what_is_not_supplied(&system);
     if errors.is_empty() { Ok(system) } else { Err(errors) }
@@ -109,11 +107,34 @@ fn needs_what_is_not_supplied(system: &KinematicSystem) -> Vec<ModelError> {
     errors
 }
 
+fn class(set: &ConstraintSet, row: &ConstraintRow) -> RowClass {
+    let holonomic = row.velocity.is_none();
+    let value = row.velocity.map_or(row.phi, |velocity| velocity.eta);
+    let rheonomic = set.graph.depends(value).is_rheonomic();
+    let declared = matches!(set.joints[row.joint].tag, JointTag::Driver | JointTag::Speed);
+    RowClass { holonomic, rheonomic, driving: declared || rheonomic }
+}
+
+/// B, b and γ of the rows of velocity level.
+fn velocity_level(set: &mut ConstraintSet, equations: &mut [Equation]) {
+    let rows: Vec<(usize, VelocityRow)> =
+        set.rows.iter().enumerate().filter_map(|(k, row)| row.velocity.map(|velocity| (k, velocity))).collect();
+    let etas: Vec<ExprId> = rows.iter().map(|(_, velocity)| velocity.eta).collect();
+    let jets = velocity_derivatives(&mut set.graph, &etas);
+    for ((row, velocity), jet) in rows.into_iter().zip(jets) {
+        let gamma = set.graph.neg(jet.rest);
+        equations[row] = Equation { phi_q: jet.gradient, phi_t: velocity.b, gamma, ..equations[row].clone() };
+    }
+}
+
 impl fmt::Display for KinematicSystem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (row, equation) in self.set.rows.iter().zip(&self.equations) {
             writeln!(f, "{}", row.name)?;
-            writeln!(f, "  Φ   = {}", self.set.show(equation.phi))?;
+            match row.velocity {
+                None => writeln!(f, "  Φ   = {}", self.set.show(equation.phi))?,
+                Some(velocity) => writeln!(f, "  η   = {}", self.set.show(velocity.eta))?,
+            }
             for (k, e) in &equation.phi_q {
                 writeln!(f, "  ∂Φ/∂{} = {}", self.set.coordinate_name(*k), self.set.show(*e))?;
             }

@@ -175,6 +175,9 @@ pub(crate) enum RowKind {
     OnCurve { p: PointExpr, q: PointExpr, curve: CurveExpr },
     FlatFollower { p: PointExpr, q: PointExpr, axis: AxisExpr, support: Expr },
     Constraint { left: Expr, right: Expr },
+    KnifeEdge { p: PointExpr, angle: Expr },
+    Speed { p: PointExpr, angle: Expr, value: Expr },
+    Nonholonomic { left: Expr, right: Expr },
     Driver { left: Expr, right: Expr },
 }
 
@@ -264,6 +267,8 @@ pub(crate) enum ExprKind {
     Pow(Box<Expr>, f64),
     Call(Function, Box<Expr>),
     Atan2(Box<Expr>, Box<Expr>),
+    /// `dot(e)`, with the word.
+    Dot(Ident, Box<Expr>),
     /// A call of something that is no function of the language.
     Apply(Ident, Vec<Expr>),
     /// Could not be read; reported.

@@ -179,6 +179,9 @@ impl fmt::Display for SolveError {
             Self::StepRefused { t, t_refused, reason: reason @ Refusal::TooManySteps, .. } => {
                 write!(f, "{reason} on the way from t = {t} to t = {t_refused}; ask for instants in between")
             }
+            Self::StepRefused { t, t_refused, reason: reason @ Refusal::StepTooSmall, .. } => {
+                write!(f, "the velocities cannot be integrated beyond t = {t} to t = {t_refused}: {reason}")
+            }
             Self::StepRefused { t, t_refused, row_name, joint, reason } => write!(
                 f,
                 "the branch ends after t = {t}: at t = {t_refused} {reason} (joint `{joint}`, row `{row_name}`)"

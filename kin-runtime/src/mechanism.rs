@@ -104,6 +104,24 @@ pub trait Mechanism: Sized {
         Ok(())
     }
 
+    /// η of the rows of velocity level, η = B(q, t) q̇ + b(q, t), for any scalar type; 0 in all other rows.
+    ///
+    /// # Errors
+    /// When an argument has the wrong length.
+    fn velocity_constraints_with<T: Scalar>(
+        &self,
+        parameters: &[T],
+        at: &Instant<'_, T>,
+        q: &[T],
+        q_dot: &[T],
+        eta: &mut Self::Rows<T>,
+    ) -> Result<(), LengthError> {
+        // Without rows of velocity level there is nothing to evaluate.
+        let _ = (parameters, at, q, q_dot);
+        *eta = Self::Rows::<T>::generate(|_| T::from_f64(0.0));
+        Ok(())
+    }
+
     /// The observables with their Jacobian, time derivative and acceleration right-hand side.
     ///
     /// # Errors

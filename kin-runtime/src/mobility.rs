@@ -3,6 +3,11 @@
 //! All from the scaled Φ_q at one configuration. The columns that a column-pivoted factorisation of the rows that do
 //! not drive takes as pivots are the dependent coordinates u; those it leaves are the independent ones w. Columns are
 //! weighted before, so that coordinates that driving rows mention are taken last, then angles.
+//!
+//! Rows of velocity level take velocities away, not positions: a car reaches every place of the plane although it moves
+//! in one way at a time. So degrees of freedom are counted on both levels: of velocity, with all rows (B stands in Φ_q),
+//! and of position, with the rows of position level alone, which is the dimension of the space of configurations.
+//! Without rows of velocity level the two are the same.
 
 use crate::equations::Equations;
 use crate::error::SolveError;
@@ -47,10 +52,20 @@ pub struct Mobility {
     pub rank: usize,
     /// Rank of the rows that do not drive.
     pub rank_without_driving: usize,
-    /// δ = n − rank without driving rows.
+    /// δ = n − rank without driving rows, rows of velocity level included.
     pub degrees_of_freedom: usize,
     /// n − rank of all rows; 0 when fully driven.
     pub degrees_of_freedom_left: usize,
+    /// Rank of the rows of position level, prescribed coordinates included.
+    pub position_rank: usize,
+    /// Rank of the rows of position level that do not drive.
+    pub position_rank_without_driving: usize,
+    /// n − rank of the rows of position level without driving rows: the dimension of the space of configurations.
+    /// Never less than [`degrees_of_freedom`](Self::degrees_of_freedom).
+    pub position_degrees_of_freedom: usize,
+    /// n − rank of the rows of position level: how much of a position its equations leave open, so that the start of
+    /// the motion decides it.
+    pub position_degrees_of_freedom_left: usize,
     /// w: independent coordinates, δ of them, places in q.
     pub independent: Vec<usize>,
     /// u: dependent coordinates.
@@ -77,6 +92,13 @@ impl fmt::Display for Mobility {
             self.degrees_of_freedom,
             self.degrees_of_freedom_left
         )?;
+        if self.velocity_level_rows > 0 {
+            write!(
+                f,
+                "; of position: {} degrees of freedom, {} left ({} rows of velocity level)",
+                self.position_degrees_of_freedom, self.position_degrees_of_freedom_left, self.velocity_level_rows
+            )?;
+        }
         for row in &self.redundant {
             let verb = if row.consistent { "repeats" } else { "contradicts" };
             write!(f, "; row `{}` of joint `{}` {verb} {}", row.name, row.joint, row.circuit.join(", "))?;
@@ -105,6 +127,8 @@ pub(crate) fn mobility(equations: &mut Equations<'_>, q: &[f64]) -> Result<Mobil
         Factorization::absolute(&equations.scaled_rows(rows), &equations.scale.columns, tolerance).rank
     };
     let (rank, rank_without_driving) = (rank_of(&all), rank_of(&passive));
+    let position_rank = rank_of(&equations.rows_where(Equations::holonomic));
+    let position_rank_without_driving = rank_of(&equations.rows_where(|e, row| e.holonomic(row) && !e.drives(row)));
     let scaled = equations.scaled(&all);
     let (dependent, independent) = choose(equations, &passive, rank_without_driving);
     let mut singular_values = singular_values(&scaled);
@@ -123,6 +147,10 @@ pub(crate) fn mobility(equations: &mut Equations<'_>, q: &[f64]) -> Result<Mobil
         rank_without_driving,
         degrees_of_freedom: n - rank_without_driving,
         degrees_of_freedom_left: n - rank,
+        position_rank,
+        position_rank_without_driving,
+        position_degrees_of_freedom: n - position_rank_without_driving,
+        position_degrees_of_freedom_left: n - position_rank,
         independent,
         dependent,
         redundant: dependencies(&scaled, tolerance).into_iter().map(|d| redundant(equations, d)).collect(),
@@ -189,6 +217,8 @@ fn redundant(equations: &Equations<'_>, dependency: Dependency) -> RedundantRow 
         let size = combination.iter().map(|&(k, factor)| (factor * at(k)).abs()).fold(at(row).abs(), f64::max);
         (at(row) - implied).abs() <= equations.options.consistency_tolerance * size.max(floor)
     };
-    let consistent = agrees(&equations.phi, 1.0) && agrees(&equations.phi_t, f64::MIN_POSITIVE);
+    // Where rows of velocity level take part, positions imply nothing.
+    let of_position = equations.holonomic(row) && combination.iter().all(|&(other, _)| equations.holonomic(other));
+    let consistent = (!of_position || agrees(&equations.phi, 1.0)) && agrees(&equations.phi_t, f64::MIN_POSITIVE);
     RedundantRow { row, name: equations.row_name(row), joint, circuit, consistent }
 }

@@ -139,6 +139,12 @@ pub enum JointKind {
     FlatFollower,
     /// A free-form holonomic row.
     Constraint,
+    /// No velocity of a point across a direction of its body.
+    KnifeEdge,
+    /// Velocity of a point along a direction of its body.
+    Speed,
+    /// A free-form row of velocity level.
+    Nonholonomic,
     /// A driving constraint.
     Driver,
 }
@@ -159,6 +165,9 @@ impl JointKind {
             Self::OnPolarCurve | Self::OnImplicitCurve | Self::OnParametricCurve => "on_curve",
             Self::FlatFollower => "flat_follower",
             Self::Constraint => "constraint",
+            Self::KnifeEdge => "knife_edge",
+            Self::Speed => "speed",
+            Self::Nonholonomic => "nonholonomic",
             Self::Driver => "driver",
         }
     }
@@ -355,7 +364,7 @@ pub struct OperationCount {
 pub struct EquationText {
     /// Name of the row.
     pub row: &'static str,
-    /// Φ.
+    /// Φ; of a row of velocity level η, whose B and b stand in `phi_q` and `phi_t`.
     pub phi: &'static str,
     /// Non-zero entries of Φ_q as (coordinate, expression).
     pub phi_q: &'static [(&'static str, &'static str)],

@@ -34,6 +34,10 @@ pub struct Options {
     pub prediction_tolerance: f64,
     /// Smallest internal step of a sweep, relative to the distance between the first and the last instant.
     pub min_step: f64,
+    /// Largest estimated error that one internal step leaves in a coordinate, where rows of velocity level make a sweep
+    /// integrate: on the common scale, and relative to the coordinate where that is larger than one. Over a usual sweep
+    /// the errors stay below about a hundred times this.
+    pub integration_tolerance: f64,
     /// Most internal steps of a sweep between two neighbouring instants.
     pub max_steps: usize,
     /// True to end a sweep at the first event of a unilateral condition.
@@ -51,6 +55,7 @@ impl Default for Options {
             trust_radius: 0.5,
             max_rotation_per_step: 0.3,
             prediction_tolerance: 0.1,
+            integration_tolerance: 1e-12,
             min_step: 1e-13,
             max_steps: 200_000,
             stop_at_events: false,

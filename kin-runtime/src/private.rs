@@ -23,7 +23,7 @@ pub mod locals {
         ($($name:ident)*) => { $(pub const fn $name() {})* };
     }
     names! {
-        at gamma geometry guesses index k observations out p parameters phi phi_q phi_t q
+        at eta gamma geometry guesses index k observations out p parameters phi phi_q phi_t q
         q_dot subset t this u value w workspace x
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! Where Φ_q has less rank than rows and coordinates allow, either the mechanism says something twice, everywhere, or
 //! this configuration is special. The difference shows in the neighbourhood: the mechanism is moved a little along
-//! null vectors of the rows that do not drive, closed again on those rows alone, and the rank of all rows compared.
-//! Full row rank and full column rank are never singular.
+//! null vectors of the rows of position level that do not drive, closed again on those rows alone, and the rank of all
+//! rows compared. Full row rank and full column rank are never singular.
 
 use crate::closure::close;
 use crate::equations::Equations;
@@ -40,10 +40,10 @@ pub(crate) fn dependent_rows(equations: &Equations<'_>, left: &nalgebra::DMatrix
 
 /// Largest rank of all rows at assembled configurations around `q`; stops at the first above `here`.
 fn rank_nearby(equations: &mut Equations<'_>, q: &[f64], here: usize) -> usize {
-    let passive = equations.rows_where(|e, row| !e.drives(row));
-    let closing: Vec<usize> = passive.iter().copied().filter(|&row| equations.holonomic(row)).collect();
+    let closing = equations.rows_where(|e, row| !e.drives(row) && e.holonomic(row));
     let columns: Vec<usize> = (0..equations.coordinates()).collect();
-    let free = null_space(&equations.scaled(&passive), equations.options.rank_tolerance);
+    // Rows of velocity level do not say which configurations there are.
+    let free = null_space(&equations.scaled(&closing), equations.options.rank_tolerance);
     let mut random = Random::new(0x0051_4ea1);
     let mut directions: Vec<DVector<f64>> = free.column_iter().take(DIRECTIONS).map(|c| c.into_owned()).collect();
     for _ in 0..free.ncols().min(4) {

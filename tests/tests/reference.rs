@@ -63,6 +63,7 @@ cases! {
     robot_3rrr: Robot3rrr,
     scotch_yoke: ScotchYoke,
     singular_slider_crank: SingularSliderCrank,
+    sleigh_knife_edge: SleighKnifeEdge,
     slider_crank_inline: SliderCrankInline,
     toggle_press: TogglePress,
     underdriven_fivebar: UnderdrivenFivebar,
@@ -168,7 +169,7 @@ fn motion<M: Kinematics + Default>(name: &str) {
     let mut differences = Differences::new();
     for mode in &case.modes {
         differences.at(format_args!("{name}, {}", mode.name));
-        let swept = mechanism.solver().sweep_from(&mode.initial_guess, &mode.times());
+        let swept = mechanism.solver().sweep_from(mode.start(), &mode.times());
         let states = match swept {
             Ok(trajectory) => trajectory.states,
             Err(error) => {

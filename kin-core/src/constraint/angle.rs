@@ -32,5 +32,6 @@ pub(super) fn relative(a: &mut Assembly<'_>, i: &BodyRef, j: &BodyRef, value: &F
         geometry: vec![(Role::Value, frames[0].unwrap_or(Frame::Ground), vec![value])],
         quantities: vec![("angle", turn)],
         frames,
+        ..Rows::default()
     }
 }

@@ -4,9 +4,12 @@ use super::layout::indexed;
 use super::placed::{PlacedPoint, Pose};
 use super::set::{
     ConstraintRow, ConstraintSet, DefineInstance, Family, Frame, Geometry, JointInstance, JointTag, Observable,
-    ObservableKind, PointInstance, Quantity, Role,
+    ObservableKind, PointInstance, Quantity, Role, VelocityRow,
 };
-use super::{angle, coordinate, curve, distance, driver, fixed, point_on_line, revolute, translational};
+use super::{
+    angle, coordinate, curve, distance, driver, fixed, knife_edge, nonholonomic, point_on_line, revolute, speed,
+    translational,
+};
 use crate::error::{ModelError, Origin};
 use crate::expr::{ExprId, Graph};
 use crate::mechanism::{BodyOrigin, Component, Curve, GuessTarget, Joint, JointKind, Mechanism, Range};
@@ -16,6 +19,8 @@ use std::collections::HashMap;
 #[derive(Default)]
 pub(super) struct Rows {
     pub(super) residuals: Vec<(&'static str, ExprId)>,
+    /// The row of velocity level; its joint has no other.
+    pub(super) velocity: Option<VelocityRow>,
     pub(super) geometry: Vec<(Role, Frame, Vec<ExprId>)>,
     pub(super) quantities: Vec<(&'static str, ExprId)>,
     pub(super) frames: [Option<Frame>; 2],
@@ -50,6 +55,8 @@ pub(super) struct Assembly<'m> {
     pub(super) index: i64,
     /// What the variables of the curve that is being written stand for.
     pub(super) variables: curve::Variables,
+    /// Every q̇ is 0: rates of formulas are their partial derivatives with respect to time.
+    pub(super) at_rest: bool,
     pub(super) errors: Vec<ModelError>,
 }
 
@@ -170,6 +177,9 @@ impl Assembly<'_> {
             JointKind::OnCurve { p, q, curve } => curve::rows(self, p, q, curve),
             JointKind::FlatFollower { p, q, axis, support } => curve::flat_follower::rows(self, p, q, axis, support),
             JointKind::Constraint { left, right } => driver::equation(self, left, right),
+            JointKind::KnifeEdge { p, angle } => knife_edge::rows(self, p, angle),
+            JointKind::Speed { p, angle, value } => speed::rows(self, p, angle, value),
+            JointKind::Nonholonomic { left, right } => nonholonomic::rows(self, left, right),
             JointKind::Driver { left, right } => driver::rows(self, left, right),
         }
     }
@@ -191,11 +201,16 @@ impl Assembly<'_> {
                 observable: self.observe(set, ObservableKind::Joint(place, k), *value),
             })
             .collect();
-        let (first_row, count) = (set.rows.len(), rows.residuals.len());
+        let first_row = set.rows.len();
         for (suffix, phi) in rows.residuals {
             let name = if suffix.is_empty() { name.clone() } else { format!("{name}.{suffix}") };
-            set.rows.push(ConstraintRow { name, joint: place, phi });
+            set.rows.push(ConstraintRow { name, joint: place, phi, velocity: None });
         }
+        if let Some(velocity) = rows.velocity {
+            let phi = self.graph.zero();
+            set.rows.push(ConstraintRow { name: name.clone(), joint: place, phi, velocity: Some(velocity) });
+        }
+        let count = set.rows.len() - first_row;
         let tag = tag(&joint.kind);
         set.joints.push(JointInstance {
             name,
@@ -250,6 +265,9 @@ fn tag(kind: &JointKind) -> JointTag {
         JointKind::OnCurve { curve: Curve::Parametric { .. }, .. } => JointTag::OnParametricCurve,
         JointKind::FlatFollower { .. } => JointTag::FlatFollower,
         JointKind::Constraint { .. } => JointTag::Constraint,
+        JointKind::KnifeEdge { .. } => JointTag::KnifeEdge,
+        JointKind::Speed { .. } => JointTag::Speed,
+        JointKind::Nonholonomic { .. } => JointTag::Nonholonomic,
         JointKind::Driver { .. } => JointTag::Driver,
     }
 }

@@ -3,7 +3,7 @@
 use super::assembly::Assembly;
 use super::distance;
 use crate::error::Origin;
-use crate::expr::{ExprId, Symbol};
+use crate::expr::{ExprId, Symbol, total_derivatives};
 use crate::mechanism::{Component, Formula, Member, Range};
 
 impl Assembly<'_> {
@@ -79,10 +79,23 @@ impl Assembly<'_> {
                 let (y, x) = (self.formula(y), self.formula(x));
                 self.graph.atan2(y, x)
             }
+            Formula::Dot(a, _) => {
+                let a = self.formula(a);
+                self.rate(a)
+            }
             Formula::Supplied(member, a) => {
                 let a = self.formula(a);
                 self.graph.supplied(member.family as u32, 0, a)
             }
+        }
+    }
+
+    /// ė of an expression free of q̇, or e_t while all q̇ are 0.
+    pub(super) fn rate(&mut self, e: ExprId) -> ExprId {
+        match total_derivatives(&mut self.graph, &[e]).first() {
+            Some(jet) if self.at_rest => jet.partial_t,
+            Some(jet) => jet.rate,
+            None => self.graph.zero(),
         }
     }
 

@@ -84,6 +84,7 @@ impl<'m> Assembly<'m> {
             defines: HashMap::new(),
             index: 0,
             variables: Default::default(),
+            at_rest: false,
             errors: Vec::new(),
         }
     }

@@ -1,6 +1,7 @@
 //! From a mechanism to Φ: one constraint type per file, each writing its rows of Φ and nothing else.
 //!
-//! Imports `expr` and `mechanism`. Nothing here differentiates; a roller asks `expr` for the direction of its curve.
+//! Imports `expr` and `mechanism`. Nothing here differentiates; a roller asks `expr` for the direction of its curve, and
+//! rows of velocity level ask it for rates.
 
 mod angle;
 mod assembly;
@@ -11,15 +12,18 @@ mod distance;
 mod driver;
 mod fixed;
 mod formula;
+mod knife_edge;
 mod layout;
+mod nonholonomic;
 mod placed;
 mod point_on_line;
 mod revolute;
 mod set;
+mod speed;
 mod translational;
 
 pub use assembly::assemble;
 pub use set::{
     BodyInstance, ConditionInstance, ConstraintRow, ConstraintSet, Coordinate, CoordinateKind, DefineInstance, Family,
-    Frame, Geometry, JointInstance, JointTag, Observable, ObservableKind, PointInstance, Quantity, Role,
+    Frame, Geometry, JointInstance, JointTag, Observable, ObservableKind, PointInstance, Quantity, Role, VelocityRow,
 };

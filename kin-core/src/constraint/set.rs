@@ -143,6 +143,12 @@ pub enum JointTag {
     FlatFollower,
     /// Free-form equation.
     Constraint,
+    /// No velocity across a direction of the body.
+    KnifeEdge,
+    /// Velocity along a direction of the body.
+    Speed,
+    /// Free-form equation of velocity level.
+    Nonholonomic,
     /// Driving constraint.
     Driver,
 }
@@ -170,15 +176,26 @@ pub struct JointInstance {
     pub quantities: Vec<Quantity>,
 }
 
-/// A row of Φ.
+/// A row of Φ, or of velocity level.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConstraintRow {
     /// `A.x`, or the joint's name.
     pub name: String,
     /// Its joint.
     pub joint: usize,
-    /// Its residual.
+    /// Its residual; 0 for a row of velocity level.
     pub phi: ExprId,
+    /// What a row of velocity level says.
+    pub velocity: Option<VelocityRow>,
+}
+
+/// η = B(q, t) q̇ + b(q, t), of a row of velocity level: η = 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct VelocityRow {
+    /// η, with rates as symbols.
+    pub eta: ExprId,
+    /// b, which is η at q̇ = 0.
+    pub b: ExprId,
 }
 
 /// A unilateral condition: an inequality that is watched and never solved.
@@ -321,7 +338,8 @@ impl fmt::Display for ConstraintSet {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}: {} coordinates, {} rows", self.name, self.coordinates.len(), self.rows.len())?;
         for row in &self.rows {
-            writeln!(f, "  {}: {} = 0", row.name, self.show(row.phi))?;
+            let value = row.velocity.map_or(row.phi, |velocity| velocity.eta);
+            writeln!(f, "  {}: {} = 0", row.name, self.show(value))?;
         }
         for condition in &self.conditions {
             writeln!(f, "  {}: {}", condition.name, self.inequality(condition))?;

@@ -22,8 +22,28 @@ pub struct Jet {
     pub rest: ExprId,
 }
 
-/// The jets of `roots`. Expressions that hold rates already are not differentiated: `roots` must be free of q̇.
+/// The jets of `roots`, which must be free of q̇.
 pub fn total_derivatives(graph: &mut Graph, roots: &[ExprId]) -> Vec<Jet> {
+    derivatives(graph, roots, of_symbol)
+}
+
+/// η̇ of a row of velocity level: η̇ = Σ_k ∂η/∂q̇_k q̈_k + (η_q q̇ + η_t).
+#[derive(Clone, Debug, PartialEq)]
+pub struct VelocityJet {
+    /// ∂η/∂q̇_k for every rate that appears, by k: B where η is linear in q̇, and the coefficients of q̈_k.
+    pub gradient: Vec<(u32, ExprId)>,
+    /// η_q q̇ + η_t at fixed q̇, which is −γ.
+    pub rest: ExprId,
+}
+
+/// The derivatives of `roots`, which may hold q̇: first derivatives only, with q̇_k in the place of q_k.
+pub fn velocity_derivatives(graph: &mut Graph, roots: &[ExprId]) -> Vec<VelocityJet> {
+    let jets = derivatives(graph, roots, of_symbol_at_velocity_level);
+    jets.into_iter().map(|jet| VelocityJet { gradient: jet.gradient, rest: jet.partial_t }).collect()
+}
+
+/// The jets of `roots`, given those of the symbols.
+fn derivatives(graph: &mut Graph, roots: &[ExprId], of_symbol: fn(&mut Graph, Symbol) -> Jet) -> Vec<Jet> {
     let order = graph.reachable(roots.iter().copied());
     let unchanging = Rc::new(constant(graph));
     let mut jets: Vec<Rc<Jet>> = vec![unchanging; graph.len()];
@@ -31,7 +51,10 @@ pub fn total_derivatives(graph: &mut Graph, roots: &[ExprId]) -> Vec<Jet> {
         if graph.depends(id).is_static() {
             continue;
         }
-        let jet = derive(graph, &jets, id);
+        let jet = match graph.node(id) {
+            Node::Symbol(symbol) => of_symbol(graph, symbol),
+            _ => derive(graph, &jets, id),
+        };
         jets[id.index()] = Rc::new(jet);
     }
     roots.iter().map(|root| Jet::clone(&jets[root.index()])).collect()
@@ -48,7 +71,6 @@ pub fn partial<const N: usize>(graph: &mut Graph, roots: [ExprId; N], k: u32) ->
 fn derive(graph: &mut Graph, jets: &[Rc<Jet>], id: ExprId) -> Jet {
     let jet = |id: ExprId| Rc::clone(&jets[id.index()]);
     match graph.node(id) {
-        Node::Symbol(symbol) => of_symbol(graph, symbol),
         Node::Neg(a) => {
             let minus = graph.number(-1.0);
             linear(graph, &[(Some(minus), &jet(a))])
@@ -99,8 +121,8 @@ fn derive(graph: &mut Graph, jets: &[Rc<Jet>], id: ExprId) -> Jet {
             })
         }
         Node::Call(f, a) => of_function(graph, f, id, a, &jet(a)),
-        // A literal never changes, and a sign is constant wherever it has a derivative.
-        Node::Number(_) | Node::Sign(_) => constant(graph),
+        // A literal never changes, and a sign is constant wherever it has a derivative; symbols have their jets.
+        Node::Number(_) | Node::Sign(_) | Node::Symbol(_) => constant(graph),
         Node::Atan2(y, x) => match (graph.node(y), graph.node(x)) {
             // atan2(u×d, u·d) is the direction of d less that of u, which turns with φ.
             (Node::Cross(t), Node::Dot(other)) if t == other => {
@@ -157,6 +179,20 @@ fn of_symbol(graph: &mut Graph, symbol: Symbol) -> Jet {
             jet.gradient.push((k, one));
             jet.rate = graph.symbol(Symbol::Rate(k));
         }
+    }
+    jet
+}
+
+/// Only the first derivatives: q̇_k gives the gradient, everything else the rest. Second derivatives are all 0, so that
+/// nothing is built that nobody reads.
+fn of_symbol_at_velocity_level(graph: &mut Graph, symbol: Symbol) -> Jet {
+    let mut jet = constant(graph);
+    match symbol {
+        Symbol::Parameter(_) => {}
+        Symbol::Time => jet.partial_t = graph.number(1.0),
+        Symbol::Input(k, order) => jet.partial_t = graph.symbol(Symbol::Input(k, order + 1)),
+        Symbol::Coordinate(k) => jet.partial_t = graph.symbol(Symbol::Rate(k)),
+        Symbol::Rate(k) => jet.gradient.push((k, graph.number(1.0))),
     }
     jet
 }
@@ -314,7 +350,7 @@ fn rotated(graph: &mut Graph, is_x: bool, angle: ExprId, rho: [ExprId; 2], phi: 
         let centripetal = graph.mul(rho[side], square);
         out.rest = graph.sub(out.rest, centripetal);
     }
-    let moving = s.iter().any(|jet| !graph.is_zero(jet.rate));
+    let moving = s.iter().any(|jet| !jet.gradient.is_empty() || !graph.is_zero(jet.partial_t));
     if !moving {
         return out;
     }

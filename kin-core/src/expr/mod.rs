@@ -14,5 +14,5 @@ pub use display::{Names, Shown};
 pub(crate) use eval::function;
 pub use eval::{Environment, evaluate};
 pub use graph::Graph;
-pub use jet::{Jet, partial, total_derivatives};
+pub use jet::{Jet, VelocityJet, partial, total_derivatives, velocity_derivatives};
 pub use node::{Bits, Depends, ExprId, MAX_ORDER, Node, Rotation, Symbol, Turning};

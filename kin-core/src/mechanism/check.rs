@@ -16,12 +16,13 @@
 //! 13. `rows_hold_coordinates`: a row that mentions no coordinate constrains nothing;
 //! 14. `conditions_change`: a condition of parameters alone is always or never satisfied;
 //! 15. `curves_are_curves`: a literal polar radius is positive, and a curve holds its variables;
-//! 16. `rollers_know_their_curve`: a roller runs on no curve that has only two derivatives.
+//! 16. `rollers_know_their_curve`: a roller runs on no curve that has only two derivatives;
+//! 17. `velocity_rows_are_linear`: a row of velocity level is linear in `dot(…)`, and holds one.
 //!
 //! As a whole ([`check`]):
-//! 17. `has_coordinates`: something can move;
-//! 18. `bodies_are_touched`: some row mentions a coordinate of every body;
-//! 19. `scalars_are_mentioned`: some row mentions every scalar coordinate.
+//! 18. `has_coordinates`: something can move;
+//! 19. `bodies_are_touched`: some row mentions a coordinate of every body;
+//! 20. `scalars_are_mentioned`: some row mentions every scalar coordinate.
 
 mod condition;
 mod curve;
@@ -32,6 +33,7 @@ mod mention;
 mod names;
 mod participation;
 mod scope;
+mod velocity;
 
 use super::{Body, BodyOrigin, Formula, Mechanism};
 use crate::error::ModelError;
@@ -46,6 +48,7 @@ use geometry::{axes_have_a_direction, divisors_are_not_zero, joints_join_two_bod
 use guess::guesses_are_for_coordinates;
 use names::{names_are_free, names_differ, row_names_differ};
 use participation::{bodies_are_touched, has_coordinates, rows_hold_coordinates, scalars_are_mentioned};
+use velocity::velocity_rows_are_linear;
 
 /// The most members that a family can have: each becomes coordinates and equations of its own.
 pub const MAX_MEMBERS: usize = 10_000;
@@ -85,6 +88,7 @@ pub fn check_parts(mechanism: &Mechanism) -> Vec<ModelError> {
         guesses_are_for_coordinates(mechanism, &mut errors);
         rows_hold_coordinates(mechanism, &mut errors);
         conditions_change(mechanism, &mut errors);
+        velocity_rows_are_linear(mechanism, &mut errors);
     }
     sorted(errors)
 }

@@ -110,7 +110,13 @@ impl Mechanism {
                 let (x, y) = (t(&axis.x), t(&axis.y));
                 format!("{}, {}, axis = ({x}, {y}), support(theta) = {}", p(a), p(b), t(support))
             }
-            JointKind::Constraint { left, right } | JointKind::Driver { left, right } => {
+            JointKind::KnifeEdge { p: a, angle } => format!("{}, angle = {}", p(a), t(angle)),
+            JointKind::Speed { p: a, angle, value } => {
+                format!("{}, angle = {}, value = {}", p(a), t(angle), t(value))
+            }
+            JointKind::Constraint { left, right }
+            | JointKind::Nonholonomic { left, right }
+            | JointKind::Driver { left, right } => {
                 format!("{} = {}", t(left), t(right))
             }
         };
@@ -155,6 +161,7 @@ impl Mechanism {
             Formula::Pow(a, n) => format!("pow({}, {n})", self.text(a)),
             Formula::Call(function, a) => format!("{}({})", function.name(), self.text(a)),
             Formula::Atan2(y, x) => format!("atan2({}, {})", self.text(y), self.text(x)),
+            Formula::Dot(a, _) => format!("dot({})", self.text(a)),
             Formula::Supplied(m, a) => {
                 format!("{}({})", self.member(self.functions.get(m.family).map(|f| &f.name), m), self.text(a))
             }

@@ -178,6 +178,8 @@ pub enum Formula {
     Atan2(Box<Formula>, Box<Formula>),
     /// A scalar function that the user supplies (a field of the struct), at an argument.
     Supplied(Member, Box<Formula>),
+    /// The total time derivative of a formula, in a row of velocity level; the origin is that of the word `dot`.
+    Dot(Box<Formula>, Origin),
 }
 
 impl Formula {

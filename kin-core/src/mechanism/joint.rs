@@ -118,6 +118,29 @@ pub enum JointKind {
         /// Right side.
         right: Formula,
     },
+    /// −ẋ_P sin ψ + ẏ_P cos ψ with ψ = φ_i + α, at velocity level.
+    KnifeEdge {
+        /// Point of body i.
+        p: Place,
+        /// α.
+        angle: Formula,
+    },
+    /// ẋ_P cos ψ + ẏ_P sin ψ − f with ψ = φ_i + α, at velocity level; drives.
+    Speed {
+        /// Point of body i.
+        p: Place,
+        /// α.
+        angle: Formula,
+        /// f.
+        value: Formula,
+    },
+    /// Left minus right, a free-form row of velocity level, linear in [`Formula::Dot`].
+    Nonholonomic {
+        /// Left side.
+        left: Formula,
+        /// Right side.
+        right: Formula,
+    },
     /// Left minus right, a driving constraint; `distance(P, Q) = f` gives |r_Q − r_P|² − f².
     Driver {
         /// Left side.
@@ -143,6 +166,9 @@ impl JointKind {
             Self::OnCurve { .. } => "on_curve",
             Self::FlatFollower { .. } => "flat_follower",
             Self::Constraint { .. } => "constraint",
+            Self::KnifeEdge { .. } => "knife_edge",
+            Self::Speed { .. } => "speed",
+            Self::Nonholonomic { .. } => "nonholonomic",
             Self::Driver { .. } => "driver",
         }
     }

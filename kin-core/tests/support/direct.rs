@@ -170,6 +170,7 @@ impl<'m, S: Number> Direct<'m, S> {
             Formula::Call(f, a) => of(a).call(*f),
             Formula::Atan2(y, x) => of(y).atan2(of(x)),
             Formula::Supplied(member, a) => of(a).supplied(member.family as u32, 0),
+            Formula::Dot(..) => panic!("rates have tests of their own"),
         }
     }
 
@@ -277,6 +278,9 @@ impl<'m, S: Number> Direct<'m, S> {
                 vec![("", -lift - self.within(support, &[(CurveVariable::Theta, theta)], i))]
             }
             JointKind::Driver { left: Formula::Distance(p, q), right } => vec![("", self.distance(p, q, right, i))],
+            JointKind::KnifeEdge { .. } | JointKind::Speed { .. } | JointKind::Nonholonomic { .. } => {
+                panic!("rows of velocity level have tests of their own")
+            }
             JointKind::Constraint { left, right } | JointKind::Driver { left, right } => {
                 vec![("", self.formula(left, i) - self.formula(right, i))]
             }

@@ -75,6 +75,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
     let Evaluations { evaluate, observe, .. } = &evaluations;
     let kernels = [&values.item, &evaluate.item, &observe.item];
     let [values, evaluate, observe] = [&values.call, &evaluate.call, &observe.call];
+    let velocity_constraints = velocity_constraints(lowered, system, &lengths);
     let geometry = list(lowered, system, set.geometry.iter().copied());
     let guesses = list(lowered, system, set.guesses.iter().map(|(_, value)| *value));
     quote! {
@@ -121,6 +122,8 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
                 #values
                 __kin::Ok(())
             }
+
+            #velocity_constraints
 
             fn evaluate_with<__T: __kin::Scalar>(
                 &self,
@@ -217,6 +220,38 @@ fn values(lowered: &Lowered, system: &KinematicSystem, layout: &Layout) -> Kerne
     let program = layout.program(&system.set.graph, |slot| matches!(slot, Slot::Phi(_)));
     let targets = targets(system.set.rows.len(), layout.entries.len());
     kernel("values", lowered, &program, &targets)
+}
+
+/// η of the rows of velocity level, where there are any.
+fn velocity_constraints(lowered: &Lowered, system: &KinematicSystem, lengths: &TokenStream) -> TokenStream {
+    let set = &system.set;
+    if set.rows.iter().all(|row| row.velocity.is_none()) {
+        return TokenStream::new();
+    }
+    let s = set.rows.len();
+    let etas = set.rows.iter().enumerate().filter_map(|(row, info)| Some((row, info.velocity?.eta)));
+    let outputs: Vec<_> = etas.map(|(row, eta)| (Slot::Entry(row), eta)).collect();
+    let program = lower(&set.graph, &outputs);
+    let kernel = kernel("rates", lowered, &program, &[("out", quote! { [__T; #s] })]);
+    let (item, call) = (kernel.item, kernel.call);
+    quote! {
+        fn velocity_constraints_with<__T: __kin::Scalar>(
+            &self,
+            parameters: &[__T],
+            at: &__kin::Instant<'_, __T>,
+            q: &[__T],
+            q_dot: &[__T],
+            eta: &mut [__T; #s],
+        ) -> __kin::Result<(), __kin::LengthError> {
+            #item
+            #lengths
+            let out = eta;
+            *out = [__kin::Scalar::from_f64(0.0); #s];
+            let _ = (p, u, q, w, &out);
+            #call
+            __kin::Ok(())
+        }
+    }
 }
 
 fn evaluate(lowered: &Lowered, system: &KinematicSystem, layout: &Layout, all: &Program, values: &Kernel) -> Kernel {

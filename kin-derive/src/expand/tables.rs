@@ -207,6 +207,9 @@ fn kind(tag: JointTag) -> &'static str {
         JointTag::OnParametricCurve => "OnParametricCurve",
         JointTag::FlatFollower => "FlatFollower",
         JointTag::Constraint => "Constraint",
+        JointTag::KnifeEdge => "KnifeEdge",
+        JointTag::Speed => "Speed",
+        JointTag::Nonholonomic => "Nonholonomic",
         JointTag::Driver => "Driver",
     }
 }
@@ -265,7 +268,8 @@ fn equations(system: &KinematicSystem) -> Vec<TokenStream> {
     let set = &system.set;
     (set.rows.iter().zip(&system.equations))
         .map(|(row, equation)| {
-            let (name, phi) = (&row.name, set.show(equation.phi));
+            let value = row.velocity.map_or(equation.phi, |velocity| velocity.eta);
+            let (name, phi) = (&row.name, set.show(value));
             let (phi_t, gamma) = (set.show(equation.phi_t), set.show(equation.gamma));
             let entries = equation.phi_q.iter().map(|(k, e)| {
                 let (coordinate, e) = (set.coordinate_name(*k), set.show(*e));

@@ -170,7 +170,7 @@ fn names_in(expr: &Expr, names: &mut Vec<String>) {
             names_in_point(p, names);
             names_in_point(q, names);
         }
-        ExprKind::Neg(a) | ExprKind::Pow(a, _) | ExprKind::Call(_, a) => names_in(a, names),
+        ExprKind::Neg(a) | ExprKind::Pow(a, _) | ExprKind::Call(_, a) | ExprKind::Dot(_, a) => names_in(a, names),
         ExprKind::Binary(_, a, b) | ExprKind::Atan2(a, b) => {
             names_in(a, names);
             names_in(b, names);

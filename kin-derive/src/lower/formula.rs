@@ -19,6 +19,10 @@ pub(super) enum Allow {
     Signals,
     /// Also coordinates.
     Everything,
+    /// Coordinates, of which `dot` takes the rates.
+    Dotted,
+    /// Also rates: `dot(…)`.
+    Rates,
 }
 
 impl Allow {
@@ -26,7 +30,7 @@ impl Allow {
         match self {
             Self::Parameters => Class::Constant,
             Self::Signals => Class::Signal,
-            Self::Everything => Class::Coordinate,
+            Self::Everything | Self::Dotted | Self::Rates => Class::Coordinate,
         }
     }
 }
@@ -75,6 +79,27 @@ impl Lowerer<'_> {
             ExprKind::Atan2(y, x) => {
                 let (y, x) = (self.formula(y, scope), self.formula(x, scope));
                 Formula::Atan2(Box::new(y?), Box::new(x?))
+            }
+            ExprKind::Dot(name, a) => {
+                let inside = Scope { what: "`dot`", allow: Allow::Dotted, range: scope.range };
+                let a = self.formula(a, &inside);
+                match scope.allow {
+                    Allow::Rates => Formula::Dot(Box::new(a?), self.origin(name.span())),
+                    Allow::Dotted => {
+                        let message = "`dot` stands inside `dot`; a row of velocity level holds no accelerations";
+                        self.report.error(name.span(), message);
+                        return None;
+                    }
+                    Allow::Parameters | Allow::Signals | Allow::Everything => {
+                        let message = format!(
+                            "`dot` is a rate, and {} holds none; it stands in `nonholonomic` only: \
+                             `#[nonholonomic(N: dot(a.x) = v)]`",
+                            scope.what
+                        );
+                        self.report.error(name.span(), message);
+                        return None;
+                    }
+                }
             }
             ExprKind::Apply(name, arguments) => {
                 for argument in arguments {
@@ -241,7 +266,7 @@ impl Lowerer<'_> {
         if found.is_none() && !self.is_completed(component) {
             let right = match name.as_str() {
                 "x_dot" | "y_dot" | "phi_dot" | "xdot" | "ydot" | "phidot" | "dot" | "omega" => {
-                    ": equations are of position, rates are derived"
+                    ": a rate is written `dot(…)`, in `nonholonomic`"
                 }
                 _ => "",
             };
@@ -310,10 +335,8 @@ impl Lowerer<'_> {
         let words = self.inside.words();
         let right = match scope.allow {
             Allow::Parameters => "numbers and parameters only".to_owned(),
-            Allow::Signals | Allow::Everything if words.is_empty() => {
-                "numbers, parameters, `t` and inputs only".to_owned()
-            }
-            Allow::Signals | Allow::Everything => {
+            _ if words.is_empty() => "numbers, parameters, `t` and inputs only".to_owned(),
+            _ => {
                 format!("numbers, parameters, `t`, inputs and {} only", listed(words, "and"))
             }
         };

@@ -88,6 +88,20 @@ impl Lowerer<'_> {
                 let (left, right) = (self.anything(left, range), self.anything(right, range));
                 JointKind::Constraint { left: left?, right: right? }
             }
+            RowKind::KnifeEdge { p, angle } => {
+                let (p, angle) = (self.place(p, range), self.signal(angle, "`angle`", range));
+                JointKind::KnifeEdge { p: p?, angle: angle? }
+            }
+            RowKind::Speed { p, angle, value } => {
+                let (p, angle) = (self.place(p, range), self.signal(angle, "`angle`", range));
+                let value = self.signal(value, "`value`", range);
+                JointKind::Speed { p: p?, angle: angle?, value: value? }
+            }
+            RowKind::Nonholonomic { left, right } => {
+                let scope = Scope { what: "an equation", allow: Allow::Rates, range };
+                let (left, right) = (self.formula(left, &scope), self.formula(right, &scope));
+                JointKind::Nonholonomic { left: left?, right: right? }
+            }
             RowKind::Driver { left, right } => {
                 let (left, right) = (self.anything(left, range), self.anything(right, range));
                 JointKind::Driver { left: left?, right: right? }

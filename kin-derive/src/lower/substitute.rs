@@ -47,5 +47,6 @@ fn formula(f: &Formula, at: Index) -> Formula {
         Formula::Call(function, a) => Formula::Call(*function, inside(a)),
         Formula::Atan2(y, x) => Formula::Atan2(inside(y), inside(x)),
         Formula::Supplied(m, a) => Formula::Supplied(member(*m, at), inside(a)),
+        Formula::Dot(a, origin) => Formula::Dot(inside(a), *origin),
     }
 }

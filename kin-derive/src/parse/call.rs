@@ -17,7 +17,10 @@ pub(super) fn function(name: Ident, input: ParseStream, depth: usize) -> Result<
     let span = join(name.span(), parens.span.join());
     match text(&name).as_str() {
         "distance" => distance(&name, &content, depth),
-        "dot" => Err(Error::new(name.span(), "`dot` belongs to `nonholonomic`, which is not supported yet")),
+        "dot" => {
+            let [a] = take(&name, arguments(&content, depth)?, "dot(a)")?;
+            dot(name, a, span)
+        }
         word if is_angle_word(word) => Err(Error::new(name.span(), RADIANS)),
         "powi" | "powf" => {
             let message = format!("`{name}` is a method, `a.{name}(n)`; as a function it is called `pow(a, n)`");
@@ -63,6 +66,10 @@ pub(super) fn method(value: Expr, name: Ident, input: ParseStream, depth: usize)
             let [n] = take(&name, arguments, "a.powf(n)")?;
             power(value, &n, "powf", span)
         }
+        "dot" => {
+            let [] = take(&name, arguments, "a.dot()")?;
+            dot(name, value, span)
+        }
         "pow" => Err(Error::new(name.span(), "powers are written `pow(a, n)`, `a.powi(n)` or `a.powf(n)`")),
         known => {
             let Some(function) = Function::from_name(known) else {
@@ -95,6 +102,11 @@ fn call(function: Function, a: Expr, span: proc_macro2::Span) -> Result<Expr> {
     Expr::over(ExprKind::Call(function, Box::new(a)), span, &[height])
 }
 
+fn dot(name: Ident, a: Expr, span: proc_macro2::Span) -> Result<Expr> {
+    let height = a.height;
+    Expr::over(ExprKind::Dot(name, Box::new(a)), span, &[height])
+}
+
 fn atan2(y: Expr, x: Expr, span: proc_macro2::Span) -> Result<Expr> {
     let heights = [y.height, x.height];
     Expr::over(ExprKind::Atan2(Box::new(y), Box::new(x)), span, &heights)
@@ -117,7 +129,7 @@ fn is_variable(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Number(_) | ExprKind::Hole | ExprKind::Apply(..) => false,
         ExprKind::Name(used) => used.text() != "pi",
-        ExprKind::Component(..) | ExprKind::Distance(..) => true,
+        ExprKind::Component(..) | ExprKind::Distance(..) | ExprKind::Dot(..) => true,
         ExprKind::Neg(a) | ExprKind::Pow(a, _) | ExprKind::Call(_, a) => is_variable(a),
         ExprKind::Binary(_, a, b) | ExprKind::Atan2(a, b) => is_variable(a) || is_variable(b),
     }

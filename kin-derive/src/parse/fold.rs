@@ -38,7 +38,7 @@ fn value(expr: &Expr, what: &str) -> Result<f64> {
         ExprKind::Apply(name, _) => {
             return Err(Error::new(name.span(), format!("{what} is a constant; there is no function `{name}`")));
         }
-        ExprKind::Distance(..) | ExprKind::Hole => {
+        ExprKind::Distance(..) | ExprKind::Dot(..) | ExprKind::Hole => {
             return Err(Error::new(expr.span, format!("{what} is a constant made of numbers and `pi`")));
         }
     })

@@ -46,7 +46,7 @@ impl Keyword {
 const LATER: Keyword = Keyword::Later { declares: false };
 
 /// The words that are no rows.
-const WORDS: [(&str, Keyword); 18] = [
+const WORDS: [(&str, Keyword); 15] = [
     ("bodies", Keyword::Bodies),
     ("body", Keyword::Body),
     ("coordinates", Keyword::Coordinates),
@@ -61,9 +61,6 @@ const WORDS: [(&str, Keyword); 18] = [
     ("belt", LATER),
     ("rack_pinion", LATER),
     ("rolling", LATER),
-    ("knife_edge", LATER),
-    ("speed", LATER),
-    ("nonholonomic", LATER),
     ("unilateral", Keyword::Condition),
 ];
 

@@ -135,6 +135,30 @@ pub(super) const FORMS: &[RowForm] = &[
         build: constraint,
     },
     RowForm {
+        keyword: "knife_edge",
+        operands: &[Point],
+        equals: false,
+        options: &[("angle", OptionForm::Expression)],
+        example: "#[knife_edge(A: sleigh @ (0, 0), angle = 0)]",
+        build: knife_edge,
+    },
+    RowForm {
+        keyword: "speed",
+        operands: &[Point],
+        equals: false,
+        options: &[("angle", OptionForm::Expression), ("value", OptionForm::Expression)],
+        example: "#[speed(A: sleigh @ (0, 0), angle = 0, value = v)]",
+        build: speed,
+    },
+    RowForm {
+        keyword: "nonholonomic",
+        operands: &[Expression],
+        equals: true,
+        options: &[],
+        example: "#[nonholonomic(A: dot(wheel.x) = -R*dot(wheel.phi))]",
+        build: nonholonomic,
+    },
+    RowForm {
         keyword: "driver",
         operands: &[Expression],
         equals: true,
@@ -205,6 +229,18 @@ fn flat_follower(parts: &mut Parts) -> RowKind {
 
 fn constraint(parts: &mut Parts) -> RowKind {
     RowKind::Constraint { left: parts.expr(), right: parts.right() }
+}
+
+fn knife_edge(parts: &mut Parts) -> RowKind {
+    RowKind::KnifeEdge { p: parts.point(), angle: parts.or_zero("angle") }
+}
+
+fn speed(parts: &mut Parts) -> RowKind {
+    RowKind::Speed { p: parts.point(), angle: parts.or_zero("angle"), value: parts.required("value") }
+}
+
+fn nonholonomic(parts: &mut Parts) -> RowKind {
+    RowKind::Nonholonomic { left: parts.expr(), right: parts.right() }
 }
 
 fn driver(parts: &mut Parts) -> RowKind {

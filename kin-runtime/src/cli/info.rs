@@ -84,6 +84,11 @@ pub(super) fn text(engine: &dyn Engine, known: Option<Known<'_>>) -> String {
             .add("degrees of freedom", mobility.degrees_of_freedom, [driven])
             .add("  independent", mobility.independent.len(), coordinate_names(model, &mobility.independent))
             .add("  dependent", mobility.dependent.len(), coordinate_names(model, &mobility.dependent));
+        if mobility.velocity_level_rows > 0 {
+            let left = mobility.position_degrees_of_freedom_left;
+            let start = if left == 0 { "all determined".to_owned() } else { format!("{left} decided by the start") };
+            facts.add("  of position", mobility.position_degrees_of_freedom, [start]);
+        }
         if !mobility.redundant.is_empty() {
             facts.add("redundant rows", mobility.redundant.len(), mobility.redundant.iter().map(redundancy));
         }

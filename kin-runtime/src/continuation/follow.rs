@@ -1,5 +1,6 @@
 //! Step control: from one instant to the next on the same branch.
 
+use super::integrate::integrate;
 use super::step::{Fault, Node, step};
 use crate::equations::Equations;
 use crate::error::{Refusal, SolveError};
@@ -12,10 +13,16 @@ use crate::workspace::Subset;
 /// Pivots below this, at the last configuration before a refused step, say that the motion ends in a singular one.
 const NEARLY_SINGULAR: f64 = 1e-4;
 
+/// One step from a node to a time: the node there, and by how much the next step may be longer. The flag says that the
+/// time was asked for.
+type Step = fn(&mut Equations<'_>, &Node, f64, bool) -> Result<(Node, f64), Fault>;
+
 /// A branch and the place reached on it.
 pub(crate) struct Follower<'e, 'a> {
     pub(crate) equations: &'e mut Equations<'a>,
     node: Node,
+    /// How the next node is found: continuation of Φ, or integration of the velocities.
+    step: Step,
     /// Length of the next internal step.
     proposed: f64,
     /// The unilateral conditions, where there are any.
@@ -25,7 +32,8 @@ pub(crate) struct Follower<'e, 'a> {
 impl<'e, 'a> Follower<'e, 'a> {
     /// Starts at `node`.
     pub(crate) fn new(equations: &'e mut Equations<'a>, node: Node, watch: Option<Watch>) -> Self {
-        Self { equations, node, proposed: f64::INFINITY, watch }
+        let step = if equations.rows_where(|e, row| !e.holonomic(row)).is_empty() { step } else { integrate };
+        Self { equations, node, step, proposed: f64::INFINITY, watch }
     }
 
     /// Goes to `target`, in internal steps, and gives the state there, or that at the first event when it is to stop there.
@@ -53,24 +61,24 @@ impl<'e, 'a> Follower<'e, 'a> {
                 share if share < 2.0 => from + 0.5 * remaining,
                 _ => from + length.copysign(remaining),
             };
-            match step(self.equations, &self.node, t, t == target) {
-                Ok((node, effort)) => {
+            match (self.step)(self.equations, &self.node, t, t == target) {
+                Ok((node, growth)) => {
                     iterations += node.state.iterations;
                     let before = std::mem::replace(&mut self.node, node);
                     if let Some(state) = self.pass(&before)? {
                         return Ok(state);
                     }
-                    let growth = (0.3 / effort.max(1e-3)).cbrt().clamp(0.5, 4.0);
                     let walked = (t - from).abs();
                     // A step cut short by the target says nothing against the longer one proposed before.
                     self.proposed = if share <= 2.0 { self.proposed.max(growth * walked) } else { growth * walked };
                 }
                 Err(fault) => {
-                    let halved = 0.5 * (t - from).abs();
-                    if halved < smallest {
+                    let factor = if let Fault::Coarse(factor) = fault { factor } else { 0.5 };
+                    let shorter = factor * (t - from).abs();
+                    if shorter < smallest {
                         return Err(self.refusal(t, fault));
                     }
-                    self.proposed = halved;
+                    self.proposed = shorter;
                 }
             }
         }
@@ -86,7 +94,8 @@ impl<'e, 'a> Follower<'e, 'a> {
     /// Looks for events since `before`; the state at the first one, when the sweep is to end there.
     fn pass(&mut self, before: &Node) -> Result<Option<State>, SolveError> {
         let Some(watch) = &mut self.watch else { return Ok(None) };
-        watch.pass(self.equations, &self.node.state, &mut |equations, t| state_between(equations, before, t))?;
+        let step = self.step;
+        watch.pass(self.equations, &self.node.state, &mut |equations, t| state_between(equations, step, before, t))?;
         if !self.equations.options.stop_at_events {
             return Ok(None);
         }
@@ -115,8 +124,9 @@ impl<'e, 'a> Follower<'e, 'a> {
         let t = state.t;
         let (row, reason) = match fault {
             Fault::Error(error) => return error,
-            Fault::Open(row) => (row, Refusal::NotAssembled),
-            Fault::Jump(row) => (row, Refusal::WouldJump),
+            Fault::Open(row) => (Some(row), Refusal::NotAssembled),
+            Fault::Jump(row) => (Some(row), Refusal::WouldJump),
+            Fault::Coarse(_) => (None, Refusal::StepTooSmall),
         };
         let evaluated = self.equations.set_time(t).and_then(|()| {
             let q = &state.q;
@@ -138,13 +148,14 @@ impl<'e, 'a> Follower<'e, 'a> {
                 condition: factor.full_condition,
             };
         }
-        let (row_name, joint) = (self.equations.row_name(row), self.equations.joint_name(row));
+        let names = |row| (self.equations.row_name(row), self.equations.joint_name(row));
+        let (row_name, joint) = row.map_or(("", ""), names);
         SolveError::StepRefused { t, t_refused, row_name, joint, reason }
     }
 }
 
 /// The state at `t` on the way from a node to one that was reached in one step; it is closed to the end.
-fn state_between(equations: &mut Equations<'_>, from: &Node, t: f64) -> Option<State> {
+fn state_between(equations: &mut Equations<'_>, step: Step, from: &Node, t: f64) -> Option<State> {
     let directly = step(equations, from, t, true).ok();
     let reached = directly.or_else(|| {
         let (middle, _) = step(equations, from, from.state.t + 0.5 * (t - from.state.t), false).ok()?;

@@ -10,9 +10,14 @@
 //! motion and contracting fast, the velocity where it was expected, and the orientation of the branch (the sign of the
 //! determinant of Φ_q) the same; otherwise it is halved. So a motion is followed to where it ends or crosses another,
 //! and never jumps there: what cannot be followed is an error with the time and the joint.
+//!
+//! Where there are rows of velocity level, Φ does not determine the position. Then the velocities are integrated from
+//! the first instant on, and every step is projected onto Φ; see `integrate`.
 
 mod branch;
+mod dormand_prince;
 mod follow;
+mod integrate;
 mod kinematic;
 mod step;
 

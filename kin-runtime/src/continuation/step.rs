@@ -37,6 +37,8 @@ pub(crate) enum Fault {
     Open(usize),
     /// It closes, but not on this branch; the row that resisted most.
     Jump(usize),
+    /// The step is too long for the accuracy asked for; by which factor it should be shorter.
+    Coarse(f64),
     /// An evaluation failed.
     Error(SolveError),
 }
@@ -47,7 +49,7 @@ impl From<SolveError> for Fault {
     }
 }
 
-/// The node at `t` and the largest correction relative to the one allowed.
+/// The node at `t`, and by how much the next step may be longer.
 ///
 /// With `last` the node is an instant that was asked for: closed to the end and with its rank revealed.
 pub(crate) fn step(equations: &mut Equations<'_>, from: &Node, t: f64, last: bool) -> Result<(Node, f64), Fault> {
@@ -58,8 +60,23 @@ pub(crate) fn step(equations: &mut Equations<'_>, from: &Node, t: f64, last: boo
     let predicted: Vec<f64> = state.q.iter().zip(&motion).map(|(q, d)| q + d).collect();
     let allowed = equations.options.prediction_tolerance * equations.scale.size(&motion) + NEGLIGIBLE;
     let corrected = correct(equations, &predicted, allowed, if last { 1e-9 } else { 1e-6 })?;
-    let Corrected { q, iterations, worst, correction } = corrected;
+    let (effort, worst) = (corrected.correction / allowed, corrected.worst);
+    let node = settle(equations, from, corrected, t, last)?;
+    if !expected(equations, state, h, &node.state.q_dot) {
+        return Err(Fault::Jump(worst));
+    }
+    Ok((node, (0.3 / effort.max(1e-3)).cbrt().clamp(0.5, 4.0)))
+}
 
+/// The node at a position that was found for `t`, if it is on the branch of `from`.
+pub(super) fn settle(
+    equations: &mut Equations<'_>,
+    from: &Node,
+    position: Corrected,
+    t: f64,
+    last: bool,
+) -> Result<Node, Fault> {
+    let Corrected { q, iterations, worst, .. } = position;
     equations.evaluate(Subset { phi: true, ..Subset::VELOCITY }, &q, None)?;
     let holonomic = equations.rows_where(Equations::holonomic);
     let gap = holonomic.iter().map(|&row| (equations.phi[row] * equations.scale.rows[row]).abs()).fold(0.0, f64::max);
@@ -86,9 +103,6 @@ pub(crate) fn step(equations: &mut Equations<'_>, from: &Node, t: f64, last: boo
         return Err(Fault::Open(worst));
     }
     equations.check("q_dot", q_dot.as_slice())?;
-    if !expected(equations, state, h, q_dot.as_slice()) {
-        return Err(Fault::Jump(worst));
-    }
     let q_ddot = acceleration(equations, &q, q_dot.as_slice(), &factor)?;
     let state = State {
         t,
@@ -101,11 +115,11 @@ pub(crate) fn step(equations: &mut Equations<'_>, from: &Node, t: f64, last: boo
         residual,
         iterations,
     };
-    Ok((Node { state, orientation, rank: factor.rank }, correction / allowed))
+    Ok(Node { state, orientation, rank: factor.rank })
 }
 
 /// A corrected position.
-struct Corrected {
+pub(super) struct Corrected {
     q: Vec<f64>,
     iterations: usize,
     /// The row with the largest residual at the prediction.
@@ -115,7 +129,12 @@ struct Corrected {
 }
 
 /// Full Newton steps from the prediction until one is below `last_step`.
-fn correct(equations: &mut Equations<'_>, predicted: &[f64], allowed: f64, last_step: f64) -> Result<Corrected, Fault> {
+pub(super) fn correct(
+    equations: &mut Equations<'_>,
+    predicted: &[f64],
+    allowed: f64,
+    last_step: f64,
+) -> Result<Corrected, Fault> {
     let rows = equations.rows_where(Equations::holonomic);
     let mut q = predicted.to_vec();
     let mut before = f64::INFINITY;

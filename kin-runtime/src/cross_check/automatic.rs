@@ -2,6 +2,7 @@
 
 use super::Configuration;
 use crate::mechanism::{LengthError, Mechanism};
+use crate::model::Level;
 use crate::workspace::{Array, Instant, Signal};
 use num_dual::{Dual2_64, Dual64};
 
@@ -14,9 +15,8 @@ pub(super) struct Automatic {
     pub(super) gamma: Vec<f64>,
 }
 
-/// Φ, Φ_q, Φ_t and γ by dual numbers, from the generic Φ alone.
-///
-/// Rows of velocity level have no Φ to differentiate; what they have, η(q, q̇, t), will be differentiated here.
+/// Φ, Φ_q, Φ_t and γ by dual numbers, from the generic Φ alone; B, b and γ of rows of velocity level from the generic η,
+/// which stands in their places of Φ.
 pub(super) fn automatic<M: Mechanism>(
     mechanism: &M,
     parameters: &[f64],
@@ -29,7 +29,68 @@ pub(super) fn automatic<M: Mechanism>(
         derivative.iter().enumerate().for_each(|(row, value)| phi_q[row * n + column] = *value);
     }
     let phi_t = first::<M>(mechanism, parameters, at, None, 1.0)?.1;
-    Ok(Automatic { phi, phi_q, phi_t, gamma: second(mechanism, parameters, at)? })
+    let mut all = Automatic { phi, phi_q, phi_t, gamma: second(mechanism, parameters, at)? };
+    velocity_level::<M>(mechanism, parameters, at, &mut all)?;
+    Ok(all)
+}
+
+/// B, b and γ of the rows of velocity level from η: B column by column with dual rates, b with all rates at 0, and γ as
+/// the negative derivative of s ↦ η(q + s q̇, q̇, t + s) at 0.
+fn velocity_level<M: Mechanism>(
+    mechanism: &M,
+    parameters: &[f64],
+    at: &Configuration,
+    all: &mut Automatic,
+) -> Result<(), LengthError> {
+    let is_rate = |row: &usize| M::model().rows.get(*row).is_some_and(|info| info.level == Level::Velocity);
+    let rows: Vec<usize> = (0..M::ROWS).filter(is_rate).collect();
+    if rows.is_empty() {
+        return Ok(());
+    }
+    let n = M::COORDINATES;
+    let rest = vec![Dual64::from_re(0.0); n];
+    let rates: Vec<Dual64> = at.q_dot.iter().map(|&v| Dual64::from_re(v)).collect();
+    let here = eta::<M>(mechanism, parameters, at, 0.0, &rates)?;
+    let b = eta::<M>(mechanism, parameters, at, 0.0, &rest)?;
+    let along = eta::<M>(mechanism, parameters, at, 1.0, &rates)?;
+    for &row in &rows {
+        all.phi[row] = here[row].re;
+        all.phi_t[row] = b[row].re;
+        all.gamma[row] = -along[row].eps;
+    }
+    for column in 0..n {
+        let mut rates = rates.clone();
+        rates[column].eps = 1.0;
+        let derivative = eta::<M>(mechanism, parameters, at, 0.0, &rates)?;
+        rows.iter().for_each(|&row| all.phi_q[row * n + column] = derivative[row].eps);
+    }
+    Ok(())
+}
+
+/// η with its derivative along the motion, as far as `along` is 1, and along the dual parts of the rates.
+fn eta<M: Mechanism>(
+    mechanism: &M,
+    parameters: &[f64],
+    at: &Configuration,
+    along: f64,
+    rates: &[Dual64],
+) -> Result<Vec<Dual64>, LengthError> {
+    let parameters: Vec<Dual64> = parameters.iter().map(|&p| Dual64::from_re(p)).collect();
+    let q: Vec<Dual64> = at.q.iter().zip(&at.q_dot).map(|(&x, &v)| Dual64::new(x, along * v)).collect();
+    let inputs: Vec<Signal<Dual64>> = at.inputs.iter().map(|u| moving(u, along)).collect();
+    let instant = Instant { t: Dual64::new(at.t, along), inputs: &inputs };
+    let mut eta = M::Rows::<Dual64>::generate(|_| Dual64::from_re(0.0));
+    mechanism.velocity_constraints_with(&parameters, &instant, &q, rates, &mut eta)?;
+    Ok(eta.as_ref().to_vec())
+}
+
+/// An input whose value and rate change with time, as far as `time` is 1.
+fn moving(u: &Signal, time: f64) -> Signal<Dual64> {
+    Signal {
+        value: Dual64::new(u.value, time * u.rate),
+        rate: Dual64::new(u.rate, time * u.acceleration),
+        acceleration: Dual64::from_re(u.acceleration),
+    }
 }
 
 /// Φ and its derivative by one coordinate, or (with `time` = 1) by t, inputs moving with their rates.
@@ -42,15 +103,7 @@ fn first<M: Mechanism>(
 ) -> Result<(Vec<f64>, Vec<f64>), LengthError> {
     let parameters: Vec<Dual64> = parameters.iter().map(|&p| Dual64::from_re(p)).collect();
     let q: Vec<Dual64> = at.q.iter().enumerate().map(|(k, &x)| Dual64::new(x, f64::from(column == Some(k)))).collect();
-    let inputs: Vec<Signal<Dual64>> = at
-        .inputs
-        .iter()
-        .map(|u| Signal {
-            value: Dual64::new(u.value, time * u.rate),
-            rate: Dual64::new(u.rate, time * u.acceleration),
-            acceleration: Dual64::from_re(u.acceleration),
-        })
-        .collect();
+    let inputs: Vec<Signal<Dual64>> = at.inputs.iter().map(|u| moving(u, time)).collect();
     let instant = Instant { t: Dual64::new(at.t, time), inputs: &inputs };
     let mut phi = M::Rows::<Dual64>::generate(|_| Dual64::from_re(0.0));
     mechanism.constraints_with(&parameters, &instant, &q, &mut phi)?;

@@ -3,6 +3,7 @@
 //! The generic Φ alone is differentiated: Φ_q column by column and Φ_t with first-order dual numbers, γ as the negative
 //! second derivative of s ↦ Φ(q + s q̇, t + s) at 0 with second-order ones. Inputs move with their rates and
 //! accelerations. Entries that the sparsity pattern calls zero are compared as well.
+//! Rows of velocity level are compared in the same places: B, b and γ against derivatives of the generic η.
 
 mod automatic;
 mod comparison;

@@ -18,6 +18,9 @@ fn bodies(kind: &JointKind) -> Option<(BodyRef, BodyRef, Origin)> {
         JointKind::Coordinate { .. }
         | JointKind::Angle { .. }
         | JointKind::Constraint { .. }
+        | JointKind::KnifeEdge { .. }
+        | JointKind::Speed { .. }
+        | JointKind::Nonholonomic { .. }
         | JointKind::Driver { .. } => None,
     }
 }

@@ -37,6 +37,13 @@ pub(super) fn mentioned_at(mechanism: &Mechanism, joint: &Joint, i: i64) -> BTre
     all.follow()
 }
 
+/// True if the formula mentions a free coordinate at step `i` of its range.
+pub(super) fn moves(mechanism: &Mechanism, formula: &Formula, i: i64) -> bool {
+    let mut all = Mentions::new(mechanism);
+    all.formula(formula, i);
+    !all.follow().is_empty()
+}
+
 /// The coordinates of its own that a body has.
 pub(super) fn free_of(mechanism: &Mechanism, family: usize, member: usize) -> Vec<Coordinate> {
     let free = |component| is_free(mechanism, family, component);
@@ -148,7 +155,20 @@ impl<'a> Mentions<'a> {
                 self.pose(*b, Component::Phi, i);
                 self.formula(value, i);
             }
-            JointKind::Constraint { left, right } | JointKind::Driver { left, right } => {
+            JointKind::KnifeEdge { p, angle } => {
+                self.place(p, &BOTH, i);
+                self.pose(p.body, Component::Phi, i);
+                self.formula(angle, i);
+            }
+            JointKind::Speed { p, angle, value } => {
+                self.place(p, &BOTH, i);
+                self.pose(p.body, Component::Phi, i);
+                self.formula(angle, i);
+                self.formula(value, i);
+            }
+            JointKind::Constraint { left, right }
+            | JointKind::Nonholonomic { left, right }
+            | JointKind::Driver { left, right } => {
                 self.formula(left, i);
                 self.formula(right, i);
             }

@@ -96,9 +96,11 @@ impl<'a> Scope<'a> {
                 }
             }
             JointKind::FlatFollower { p, q, axis, support } => scope.place(p).place(q).axis(axis).formula(support),
-            JointKind::Constraint { left, right } | JointKind::Driver { left, right } => {
-                scope.formula(left).formula(right)
-            }
+            JointKind::KnifeEdge { p, angle } => scope.place(p).formula(angle),
+            JointKind::Speed { p, angle, value } => scope.place(p).formula(angle).formula(value),
+            JointKind::Constraint { left, right }
+            | JointKind::Nonholonomic { left, right }
+            | JointKind::Driver { left, right } => scope.formula(left).formula(right),
         }
     }
 
@@ -165,7 +167,11 @@ pub(super) fn nodes(formula: &Formula) -> Vec<&Formula> {
     while let Some(node) = open.pop() {
         all.push(node);
         match node {
-            Formula::Neg(a) | Formula::Pow(a, _) | Formula::Call(_, a) | Formula::Supplied(_, a) => open.push(a),
+            Formula::Neg(a)
+            | Formula::Pow(a, _)
+            | Formula::Call(_, a)
+            | Formula::Supplied(_, a)
+            | Formula::Dot(a, _) => open.push(a),
             Formula::Add(a, b)
             | Formula::Sub(a, b)
             | Formula::Mul(a, b)

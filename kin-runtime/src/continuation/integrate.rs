@@ -1,0 +1,72 @@
+//! One step of a motion with rows of velocity level: integrate, project, judge.
+//!
+//! Such rows leave the position to the motion before. With Φ of the rows of position level and B, b of the others,
+//!
+//! ```text
+//! q̇ = v(q, t):   [Φ_q; B] q̇ = −[Φ_t; b]
+//! ```
+//!
+//! is integrated by the Runge–Kutta pair of [`dormand_prince`](super::dormand_prince), with a step length such that the
+//! estimated error of every coordinate stays below `Options::integration_tolerance` on the common scale; its result is
+//! then moved onto Φ(q, t) = 0 by the correction of least norm, which is of the size of that error. Where degrees of
+//! freedom are left, v is the velocity of least Euclidean norm, as everywhere; with redundant rows it is that of all of
+//! them in the sense of least squares, which agree on Φ. Rank and orientation of the branch are judged as in
+//! [`step`](super::step), so that no singular configuration is passed.
+
+use super::dormand_prince::{Taken, take};
+use super::step::{Corrected, Fault, Node, correct, settle};
+use crate::equations::Equations;
+use crate::linear::Factorization;
+use crate::velocity::scaled;
+use crate::workspace::Subset;
+
+/// Share of the step that the error estimate would allow.
+const SAFETY: f64 = 0.9;
+/// Corrections onto Φ may be larger than the tolerance of one step by this factor.
+const DRIFT: f64 = 1e3;
+
+/// The node at `t`, and by how much the next step may be longer.
+pub(super) fn integrate(equations: &mut Equations<'_>, from: &Node, t: f64, last: bool) -> Result<(Node, f64), Fault> {
+    let state = &from.state;
+    let h = t - state.t;
+    let taken = take(state.t, h, &state.q, &state.q_dot, |t, q| velocity(equations, from.rank, t, q))?;
+    let tolerance = equations.options.integration_tolerance;
+    let effort = error(equations, &state.q, &taken) / tolerance;
+    let factor = SAFETY * effort.powf(-0.2);
+    // Also when the estimate is not a number.
+    if !(effort <= 1.0) {
+        return Err(Fault::Coarse(if factor.is_finite() { factor.clamp(0.1, 0.8) } else { 0.1 }));
+    }
+    equations.set_time(t)?;
+    let size = 1.0 + equations.scale.size(&taken.y);
+    let corrected: Corrected = correct(equations, &taken.y, DRIFT * tolerance * size, 1e-9)?;
+    let node = settle(equations, from, corrected, t, last)?;
+    Ok((node, factor.clamp(0.5, 4.0)))
+}
+
+/// q̇ at a stage, near Φ but not on it.
+fn velocity(equations: &mut Equations<'_>, rank: usize, t: f64, q: &[f64]) -> Result<Vec<f64>, Fault> {
+    equations.set_time(t)?;
+    equations.evaluate(Subset::VELOCITY, q, None)?;
+    let rows: Vec<usize> = (0..equations.rows()).collect();
+    let tolerance = equations.options.rank_tolerance;
+    let factor = Factorization::quick(&equations.scaled_rows(&rows), &equations.scale.columns, tolerance);
+    if factor.rank < rank {
+        return Err(Fault::Coarse(0.5));
+    }
+    Ok(factor.solve(&-scaled(equations, &equations.phi_t)).as_slice().to_vec())
+}
+
+/// Largest estimated error of a coordinate on the common scale, relative to its own size where that is more than one.
+fn error(equations: &Equations<'_>, before: &[f64], taken: &Taken) -> f64 {
+    let mut largest = 0.0;
+    for (k, d) in equations.scale.columns.iter().enumerate() {
+        let size = 1.0 + before[k].abs().max(taken.y[k].abs()) / d;
+        let error = (taken.error[k] / d).abs() / size;
+        if error.is_nan() {
+            return f64::NAN;
+        }
+        largest = f64::max(largest, error);
+    }
+    largest
+}
