@@ -146,9 +146,11 @@ pub(crate) struct GuessDecl {
 pub(crate) struct ConditionDecl {
     pub(crate) keyword: Ident,
     pub(crate) name: NewName,
+    /// Both sides as they are written.
+    pub(crate) text: String,
     pub(crate) left: Expr,
-    /// The smaller side where its operator could not be read is anyone's guess; that is reported.
-    pub(crate) relation: Relation,
+    /// `None` where it could not be read, which is reported.
+    pub(crate) relation: Option<Relation>,
     pub(crate) right: Expr,
 }
 

@@ -267,7 +267,7 @@ pub struct RowInfo {
 pub struct ConditionInfo {
     /// `limit` or `limit[3]`; it differs from the names of all joints.
     pub name: &'static str,
-    /// The inequality as kin understood it: `slider.x < stroke`.
+    /// The inequality as it is written, a family's with its index variable: `slider.x < stroke`, `link[i].phi > 0`.
     pub text: &'static str,
     /// Its observable in [`Model::observables`].
     pub observable: usize,

@@ -1,7 +1,7 @@
 //! Solved configurations over time.
 
 use crate::events::Event;
-use crate::model::Model;
+use crate::model::{ConditionInfo, Model};
 use crate::state::State;
 use core::fmt;
 
@@ -44,6 +44,11 @@ impl Trajectory {
     /// The last state.
     pub fn last(&self) -> Option<&State> {
         self.states.last()
+    }
+
+    /// The conditions that were violated at the first instant.
+    pub fn violated_at_start(&self) -> impl Iterator<Item = &'static ConditionInfo> {
+        self.violated_at_start.iter().filter_map(|&k| self.model.conditions.get(k))
     }
 
     /// Names of all columns: `t`, then every coordinate with its rate and acceleration.
@@ -112,8 +117,7 @@ impl serde::Serialize for Trajectory {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         use serde::ser::SerializeStruct;
         let names: Vec<&str> = self.model.coordinates.iter().map(|c| c.name).collect();
-        let violated = self.violated_at_start.iter().filter_map(|&k| self.model.conditions.get(k));
-        let violated: Vec<&str> = violated.map(|condition| condition.name).collect();
+        let violated: Vec<&str> = self.violated_at_start().map(|condition| condition.name).collect();
         let mut s = serializer.serialize_struct("Trajectory", 6)?;
         s.serialize_field("mechanism", self.model.name)?;
         s.serialize_field("coordinates", &names)?;

@@ -26,9 +26,7 @@ impl Assembly<'_> {
                 set.conditions.push(ConditionInstance {
                     name: indexed(&condition.name, shown.is_some(), index),
                     family: (family, index),
-                    left,
-                    relation: condition.relation,
-                    right,
+                    text: condition.text.clone(),
                     observable,
                     rheonomic: self.graph.depends(value).is_rheonomic(),
                     origin: condition.origin,

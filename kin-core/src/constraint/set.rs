@@ -2,7 +2,7 @@
 
 use crate::error::Origin;
 use crate::expr::{ExprId, Graph, Names, Symbol};
-use crate::mechanism::{Component, Relation};
+use crate::mechanism::Component;
 use core::fmt;
 
 /// A body by its place in [`ConstraintSet::bodies`], or the ground.
@@ -205,12 +205,8 @@ pub struct ConditionInstance {
     pub name: String,
     /// Place of its family in the mechanism, and its index there.
     pub family: (usize, i64),
-    /// Left side.
-    pub left: ExprId,
-    /// Which side is the larger one.
-    pub relation: Relation,
-    /// Right side.
-    pub right: ExprId,
+    /// The inequality as it was written.
+    pub text: String,
     /// Its observable: by how much the larger side exceeds the other.
     pub observable: usize,
     /// True when t or an input appears.
@@ -323,11 +319,6 @@ impl ConstraintSet {
         self.inputs.get(k as usize).map_or("", String::as_str)
     }
 
-    /// A condition as text: `slider.x < stroke`.
-    pub fn inequality(&self, condition: &ConditionInstance) -> String {
-        format!("{} {} {}", self.show(condition.left), condition.relation, self.show(condition.right))
-    }
-
     /// `id` as text.
     pub fn show(&self, id: ExprId) -> String {
         crate::expr::Shown { graph: &self.graph, names: self, id }.to_string()
@@ -342,7 +333,8 @@ impl fmt::Display for ConstraintSet {
             writeln!(f, "  {}: {} = 0", row.name, self.show(value))?;
         }
         for condition in &self.conditions {
-            writeln!(f, "  {}: {}", condition.name, self.inequality(condition))?;
+            let value = self.observables.get(condition.observable).map(|observable| self.show(observable.value));
+            writeln!(f, "  {}: {} > 0", condition.name, value.unwrap_or_default())?;
         }
         Ok(())
     }

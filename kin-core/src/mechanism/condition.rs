@@ -29,6 +29,8 @@ pub struct Condition {
     pub name: String,
     /// Range, when repeated.
     pub range: Option<Range>,
+    /// Both sides as they were written, for people.
+    pub text: String,
     /// Left side.
     pub left: Formula,
     /// Which side is the larger one.

@@ -107,7 +107,16 @@ pub fn mechanism(seed: u64) -> Mechanism {
         builder.range = if builder.random.chance(50) { ranged } else { None };
         let (left, right) = (builder.formula(Holds::Everything, 2), builder.formula(Holds::Everything, 1));
         let (name, range) = (format!("C{k}"), builder.range);
-        out.conditions.push(Condition { name, range, left, relation, right, keyword: AT, origin: AT });
+        out.conditions.push(Condition {
+            name,
+            range,
+            text: String::new(),
+            left,
+            relation,
+            right,
+            keyword: AT,
+            origin: AT,
+        });
     }
     out
 }

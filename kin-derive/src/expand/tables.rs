@@ -81,7 +81,7 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
         ObservableKind::Condition(k) => quote! { __kin::Observable::Condition(#k) },
     });
     let conditions = set.conditions.iter().map(|condition| {
-        let (name, text, rheonomic) = (&condition.name, set.inequality(condition), condition.rheonomic);
+        let (name, text, rheonomic) = (&condition.name, &condition.text, condition.rheonomic);
         let observable = condition.observable;
         quote! {
             __kin::ConditionInfo { name: #name, text: #text, observable: #observable, rheonomic: #rheonomic }

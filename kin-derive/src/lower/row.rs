@@ -113,8 +113,16 @@ impl Lowerer<'_> {
         let (keyword, origin) = (self.origin(decl.keyword.span()), self.origin(decl.name.ident.span()));
         let scope = Scope { what: "a condition", allow: Allow::Everything, range };
         let (left, right) = (self.formula(&decl.left, &scope), self.formula(&decl.right, &scope));
-        let (name, relation) = (text(&decl.name.ident), decl.relation);
-        Some(Condition { name, range: range.model(), left: left?, relation, right: right?, keyword, origin })
+        Some(Condition {
+            name: text(&decl.name.ident),
+            range: range.model(),
+            text: decl.text.clone(),
+            left: left?,
+            relation: decl.relation?,
+            right: right?,
+            keyword,
+            origin,
+        })
     }
 
     fn operand(&mut self, body: Option<&NameUse>, range: &IndexRange) -> Option<BodyRef> {

@@ -1,9 +1,10 @@
 //! Unilateral conditions: `limit: slider.x < stroke`.
 
 use super::expr::{end_of_expr, expr};
-use super::list::{skip_part, skip_to};
+use super::list::skip_to;
 use super::reject::here;
 use super::row_name;
+use super::written::{between, written};
 use crate::ast::{ConditionDecl, Expr};
 use crate::report::Report;
 use kin_core::mechanism::Relation;
@@ -16,39 +17,45 @@ pub(super) const EXAMPLE: &str = "#[unilateral(limit: slider.x < stroke)]";
 /// Everything in the brackets; a side with a mistake is a hole, so that the other one is read, too.
 pub(super) fn condition(input: ParseStream, keyword: &Ident, report: &Report) -> Result<ConditionDecl> {
     let name = row_name(input, keyword, EXAMPLE, report)?;
-    let hole = || Expr::hole(keyword.span());
-    let left = report.ok(expr(input));
-    let left_is_read = left.is_some();
-    if !left_is_read {
-        skip_to(input, is_comparison);
-    }
-    // Without its left side or its operator the condition is lost; what is wrong with the rest is told nevertheless.
-    let relation = match relation(input) {
-        Ok(relation) => Some(relation),
-        Err(error) => {
-            if left_is_read {
-                report.push(error);
-            }
-            if is_comparison(input) {
-                skip_operator(input);
-            } else {
-                skip_to(input, |_| false);
-            }
-            None
+    let start = input.fork();
+    let left = report.ok(side(input));
+    let between_sides = input.fork();
+    let relation = match &left {
+        Some(_) => report.ok(relation(input)),
+        // What follows a mistake may be anything; a comparison further on is the one that is meant.
+        None => {
+            skip_to(input, is_comparison);
+            relation(input).ok()
         }
     };
-    let is_lost = relation.is_none();
-    let right = if is_lost && input.is_empty() { None } else { report.ok(expr(input)) };
-    let end = if right.is_some() { end(input) } else { Ok(()) };
-    report.ok(end);
+    if relation.is_none() {
+        skip_operator(input);
+    }
+    let behind_operator = input.fork();
+    let right = if relation.is_none() && input.is_empty() { None } else { report.ok(side(input)) };
+    let text = |from, to| written(between(from, to));
+    let (first, second) = (text(&start, &between_sides), text(&behind_operator, input));
+    if right.is_some() {
+        report.ok(end(input));
+    }
     skip_to(input, |_| false);
+    let hole = || Expr::hole(keyword.span());
     Ok(ConditionDecl {
         keyword: keyword.clone(),
         name,
+        text: relation.map_or_else(String::new, |relation| format!("{first} {relation} {second}")),
         left: left.unwrap_or_else(hole),
-        relation: relation.unwrap_or(Relation::Greater),
-        right: right.filter(|_| !is_lost).unwrap_or_else(hole),
+        relation,
+        right: right.unwrap_or_else(hole),
     })
+}
+
+/// One side; a comparison that stands where it should begin is no mistake of its own.
+fn side(input: ParseStream) -> Result<Expr> {
+    if is_comparison(input) {
+        return Err(here(input, "expected an expression before this"));
+    }
+    expr(input)
 }
 
 /// `>` or `<`; of everything else it is said what to write.
@@ -107,11 +114,13 @@ fn is_comparison(input: ParseStream) -> bool {
     input.peek(Token![>]) || input.peek(Token![<]) || input.peek(Token![=]) || input.peek(Token![!=])
 }
 
-/// Consumes an operator that was reported, and what stands between it and the other side.
+/// Consumes an operator that was reported; without one the other side cannot be found.
 fn skip_operator(input: ParseStream) {
+    if !is_comparison(input) {
+        return skip_to(input, |_| false);
+    }
+    // A character that was seen can be read.
     while is_comparison(input) || input.peek(Token![!]) {
-        if input.parse::<proc_macro2::TokenTree>().is_err() {
-            return skip_part(input);
-        }
+        _ = input.parse::<proc_macro2::TokenTree>();
     }
 }

@@ -20,6 +20,7 @@ mod read;
 mod reject;
 mod rows;
 mod strip;
+mod written;
 
 pub(crate) use strip::without_ours;
 

@@ -11,6 +11,7 @@ use crate::motion::Motion;
 use crate::ratios::VelocityRatios;
 use crate::solver::Solver;
 use crate::state::State;
+use crate::trajectory::Trajectory;
 use crate::transmission::TransmissionAngle;
 use crate::workspace::{Instant, Signal, Subset};
 
@@ -60,8 +61,8 @@ pub(super) trait Engine {
     /// An assembled configuration, singular or not.
     fn assemble(&self, setup: &Setup, t: f64) -> Result<Vec<f64>, SolveError>;
     fn state(&self, setup: &Setup, t: f64) -> Result<State, SolveError>;
-    /// The states up to the first failure, and the failure.
-    fn sweep(&self, setup: &Setup, times: &[f64]) -> (Vec<State>, Option<SolveError>);
+    /// The motion up to the first failure, or up to the first event where it is to stop there; and the failure.
+    fn sweep(&self, setup: &Setup, times: &[f64], stop_at_events: bool) -> (Trajectory, Option<SolveError>);
     fn motion(&self, state: &State) -> Result<Motion, SolveError>;
     fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError>;
     fn velocity_ratios(&self, setup: &Setup, state: &State) -> Result<VelocityRatios, SolveError>;
@@ -109,13 +110,13 @@ impl<M: Mechanism> Engine for Bound<M> {
         self.solver(setup).state(&Instant { t, inputs: &setup.inputs })
     }
 
-    fn sweep(&self, setup: &Setup, times: &[f64]) -> (Vec<State>, Option<SolveError>) {
+    fn sweep(&self, setup: &Setup, times: &[f64], stop_at_events: bool) -> (Trajectory, Option<SolveError>) {
         let first = times.first().copied().unwrap_or(0.0);
         let inputs = |t: f64, out: &mut [Signal]| setup.inputs_after(t - first, out);
-        let solver = self.solver(setup).with_inputs(&inputs);
+        let solver = self.solver(setup).with_inputs(&inputs).stop_at_events(stop_at_events);
         match solver.sweep(times) {
-            Ok(trajectory) => (trajectory.states, None),
-            Err(error) => (error.trajectory.states, Some(error.source)),
+            Ok(trajectory) => (trajectory, None),
+            Err(error) => (error.trajectory, Some(error.source)),
         }
     }
 

@@ -7,6 +7,7 @@ use super::session::Session;
 use super::solved::analysis;
 use crate::mobility::RedundantRow;
 use crate::model::Model;
+use crate::present::condition;
 use crate::present::json::to_json;
 use crate::present::structure::{Known, StructureRecord, drivers};
 use crate::present::text::{self, Facts, classes, coordinate_names};
@@ -74,6 +75,9 @@ pub(super) fn text(engine: &dyn Engine, known: Option<Known<'_>>) -> String {
         .add("coordinates", model.coordinates.len(), Vec::<String>::new())
         .add("rows of Φ", model.rows.len(), row_summary(model))
         .add("drivers", drivers(model).len(), drivers(model));
+    if !model.conditions.is_empty() {
+        facts.add("conditions", model.conditions.len(), model.conditions.iter().map(|c| c.name));
+    }
     if !model.inputs.is_empty() {
         facts.add("inputs", model.inputs.len(), model.inputs.iter().copied());
     }
@@ -96,7 +100,8 @@ pub(super) fn text(engine: &dyn Engine, known: Option<Known<'_>>) -> String {
     let (total, each) = operations(model);
     facts.add("operations", total, [format!("{} for Φ, Φ_q, Φ_t, γ together", each.join(", "))]);
     let doc = text::title(model);
-    format!("{doc}\n{}{}{}", facts.render(), text::parameters(model, &engine.parameters()), text::rows(model))
+    let parameters = text::parameters(model, &engine.parameters());
+    format!("{doc}\n{}{parameters}{}{}", facts.render(), text::rows(model), condition::declared(model))
 }
 
 fn redundancy(row: &RedundantRow) -> String {

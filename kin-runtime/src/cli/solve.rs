@@ -6,6 +6,7 @@ use super::options::{Format, FreedomArgs, InstantArgs, OutputArgs, SetupArgs};
 use super::session::Session;
 use super::solved::{Solved, note_freedom, solve};
 use crate::model::Model;
+use crate::present::condition;
 use crate::present::json::to_json;
 use crate::present::number::plain;
 use crate::present::record::{Parameters, StateRecord};
@@ -61,6 +62,7 @@ pub(super) fn body(model: &'static Model, solved: &Solved) -> String {
         text::points(model, &solved.motion),
         text::defines(model, &solved.motion),
         text::joints(model, &solved.motion),
+        condition::values(model, &solved.motion),
         text::transmission(&solved.angles),
     ]
     .concat()

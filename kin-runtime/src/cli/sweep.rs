@@ -7,12 +7,14 @@ use super::session::Session;
 use super::solved::{analysis, driven_state, fully_driven, note_freedom};
 use super::values;
 use crate::motion::Motion;
+use crate::present::condition;
 use crate::present::grid;
 use crate::present::json::to_json;
 use crate::present::number::rounded;
 use crate::present::record::{Parameters, SweepRecord};
 use crate::present::text::count;
 use crate::state::State;
+use crate::trajectory::Trajectory;
 
 /// Steps when --steps is not there.
 const STEPS: usize = 100;
@@ -25,11 +27,13 @@ Examples, after the program's name:
   sweep --from 0 --to 1 --steps 100 --format csv --out motion.csv
   sweep --from 1 --to -1 --steps 50 --set omega=3
   sweep --times -1,0,0.5,10 --format json
+  sweep --to 2 --stop-at-events                         up to the first limit that is met
   sweep --to 2 --given crank.phi=0:3                    crank.phi starts at 0 and turns at 3 rad/s
 
 csv has one header line and one row per instant: t, then every coordinate, its rate (name_dot) and
 acceleration (name_ddot). Inputs and given coordinates hold at the first instant and go on with
-their acceleration. When a sweep fails midway the finished rows are written and the status is 1.")]
+their acceleration. Where a unilateral condition meets its limit is said on stderr, and in json under
+`events`. When a sweep fails midway the finished rows are written and the status is 1.")]
 pub(super) struct SweepArgs {
     /// The first instant [default: 0]
     #[arg(long, value_name = "A")]
@@ -43,6 +47,9 @@ pub(super) struct SweepArgs {
     /// The instants one by one, in place of --from, --to and --steps
     #[arg(long, value_name = "T1,T2,…")]
     times: Option<String>,
+    /// End the sweep where the first unilateral condition meets its limit
+    #[arg(long)]
+    stop_at_events: bool,
     /// Also points, defines and joint quantities, behind the coordinates
     #[arg(long)]
     points: bool,
@@ -81,27 +88,31 @@ pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Sessi
     // A long sweep fails at its start, when the drivers leave the motion open there.
     let first = times.first().copied().unwrap_or(0.0);
     let (start, _) = driven_state(engine, &setup, first, args.freedom.least_norm)?;
-    let (mut states, mut ended) = engine.sweep(&setup, &times);
+    let (mut trajectory, mut ended) = engine.sweep(&setup, &times, args.stop_at_events);
     let ended = ended.take().map(|error| analysis(engine, &error)).or_else(|| {
         // A sweep may also pass through a position where the drivers lose their grip.
+        let states = &mut trajectory.states;
         let open = states.iter().position(|s| s.degrees_of_freedom_left > 0).filter(|_| !args.freedom.least_norm)?;
         let at = states.get(open).map_or(f64::NAN, |s| s.t);
         let failure = states.get(open).map(|s| engine.mobility(&setup, &s.instant(), &s.q));
         states.truncate(open);
+        trajectory.events.retain(|event| (event.t - first).abs() < (at - first).abs());
         match failure {
             Some(Ok(mobility)) => fully_driven(engine, &mobility, at).err(),
             Some(Err(error)) => Some(analysis(engine, &error)),
             None => None,
         }
     });
-    let motions = if args.points { motions(engine, &states)? } else { Vec::new() };
-    let text = render(args, engine, &states, &motions, ended.is_none())?;
+    let motions = if args.points { motions(engine, &trajectory.states)? } else { Vec::new() };
+    let text = render(args, engine, &trajectory, &motions, ended.is_none())?;
+    note_events(session, &trajectory);
     match ended {
         None => {
             note_freedom(session, start.degrees_of_freedom_left);
             session.deliver(&args.output, &text)
         }
         Some(failure) => {
+            let states = &trajectory.states;
             if !states.is_empty() {
                 session.deliver(&args.output, &text)?;
                 let instants = count(times.len(), "instant");
@@ -112,6 +123,20 @@ pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Sessi
     }
 }
 
+/// Where unilateral conditions met their limits.
+fn note_events(session: &mut Session<'_>, trajectory: &Trajectory) {
+    let violated: Vec<&str> = trajectory.violated_at_start().map(|condition| condition.name).collect();
+    if !violated.is_empty() {
+        session.note(&format!("note: violated at the first instant: {}", violated.join(", ")));
+    }
+    for event in &trajectory.events {
+        session.note(&condition::line(trajectory.model, event));
+    }
+    if trajectory.stopped {
+        session.note("note: the sweep stopped there; the last row is the event");
+    }
+}
+
 fn motions(engine: &dyn Engine, states: &[State]) -> Result<Vec<Motion>, Failure> {
     states.iter().map(|s| engine.motion(s).map_err(|e| analysis(engine, &e))).collect()
 }
@@ -119,16 +144,16 @@ fn motions(engine: &dyn Engine, states: &[State]) -> Result<Vec<Motion>, Failure
 fn render(
     args: &SweepArgs,
     engine: &dyn Engine,
-    states: &[State],
+    trajectory: &Trajectory,
     motions: &[Motion],
     complete: bool,
 ) -> Result<String, Failure> {
-    let model = engine.model();
+    let (model, states) = (engine.model(), &trajectory.states);
     match args.output.format() {
         Format::Csv => grid::csv(model, states, motions).map_err(Failure::Output),
         Format::Json => {
             let parameters = Parameters::new(model, &engine.parameters());
-            to_json(&SweepRecord::new(model, parameters, states, motions, complete)).map_err(Failure::Output)
+            to_json(&SweepRecord::new(model, parameters, trajectory, motions, complete)).map_err(Failure::Output)
         }
         Format::Text => {
             let (first, last) = (states.first(), states.last());

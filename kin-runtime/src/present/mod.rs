@@ -6,6 +6,7 @@ pub mod number;
 pub mod output;
 pub mod table;
 
+pub(crate) mod condition;
 pub(crate) mod grid;
 pub(crate) mod json;
 pub(crate) mod record;

@@ -2,12 +2,14 @@
 
 use serde::{Serialize, Serializer};
 
+use super::condition::EventRecord;
 use super::text::coordinate_names;
 use crate::mobility::Mobility;
 use crate::model::Model;
-use crate::motion::{BodyMotion, Motion, PointMotion, Rates};
+use crate::motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates};
 use crate::ratios::{VelocityRatio, VelocityRatios};
 use crate::state::State;
+use crate::trajectory::Trajectory;
 use crate::transmission::TransmissionAngle;
 
 /// Named values in order, written as one JSON object.
@@ -99,6 +101,7 @@ pub(crate) struct MotionRecord<'a> {
     bodies: Named<&'a BodyMotion>,
     defines: Named<&'a Rates>,
     joints: Named<Named<&'a Rates>>,
+    conditions: Named<&'a ConditionMotion>,
 }
 
 impl<'a> MotionRecord<'a> {
@@ -111,6 +114,7 @@ impl<'a> MotionRecord<'a> {
             joints: joints
                 .map(|(joint, rates)| (joint.name, joint.quantities.iter().map(|q| q.name).zip(rates).collect()))
                 .collect(),
+            conditions: model.conditions.iter().map(|c| c.name).zip(&motion.conditions).collect(),
         }
     }
 }
@@ -121,8 +125,12 @@ pub(crate) struct SweepRecord<'a> {
     mechanism: &'static str,
     parameters: Parameters,
     coordinates: Vec<&'static str>,
-    /// False when the sweep ended early: the states are those before the failure.
+    /// False when the sweep ended early: the states are those before the failure, or up to the event where it was to stop.
     complete: bool,
+    /// True when the sweep ended at an event, as it was asked to.
+    stopped: bool,
+    violated_at_start: Vec<&'static str>,
+    events: Vec<EventRecord<'a>>,
     states: Vec<SweepState<'a>>,
 }
 
@@ -146,7 +154,7 @@ impl<'a> SweepRecord<'a> {
     pub(crate) fn new(
         model: &'static Model,
         parameters: Parameters,
-        states: &'a [State],
+        trajectory: &'a Trajectory,
         motions: &'a [Motion],
         complete: bool,
     ) -> Self {
@@ -165,8 +173,11 @@ impl<'a> SweepRecord<'a> {
             mechanism: model.name,
             parameters,
             coordinates: model.coordinates.iter().map(|c| c.name).collect(),
-            complete,
-            states: states.iter().enumerate().map(state).collect(),
+            complete: complete && !trajectory.stopped,
+            stopped: trajectory.stopped,
+            violated_at_start: trajectory.violated_at_start().map(|condition| condition.name).collect(),
+            events: trajectory.events.iter().map(EventRecord::new).collect(),
+            states: trajectory.states.iter().enumerate().map(state).collect(),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::condition::{self, ConditionRecord};
 use super::text::{classes, coordinate_names, frame_name};
 use crate::mobility::{Mobility, RedundantRow};
 use crate::model::{BodyInfo, Level, Model, OperationCount, OriginKind};
@@ -33,6 +34,7 @@ pub(crate) struct StructureRecord<'a> {
     points: Vec<&'static str>,
     defines: Vec<&'static str>,
     joints: Vec<JointRecord>,
+    conditions: Vec<ConditionRecord>,
     drivers: Vec<&'static str>,
     independent: Option<Vec<&'static str>>,
     dependent: Option<Vec<&'static str>>,
@@ -67,6 +69,7 @@ impl<'a> StructureRecord<'a> {
             points: model.points.iter().map(|p| p.name).collect(),
             defines: model.defines.iter().map(|d| d.name).collect(),
             joints: joints(model),
+            conditions: condition::records(model),
             drivers: drivers(model),
             independent: names(|m| &m.independent),
             dependent: names(|m| &m.dependent),
@@ -125,6 +128,7 @@ struct CountRecord {
     driving_rows: usize,
     velocity_level_rows: usize,
     joints: usize,
+    conditions: usize,
     drivers: usize,
     parameters: usize,
     inputs: usize,
@@ -191,6 +195,7 @@ fn counts(model: &Model) -> CountRecord {
         driving_rows: model.rows.iter().filter(|r| r.driving).count(),
         velocity_level_rows: model.rows.iter().filter(|r| r.level == Level::Velocity).count(),
         joints: model.joints.len(),
+        conditions: model.conditions.len(),
         drivers: drivers(model).len(),
         parameters: model.parameters.len(),
         inputs: model.inputs.len(),

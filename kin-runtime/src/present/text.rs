@@ -15,7 +15,7 @@ use crate::transmission::TransmissionAngle;
 const COLUMNS: usize = 96;
 
 /// A heading with its table.
-fn section(heading: &str, table: &Table) -> String {
+pub(crate) fn section(heading: &str, table: &Table) -> String {
     if table.is_empty() { String::new() } else { format!("\n{heading}\n{}", table.render()) }
 }
 

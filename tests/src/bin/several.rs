@@ -9,7 +9,8 @@ use std::process::ExitCode;
 
 use kin_runtime::cli::run_from;
 use kin_tests::mechanisms::{
-    FourbarEnds, FourbarLectureMid, InfeasibleFourbar, RedundantParallelogram, SingularSliderCrank, UnderdrivenFivebar,
+    FourbarEnds, FourbarLectureMid, InfeasibleFourbar, RedundantParallelogram, SingularSliderCrank, StrokeLimits,
+    UnderdrivenFivebar,
 };
 
 fn main() -> ExitCode {
@@ -19,11 +20,14 @@ fn main() -> ExitCode {
         Some("fourbar") => run_from::<FourbarLectureMid>(args),
         Some("ends") => run_from::<FourbarEnds>(args),
         Some("infeasible") => run_from::<InfeasibleFourbar>(args),
+        Some("limits") => run_from::<StrokeLimits>(args),
         Some("redundant") => run_from::<RedundantParallelogram>(args),
         Some("singular") => run_from::<SingularSliderCrank>(args),
         Some("underdriven") => run_from::<UnderdrivenFivebar>(args),
         _ => {
-            eprintln!("error: the first argument is fourbar, ends, infeasible, redundant, singular or underdriven");
+            eprintln!(
+                "error: the first argument is fourbar, ends, infeasible, limits, redundant, singular or underdriven"
+            );
             ExitCode::from(2)
         }
     }

@@ -1,0 +1,74 @@
+//! Unilateral conditions and their events, as text and as records.
+
+use serde::Serialize;
+
+use super::number::plain;
+use super::table::Table;
+use super::text::section;
+use crate::events::{Crossing, Event};
+use crate::model::{ConditionInfo, Model};
+use crate::motion::Motion;
+
+/// The class of a condition in words.
+pub(crate) fn classes(condition: &ConditionInfo) -> [&'static str; 3] {
+    ["holonomic", if condition.rheonomic { "rheonomic" } else { "scleronomic" }, "unilateral"]
+}
+
+/// What the conditions are.
+pub(crate) fn declared(model: &Model) -> String {
+    let table = Table::new()
+        .words("condition", model.conditions.iter().map(|c| c.name))
+        .words("satisfied while", model.conditions.iter().map(|c| c.text))
+        .words("class", model.conditions.iter().map(|c| classes(c).join(" ")));
+    section("Unilateral conditions", &table)
+}
+
+/// How the conditions stand at an instant: g, by how much the larger side exceeds the other, with its derivatives.
+pub(crate) fn values(model: &Model, motion: &Motion) -> String {
+    let table = Table::new()
+        .words("condition", model.conditions.iter().map(|c| c.name))
+        .words("", motion.conditions.iter().map(|c| if c.satisfied { "satisfied" } else { "violated" }))
+        .numbers("margin", motion.conditions.iter().map(|c| c.value))
+        .numbers("rate", motion.conditions.iter().map(|c| c.rate))
+        .numbers("acceleration", motion.conditions.iter().map(|c| c.acceleration));
+    section("Unilateral conditions (satisfied while the margin is positive)", &table)
+}
+
+/// An event in one line.
+pub(crate) fn line(model: &Model, event: &Event) -> String {
+    let text = model.conditions.get(event.condition).map_or("", |c| c.text);
+    format!("event: t = {}: {} {} ({text})", plain(event.t), event.name, event.crossing)
+}
+
+/// A condition of the structure.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct ConditionRecord {
+    name: &'static str,
+    condition: &'static str,
+    classes: [&'static str; 3],
+}
+
+/// What the conditions are, for JSON.
+pub(crate) fn records(model: &Model) -> Vec<ConditionRecord> {
+    let record = |c: &ConditionInfo| ConditionRecord { name: c.name, condition: c.text, classes: classes(c) };
+    model.conditions.iter().map(record).collect()
+}
+
+/// An event, for JSON.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct EventRecord<'a> {
+    t: f64,
+    name: &'static str,
+    crossing: Crossing,
+    within: f64,
+    q: &'a [f64],
+    q_dot: &'a [f64],
+    q_ddot: &'a [f64],
+}
+
+impl<'a> EventRecord<'a> {
+    pub(crate) fn new(event: &'a Event) -> Self {
+        let Event { name, t, crossing, within, ref state, .. } = *event;
+        Self { t, name, crossing, within, q: &state.q, q_dot: &state.q_dot, q_ddot: &state.q_ddot }
+    }
+}
