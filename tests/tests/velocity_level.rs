@@ -1,0 +1,351 @@
+//! Rows of velocity level against exact motions: circles, a trailer that straightens, and the same motions written with
+//! equations of position.
+
+use kin_runtime::model::Level;
+use kin_runtime::{Instant, Kinematics, Mechanism, Options, Refusal, Signal, SolveError, State, mechanism};
+use kin_tests::case::Case;
+use kin_tests::compare::{Differences, largest};
+use kin_tests::mechanisms::{RateDrivenSliderCrank, SleighKnifeEdge, SteeredCar, TruckWithTrailers, WheelByRates};
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// Of integrated positions.
+const PATH: f64 = 1e-10;
+
+fn grid(from: f64, to: f64, count: u32) -> Vec<f64> {
+    (0..=count).map(|k| from + (to - from) * f64::from(k) / f64::from(count)).collect()
+}
+
+fn close(what: &str, expected: f64, found: f64, tolerance: f64) {
+    assert!((expected - found).abs() <= tolerance, "{what}: {expected} and {found}");
+}
+
+/// Velocity and acceleration analysis at the exact positions of the file.
+#[test]
+fn reference_positions_give_reference_rates() {
+    let case = Case::read("sleigh_knife_edge");
+    let sleigh = SleighKnifeEdge::default();
+    let mut differences = Differences::new();
+    for instant in &case.modes[0].instants {
+        differences.at(format_args!("t = {}", instant.t));
+        let at = Instant::at(instant.t);
+        let q_dot = sleigh.velocity_analysis(&at, &instant.q).unwrap();
+        let q_ddot = sleigh.acceleration_analysis(&at, &instant.q, &instant.q_dot).unwrap();
+        let name = |place: usize| SleighKnifeEdge::model().coordinates[place].name;
+        differences.vector("q_dot", name, &instant.q_dot, &q_dot, 1e-14 * largest(&instant.q_dot));
+        differences.vector("q_ddot", name, &instant.q_ddot, &q_ddot, 1e-14 * largest(&instant.q_ddot));
+    }
+    differences.finish();
+}
+
+/// Degrees of freedom of the velocity, and of the position: a car reaches every place.
+#[test]
+fn degrees_of_freedom_are_counted_on_both_levels() {
+    let (at, car) = (Instant::at(0.0), SteeredCar::default());
+    let levels: Vec<Level> = SteeredCar::model().rows.iter().map(|row| row.level).collect();
+    assert_eq!(levels, [Level::Velocity; 3]);
+    let mobility = car.mobility(&at, &[0.5, 0.0, 0.3]).unwrap();
+    // The steered wheel depends on time and drives, as the engine does; the rear wheels leave two of three velocities.
+    assert_eq!((mobility.degrees_of_freedom, mobility.degrees_of_freedom_left), (2, 0));
+    assert_eq!((mobility.position_degrees_of_freedom, mobility.position_degrees_of_freedom_left), (3, 3));
+    assert_eq!((mobility.velocity_level_rows, mobility.driving_rows), (3, 2));
+    assert!(mobility.to_string().contains("of position: 3 degrees of freedom, 3 left"), "{mobility}");
+
+    let truck = TruckWithTrailers;
+    let mobility = truck.mobility(&at, &truck.state_at(&at).unwrap().q).unwrap();
+    assert_eq!((mobility.degrees_of_freedom, mobility.degrees_of_freedom_left), (2, 0));
+    assert_eq!((mobility.position_degrees_of_freedom, mobility.position_degrees_of_freedom_left), (6, 5));
+    assert!(mobility.redundant.is_empty());
+
+    let crank = RateDrivenSliderCrank::default();
+    let mobility = crank.mobility(&at, &crank.state_at(&at).unwrap().q).unwrap();
+    assert_eq!((mobility.degrees_of_freedom, mobility.position_degrees_of_freedom), (1, 1));
+    assert_eq!((mobility.degrees_of_freedom_left, mobility.position_degrees_of_freedom_left), (0, 1));
+}
+
+/// Constant steering: a circle of radius L/tan δ, once around and home again, also backwards in time.
+#[test]
+fn constant_steering_is_a_circle() {
+    let car = SteeredCar { swing: 0.0, ..SteeredCar::default() };
+    let radius = car.wheelbase / car.steer.tan();
+    let (rate, once) = (car.v / radius, TAU * radius / car.v);
+    let centre = [0.5 - radius * 0.3_f64.sin(), radius * 0.3_f64.cos()];
+    for times in [grid(0.0, once, 7), vec![0.0, once], grid(0.0, -once, 3), vec![0.0, once, 0.25 * once, -once]] {
+        for state in &car.kinematic_analysis(&times).unwrap() {
+            let phi = 0.3 + rate * state.t;
+            close("phi", phi, state.q[2], PATH);
+            close("x", centre[0] + radius * phi.sin(), state.q[0], PATH * radius);
+            close("y", centre[1] - radius * phi.cos(), state.q[1], PATH * radius);
+            close("x_ddot", -car.v * rate * phi.sin(), state.q_ddot[0], PATH);
+        }
+    }
+}
+
+/// A trailer hitched at the axle of what goes straight ahead: tan(ψ/2) falls with exp(−v t/L).
+#[mechanism]
+#[body(truck, y = 0, phi = 0)]
+#[bodies(trailer)]
+#[revolute(hitch: truck @ (0, 0), trailer @ (length, 0))]
+#[knife_edge(wheels: trailer @ (0, 0))]
+#[speed(engine: truck @ (0, 0), value = v)]
+#[guess(trailer.x = 0, trailer.y = 2, trailer.phi = -1.5)]
+struct Straightening {
+    #[param(1.3)]
+    length: f64,
+    #[param(0.7)]
+    v: f64,
+}
+
+#[test]
+fn a_trailer_straightens() {
+    let mechanism = Straightening::default();
+    let trajectory = mechanism.kinematic_analysis(&grid(0.0, 12.0, 5)).unwrap();
+    let phi = trajectory.column("trailer.phi").unwrap();
+    for (state, phi) in trajectory.iter().zip(&phi) {
+        let expected = (0.5 * trajectory.column("trailer.phi").unwrap()[0]).tan()
+            * (-mechanism.v * state.t / mechanism.length).exp();
+        close("tan(phi/2)", expected, (0.5 * phi).tan(), PATH);
+    }
+    assert!(phi[0] < -1.0 && phi[5].abs() < 0.01);
+}
+
+/// The rows of `WheelByRates`, integrated by hand.
+#[mechanism]
+#[body(rail, x = 0, y = 0)]
+#[bodies(wheel)]
+#[coordinates(counter)]
+#[point_on_line(contact: rail @ (0, 0), wheel @ (0, 0), axis = (1, 0), offset = radius)]
+#[constraint(roll: wheel.x * cos(rail.phi) + wheel.y * sin(rail.phi) = along - radius * (wheel.phi - 0.2 - rail.phi))]
+#[constraint(count: counter / 2 - sin(wheel.phi) = start + 0.05 * t * t)]
+#[driver(tilt: rail.phi = 0.4 * sin(1.3 * t))]
+#[driver(roll_on: wheel.phi = 0.2 - t * t)]
+#[guess(wheel.x = 0.3)]
+struct WheelByPositions {
+    #[param(0.25)]
+    radius: f64,
+    #[param(0.3)]
+    along: f64,
+    #[param(0)]
+    start: f64,
+}
+
+#[test]
+fn integrable_rows_move_like_their_integrals() {
+    let times = grid(0.0, 1.7, 11);
+    let by_rates = WheelByRates::default().kinematic_analysis(&times).unwrap();
+    let start = 0.5 * by_rates.column("counter").unwrap()[0] - by_rates.column("wheel.phi").unwrap()[0].sin();
+    let by_positions = WheelByPositions { start, ..WheelByPositions::default() };
+    compare(&by_rates.states, &by_positions.kinematic_analysis(&times).unwrap().states);
+}
+
+fn compare(found: &[State], expected: &[State]) {
+    let mut differences = Differences::new();
+    for (found, expected) in found.iter().zip(expected) {
+        differences.at(format_args!("t = {}", expected.t));
+        for (what, expected, found) in [
+            ("q", &expected.q, &found.q),
+            ("q_dot", &expected.q_dot, &found.q_dot),
+            ("q_ddot", &expected.q_ddot, &found.q_ddot),
+        ] {
+            differences.vector(what, |place| place, expected, found, PATH * largest(expected).max(1.0));
+        }
+    }
+    differences.finish();
+}
+
+/// `RateDrivenSliderCrank` with the angle itself driven.
+#[mechanism]
+#[bodies(crank, rod, slider)]
+#[revolute(A: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(B: crank @ (0.3, 0), rod @ (0, 0))]
+#[revolute(C: rod @ (0.8, 0.05), slider @ (0, 0))]
+#[translational(guide: ground @ (0, 0.1), slider @ (0, 0), axis = (1, 0))]
+#[driver(motor: crank.phi = start + 2 * t - (cos(3 * t) - 1) / 3)]
+#[guess(rod.phi = -0.1, slider.x = 1)]
+struct DrivenSliderCrank {
+    #[param(0)]
+    start: f64,
+}
+
+/// Two turns of a closed loop: it stays closed, and on its branch.
+#[test]
+fn a_loop_driven_by_a_rate_moves_like_one_driven_by_an_angle() {
+    let times = grid(0.0, 6.0, 9);
+    let by_rate = RateDrivenSliderCrank::default().kinematic_analysis(&times).unwrap();
+    let start = by_rate.column("crank.phi").unwrap()[0];
+    close("start", 0.4, start, 0.1);
+    compare(&by_rate.states, &DrivenSliderCrank { start }.kinematic_analysis(&times).unwrap().states);
+    let worst = by_rate.iter().map(|state| state.residual).fold(0.0, f64::max);
+    assert!(worst < 1e-14, "{worst}");
+}
+
+/// The steering wheel in somebody's hands.
+#[mechanism]
+#[input(wheel)]
+#[bodies(car)]
+#[knife_edge(rear: car @ (0, 0))]
+#[knife_edge(front: car @ (2.5, 0), angle = wheel)]
+#[nonholonomic(engine: dot(car.x) * cos(car.phi) + dot(car.y) * sin(car.phi) = 1.5)]
+#[guess(car.x = 0.5, car.phi = 0.3)]
+struct CarWithInput;
+
+#[test]
+fn inputs_steer() {
+    let times = grid(0.0, 1.9, 4);
+    let steering = |t: f64, inputs: &mut [Signal]| {
+        let (sin, cos) = (2.0 * t).sin_cos();
+        inputs[0] = Signal { value: 0.2 + 0.3 * sin, rate: 0.6 * cos, acceleration: -1.2 * sin };
+    };
+    let found = CarWithInput.solver().with_inputs(&steering).sweep(&times).unwrap();
+    compare(&found.states, &SteeredCar::default().kinematic_analysis(&times).unwrap().states);
+}
+
+/// A skate that nobody pushes.
+#[mechanism]
+#[bodies(skate)]
+#[knife_edge(blade: skate @ (0, 0))]
+#[guess(skate.phi = 0.5)]
+struct Skate;
+
+/// Prescribed coordinates stand beside rows of velocity level; without them the smallest velocity is none.
+#[test]
+fn what_is_left_open_can_be_given() {
+    let times = [0.0, 0.4, 2.0];
+    let still = Skate.kinematic_analysis(&times).unwrap();
+    assert!(still.iter().all(|state| state.q == [0.0, 0.0, 0.5] && state.degrees_of_freedom_left == 2));
+
+    let signal = |value, rate| Signal { value, rate, acceleration: 0.0 };
+    let solver = Skate.solver().with_given(2, signal(0.5, 0.3)).with_given(0, signal(1.0, 0.7));
+    for state in &solver.sweep(&times).unwrap() {
+        // ẏ = ẋ tan φ.
+        let phi = 0.5 + 0.3 * state.t;
+        close("x", 1.0 + 0.7 * state.t, state.q[0], 1e-14);
+        close("y", 0.7 / 0.3 * (0.5_f64.cos() / phi.cos()).ln(), state.q[1], PATH);
+        close("y_dot", 0.7 * phi.tan(), state.q_dot[1], 1e-13);
+        close("y_ddot", 0.7 * 0.3 / phi.cos().powi(2), state.q_ddot[1], 1e-13);
+    }
+    let conflict = Skate.solver().with_given(0, signal(0.0, 1.0)).with_given(1, signal(0.0, 1.0));
+    let conflict = conflict.with_given(2, signal(0.5, 0.0)).sweep(&times).unwrap_err();
+    assert!(matches!(conflict.source, SolveError::GivenConflict { .. }), "{conflict}");
+}
+
+/// The front wheel turns across: the rear axle cannot go on at its speed.
+#[mechanism]
+#[bodies(car)]
+#[knife_edge(rear: car @ (0, 0))]
+#[knife_edge(front: car @ (2, 0), angle = t)]
+#[speed(engine: car @ (0, 0), value = 1)]
+struct Turning;
+
+/// ṡ = √(1 − t) has no derivative at 1, and no value beyond.
+#[mechanism]
+#[coordinates(s)]
+#[nonholonomic(rate: dot(s) = sqrt(1 - t))]
+struct Ending;
+
+#[test]
+fn motions_end_with_an_error() {
+    let ended = Turning.kinematic_analysis(&[0.0, 1.0, 3.0]).unwrap_err();
+    assert_eq!(ended.trajectory.len(), 2);
+    match ended.source {
+        SolveError::Singular { t, rank, expected_rank, .. } => {
+            assert!((1.5..FRAC_PI_2 + 1e-6).contains(&t), "{t}");
+            assert_eq!((rank, expected_rank), (2, 3));
+        }
+        SolveError::StepRefused { t, .. } => assert!((1.5..FRAC_PI_2 + 1e-6).contains(&t), "{t}"),
+        other => panic!("{other}"),
+    }
+    let ended = Ending.kinematic_analysis(&[0.0, 0.5, 2.0]).unwrap_err();
+    assert_eq!(ended.trajectory.len(), 2, "{ended}");
+    assert!(!ended.to_string().is_empty());
+}
+
+#[test]
+fn a_tolerance_out_of_reach_is_an_error() {
+    let impossible = Options { integration_tolerance: 0.0, ..Options::default() };
+    let refused = SteeredCar::default().solver().with_options(impossible).sweep(&[0.0, 1.0]).unwrap_err();
+    assert!(matches!(refused.source, SolveError::StepRefused { reason: Refusal::StepTooSmall, .. }), "{refused}");
+    assert!(refused.to_string().contains("cannot be integrated"), "{refused}");
+}
+
+/// A looser tolerance takes its own error and no more.
+#[test]
+fn the_tolerance_is_kept() {
+    let car = SteeredCar::default();
+    let exact = car.kinematic_analysis(&[0.0, 20.0]).unwrap().states[1].q.clone();
+    for tolerance in [1e-6, 1e-9] {
+        let options = Options { integration_tolerance: tolerance, ..Options::default() };
+        let found = car.solver().with_options(options).sweep(&[0.0, 20.0]).unwrap().states[1].q.clone();
+        let error = exact.iter().zip(&found).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(error < 1e3 * tolerance && error > 1e-3 * tolerance, "{tolerance:e}: {error:e}");
+    }
+}
+
+/// Two axles that are not steered cannot turn.
+#[mechanism]
+#[bodies(cart)]
+#[knife_edge(rear: cart @ (0, 0))]
+#[knife_edge(front: cart @ (1, 0))]
+#[driver(turn: cart.phi = t)]
+#[speed(engine: cart @ (0, 0), value = 1)]
+struct Cart;
+
+#[test]
+fn rows_that_contradict_one_another_are_inconsistent() {
+    let refused = Cart.kinematic_analysis(&[0.0, 1.0]).unwrap_err();
+    assert!(refused.trajectory.is_empty());
+    assert!(matches!(refused.source, SolveError::InconsistentVelocity { .. }), "{refused}");
+    let mobility = Cart.mobility(&Instant::at(0.0), &[0.0; 3]).unwrap();
+    assert_eq!(mobility.rank, 3);
+    assert!(!mobility.redundant[0].consistent, "{mobility}");
+}
+
+/// The driven wheels of a robot: two sides that roll without slipping.
+#[mechanism]
+#[bodies(robot)]
+#[coordinates(left, right)]
+#[knife_edge(axle: robot @ (0, 0))]
+#[nonholonomic(roll[i in 0..2]: dot(robot.x) * cos(robot.phi) + dot(robot.y) * sin(robot.phi) + (2 * i - 1) * half * dot(robot.phi) = radius * ((1 - i) * dot(left) + i * dot(right)))]
+#[driver(turn_left: left = 2 * t)]
+#[driver(turn_right: right = 3 * t)]
+#[point(side = robot @ (0, -half))]
+struct Robot {
+    #[param(0.15)]
+    half: f64,
+    #[param(0.05)]
+    radius: f64,
+}
+
+#[test]
+fn two_driven_wheels_turn_a_robot() {
+    let robot = Robot::default();
+    let names: Vec<&str> = Robot::model().rows.iter().map(|row| row.name).collect();
+    assert_eq!(names, ["axle", "roll[0]", "roll[1]", "turn_left", "turn_right"]);
+    for state in &robot.kinematic_analysis(&grid(0.0, 9.0, 3)).unwrap() {
+        let rate = robot.radius * (3.0 - 2.0) / (2.0 * robot.half);
+        let radius = robot.radius * 2.5 / rate;
+        close("phi", rate * state.t, state.q[2], PATH);
+        close("x", radius * (rate * state.t).sin(), state.q[0], PATH);
+        close("y", radius * (1.0 - (rate * state.t).cos()), state.q[1], PATH);
+        let v = robot.solver().motion(state).unwrap().points[0].v;
+        close("speed of the right wheel", robot.radius * 3.0, v[0].hypot(v[1]), 1e-12);
+    }
+}
+
+/// Crossing of a circle's rightmost quarter, known exactly.
+#[mechanism]
+#[bodies(car)]
+#[knife_edge(rear: car @ (0, 0))]
+#[knife_edge(front: car @ (2.5, 0), angle = 0.4)]
+#[speed(engine: car @ (0, 0), value = 1.5)]
+#[unilateral(wall: car.y < 3)]
+struct CarAndWall;
+
+#[test]
+fn events_are_located_on_an_integrated_motion() {
+    let trajectory = CarAndWall.kinematic_analysis(&[0.0, 6.0]).unwrap();
+    let radius: f64 = 2.5 / 0.4_f64.tan();
+    let expected = (1.0 - 3.0 / radius).acos() * radius / 1.5;
+    let event = &trajectory.events[0];
+    close("time", expected, event.t, 1e-10);
+    close("y", 3.0, event.state.q[1], 1e-10);
+}
