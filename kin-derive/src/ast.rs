@@ -50,6 +50,8 @@ pub(crate) enum Item {
     Point(PointDecl),
     /// `define(e = …)`.
     Define(DefineDecl),
+    /// A member of `function(…)`: a field that holds a supplied function.
+    Function(FunctionDecl),
     /// A joint, driver or equation.
     Row(Box<Row>),
     /// `unilateral(N: a > b)`.
@@ -127,6 +129,12 @@ pub(crate) struct PointDecl {
 pub(crate) struct DefineDecl {
     pub(crate) name: NewName,
     pub(crate) value: Expr,
+}
+
+/// A field that holds a supplied function, or an array of them.
+#[derive(Debug)]
+pub(crate) struct FunctionDecl {
+    pub(crate) name: NewName,
 }
 
 /// The start of assembly of one coordinate, or of one in every member of a family.
@@ -271,8 +279,8 @@ pub(crate) enum ExprKind {
     Atan2(Box<Expr>, Box<Expr>),
     /// `dot(e)`, with the word.
     Dot(Ident, Box<Expr>),
-    /// A call of something that is no function of the language.
-    Apply(Ident, Vec<Expr>),
+    /// A call of something that is no function of the language: a supplied function, or a mistake.
+    Apply(NameUse, Vec<Expr>),
     /// Could not be read; reported.
     Hole,
 }
@@ -305,6 +313,8 @@ impl Expr {
 pub(crate) struct FieldDecl {
     pub(crate) ident: Ident,
     pub(crate) ty: Type,
+    /// Declared by `function(…)`.
+    pub(crate) is_function: bool,
     /// Number of elements of an array field.
     pub(crate) len: Option<usize>,
     /// The type parameter that its numbers are of.

@@ -1,6 +1,9 @@
 #![doc = include_str!("guide.md")]
 #![cfg_attr(not(feature = "std"), no_std)]
 
+#[cfg(feature = "alloc")]
+extern crate alloc;
+
 pub mod function;
 pub mod generic;
 mod handles;

@@ -69,6 +69,30 @@ pub trait Mechanism: Sized {
     /// Sets the parameter at `index` of [`Model::parameters`]; false when there is no such index.
     fn set_parameter(&mut self, index: usize, value: f64) -> bool;
 
+    /// (f, f′, f″) at `x` of the supplied function at `index` of [`Model::functions`]; `None` when there is none.
+    fn evaluate_function(&self, index: usize, x: f64) -> Option<[f64; 3]> {
+        let _ = (index, x);
+        None
+    }
+
+    /// The arguments at which supplied functions are evaluated, one for every entry of [`Model::arguments`].
+    ///
+    /// # Errors
+    /// As [`evaluate_with`](Self::evaluate_with).
+    fn write_arguments<T: Scalar>(
+        &self,
+        parameters: &[T],
+        at: &Instant<'_, T>,
+        q: &[T],
+        arguments: &mut [T],
+    ) -> Result<(), LengthError> {
+        let _ = (parameters, at, q);
+        match arguments.len() {
+            0 => Ok(()),
+            found => Err(LengthError { what: "arguments", expected: 0, found }),
+        }
+    }
+
     /// Φ, Φ_q, Φ_t, γ, or any subset of them, at parameters that the caller supplies; all shared work is done once.
     ///
     /// Units follow the parameters. Parts that `subset` does not ask for may be overwritten or left alone.

@@ -387,6 +387,11 @@ pub struct Model {
     pub parameters: &'static [ParameterInfo],
     /// Inputs.
     pub inputs: &'static [&'static str],
+    /// Supplied functions, array fields element by element.
+    pub functions: &'static [&'static str],
+    /// The supplied function, by its place in `functions`, of every argument that
+    /// [`Mechanism::write_arguments`](crate::Mechanism::write_arguments) writes.
+    pub arguments: &'static [usize],
     /// Bodies.
     pub bodies: &'static [BodyInfo],
     /// Named points.

@@ -23,7 +23,7 @@ pub mod locals {
         ($($name:ident)*) => { $(pub const fn $name() {})* };
     }
     names! {
-        at eta gamma geometry guesses index k observations out p parameters phi phi_q phi_t q
+        arguments at eta gamma geometry guesses index k observations out p parameters phi phi_q phi_t q
         q_dot subset t this u value w workspace x
     }
 }
@@ -44,7 +44,8 @@ pub fn fixed_mut<'a, T, const N: usize>(what: &'static str, slice: &'a mut [T]) 
 /// A field that holds parameters: a number or an array of numbers.
 #[diagnostic::on_unimplemented(
     message = "a parameter of a mechanism is a number or an array of numbers, and `{Self}` is neither",
-    label = "`f64`, `f32`, or an array of them"
+    label = "`f64`, `f32`, or an array of them",
+    note = "a field that holds a function is declared with `#[function(name)]` above the struct"
 )]
 pub trait Parameter {
     /// The number at `index`.

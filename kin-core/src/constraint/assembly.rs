@@ -49,6 +49,7 @@ pub(super) struct Assembly<'m> {
     pub(super) first_scalar: Vec<u32>,
     pub(super) first_parameter: Vec<u32>,
     pub(super) first_input: Vec<u32>,
+    pub(super) first_function: Vec<u32>,
     /// Defines by family and index; `None` while one is being built.
     pub(super) defines: HashMap<(usize, i64), Option<ExprId>>,
     /// The index variable of the range that is being laid out.

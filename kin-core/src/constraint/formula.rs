@@ -85,7 +85,13 @@ impl Assembly<'_> {
             }
             Formula::Supplied(member, a) => {
                 let a = self.formula(a);
-                self.graph.supplied(member.family as u32, 0, a)
+                let len = self.mechanism.functions.get(member.family).map_or(0, |f| f.len.unwrap_or(1));
+                match member.index.at(self.index).filter(|i| *i < len) {
+                    Some(i) => self.graph.supplied(self.first_function[member.family] + i as u32, 0, a),
+                    None => {
+                        self.error(member.origin, format!("the index is out of range: the array has {len} elements"))
+                    }
+                }
             }
         }
     }

@@ -22,7 +22,12 @@ impl<'m> Assembly<'m> {
                 set.parameters.push(indexed(&parameter.name, parameter.len.is_some(), index));
             }
         }
-        set.functions = mechanism.functions.iter().map(|f| f.name.clone()).collect();
+        let mut first_function = Vec::new();
+        for function in &mechanism.functions {
+            first_function.push(set.functions.len() as u32);
+            let names = (0..function.len.unwrap_or(1)).map(|k| indexed(&function.name, function.len.is_some(), k));
+            set.functions.extend(names);
+        }
         let mut first_input = Vec::new();
         for input in &mechanism.inputs {
             first_input.push(set.inputs.len() as u32);
@@ -81,6 +86,7 @@ impl<'m> Assembly<'m> {
             first_scalar,
             first_parameter,
             first_input,
+            first_function,
             defines: HashMap::new(),
             index: 0,
             variables: Default::default(),

@@ -261,7 +261,7 @@ pub struct ConstraintSet {
     pub graph: Graph,
     /// Parameters, element by element.
     pub parameters: Vec<String>,
-    /// Supplied functions.
+    /// Supplied functions, element by element.
     pub functions: Vec<String>,
     /// Inputs.
     pub inputs: Vec<String>,

@@ -101,11 +101,13 @@ pub struct Input {
     pub origin: Origin,
 }
 
-/// A scalar function that the caller supplies as a field of the struct.
+/// A scalar function that the caller supplies as a field of the struct, or an array of them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SuppliedFunction {
     /// Field name.
     pub name: String,
+    /// Number of elements of an array field.
+    pub len: Option<usize>,
     /// The token that declared it.
     pub origin: Origin,
 }

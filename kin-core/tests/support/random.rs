@@ -76,7 +76,7 @@ pub fn mechanism(seed: u64) -> Mechanism {
     let mut out = Mechanism {
         name: "Random".into(),
         parameters: parameters(&[&plain[..], &[("l", Some(LEN as usize))]].concat()),
-        functions: vec![SuppliedFunction { name: "f".into(), origin: AT }],
+        functions: vec![SuppliedFunction { name: "f".into(), len: None, origin: AT }],
         inputs: ["u", "v"].map(|name| Input { name: name.into(), len: None, origin: AT }).to_vec(),
         bodies: bodies.into_iter().map(|(_, body)| body).collect(),
         scalars: vec![

@@ -1,10 +1,10 @@
 //! Structs with parameters of their own: what the impls and kernels repeat of them, and evaluation in the struct's own
 //! scalar.
 
-use super::{Evaluations, lengths, parameters};
-use crate::lower::{FieldRole, Lowered};
-use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote;
+use super::{Evaluations, functions, lengths, parameters};
+use crate::lower::Lowered;
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use quote::{ToTokens, quote};
 use syn::{GenericParam, Generics, parse_quote};
 
 /// The type parameters that are numbers, each once, in the order of the fields.
@@ -29,28 +29,21 @@ pub(crate) fn bounded(lowered: &Lowered, bound: &str) -> Generics {
     generics
 }
 
-/// Supplied functions may be of any type that is one.
+/// Supplied functions may be of any type that is one, also of one that the struct leaves open.
 fn add_functions(lowered: &Lowered, generics: &mut Generics) {
     let types: Vec<Ident> = generics.type_params().map(|parameter| parameter.ident.clone()).collect();
-    let is_function = |role| matches!(role, FieldRole::Function(_));
-    for field in lowered.fields.iter().filter(|field| is_function(field.role)) {
-        let ty = &field.ty;
-        if let syn::Type::Path(path) = ty
-            && path.path.get_ident().is_some_and(|ident| types.contains(ident))
-        {
-            generics.make_where_clause().predicates.push(parse_quote! { #ty: __kin::ScalarFunction });
-        }
+    for ty in functions::types(lowered).filter(|ty| mentions(ty.to_token_stream(), &types)) {
+        generics.make_where_clause().predicates.push(parse_quote! { #ty: __kin::ScalarFunction });
     }
 }
 
-/// The generics of a kernel: its scalar, and the struct's where it reads the struct.
-pub(crate) fn kernel(lowered: &Lowered, reads_struct: bool) -> Generics {
-    let mut generics = if reads_struct { lowered.item.generics.clone() } else { Generics::default() };
-    if reads_struct {
-        add_functions(lowered, &mut generics);
-    }
-    generics.params.push(parse_quote! { __T: __kin::Scalar });
-    generics
+/// True when a type parameter is among the tokens of a type.
+fn mentions(tokens: TokenStream, types: &[Ident]) -> bool {
+    tokens.into_iter().any(|tree| match tree {
+        TokenTree::Ident(ident) => types.contains(&ident),
+        TokenTree::Group(group) => mentions(group.stream(), types),
+        _ => false,
+    })
 }
 
 /// The arguments that make the struct one of `f64`; other parameters keep their defaults.

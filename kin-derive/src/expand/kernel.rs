@@ -1,14 +1,14 @@
 //! Kernels: the functions that evaluate a set of rows, one for every subset worth its own code.
 
-use super::generics;
-use super::program::{Reads, body};
-use crate::lower::{FieldRole, Lowered};
+use super::functions::functions;
+use super::program::{Reads, body, function_name};
+use crate::lower::Lowered;
 use kin_core::constraint::Family;
 use kin_core::expr::{ExprId, Graph};
 use kin_core::program::{Program, Slot, lower};
 use kin_core::system::Equation;
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 /// The rows of a system as outputs, with the pattern of its Jacobian.
 pub(crate) struct Layout {
@@ -65,6 +65,12 @@ impl Layout {
     }
 }
 
+/// A supplied function as generated code sees it: a closure over a field, or over an element of an array field.
+pub(crate) struct Supplied {
+    /// `|x| …` with `self`.
+    pub(crate) closure: TokenStream,
+}
+
 /// A kernel as a function item, and the call of it.
 pub(crate) struct Kernel {
     pub(crate) item: TokenStream,
@@ -72,15 +78,13 @@ pub(crate) struct Kernel {
 }
 
 /// The kernel `name` of `program`; `targets` are the arrays it may write: (name, type), in the caller's scope.
+///
+/// A kernel stands outside of the struct's generics, so that it takes supplied functions as arguments of any type.
 pub(crate) fn kernel(name: &str, lowered: &Lowered, program: &Program, targets: &[(&str, TokenStream)]) -> Kernel {
     let name = Ident::new(name, Span::call_site());
     let reads = Reads::of(program);
-    let generics = generics::kernel(lowered, reads.functions);
-    let (impl_generics, _, where_clause) = generics.split_for_impl();
-    let (this, (_, type_generics, _)) = (&lowered.item.ident, lowered.item.generics.split_for_impl());
     let writes = |target: &str| program.outputs.iter().any(|(slot, _)| target_name(*slot) == target);
     let inputs = [
-        (reads.functions, "this", quote! { &#this #type_generics }, quote! { self }),
         (reads.parameters, "p", quote! { &__Parameters<__T> }, quote! { p }),
         (reads.time, "t", quote! { __T }, quote! { at.t }),
         (reads.inputs, "u", quote! { &__Inputs<__T> }, quote! { u }),
@@ -93,6 +97,16 @@ pub(crate) fn kernel(name: &str, lowered: &Lowered, program: &Program, targets: 
         arguments.push(quote! { #argument: #ty });
         values.push(value);
     }
+    let mut types = Vec::new();
+    let functions = if reads.functions.is_empty() { Vec::new() } else { functions(lowered) };
+    for number in &reads.functions {
+        let Some(function) = functions.get(*number as usize) else { continue };
+        let (argument, ty) = (function_name(*number), format_ident!("__Function{number}"));
+        arguments.push(quote! { #argument: &#ty });
+        let closure = &function.closure;
+        values.push(quote! { &#closure });
+        types.push(quote! { #ty: ::core::ops::Fn(f64) -> [f64; 3] });
+    }
     for (target, ty) in targets {
         if writes(target) {
             let target = Ident::new(target, Span::call_site());
@@ -103,21 +117,15 @@ pub(crate) fn kernel(name: &str, lowered: &Lowered, program: &Program, targets: 
     if arguments.is_empty() {
         return Kernel { item: TokenStream::new(), call: TokenStream::new() };
     }
-    let statements = body(program, &functions(lowered));
+    let statements = body(program);
     Kernel {
         item: quote! {
             #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
             #[inline]
-            fn #name #impl_generics (#(#arguments),*) #where_clause { #statements }
+            fn #name<__T: __kin::Scalar #(, #types)*>(#(#arguments),*) { #statements }
         },
         call: quote! { #name(#(#values),*); },
     }
-}
-
-/// The fields that hold supplied functions.
-fn functions(lowered: &Lowered) -> Vec<Ident> {
-    let is_function = |role| matches!(role, FieldRole::Function(_));
-    lowered.fields.iter().filter(|field| is_function(field.role)).map(|field| field.ident.clone()).collect()
 }
 
 fn target_name(slot: Slot) -> &'static str {

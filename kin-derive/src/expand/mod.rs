@@ -2,6 +2,7 @@
 //!
 //! Nothing iterates a hash map on the way here: the same description gives the same tokens.
 
+mod functions;
 mod generics;
 mod handles;
 mod kernel;
@@ -63,6 +64,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
     let (entries, seen, seen_entries) = (constraints.entries.len(), set.observables.len(), observables.entries.len());
     let parameters = parameters::read(lowered);
     let set_parameter = parameters::write(lowered);
+    let functions = functions::access(lowered, system);
     let values = values(lowered, system, &constraints);
     let evaluations = Evaluations {
         evaluate: evaluate(lowered, system, &constraints, &all, &values),
@@ -109,6 +111,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
 
             #parameters
             #set_parameter
+            #functions
 
             fn constraints_with<__T: __kin::Scalar>(
                 &self,
@@ -298,7 +301,7 @@ fn observe(lowered: &Lowered, system: &KinematicSystem, layout: &Layout) -> Kern
 }
 
 /// A kernel that writes a plain list of expressions.
-fn list(
+pub(crate) fn list(
     lowered: &Lowered,
     system: &KinematicSystem,
     values: impl Iterator<Item = kin_core::expr::ExprId>,

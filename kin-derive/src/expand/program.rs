@@ -8,6 +8,7 @@ use kin_core::mechanism::Function;
 use kin_core::program::{Instruction, Program, Slot, Value};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
+use std::collections::BTreeSet;
 
 /// Statements in one block.
 const BLOCK: usize = 500;
@@ -15,14 +16,15 @@ const BLOCK: usize = 500;
 const ANGLES: usize = 64;
 
 /// Which of a kernel's arguments its program reads.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Reads {
     pub(crate) parameters: bool,
     pub(crate) time: bool,
     pub(crate) inputs: bool,
     pub(crate) coordinates: bool,
     pub(crate) rates: bool,
-    pub(crate) functions: bool,
+    /// Numbers of the supplied functions.
+    pub(crate) functions: BTreeSet<u32>,
 }
 
 impl Reads {
@@ -35,7 +37,7 @@ impl Reads {
                 Instruction::Load(Symbol::Input(..)) => reads.inputs = true,
                 Instruction::Load(Symbol::Coordinate(_)) => reads.coordinates = true,
                 Instruction::Load(Symbol::Rate(_)) => reads.rates = true,
-                Instruction::Supplied(..) => reads.functions = true,
+                Instruction::Supplied(function, _) => _ = reads.functions.insert(*function),
                 _ => {}
             }
         }
@@ -50,9 +52,9 @@ struct Statement {
 }
 
 /// The statements that compute `program` and write its outputs to `phi`, `phi_q`, `phi_t`, `gamma` or `out`.
-/// `functions` are the fields that hold supplied functions, read as fields of `this`.
-pub(crate) fn body(program: &Program, functions: &[Ident]) -> TokenStream {
-    let emitter = Emitter { program, functions };
+/// Supplied functions are arguments of the kernel.
+pub(crate) fn body(program: &Program) -> TokenStream {
+    let emitter = Emitter { program };
     let mut statements = emitter.statements();
     emitter.place_outputs(&mut statements);
     if statements.len() <= BLOCK {
@@ -97,7 +99,11 @@ pub(crate) fn body(program: &Program, functions: &[Ident]) -> TokenStream {
 
 struct Emitter<'p> {
     program: &'p Program,
-    functions: &'p [Ident],
+}
+
+/// The argument of a kernel that is supplied function `number`.
+pub(crate) fn function_name(number: u32) -> Ident {
+    format_ident!("__function{number}")
 }
 
 /// A local of its own; see `kin_runtime::private::locals` for why no user's constant may have its name.
@@ -213,11 +219,9 @@ impl Emitter<'_> {
                 quote! { __kin::Scalar::powf(#a, #n) }
             }
             Instruction::Supplied(f, a) => {
-                let (field, a) = (self.functions.get(f as usize), v(a));
+                let (function, a) = (function_name(f), v(a));
                 let names = self.names(value);
-                let tokens = quote! {
-                    let [#(#names),*] = __kin::Scalar::lift(#a, |x| __kin::ScalarFunction::evaluate(&this.#field, x));
-                };
+                let tokens = quote! { let [#(#names),*] = __kin::Scalar::lift(#a, #function); };
                 return Some(Statement { defines: vec![value], tokens });
             }
         };

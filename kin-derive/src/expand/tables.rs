@@ -37,6 +37,8 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     });
     let parameters = parameters(tables.mechanism);
     let inputs = set.inputs.iter();
+    let functions = set.functions.iter();
+    let arguments = super::functions::arguments(tables.system).into_iter().map(|(function, _)| function as usize);
     let bodies = set.bodies.iter().map(|body| {
         let name = &body.name;
         let coordinates = body.coordinates.map(|k| optional(k.map(|k| k as usize)));
@@ -101,6 +103,8 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
             coordinates: &[#(#coordinates),*],
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],
+            functions: &[#(#functions),*],
+            arguments: &[#(#arguments),*],
             bodies: &[#(#bodies),*],
             points: &[#(#points),*],
             defines: &[#(#defines),*],

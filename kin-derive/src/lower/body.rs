@@ -55,6 +55,7 @@ impl Lowerer<'_> {
                 | Item::Input(_)
                 | Item::Row(_)
                 | Item::Condition(_)
+                | Item::Function(_)
                 | Item::Guess(_) => {}
             }
         }
@@ -63,7 +64,7 @@ impl Lowerer<'_> {
         let place_of = |symbol| match symbol {
             Symbol::Point(k) => points.get(k).copied(),
             Symbol::Define(k) => defines.get(k).copied(),
-            Symbol::Parameter(_) | Symbol::Body(_) | Symbol::Scalar(_) | Symbol::Input(_) => None,
+            Symbol::Parameter(_) | Symbol::Body(_) | Symbol::Scalar(_) | Symbol::Input(_) | Symbol::Function(_) => None,
         };
         let edges: Vec<Vec<usize>> =
             named.iter().map(|decl| self.parts(decl).into_iter().filter_map(place_of).collect()).collect();

@@ -1,10 +1,13 @@
 //! Who is who: every declared name with its number, in the order of the source.
 
 use super::names::{Declared, Names, Shape, Symbol};
-use super::{Lowerer, body, place};
-use crate::ast::{Bracket, Description, Item, NewName, RangeDecl, text};
+use super::{Lowerer, MentionKind, body, place};
+use crate::ast::{Bracket, Description, FunctionDecl, Item, NewName, RangeDecl, text};
+use crate::suggest::did_you_mean;
 use kin_core::error::Origin;
-use kin_core::mechanism::{Body, Define, Formula, Input, Mechanism, NamedPoint, Parameter, Range, Scalar};
+use kin_core::mechanism::{
+    Body, Define, Formula, Input, Mechanism, NamedPoint, Parameter, Range, Scalar, SuppliedFunction,
+};
 
 /// The range that the index variable of an item runs over.
 #[derive(Clone, Debug)]
@@ -74,6 +77,10 @@ impl Lowerer<'_> {
                     mechanism.defines.push(Define { name, range: range.model(), formula: Formula::ZERO, origin });
                     range
                 }
+                Item::Function(decl) => {
+                    self.function(decl, description, mechanism, &mut names);
+                    IndexRange::None
+                }
                 Item::Row(row) => self.repetition(&row.name, "N[i in 0..3]: …").1,
                 Item::Condition(decl) => self.repetition(&decl.name, "N[i in 0..3]: …").1,
                 Item::Guess(guess) => guess.range.clone().map_or(IndexRange::None, IndexRange::Over),
@@ -84,8 +91,46 @@ impl Lowerer<'_> {
         (names, ranges)
     }
 
+    /// A function is a field of the struct; its length is the field's.
+    fn function(
+        &mut self,
+        decl: &FunctionDecl,
+        description: &Description,
+        mechanism: &mut Mechanism,
+        names: &mut Names,
+    ) {
+        let (ident, name) = (&decl.name.ident, text(&decl.name.ident));
+        match &decl.name.bracket {
+            None | Some(Bracket::Hole) => {}
+            Some(Bracket::Len(_, span) | Bracket::Range(RangeDecl { span, .. })) => {
+                let message = format!("how many functions `{name}` holds is said by its field: `#[function({name})]`");
+                self.report.error(*span, message);
+            }
+        }
+        let field = description.fields.iter().find(|field| text(&field.ident) == name);
+        let symbol = Symbol::Function(mechanism.functions.len());
+        let len = field.and_then(|field| field.len);
+        let shape = match field {
+            Some(_) => len.map_or(Shape::Single, |len| Shape::Family(0..i64::try_from(len).unwrap_or(0))),
+            None => Shape::Unknown,
+        };
+        if field.is_some() {
+            self.mention(MentionKind::Function, ident);
+        } else {
+            let fields: Vec<String> = description.fields.iter().map(|field| text(&field.ident)).collect();
+            let suggestion = did_you_mean(&name, fields.iter().map(String::as_str));
+            let message = format!(
+                "no field named `{name}`; a function is a field of the struct whose type implements `ScalarFunction`{suggestion}"
+            );
+            self.report.error(ident.span(), message);
+        }
+        names.insert(Declared { name: name.clone(), symbol, shape });
+        let origin = self.origin(ident.span());
+        mechanism.functions.push(SuppliedFunction { name, len, origin });
+    }
+
     fn parameters(&mut self, description: &Description, mechanism: &mut Mechanism, names: &mut Names) {
-        for field in &description.fields {
+        for field in description.fields.iter().filter(|field| !field.is_function) {
             let name = text(&field.ident);
             let symbol = Symbol::Parameter(mechanism.parameters.len());
             let shape = field.len.map_or(Shape::Single, |len| Shape::Family(0..i64::try_from(len).unwrap_or(0)));

@@ -1,8 +1,8 @@
 //! Expressions where they stand: names resolved, and only what may stand there let through.
 
 use super::declare::IndexRange;
-use super::names::Symbol;
-use super::{Class, Lowerer};
+use super::names::{Declared, Shape, Symbol};
+use super::{Class, Lowerer, MentionKind};
 use crate::ast::{Expr, ExprKind, NameUse, Operator, text};
 use crate::suggest::{did_you_mean, listed};
 use kin_core::mechanism::check::is_reserved;
@@ -101,13 +101,10 @@ impl Lowerer<'_> {
                     }
                 }
             }
-            ExprKind::Apply(name, arguments) => {
-                for argument in arguments {
-                    // Mistakes inside are worth telling at once, too.
-                    _ = self.formula(argument, scope);
-                }
-                self.no_function(name);
-                return None;
+            ExprKind::Apply(used, arguments) => {
+                // Mistakes inside are worth telling at once, too.
+                let arguments: Vec<_> = arguments.iter().map(|argument| self.formula(argument, scope)).collect();
+                return self.supplied(used, arguments, scope);
             }
         })
     }
@@ -150,6 +147,14 @@ impl Lowerer<'_> {
                 self.report.error(span, message);
                 return None;
             }
+            Symbol::Function(_) => {
+                let index = if matches!(declared.shape, Shape::Family(_)) { "[i]" } else { "" };
+                let message = format!(
+                    "`{name}` is a function; its argument stands in parentheses, `{name}{index}(t)`; a number would be a field without `function`"
+                );
+                self.report.error(span, message);
+                return None;
+            }
             _ => {}
         }
         let index = self.member(used, &declared, scope.range)?;
@@ -177,7 +182,43 @@ impl Lowerer<'_> {
                 self.require(class, &format!("the define `{name}` holds {depends}"), (span, span), scope)?;
                 Some(Formula::Define(Member { family, index, origin }))
             }
-            Symbol::Body(_) | Symbol::Point(_) => None,
+            Symbol::Body(_) | Symbol::Point(_) | Symbol::Function(_) => None,
+        }
+    }
+
+    /// `f(e)` or `f[i](e)`: a supplied function at an argument. It may stand wherever its argument may.
+    fn supplied(&mut self, used: &NameUse, arguments: Vec<Option<Formula>>, scope: &Scope) -> Option<Formula> {
+        let name = used.text();
+        let declared = match self.names.find(&name) {
+            Some(declared) if matches!(declared.symbol, Symbol::Function(_)) => declared.clone(),
+            _ if self.names.is_ambiguous(&name) => return None,
+            _ => {
+                if let (Some(index), true) = (&used.index, is_reserved(&name)) {
+                    self.report.error(index.span, format!("`{name}` takes no index"));
+                    return None;
+                }
+                self.no_function(&used.ident);
+                return None;
+            }
+        };
+        let Symbol::Function(family) = declared.symbol else { return None };
+        self.mention_function(used, &declared.shape);
+        let index = self.member(used, &declared, scope.range);
+        let given = arguments.len();
+        let Ok([argument]) = <[Option<Formula>; 1]>::try_from(arguments) else {
+            let values = if given == 0 { "is nothing".to_owned() } else { format!("are {given} values") };
+            let message = format!("a supplied function has one argument, `{name}(e)`; here {values} in its brackets");
+            self.report.error(used.ident.span(), message);
+            return None;
+        };
+        let origin = self.origin(used.ident.span());
+        Some(Formula::Supplied(Member { family, index: index?, origin }, Box::new(argument?)))
+    }
+
+    /// A function without a field has no place that could be mentioned.
+    fn mention_function(&mut self, used: &NameUse, shape: &Shape) {
+        if *shape != Shape::Unknown {
+            self.mention(MentionKind::Function, &used.ident);
         }
     }
 
@@ -299,6 +340,9 @@ impl Lowerer<'_> {
     fn no_function(&self, name: &Ident) {
         let word = text(name);
         let message = match self.names.find(&word) {
+            Some(Declared { symbol: Symbol::Parameter(_), .. }) => format!(
+                "`{word}` is a parameter, not a function; a product is written with `*`, and a field that holds a function is declared with `#[function({word})]`"
+            ),
             Some(found) => {
                 format!("`{word}` is {}, not a function; a product is written with `*`", found.symbol.noun())
             }
@@ -308,9 +352,10 @@ impl Lowerer<'_> {
             None if self.names_missing => return,
             None => {
                 let others = ["atan2", "pow", "distance"];
+                let known = Function::ALL.iter().map(|f| f.name()).chain(others).chain(self.names.functions());
                 let suggestion = match word.as_str() {
                     "log" => "; the natural logarithm is `ln`".to_owned(),
-                    _ => did_you_mean(&word, Function::ALL.iter().map(|f| f.name()).chain(others)),
+                    _ => did_you_mean(&word, known),
                 };
                 format!(
                     "no function `{word}`; there are sin, cos, tan, asin, acos, atan, atan2, sqrt, exp, ln, abs, pow and distance{suggestion}"

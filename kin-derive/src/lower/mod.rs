@@ -49,7 +49,6 @@ pub(crate) struct Mention {
 }
 
 /// What a mentioned name is.
-#[allow(dead_code, reason = "supplied functions are mentioned once their attribute is read")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MentionKind {
     Parameter,
@@ -62,7 +61,6 @@ pub(crate) enum MentionKind {
 }
 
 /// A field of the struct.
-#[allow(dead_code, reason = "expansion reads types and lengths from the struct and the model so far")]
 #[derive(Clone)]
 pub(crate) struct Field {
     pub(crate) ident: Ident,
@@ -75,7 +73,6 @@ pub(crate) struct Field {
 }
 
 /// What a field is for.
-#[allow(dead_code, reason = "supplied functions come with their attribute")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FieldRole {
     /// An entry of `Mechanism::parameters`.
@@ -118,7 +115,7 @@ pub(crate) fn lower(description: Description, item: ItemStruct, report: &Report)
     if lowerer.completing {
         skeleton(&mut mechanism);
     }
-    let (fields, docs) = (fields(&description), docs(&description));
+    let (fields, docs) = (fields(&description, &mechanism), docs(&description));
     let Lowerer { spans, mentions, completing, boundless, .. } = lowerer;
     let lowered = Lowered {
         mechanism,
@@ -148,17 +145,17 @@ fn skeleton(mechanism: &mut Mechanism) {
     mechanism.defines.iter_mut().for_each(|define| define.formula = kin_core::mechanism::Formula::ZERO);
 }
 
-fn fields(description: &Description) -> Vec<Field> {
-    let fields = description.fields.iter().enumerate();
-    fields
-        .map(|(k, field)| Field {
-            ident: field.ident.clone(),
-            ty: field.ty.clone(),
-            len: field.len,
-            scalar: field.scalar.clone(),
-            role: FieldRole::Parameter(k),
-        })
-        .collect()
+fn fields(description: &Description, mechanism: &Mechanism) -> Vec<Field> {
+    let mut parameters = 0;
+    let read = description.fields.iter().map(|field| {
+        let name = text(&field.ident);
+        let function = if field.is_function { mechanism.functions.iter().position(|f| f.name == name) } else { None };
+        let role = function.map_or_else(|| FieldRole::Parameter(parameters), FieldRole::Function);
+        parameters += usize::from(function.is_none());
+        let (ident, ty, scalar) = (field.ident.clone(), field.ty.clone(), field.scalar.clone());
+        Field { ident, ty, len: field.len, scalar, role }
+    });
+    read.collect()
 }
 
 fn docs(description: &Description) -> Docs {
@@ -172,6 +169,7 @@ fn docs(description: &Description) -> Docs {
             Item::Define(decl) => (&decl.name, &mut docs.names),
             Item::Row(row) => (&row.name, &mut docs.rows),
             Item::Condition(decl) => (&decl.name, &mut docs.rows),
+            Item::Function(decl) => (&decl.name, &mut docs.names),
             Item::Guess(_) => continue,
         };
         if !name.doc.is_empty() {

@@ -13,6 +13,7 @@ pub(super) enum Symbol {
     Input(usize),
     Point(usize),
     Define(usize),
+    Function(usize),
 }
 
 impl Symbol {
@@ -25,6 +26,7 @@ impl Symbol {
             Self::Input(_) => "an input",
             Self::Point(_) => "a point",
             Self::Define(_) => "a define",
+            Self::Function(_) => "a function",
         }
     }
 
@@ -37,6 +39,7 @@ impl Symbol {
             Self::Input(_) => MentionKind::Input,
             Self::Point(_) => MentionKind::Point,
             Self::Define(_) => MentionKind::Define,
+            Self::Function(_) => MentionKind::Function,
         }
     }
 }
@@ -83,6 +86,12 @@ impl Names {
     /// True for a name that stands for two kinds of things: nothing can be said about its uses.
     pub(super) fn is_ambiguous(&self, name: &str) -> bool {
         self.ambiguous.contains(name)
+    }
+
+    /// The names of supplied functions.
+    pub(super) fn functions(&self) -> impl Iterator<Item = &str> {
+        let is_function = |declared: &&Declared| matches!(declared.symbol, Symbol::Function(_));
+        self.all.iter().filter(is_function).map(|declared| declared.name.as_str())
     }
 
     /// What `name` stands for.

@@ -23,7 +23,12 @@ impl Lowerer<'_> {
                 }
                 Item::Condition(decl) => mechanism.conditions.extend(self.condition(decl, range)),
                 Item::Guess(guess) => mechanism.guesses.extend(self.guess(guess, range)),
-                Item::Body(_) | Item::Scalar(_) | Item::Input(_) | Item::Point(_) | Item::Define(_) => {}
+                Item::Body(_)
+                | Item::Scalar(_)
+                | Item::Input(_)
+                | Item::Function(_)
+                | Item::Point(_)
+                | Item::Define(_) => {}
             }
         }
     }

@@ -4,11 +4,21 @@ use super::expr::{deeper, end_of_expr, join, nested};
 use super::fold::constant;
 use super::point::point_at_depth;
 use super::reject::{RADIANS, is_angle_word};
-use crate::ast::{Expr, ExprKind, text};
+use crate::ast::{Expr, ExprKind, NameUse, text};
 use crate::suggest::did_you_mean;
 use kin_core::mechanism::Function;
 use syn::parse::ParseStream;
 use syn::{Error, Ident, Result, Token, parenthesized};
+
+/// `name[i](…)`, a member of an array of supplied functions; the cursor stands before the parenthesis.
+pub(super) fn member(name: NameUse, input: ParseStream, depth: usize) -> Result<Expr> {
+    let content;
+    let parens = parenthesized!(content in input);
+    let span = join(name.ident.span(), parens.span.join());
+    let arguments = arguments(&content, depth)?;
+    let heights: Vec<usize> = arguments.iter().map(|a| a.height).collect();
+    Expr::over(ExprKind::Apply(name, arguments), span, &heights)
+}
 
 /// `name(…)`; the cursor stands before the parenthesis.
 pub(super) fn function(name: Ident, input: ParseStream, depth: usize) -> Result<Expr> {
@@ -38,6 +48,7 @@ pub(super) fn function(name: Ident, input: ParseStream, depth: usize) -> Result<
             let arguments = arguments(&content, depth)?;
             let Some(function) = Function::from_name(known) else {
                 let heights: Vec<usize> = arguments.iter().map(|a| a.height).collect();
+                let name = NameUse { ident: name, index: None };
                 return Expr::over(ExprKind::Apply(name, arguments), span, &heights);
             };
             let [a] = take(&name, arguments, &format!("{known}(a)"))?;

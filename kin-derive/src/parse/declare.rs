@@ -6,12 +6,14 @@ use super::list::{comma, end_of_part, list, skip_part};
 use super::point::point;
 use super::read::{is_option, no_equals};
 use super::reject::here;
-use crate::ast::{BodyDecl, DefineDecl, Expr, GuessDecl, InputDecl, Item, PointDecl, PointExpr, ScalarDecl, text};
+use crate::ast::{
+    BodyDecl, DefineDecl, Expr, FunctionDecl, GuessDecl, InputDecl, Item, PointDecl, PointExpr, ScalarDecl, text,
+};
 use crate::report::Report;
 use crate::suggest::did_you_mean;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
-use syn::{Error, Ident, Result, Token};
+use syn::{Error, Ident, Result, Token, token};
 
 /// `crank, link[10]`; false when a name could not be read.
 pub(super) fn bodies(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
@@ -79,6 +81,31 @@ pub(super) fn defines(input: ParseStream, keyword: &Ident, report: &Report, item
         let value = equals(input, FORM).and_then(|()| value(input));
         let value = report.ok(value).unwrap_or(Expr::hole(name.ident.span()));
         items.push(Item::Define(DefineDecl { name, value }));
+        Ok(())
+    })
+}
+
+/// How `function` is written.
+pub(super) const FUNCTION: &str = "#[function(profile)]";
+
+/// `profile, lift`; false when a name could not be read.
+pub(super) fn functions(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
+    nonempty(input, keyword, FUNCTION, report);
+    list(input, report, |input| {
+        let name = new_name(input, report)?;
+        items.push(Item::Function(FunctionDecl { name }));
+        if input.peek(Token![=]) {
+            return Err(here(
+                input,
+                format!("a function is a field of the struct, which the caller fills; it is declared `{FUNCTION}`"),
+            ));
+        }
+        if input.peek(token::Paren) {
+            return Err(here(
+                input,
+                format!("a function is declared by its name alone, `{FUNCTION}`, and called in formulas"),
+            ));
+        }
         Ok(())
     })
 }

@@ -150,6 +150,9 @@ fn primary(input: ParseStream, depth: usize) -> Result<Expr> {
             return Err(here(input, "an expression has names, numbers and functions; paths and macros are not read"));
         }
         let name = name_use(input)?;
+        if name.index.is_some() && input.peek(token::Paren) {
+            return call::member(name, input, deeper(input, depth)?);
+        }
         let span = name.ident.span();
         return Ok(Expr { kind: ExprKind::Name(name), span, height: 0 });
     }

@@ -33,13 +33,15 @@ struct Param {
 }
 
 /// Takes our attributes off a field and reads it; the flag is set when an attribute that declares names is lost.
-/// `types` are the type parameters of the struct.
+/// `types` are the type parameters of the struct, `functions` the names of the fields that hold functions.
 pub(super) fn field(
     field: &mut Field,
     types: &[Ident],
+    functions: &[String],
     report: &Report,
     names_missing: &mut bool,
 ) -> Option<FieldDecl> {
+    let is_function = field.ident.as_ref().is_some_and(|ident| functions.contains(&text(ident)));
     let mut param: Option<Param> = None;
     let attributes = std::mem::take(&mut field.attrs);
     for attribute in attributes {
@@ -49,6 +51,13 @@ pub(super) fn field(
         };
         let name = text(&word);
         match keyword::find(&name) {
+            Some(Keyword::Param) if is_function => {
+                let name = field.ident.as_ref().map(text).unwrap_or_default();
+                let message = format!(
+                    "`{name}` is declared as a function; a function has no default and no unit, leave `param` away"
+                );
+                report.error(word.span(), message);
+            }
             Some(Keyword::Param) if param.is_some() => {
                 report.error(word.span(), "`param` is given twice; one default and one unit are enough");
             }
@@ -75,6 +84,12 @@ pub(super) fn field(
         }
     }
     let ident = field.ident.clone()?;
+    if is_function {
+        let len = report.ok(function_len(&field.ty)).flatten();
+        let doc = first_paragraph(&field.attrs);
+        let ty = field.ty.clone();
+        return Some(FieldDecl { ident, ty, is_function, len, scalar: None, default: None, unit: None, doc });
+    }
     let len = report.ok(array_len(&field.ty, types));
     let scalar = len.and_then(|_| report.ok(scalar_parameter(&field.ty, types))).flatten();
     let Param { default, unit } = param.unwrap_or_default();
@@ -83,7 +98,7 @@ pub(super) fn field(
         _ => None,
     };
     let doc = first_paragraph(&field.attrs);
-    Some(FieldDecl { ident, ty: field.ty.clone(), len: len.flatten(), scalar, default, unit, doc })
+    Some(FieldDecl { ident, ty: field.ty.clone(), is_function, len: len.flatten(), scalar, default, unit, doc })
 }
 
 /// True for `#[cfg_attr(…, param(…))]`.
@@ -183,13 +198,40 @@ fn elements(default: Default, len: Option<usize>, name: &str) -> Result<Vec<f64>
 }
 
 /// Types that are no parameters; of others the compiler decides.
-const NO_NUMBERS: [&str; 20] = [
+const NO_NUMBERS: [&str; 22] = [
     "bool", "char", "i8", "i16", "i32", "i64", "i128", "isize", "str", "u8", "u16", "u32", "u64", "u128", "usize",
-    "Box", "HashMap", "Option", "String", "Vec",
+    "Arc", "Box", "Rc", "HashMap", "Option", "String", "Vec",
 ];
 
+/// Types that hold something else, which may well be a function.
+const HOLDERS: [&str; 3] = ["Arc", "Box", "Rc"];
+
 fn no_number(ty: &Type) -> Error {
-    Error::new_spanned(ty, "a parameter is a number such as `f64` or an array of numbers such as `[f64; 10]`")
+    let is_holder = match ty {
+        Type::Path(path) => path.path.segments.last().is_some_and(|s| HOLDERS.contains(&text(&s.ident).as_str())),
+        Type::Reference(_) => true,
+        _ => false,
+    };
+    let function = if is_holder {
+        "; a field that holds a function is declared with `#[function(name)]` above the struct"
+    } else {
+        ""
+    };
+    let message = format!("a parameter is a number such as `f64` or an array of numbers such as `[f64; 10]`{function}");
+    Error::new_spanned(ty, message)
+}
+
+/// The length of an array of functions, `None` for a single function of whatever type.
+fn function_len(ty: &Type) -> Result<Option<usize>> {
+    match ty {
+        Type::Group(group) => function_len(&group.elem),
+        Type::Paren(paren) => function_len(&paren.elem),
+        Type::Array(array) => match &*array.elem {
+            Type::Array(inner) => Err(Error::new(inner.span(), "an array of functions has one index: `[Spline; 3]`")),
+            _ => literal_len(&array.len).map(Some),
+        },
+        _ => Ok(None),
+    }
 }
 
 /// The length of an array type, `None` for a single number.
@@ -215,12 +257,12 @@ fn array_len(ty: &Type, types: &[Ident]) -> Result<Option<usize>> {
 }
 
 fn literal_len(len: &Expr) -> Result<usize> {
-    let wrong = || Error::new(len.span(), "the length of an array parameter is an integer literal: `[f64; 10]`");
+    let wrong = || Error::new(len.span(), "the length of an array field is an integer literal: `[f64; 10]`");
     match len {
         Expr::Group(group) => literal_len(&group.expr),
         Expr::Lit(ExprLit { lit: Lit::Int(int), .. }) => match int.base10_parse::<usize>() {
             Ok(n) if n <= MAX_MEMBERS => Ok(n),
-            _ => Err(Error::new(int.span(), format!("an array parameter has at most {MAX_MEMBERS} elements"))),
+            _ => Err(Error::new(int.span(), format!("an array field has at most {MAX_MEMBERS} elements"))),
         },
         _ => Err(wrong()),
     }

@@ -13,6 +13,8 @@ pub(super) enum Keyword {
     Point,
     Define,
     Guess,
+    /// Fields that hold supplied functions.
+    Function,
     /// A joint, driver or equation.
     Row(&'static RowForm),
     /// A unilateral condition.
@@ -38,6 +40,7 @@ impl Keyword {
                 | Self::Input
                 | Self::Point
                 | Self::Define
+                | Self::Function
                 | Self::Later { declares: true }
         )
     }
@@ -56,7 +59,7 @@ const WORDS: [(&str, Keyword); 15] = [
     ("param", Keyword::Param),
     ("mechanism", Keyword::Mechanism),
     ("input", Keyword::Input),
-    ("function", Keyword::Later { declares: true }),
+    ("function", Keyword::Function),
     ("gear", LATER),
     ("belt", LATER),
     ("rack_pinion", LATER),

@@ -94,7 +94,13 @@ fn describe(item: &mut ItemStruct, flags: Flags, report: &Report) -> Option<Desc
         }
     }
     item.attrs = kept;
-    let fields = fields(item, report, &mut names_missing)?;
+    let functions: Vec<String> = (items.iter())
+        .filter_map(|item| match item {
+            Item::Function(decl) => Some(text(&decl.name.ident)),
+            _ => None,
+        })
+        .collect();
+    let fields = fields(item, &functions, report, &mut names_missing)?;
     if flags.cross_check {
         generics::testable(item, &fields, report);
     }
@@ -119,6 +125,7 @@ fn read(attribute: &Attribute, word: &Ident, keyword: Keyword, report: &Report, 
         Keyword::Point => "#[point(tip = coupler @ (0, 0.1))]",
         Keyword::Define => "#[define(stroke = slider.x - d1)]",
         Keyword::Guess => "#[guess(coupler.phi = 0.9)]",
+        Keyword::Function => declare::FUNCTION,
         Keyword::Row(form) => form.example,
         Keyword::Condition => condition::EXAMPLE,
         Keyword::Param => {
@@ -146,6 +153,7 @@ fn read(attribute: &Attribute, word: &Ident, keyword: Keyword, report: &Report, 
                 declare::guess(input, word, report, items);
                 true
             }
+            Keyword::Function => declare::functions(input, word, report, items),
             Keyword::Row(form) => {
                 items.push(Item::Row(Box::new(row(input, word, form, report)?)));
                 true
@@ -182,12 +190,17 @@ fn row_name(input: ParseStream, keyword: &Ident, example: &str, report: &Report)
     Ok(name)
 }
 
-fn fields(item: &mut ItemStruct, report: &Report, names_missing: &mut bool) -> Option<Vec<crate::ast::FieldDecl>> {
+fn fields(
+    item: &mut ItemStruct,
+    functions: &[String],
+    report: &Report,
+    names_missing: &mut bool,
+) -> Option<Vec<crate::ast::FieldDecl>> {
     let span = item.fields.span();
     let named = !matches!(item.fields, Fields::Unnamed(_));
     let types = generics::type_parameters(&item.generics);
-    let read =
-        (item.fields.iter_mut()).map(|field| field::field(field, &types, report, names_missing)).collect::<Vec<_>>();
+    let mut read = |field| field::field(field, &types, functions, report, names_missing);
+    let read = item.fields.iter_mut().map(&mut read).collect::<Vec<_>>();
     if !named {
         report.error(span, "the parameters of a mechanism have names: `struct FourBar { l1: f64 }`");
         return None;

@@ -57,6 +57,8 @@ const MODEL: Model = Model {
         parameter("omega", "rad/s", 2.0, "Speed of the crank"),
     ],
     inputs: &[],
+    functions: &[],
+    arguments: &[],
     bodies: &[BodyInfo {
         name: "crank",
         coordinates: [None, None, Some(0)],

@@ -148,6 +148,7 @@ impl<'a> Scope<'a> {
                 Formula::Input(member) => uses.extend(input_use(mechanism, *member)),
                 Formula::Scalar(member) => uses.extend(scalar_use(mechanism, *member)),
                 Formula::Define(member) => uses.extend(define_use(mechanism, *member)),
+                Formula::Supplied(member, _) => uses.extend(function_use(mechanism, *member)),
                 Formula::Pose(body, _) => uses.extend(body_use(mechanism, *body)),
                 Formula::PointCoordinate(place, _) => uses.extend(body_use(mechanism, place.body)),
                 Formula::Distance(p, q) => {
@@ -217,6 +218,12 @@ fn parameter_use(mechanism: &Mechanism, member: Member) -> Option<Use<'_>> {
 fn input_use(mechanism: &Mechanism, member: Member) -> Option<Use<'_>> {
     let Member { family, index, origin } = member;
     mechanism.inputs.get(family).map(|input| Use { name: &input.name, members: within(input.len), index, origin })
+}
+
+fn function_use(mechanism: &Mechanism, member: Member) -> Option<Use<'_>> {
+    let Member { family, index, origin } = member;
+    let function = mechanism.functions.get(family)?;
+    Some(Use { name: &function.name, members: within(function.len), index, origin })
 }
 
 fn define_use(mechanism: &Mechanism, member: Member) -> Option<Use<'_>> {

@@ -52,7 +52,8 @@ fn mistakes_of_declarations_do_not_cascade() {
     assert_eq!(errors(&pendulum("#[point(p = crank @ (0 0))] #[x(B: q = 0)] #[y(C: p = 0)]")).len(), 2);
     one_error(&pendulum("#[define(s = crank.z)] #[driver(B: s = 0)]"), &["a body has"]);
     one_error(&pendulum("#[body(w[n], x = 0)] #[angle(B: w[2] = 0)]"), &["length"]);
-    one_error(&pendulum("#[function(f)] #[driver(B: crank.phi = f(t))]"), &["not supported yet"]);
+    one_error(&pendulum("#[function(3f)] #[driver(B: crank.phi = f(t))]"), &["expected a name"]);
+    one_error(&pendulum("#[function(f)] #[driver(B: crank.phi = f(t) + f[2](t))]"), &["no field named `f`"]);
     one_error(&pendulum("#[body(w, x = ^)] #[angle(B: w = 0)]"), &["powers"]);
 }
 

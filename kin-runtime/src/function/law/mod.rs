@@ -1,0 +1,75 @@
+//! Motion laws of cams: how a rise is spread over its duration.
+
+mod cycloidal;
+mod harmonic;
+mod modified_sine;
+mod modified_trapezoidal;
+mod polynomials;
+#[cfg(test)]
+mod tests;
+
+/// A normalised motion law s(τ) with s(0) = 0 and s(1) = 1 for τ in [0, 1].
+///
+/// A rise h that takes β has s = h s(τ), velocity h s′(τ)/β and acceleration h s″(τ)/β² with τ = x/β. The peaks of s′ and
+/// s″ measure how hard a law is on the machine (Norton, *Cam Design and Manufacturing Handbook*, 2009, chapters 3 and 4;
+/// VDI 2143):
+///
+/// | law | peak s′ | peak s″ | at its ends |
+/// |---|---|---|---|
+/// | `ConstantVelocity` | 1 | 0 | velocity jumps |
+/// | `Harmonic` | π/2 = 1.5708 | π²/2 = 4.9348 | acceleration jumps beside a dwell |
+/// | `Cycloidal` | 2 | 2π = 6.2832 | C² |
+/// | `Polynomial345` | 1.875 | 5.7735 | C² |
+/// | `Polynomial4567` | 2.1875 | 7.5132 | C³ |
+/// | `ModifiedSine` | 1.7596 | 5.5280 | C² |
+/// | `ModifiedTrapezoidal` | 2 | 4.8881 | C² |
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum MotionLaw {
+    /// s = τ.
+    ConstantVelocity,
+    /// s = (1 − cos πτ)/2.
+    Harmonic,
+    /// s = τ − sin(2πτ)/2π.
+    Cycloidal,
+    /// s = 10τ³ − 15τ⁴ + 6τ⁵.
+    Polynomial345,
+    /// s = 35τ⁴ − 84τ⁵ + 70τ⁶ − 20τ⁷.
+    Polynomial4567,
+    /// A sine of the acceleration over the inner three quarters, steeper ones at the ends.
+    ModifiedSine,
+    /// An acceleration of constant pieces with quarter sines between them.
+    ModifiedTrapezoidal,
+}
+
+impl MotionLaw {
+    /// Every law.
+    pub const ALL: [Self; 7] = [
+        Self::ConstantVelocity,
+        Self::Harmonic,
+        Self::Cycloidal,
+        Self::Polynomial345,
+        Self::Polynomial4567,
+        Self::ModifiedSine,
+        Self::ModifiedTrapezoidal,
+    ];
+
+    /// (s, s′, s″) at τ. Before 0 and after 1 the motion rests at 0 and 1.
+    pub fn normalised(self, tau: f64) -> [f64; 3] {
+        if tau < 0.0 {
+            return [0.0; 3];
+        }
+        if tau > 1.0 {
+            return [1.0, 0.0, 0.0];
+        }
+        match self {
+            Self::ConstantVelocity => [tau, 1.0, 0.0],
+            Self::Harmonic => harmonic::law(tau),
+            Self::Cycloidal => cycloidal::law(tau),
+            Self::Polynomial345 => polynomials::law_345(tau),
+            Self::Polynomial4567 => polynomials::law_4567(tau),
+            Self::ModifiedSine => modified_sine::law(tau),
+            Self::ModifiedTrapezoidal => modified_trapezoidal::law(tau),
+        }
+    }
+}

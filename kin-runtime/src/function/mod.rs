@@ -1,0 +1,88 @@
+//! Functions that the caller supplies: cam tables, splines, motion laws.
+//!
+//! `#[function(lift)]` says that the field `lift` of the struct holds one; formulas then use it as `lift(e)`. Whatever
+//! has a value and two derivatives at once can be a [`ScalarFunction`]; ready are
+//!
+//! - [`CubicSpline`]: C² interpolation through a table, with natural, clamped or periodic ends;
+//! - [`Sequence`]: rises, returns and dwells of a cam, each with a [`MotionLaw`], one after another;
+//! - [`Constant`] and [`Polynomial`];
+//! - [`FromFn`]: a closure.
+//!
+//! The two derivatives enter Φ_q, Φ_t and γ as they are, so that a wrong one gives wrong velocities and accelerations.
+//! The [cross-check](crate::cross_check) therefore holds f, f′ and f″ against one another.
+
+mod from_fn;
+pub mod law;
+mod polynomial;
+#[cfg(feature = "alloc")]
+pub mod sequence;
+#[cfg(feature = "alloc")]
+pub mod spline;
+
+pub use from_fn::FromFn;
+pub use law::MotionLaw;
+pub use polynomial::{Constant, Polynomial};
+#[cfg(feature = "alloc")]
+pub use sequence::{Sequence, SequenceBuilder, SequenceError};
+#[cfg(feature = "alloc")]
+pub use spline::{CubicSpline, SplineError};
+
+/// A scalar function with its first two derivatives, known at run time.
+///
+/// ```
+/// use kin_runtime::ScalarFunction;
+///
+/// /// A spring's force over its length would be as good an example: anything with two derivatives.
+/// struct Gauss { width: f64 }
+///
+/// impl ScalarFunction for Gauss {
+///     fn evaluate(&self, x: f64) -> [f64; 3] {
+///         let u = x / self.width;
+///         let f = (-0.5 * u * u).exp();
+///         [f, -u * f / self.width, (u * u - 1.0) * f / (self.width * self.width)]
+///     }
+/// }
+/// assert_eq!(Gauss { width: 2.0 }.evaluate(0.0), [1.0, 0.0, -0.25]);
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no function that a mechanism can use",
+    label = "this type gives no value with two derivatives",
+    note = "implement `kin_runtime::ScalarFunction` for it; a closure is wrapped: `FromFn<F>`"
+)]
+pub trait ScalarFunction {
+    /// (f, f′, f″) at `x`.
+    ///
+    /// Where the function has no value it gives NaN, which every analysis refuses as an error.
+    fn evaluate(&self, x: f64) -> [f64; 3];
+}
+
+impl<F: ScalarFunction + ?Sized> ScalarFunction for &F {
+    #[inline]
+    fn evaluate(&self, x: f64) -> [f64; 3] {
+        (**self).evaluate(x)
+    }
+}
+
+/// The function behind a pointer.
+#[cfg(feature = "alloc")]
+macro_rules! behind {
+    ($($pointer:ty),*) => { $(
+        impl<F: ScalarFunction + ?Sized> ScalarFunction for $pointer {
+            #[inline]
+            fn evaluate(&self, x: f64) -> [f64; 3] {
+                (**self).evaluate(x)
+            }
+        }
+    )* };
+}
+
+#[cfg(feature = "alloc")]
+behind!(alloc::boxed::Box<F>, alloc::rc::Rc<F>, alloc::sync::Arc<F>);
+
+/// `x` shifted by a multiple of `end` − `start` into that interval; the remainder is exact.
+#[cfg(feature = "alloc")]
+fn wrapped(x: f64, start: f64, end: f64) -> f64 {
+    let period = end - start;
+    let rest = (x - start) % period;
+    start + if rest < 0.0 { rest + period } else { rest }
+}

@@ -1,0 +1,96 @@
+//! Rises, returns and dwells, one after another.
+
+mod builder;
+mod error;
+mod junction;
+mod segment;
+#[cfg(test)]
+mod tests;
+
+use super::ScalarFunction;
+use alloc::vec::Vec;
+pub use builder::SequenceBuilder;
+pub use error::SequenceError;
+pub use junction::Junction;
+use segment::Segment;
+
+/// A motion made of segments, over time or over a cam's angle.
+///
+/// ```
+/// use kin_runtime::ScalarFunction;
+/// use kin_runtime::function::{MotionLaw, Sequence};
+///
+/// # fn main() -> Result<(), kin_runtime::function::SequenceError> {
+/// // Rest for 1 s at 0, rise by 30 mm in 2 s, rest for 0.5 s, return in 1.5 s; and again.
+/// let lift = Sequence::starting_at(0.0, 0.0)
+///     .dwell(1.0)
+///     .rise(MotionLaw::Cycloidal, 0.03, 2.0)
+///     .dwell(0.5)
+///     .fall(MotionLaw::ModifiedSine, 0.03, 1.5)
+///     .periodic()?;
+/// let [s, velocity, _] = lift.evaluate(2.0);
+/// assert!((s - 0.015).abs() < 1e-15 && (velocity - 0.03).abs() < 1e-15);
+/// assert!((lift.evaluate(102.0)[0] - 0.015).abs() < 1e-15);
+/// // Nothing jumps where the segments meet.
+/// assert!(lift.junctions().all(|j| j.velocity_jump().abs() < 1e-14 && j.acceleration_jump().abs() < 1e-13));
+/// # Ok(())
+/// # }
+/// ```
+///
+/// The position is continuous; whether velocity and acceleration are depends on the laws that meet, see
+/// [`junctions`](Self::junctions). Where they jump, so does q̇ or q̈ of what is driven; at the junction itself the segment
+/// that begins there counts. A periodic sequence repeats forever in both directions; any other one continues straight
+/// before its start and after its end, with the velocity that it has there, which is rest beside a dwell.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sequence {
+    segments: Vec<Segment>,
+    /// Start of the first segment and end of the last one.
+    domain: (f64, f64),
+    periodic: bool,
+}
+
+impl Sequence {
+    /// Begins a sequence: at `x` (a time or an angle) the motion is at `position`.
+    pub fn starting_at(x: f64, position: f64) -> SequenceBuilder {
+        SequenceBuilder::new(x, position)
+    }
+
+    /// Where the sequence starts and ends.
+    pub fn domain(&self) -> (f64, f64) {
+        self.domain
+    }
+
+    /// True when it repeats.
+    pub fn is_periodic(&self) -> bool {
+        self.periodic
+    }
+
+    /// The places where segments meet, in order. The ends are among them: those of a periodic sequence meet each other
+    /// at its start, those of any other one meet the straight continuation.
+    pub fn junctions(&self) -> impl Iterator<Item = Junction> {
+        let (start, end) = self.domain;
+        let (first, last) = (&self.segments[0], &self.segments[self.segments.len() - 1]);
+        let straight = |[s, velocity, _]: [f64; 3]| [s, velocity, 0.0];
+        let before = if self.periodic { last.at_end() } else { straight(first.at_start()) };
+        let inner =
+            self.segments.windows(2).map(|pair| Junction::new(pair[1].start, pair[0].at_end(), pair[1].at_start()));
+        let closing = (!self.periodic).then(|| Junction::new(end, last.at_end(), straight(last.at_end())));
+        core::iter::once(Junction::new(start, before, first.at_start())).chain(inner).chain(closing)
+    }
+}
+
+impl ScalarFunction for Sequence {
+    fn evaluate(&self, x: f64) -> [f64; 3] {
+        let (start, end) = self.domain;
+        let straight = |[s, velocity, _]: [f64; 3], from: f64| [s + velocity * (x - from), velocity, 0.0];
+        if !self.periodic && x < start {
+            return straight(self.segments[0].at_start(), start);
+        }
+        if !self.periodic && x > end {
+            return straight(self.segments[self.segments.len() - 1].at_end(), end);
+        }
+        let x = if self.periodic { super::wrapped(x, start, end) } else { x };
+        let place = self.segments[1..].partition_point(|segment| segment.start <= x);
+        self.segments[place].evaluate(x)
+    }
+}

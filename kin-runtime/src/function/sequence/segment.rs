@@ -1,0 +1,65 @@
+//! One segment of a sequence.
+
+use crate::function::law::MotionLaw;
+use crate::function::polynomial::horner;
+use alloc::vec::Vec;
+
+/// A piece of a motion over [start, start + duration].
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Segment {
+    pub(super) start: f64,
+    pub(super) duration: f64,
+    /// Position at the start.
+    pub(super) position: f64,
+    pub(super) course: Course,
+}
+
+/// How a segment moves on from its position, over τ in [0, 1].
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Course {
+    Dwell,
+    /// By this much.
+    Law(MotionLaw, f64),
+    /// Σ c_k τ^k.
+    Polynomial(Vec<f64>),
+}
+
+impl Course {
+    /// Displacement with its derivatives by τ.
+    fn evaluate(&self, tau: f64) -> [f64; 3] {
+        match self {
+            Self::Dwell => [0.0; 3],
+            Self::Law(law, rise) => law.normalised(tau).map(|s| rise * s),
+            Self::Polynomial(coefficients) => horner(coefficients, tau),
+        }
+    }
+
+    /// Displacement over the whole segment.
+    pub(super) fn rise(&self) -> f64 {
+        match self {
+            Self::Dwell => 0.0,
+            Self::Law(_, rise) => *rise,
+            Self::Polynomial(coefficients) => coefficients.iter().sum(),
+        }
+    }
+}
+
+impl Segment {
+    pub(super) fn evaluate(&self, x: f64) -> [f64; 3] {
+        // Rounding must not lead out of a law: beyond its end it rests.
+        self.at(((x - self.start) / self.duration).clamp(0.0, 1.0))
+    }
+
+    pub(super) fn at_start(&self) -> [f64; 3] {
+        self.at(0.0)
+    }
+
+    pub(super) fn at_end(&self) -> [f64; 3] {
+        self.at(1.0)
+    }
+
+    fn at(&self, tau: f64) -> [f64; 3] {
+        let [s, s_1, s_2] = self.course.evaluate(tau);
+        [self.position + s, s_1 / self.duration, s_2 / self.duration / self.duration]
+    }
+}

@@ -1,0 +1,78 @@
+//! Sequences: positions, junctions, what is refused.
+
+use super::{Sequence, SequenceError};
+use crate::function::{MotionLaw, ScalarFunction};
+
+fn cam() -> Sequence {
+    let cam = Sequence::starting_at(1.0, 0.2)
+        .dwell(0.5)
+        .rise(MotionLaw::Cycloidal, 0.03, 2.0)
+        .dwell(1.0)
+        .polynomial(&[0.0, 0.0, 0.0, -0.1, 0.15, -0.06], 0.5)
+        .return_to_start(MotionLaw::ModifiedTrapezoidal, 1.0);
+    cam.periodic().unwrap()
+}
+
+#[test]
+fn segments_follow_one_another() {
+    let cam = cam();
+    assert_eq!(cam.domain(), (1.0, 6.0));
+    assert_eq!(cam.evaluate(1.2), [0.2, 0.0, 0.0]);
+    // Half of a cycloidal rise: half the height, peak velocity 2h/β, no acceleration.
+    let [s, v, a] = cam.evaluate(2.5);
+    assert!((s - 0.215).abs() < 1e-15 && (v - 0.03).abs() < 1e-15 && a.abs() < 1e-15);
+    // A quarter: peak acceleration 2πh/β².
+    let a = cam.evaluate(2.0)[2];
+    assert!((a - core::f64::consts::TAU * 0.03 / 4.0).abs() < 1e-15);
+    assert!((cam.evaluate(4.0)[0] - 0.23).abs() < 1e-15);
+    assert!((cam.evaluate(5.0)[0] - 0.22).abs() < 1e-15);
+    for x in [1.3, 2.2, 4.9, 5.7] {
+        let (once, later, earlier) = (cam.evaluate(x), cam.evaluate(x + 25.0), cam.evaluate(x - 15.0));
+        for k in 0..3 {
+            assert!((once[k] - later[k]).abs() < 1e-12 && (once[k] - earlier[k]).abs() < 1e-12, "{x}");
+        }
+    }
+}
+
+#[test]
+fn junctions_tell_what_jumps() {
+    let cam = cam();
+    let at: Vec<f64> = cam.junctions().map(|j| j.x).collect();
+    assert_eq!(at, [1.0, 1.5, 3.5, 4.5, 5.0]);
+    for junction in cam.junctions() {
+        assert!((junction.before[0] - junction.after[0]).abs() < 1e-15);
+        assert!(junction.velocity_jump().abs() < 1e-15 && junction.acceleration_jump().abs() < 1e-14, "{junction:?}");
+    }
+    let rough = Sequence::starting_at(0.0, 0.0).dwell(1.0).rise(MotionLaw::Harmonic, 2.0, 0.5).dwell(1.0).build();
+    let jumps: Vec<f64> = rough.unwrap().junctions().map(|j| j.acceleration_jump()).collect();
+    let peak = 2.0 * core::f64::consts::PI.powi(2) / 2.0 / 0.25;
+    assert_eq!(jumps.len(), 4);
+    assert!(jumps[0] == 0.0 && (jumps[1] - peak).abs() < 1e-12 && (jumps[2] - peak).abs() < 1e-12 && jumps[3] == 0.0);
+}
+
+#[test]
+fn what_runs_once_continues_straight() {
+    let once = Sequence::starting_at(0.0, 1.0).rise(MotionLaw::ConstantVelocity, 2.0, 4.0).dwell(1.0).build().unwrap();
+    assert_eq!(once.evaluate(-2.0), [0.0, 0.5, 0.0]);
+    assert_eq!(once.evaluate(9.0), [3.0, 0.0, 0.0]);
+    assert!(!once.is_periodic());
+    let back = Sequence::starting_at(0.0, 1.0).to(MotionLaw::Harmonic, -3.0, 4.0).fall(MotionLaw::Harmonic, 1.0, 1.0);
+    assert!((back.build().unwrap().evaluate(7.0)[0] + 4.0).abs() < 1e-15);
+}
+
+#[test]
+fn unsound_sequences_are_refused() {
+    use SequenceError::*;
+    let start = || Sequence::starting_at(0.0, 0.0);
+    assert_eq!(start().build(), Err(Empty));
+    assert_eq!(Sequence::starting_at(f64::NAN, 0.0).dwell(1.0).build(), Err(NonFinite { segment: None }));
+    assert_eq!(start().dwell(1.0).dwell(0.0).build(), Err(Duration { segment: 1, duration: 0.0 }));
+    assert_eq!(start().dwell(f64::INFINITY).build(), Err(NonFinite { segment: Some(0) }));
+    assert_eq!(start().rise(MotionLaw::Harmonic, f64::NAN, 1.0).build(), Err(NonFinite { segment: Some(0) }));
+    assert_eq!(start().polynomial(&[0.1, 1.0], 1.0).build(), Err(Jump { segment: 0, by: 0.1 }));
+    let lost = Sequence::starting_at(1e20, 0.0).dwell(1.0).build();
+    assert_eq!(lost, Err(Duration { segment: 0, duration: 1.0 }));
+    let open = start().rise(MotionLaw::Cycloidal, 0.1, 1.0).periodic();
+    assert_eq!(open, Err(NotPeriodic { start: 0.0, end: 0.1 }));
+    assert!(open.unwrap_err().to_string().contains("begins at 0 and ends at 0.1"));
+}

@@ -1,0 +1,82 @@
+//! Supplied functions: declared, called, and what stands in their place.
+
+use kin_runtime::function::CubicSpline;
+use kin_runtime::mechanism;
+
+#[mechanism]
+#[function(lift, prfile, table[3], spare = 3, twice, twice, crank)]
+#[function]
+#[function()]
+#[bodies(crank)]
+#[coordinates(u)]
+#[revolute(A: crank @ (lift, 0), ground @ (0, 0))]
+#[driver(bare: crank.phi = lift)]
+#[driver(none: crank.phi = lift())]
+#[driver(two: crank.phi = lift(t, 2))]
+#[driver(indexed: crank.phi = lift[0](t))]
+#[driver(member: crank.phi = strokes(t) + strokes[2](t) + strokes[0])]
+#[driver(number: u = l(t))]
+#[driver(method: u = t.lift())]
+#[x(place: crank @ (lift(u), 0) = lift(u))]
+#[function(strokes, matrix, open)]
+struct Declared {
+    lift: CubicSpline,
+    profile: CubicSpline,
+    #[param(0.1, unit = "m")]
+    twice: CubicSpline,
+    strokes: [CubicSpline; 2],
+    matrix: [[CubicSpline; 2]; 2],
+    open: [CubicSpline; N],
+    table: CubicSpline,
+    spare: CubicSpline,
+    l: f64,
+}
+
+const N: usize = 2;
+
+/// Names that are nearly right, inside and outside of the brackets.
+#[mechanism]
+#[function(lift)]
+#[coordinates(u)]
+#[driver(misspelt: u = lfit(t))]
+#[driver(inner: u = lift(v) + lift(l(lift)))]
+#[driver(component: u = lift.x + lift(t).y)]
+struct Misspelt {
+    lift: CubicSpline,
+    l: f64,
+}
+
+/// Fields that hold functions and are not declared.
+#[mechanism]
+#[coordinates(u)]
+#[driver(drive: u = profile(t))]
+struct Undeclared<'a> {
+    profile: CubicSpline,
+    boxed: Box<CubicSpline>,
+    borrowed: &'a CubicSpline,
+}
+
+/// A type that is no function.
+#[mechanism(cross_check)]
+#[function(profile)]
+#[coordinates(u)]
+#[driver(drive: u = profile(t))]
+struct NoFunction {
+    profile: Vec<f64>,
+}
+
+impl Default for NoFunction {
+    fn default() -> Self {
+        Self { profile: Vec::new() }
+    }
+}
+
+/// A field that is not declared, of a type that only the compiler knows.
+#[mechanism]
+#[coordinates(u)]
+#[driver(drive: u = t)]
+struct Forgotten {
+    profile: CubicSpline,
+}
+
+fn main() {}

@@ -1,0 +1,134 @@
+//! Supplied functions: every type that a field can have.
+
+use kin_runtime::function::{CubicSpline, FromFn, MotionLaw, Polynomial, Sequence};
+use kin_runtime::{Instant, Kinematics, ScalarFunction, mechanism};
+use std::rc::Rc;
+use std::sync::Arc;
+
+/// x is lift(t) + ½ lift(x)², whatever lift is.
+#[mechanism]
+#[function(lift)]
+#[coordinates(x)]
+#[driver(d: x - 0.5 * pow(lift(x), 2) = lift(t))]
+#[guess(x = lift(0))]
+struct Cam<F> {
+    lift: F,
+}
+
+/// sin(x)/3 in as many ways as there are.
+fn sine(x: f64) -> [f64; 3] {
+    [x.sin() / 3.0, x.cos() / 3.0, -x.sin() / 3.0]
+}
+
+struct Sine;
+
+impl ScalarFunction for Sine {
+    fn evaluate(&self, x: f64) -> [f64; 3] {
+        sine(x)
+    }
+}
+
+/// The acceleration of the cam at t = 0.4.
+fn acceleration<F: ScalarFunction>(lift: F) -> f64 {
+    let cam = Cam { lift };
+    assert!(cam.cross_check().unwrap().passes(1e-12));
+    let state = cam.state_at(&Instant::at(0.4)).unwrap();
+    let ([f, f1, f2], [_, g1, g2]) = (cam.lift.evaluate(state.q[0]), cam.lift.evaluate(0.4));
+    let v = g1 / (1.0 - f * f1);
+    let a = (g2 + (f1 * f1 + f * f2) * v * v) / (1.0 - f * f1);
+    assert!((state.q_dot[0] - v).abs() < 1e-14 && (state.q_ddot[0] - a).abs() < 1e-14);
+    state.q_ddot[0]
+}
+
+#[test]
+fn a_function_can_have_any_type() {
+    let expected = acceleration(Sine);
+    let boxed: Box<dyn ScalarFunction> = Box::new(Sine);
+    let shared: Arc<dyn ScalarFunction + Send + Sync> = Arc::new(Sine);
+    let borrowed: &dyn ScalarFunction = &Sine;
+    let third = 3.0;
+    let captured = FromFn(move |x: f64| [x.sin() / third, x.cos() / third, -x.sin() / third]);
+    let all = [
+        acceleration(boxed),
+        acceleration(Rc::new(Sine)),
+        acceleration(shared),
+        acceleration(borrowed),
+        acceleration(&&Sine),
+        acceleration(captured),
+        acceleration(FromFn(sine as fn(f64) -> [f64; 3])),
+    ];
+    assert!(all.iter().all(|a| *a == expected), "{all:?} {expected}");
+    acceleration(Polynomial(vec![0.1, 0.2, -0.1]));
+}
+
+/// Lifetimes, generic numbers beside generic functions, arrays of open types, raw names.
+#[mechanism]
+#[function(lift, stroke, r#fn)]
+#[coordinates(x, y, z)]
+#[driver(a: x = scale * lift(t))]
+#[driver(b: y = stroke[0](t) + stroke[1](x))]
+#[driver(c: z + 0.1 * r#fn(z) = t)]
+struct Several<'a, T, F, const N: usize> {
+    lift: &'a F,
+    scale: T,
+    stroke: [Box<F>; 2],
+    r#fn: FromFn<fn(f64) -> [f64; 3]>,
+    label: [T; 1],
+}
+
+#[test]
+fn generics_of_all_kinds_go_together() {
+    let lift = Sine;
+    let several = Several::<f64, Sine, 3> {
+        lift: &lift,
+        scale: 0.5,
+        stroke: [Box::new(Sine), Box::new(Sine)],
+        r#fn: FromFn(sine),
+        label: [0.0],
+    };
+    let state = several.state_at(&Instant::at(0.7)).unwrap();
+    let x = 0.5 * sine(0.7)[0];
+    assert!((state.q[0] - x).abs() < 1e-15);
+    assert!((state.q[1] - sine(0.7)[0] - sine(x)[0]).abs() < 1e-15);
+    assert!(several.cross_check().unwrap().passes(1e-12));
+    let model = <Several<'_, f64, Sine, 3> as kin_runtime::Mechanism>::model();
+    assert_eq!(model.functions, ["lift", "stroke[0]", "stroke[1]", "fn"]);
+    assert_eq!(model.parameters.len(), 2);
+}
+
+/// A default for the type of a function, so that the test of the flag knows what it tests.
+#[mechanism(cross_check)]
+#[function(lift)]
+#[coordinates(x)]
+#[driver(d: x = lift(omega * t))]
+pub struct WithDefault<F = CubicSpline> {
+    lift: F,
+    omega: f64,
+}
+
+impl Default for WithDefault {
+    fn default() -> Self {
+        let lift = CubicSpline::clamped(&[-2.0, -0.5, 0.3, 2.0], &[0.0, 1.0, 0.5, 0.0], 0.0, 0.0);
+        Self { lift: lift.expect("a sound table"), omega: 1.5 }
+    }
+}
+
+/// A cam's textbook case: a cycloidal rise of 30 mm over 120° at 10 rad/s has the peaks 2hω/β and 2πhω²/β².
+#[test]
+fn peaks_of_a_cycloidal_cam() {
+    use std::f64::consts::{PI, TAU};
+    let (h, beta, omega) = (0.03, TAU / 3.0, 10.0);
+    let law = |law| Sequence::starting_at(0.0, 0.0).rise(law, h, beta).build().expect("a sound sequence");
+    let cam = WithDefault { lift: law(MotionLaw::Cycloidal), omega };
+    let at = |angle: f64| cam.state_at(&Instant::at(angle / omega)).unwrap();
+    let middle = at(beta / 2.0);
+    assert!((middle.q[0] - h / 2.0).abs() < 1e-15);
+    assert!((middle.q_dot[0] - 2.0 * h * omega / beta).abs() < 1e-13);
+    let quarter = at(beta / 4.0).q_ddot[0];
+    assert!((quarter - TAU * h * (omega / beta).powi(2)).abs() < 1e-12);
+    // The same cam, harmonic: π/2 and π²/2.
+    let cam = WithDefault { lift: law(MotionLaw::Harmonic), omega };
+    let at = |angle: f64| cam.state_at(&Instant::at(angle / omega)).unwrap();
+    assert!((at(beta / 2.0).q_dot[0] - PI / 2.0 * h * omega / beta).abs() < 1e-13);
+    assert!((at(0.0).q_ddot[0] - PI * PI / 2.0 * h * (omega / beta).powi(2)).abs() < 1e-12);
+}
