@@ -9,6 +9,7 @@
 //! - [`constraint`]: Φ, one constraint type per file.
 //! - [`expr`]: the hash-consed expressions, and the one place that differentiates.
 //! - [`system`]: Φ_q, Φ_t, γ and the class of every row.
+//! - [`structure`]: what the equations say before any number is known: generic rank, redundant rows.
 //! - [`program`]: straight-line code shared by all outputs, with an interpreter as oracle.
 //!
 //! Each room imports only those above it in this list's reading (`constraint` uses `mechanism` and `expr`; `program`
@@ -19,10 +20,12 @@ pub mod error;
 pub mod expr;
 pub mod mechanism;
 pub mod program;
+pub mod structure;
 pub mod system;
 
 pub use constraint::{ConstraintSet, assemble};
 pub use error::{ModelError, Origin};
 pub use mechanism::Mechanism;
 pub use program::Program;
+pub use structure::{Structure, diagnose};
 pub use system::{KinematicSystem, differentiate};

@@ -96,6 +96,8 @@ impl Assembly<'_> {
             let pose = self.pose_of(place);
             if let BodyOrigin::Carried(carrier) = &self.mechanism.bodies[family].origin_at {
                 set.bodies[place].carried_by = self.resolve(&carrier.body, index as i64);
+                self.index = index as i64;
+                set.bodies[place].carried_at = Some([self.formula(&carrier.x), self.formula(&carrier.y)]);
             }
             set.bodies[place].pose = pose;
             set.bodies[place].observables =

@@ -63,6 +63,7 @@ impl<'m> Assembly<'m> {
                     family: (family, index),
                     coordinates,
                     carried_by: None,
+                    carried_at: None,
                     pose: [ExprId::default(); 3],
                     observables: [0; 3],
                 });

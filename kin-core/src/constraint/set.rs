@@ -43,6 +43,8 @@ pub struct BodyInstance {
     pub coordinates: [Option<u32>; 3],
     /// The body that carries its origin.
     pub carried_by: Option<Frame>,
+    /// The point of that body which is its origin.
+    pub carried_at: Option<[ExprId; 2]>,
     /// x, y, φ.
     pub pose: [ExprId; 3],
     /// Observables of x, y, φ.

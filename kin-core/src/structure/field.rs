@@ -1,0 +1,184 @@
+//! Arithmetic modulo the prime p = 2⁶¹ − 1: exact, and with no rounding that could pass for a rank.
+//!
+//! A rational expression that is not identically zero has a non-zero residue at all but a fraction (degree / p) of the
+//! points of F_p, so that one random draw shows the generic rank of a matrix of such expressions (Schwartz 1980,
+//! Zippel 1979). p ≡ 3 (mod 4): no square is −1, and the rational parametrisation of the circle meets no pole.
+
+use core::ops::{Add, Mul, Neg, Sub};
+
+/// p = 2⁶¹ − 1.
+const P: u64 = (1 << 61) - 1;
+/// The largest denominator that a decimal or a fraction in the source is taken to have.
+const DENOMINATOR: i64 = 1 << 20;
+
+/// A residue modulo p.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Residue(u64);
+
+impl Residue {
+    pub(super) const ZERO: Self = Self(0);
+    pub(super) const ONE: Self = Self(1);
+
+    /// The residue of an integer.
+    pub(super) fn integer(value: i64) -> Self {
+        let magnitude = Self(value.unsigned_abs() % P);
+        if value < 0 { -magnitude } else { magnitude }
+    }
+
+    /// The residue of the number that the source means by `value`: the fraction with the smallest denominator that
+    /// rounds to it (1/3, 0.1), or else its binary fraction.
+    pub(super) fn number(value: f64) -> Self {
+        if let Some((p, q)) = fraction(value, 0.0) {
+            return Self::integer(p) * Self::integer(q).inverse();
+        }
+        let bits = value.to_bits();
+        let (exponent, mantissa) = ((bits >> 52) & 0x7ff, bits & ((1 << 52) - 1));
+        let (mantissa, exponent) = match exponent {
+            0 => (mantissa, -1074),
+            e => (mantissa | (1 << 52), i64::try_from(e).unwrap_or(0) - 1075),
+        };
+        // 2 has the order 61, so that its powers repeat with that period.
+        let power = Self(1 << exponent.rem_euclid(61));
+        let magnitude = Self(mantissa % P) * power;
+        if value < 0.0 { -magnitude } else { magnitude }
+    }
+
+    pub(super) fn is_zero(self) -> bool {
+        self.0 == 0
+    }
+
+    /// 1/x by Fermat's theorem; 0 for 0.
+    pub(super) fn inverse(self) -> Self {
+        self.power(P - 2)
+    }
+
+    pub(super) fn power(self, mut exponent: u64) -> Self {
+        let (mut base, mut result) = (self, Self::ONE);
+        while exponent > 0 {
+            if exponent & 1 == 1 {
+                result = result * base;
+            }
+            base = base * base;
+            exponent >>= 1;
+        }
+        result
+    }
+}
+
+impl Add for Residue {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        let sum = self.0 + other.0;
+        Self(if sum >= P { sum - P } else { sum })
+    }
+}
+
+impl Sub for Residue {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Neg for Residue {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(if self.0 == 0 { 0 } else { P - self.0 })
+    }
+}
+
+impl Mul for Residue {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        // 2⁶¹ ≡ 1: the high part is added to the low part.
+        let product = u128::from(self.0) * u128::from(other.0);
+        let folded = (product as u64 & P) + (product >> 61) as u64;
+        Self(if folded >= P { folded - P } else { folded })
+    }
+}
+
+/// The fraction p/q with the smallest q that is `value`, or within `tolerance` of it (relative), by continued fractions.
+pub(super) fn fraction(value: f64, tolerance: f64) -> Option<(i64, i64)> {
+    if !value.is_finite() || value.abs() > 1e9 {
+        return None;
+    }
+    let (mut before, mut last) = ((0_i64, 1_i64), (1_i64, 0_i64));
+    let mut rest = value;
+    for _ in 0..24 {
+        let whole = rest.floor();
+        if whole.abs() > 1e12 {
+            return None;
+        }
+        let next = ((whole as i64).checked_mul(last.0)?.checked_add(before.0)?, (whole as i64) * last.1 + before.1);
+        if next.1 > DENOMINATOR || next.0.abs() > 1 << 52 {
+            return None;
+        }
+        let found = next.0 as f64 / next.1 as f64;
+        if (found - value).abs() <= tolerance * value.abs() {
+            return Some(next);
+        }
+        (before, last) = (last, next);
+        rest = (rest - whole).recip();
+    }
+    None
+}
+
+/// Values that are random and yet always the same: that of a thing depends on the draw, its sort and its number alone.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Draw(pub(super) u64);
+
+impl Draw {
+    /// A residue for thing `key` of a sort.
+    pub(super) fn residue(self, sort: u64, key: u64) -> Residue {
+        let mut state = self.0 ^ mixed(sort.wrapping_mul(0x9e37_79b9_7f4a_7c15)) ^ mixed(key);
+        loop {
+            state = mixed(state);
+            let value = state >> 3;
+            if value < P && value > 1 {
+                return Residue(value);
+            }
+        }
+    }
+}
+
+/// The finaliser of splitmix64 (Steele, Lea, Flood 2014).
+fn mixed(value: u64) -> u64 {
+    let z = value.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn field_laws_hold() {
+        let draw = Draw(7);
+        for k in 0..200 {
+            let [a, b, c] = [0, 1, 2].map(|sort| draw.residue(sort, k));
+            assert_eq!(a * (b + c), a * b + a * c);
+            assert_eq!((a - b) + b, a);
+            assert_eq!(a * a.inverse(), Residue::ONE);
+            assert_eq!(a + -a, Residue::ZERO);
+            assert!((a * a + b * b) != Residue::ZERO && a != b);
+        }
+        assert_eq!(Residue::integer(-3) * Residue::integer(-3), Residue::integer(9));
+        assert_eq!(Residue::ZERO.inverse(), Residue::ZERO);
+    }
+
+    #[test]
+    fn numbers_are_what_the_source_means() {
+        let third = Residue::number(1.0 / 3.0);
+        assert_eq!(third * Residue::integer(3), Residue::ONE);
+        assert_eq!(Residue::number(0.3) * Residue::number(0.1), Residue::number(0.03));
+        assert_eq!(Residue::number(-2.5), -Residue::number(2.5));
+        assert_eq!(Residue::number(0.0), Residue::ZERO);
+        assert_eq!(Residue::number(f64::MIN_POSITIVE) * Residue::integer(2), Residue::number(2.0 * f64::MIN_POSITIVE));
+        let pi = std::f64::consts::PI;
+        assert_eq!(Residue::number(2.0 * pi), Residue::number(pi) * Residue::integer(2));
+        assert_eq!(fraction(2.0_f64.sqrt() / 2.0 / 0.5_f64.sqrt(), 1e-15), Some((1, 1)));
+        assert_eq!(fraction(f64::NAN, 0.0), None);
+    }
+}

@@ -1,0 +1,144 @@
+//! Redundant rows as errors: what is said twice, by which joints, and what would be right.
+
+use super::diagnosis::{Redundancy, Structure};
+use crate::constraint::{ConstraintSet, JointTag};
+use crate::error::ModelError;
+use crate::mechanism::Mechanism;
+use crate::system::KinematicSystem;
+use std::collections::BTreeMap;
+
+/// Most names that a message lists.
+const SHOWN: usize = 8;
+
+/// An error for every declaration with redundant rows, in order of declaration.
+pub fn explain(mechanism: &Mechanism, system: &KinematicSystem, structure: &Structure) -> Vec<ModelError> {
+    let mut found: BTreeMap<usize, Vec<&Redundancy>> = BTreeMap::new();
+    for redundancy in &structure.redundant {
+        let family = system.set.joints[system.set.rows[redundancy.row].joint].family.0;
+        found.entry(family).or_default().push(redundancy);
+    }
+    found
+        .into_iter()
+        .filter_map(|(family, rows)| {
+            let joint = mechanism.joints.get(family)?;
+            Some(ModelError::new(joint.origin, message(system, structure, &rows)))
+        })
+        .collect()
+}
+
+/// What is said of one declaration.
+fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redundancy]) -> String {
+    let set = &system.set;
+    let joint_of = |row: usize| set.rows[row].joint;
+    let own = distinct(redundant.iter().map(|r| joint_of(r.row)));
+    let circuit = redundant.iter().flat_map(|r| &r.circuit).map(|row| joint_of(*row));
+    let mut others: Vec<usize> = distinct(circuit.filter(|joint| !own.contains(joint)));
+    others.sort_unstable();
+    let names = list(own.iter().map(|joint| set.joints[*joint].name.as_str()));
+    let with = list(others.iter().map(|joint| set.joints[*joint].name.as_str()));
+    let driving = redundant.iter().all(|r| system.classes[r.row].driving);
+    let (n, s, rank) = (structure.coordinates, structure.rows, structure.rank);
+    let advice = advice(set, &own, redundant, driving);
+    let plural = own.len() > 1;
+    if driving {
+        let (freedom, drivers) = (structure.degrees_of_freedom(), drivers(system));
+        let freedom = match freedom {
+            0 => "no degree of freedom".to_owned(),
+            1 => "1 degree of freedom".to_owned(),
+            _ => format!("{freedom} degrees of freedom"),
+        };
+        let said = if plural { "prescribe" } else { "prescribes" };
+        let already = if others.is_empty() {
+            "what the other members of its family already do".to_owned()
+        } else {
+            format!("what {with} already {}", if others.len() > 1 { "determine" } else { "determines" })
+        };
+        let rows = if drivers == 1 { "1 driving row".to_owned() } else { format!("{drivers} driving rows") };
+        // Joints that are redundant at special lengths leave more to be driven.
+        let by_lengths = others.iter().any(|joint| !system.classes[set.joints[*joint].first_row].driving);
+        let unless = if by_lengths { ", where lengths leave more to move," } else { "" };
+        return format!(
+            "the mechanism has {freedom} and {rows}: {names} {said} {already}; {advice}, or{unless} write \
+             `#[mechanism(allow_redundant)]`"
+        );
+    }
+    let rows = rows(set, &own, redundant);
+    let said = if plural { "repeat or contradict" } else { "repeats or contradicts" };
+    let already = match others.len() {
+        0 if redundant.iter().all(|r| r.circuit.is_empty()) => {
+            let (holds, it) = if plural { ("hold", "their") } else { ("holds", "its") };
+            return format!(
+                "{rows}{names} {holds} nothing: at no pose {it} residual changes with a coordinate; {advice}, or write \
+                 `#[mechanism(allow_redundant)]`"
+            );
+        }
+        0 => "itself".to_owned(),
+        1 => format!("what joint {with} already says"),
+        _ => format!("what joints {with} already say"),
+    };
+    format!(
+        "{rows}{names} {said} {already}, whatever the dimensions: {n} coordinates, {s} rows, rank {rank}; {advice}, or \
+         write `#[mechanism(allow_redundant)]`"
+    )
+}
+
+/// `row `N.angle` of ` where not all rows of the joint are redundant.
+fn rows(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy]) -> String {
+    let [joint] = own else { return String::new() };
+    let joint = &set.joints[*joint];
+    if redundant.len() == joint.rows {
+        return String::new();
+    }
+    let names: Vec<String> = redundant.iter().map(|r| format!("`{}`", set.rows[r.row].name)).collect();
+    format!("{} {} of ", if names.len() == 1 { "row" } else { "rows" }, names.join(" and "))
+}
+
+/// What would be right, by the kind of the joint and by which of its rows are redundant.
+fn advice(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy], driving: bool) -> String {
+    let it = if own.len() > 1 { "them" } else { "it" };
+    if driving {
+        return format!("remove {it}");
+    }
+    let joint = &set.joints[own[0]];
+    let of_first = |r: &&&Redundancy| set.rows[r.row].joint == own[0];
+    let mut numbers: Vec<usize> = redundant.iter().filter(of_first).map(|r| r.row - joint.first_row).collect();
+    numbers.sort_unstable();
+    let instead = match (joint.tag, &numbers[..]) {
+        (JointTag::Translational, [1]) => "`point_on_line`, which leaves the angle to the other joints",
+        (JointTag::Translational, [0]) => "`relative_angle`, which leaves the place to the other joints",
+        (JointTag::Fixed, [2]) => "`revolute`, which leaves the angle to the other joints",
+        (JointTag::Fixed, [0, 1]) => "`relative_angle`, which leaves the place to the other joints",
+        (JointTag::Revolute | JointTag::Fixed, [_]) => "`point_on_line`, which holds the point in one direction only",
+        _ => return format!("remove {it}"),
+    };
+    format!("replace `{}` by {instead}", joint.name)
+}
+
+/// Number of driving rows.
+fn drivers(system: &KinematicSystem) -> usize {
+    system.classes.iter().filter(|class| class.driving).count()
+}
+
+/// Each once, in order.
+fn distinct(joints: impl Iterator<Item = usize>) -> Vec<usize> {
+    let mut all = Vec::new();
+    joints.for_each(|joint| {
+        if !all.contains(&joint) {
+            all.push(joint);
+        }
+    });
+    all
+}
+
+/// `` `A`, `B` and `C` ``.
+fn list<'a>(names: impl ExactSizeIterator<Item = &'a str>) -> String {
+    let total = names.len();
+    let mut quoted: Vec<String> = names.take(SHOWN).map(|name| format!("`{name}`")).collect();
+    if total > SHOWN {
+        return format!("{}, … ({total} in all)", quoted.join(", "));
+    }
+    match (quoted.pop(), quoted.is_empty()) {
+        (Some(last), false) => format!("{} and {last}", quoted.join(", ")),
+        (last, _) => last.unwrap_or_default(),
+    }
+}

@@ -1,0 +1,116 @@
+//! Rows of Φ_q at a draw.
+//!
+//! Rows of joints whose points have places come from their formulas, with ∂r/∂φ = perp(r − r_i); what they are multiplied
+//! with is left out where it scales the whole row. All other rows are the symbolic partials, evaluated where that is
+//! possible and drawn where it is not: the support is right in any case, and literal coefficients are what they are.
+
+use super::field::Residue;
+use super::place::local;
+use super::rank::{Row, add_to};
+use super::residue::Residues;
+use crate::constraint::{ConstraintSet, Frame, JointTag, Role};
+use crate::system::KinematicSystem;
+
+/// ∂r of a point for the coordinates that move it.
+type Motion = Vec<(usize, [Residue; 2])>;
+
+/// A row of Φ_q at the draw.
+pub(super) fn row(system: &KinematicSystem, residues: &mut Residues<'_>, row: usize) -> Row {
+    of_joint(system, residues, row).unwrap_or_else(|| {
+        let mut entries = Row::new();
+        for &(k, e) in &system.equations[row].phi_q {
+            add_to(&mut entries, k as usize, residues.of(e));
+        }
+        entries
+    })
+}
+
+/// The row, when its joint is one whose points have places.
+fn of_joint(system: &KinematicSystem, residues: &mut Residues<'_>, row: usize) -> Option<Row> {
+    let set = &system.set;
+    let joint = &set.joints[set.rows[row].joint];
+    let number = row - joint.first_row;
+    let p = local(set, joint, Role::P)?;
+    let r_p = residues.places.point(&set.graph, p);
+    let motion_p = motion(residues, p.0, r_p);
+    if let JointTag::X | JointTag::Y = joint.tag {
+        let component = usize::from(joint.tag == JointTag::Y);
+        return Some(combined(&[(&motion_p, unit(component))]));
+    }
+    let q = local(set, joint, Role::Q)?;
+    let r_q = residues.places.point(&set.graph, q);
+    let motion_q = motion(residues, q.0, r_q);
+    let minus = |v: [Residue; 2]| v.map(|component| -component);
+    match (joint.tag, number) {
+        (JointTag::Revolute | JointTag::Fixed, 0 | 1) => {
+            Some(combined(&[(&motion_q, unit(number)), (&motion_p, minus(unit(number)))]))
+        }
+        (JointTag::Translational | JointTag::PointOnLine, 0) => {
+            let (frame, x, y) = local(set, joint, Role::Axis)?;
+            let direction = residues.direction([x, y]);
+            let (u, angle) = match frame {
+                Frame::Ground => (direction, None),
+                Frame::Body(body) => {
+                    let turn = residues.turns.of(&set.graph, set.bodies[body].pose[2]);
+                    (turn.apply(direction), set.bodies[body].coordinates[2])
+                }
+            };
+            let normal = [-u[1], u[0]];
+            let mut entries = combined(&[(&motion_q, normal), (&motion_p, minus(normal))]);
+            if let Some(k) = angle {
+                // The line turns with its body: ∂perp(u)·d/∂φ_i = −u·d.
+                let d = [r_q[0] - r_p[0], r_q[1] - r_p[1]];
+                add_to(&mut entries, k as usize, -(u[0] * d[0] + u[1] * d[1]));
+            }
+            Some(entries)
+        }
+        (JointTag::Distance | JointTag::Driver, 0) => {
+            let d = [r_q[0] - r_p[0], r_q[1] - r_p[1]];
+            Some(combined(&[(&motion_q, d), (&motion_p, minus(d))]))
+        }
+        _ => None,
+    }
+}
+
+fn unit(component: usize) -> [Residue; 2] {
+    if component == 0 { [Residue::ONE, Residue::ZERO] } else { [Residue::ZERO, Residue::ONE] }
+}
+
+/// Σ weight · ∂r.
+fn combined(terms: &[(&Motion, [Residue; 2])]) -> Row {
+    let mut row = Row::new();
+    for (motion, weight) in terms {
+        for (k, v) in motion.iter() {
+            add_to(&mut row, *k, weight[0] * v[0] + weight[1] * v[1]);
+        }
+    }
+    row
+}
+
+/// How a point at `r` moves with the coordinates of its body and of those that carry it.
+fn motion(residues: &Residues<'_>, frame: Frame, r: [Residue; 2]) -> Motion {
+    let set: &ConstraintSet = residues.set;
+    let (mut moved, mut r, mut frame) = (Motion::new(), r, frame);
+    // A chain of carriers is no longer than the number of bodies.
+    for _ in 0..=set.bodies.len() {
+        let Frame::Body(place) = frame else { break };
+        let body = &set.bodies[place];
+        let origin = residues.places.origin(place);
+        if let Some(k) = body.coordinates[2] {
+            moved.push((k as usize, [-(r[1] - origin[1]), r[0] - origin[0]]));
+        }
+        for component in 0..2 {
+            if let Some(k) = body.coordinates[component] {
+                moved.push((k as usize, unit(component)));
+            }
+        }
+        match body.carried_by {
+            Some(carrier) => {
+                r = origin;
+                frame = carrier;
+            }
+            None => break,
+        }
+    }
+    moved
+}

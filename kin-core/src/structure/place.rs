@@ -1,0 +1,252 @@
+//! Places in the plane that satisfy the joints, given the rotations.
+//!
+//! Unknown are the origins of the bodies and every distinct point of a body; equal expressions on one body are one
+//! point. With the rotations known everything that is imposed here is linear with constant coefficients: points joined
+//! by revolute and fixed joints coincide, literal x and y hold, equal held expressions are equal, and a point stays on
+//! a line whose direction is literal. What is left open is drawn. The body points are not solved for their
+//! body-fixed coordinates: the vector from the origin to the place is all that the equations need.
+//!
+//! Lines that turn with the mechanism are not imposed. Whether a point is on such a line does not change the rank of
+//! the line's own row, and imposing it could force points together that need not meet: a draw without it is more
+//! general, so that nothing is proved that does not hold for every pose.
+
+use super::field::{Draw, Residue, fraction};
+use super::rank::{Elimination, Row, add_to};
+use super::turn::Turns;
+use crate::constraint::{ConstraintSet, Frame, JointInstance, JointTag, Role};
+use crate::expr::{Depends, ExprId, Graph, Node, Rotation};
+use crate::system::KinematicSystem;
+use std::collections::HashMap;
+
+const SORT_PLACE: u64 = 20;
+
+/// A point of a frame, by its expressions.
+type Key = (Frame, ExprId, ExprId);
+
+/// The unknowns: each point has a place in the list of x and y.
+#[derive(Default)]
+struct Unknowns {
+    points: HashMap<Key, usize>,
+    held: HashMap<ExprId, usize>,
+    count: usize,
+}
+
+/// A linear expression in the unknowns, with its constant.
+type Linear = (Vec<(usize, Residue)>, Residue);
+
+impl Unknowns {
+    /// x and y of a body's origin.
+    fn origin(body: usize) -> usize {
+        2 * body
+    }
+
+    /// x and y of a point; the ground's origin is known.
+    fn point(&mut self, graph: &Graph, key: Key) -> [Linear; 2] {
+        let is_origin = graph.is_zero(key.1) && graph.is_zero(key.2);
+        let first = match key.0 {
+            Frame::Ground if is_origin => return [(Vec::new(), Residue::ZERO), (Vec::new(), Residue::ZERO)],
+            Frame::Body(body) if is_origin => Self::origin(body),
+            _ => *self.points.entry(key).or_insert_with(|| {
+                self.count += 2;
+                self.count - 2
+            }),
+        };
+        [first, first + 1].map(|k| (vec![(k, Residue::ONE)], Residue::ZERO))
+    }
+
+    /// A held value: a literal, or an unknown that all places with the same expression share.
+    fn value(&mut self, graph: &Graph, id: ExprId) -> Linear {
+        if let Some(value) = graph.literal(id) {
+            return (Vec::new(), Residue::number(value));
+        }
+        let k = *self.held.entry(id).or_insert_with(|| {
+            self.count += 1;
+            self.count - 1
+        });
+        (vec![(k, Residue::ONE)], Residue::ZERO)
+    }
+}
+
+/// The places of a draw.
+pub(super) struct Places {
+    origins: Vec<[Residue; 2]>,
+    points: HashMap<Key, [Residue; 2]>,
+    /// Points by body, for vectors that are met in expressions.
+    of_body: Vec<Vec<(ExprId, ExprId)>>,
+    /// The body that turns with an angle, where it is one.
+    turning: HashMap<ExprId, Option<usize>>,
+}
+
+/// The ratio of a literal direction as small integers, where it has one.
+pub(super) fn literal_direction(graph: &Graph, [x, y]: [ExprId; 2]) -> Option<[Residue; 2]> {
+    const ROUNDING: f64 = 8.0 * f64::EPSILON;
+    let (x, y) = (graph.literal(x)?, graph.literal(y)?);
+    let (big, small) = if x.abs() >= y.abs() { (x, y) } else { (y, x) };
+    let ratio = match fraction(small / big, ROUNDING) {
+        Some((p, q)) => [Residue::integer(q), Residue::integer(p)],
+        None => [Residue::number(big), Residue::number(small)],
+    };
+    // Which way it points is the same for both forms only up to a sign, which no rank depends on.
+    Some(if x.abs() >= y.abs() { ratio } else { [ratio[1], ratio[0]] })
+}
+
+/// The body-fixed expressions of a joint's point.
+pub(super) fn local(set: &ConstraintSet, joint: &JointInstance, role: Role) -> Option<Key> {
+    let geometry = joint.geometry.iter().find(|geometry| geometry.role == role)?;
+    Some((geometry.frame, *set.geometry.get(geometry.offset)?, *set.geometry.get(geometry.offset + 1)?))
+}
+
+/// The value of a joint: length, offset, right-hand side.
+fn value(set: &ConstraintSet, joint: &JointInstance) -> Option<ExprId> {
+    let geometry = joint.geometry.iter().find(|geometry| geometry.role == Role::Value)?;
+    set.geometry.get(geometry.offset).copied()
+}
+
+impl Places {
+    /// Draws places that satisfy the joints.
+    pub(super) fn new(system: &KinematicSystem, turns: &Turns, draw: Draw) -> Self {
+        let set = &system.set;
+        let mut unknowns = Unknowns { count: 2 * set.bodies.len(), ..Unknowns::default() };
+        let equations = equations(system, turns, &mut unknowns);
+        // The last column is the constant.
+        let one = unknowns.count;
+        let mut elimination = Elimination::new(vec![1; one + 1]);
+        for (k, row) in equations.iter().enumerate() {
+            // What cannot hold together with the rest is left out: the mechanism cannot be assembled then.
+            let _ = elimination.push(k, row, one);
+        }
+        let x = elimination.solve(|k| draw.residue(SORT_PLACE, k as u64));
+        let at = |k: usize| [x[k], x[k + 1]];
+        let mut of_body = vec![Vec::new(); set.bodies.len()];
+        for &(frame, ex, ey) in unknowns.points.keys() {
+            if let Frame::Body(body) = frame {
+                of_body[body].push((ex, ey));
+            }
+        }
+        of_body.iter_mut().for_each(|points| points.sort_unstable());
+        let mut turning: HashMap<ExprId, Option<usize>> = HashMap::new();
+        for (place, body) in set.bodies.iter().enumerate() {
+            turning.entry(body.pose[2]).and_modify(|found| *found = None).or_insert(Some(place));
+        }
+        Self {
+            origins: (0..set.bodies.len()).map(|body| at(Unknowns::origin(body))).collect(),
+            points: unknowns.points.iter().map(|(key, k)| (*key, at(*k))).collect(),
+            of_body,
+            turning,
+        }
+    }
+
+    pub(super) fn origin(&self, body: usize) -> [Residue; 2] {
+        self.origins.get(body).copied().unwrap_or_default()
+    }
+
+    pub(super) fn point(&self, graph: &Graph, key: Key) -> [Residue; 2] {
+        match key.0 {
+            Frame::Body(body) if graph.is_zero(key.1) && graph.is_zero(key.2) => self.origin(body),
+            _ => self.points.get(&key).copied().unwrap_or_default(),
+        }
+    }
+
+    /// The turned vector of a point that has a place, or of its opposite.
+    pub(super) fn vector(&self, set: &ConstraintSet, r: Rotation) -> Option<[Residue; 2]> {
+        let body = (*self.turning.get(&r.angle)?)?;
+        let graph = &set.graph;
+        let points = self.of_body.get(body)?;
+        let origin = self.origin(body);
+        let to = |x: ExprId, y: ExprId| {
+            let place = self.point(graph, (Frame::Body(body), x, y));
+            [place[0] - origin[0], place[1] - origin[1]]
+        };
+        if points.contains(&(r.x, r.y)) {
+            return Some(to(r.x, r.y));
+        }
+        let opposite = |a: ExprId, b: ExprId| match (graph.literal(a), graph.literal(b)) {
+            (Some(a), Some(b)) => a == -b,
+            _ => graph.node(a) == Node::Neg(b) || graph.node(b) == Node::Neg(a),
+        };
+        let (x, y) = points.iter().copied().find(|&(x, y)| opposite(x, r.x) && opposite(y, r.y))?;
+        Some(to(x, y).map(|component| -component))
+    }
+}
+
+/// left − right as a row, with the constant in the last column.
+fn difference(terms: &[(Residue, &Linear)], one: usize) -> Row {
+    let mut row = Row::new();
+    for (factor, (unknowns, constant)) in terms {
+        unknowns.iter().for_each(|(k, c)| add_to(&mut row, *k, *factor * *c));
+        add_to(&mut row, one, *factor * *constant);
+    }
+    row
+}
+
+fn equations(system: &KinematicSystem, turns: &Turns, unknowns: &mut Unknowns) -> Vec<Row> {
+    let set = &system.set;
+    let graph = &set.graph;
+    let plus = Residue::ONE;
+    let mut pairs: Vec<Vec<(Residue, Linear)>> = Vec::new();
+    let equal = |a: Linear, b: Linear| vec![(plus, a), (-plus, b)];
+    for (place, body) in set.bodies.iter().enumerate() {
+        let own = [0, 1].map(|c| (vec![(Unknowns::origin(place) + c, plus)], Residue::ZERO));
+        match (body.carried_by, body.carried_at) {
+            (Some(carrier), Some([x, y])) => {
+                let [x, y] = unknowns.point(graph, (carrier, x, y));
+                let [own_x, own_y] = own;
+                pairs.push(equal(own_x, x));
+                pairs.push(equal(own_y, y));
+            }
+            _ => {
+                for (c, own) in own.into_iter().enumerate() {
+                    if body.coordinates[c].is_none() {
+                        pairs.push(equal(own, unknowns.value(graph, body.pose[c])));
+                    }
+                }
+            }
+        }
+    }
+    for joint in &set.joints {
+        let [p, q] = [Role::P, Role::Q].map(|role| local(set, joint, role).map(|key| unknowns.point(graph, key)));
+        let driving = system.classes.get(joint.first_row).is_some_and(|class| class.driving);
+        match (joint.tag, p, q) {
+            (JointTag::Revolute | JointTag::Fixed, Some([px, py]), Some([qx, qy])) => {
+                pairs.push(equal(px, qx));
+                pairs.push(equal(py, qy));
+            }
+            (JointTag::X | JointTag::Y, Some([px, py]), _) if !driving => {
+                let held = value(set, joint).filter(|value| !graph.depends(*value).on(Depends::COORDINATE));
+                if let Some(held) = held {
+                    pairs.push(equal(if joint.tag == JointTag::X { px } else { py }, unknowns.value(graph, held)));
+                }
+            }
+            (JointTag::Translational | JointTag::PointOnLine, Some([px, py]), Some([qx, qy])) => {
+                let through = joint.tag == JointTag::Translational
+                    || value(set, joint).is_some_and(|offset| graph.is_zero(offset));
+                if let Some([ux, uy]) = fixed_direction(set, turns, joint).filter(|_| through) {
+                    // perp(u)·(r_Q − r_P) = 0.
+                    pairs.push(vec![(-uy, qx), (uy, px), (ux, qy), (-ux, py)]);
+                }
+            }
+            _ => {}
+        }
+    }
+    let one = unknowns.count;
+    pairs
+        .into_iter()
+        .map(|terms| {
+            let terms: Vec<(Residue, &Linear)> = terms.iter().map(|(factor, linear)| (*factor, linear)).collect();
+            difference(&terms, one)
+        })
+        .collect()
+}
+
+/// The direction of a line that does not turn and is literal.
+fn fixed_direction(set: &ConstraintSet, turns: &Turns, joint: &JointInstance) -> Option<[Residue; 2]> {
+    let (frame, x, y) = local(set, joint, Role::Axis)?;
+    let direction = literal_direction(&set.graph, [x, y])?;
+    match frame {
+        Frame::Ground => Some(direction),
+        Frame::Body(body) => {
+            let turn = turns.of(&set.graph, set.bodies.get(body)?.pose[2]);
+            turn.exact.then(|| turn.apply(direction))
+        }
+    }
+}

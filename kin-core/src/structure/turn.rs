@@ -1,0 +1,222 @@
+//! Rotations that satisfy the angle rows.
+//!
+//! Every angle is a point (cos, sin) of the unit circle over F_p. Rows that only say how two angles differ, or add up,
+//! tie their rotations together; angles that nothing ties are drawn. Constant angles are rotations too: literal
+//! multiples of π/2 are exact, everything else is drawn, the same expression always the same, and sums, differences
+//! and integer multiples turn as they should. Around a circle of angle rows the last one is taken to be consistent:
+//! whether its constant is, depends on values.
+
+use super::field::{Draw, Residue};
+use crate::constraint::{ConstraintSet, CoordinateKind};
+use crate::expr::{Depends, ExprId, Graph, Node, Symbol};
+use crate::mechanism::Component;
+use crate::system::KinematicSystem;
+use core::f64::consts::FRAC_PI_2;
+
+/// A point of the unit circle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Turn {
+    pub(super) cos: Residue,
+    pub(super) sin: Residue,
+    /// Nothing about it was drawn.
+    pub(super) exact: bool,
+}
+
+impl Turn {
+    const NONE: Self = Self { cos: Residue::ONE, sin: Residue::ZERO, exact: true };
+
+    /// ((1 − t²)/(1 + t²), 2t/(1 + t²)).
+    fn drawn(t: Residue) -> Self {
+        let square = t * t;
+        let norm = (Residue::ONE + square).inverse();
+        Self { cos: (Residue::ONE - square) * norm, sin: (t + t) * norm, exact: false }
+    }
+
+    fn then(self, other: Self) -> Self {
+        Self {
+            cos: self.cos * other.cos - self.sin * other.sin,
+            sin: self.sin * other.cos + self.cos * other.sin,
+            exact: self.exact && other.exact,
+        }
+    }
+
+    fn back(self) -> Self {
+        Self { sin: -self.sin, ..self }
+    }
+
+    /// The rotation by `times` the angle.
+    fn times(self, times: i64) -> Self {
+        let one = if times < 0 { self.back() } else { self };
+        (0..times.unsigned_abs()).fold(Self::NONE, |all, _| all.then(one))
+    }
+
+    /// A·v.
+    pub(super) fn apply(self, [x, y]: [Residue; 2]) -> [Residue; 2] {
+        [self.cos * x - self.sin * y, self.sin * x + self.cos * y]
+    }
+}
+
+/// Multiples above this are not followed: their angle is drawn.
+const MULTIPLE: i64 = 12;
+
+/// The integer n of a product n·a.
+fn multiple(graph: &Graph, a: ExprId, b: ExprId) -> Option<(i64, ExprId)> {
+    let whole = |id| graph.literal(id).filter(|v| v.fract() == 0.0 && v.abs() <= MULTIPLE as f64);
+    whole(a).map(|n| (n as i64, b)).or_else(|| whole(b).map(|n| (n as i64, a)))
+}
+
+/// An angle as a sum of integer multiples of other expressions.
+fn terms(graph: &Graph, angle: ExprId) -> Vec<(i64, ExprId)> {
+    let (mut open, mut sum) = (vec![(1_i64, angle)], Vec::new());
+    while let Some((times, id)) = open.pop() {
+        match graph.node(id) {
+            Node::Add(a, b) => open.extend([(times, a), (times, b)]),
+            Node::Sub(a, b) => open.extend([(times, a), (-times, b)]),
+            Node::Neg(a) => open.push((-times, a)),
+            Node::Mul(a, b) => match multiple(graph, a, b) {
+                Some((n, a)) if (n * times).abs() <= MULTIPLE => open.push((n * times, a)),
+                _ => sum.push((times, id)),
+            },
+            _ => sum.push((times, id)),
+        }
+    }
+    sum
+}
+
+/// A row ±φ_a ± φ_b + rest = 0; without b the ground is meant.
+struct Relation {
+    ends: [(usize, i64); 2],
+    rest: Turn,
+}
+
+/// The rotations of a draw.
+pub(super) struct Turns {
+    draw: Draw,
+    /// By coordinate.
+    of: Vec<Turn>,
+}
+
+const SORT_COORDINATE: u64 = 1;
+const SORT_LITERAL: u64 = 2;
+const SORT_EXPRESSION: u64 = 3;
+
+impl Turns {
+    /// Draws rotations that satisfy the angle rows.
+    pub(super) fn new(system: &KinematicSystem, draw: Draw) -> Self {
+        let set = &system.set;
+        let ground = set.coordinates.len();
+        let mut turns = Self { draw, of: Vec::new() };
+        let mut relations: Vec<Vec<(usize, Relation)>> = (0..=ground).map(|_| Vec::new()).collect();
+        for row in 0..set.rows.len() {
+            if let Some([(a, sign_a), (b, sign_b)]) = turns.ends(system, row) {
+                let rest = turns.rest(set, set.rows[row].phi);
+                relations[a].push((b, Relation { ends: [(a, sign_a), (b, sign_b)], rest }));
+                relations[b].push((a, Relation { ends: [(b, sign_b), (a, sign_a)], rest }));
+            }
+        }
+        let mut of: Vec<Option<Turn>> = vec![None; ground + 1];
+        for root in core::iter::once(ground).chain(0..ground) {
+            if of[root].is_some() {
+                continue;
+            }
+            of[root] = Some(match root == ground {
+                true => Turn::NONE,
+                false => Turn::drawn(draw.residue(SORT_COORDINATE, root as u64)),
+            });
+            let mut open = vec![root];
+            while let Some(place) = open.pop() {
+                let Some(here) = of[place] else { continue };
+                for (next, Relation { ends: [(_, sign), (_, next_sign)], rest }) in &relations[place] {
+                    if of[*next].is_none() {
+                        // φ_next = −next_sign (sign φ + rest).
+                        of[*next] = Some(here.times(*sign).then(*rest).times(-next_sign));
+                        open.push(*next);
+                    }
+                }
+            }
+        }
+        turns.of = of.into_iter().take(ground).map(|turn| turn.unwrap_or(Turn::NONE)).collect();
+        turns
+    }
+
+    /// The angles that a row ties together, with their signs. Driving rows do not count: what moves is generic.
+    fn ends(&self, system: &KinematicSystem, row: usize) -> Option<[(usize, i64); 2]> {
+        let class = system.classes[row];
+        if class.driving || !class.holonomic {
+            return None;
+        }
+        let set = &system.set;
+        let end = |&(k, e): &(u32, ExprId)| {
+            let is_length =
+                matches!(set.coordinates.get(k as usize)?.kind, CoordinateKind::Pose(_, Component::X | Component::Y));
+            let sign = set.graph.literal(e).filter(|v| v.abs() == 1.0 && !is_length)?;
+            Some((k as usize, sign as i64))
+        };
+        let ends = match &system.equations[row].phi_q[..] {
+            [a] => [end(a)?, (set.coordinates.len(), 1)],
+            [a, b] => [end(a)?, end(b)?],
+            _ => return None,
+        };
+        // What is left of the sum without the two angles must not move.
+        let still = |&(_, id): &(i64, ExprId)| match set.graph.node(id) {
+            Node::Symbol(Symbol::Coordinate(_)) => true,
+            _ => !set.graph.depends(id).on(Depends::COORDINATE),
+        };
+        terms(&set.graph, set.rows[row].phi).iter().all(still).then_some(ends)
+    }
+
+    /// The constant part of an angle row.
+    fn rest(&self, set: &ConstraintSet, phi: ExprId) -> Turn {
+        let terms = terms(&set.graph, phi);
+        let constants = terms.into_iter().filter(|(_, id)| !set.graph.depends(*id).on(Depends::COORDINATE));
+        constants.fold(Turn::NONE, |all, (times, id)| all.then(self.term(&set.graph, id).times(times)))
+    }
+
+    /// The rotation of an angle.
+    pub(super) fn of(&self, graph: &Graph, angle: ExprId) -> Turn {
+        let terms = terms(graph, angle);
+        terms.into_iter().fold(Turn::NONE, |all, (times, id)| all.then(self.term(graph, id).times(times)))
+    }
+
+    fn term(&self, graph: &Graph, id: ExprId) -> Turn {
+        match graph.node(id) {
+            Node::Number(bits) => self.literal(bits.value()),
+            Node::Symbol(Symbol::Coordinate(k)) => self.of.get(k as usize).copied().unwrap_or(Turn::NONE),
+            _ => Turn::drawn(self.draw.residue(SORT_EXPRESSION, id.index() as u64)),
+        }
+    }
+
+    fn literal(&self, value: f64) -> Turn {
+        let quarters = (value / FRAC_PI_2).round();
+        if quarters.abs() <= 16.0 && quarters * FRAC_PI_2 == value {
+            let quarter = Turn { cos: Residue::ZERO, sin: Residue::ONE, exact: true };
+            return quarter.times((quarters as i64).rem_euclid(4));
+        }
+        let turn = Turn::drawn(self.draw.residue(SORT_LITERAL, value.abs().to_bits()));
+        if value < 0.0 { turn.back() } else { turn }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn constant_angles_add_up() {
+        let turns = Turns { draw: Draw(5), of: Vec::new() };
+        let mut graph = Graph::new();
+        let [a, b] = [0, 1].map(|k| graph.symbol(Symbol::Parameter(k)));
+        let sum = graph.add(a, b);
+        let quarter = graph.number(FRAC_PI_2);
+        let turned = graph.sub(sum, quarter);
+        let of = |id| turns.of(&graph, id);
+        assert_eq!(of(sum), of(a).then(of(b)));
+        assert_eq!(of(turned).cos, of(sum).sin);
+        assert_eq!(of(a).cos * of(a).cos + of(a).sin * of(a).sin, Residue::ONE);
+        assert!(of(quarter).exact && !of(a).exact && of(a) != of(b));
+        let double = graph.add(a, a);
+        assert_eq!(turns.of(&graph, double), turns.of(&graph, a).times(2));
+        assert_eq!(turns.literal(-0.7), turns.literal(0.7).back());
+        assert_eq!(turns.literal(4.0 * FRAC_PI_2), Turn::NONE);
+    }
+}

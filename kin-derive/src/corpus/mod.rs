@@ -1,0 +1,179 @@
+//! Mechanisms with known mobility: counts, and the joints that a planted fault is blamed on, whatever things are called
+//! and in whichever order they are declared.
+
+mod chains;
+mod existing;
+mod faults;
+mod linkages;
+mod relations;
+mod sliders;
+mod timing;
+
+use crate::analyse::analyse;
+use crate::lower::Lowered;
+use kin_core::{KinematicSystem, Structure};
+use proc_macro2::{Group, Ident, TokenStream, TokenTree};
+use std::collections::BTreeSet;
+use std::str::FromStr;
+
+/// A mechanism and what is known about it.
+struct Case {
+    name: &'static str,
+    /// Parameters, apart by blanks.
+    parameters: &'static str,
+    /// Attributes, each on its line or apart by `;`.
+    attributes: &'static str,
+    /// n, rows, generic rank, degrees of freedom without driving rows.
+    counts: [usize; 4],
+    /// The joints that make it redundant, apart by blanks: without them it is not.
+    fault: &'static str,
+}
+
+/// A description with its equations and their structure.
+struct Diagnosed {
+    lowered: Lowered,
+    system: KinematicSystem,
+    structure: Structure,
+}
+
+/// Analyses a description without mistakes of spelling.
+fn diagnosed(item: TokenStream) -> Diagnosed {
+    let (_, result) = analyse(TokenStream::new(), item);
+    let lowered = result.unwrap_or_else(|broken| panic!("{:?}", broken.error.into_iter().collect::<Vec<_>>()));
+    let system = kin_core::assemble(&lowered.mechanism).and_then(kin_core::differentiate).unwrap();
+    let structure = kin_core::diagnose(&system);
+    Diagnosed { lowered, system, structure }
+}
+
+impl Diagnosed {
+    fn counts(&self) -> [usize; 4] {
+        let Structure { coordinates, rows, rank, .. } = self.structure;
+        [coordinates, rows, rank, self.structure.degrees_of_freedom()]
+    }
+
+    /// Each redundant row's joint with the joints of its circuit.
+    fn circuits(&self) -> Vec<BTreeSet<String>> {
+        let joint = |row: &usize| {
+            let joint = &self.system.set.joints[self.system.set.rows[*row].joint];
+            self.lowered.mechanism.joints[joint.family.0].name.clone()
+        };
+        let redundant = self.structure.redundant.iter();
+        redundant.map(|r| r.circuit.iter().chain([&r.row]).map(joint).collect()).collect()
+    }
+
+    fn messages(&self) -> Vec<String> {
+        let errors = kin_core::structure::explain(&self.lowered.mechanism, &self.system, &self.structure);
+        errors.into_iter().map(|error| error.message).collect()
+    }
+}
+
+impl Case {
+    fn attributes(&self) -> Vec<&'static str> {
+        self.attributes.split([';', '\n']).map(str::trim).filter(|attribute| !attribute.is_empty()).collect()
+    }
+
+    fn faults(&self) -> BTreeSet<String> {
+        self.fault.split_whitespace().map(str::to_owned).collect()
+    }
+
+    fn source(&self, attributes: &[&str]) -> TokenStream {
+        let attributes: String = attributes.iter().map(|attribute| format!("#[{attribute}] ")).collect();
+        let fields: String = self.parameters.split_whitespace().map(|name| format!("{name}: f64, ")).collect();
+        TokenStream::from_str(&format!("{attributes} struct Case {{ {fields} }}")).unwrap()
+    }
+
+    fn check(&self) {
+        let attributes = self.attributes();
+        let found = diagnosed(self.source(&attributes));
+        let name = self.name;
+        assert_eq!(found.counts(), self.counts, "{name}: {:?}", found.messages());
+        self.check_fault(&found);
+        assert_eq!(found.messages().is_empty(), self.fault.is_empty(), "{name}: {:?}", found.messages());
+        // Where one joint is the fault, nothing is redundant without it.
+        let row = |attribute: &str| {
+            let row = attribute.split_once('(').map_or("", |(_, rest)| rest);
+            row.split([':', '[', ' ']).next().unwrap_or_default().to_owned()
+        };
+        if self.faults().len() == 1 {
+            let kept: Vec<&str> = attributes.iter().copied().filter(|a| row(a) != self.fault).collect();
+            let sound = diagnosed(self.source(&kept));
+            assert!(sound.structure.redundant.is_empty(), "{name}: {:?}", sound.messages());
+        }
+        self.check_permuted(&attributes, &found);
+    }
+
+    /// Every circuit holds something of the fault, and all of it is blamed somewhere.
+    fn check_fault(&self, found: &Diagnosed) {
+        let (circuits, faults) = (found.circuits(), self.faults());
+        let (rows, rank) = (found.structure.rows, found.structure.rank);
+        assert_eq!(circuits.len(), rows - rank, "{}", self.name);
+        for circuit in &circuits {
+            assert!(!circuit.is_disjoint(&faults), "{}: {circuit:?}", self.name);
+        }
+        let blamed: BTreeSet<String> = circuits.into_iter().flatten().collect();
+        assert!(faults.is_subset(&blamed), "{}: {blamed:?}", self.name);
+    }
+
+    /// The same answer in other orders and under other names.
+    fn check_permuted(&self, attributes: &[&str], found: &Diagnosed) {
+        let mut order: Vec<&str> = attributes.to_vec();
+        let mut state = 0x9e37_79b9_u32;
+        for _ in 0..3 {
+            for k in (1..order.len()).rev() {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                order.swap(k, (state >> 8) as usize % (k + 1));
+            }
+            let permuted = diagnosed(self.source(&order));
+            assert_eq!(permuted.counts(), self.counts, "{} as {order:?}", self.name);
+            self.check_fault(&permuted);
+            if let ([one], [other]) = (&found.circuits()[..], &permuted.circuits()[..]) {
+                assert_eq!(one, other, "{} as {order:?}", self.name);
+            }
+        }
+        let mechanism = &found.lowered.mechanism;
+        let bodies = mechanism.bodies.iter().map(|body| &body.name);
+        let scalars = mechanism.scalars.iter().map(|scalar| &scalar.name);
+        let joints = mechanism.joints.iter().map(|joint| &joint.name);
+        let names: BTreeSet<String> = bodies.chain(scalars).chain(joints).cloned().collect();
+        let renamed = diagnosed(renamed(self.source(attributes), &names));
+        assert_eq!(renamed.structure, found.structure, "{}", self.name);
+    }
+}
+
+/// The tokens with every one of `names` called something else, in the opposite alphabetical order.
+fn renamed(tokens: TokenStream, names: &BTreeSet<String>) -> TokenStream {
+    let rename = |tree| match tree {
+        TokenTree::Ident(ident) => {
+            let name = ident.to_string();
+            let place = names.iter().position(|known| *known == name);
+            TokenTree::Ident(
+                place.map_or(ident, |k| Ident::new(&format!("thing_{}", 900 - k), proc_macro2::Span::call_site())),
+            )
+        }
+        TokenTree::Group(group) => TokenTree::Group(Group::new(group.delimiter(), renamed(group.stream(), names))),
+        other => other,
+    };
+    tokens.into_iter().map(rename).collect()
+}
+
+fn all() -> impl Iterator<Item = &'static Case> {
+    [linkages::CASES, sliders::CASES, relations::CASES, faults::CASES, chains::CASES].into_iter().flatten()
+}
+
+#[test]
+fn counts_circuits_and_orders() {
+    let wrong: Vec<&str> =
+        all().filter(|case| std::panic::catch_unwind(|| case.check()).is_err()).map(|c| c.name).collect();
+    assert!(wrong.is_empty(), "{wrong:?}");
+    assert!(all().count() >= 50, "{}", all().count());
+}
+
+/// `cargo test -p kin-derive --lib corpus::messages -- --ignored --nocapture`
+#[test]
+#[ignore = "prints what is said, for reading"]
+fn messages() {
+    for case in all().filter(|case| !case.fault.is_empty()) {
+        let found = diagnosed(case.source(&case.attributes()));
+        println!("{}\n    {}", case.name, found.messages().join("\n    "));
+    }
+}

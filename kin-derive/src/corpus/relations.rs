@@ -1,0 +1,131 @@
+//! Relations among angles: trains by their equations, drivers, prescribed and held coordinates.
+
+use super::Case;
+
+pub(super) const CASES: &[Case] = &[
+    Case {
+        name: "planetary train, two degrees of freedom",
+        parameters: "rs rp",
+        attributes: "bodies(sun, planet, arm)
+            revolute(S: ground @ (0, 0), sun @ (0, 0)); revolute(C: ground @ (0, 0), arm @ (0, 0)); revolute(P: arm @ (rs + rp, 0), planet @ (0, 0))
+            constraint(mesh: rs*(sun.phi - arm.phi) + rp*(planet.phi - arm.phi) = 0)",
+        counts: [9, 7, 7, 2],
+        fault: "",
+    },
+    Case {
+        name: "planetary train with its ring held",
+        parameters: "rs rp",
+        attributes: "bodies(sun, planet, arm)
+            revolute(S: ground @ (0, 0), sun @ (0, 0)); revolute(C: ground @ (0, 0), arm @ (0, 0)); revolute(P: arm @ (rs + rp, 0), planet @ (0, 0))
+            constraint(mesh: rs*(sun.phi - arm.phi) + rp*(planet.phi - arm.phi) = 0)
+            constraint(ring: rp*(planet.phi - arm.phi) + (rs + 2*rp)*arm.phi = 0); driver(drive: sun.phi = t)",
+        counts: [9, 9, 9, 1],
+        fault: "",
+    },
+    Case {
+        name: "planetary train with a second planet, which shares the load and says nothing new",
+        parameters: "rs rp",
+        attributes: "bodies(sun, planet, other, arm)
+            revolute(S: ground @ (0, 0), sun @ (0, 0)); revolute(C: ground @ (0, 0), arm @ (0, 0))
+            revolute(P: arm @ (rs + rp, 0), planet @ (0, 0)); revolute(Q: arm @ (-rs - rp, 0), other @ (0, 0))
+            constraint(mesh: rs*(sun.phi - arm.phi) + rp*(planet.phi - arm.phi) = 0)
+            constraint(ring: rp*(planet.phi - arm.phi) + (rs + 2*rp)*arm.phi = 0)
+            constraint(other_mesh: rs*(sun.phi - arm.phi) + rp*(other.phi - arm.phi) = 0)
+            constraint(other_ring: rp*(other.phi - arm.phi) + (rs + 2*rp)*arm.phi = 0)",
+        counts: [12, 12, 11, 1],
+        fault: "mesh ring other_mesh other_ring",
+    },
+    Case {
+        name: "three wheels in a ring of ratios",
+        parameters: "za zb zc",
+        attributes: "coordinates(a, b, c)
+            constraint(ab: za*a + zb*b = 0); constraint(bc: zb*b + zc*c = 0); constraint(ca: za*a - zc*c = 0)",
+        counts: [3, 3, 2, 1],
+        fault: "ab bc ca",
+    },
+    Case {
+        name: "three wheels that lock one another",
+        parameters: "za zb zc",
+        attributes: "coordinates(a, b, c)
+            constraint(ab: za*a + zb*b = 0); constraint(bc: zb*b + zc*c = 0); constraint(ca: za*a + zc*c = 0)",
+        counts: [3, 3, 3, 0],
+        fault: "",
+    },
+    Case {
+        name: "decimal ratios that multiply to one another",
+        parameters: "",
+        attributes: "coordinates(a, b, c)
+            constraint(ab: b = 0.3*a); constraint(bc: c = 0.1*b); constraint(ca: c = 0.03*a)",
+        counts: [3, 3, 2, 1],
+        fault: "ab bc ca",
+    },
+    Case {
+        name: "decimal ratios that do not",
+        parameters: "",
+        attributes: "coordinates(a, b, c)
+            constraint(ab: b = 0.3*a); constraint(bc: c = 0.1*b); constraint(ca: c = 0.04*a)",
+        counts: [3, 3, 3, 0],
+        fault: "",
+    },
+    Case {
+        name: "angles in a circle",
+        parameters: "a b",
+        attributes: "bodies(p, q, r)
+            relative_angle(A: p, q = a); relative_angle(B: q, r = b); relative_angle(C: p, r = a + b)
+            x(P: p @ (0, 0) = 0); x(Q: q @ (0, 0) = 0); y(R: r @ (0, 0) = t)",
+        counts: [9, 6, 5, 5],
+        fault: "A B C",
+    },
+    Case {
+        name: "an angle that a guide has said",
+        parameters: "",
+        attributes: "bodies(table); translational(guide: ground @ (0, 0), table @ (0, 0), axis = (1, 2)); angle(level: table = 0)",
+        counts: [3, 3, 2, 1],
+        fault: "level",
+    },
+    Case {
+        name: "a four-bar with two drivers",
+        parameters: "a b c d",
+        attributes: "bodies(crank, coupler, rocker)
+            revolute(O: ground @ (0, 0), crank @ (0, 0)); revolute(A: crank @ (a, 0), coupler @ (0, 0))
+            revolute(B: coupler @ (b, 0), rocker @ (c, 0)); revolute(D: ground @ (d, 0), rocker @ (0, 0))
+            driver(first: crank.phi = t); driver(second: rocker.phi = 2*t)",
+        counts: [9, 10, 9, 1],
+        fault: "second",
+    },
+    Case {
+        name: "a crank that is driven twice beside a free pendulum",
+        parameters: "a b",
+        attributes: "bodies(crank, pendulum)
+            revolute(O: ground @ (0, 0), crank @ (0, 0)); revolute(A: crank @ (a, 0), pendulum @ (0, 0))
+            driver(first: crank.phi = t); driver(second: crank.phi = b*t)",
+        counts: [6, 6, 5, 2],
+        fault: "second",
+    },
+    Case {
+        name: "a driven structure",
+        parameters: "a b c",
+        attributes: "bodies(p, q)
+            revolute(A: ground @ (0, 0), p @ (0, 0)); revolute(B: p @ (a, 0), q @ (0, 0)); revolute(C: q @ (b, 0), ground @ (c, 0))
+            driver(drive: p.phi = t)",
+        counts: [6, 7, 6, 0],
+        fault: "drive",
+    },
+    Case {
+        name: "a point driven in x and y, and its distance as well",
+        parameters: "l",
+        attributes: "bodies(table)
+            driver(across: table.x = t); driver(up: table.y = t); driver(far: distance(table @ (0, 0), ground @ (0, 0)) = l + t)",
+        counts: [3, 3, 2, 3],
+        fault: "far",
+    },
+    Case {
+        name: "excavator with its cylinders driven",
+        parameters: "a b c d e f",
+        attributes: "bodies(boom, stick)
+            revolute(O: ground @ (0, 0), boom @ (0, 0)); revolute(A: boom @ (a, 0), stick @ (0, 0))
+            driver(lift: distance(ground @ (b, 0), boom @ (c, d)) = e + t); driver(crowd: distance(boom @ (a, d), stick @ (f, 0)) = e - t)",
+        counts: [6, 6, 6, 2],
+        fault: "",
+    },
+];

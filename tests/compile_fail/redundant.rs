@@ -1,0 +1,74 @@
+//! Mechanisms that say something twice, whatever their dimensions: the joint is named with those that said it.
+
+use kin_runtime::mechanism;
+
+#[mechanism]
+#[bodies(crank, coupler, rocker)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (0.1, 0), coupler @ (0, 0))]
+#[revolute(B: coupler @ (0.4, 0), rocker @ (0.2, 0))]
+#[revolute(B2: rocker @ (0.2, 0), coupler @ (0.4, 0))]
+#[revolute(D: ground @ (0.5, 0), rocker @ (0, 0))]
+struct Twice;
+
+/// Every joint is right; together they say the angle of the last wedge twice.
+#[mechanism]
+#[bodies(lower, upper)]
+#[translational(floor: ground @ (0, 0), lower @ (0, 0), axis = (1, 0))]
+#[translational(slope: lower @ (0, 0), upper @ (0, 0), axis = (4, 3))]
+#[translational(wall: ground @ (1, 0), upper @ (0, 0), axis = (0, 1))]
+#[driver(push: lower.x = t)]
+struct Wedges;
+
+#[mechanism]
+#[bodies(table)]
+#[translational(front: ground @ (0, 0), table @ (0, 0), axis = (1, 0))]
+#[translational(back: ground @ (0, depth), table @ (0, depth), axis = (1, 0))]
+struct Guides {
+    #[param(0.2)]
+    depth: f64,
+}
+
+/// As many rows as a frame needs, but two of them are in a frame that is rigid without one.
+#[mechanism]
+#[bodies(p, q, r, s, swing[2])]
+#[revolute(O: ground @ (0, 0), p @ (0, 0))]
+#[revolute(A: p @ (1, 0), q @ (0, 0))]
+#[revolute(B: q @ (1, 0), r @ (0, 0))]
+#[revolute(C: r @ (1, 0), s @ (0, 0))]
+#[revolute(D: s @ (1, 0), p @ (0, 0))]
+#[distance(rising: p @ (0, 0), r @ (0, 0), length = 1.4)]
+#[distance(falling: p @ (1, 0), s @ (0, 0), length = 1.4)]
+#[revolute(pin: ground @ (3, 0), swing[0] @ (0, 0))]
+#[revolute(link[i in 0..1]: swing[i] @ (1, 0), swing[i + 1] @ (0, 0))]
+struct Hidden;
+
+#[mechanism]
+#[bodies(crank, rod)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (0.1, 0), rod @ (0, 0))]
+#[y(guide: rod @ (0.4, 0) = 0)]
+#[driver(turn: crank.phi = t)]
+#[driver(push: rod.x = 0.4 + t)]
+struct Overdriven;
+
+#[mechanism]
+#[bodies(chain[4])]
+#[revolute(root: ground @ (0, 0), chain[0] @ (0, 0))]
+#[revolute(pin[i in 0..3]: chain[i] @ (1, 0), chain[i + 1] @ (0, 0))]
+#[relative_angle(turn[i in 0..3]: chain[i], chain[i + 1] = 0.1 * t)]
+#[angle(hold[i in 0..4]: chain[i] = 0)]
+#[fixed(weld: chain[0] @ (0.5, 0), chain[1] @ (0.5, 0))]
+struct Family;
+
+/// What moves only because of its lengths says so.
+#[mechanism(allow_redundant)]
+#[bodies(p, q)]
+#[revolute(A: ground @ (0, 0), p @ (0, 0))]
+#[revolute(B: p @ (1, 0), q @ (0, 0))]
+#[revolute(C: p @ (1, 0), q @ (0, 0))]
+struct Allowed;
+
+fn main() {
+    let _ = (Twice, Wedges, Guides::default(), Hidden, Overdriven, Family, Allowed);
+}
