@@ -55,7 +55,12 @@ fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redund
         };
         let rows = if drivers == 1 { "1 driving row".to_owned() } else { format!("{drivers} driving rows") };
         // Joints that are redundant at special lengths leave more to be driven.
-        let by_lengths = others.iter().any(|joint| !system.classes[set.joints[*joint].first_row].driving);
+        let has_lengths = |joint: &usize| {
+            let joint = &set.joints[*joint];
+            let is_angle = matches!(joint.tag, JointTag::Angle | JointTag::RelativeAngle);
+            !is_angle && !system.classes[joint.first_row].driving
+        };
+        let by_lengths = others.iter().any(has_lengths);
         let unless = if by_lengths { ", where lengths leave more to move," } else { "" };
         return format!(
             "the mechanism has {freedom} and {rows}: {names} {said} {already}; {advice}, or{unless} write \
