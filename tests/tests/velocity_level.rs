@@ -281,7 +281,7 @@ fn the_tolerance_is_kept() {
 }
 
 /// Two axles that are not steered cannot turn.
-#[mechanism]
+#[mechanism(allow_redundant)]
 #[bodies(cart)]
 #[knife_edge(rear: cart @ (0, 0))]
 #[knife_edge(front: cart @ (1, 0))]
