@@ -9,7 +9,7 @@ use super::info;
 use super::options::{Format, FreedomArgs, InstantArgs, OutputArgs, SetupArgs};
 use super::session::Session;
 use super::solve::{body, record};
-use super::solved::{note_freedom, solve};
+use super::solved::{note_freedom, note_start, solve};
 use crate::present::json::to_json;
 use crate::present::number::plain;
 use crate::present::record::StateRecord;
@@ -59,6 +59,7 @@ pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Sess
         }
     };
     note_freedom(session, solved.state.degrees_of_freedom_left);
+    note_start(session, &solved.mobility);
     let known = Known { t, q: &solved.state.q, mobility: &solved.mobility };
     let findings = find(engine, t, Some(&solved.state), CONFIGURATIONS)?;
     let model = engine.model();

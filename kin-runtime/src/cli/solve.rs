@@ -4,7 +4,7 @@ use super::engine::Engine;
 use super::failure::Failure;
 use super::options::{Format, FreedomArgs, InstantArgs, OutputArgs, SetupArgs};
 use super::session::Session;
-use super::solved::{Solved, note_freedom, solve};
+use super::solved::{Solved, note_freedom, note_start, solve};
 use crate::model::Model;
 use crate::present::condition;
 use crate::present::json::to_json;
@@ -39,6 +39,7 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
     let setup = args.setup.apply_complete(engine)?;
     let solved = solve(engine, &setup, t, args.freedom.least_norm)?;
     note_freedom(session, solved.state.degrees_of_freedom_left);
+    note_start(session, &solved.mobility);
     let model = engine.model();
     let text = match args.output.format() {
         Format::Text => format!(

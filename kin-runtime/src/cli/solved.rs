@@ -57,6 +57,18 @@ pub(super) fn note_freedom(session: &mut Session<'_>, left: usize) {
     }
 }
 
+/// Says that rows of velocity level do not determine a position.
+pub(super) fn note_start(session: &mut Session<'_>, mobility: &Mobility) {
+    let free = mobility.position_degrees_of_freedom_left;
+    if mobility.velocity_level_rows > 0 && free > 0 {
+        let coordinates = if free == 1 { "1 coordinate is".to_owned() } else { format!("{free} coordinates are") };
+        session.note(&format!(
+            "note: {coordinates} where the guess puts the start (--guess): rows of velocity level determine rates only; \
+             `sweep` integrates them from its first instant on"
+        ));
+    }
+}
+
 /// An error when degrees of freedom are left, with the coordinates that could be given.
 pub(super) fn fully_driven(engine: &dyn Engine, mobility: &Mobility, t: f64) -> Result<(), Failure> {
     let left = mobility.degrees_of_freedom_left;

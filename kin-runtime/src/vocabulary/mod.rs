@@ -7,7 +7,8 @@
 //! - [`parts`]: bodies, coordinates, points, defines, guesses, families;
 //! - [`joints`]: revolute, translational, fixed, point on line;
 //! - [`relations`]: distances, absolute and relative coordinates;
-//! - [`equations`]: free equations and drivers.
+//! - [`equations`]: free equations and drivers;
+//! - [`velocity`]: knife edges, speeds and other rows of velocity level.
 //!
 //! These modules hold documentation only.
 
@@ -19,3 +20,5 @@ pub mod joints {}
 pub mod parts {}
 #[doc = include_str!("relations.md")]
 pub mod relations {}
+#[doc = include_str!("velocity.md")]
+pub mod velocity {}
