@@ -71,6 +71,13 @@ fn words() -> impl Iterator<Item = (&'static str, Keyword)> {
     WORDS.into_iter().chain(rows::FORMS.iter().map(|form| (form.keyword, Keyword::Row(form))))
 }
 
+/// Every word of the language, with an example where it is a row.
+#[cfg(test)]
+pub(crate) fn vocabulary() -> Vec<(&'static str, Option<&'static str>)> {
+    let example = |keyword| if let Keyword::Row(form) = keyword { Some(form.example) } else { None };
+    words().map(|(word, keyword)| (word, example(keyword))).collect()
+}
+
 /// The keyword called `name`.
 pub(super) fn find(name: &str) -> Option<Keyword> {
     words().find(|(word, _)| *word == name).map(|(_, keyword)| keyword)

@@ -22,6 +22,8 @@ mod rows;
 mod strip;
 mod written;
 
+#[cfg(test)]
+pub(crate) use keyword::vocabulary;
 pub(crate) use strip::without_ours;
 
 use crate::ast::{Description, Flags, Item, NewName, Row, text};

@@ -2,7 +2,6 @@
 
 mod families;
 mod form;
-mod mutation;
 mod names;
 mod rules;
 mod valid;
