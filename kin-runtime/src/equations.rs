@@ -1,5 +1,6 @@
 //! The equations of one analysis: the mechanism's rows, then one row per prescribed coordinate, at a current instant.
 
+use crate::course::{InputFunction, Kind, Way};
 use crate::error::SolveError;
 use crate::mechanism::LengthError;
 use crate::model::{Level, Model};
@@ -19,18 +20,17 @@ struct Given {
     now: Signal,
 }
 
-/// Inputs as functions of time.
-pub(crate) type InputFunction<'a> = Option<&'a dyn Fn(f64, &mut [Signal])>;
-
 /// Rows of the mechanism and of prescribed coordinates, with dense results in the rows' own units.
 pub(crate) struct Equations<'a> {
-    pub(crate) system: &'a mut dyn System,
+    pub(crate) system: Box<dyn System + 'a>,
     pub(crate) model: &'static Model,
     pub(crate) options: Options,
     pub(crate) scale: Scale,
     given: Vec<Given>,
     start_time: f64,
     input_function: InputFunction<'a>,
+    /// The way that is followed, where it is not time.
+    pub(crate) way: Option<Way>,
     /// Current time.
     pub(crate) t: f64,
     /// Inputs at the current time.
@@ -44,12 +44,15 @@ pub(crate) struct Equations<'a> {
     /// γ.
     pub(crate) gamma: DVector<f64>,
     still: Vec<f64>,
+    /// Buffers for what time itself contributes on a frozen way.
+    reversed: Vec<f64>,
+    moving: Vec<Signal>,
 }
 
 impl<'a> Equations<'a> {
     /// The equations of `system` at `at`, with prescribed coordinates (place in q, signal at that instant).
     pub(crate) fn new(
-        system: &'a mut dyn System,
+        system: Box<dyn System + 'a>,
         options: Options,
         given: &[(usize, Signal)],
         input_function: InputFunction<'a>,
@@ -79,6 +82,7 @@ impl<'a> Equations<'a> {
             given: given.iter().map(|&(coordinate, start)| Given { coordinate, start, now: start }).collect(),
             start_time: at.t,
             input_function,
+            way: None,
             t: at.t,
             inputs: Vec::new(),
             phi: DVector::zeros(rows),
@@ -86,6 +90,8 @@ impl<'a> Equations<'a> {
             phi_t: DVector::zeros(rows),
             gamma: DVector::zeros(rows),
             still: vec![0.0; n],
+            reversed: vec![0.0; n],
+            moving: Vec::new(),
         };
         equations.set_instant(at)?;
         Ok(equations)
@@ -139,37 +145,64 @@ impl<'a> Equations<'a> {
         (0..self.rows()).filter(|&row| condition(self, row)).collect()
     }
 
-    /// Moves to another instant; prescribed coordinates stay as they are.
-    fn set_instant(&mut self, at: &Instant<'_>) -> Result<(), SolveError> {
+    /// Checks an instant.
+    pub(crate) fn check_instant(&self, at: &Instant<'_>) -> Result<(), SolveError> {
         finite("t", 0, "t", at.t)?;
         length("inputs", self.model.inputs.len(), at.inputs.len())?;
-        for (index, &signal) in at.inputs.iter().enumerate() {
-            finite_signal("inputs", index, self.model.inputs[index], signal)?;
-        }
-        self.t = at.t;
+        self.check_inputs(at.inputs)
+    }
+
+    fn check_inputs(&self, inputs: &[Signal]) -> Result<(), SolveError> {
+        let mut numbered = inputs.iter().enumerate();
+        numbered.try_for_each(|(index, &signal)| finite_signal("inputs", index, self.model.inputs[index], signal))
+    }
+
+    /// Moves to another instant; prescribed coordinates go on with constant acceleration.
+    pub(crate) fn set_instant(&mut self, at: &Instant<'_>) -> Result<(), SolveError> {
+        self.check_instant(at)?;
+        self.set_time(at.t);
         self.inputs.clear();
         self.inputs.extend_from_slice(at.inputs);
         Ok(())
     }
 
-    /// Moves to another time: inputs follow their functions, prescribed coordinates go on with constant acceleration.
-    pub(crate) fn set_time(&mut self, t: f64) -> Result<(), SolveError> {
-        finite("t", 0, "t", t)?;
+    fn set_time(&mut self, t: f64) {
         self.t = t;
         let elapsed = t - self.start_time;
         for given in &mut self.given {
             given.now = given.start.after(elapsed);
         }
-        let mut inputs = core::mem::take(&mut self.inputs);
-        if let Some(function) = self.input_function {
-            function(t, &mut inputs);
+    }
+
+    /// The time at a place of the way; without a way places are times.
+    pub(crate) fn time_at(&self, s: f64) -> f64 {
+        self.way.as_ref().map_or(s, |way| way.time(s))
+    }
+
+    /// Moves to a place: inputs follow the way, or their functions of time, and prescribed coordinates go on with
+    /// constant acceleration.
+    pub(crate) fn move_to(&mut self, s: f64) -> Result<(), SolveError> {
+        finite("t", 0, "t", s)?;
+        self.set_time(self.time_at(s));
+        match (&self.way, self.input_function) {
+            (Some(way), _) => way.write(s, &mut self.inputs),
+            (None, Some(function)) => function(s, &mut self.inputs),
+            (None, None) => {}
         }
-        let checked = inputs
-            .iter()
-            .enumerate()
-            .try_for_each(|(index, &signal)| finite_signal("inputs", index, self.model.inputs[index], signal));
-        self.inputs = inputs;
-        checked
+        self.check_inputs(&self.inputs)
+    }
+
+    /// Evaluates with derivatives by time, whatever the way.
+    pub(crate) fn by_time<R>(&mut self, evaluate: impl FnOnce(&mut Self) -> R) -> R {
+        let way = self.way.take();
+        let result = evaluate(self);
+        self.way = way;
+        result
+    }
+
+    /// True where derivatives are along the way and not by time.
+    fn is_frozen(&self) -> bool {
+        self.way.as_ref().is_some_and(|way| way.kind == Kind::Frozen)
     }
 
     /// Checks length and numbers of q or q̇.
@@ -203,11 +236,46 @@ impl<'a> Equations<'a> {
                 self.jacobian[(row, column)] = value;
             }
         }
+        let frozen = self.is_frozen();
         for (k, given) in self.given.iter().enumerate() {
             self.phi[own + k] = q[given.coordinate] - given.now.value;
-            self.phi_t[own + k] = -given.now.rate;
-            self.gamma[own + k] = given.now.acceleration;
+            self.phi_t[own + k] = if frozen { 0.0 } else { -given.now.rate };
+            self.gamma[own + k] = if frozen { 0.0 } else { given.now.acceleration };
         }
+        if frozen { self.without_time(subset, q, q_dot) } else { Ok(()) }
+    }
+
+    /// Takes out of Φ_t and γ what time itself contributes, so that they are derivatives by the inputs' way alone:
+    ///
+    /// ```text
+    /// Φ_u u′ = Φ_t(u′) − Φ_t(0)        ½ [γ(q′, u′) + γ(−q′, −u′)] − γ(0, 0)
+    /// ```
+    ///
+    /// The second is the part of γ that is quadratic in the rates; a straight way has no u″.
+    fn without_time(&mut self, subset: Subset, q: &[f64], q_dot: Option<&[f64]>) -> Result<(), SolveError> {
+        let own = self.model.rows.len();
+        let mut moving = core::mem::take(&mut self.moving);
+        if subset.phi_t {
+            moving.clear();
+            moving.extend(self.inputs.iter().map(|u| Signal::constant(u.value)));
+            self.system.evaluate(Subset::TIME_DERIVATIVE, &Instant { t: self.t, inputs: &moving }, q, &self.still)?;
+            let still = self.system.constraints();
+            self.phi_t.iter_mut().take(own).zip(still.phi_t).for_each(|(whole, part)| *whole -= part);
+        }
+        if subset.gamma {
+            let q_dot = q_dot.unwrap_or(&self.still);
+            self.reversed.iter_mut().zip(q_dot).for_each(|(back, forward)| *back = -forward);
+            moving.clear();
+            moving.extend(self.inputs.iter().map(|u| Signal::new(u.value, -u.rate, 0.0)));
+            self.system.evaluate(Subset::GAMMA, &Instant { t: self.t, inputs: &moving }, q, &self.reversed)?;
+            let backward = self.system.constraints();
+            self.gamma.iter_mut().take(own).zip(backward.gamma).for_each(|(half, other)| *half = 0.5 * (*half + other));
+            moving.iter_mut().for_each(|u| u.rate = 0.0);
+            self.system.evaluate(Subset::GAMMA, &Instant { t: self.t, inputs: &moving }, q, &self.still)?;
+            let still = self.system.constraints();
+            self.gamma.iter_mut().take(own).zip(still.gamma).for_each(|(even, part)| *even -= part);
+        }
+        self.moving = moving;
         Ok(())
     }
 

@@ -37,6 +37,8 @@ pub mod solver;
 #[cfg(feature = "std")]
 pub mod state;
 #[cfg(feature = "std")]
+pub mod tracker;
+#[cfg(feature = "std")]
 pub mod trajectory;
 #[cfg(feature = "std")]
 pub mod transmission;
@@ -51,6 +53,8 @@ mod assemble;
 mod closure;
 #[cfg(feature = "std")]
 mod continuation;
+#[cfg(feature = "std")]
+mod course;
 #[cfg(feature = "std")]
 mod dual;
 #[cfg(feature = "std")]
@@ -108,11 +112,13 @@ pub use motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates};
 #[cfg(feature = "std")]
 pub use options::Options;
 #[cfg(feature = "std")]
-pub use ratios::{VelocityRatio, VelocityRatios};
+pub use ratios::{InputRatio, VelocityRatio, VelocityRatios};
 #[cfg(feature = "std")]
 pub use solver::{Position, Solver};
 #[cfg(feature = "std")]
 pub use state::State;
+#[cfg(feature = "std")]
+pub use tracker::Tracker;
 #[cfg(feature = "std")]
 pub use trajectory::Trajectory;
 #[cfg(feature = "std")]

@@ -1,4 +1,4 @@
-//! Velocity ratios: how the mechanism follows each of its driving rows.
+//! Velocity ratios: how the mechanism follows each of its driving rows and each of its inputs.
 //!
 //! For a driving row d with right-hand side f, written left minus right,
 //!
@@ -9,14 +9,25 @@
 //!
 //! −(Φ_q k)_q k is the even part of γ in q̇: ½ [γ(k) + γ(−k)] − γ(0). A distance is written with squares, |d|² − f² = 0;
 //! its ratios are per change of f itself: Φ_q k = 2 f e_d and Φ_q l = −(Φ_q k)_q k + 2 e_d.
+//!
+//! For an input u, wherever it stands in Φ,
+//!
+//! ```text
+//! Φ_q k = −Φ_u                                k = ∂q/∂u
+//! Φ_q l = −(Φ_q k)_q k − 2 Φ_qu k − Φ_uu      l = ∂²q/∂u²
+//! ```
+//!
+//! Φ_u is the part of Φ_t that is linear in u̇, Φ_t(u̇ = 1) − Φ_t(u̇ = 0); the right-hand side of l is the part of γ that
+//! is even in q̇ and u̇ together, at q̇ = k, u̇ = 1.
 
 use crate::equations::Equations;
 use crate::error::SolveError;
+use crate::handles::Input;
 use crate::linear::Factorization;
 use crate::model::{JointInfo, JointKind, Role};
 use crate::state::State;
 use crate::velocity::{factorize, inconsistency, scaled};
-use crate::workspace::{Instant, Subset};
+use crate::workspace::{Instant, Signal, Subset};
 use nalgebra::DVector;
 
 /// How q follows one driving row.
@@ -39,12 +50,38 @@ pub struct VelocityRatio {
     pub q_ddot: Vec<f64>,
 }
 
-/// Velocity ratios per driving row, in order of declaration.
+/// How q follows one input, all others and time standing still.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct InputRatio {
+    /// The input's name.
+    pub name: &'static str,
+    /// k = ∂q/∂u, n numbers.
+    pub first: Vec<f64>,
+    /// l = ∂²q/∂u², n numbers.
+    pub second: Vec<f64>,
+    /// The input's own share of q̇: k u̇.
+    pub q_dot: Vec<f64>,
+    /// The input's own share of q̈: k ü + l u̇².
+    pub q_ddot: Vec<f64>,
+}
+
+/// Velocity ratios per driving row and per input, in order of declaration; indexed by the handles of inputs.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct VelocityRatios {
     /// One entry per driving row.
     pub drivers: Vec<VelocityRatio>,
+    /// One entry per input.
+    pub inputs: Vec<InputRatio>,
+}
+
+impl core::ops::Index<Input> for VelocityRatios {
+    type Output = InputRatio;
+
+    fn index(&self, input: Input) -> &InputRatio {
+        &self.inputs[input.0]
+    }
 }
 
 /// The ratios of every driving row at a state; prescribed coordinates are driving rows too.
@@ -76,7 +113,47 @@ pub(crate) fn velocity_ratios(equations: &mut Equations<'_>, state: &State) -> R
             first: (distance.map_or(1.0, |f| 2.0 * f) * first).as_slice().to_vec(),
         });
     }
-    Ok(VelocityRatios { drivers })
+    let inputs = core::mem::take(&mut equations.inputs);
+    let ratios: Result<_, SolveError> =
+        (0..inputs.len()).map(|k| input_ratio(equations, &factor, &state.q, &inputs, k)).collect();
+    equations.inputs = inputs;
+    Ok(VelocityRatios { drivers, inputs: ratios? })
+}
+
+/// The ratios of input k; the inputs are `inputs`, and those of the equations are written to.
+fn input_ratio(
+    equations: &mut Equations<'_>,
+    factor: &Factorization,
+    q: &[f64],
+    inputs: &[Signal],
+    k: usize,
+) -> Result<InputRatio, SolveError> {
+    let moving = |equations: &mut Equations<'_>, rate: f64| {
+        equations.inputs.clear();
+        equations.inputs.extend(inputs.iter().map(|u| Signal::constant(u.value)));
+        equations.inputs[k].rate = rate;
+    };
+    let phi_t = |equations: &mut Equations<'_>, rate: f64| -> Result<DVector<f64>, SolveError> {
+        moving(equations, rate);
+        equations.evaluate(Subset::TIME_DERIVATIVE, q, None)?;
+        Ok(equations.phi_t.clone())
+    };
+    let phi_u = phi_t(equations, 1.0)? - phi_t(equations, 0.0)?;
+    let first = respond(equations, factor, &-phi_u)?;
+    let at_rest = gamma(equations, q, &vec![0.0; q.len()])?;
+    moving(equations, 1.0);
+    let forward = gamma(equations, q, first.as_slice())?;
+    moving(equations, -1.0);
+    let backward = gamma(equations, q, (-&first).as_slice())?;
+    let second = respond(equations, factor, &(0.5 * (forward + backward) - at_rest))?;
+    let Signal { rate, acceleration, .. } = inputs[k];
+    Ok(InputRatio {
+        name: equations.model.inputs.get(k).copied().unwrap_or(""),
+        q_dot: (rate * &first).as_slice().to_vec(),
+        q_ddot: (acceleration * &first + rate * rate * &second).as_slice().to_vec(),
+        first: first.as_slice().to_vec(),
+        second: second.as_slice().to_vec(),
+    })
 }
 
 /// Rows |d|² − f² with their f.

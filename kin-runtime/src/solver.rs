@@ -4,8 +4,9 @@ use crate::acceleration::acceleration;
 use crate::analysis;
 use crate::assemble::assemble;
 use crate::continuation::kinematic;
+use crate::course::InputFunction;
 use crate::cross_check::{CrossCheck, CrossCheckOptions, cross_check};
-use crate::equations::{Equations, InputFunction, finite};
+use crate::equations::{Equations, finite};
 use crate::error::{SolveError, SweepError};
 use crate::mechanism::Mechanism;
 use crate::mobility::{Mobility, mobility};
@@ -180,7 +181,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         let guess = self.checked_guess()?;
         self.analyse(at, |equations| {
             let position = assemble(equations, &guess)?;
-            analysis::state(equations, position, None)
+            Ok(analysis::state(equations, position)?.0)
         })
     }
 
@@ -191,7 +192,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     pub fn state_from(&self, at: &Instant<'_>, start: &[f64]) -> Result<State, SolveError> {
         self.analyse(at, |equations| {
             let position = position(equations, start)?;
-            analysis::state(equations, position, None)
+            Ok(analysis::state(equations, position)?.0)
         })
     }
 
@@ -229,7 +230,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         self.analyse(at, |equations| mobility(equations, q))
     }
 
-    /// Velocity ratios and second-order ratios per driving row.
+    /// Velocity ratios and second-order ratios per driving row and per input.
     ///
     /// # Errors
     /// As [`velocity`](Self::velocity); [`InconsistentVelocity`](SolveError::InconsistentVelocity) also where one
@@ -279,7 +280,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     }
 
     /// The guesses, unless one of them is for a coordinate that does not exist.
-    fn checked_guess(&self) -> Result<Vec<Option<f64>>, SolveError> {
+    pub(crate) fn checked_guess(&self) -> Result<Vec<Option<f64>>, SolveError> {
         let coordinates = M::COORDINATES;
         match self.guesses.iter().find(|(index, _)| *index >= coordinates) {
             Some(&(index, _)) => Err(SolveError::UnknownCoordinate { index, coordinates }),
@@ -293,9 +294,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         at: &Instant<'_>,
         analysis: impl FnOnce(&mut Equations<'_>) -> Result<R, SolveError>,
     ) -> Result<R, SolveError> {
-        let mut evaluator = Evaluator::new(self.mechanism);
-        let mut equations = Equations::new(&mut evaluator, self.options, &self.given, self.inputs, at)?;
-        analysis(&mut equations)
+        let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
+        analysis(&mut Equations::new(evaluator, self.options, &self.given, self.inputs, at)?)
     }
 
     /// A sweep from the position that `first` finds.
@@ -311,9 +311,9 @@ impl<'m, M: Mechanism> Solver<'m, M> {
             inputs.resize(M::INPUTS, Signal::default());
             function(t, &mut inputs);
         }
-        let mut evaluator = Evaluator::new(self.mechanism);
+        let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
         let at = Instant { t, inputs: &inputs };
-        let started = Equations::new(&mut evaluator, self.options, &self.given, self.inputs, &at)
+        let started = Equations::new(evaluator, self.options, &self.given, self.inputs, &at)
             .and_then(|mut equations| first(&mut equations).map(|position| (equations, position)));
         match started {
             Ok((mut equations, position)) => kinematic(&mut equations, position, times),

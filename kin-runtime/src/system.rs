@@ -6,6 +6,7 @@
 use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 use crate::model::Model;
 use crate::workspace::{Instant, Subset};
+use core::borrow::Borrow;
 
 /// Values, Jacobian non-zeros, time derivatives and acceleration right-hand sides, as slices.
 pub(crate) struct Parts<'a> {
@@ -37,27 +38,23 @@ pub(crate) trait System {
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, LengthError>;
 }
 
-/// The [`System`] of a [`Mechanism`].
-pub(crate) struct Evaluator<'m, M: Mechanism> {
-    mechanism: &'m M,
+/// The [`System`] of a [`Mechanism`], borrowed or owned.
+pub(crate) struct Evaluator<B, M: Mechanism> {
+    mechanism: B,
     parameters: M::Parameters<f64>,
     workspace: Box<Workspace<M>>,
     observations: Box<Observations<M>>,
 }
 
-impl<'m, M: Mechanism> Evaluator<'m, M> {
+impl<B: Borrow<M>, M: Mechanism> Evaluator<B, M> {
     /// Takes the struct's parameters and makes workspaces.
-    pub(crate) fn new(mechanism: &'m M) -> Self {
-        Self {
-            mechanism,
-            parameters: mechanism.parameters(),
-            workspace: Box::new(M::workspace()),
-            observations: Box::new(M::observations()),
-        }
+    pub(crate) fn new(mechanism: B) -> Self {
+        let parameters = mechanism.borrow().parameters();
+        Self { mechanism, parameters, workspace: Box::new(M::workspace()), observations: Box::new(M::observations()) }
     }
 }
 
-impl<M: Mechanism> System for Evaluator<'_, M> {
+impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
     fn model(&self) -> &'static Model {
         M::model()
     }
@@ -67,7 +64,7 @@ impl<M: Mechanism> System for Evaluator<'_, M> {
     }
 
     fn evaluate(&mut self, subset: Subset, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<(), LengthError> {
-        self.mechanism.evaluate_with(self.parameters.as_ref(), subset, at, q, q_dot, &mut self.workspace)
+        self.mechanism.borrow().evaluate_with(self.parameters.as_ref(), subset, at, q, q_dot, &mut self.workspace)
     }
 
     fn constraints(&self) -> Parts<'_> {
@@ -76,7 +73,7 @@ impl<M: Mechanism> System for Evaluator<'_, M> {
     }
 
     fn observe(&mut self, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<(), LengthError> {
-        self.mechanism.observe_with(self.parameters.as_ref(), at, q, q_dot, &mut self.observations)
+        self.mechanism.borrow().observe_with(self.parameters.as_ref(), at, q, q_dot, &mut self.observations)
     }
 
     fn observables(&self) -> Parts<'_> {
@@ -86,7 +83,7 @@ impl<M: Mechanism> System for Evaluator<'_, M> {
 
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, LengthError> {
         let mut geometry = vec![0.0; M::model().geometry];
-        self.mechanism.write_geometry(self.parameters.as_ref(), at, &mut geometry)?;
+        self.mechanism.borrow().write_geometry(self.parameters.as_ref(), at, &mut geometry)?;
         Ok(geometry)
     }
 }

@@ -20,6 +20,12 @@ pub(crate) fn velocity(
     usual_rank: Option<usize>,
 ) -> Result<(Vec<f64>, Factorization), SolveError> {
     let factor = factorize(equations, q, usual_rank)?;
+    let solution = solve(equations, &factor)?;
+    Ok((solution.as_slice().to_vec(), factor))
+}
+
+/// q̇ where Φ_q and Φ_t were evaluated last, with the factorisation of that Φ_q.
+pub(crate) fn solve(equations: &Equations<'_>, factor: &Factorization) -> Result<DVector<f64>, SolveError> {
     let right = -scaled(equations, &equations.phi_t);
     let solution = factor.solve(&right);
     if let Some((row, residual)) = inconsistency(equations, &solution, &right) {
@@ -27,7 +33,7 @@ pub(crate) fn velocity(
         return Err(SolveError::InconsistentVelocity { t: equations.t, residual, row_name, joint, rank: factor.rank });
     }
     equations.check("q_dot", solution.as_slice())?;
-    Ok((solution.as_slice().to_vec(), factor))
+    Ok(solution)
 }
 
 /// Evaluates Φ_q and Φ_t and factorises Φ_q, rank revealed; errors where it loses rank here alone.

@@ -3,7 +3,7 @@
 use allocation_counter::measure;
 use kin_runtime::{Instant, Mechanism, Scalar, Subset};
 use kin_tests::every_mechanism;
-use kin_tests::mechanisms::*;
+use kin_tests::mechanisms::{signals, *};
 use kin_tests::random::Random;
 
 macro_rules! allocation_tests {
@@ -31,9 +31,10 @@ fn allocates_nothing<M: Mechanism + Default, T: Scalar>() {
     let mut random = Random::new(5);
     let mut vector = || (0..M::COORDINATES).map(|_| T::from_f64(random.between(-1.0, 1.0))).collect::<Vec<_>>();
     let (q, q_dot) = (vector(), vector());
+    let inputs: Vec<_> = signals::<M>(0.3).into_iter().map(|u| u.map(T::from_f64)).collect();
     let mut geometry = vec![T::from_f64(0.0); M::model().geometry];
     let counted = measure(|| {
-        let at = Instant::at(T::from_f64(0.3));
+        let at = Instant { t: T::from_f64(0.3), inputs: &inputs };
         let mut workspace = M::workspace::<T>();
         let mut observations = M::observations::<T>();
         for subset in [Subset::PHI, Subset::JACOBIAN, Subset::GAMMA, Subset::ALL] {

@@ -59,6 +59,7 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
 pub(super) fn body(model: &'static Model, solved: &Solved) -> String {
     [
         text::coordinates(model, &solved.state),
+        text::inputs(model, &solved.state),
         text::bodies(model, &solved.motion),
         text::points(model, &solved.motion),
         text::defines(model, &solved.motion),

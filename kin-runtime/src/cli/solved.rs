@@ -29,7 +29,8 @@ pub(super) fn solve(engine: &dyn Engine, setup: &Setup, t: f64, least_norm: bool
     let (state, mobility) = driven_state(engine, setup, t, least_norm)?;
     let motion = engine.motion(&state).map_err(say)?;
     // Neither belongs to the motion: where they do not exist, the state is good nevertheless.
-    let ratios = engine.velocity_ratios(setup, &state).unwrap_or(VelocityRatios { drivers: Vec::new() });
+    let ratios =
+        engine.velocity_ratios(setup, &state).unwrap_or(VelocityRatios { drivers: Vec::new(), inputs: Vec::new() });
     let angles = engine.transmission_angles(&state).unwrap_or_default();
     Ok(Solved { state, motion, mobility, ratios, angles })
 }

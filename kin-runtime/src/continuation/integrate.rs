@@ -14,7 +14,7 @@
 //! [`step`](super::step), so that no singular configuration is passed.
 
 use super::dormand_prince::{Taken, take};
-use super::step::{Corrected, Fault, Node, correct, settle};
+use super::step::{Fault, Node, Scratch, Start, correct, settle};
 use crate::equations::Equations;
 use crate::linear::Factorization;
 use crate::velocity::scaled;
@@ -25,32 +25,40 @@ const SAFETY: f64 = 0.9;
 /// Corrections onto Φ may be larger than the tolerance of one step by this factor.
 const DRIFT: f64 = 1e3;
 
-/// The node at `t`, and by how much the next step may be longer.
-pub(super) fn integrate(equations: &mut Equations<'_>, from: &Node, t: f64, last: bool) -> Result<(Node, f64), Fault> {
-    let state = &from.state;
-    let h = t - state.t;
-    let taken = take(state.t, h, &state.q, &state.q_dot, |t, q| velocity(equations, from.rank, t, q))?;
+/// Writes the node at the place `s` to `to`; gives by how much the next step may be longer.
+pub(super) fn integrate(
+    equations: &mut Equations<'_>,
+    scratch: &mut Scratch,
+    from: Start<'_>,
+    to: &mut Node,
+    s: f64,
+    last: bool,
+) -> Result<f64, Fault> {
+    let h = s - from.s;
+    let q = &from.node.state.q;
+    let rank = from.node.factor.rank;
+    let taken = take(from.s, h, q, from.q_dot, |s, q| velocity(equations, &scratch.all, rank, s, q))?;
     let tolerance = equations.options.integration_tolerance;
-    let effort = error(equations, &state.q, &taken) / tolerance;
+    let effort = error(equations, q, &taken) / tolerance;
     let factor = SAFETY * effort.powf(-0.2);
     // Also when the estimate is not a number.
     if !(effort <= 1.0) {
         return Err(Fault::Coarse(if factor.is_finite() { factor.clamp(0.1, 0.8) } else { 0.1 }));
     }
-    equations.set_time(t)?;
+    equations.move_to(s)?;
     let size = 1.0 + equations.scale.size(&taken.y);
-    let corrected: Corrected = correct(equations, &taken.y, DRIFT * tolerance * size, 1e-9)?;
-    let node = settle(equations, from, corrected, t, last)?;
-    Ok((node, factor.clamp(0.5, 4.0)))
+    scratch.predicted = taken.y;
+    let corrected = correct(equations, scratch, &mut to.state.q, DRIFT * tolerance * size, 1e-9)?;
+    settle(equations, scratch, from, to, corrected, s, last)?;
+    Ok(factor.clamp(0.5, 4.0))
 }
 
 /// q̇ at a stage, near Φ but not on it.
-fn velocity(equations: &mut Equations<'_>, rank: usize, t: f64, q: &[f64]) -> Result<Vec<f64>, Fault> {
-    equations.set_time(t)?;
+fn velocity(equations: &mut Equations<'_>, rows: &[usize], rank: usize, s: f64, q: &[f64]) -> Result<Vec<f64>, Fault> {
+    equations.move_to(s)?;
     equations.evaluate(Subset::VELOCITY, q, None)?;
-    let rows: Vec<usize> = (0..equations.rows()).collect();
     let tolerance = equations.options.rank_tolerance;
-    let factor = Factorization::quick(&equations.scaled_rows(&rows), &equations.scale.columns, tolerance);
+    let factor = Factorization::quick(&equations.scaled_rows(rows), &equations.scale.columns, tolerance);
     if factor.rank < rank {
         return Err(Fault::Coarse(0.5));
     }

@@ -1,8 +1,6 @@
 //! Kinematic analysis: position, velocity and acceleration over a time grid.
 
-use super::branch::Orientation;
 use super::follow::Follower;
-use super::step::Node;
 use crate::analysis;
 use crate::equations::{Equations, finite};
 use crate::error::{SolveError, SweepError};
@@ -31,29 +29,21 @@ fn follow(
     times: &[f64],
     trajectory: &mut Trajectory,
 ) -> Result<(), SolveError> {
-    let state = analysis::state(equations, first, None)?;
+    let (state, factor) = analysis::state(equations, first)?;
     trajectory.states.push(state.clone());
     let watch = Watch::start(equations, &state)?;
-    let rank = equations.coordinates() - state.degrees_of_freedom_left;
-    let t = state.t;
-    let singular = || SolveError::Singular {
-        t,
-        rank: rank.saturating_sub(1),
-        expected_rank: rank,
-        rows: Vec::new(),
-        condition: f64::INFINITY,
-    };
-    let orientation = Orientation::here(equations, rank).ok_or_else(singular)?;
-    let mut follower = Follower::new(equations, Node { state, orientation, rank }, watch);
+    let mut follower = Follower::new(equations, state, factor)?;
+    follower.watch = watch;
     let mut instants = times.iter().enumerate().skip(1);
     let result = instants.try_for_each(|(index, &t)| {
         if trajectory.stopped {
             return Ok(());
         }
         finite("times", index, "", t)?;
-        let reached = follower.advance(t)?;
-        trajectory.stopped = follower.stopped();
-        trajectory.states.push(reached);
+        follower.advance(equations, t)?;
+        let event = follower.stopped(equations);
+        trajectory.stopped = event.is_some();
+        trajectory.states.push(event.unwrap_or(follower.state()).clone());
         Ok(())
     });
     if let Some(watch) = follower.watch {

@@ -21,4 +21,5 @@ mod integrate;
 mod kinematic;
 mod step;
 
+pub(crate) use follow::Follower;
 pub(crate) use kinematic::kinematic;

@@ -25,9 +25,21 @@ const VELOCITY: f64 = 0.5;
 /// A configuration on the branch.
 #[derive(Clone, Debug)]
 pub(crate) struct Node {
+    /// Place on the course: time, unless the course is frozen.
+    pub(crate) s: f64,
     pub(crate) state: State,
     pub(crate) orientation: Orientation,
-    pub(crate) rank: usize,
+    /// Φ_q here.
+    pub(crate) factor: Factorization,
+}
+
+/// Where a step begins: a node, its place on the course, and its rates along it.
+#[derive(Clone, Copy)]
+pub(crate) struct Start<'n> {
+    pub(crate) node: &'n Node,
+    pub(crate) s: f64,
+    pub(crate) q_dot: &'n [f64],
+    pub(crate) q_ddot: &'n [f64],
 }
 
 /// Why a step did not count.
@@ -49,78 +61,108 @@ impl From<SolveError> for Fault {
     }
 }
 
-/// The node at `t`, and by how much the next step may be longer.
-///
-/// With `last` the node is an instant that was asked for: closed to the end and with its rank revealed.
-pub(crate) fn step(equations: &mut Equations<'_>, from: &Node, t: f64, last: bool) -> Result<(Node, f64), Fault> {
-    let state = &from.state;
-    let h = t - state.t;
-    equations.set_time(t)?;
-    let motion: Vec<f64> = state.q_dot.iter().zip(&state.q_ddot).map(|(v, a)| h * (v + 0.5 * h * a)).collect();
-    let predicted: Vec<f64> = state.q.iter().zip(&motion).map(|(q, d)| q + d).collect();
-    let allowed = equations.options.prediction_tolerance * equations.scale.size(&motion) + NEGLIGIBLE;
-    let corrected = correct(equations, &predicted, allowed, if last { 1e-9 } else { 1e-6 })?;
-    let (effort, worst) = (corrected.correction / allowed, corrected.worst);
-    let node = settle(equations, from, corrected, t, last)?;
-    if !expected(equations, state, h, &node.state.q_dot) {
-        return Err(Fault::Jump(worst));
-    }
-    Ok((node, (0.3 / effort.max(1e-3)).cbrt().clamp(0.5, 4.0)))
+/// Buffers of the steps.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Scratch {
+    motion: Vec<f64>,
+    pub(super) predicted: Vec<f64>,
+    difference: Vec<f64>,
+    /// Rows of position level.
+    closing: Vec<usize>,
+    /// All rows.
+    pub(super) all: Vec<usize>,
 }
 
-/// The node at a position that was found for `t`, if it is on the branch of `from`.
+impl Scratch {
+    pub(crate) fn new(equations: &Equations<'_>) -> Self {
+        let closing = equations.rows_where(Equations::holonomic);
+        Self { closing, all: (0..equations.rows()).collect(), ..Self::default() }
+    }
+}
+
+/// Writes the node at the place `s` to `to`; gives by how much the next step may be longer.
+///
+/// With `last` the node is an instant that was asked for: closed to the end and with its rank revealed.
+pub(crate) fn step(
+    equations: &mut Equations<'_>,
+    scratch: &mut Scratch,
+    from: Start<'_>,
+    to: &mut Node,
+    s: f64,
+    last: bool,
+) -> Result<f64, Fault> {
+    let h = s - from.s;
+    equations.move_to(s)?;
+    let Scratch { motion, predicted, .. } = &mut *scratch;
+    fill(motion, from.q_dot.iter().zip(from.q_ddot).map(|(v, a)| h * (v + 0.5 * h * a)));
+    fill(predicted, from.node.state.q.iter().zip(motion.iter()).map(|(q, d)| q + d));
+    let allowed = equations.options.prediction_tolerance * equations.scale.size(motion) + NEGLIGIBLE;
+    let corrected = correct(equations, scratch, &mut to.state.q, allowed, if last { 1e-9 } else { 1e-6 })?;
+    let effort = corrected.correction / allowed;
+    let worst = corrected.worst;
+    settle(equations, scratch, from, to, corrected, s, last)?;
+    if !expected(equations, &mut scratch.difference, &from, h, &to.state.q_dot) {
+        return Err(Fault::Jump(worst));
+    }
+    Ok((0.3 / effort.max(1e-3)).cbrt().clamp(0.5, 4.0))
+}
+
+/// Completes the node at the place `s`, whose q was found, if it is on the branch of `from`.
 pub(super) fn settle(
     equations: &mut Equations<'_>,
-    from: &Node,
-    position: Corrected,
-    t: f64,
+    scratch: &Scratch,
+    from: Start<'_>,
+    to: &mut Node,
+    corrected: Corrected,
+    s: f64,
     last: bool,
-) -> Result<Node, Fault> {
-    let Corrected { q, iterations, worst, .. } = position;
-    equations.evaluate(Subset { phi: true, ..Subset::VELOCITY }, &q, None)?;
-    let holonomic = equations.rows_where(Equations::holonomic);
-    let gap = holonomic.iter().map(|&row| (equations.phi[row] * equations.scale.rows[row]).abs()).fold(0.0, f64::max);
-    let residual = holonomic.iter().map(|&row| equations.phi[row].abs()).fold(0.0, f64::max);
-    if gap > closed(equations, &q) {
+) -> Result<(), Fault> {
+    let Corrected { iterations, worst, .. } = corrected;
+    let (closing, state) = (&scratch.closing, &mut to.state);
+    equations.evaluate(Subset { phi: true, ..Subset::VELOCITY }, &state.q, None)?;
+    let gap = closing.iter().map(|&row| (equations.phi[row] * equations.scale.rows[row]).abs()).fold(0.0, f64::max);
+    if gap > closed(equations, &state.q) {
         return Err(Fault::Open(worst));
     }
-    let rows: Vec<usize> = (0..equations.rows()).collect();
-    let matrix = equations.scaled_rows(&rows);
+    let matrix = equations.scaled_rows(&scratch.all);
     let tolerance = equations.options.rank_tolerance;
     let columns = &equations.scale.columns;
-    let factor = if last {
+    to.factor = if last {
         Factorization::revealing(&matrix, columns, tolerance)
     } else {
         Factorization::quick(&matrix, columns, tolerance)
     };
-    if factor.rank != from.rank || !from.orientation.kept(equations) {
+    let rank = to.factor.rank;
+    if rank != from.node.factor.rank || !from.node.orientation.kept(equations) {
         return Err(Fault::Jump(worst));
     }
-    let orientation = Orientation::here(equations, factor.rank).ok_or(Fault::Jump(worst))?;
+    to.orientation = Orientation::here(equations, rank).ok_or(Fault::Jump(worst))?;
     let right = -scaled(equations, &equations.phi_t);
-    let q_dot = factor.solve(&right);
+    let q_dot = to.factor.solve(&right);
     if inconsistency(equations, &q_dot, &right).is_some() {
         return Err(Fault::Open(worst));
     }
     equations.check("q_dot", q_dot.as_slice())?;
-    let q_ddot = acceleration(equations, &q, q_dot.as_slice(), &factor)?;
-    let state = State {
-        t,
-        inputs: equations.inputs.clone(),
-        degrees_of_freedom_left: q.len() - factor.rank,
-        condition: factor.condition,
-        q,
-        q_dot: q_dot.as_slice().to_vec(),
-        q_ddot,
-        residual,
-        iterations,
-    };
-    Ok(Node { state, orientation, rank: factor.rank })
+    fill(&mut state.q_dot, q_dot.iter().copied());
+    state.q_ddot = acceleration(equations, &state.q, &state.q_dot, &to.factor)?;
+    to.s = s;
+    state.t = equations.t;
+    state.inputs.clone_from(&equations.inputs);
+    state.degrees_of_freedom_left = state.q.len() - rank;
+    state.condition = to.factor.condition;
+    state.residual = closing.iter().map(|&row| equations.phi[row].abs()).fold(0.0, f64::max);
+    state.iterations = iterations;
+    Ok(())
+}
+
+/// Replaces what a buffer holds.
+fn fill(buffer: &mut Vec<f64>, values: impl Iterator<Item = f64>) {
+    buffer.clear();
+    buffer.extend(values);
 }
 
 /// A corrected position.
 pub(super) struct Corrected {
-    q: Vec<f64>,
     iterations: usize,
     /// The row with the largest residual at the prediction.
     worst: usize,
@@ -128,30 +170,31 @@ pub(super) struct Corrected {
     correction: f64,
 }
 
-/// Full Newton steps from the prediction until one is below `last_step`.
+/// Full Newton steps from the prediction in `scratch` until one is below `last_step`; q is written.
 pub(super) fn correct(
     equations: &mut Equations<'_>,
-    predicted: &[f64],
+    scratch: &mut Scratch,
+    q: &mut Vec<f64>,
     allowed: f64,
     last_step: f64,
 ) -> Result<Corrected, Fault> {
-    let rows = equations.rows_where(Equations::holonomic);
-    let mut q = predicted.to_vec();
+    let Scratch { predicted, difference: travel, closing: rows, .. } = scratch;
+    q.clone_from(predicted);
     let mut before = f64::INFINITY;
     let mut worst = 0;
     for iterations in 1..=CORRECTIONS {
-        equations.evaluate(Subset::POSITION, &q, None)?;
+        equations.evaluate(Subset::POSITION, q, None)?;
         let phi = DVector::from_iterator(rows.len(), rows.iter().map(|&r| equations.phi[r] * equations.scale.rows[r]));
         if iterations == 1 {
             worst = rows.get(phi.iamax_or_zero()).copied().unwrap_or(0);
         }
         let tolerance = 0.1 * equations.options.rank_tolerance;
-        let factor = Factorization::quick(&equations.scaled_rows(&rows), &equations.scale.columns, tolerance);
+        let factor = Factorization::quick(&equations.scaled_rows(rows), &equations.scale.columns, tolerance);
         let step = factor.solve(&phi);
         q.iter_mut().zip(step.iter()).for_each(|(q, s)| *q -= s);
         let length = equations.scale.size(step.as_slice());
-        let travel: Vec<f64> = q.iter().zip(predicted).map(|(a, b)| a - b).collect();
-        let correction = equations.scale.size(&travel);
+        fill(travel, q.iter().zip(predicted.iter()).map(|(a, b)| a - b));
+        let correction = equations.scale.size(travel);
         if !(length <= CONTRACTION * before && correction <= allowed) {
             // Also when something is not a number. At the level of rounding nothing contracts any more.
             if !(length <= last_step && correction <= allowed) {
@@ -159,7 +202,7 @@ pub(super) fn correct(
             }
         }
         if length <= last_step {
-            return Ok(Corrected { q, iterations, worst, correction });
+            return Ok(Corrected { iterations, worst, correction });
         }
         before = length;
     }
@@ -172,12 +215,11 @@ fn closed(equations: &Equations<'_>, q: &[f64]) -> f64 {
 }
 
 /// True if the velocity is about where q̇ + h q̈ expects it.
-fn expected(equations: &Equations<'_>, from: &State, h: f64, q_dot: &[f64]) -> bool {
+fn expected(equations: &Equations<'_>, change: &mut Vec<f64>, from: &Start<'_>, h: f64, q_dot: &[f64]) -> bool {
     let scale = &equations.scale;
-    let change: Vec<f64> =
-        q_dot.iter().zip(&from.q_dot).zip(&from.q_ddot).map(|((new, old), a)| new - (old + h * a)).collect();
-    let size = scale.size(q_dot).max(scale.size(&from.q_dot)).max(h.abs() * scale.size(&from.q_ddot));
-    scale.size(&change) <= VELOCITY * size || h.abs() * size <= INSTANTANEOUS
+    fill(change, q_dot.iter().zip(from.q_dot).zip(from.q_ddot).map(|((new, old), a)| new - (old + h * a)));
+    let size = scale.size(q_dot).max(scale.size(from.q_dot)).max(h.abs() * scale.size(from.q_ddot));
+    scale.size(change) <= VELOCITY * size || h.abs() * size <= INSTANTANEOUS
 }
 
 /// `iamax` that accepts an empty vector.

@@ -11,6 +11,7 @@ use nalgebra::{ColPivQR, DMatrix, DVector, Dyn, LU};
 const LU_TRUST: f64 = 1e-5;
 
 /// A factorised matrix.
+#[derive(Clone, Debug)]
 pub(crate) struct Factorization {
     kind: Kind,
     columns: Vec<f64>,
@@ -22,6 +23,7 @@ pub(crate) struct Factorization {
     pub(crate) full_condition: f64,
 }
 
+#[derive(Clone, Debug)]
 enum Kind {
     Lu(LU<f64, Dyn, Dyn>),
     /// rank = number of columns.

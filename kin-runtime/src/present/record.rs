@@ -7,7 +7,7 @@ use super::text::coordinate_names;
 use crate::mobility::Mobility;
 use crate::model::Model;
 use crate::motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates};
-use crate::ratios::{VelocityRatio, VelocityRatios};
+use crate::ratios::{InputRatio, VelocityRatio, VelocityRatios};
 use crate::state::State;
 use crate::trajectory::Trajectory;
 use crate::transmission::TransmissionAngle;
@@ -59,6 +59,7 @@ pub(crate) struct StateRecord<'a> {
     condition: f64,
     transmission_angles: &'a [TransmissionAngle],
     velocity_ratios: Named<&'a VelocityRatio>,
+    input_ratios: Named<&'a InputRatio>,
 }
 
 impl<'a> StateRecord<'a> {
@@ -90,6 +91,7 @@ impl<'a> StateRecord<'a> {
             condition: mobility.condition,
             transmission_angles,
             velocity_ratios: ratios.drivers.iter().map(|d| (d.row_name, d)).collect(),
+            input_ratios: ratios.inputs.iter().map(|u| (u.name, u)).collect(),
         }
     }
 }

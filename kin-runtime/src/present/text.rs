@@ -223,7 +223,17 @@ pub(crate) fn joints(model: &Model, motion: &Motion) -> String {
     section("Joint quantities", &table)
 }
 
-/// Velocity ratios: one table per driving row.
+/// The inputs, as they were given.
+pub(crate) fn inputs(model: &Model, state: &State) -> String {
+    let table = Table::new()
+        .words("input", model.inputs.iter().copied())
+        .numbers("value", state.inputs.iter().map(|u| u.value))
+        .numbers("rate", state.inputs.iter().map(|u| u.rate))
+        .numbers("acceleration", state.inputs.iter().map(|u| u.acceleration));
+    section("Inputs", &table)
+}
+
+/// Velocity ratios: one table per driving row and per input.
 pub(crate) fn ratios(model: &Model, ratios: &VelocityRatios) -> String {
     let mut out = String::new();
     for driver in &ratios.drivers {
@@ -232,6 +242,13 @@ pub(crate) fn ratios(model: &Model, ratios: &VelocityRatios) -> String {
             .numbers("k = ∂q/∂f", driver.first.iter().copied())
             .numbers("l = ∂²q/∂f²", driver.second.iter().copied());
         out.push_str(&section(&format!("Velocity ratios of the driving row {}", driver.row_name), &table));
+    }
+    for input in &ratios.inputs {
+        let table = Table::new()
+            .words("coordinate", model.coordinates.iter().map(|c| c.name))
+            .numbers("k = ∂q/∂u", input.first.iter().copied())
+            .numbers("l = ∂²q/∂u²", input.second.iter().copied());
+        out.push_str(&section(&format!("Velocity ratios of the input {}", input.name), &table));
     }
     out
 }

@@ -1,0 +1,166 @@
+//! The inputs on the way from one instant to the next.
+//!
+//! A motion is followed along a place s. Where the inputs are functions of time, s is time. Between two instants whose
+//! inputs are all that is known, with x = (s − s₀)/(s₁ − s₀), h = t₁ − t₀ and Δu = u₁ − u₀:
+//!
+//! ```text
+//! smooth    s = t:    u = u₀ + h u̇₀ x + ½ h² ü₀ x² + c₃ x³ + c₄ x⁴ + c₅ x⁵
+//! straight  s = t:    u = u₀ + Δu x,    u̇ = Δu/h,    ü = 0
+//! frozen    s = x:    u = u₀ + Δu x,    t stays what it is
+//! ```
+//!
+//! with c₃, c₄, c₅ such that the quintic has value, rate and acceleration of both ends. On a frozen way derivatives are
+//! by s: time itself contributes nothing to them.
+
+use crate::workspace::{Instant, Signal};
+
+/// Inputs as functions of time.
+pub(crate) type InputFunction<'a> = Option<&'a dyn Fn(f64, &mut [Signal])>;
+
+/// Deviation of a signal's end from what its other end foretells, relative to its change, up to which rates and
+/// accelerations are believed.
+const BELIEVED: f64 = 0.25;
+
+/// How the inputs go from one instant to the next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// With rates and accelerations of both ends.
+    Smooth,
+    /// In proportion to the time that has passed.
+    Straight,
+    /// Without time.
+    Frozen,
+}
+
+/// From one instant to another; its buffers are used again for the next.
+#[derive(Clone, Debug)]
+pub(crate) struct Way {
+    pub(crate) kind: Kind,
+    t: [f64; 2],
+    from: Vec<Signal>,
+    to: Vec<Signal>,
+}
+
+impl Way {
+    /// A way that leads nowhere yet; derivatives are by time.
+    pub(crate) fn resting(at: &Instant<'_>) -> Self {
+        Self { kind: Kind::Smooth, t: [at.t; 2], from: at.inputs.to_vec(), to: at.inputs.to_vec() }
+    }
+
+    /// Makes it the way between two instants with equally many inputs: smooth where t goes on and the rates at both
+    /// ends agree with the change between them, straight where not, frozen where t stands still.
+    pub(crate) fn lead(&mut self, from: &Instant<'_>, to: &Instant<'_>) {
+        self.t = [from.t, to.t];
+        self.from.clear();
+        self.from.extend_from_slice(from.inputs);
+        self.to.clear();
+        self.to.extend_from_slice(to.inputs);
+        let h = to.t - from.t;
+        let believed = |(a, b): (&Signal, &Signal)| {
+            let allowed = BELIEVED * (b.value - a.value).abs();
+            (a.after(h).value - b.value).abs() <= allowed && (b.after(-h).value - a.value).abs() <= allowed
+        };
+        self.kind = match h {
+            0.0 => Kind::Frozen,
+            h if h > 0.0 && self.from.iter().zip(&self.to).all(believed) => Kind::Smooth,
+            _ => Kind::Straight,
+        };
+    }
+
+    /// Forgets rates and accelerations.
+    pub(crate) fn straighten(&mut self) {
+        if self.kind == Kind::Smooth {
+            self.kind = Kind::Straight;
+        }
+    }
+
+    /// First and last place.
+    pub(crate) fn ends(&self) -> [f64; 2] {
+        if self.kind == Kind::Frozen { [0.0, 1.0] } else { self.t }
+    }
+
+    /// True where neither time nor a value changes on the way.
+    pub(crate) fn is_still(&self) -> bool {
+        self.kind == Kind::Frozen && self.from.iter().zip(&self.to).all(|(a, b)| a.value == b.value)
+    }
+
+    /// Time at a place.
+    pub(crate) fn time(&self, s: f64) -> f64 {
+        if self.kind == Kind::Frozen { self.t[0] } else { s }
+    }
+
+    /// Writes the inputs at a place.
+    pub(crate) fn write(&self, s: f64, inputs: &mut [Signal]) {
+        let [start, end] = self.ends();
+        let x = if s == end { 1.0 } else { (s - start) / (end - start) };
+        for ((u, a), b) in inputs.iter_mut().zip(&self.from).zip(&self.to) {
+            *u = match self.kind {
+                Kind::Smooth => quintic(a, b, end - start, x),
+                Kind::Straight | Kind::Frozen => {
+                    let change = b.value - a.value;
+                    let value = if x == 1.0 { b.value } else { a.value + x * change };
+                    Signal::new(value, change / (end - start), 0.0)
+                }
+            };
+        }
+    }
+}
+
+/// The quintic with value, rate and acceleration of `a` at x = 0 and of `b` at x = 1; derivatives by h x.
+fn quintic(a: &Signal, b: &Signal, h: f64, x: f64) -> Signal {
+    if x == 0.0 || x == 1.0 {
+        return if x == 0.0 { *a } else { *b };
+    }
+    let [v, w] = [h * a.rate, h * a.acceleration * h];
+    let d = b.value - a.value - v - 0.5 * w;
+    let d_rate = h * b.rate - v - w;
+    let d_acceleration = h * b.acceleration * h - w;
+    let c3 = 10.0 * d - 4.0 * d_rate + 0.5 * d_acceleration;
+    let c4 = -15.0 * d + 7.0 * d_rate - d_acceleration;
+    let c5 = 6.0 * d - 3.0 * d_rate + 0.5 * d_acceleration;
+    Signal {
+        value: a.value + x * (v + x * (0.5 * w + x * (c3 + x * (c4 + x * c5)))),
+        rate: (v + x * (w + x * (3.0 * c3 + x * (4.0 * c4 + x * 5.0 * c5)))) / h,
+        acceleration: (w + x * (6.0 * c3 + x * (12.0 * c4 + x * 20.0 * c5))) / h / h,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A quintic is its own interpolation.
+    #[test]
+    fn a_quintic_is_met_everywhere() {
+        let u = |t: f64| {
+            let value = 0.3 + t * (-0.2 + t * (0.7 + t * (0.4 + t * (-0.9 + t * 0.35))));
+            let rate = -0.2 + t * (1.4 + t * (1.2 + t * (-3.6 + t * 1.75)));
+            Signal::new(value, rate, 1.4 + t * (2.4 + t * (-10.8 + t * 7.0)))
+        };
+        let (from, to) = (0.4, 1.7);
+        for k in 0..=10 {
+            let x = f64::from(k) / 10.0;
+            let (found, right) = (quintic(&u(from), &u(to), to - from, x), u(from + x * (to - from)));
+            for (a, b) in
+                [(found.value, right.value), (found.rate, right.rate), (found.acceleration, right.acceleration)]
+            {
+                assert!((a - b).abs() <= 1e-13, "{x}: {found:?} and {right:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn rates_are_believed_where_they_agree_with_the_values() {
+        let mut way = Way::resting(&Instant { t: 0.0, inputs: &[Signal::default()] });
+        let mut kind = |t: f64, from: Signal, to: Signal| {
+            way.lead(&Instant { t: 0.0, inputs: &[from] }, &Instant { t, inputs: &[to] });
+            way.kind
+        };
+        let fall = Signal::new(1.0, 0.0, -2.0);
+        assert_eq!(Kind::Smooth, kind(0.5, fall, fall.after(0.5)));
+        assert_eq!(Kind::Straight, kind(-0.5, fall, fall.after(-0.5)));
+        assert_eq!(Kind::Straight, kind(0.1, Signal::constant(0.2), Signal::constant(0.3)));
+        assert_eq!(Kind::Smooth, kind(0.1, Signal::constant(0.2), Signal::constant(0.2)));
+        assert_eq!(Kind::Frozen, kind(0.0, fall, Signal::constant(2.0)));
+    }
+}

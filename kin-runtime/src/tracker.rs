@@ -1,0 +1,234 @@
+//! Following a mechanism whose inputs come one instant at a time: what a controller calls in its loop.
+
+use crate::analysis;
+use crate::assemble::assemble;
+use crate::continuation::Follower;
+use crate::course::{Kind, Way};
+use crate::equations::Equations;
+use crate::error::SolveError;
+use crate::mechanism::Mechanism;
+use crate::motion::{Motion, motion};
+use crate::position::position;
+use crate::ratios::{VelocityRatios, velocity_ratios};
+use crate::solver::{Position, Solver};
+use crate::state::State;
+use crate::system::{Evaluator, System};
+use crate::workspace::Instant;
+
+/// A mechanism that is followed from instant to instant, as its inputs come in.
+///
+/// It is made by [`Solver::tracker`], which assembles the mechanism at the first instant. Every
+/// [`update`](Self::update) follows the branch from the last good instant to the new one and never leaves it, by the
+/// means of a sweep: predict with q̇ and q̈, correct, judge by contraction, velocity and the sign of the determinant of
+/// Φ_q, halve the step where that fails. In between, with x from 0 to 1, the inputs go
+///
+/// - along the quintic that has value, rate and acceleration of both instants, where t goes on and the rates agree with
+///   the values: where u + h u̇ + ½ h² ü of either instant is within a quarter of the change of the other's value;
+/// - in a straight line, u = u₀ + x (u₁ − u₀), where they do not agree (a noisy signal, a rate nobody measures), where t
+///   goes back, and where the quintic leads out of the mechanism's range;
+/// - in a straight line with t standing still, where only the inputs have changed.
+///
+/// The answer is at the new values on the branch, with q̇ and q̈ for the new rates and accelerations, whichever way was
+/// taken. Where several branches could be reached, around a singular configuration, the way decides.
+///
+/// After an error, [`state`](Self::state) is still the last good instant, and the next update goes on from there. How
+/// long a refused update takes is bounded by [`Options::min_step`](crate::Options::min_step) and
+/// [`Options::max_steps`](crate::Options::max_steps): a controller may prefer larger and fewer ones than the default.
+///
+/// Parameters are those at the time when the tracker was made, which borrows (or owns) the mechanism; for other
+/// dimensions make another one with [`Solver::tracker_from`] and [`State::q`]. States, workspaces and buffers are used
+/// again by every update; the dense factorisations of Φ_q, and their solutions, still allocate.
+///
+/// ```
+/// use kin_runtime::{Instant, Kinematics, Mechanism, Signal, mechanism};
+///
+/// /// A boom on a cylinder whose length is measured.
+/// #[mechanism]
+/// #[bodies(boom)]
+/// #[input(cylinder)]
+/// #[revolute(pin: ground @ (0, 0), boom @ (0, 0))]
+/// #[distance(ram: ground @ (1, 0), boom @ (1.2, 0.1), length = cylinder)]
+/// #[point(tip = boom @ (3, 0))]
+/// #[guess(boom.phi = 0.8)]
+/// struct Crane;
+///
+/// # fn main() -> Result<(), kin_runtime::SolveError> {
+/// let mut inputs = [Signal::default(); Crane::INPUTS];
+/// inputs[Crane::cylinder] = Signal::new(0.9, 0.0, 0.0);
+/// let mut tracker = Crane.solver().tracker(&Instant { t: 0.0, inputs: &inputs })?;
+/// for tick in 1..=100 {
+///     inputs[Crane::cylinder] = Signal::new(0.9 + 0.002 * f64::from(tick), 0.2, 0.0);
+///     tracker.update(&Instant { t: 0.01 * f64::from(tick), inputs: &inputs })?;
+/// }
+/// assert!(tracker.motion()?[Crane::tip].v[1] > 0.0);
+///
+/// // Too long: a typed error, and the last good state stays.
+/// inputs[Crane::cylinder] = Signal::constant(2.5);
+/// assert!(tracker.update(&Instant { t: 1.01, inputs: &inputs }).is_err());
+/// assert_eq!(tracker.state().t, 1.0);
+/// # Ok(())
+/// # }
+/// ```
+pub struct Tracker<'m> {
+    equations: Equations<'m>,
+    follower: Follower,
+    guess: Vec<Option<f64>>,
+}
+
+impl<'m> Tracker<'m> {
+    fn new<M: Mechanism>(
+        solver: &Solver<'_, M>,
+        system: Box<dyn System + 'm>,
+        at: &Instant<'_>,
+        first: impl FnOnce(&mut Equations<'_>, &[Option<f64>]) -> Result<Position, SolveError>,
+    ) -> Result<Self, SolveError> {
+        let guess = solver.checked_guess()?;
+        let mut equations = Equations::new(system, solver.options, &solver.given, None, at)?;
+        let follower = begin(&mut equations, &guess, first)?;
+        Ok(Self { equations, follower, guess })
+    }
+
+    /// The last good instant.
+    pub const fn state(&self) -> &State {
+        self.follower.state()
+    }
+
+    /// Follows the branch to another instant.
+    ///
+    /// # Errors
+    /// [`Singular`](SolveError::Singular) or [`StepRefused`](SolveError::StepRefused) where the branch ends on the way;
+    /// [`Length`](SolveError::Length) and [`NonFinite`](SolveError::NonFinite) for inputs, which are named;
+    /// [`InconsistentVelocity`](SolveError::InconsistentVelocity) and
+    /// [`InconsistentAcceleration`](SolveError::InconsistentAcceleration) where redundant rows disagree.
+    pub fn update(&mut self, at: &Instant<'_>) -> Result<&State, SolveError> {
+        let Self { equations, follower, .. } = self;
+        equations.check_instant(at)?;
+        let from = follower.state().instant();
+        let way = equations.way.get_or_insert_with(|| Way::resting(at));
+        way.lead(&from, at);
+        if way.kind == Kind::Smooth {
+            follower.depart_in_time();
+            if follower.advance(equations, at.t).is_ok() {
+                return Ok(self.follower.state());
+            }
+        }
+        let way = equations.way.get_or_insert_with(|| Way::resting(at));
+        way.straighten();
+        let (still, [start, end]) = (way.is_still(), way.ends());
+        if still {
+            follower.stay(equations, at)?;
+        } else {
+            follower.depart(equations, start)?;
+            follower.arrive(equations, end, at)?;
+        }
+        Ok(self.follower.state())
+    }
+
+    /// Begins anew: assembles the mechanism from the guesses, on whatever branch they lead to.
+    ///
+    /// # Errors
+    /// As [`Solver::state`]; the last good instant stays then.
+    pub fn restart(&mut self, at: &Instant<'_>) -> Result<&State, SolveError> {
+        self.anew(at, assemble)
+    }
+
+    /// Begins anew from a complete start, n numbers.
+    ///
+    /// # Errors
+    /// As [`Solver::state_from`]; the last good instant stays then.
+    pub fn restart_from(&mut self, at: &Instant<'_>, start: &[f64]) -> Result<&State, SolveError> {
+        self.anew(at, |equations, _| position(equations, start))
+    }
+
+    fn anew(
+        &mut self,
+        at: &Instant<'_>,
+        first: impl FnOnce(&mut Equations<'_>, &[Option<f64>]) -> Result<Position, SolveError>,
+    ) -> Result<&State, SolveError> {
+        let scale = self.equations.scale.clone();
+        self.equations.set_instant(at)?;
+        match self.equations.by_time(|equations| begin(equations, &self.guess, first)) {
+            Ok(follower) => self.follower = follower,
+            Err(error) => {
+                self.equations.scale = scale;
+                return Err(error);
+            }
+        }
+        Ok(self.follower.state())
+    }
+
+    /// Motion of bodies, points, defines and joints at the last good instant.
+    ///
+    /// # Errors
+    /// [`NonFinite`](SolveError::NonFinite).
+    pub fn motion(&mut self) -> Result<Motion, SolveError> {
+        self.look(motion)
+    }
+
+    /// How q follows each driving row and each input at the last good instant.
+    ///
+    /// # Errors
+    /// As [`Solver::velocity_ratios`].
+    pub fn velocity_ratios(&mut self) -> Result<VelocityRatios, SolveError> {
+        self.look(velocity_ratios)
+    }
+
+    /// Evaluates something at the last good instant.
+    fn look<R>(
+        &mut self,
+        analysis: impl FnOnce(&mut Equations<'_>, &State) -> Result<R, SolveError>,
+    ) -> Result<R, SolveError> {
+        let state = self.follower.state();
+        self.equations.set_instant(&state.instant())?;
+        self.equations.by_time(|equations| analysis(equations, state))
+    }
+}
+
+impl core::fmt::Debug for Tracker<'_> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Tracker").field("state", self.state()).finish_non_exhaustive()
+    }
+}
+
+impl<'m, M: Mechanism> Solver<'m, M> {
+    /// Assembles the mechanism from the guesses, to be followed from there instant by instant.
+    ///
+    /// Functions of [`with_inputs`](Self::with_inputs) have no part in it.
+    ///
+    /// # Errors
+    /// As [`state`](Self::state).
+    pub fn tracker(&self, at: &Instant<'_>) -> Result<Tracker<'m>, SolveError> {
+        Tracker::new(self, Box::new(Evaluator::<_, M>::new(self.mechanism)), at, assemble)
+    }
+
+    /// [`tracker`](Self::tracker) from a complete start, n numbers.
+    ///
+    /// # Errors
+    /// As [`state_from`](Self::state_from).
+    pub fn tracker_from(&self, at: &Instant<'_>, start: &[f64]) -> Result<Tracker<'m>, SolveError> {
+        let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
+        Tracker::new(self, evaluator, at, |equations, _| position(equations, start))
+    }
+
+    /// [`tracker`](Self::tracker) with a copy of the mechanism, so that a controller can keep it.
+    ///
+    /// # Errors
+    /// As [`state`](Self::state).
+    pub fn owned_tracker(&self, at: &Instant<'_>) -> Result<Tracker<'static>, SolveError>
+    where
+        M: Clone + 'static,
+    {
+        Tracker::new(self, Box::new(Evaluator::<M, M>::new(self.mechanism.clone())), at, assemble)
+    }
+}
+
+/// The first position, its state, and its branch.
+fn begin(
+    equations: &mut Equations<'_>,
+    guess: &[Option<f64>],
+    first: impl FnOnce(&mut Equations<'_>, &[Option<f64>]) -> Result<Position, SolveError>,
+) -> Result<Follower, SolveError> {
+    let position = first(equations, guess)?;
+    let (state, factor) = analysis::state(equations, position)?;
+    Follower::new(equations, state, factor)
+}
