@@ -196,16 +196,20 @@ pub(crate) enum RowKind {
 pub(crate) enum CurveExpr {
     Polar(Expr),
     Implicit(Expr),
-    Parametric {
-        parameter: NameUse,
-        x: Expr,
-        y: Expr,
-        /// The pair.
-        span: Span,
-        roller: Option<Expr>,
-    },
+    Parametric(Box<PathExpr>),
     /// Could not be read; reported.
     Hole,
+}
+
+/// `parametric(u) = (ex, ey), roller = R`.
+#[derive(Debug)]
+pub(crate) struct PathExpr {
+    pub(crate) parameter: NameUse,
+    pub(crate) x: Expr,
+    pub(crate) y: Expr,
+    /// The pair.
+    pub(crate) span: Span,
+    pub(crate) roller: Option<Expr>,
 }
 
 /// `(vx, vy)`.

@@ -1,5 +1,6 @@
 //! The equations of one analysis: the mechanism's rows, then one row per prescribed coordinate, at a current instant.
 
+use crate::contact;
 use crate::course::{InputFunction, Kind, Way};
 use crate::error::SolveError;
 use crate::mechanism::LengthError;
@@ -216,6 +217,10 @@ impl<'a> Equations<'a> {
 
     /// Evaluates a subset at q and q̇ (`None` where γ is not asked for).
     pub(crate) fn evaluate(&mut self, subset: Subset, q: &[f64], q_dot: Option<&[f64]>) -> Result<(), SolveError> {
+        self.evaluate_rows(subset, q, q_dot).map_err(|error| contact::explain(self, q, error))
+    }
+
+    fn evaluate_rows(&mut self, subset: Subset, q: &[f64], q_dot: Option<&[f64]>) -> Result<(), SolveError> {
         let at = Instant { t: self.t, inputs: &self.inputs };
         self.system.evaluate(subset, &at, q, q_dot.unwrap_or(&self.still))?;
         let parts = self.system.constraints();

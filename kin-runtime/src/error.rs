@@ -30,6 +30,49 @@ impl fmt::Display for Refusal {
     }
 }
 
+/// What is degenerate where a point meets a curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub enum Degeneracy {
+    /// The point stands at the centre of a polar curve, where the direction θ has no value.
+    Centre {
+        /// |w|.
+        distance: f64,
+    },
+    /// An implicit curve has no gradient: a double point or a cusp.
+    Gradient {
+        /// Largest entry of the row of Φ_q on the common scale.
+        largest: f64,
+    },
+    /// A parametric curve stands still, c′ = 0, so that a roller has no side to run on.
+    Direction {
+        /// The curve's parameter.
+        parameter: &'static str,
+        /// Its value.
+        value: f64,
+    },
+}
+
+impl fmt::Display for Degeneracy {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Centre { distance } => {
+                write!(
+                    f,
+                    "its point is at distance {distance:.1e} from the centre of the curve, where theta has no value"
+                )
+            }
+            Self::Gradient { largest } => {
+                write!(f, "the curve has no gradient at its point (scaled {largest:.1e}): a double point or a cusp")
+            }
+            Self::Direction { parameter, value } => {
+                write!(f, "the curve stands still at {parameter} = {value}, so that its roller has no side to run on")
+            }
+        }
+    }
+}
+
 /// An analysis without an answer.
 ///
 /// Rows are named as in [`Model::rows`](crate::model::Model::rows). A coordinate that the caller prescribes adds a row
@@ -105,6 +148,17 @@ pub enum SolveError {
         joint: &'static str,
         /// Why.
         reason: Refusal,
+    },
+    /// A point meets a curve where the curve says nothing.
+    DegenerateContact {
+        /// Time.
+        t: f64,
+        /// The joint.
+        joint: &'static str,
+        /// Its row.
+        row_name: &'static str,
+        /// What is degenerate.
+        what: Degeneracy,
     },
     /// NaN or infinity in an argument, a parameter or a result.
     NonFinite {
@@ -186,6 +240,9 @@ impl fmt::Display for SolveError {
                 f,
                 "the branch ends after t = {t}: at t = {t_refused} {reason} (joint `{joint}`, row `{row_name}`)"
             ),
+            Self::DegenerateContact { t, joint, what, .. } => {
+                write!(f, "degenerate contact of joint `{joint}` at t = {t}: {what}")
+            }
             Self::NonFinite { what, index, name } => {
                 write!(f, "{what}[{index}]")?;
                 if !name.is_empty() {

@@ -4,6 +4,7 @@
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
+mod curve;
 pub mod function;
 pub mod generic;
 mod handles;
@@ -52,6 +53,8 @@ mod assemble;
 #[cfg(feature = "std")]
 mod closure;
 #[cfg(feature = "std")]
+mod contact;
+#[cfg(feature = "std")]
 mod continuation;
 #[cfg(feature = "std")]
 mod course;
@@ -85,6 +88,7 @@ pub mod cli;
 #[cfg(feature = "cli")]
 pub mod present;
 
+pub use curve::CurvePoint;
 pub use function::ScalarFunction;
 pub use generic::GenericMechanism;
 pub use kin_derive::mechanism;
@@ -100,7 +104,7 @@ pub use nalgebra;
 #[cfg(feature = "std")]
 pub use cross_check::{Configuration, CrossCheck, CrossCheckOptions, WorstEntry};
 #[cfg(feature = "std")]
-pub use error::{Refusal, SolveError, SweepError};
+pub use error::{Degeneracy, Refusal, SolveError, SweepError};
 #[cfg(feature = "std")]
 pub use events::{Crossing, Event};
 #[cfg(feature = "std")]

@@ -1,5 +1,6 @@
 //! The trait that `#[mechanism]` implements.
 
+use crate::curve::CurvePoint;
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::workspace::{Array, Evaluation, Instant, Subset};
@@ -175,6 +176,35 @@ pub trait Mechanism: Sized {
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn write_guesses<T: Scalar>(&self, parameters: &[T], guesses: &mut [T]) -> Result<(), LengthError>;
+
+    /// A point of the curve of `joint`, a place in [`Model::joints`], at the argument `s` (see [`CurvePoint`]); `None`
+    /// for a joint without a curve and for one in implicit form. The cam's own outline, whatever `roller` runs on it.
+    ///
+    /// # Errors
+    /// As [`evaluate_with`](Self::evaluate_with).
+    fn curve_with<T: Scalar>(
+        &self,
+        parameters: &[T],
+        at: &Instant<'_, T>,
+        joint: usize,
+        s: T,
+    ) -> Result<Option<CurvePoint<T>>, LengthError> {
+        let _ = (parameters, at, joint, s);
+        Ok(None)
+    }
+
+    /// [`curve_with`](Self::curve_with) at the struct's own parameters.
+    ///
+    /// # Errors
+    /// As [`evaluate_with`](Self::evaluate_with).
+    fn curve_point<T: Scalar>(
+        &self,
+        at: &Instant<'_, T>,
+        joint: usize,
+        s: T,
+    ) -> Result<Option<CurvePoint<T>>, LengthError> {
+        self.curve_with(self.parameters::<T>().as_ref(), at, joint, s)
+    }
 
     /// A workspace with the constant entries of Φ_q in place.
     fn workspace<T: Scalar>() -> Workspace<Self, T> {

@@ -1,5 +1,6 @@
 //! The names that generated code uses. Not part of the public interface.
 
+pub use crate::curve::CurvePoint;
 pub use crate::function::ScalarFunction;
 pub use crate::generic::GenericMechanism;
 pub use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
@@ -23,8 +24,8 @@ pub mod locals {
         ($($name:ident)*) => { $(pub const fn $name() {})* };
     }
     names! {
-        arguments at eta gamma geometry guesses index k observations out p parameters phi phi_q phi_t q
-        q_dot subset t this u value w workspace x
+        arguments at eta gamma geometry guesses index joint k observations out p parameters phi phi_q phi_t q
+        q_dot s subset t this u value w workspace x
     }
 }
 

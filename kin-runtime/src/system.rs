@@ -3,6 +3,7 @@
 //! Everything numerical works on `dyn System`, so that it is compiled once, in this crate, and not again for every
 //! mechanism of the user.
 
+use crate::curve::CurvePoint;
 use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 use crate::model::Model;
 use crate::workspace::{Instant, Subset};
@@ -34,6 +35,8 @@ pub(crate) trait System {
     fn observe(&mut self, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<(), LengthError>;
     /// What [`observe`](Self::observe) wrote last.
     fn observables(&self) -> Parts<'_>;
+    /// A point of the curve of a joint.
+    fn curve(&self, at: &Instant<'_>, joint: usize, s: f64) -> Option<CurvePoint>;
     /// Local points, axes and values.
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, LengthError>;
 }
@@ -79,6 +82,10 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
     fn observables(&self) -> Parts<'_> {
         let w = &self.observations;
         Parts { phi: w.phi(), phi_q: w.phi_q(), phi_t: w.phi_t(), gamma: w.gamma() }
+    }
+
+    fn curve(&self, at: &Instant<'_>, joint: usize, s: f64) -> Option<CurvePoint> {
+        self.mechanism.curve_with(self.parameters.as_ref(), at, joint, s).ok().flatten()
     }
 
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, LengthError> {

@@ -3,6 +3,7 @@
 //! Least-norm where degrees of freedom are left. Redundant rows must agree; a configuration in which Φ_q loses rank
 //! is an error, see [`singular`](crate::singular).
 
+use crate::contact;
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::linear::Factorization;
@@ -47,8 +48,14 @@ pub(crate) fn factorize(
     let rows: Vec<usize> = (0..s).collect();
     let matrix = equations.scaled_rows(&rows);
     let factor = Factorization::absolute(&matrix, &equations.scale.columns, equations.options.rank_tolerance);
+    if let Some(error) = contact::at_a_standstill(equations, q) {
+        return Err(error);
+    }
     let conflict = given_conflict(equations);
     if factor.rank < s.min(n) && usual_rank.is_none_or(|usual| factor.rank < usual) {
+        if let Some(error) = contact::without_gradient(equations, equations.options.rank_tolerance) {
+            return Err(error);
+        }
         if let Some(error) = singular::diagnose(equations, q, &factor) {
             return Err(error);
         }

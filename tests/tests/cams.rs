@@ -1,6 +1,6 @@
 //! Cams: one motion however the contact is written, and the textbook's closed forms.
 
-use kin_runtime::{Instant, Kinematics, Mechanism, Trajectory, mechanism};
+use kin_runtime::{CurvePoint, Instant, Kinematics, Mechanism, Trajectory, mechanism};
 use kin_tests::compare::Differences;
 use kin_tests::mechanisms::*;
 
@@ -142,4 +142,90 @@ fn the_direction_of_a_face_is_never_wrapped() {
         let expected = core::f64::consts::FRAC_PI_2 - phi;
         assert!((theta - expected).abs() < 1e-12, "{theta} and {expected}");
     }
+}
+
+/// The place of the joint called `name`.
+fn joint<M: Mechanism>(name: &str) -> usize {
+    M::model().joints.iter().position(|joint| joint.name == name).unwrap_or_else(|| panic!("no joint {name}"))
+}
+
+/// A point of a joint's curve with its tangent.
+fn point<M: Mechanism>(mechanism: &M, name: &str, t: f64, s: f64) -> CurvePoint {
+    let at = |s: f64| mechanism.curve_point(&Instant::at(t), joint::<M>(name), s).expect("no inputs").expect("a curve");
+    let (found, h) = (at(s), 1e-4);
+    for axis in 0..2 {
+        let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|k| at(s + k * h).r[axis]);
+        let slope = (a - 8.0 * b + 8.0 * c - d) / (12.0 * h);
+        assert!((slope - found.tangent[axis]).abs() < 1e-11, "{slope} and {:?}", found.tangent);
+    }
+    found
+}
+
+/// A point of the inertial frame as a body sees it.
+fn seen(trajectory: &Trajectory, body: &str, k: usize, r: [f64; 2]) -> [f64; 2] {
+    let [x, y, phi] = ["x", "y", "phi"].map(|c| column(trajectory, &format!("{body}.{c}"))[k]);
+    let (sin, cos) = phi.sin_cos();
+    let d = [r[0] - x, r[1] - y];
+    [cos * d[0] + sin * d[1], -sin * d[0] + cos * d[1]]
+}
+
+fn close(a: [f64; 2], b: [f64; 2]) {
+    assert!((a[0] - b[0]).hypot(a[1] - b[1]) < 1e-12, "{a:?} and {b:?}");
+}
+
+#[test]
+fn drawn_curves_go_through_the_contacts() {
+    let (polar, parametric) = (swept::<EccentricRollerPolar>(), swept::<EccentricRollerParametric>());
+    let ellipse = swept::<EllipticRoller>();
+    for k in [0, 7, 23, 41] {
+        let t = turn()[k];
+        let follower = |trajectory: &Trajectory| ["x", "y"].map(|c| column(trajectory, &format!("follower.{c}"))[k]);
+        let w = seen(&polar, "cam", k, follower(&polar));
+        close(point(&EccentricRollerPolar::default(), "contact", t, w[1].atan2(w[0])).r, w);
+
+        let cam = EccentricRollerParametric::default();
+        let CurvePoint { r, tangent: [x, y] } = point(&cam, "contact", t, column(&parametric, "u")[k]);
+        let outwards = [y, -x].map(|c| cam.roller * c / x.hypot(y));
+        let centre = seen(&parametric, "cam", k, follower(&parametric));
+        close([r[0] + outwards[0], r[1] + outwards[1]], centre);
+
+        // The curve's centre counts, and so does the instant.
+        let u = column(&ellipse, "u")[k];
+        let cam = EllipticRoller::default();
+        let expected = [0.002 + (cam.a + 0.004 * t) * u.cos(), -0.004 + cam.b * u.sin()];
+        close(point(&cam, "contact", t, u).r, expected);
+    }
+}
+
+/// The face touches the drawn cam in one point and has all of it on one side.
+#[test]
+fn a_flat_face_is_tangent_to_the_drawn_cam() {
+    let (cam, trajectory) = (EccentricFlatTranslating::default(), swept::<EccentricFlatTranslating>());
+    for k in [0, 13, 37] {
+        let face = ["x", "y"].map(|c| column(&trajectory, &format!("follower.{c}"))[k]);
+        let theta = core::f64::consts::FRAC_PI_2 - column(&trajectory, "cam.phi")[k];
+        let normal = [theta.cos(), theta.sin()];
+        let level = |r: [f64; 2]| normal[0] * r[0] + normal[1] * r[1];
+        let height = level(seen(&trajectory, "cam", k, face));
+        let contact = point(&cam, "contact", turn()[k], theta);
+        assert!((level(contact.r) - height).abs() < 1e-13 && level(contact.tangent).abs() < 1e-13);
+        for step in 1..60 {
+            let other = point(&cam, "contact", turn()[k], theta + 0.1 * f64::from(step));
+            assert!(level(other.r) < height);
+        }
+    }
+}
+
+#[test]
+fn joints_without_a_curve_draw_none() {
+    let at = Instant::at(0.0_f32);
+    let implicit = EccentricRollerImplicit::default();
+    for name in ["O", "guide", "contact"] {
+        let none = implicit.curve_point(&at, joint::<EccentricRollerImplicit>(name), 0.5);
+        assert_eq!(none, Ok(None), "{name}");
+    }
+    let family = CamsOnCarriage::default();
+    let found = family.curve_point(&at, joint::<CamsOnCarriage>("roll[1]"), 0.0).unwrap().unwrap();
+    assert!((found.r[0] - 0.06).abs() < 1e-7 && found.r[1].abs() < 1e-7);
+    assert_eq!(family.curve_point(&at, 999, 0.0), Ok(None));
 }

@@ -3,8 +3,8 @@
 use super::layout::indexed;
 use super::placed::{PlacedPoint, Pose};
 use super::set::{
-    ConstraintRow, ConstraintSet, DefineInstance, Family, Frame, Geometry, JointInstance, JointTag, Observable,
-    ObservableKind, PointInstance, Quantity, Role, VelocityRow,
+    ConstraintRow, ConstraintSet, CurveInstance, DefineInstance, Family, Frame, Geometry, JointInstance, JointTag,
+    Observable, ObservableKind, PointInstance, Quantity, Role, VelocityRow,
 };
 use super::{
     angle, coordinate, curve, distance, driver, fixed, knife_edge, nonholonomic, point_on_line, revolute, speed,
@@ -58,6 +58,8 @@ pub(super) struct Assembly<'m> {
     pub(super) variables: curve::Variables,
     /// Every q̇ is 0: rates of formulas are their partial derivatives with respect to time.
     pub(super) at_rest: bool,
+    /// The curve of the joint that is being written, for a drawing.
+    pub(super) outline: Option<[ExprId; 4]>,
     pub(super) errors: Vec<ModelError>,
 }
 
@@ -214,6 +216,9 @@ impl Assembly<'_> {
             set.rows.push(ConstraintRow { name: name.clone(), joint: place, phi, velocity: Some(velocity) });
         }
         let count = set.rows.len() - first_row;
+        if let Some(point) = self.outline.take() {
+            set.curves.push(CurveInstance { joint: place, point });
+        }
         let tag = tag(&joint.kind);
         set.joints.push(JointInstance {
             name,

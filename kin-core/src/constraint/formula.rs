@@ -48,6 +48,7 @@ impl Assembly<'_> {
             }
             Formula::Pose(body, component) => self.pose(body)[*component as usize],
             Formula::Scalar(member) => match self.scalar(member) {
+                Some(k) if self.variables.is_parameter(k) => self.graph.symbol(Symbol::ARGUMENT),
                 Some(k) => self.graph.symbol(Symbol::Coordinate(k)),
                 None => self.error(member.origin, "the index is out of range"),
             },

@@ -92,6 +92,7 @@ impl<'m> Assembly<'m> {
             index: 0,
             variables: Default::default(),
             at_rest: false,
+            outline: None,
             errors: Vec::new(),
         }
     }

@@ -24,6 +24,7 @@ mod translational;
 
 pub use assembly::assemble;
 pub use set::{
-    BodyInstance, ConditionInstance, ConstraintRow, ConstraintSet, Coordinate, CoordinateKind, DefineInstance, Family,
-    Frame, Geometry, JointInstance, JointTag, Observable, ObservableKind, PointInstance, Quantity, Role, VelocityRow,
+    BodyInstance, ConditionInstance, ConstraintRow, ConstraintSet, Coordinate, CoordinateKind, CurveInstance,
+    DefineInstance, Family, Frame, Geometry, JointInstance, JointTag, Observable, ObservableKind, PointInstance,
+    Quantity, Role, VelocityRow,
 };

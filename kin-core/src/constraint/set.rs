@@ -178,6 +178,15 @@ pub struct JointInstance {
     pub quantities: Vec<Quantity>,
 }
 
+/// The curve of a joint, for a drawing, in the frame of the joint's first operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CurveInstance {
+    /// Its joint.
+    pub joint: usize,
+    /// x, y and their derivatives by the curve's argument, as formulas of [`Symbol::ARGUMENT`].
+    pub point: [ExprId; 4],
+}
+
 /// A row of Φ, or of velocity level.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConstraintRow {
@@ -277,6 +286,8 @@ pub struct ConstraintSet {
     pub defines: Vec<DefineInstance>,
     /// Joints.
     pub joints: Vec<JointInstance>,
+    /// Curves of joints.
+    pub curves: Vec<CurveInstance>,
     /// Rows of Φ.
     pub rows: Vec<ConstraintRow>,
     /// Unilateral conditions.

@@ -60,10 +60,11 @@ fn derivatives(graph: &mut Graph, roots: &[ExprId], of_symbol: fn(&mut Graph, Sy
     roots.iter().map(|root| Jet::clone(&jets[root.index()])).collect()
 }
 
-/// The partial derivatives of `roots` by the coordinate `k`.
-pub fn partial<const N: usize>(graph: &mut Graph, roots: [ExprId; N], k: u32) -> [ExprId; N] {
+/// The partial derivatives of `roots` by a coordinate, or by the argument of a curve that is drawn.
+pub fn partial<const N: usize>(graph: &mut Graph, roots: [ExprId; N], by: Symbol) -> [ExprId; N] {
     let (jets, zero) = (total_derivatives(graph, &roots), graph.zero());
-    let by_k = |jet: &Jet| jet.gradient.iter().find(|(other, _)| *other == k).map_or(zero, |(_, e)| *e);
+    let is_by = |k: u32| Symbol::Coordinate(k) == by;
+    let by_k = |jet: &Jet| jet.gradient.iter().find(|(k, _)| is_by(*k)).map_or(zero, |(_, e)| *e);
     core::array::from_fn(|place| jets.get(place).map_or(zero, by_k))
 }
 

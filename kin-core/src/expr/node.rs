@@ -32,6 +32,14 @@ pub enum Symbol {
     Rate(u32),
 }
 
+/// The place of the argument of a curve that is drawn, as if it were a coordinate: it is in no q.
+const ARGUMENT: u32 = u32::MAX;
+
+impl Symbol {
+    /// The free argument of a curve that is drawn.
+    pub const ARGUMENT: Self = Self::Coordinate(ARGUMENT);
+}
+
 /// A finite number, compared and hashed by its bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Bits(u64);

@@ -89,6 +89,7 @@ pub(crate) fn kernel(name: &str, lowered: &Lowered, program: &Program, targets: 
         (reads.time, "t", quote! { __T }, quote! { at.t }),
         (reads.inputs, "u", quote! { &__Inputs<__T> }, quote! { u }),
         (reads.coordinates, "q", quote! { &__Coordinates<__T> }, quote! { q }),
+        (reads.argument, "s", quote! { __T }, quote! { s }),
         (reads.rates, "w", quote! { &__Coordinates<__T> }, quote! { w }),
     ];
     let (mut arguments, mut values) = (Vec::new(), Vec::new());

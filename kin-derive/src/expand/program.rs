@@ -25,6 +25,7 @@ pub(crate) struct Reads {
     pub(crate) rates: bool,
     /// Numbers of the supplied functions.
     pub(crate) functions: BTreeSet<u32>,
+    pub(crate) argument: bool,
 }
 
 impl Reads {
@@ -35,6 +36,7 @@ impl Reads {
                 Instruction::Load(Symbol::Parameter(_)) => reads.parameters = true,
                 Instruction::Load(Symbol::Time) => reads.time = true,
                 Instruction::Load(Symbol::Input(..)) => reads.inputs = true,
+                Instruction::Load(Symbol::ARGUMENT) => reads.argument = true,
                 Instruction::Load(Symbol::Coordinate(_)) => reads.coordinates = true,
                 Instruction::Load(Symbol::Rate(_)) => reads.rates = true,
                 Instruction::Supplied(function, _) => _ = reads.functions.insert(*function),
@@ -290,6 +292,7 @@ fn load(symbol: Symbol) -> TokenStream {
             let (k, part) = (at(k), format_ident!("{}", ["value", "rate", "acceleration"][usize::from(order.min(2))]));
             quote! { u[#k].#part }
         }
+        Symbol::ARGUMENT => quote! { s },
         Symbol::Coordinate(k) => {
             let k = at(k);
             quote! { q[#k] }

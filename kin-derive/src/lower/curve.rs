@@ -4,7 +4,7 @@ use super::declare::IndexRange;
 use super::formula::{Allow, Scope};
 use super::names::Symbol;
 use super::{Class, Lowerer};
-use crate::ast::{CurveExpr, Expr, NameUse};
+use crate::ast::{CurveExpr, Expr, NameUse, PathExpr};
 use crate::suggest::nearest;
 use kin_core::mechanism::{Curve, CurveVariable, Formula, Index, Member};
 
@@ -52,7 +52,8 @@ impl Lowerer<'_> {
                 let value = self.inside(value, POINT, range)?;
                 Some(Curve::Implicit { value, origin })
             }
-            CurveExpr::Parametric { parameter, x, y, span, roller } => {
+            CurveExpr::Parametric(path) => {
+                let PathExpr { parameter, x, y, span, roller } = &**path;
                 let origin = self.origin(*span);
                 let member = self.parameter(parameter, range);
                 if let Some(member) = member {

@@ -5,7 +5,7 @@ use super::index::name_use;
 use super::parts::{Parts, Value};
 use super::point::pair;
 use super::reject::here;
-use crate::ast::{CurveExpr, Expr, text};
+use crate::ast::{CurveExpr, Expr, PathExpr, text};
 use crate::suggest::listed;
 use proc_macro2::TokenTree;
 use syn::parse::ParseStream;
@@ -123,7 +123,9 @@ impl Parts<'_> {
             self.report.error(roller.span(), message);
         }
         match values.into_iter().next().flatten() {
-            Some(Value::Path { parameter, x, y, span }) => CurveExpr::Parametric { parameter, x, y, span, roller },
+            Some(Value::Path { parameter, x, y, span }) => {
+                CurveExpr::Parametric(Box::new(PathExpr { parameter, x, y, span, roller }))
+            }
             Some(Value::Expression(value)) if key == "polar" => CurveExpr::Polar(value),
             Some(Value::Expression(value)) => CurveExpr::Implicit(value),
             Some(Value::Axis(_)) | None => CurveExpr::Hole,

@@ -112,7 +112,7 @@ pub(super) fn analysis(engine: &dyn Engine, error: &SolveError) -> Failure {
             "the drivers determine every coordinate already: leave --given out"
         }
         SolveError::GivenConflict { .. } => "give other coordinates, or fewer",
-        SolveError::NonFinite { what: "Φ", .. } => {
+        SolveError::NonFinite { what: "Φ", .. } | SolveError::DegenerateContact { .. } => {
             "the equations have no value there: other parameters (--set) or guesses (--guess) may have"
         }
         _ => return Failure::Analysis(format!("{}: {error}", engine.model().name)),

@@ -4,6 +4,7 @@ use super::branch::Orientation;
 use super::integrate::integrate;
 use super::step::{Fault, Node, Scratch, Start, step};
 use crate::acceleration::acceleration;
+use crate::contact;
 use crate::equations::Equations;
 use crate::error::{Refusal, SolveError};
 use crate::events::Watch;
@@ -295,6 +296,9 @@ fn refusal(equations: &mut Equations<'_>, start: &Start<'_>, refused: f64, fault
     let all: Vec<usize> = (0..equations.rows()).collect();
     let columns = &equations.scale.columns;
     let factor = Factorization::revealing(&equations.scaled_rows(&all), columns, NEARLY_SINGULAR);
+    if let Some(error) = contact::without_gradient(equations, NEARLY_SINGULAR) {
+        return error;
+    }
     if factor.rank < expected_rank {
         let left = null_space(&equations.scaled(&all).transpose(), NEARLY_SINGULAR);
         let rows = dependent_rows(equations, &left);

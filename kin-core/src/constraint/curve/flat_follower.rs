@@ -17,11 +17,11 @@
 //! curvature. After Santaló, *Integral Geometry and Geometric Probability*, chapter 1 (support functions), and Norton,
 //! *Cam Design and Manufacturing Handbook* (flat-faced followers).
 
-use super::in_theta;
+use super::{draw, in_theta};
 use crate::constraint::assembly::{Assembly, Rows};
 use crate::constraint::placed::PlacedAxis;
 use crate::constraint::set::Role;
-use crate::expr::ExprId;
+use crate::expr::{ExprId, Symbol, partial};
 use crate::mechanism::{Axis, Formula, Place};
 
 pub(in crate::constraint) fn rows(a: &mut Assembly<'_>, p: &Place, q: &Place, axis: &Axis, support: &Formula) -> Rows {
@@ -36,6 +36,14 @@ pub(in crate::constraint) fn rows(a: &mut Assembly<'_>, p: &Place, q: &Place, ax
     let turn = a.graph.sub(q.angle, p.angle);
     let direction = direction(a, &axis);
     let theta = a.graph.add(turn, direction);
+    // The contact: h n + h′ perp(n).
+    let s = a.graph.symbol(Symbol::ARGUMENT);
+    let h = in_theta(a, support, s);
+    let [slope] = partial(&mut a.graph, [h], Symbol::ARGUMENT);
+    let (cos, sin) = (a.graph.cos(s), a.graph.sin(s));
+    let minus_sin = a.graph.neg(sin);
+    let contact = [[cos, minus_sin], [sin, cos]].map(|row| a.graph.plain_dot([h, slope], row));
+    draw(a, &p, contact);
     let support = in_theta(a, support, theta);
     rows.residuals = vec![("", a.graph.sub(lift, support))];
     rows.quantities = vec![("theta", theta)];

@@ -13,7 +13,7 @@ mod polar;
 
 use super::assembly::{Assembly, Rows};
 use super::placed::PlacedPoint;
-use crate::expr::ExprId;
+use crate::expr::{ExprId, Symbol, partial};
 use crate::mechanism::{Curve, CurveVariable, Formula, Place};
 
 /// What the variables of the curve at hand stand for; nothing outside of a curve.
@@ -21,9 +21,16 @@ use crate::mechanism::{Curve, CurveVariable, Formula, Place};
 pub(super) struct Variables {
     theta: Option<ExprId>,
     point: Option<[ExprId; 2]>,
+    /// The parameter that stands for the argument of a curve that is drawn.
+    parameter: Option<u32>,
 }
 
 impl Variables {
+    /// True for the parameter of a curve that is drawn.
+    pub(super) fn is_parameter(&self, k: u32) -> bool {
+        self.parameter == Some(k)
+    }
+
     /// What `variable` stands for.
     pub(super) const fn get(&self, variable: CurveVariable) -> Option<ExprId> {
         match (variable, self.point) {
@@ -62,12 +69,17 @@ fn seen(a: &mut Assembly<'_>, p: &PlacedPoint, q: &PlacedPoint) -> [ExprId; 2] {
 
 /// A formula in θ.
 fn in_theta(a: &mut Assembly<'_>, formula: &Formula, theta: ExprId) -> ExprId {
-    inside(a, Variables { theta: Some(theta), point: None }, formula)
+    inside(a, Variables { theta: Some(theta), ..Variables::default() }, formula)
 }
 
 /// A formula in X and Y.
 fn in_point(a: &mut Assembly<'_>, formula: &Formula, point: [ExprId; 2]) -> ExprId {
-    inside(a, Variables { theta: None, point: Some(point) }, formula)
+    inside(a, Variables { point: Some(point), ..Variables::default() }, formula)
+}
+
+/// A formula in the parameter `k` of a curve that is drawn.
+fn in_parameter(a: &mut Assembly<'_>, formula: &Formula, k: u32) -> ExprId {
+    inside(a, Variables { parameter: Some(k), ..Variables::default() }, formula)
 }
 
 fn inside(a: &mut Assembly<'_>, variables: Variables, formula: &Formula) -> ExprId {
@@ -75,4 +87,11 @@ fn inside(a: &mut Assembly<'_>, variables: Variables, formula: &Formula) -> Expr
     let value = a.formula(formula);
     a.variables = outer;
     value
+}
+
+/// Notes the curve that goes through P + `relative` of body i, with its tangent, for a drawing.
+fn draw(a: &mut Assembly<'_>, p: &PlacedPoint, relative: [ExprId; 2]) {
+    let [x, y] = [0, 1].map(|k| a.graph.add(p.local[k], relative[k]));
+    let [dx, dy] = partial(&mut a.graph, relative, Symbol::ARGUMENT);
+    a.outline = Some([x, y, dx, dy]);
 }

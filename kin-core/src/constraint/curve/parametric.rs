@@ -17,10 +17,11 @@
 //! Singular where c′ = 0 with a roller, and where R is the signed radius of curvature (an undercut). After Haug (1989),
 //! section 3.4; parallel curves after do Carmo, *Differential Geometry of Curves and Surfaces*, section 1-7.
 
-use super::between;
+use super::{between, draw, in_parameter};
 use crate::constraint::assembly::{Assembly, Rows};
 use crate::constraint::placed::PlacedPoint;
-use crate::expr::{ExprId, partial};
+use crate::constraint::set::Role;
+use crate::expr::{ExprId, Symbol, partial};
 use crate::mechanism::{Formula, Function, Member};
 
 pub(super) fn rows(
@@ -33,8 +34,17 @@ pub(super) fn rows(
 ) -> Rows {
     let mut rows = Rows::between(p, q);
     let c = components.map(|component| a.formula(component));
-    let c = match (roller, a.scalar(parameter)) {
-        (Some(radius), Some(u)) => parallel(a, c, u, radius),
+    let u = a.scalar(parameter);
+    if let Some(u) = u {
+        let drawn = components.map(|component| in_parameter(a, component, u));
+        draw(a, p, drawn);
+    }
+    let c = match (roller, u) {
+        (Some(radius), Some(u)) => {
+            let radius = a.formula(radius);
+            rows.geometry.push((Role::Value, p.frame, vec![radius]));
+            parallel(a, c, u, radius)
+        }
         _ => c,
     };
     let (d, c) = (between(a, p, q), a.graph.rotate(p.angle, c));
@@ -43,12 +53,11 @@ pub(super) fn rows(
 }
 
 /// c + R perp(c′)/|c′|.
-fn parallel(a: &mut Assembly<'_>, c: [ExprId; 2], u: u32, radius: &Formula) -> [ExprId; 2] {
-    let radius = a.formula(radius);
+fn parallel(a: &mut Assembly<'_>, c: [ExprId; 2], u: u32, radius: ExprId) -> [ExprId; 2] {
     if a.graph.is_zero(radius) {
         return c;
     }
-    let [x, y] = partial(&mut a.graph, c, u);
+    let [x, y] = partial(&mut a.graph, c, Symbol::Coordinate(u));
     let square = a.graph.plain_dot([x, y], [x, y]);
     let length = a.graph.call(Function::Sqrt, square);
     let factor = a.graph.div(radius, length);

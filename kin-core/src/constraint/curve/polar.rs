@@ -8,10 +8,11 @@
 //! negative x axis of body i; ρ is 2π-periodic, so that the row does not. Singular at w = 0, where θ has no value, and
 //! where ρ is not positive there is no contact. After Haug (1989), section 3.4 (cam with a point follower).
 
-use super::{in_theta, seen};
+use super::{draw, in_theta, seen};
 use crate::constraint::assembly::{Assembly, Rows};
 use crate::constraint::distance;
 use crate::constraint::placed::PlacedPoint;
+use crate::expr::Symbol;
 use crate::mechanism::Formula;
 
 pub(super) fn rows(a: &mut Assembly<'_>, p: &PlacedPoint, q: &PlacedPoint, radius: &Formula) -> Rows {
@@ -19,6 +20,10 @@ pub(super) fn rows(a: &mut Assembly<'_>, p: &PlacedPoint, q: &PlacedPoint, radiu
     let distance = distance::length(a, p, q);
     let [x, y] = seen(a, p, q);
     let theta = a.graph.atan2(y, x);
+    let s = a.graph.symbol(Symbol::ARGUMENT);
+    let (rho, cos, sin) = (in_theta(a, radius, s), a.graph.cos(s), a.graph.sin(s));
+    let drawn = [a.graph.mul(rho, cos), a.graph.mul(rho, sin)];
+    draw(a, p, drawn);
     let radius = in_theta(a, radius, theta);
     rows.residuals = vec![("", a.graph.sub(distance, radius))];
     rows.quantities = vec![("distance", distance)];

@@ -1,0 +1,97 @@
+//! Contacts with curves at points where the curve says nothing: reported by name, with what is degenerate there.
+//!
+//! - A polar curve at w = 0: θ = atan2(w_y, w_x) has no value.
+//! - An implicit curve where ∇e = 0 on the curve, a double point or a cusp: its row of Φ_q vanishes.
+//! - A parametric curve under a roller where c′ = 0: the roller has no side to run on.
+
+use crate::equations::Equations;
+use crate::error::{Degeneracy, SolveError};
+use crate::model::{Component, CoordinateKind, Frame, JointInfo, JointKind, Role};
+use crate::workspace::Instant;
+
+/// Squares of lengths below this are 0.
+const NOTHING: f64 = 1e-150;
+
+/// The error of an evaluation at q, by the name of the contact that is degenerate there, if one is.
+pub(crate) fn explain(equations: &mut Equations<'_>, q: &[f64], error: SolveError) -> SolveError {
+    let SolveError::NonFinite { what: "Φ" | "Φ_q" | "Φ_t" | "γ", index: row, .. } = error else { return error };
+    let Some(joint) = equations.model.rows.get(row).map(|row| row.joint) else { return error };
+    let info = &equations.model.joints[joint];
+    let what = match info.kind {
+        JointKind::OnPolarCurve => at_centre(equations, info, q),
+        JointKind::OnParametricCurve => without_direction(equations, joint, q),
+        _ => None,
+    };
+    what.map_or(error, |what| degenerate(equations, row, what))
+}
+
+/// The first implicit curve whose row of Φ_q, evaluated last, has no entry above `tolerance` on the common scale.
+pub(crate) fn without_gradient(equations: &Equations<'_>, tolerance: f64) -> Option<SolveError> {
+    let rows = equations.model.rows.iter().enumerate();
+    let implicit = rows.filter(|(_, row)| equations.model.joints[row.joint].kind == JointKind::OnImplicitCurve);
+    implicit
+        .map(|(row, _)| (row, equations.scaled(&[row]).amax()))
+        .find(|(_, largest)| *largest <= tolerance)
+        .map(|(row, largest)| degenerate(equations, row, Degeneracy::Gradient { largest }))
+}
+
+fn degenerate(equations: &Equations<'_>, row: usize, what: Degeneracy) -> SolveError {
+    let (row_name, joint) = (equations.row_name(row), equations.joint_name(row));
+    SolveError::DegenerateContact { t: equations.t, joint, row_name, what }
+}
+
+/// Q stands at the centre of the curve.
+fn at_centre(equations: &mut Equations<'_>, joint: &JointInfo, q: &[f64]) -> Option<Degeneracy> {
+    let [p, q] = [Role::P, Role::Q].map(|role| place(equations, joint, role, q));
+    let ([px, py], [qx, qy]) = (p?, q?);
+    let distance = (qx - px).hypot(qy - py);
+    (distance < NOTHING).then_some(Degeneracy::Centre { distance })
+}
+
+/// A joint's point in the inertial frame.
+fn place(equations: &mut Equations<'_>, joint: &JointInfo, role: Role, q: &[f64]) -> Option<[f64; 2]> {
+    let geometry = joint.geometry.iter().find(|geometry| geometry.role == role)?;
+    let at = Instant { t: equations.t, inputs: &equations.inputs };
+    let numbers = equations.system.geometry(&at).ok()?;
+    let (u, v) = (*numbers.get(geometry.offset)?, *numbers.get(geometry.offset + 1)?);
+    let Frame::Body(body) = geometry.frame else { return Some([u, v]) };
+    equations.system.observe(&at, q, &vec![0.0; q.len()]).ok()?;
+    let values = equations.system.observables().phi;
+    let pose = |component: Component| values[equations.model.bodies[body].observables[component as usize]];
+    let (sin, cos) = pose(Component::Phi).sin_cos();
+    Some([pose(Component::X) + cos * u - sin * v, pose(Component::Y) + sin * u + cos * v])
+}
+
+/// The first roller whose curve stands still at q, on the common scale.
+pub(crate) fn at_a_standstill(equations: &Equations<'_>, q: &[f64]) -> Option<SolveError> {
+    let joints = equations.model.joints.iter().enumerate();
+    let is_roller = |joint: &JointInfo| {
+        joint.kind == JointKind::OnParametricCurve && joint.geometry.iter().any(|g| g.role == Role::Value)
+    };
+    joints.filter(|(_, joint)| is_roller(joint)).find_map(|(place, joint)| {
+        let (column, _, speed) = speed(equations, place, q)?;
+        let length = equations.scale.length;
+        let still = speed * equations.scale.columns[column] <= equations.options.rank_tolerance * length;
+        let what = Degeneracy::Direction { parameter: equations.model.coordinates[column].name, value: q[column] };
+        still.then(|| degenerate(equations, joint.first_row, what))
+    })
+}
+
+/// The curve stands still at the parameter's value.
+fn without_direction(equations: &Equations<'_>, joint: usize, q: &[f64]) -> Option<Degeneracy> {
+    let (column, value, speed) = speed(equations, joint, q)?;
+    (speed < NOTHING).then_some(Degeneracy::Direction { parameter: equations.model.coordinates[column].name, value })
+}
+
+/// Place and value of the parameter of a joint's curve, and |c′| there.
+fn speed(equations: &Equations<'_>, joint: usize, q: &[f64]) -> Option<(usize, f64, f64)> {
+    let info = &equations.model.joints[joint];
+    let rows = info.first_row..info.first_row + info.rows;
+    let is_scalar = |column: usize| equations.model.coordinates[column].kind == CoordinateKind::Scalar;
+    let entries = equations.model.constraint_pattern.entries.iter();
+    let column = entries.filter(|entry| rows.contains(&entry.0)).map(|entry| entry.1).find(|k| is_scalar(*k))?;
+    let at = Instant { t: equations.t, inputs: &equations.inputs };
+    let value = q[column];
+    let [x, y] = equations.system.curve(&at, joint, value)?.tangent;
+    Some((column, value, x.hypot(y)))
+}

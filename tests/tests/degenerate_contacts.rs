@@ -1,0 +1,97 @@
+//! Where a curve says nothing, the analyses say so, by the name of the joint.
+
+use kin_runtime::{Degeneracy, Instant, Kinematics, SolveError, mechanism};
+
+/// A pin on a heart-shaped curve, moved along x.
+#[mechanism]
+#[bodies(pin)]
+#[angle(upright: pin = 0)]
+#[on_curve(track: ground @ (0.1, 0), pin @ (0, 0.2), polar(theta) = r * (1.5 + cos(theta)))]
+#[driver(feed: pin.x = 0.1 + t)]
+struct Polar {
+    #[param(0.3)]
+    r: f64,
+}
+
+/// A roller on a curve with a cusp at u = 0.
+#[mechanism]
+#[bodies(roller)]
+#[coordinates(u)]
+#[angle(upright: roller = 0)]
+#[on_curve(cusp: ground @ (0, 0), roller @ (0, 0), parametric(u) = (u.powi(3), u*u), roller = 0.1)]
+#[driver(feed: u = t)]
+struct Cusp;
+
+/// A pin on a lemniscate, which crosses itself at the origin.
+#[mechanism]
+#[bodies(pin)]
+#[angle(upright: pin = 0)]
+#[on_curve(loops: ground @ (0, 0), pin @ (0, 0), implicit(X, Y) = (X*X + Y*Y).powi(2) - 2*a*a*(X*X - Y*Y))]
+#[driver(feed: pin.x = t)]
+#[guess(pin.y = 0.1)]
+struct Lemniscate {
+    #[param(0.5)]
+    a: f64,
+}
+
+/// A polar curve whose formula has no value on one side.
+#[mechanism]
+#[bodies(pin)]
+#[angle(upright: pin = 0)]
+#[on_curve(half: ground @ (0, 0), pin @ (0, 0), polar(theta) = 0.2 + sqrt(cos(theta)))]
+#[driver(feed: pin.x = -1 + t)]
+struct Half;
+
+/// The degenerate contact that an analysis ends at, with what is wrong there.
+fn contact<T: std::fmt::Debug>(result: Result<T, SolveError>) -> (&'static str, f64, Degeneracy, String) {
+    match result {
+        Err(error @ SolveError::DegenerateContact { joint, t, what, .. }) => (joint, t, what, error.to_string()),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_polar_curve_at_its_centre() {
+    let (at, centre) = (Instant::at(0.0), [0.1, -0.2, 0.0]);
+    let mechanism = Polar::default();
+    let (joint, t, what, message) = contact(mechanism.velocity_analysis(&at, &centre));
+    assert_eq!((joint, t, what), ("track", 0.0, Degeneracy::Centre { distance: 0.0 }));
+    assert!(message.contains("`track`") && message.contains("t = 0") && message.contains("centre"), "{message}");
+    _ = contact(mechanism.position_analysis(&at, &centre));
+    _ = contact(mechanism.acceleration_analysis(&at, &centre, &[0.0; 3]));
+    // Assembly does not depend on where it happens to start.
+    let state = mechanism.state_at(&at).unwrap_or_else(|error| panic!("{error}"));
+    assert!((state.q[1] + 0.2).abs() > 0.1);
+}
+
+#[test]
+fn a_roller_at_a_cusp() {
+    let at = Instant::at(0.0);
+    let (joint, t, what, message) = contact(Cusp.velocity_analysis(&at, &[0.0, 0.1, 0.0, 0.0]));
+    assert_eq!((joint, t, what), ("cusp", 0.0, Degeneracy::Direction { parameter: "u", value: 0.0 }));
+    assert!(message.contains("u = 0"), "{message}");
+    // A solved position is as near to the cusp as rounding allows.
+    let (_, _, what, _) = contact(Cusp.state_at(&at));
+    assert!(matches!(what, Degeneracy::Direction { parameter: "u", value } if value.abs() < 1e-8), "{what:?}");
+    assert!(Cusp.state_at(&Instant::at(0.2)).is_ok());
+}
+
+#[test]
+fn an_implicit_curve_at_a_double_point() {
+    let at = Instant::at(0.0);
+    let lemniscate = Lemniscate::default();
+    let (joint, t, what, message) = contact(lemniscate.state_at(&at));
+    assert_eq!((joint, t), ("loops", 0.0));
+    assert!(matches!(what, Degeneracy::Gradient { largest } if largest < 1e-6), "{what:?}");
+    assert!(message.contains("gradient"), "{message}");
+    assert!(lemniscate.state_at(&Instant::at(0.3)).is_ok());
+    // A sweep into it ends by name and does not choose a branch there.
+    let error = lemniscate.kinematic_analysis(&[0.3, 0.1, 0.0]).expect_err("no tangent at the double point");
+    assert!(matches!(error.source, SolveError::DegenerateContact { joint: "loops", .. }), "{error}");
+}
+
+#[test]
+fn a_formula_without_a_value_is_no_degenerate_contact() {
+    let error = Half.velocity_analysis(&Instant::at(0.0), &[-1.0, 0.0, 0.0]).expect_err("the root of −1");
+    assert!(matches!(error, SolveError::NonFinite { name: "half", .. }), "{error}");
+}
