@@ -85,7 +85,7 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
     }
 
     fn curve(&self, at: &Instant<'_>, joint: usize, s: f64) -> Option<CurvePoint> {
-        self.mechanism.curve_with(self.parameters.as_ref(), at, joint, s).ok().flatten()
+        self.mechanism.borrow().curve_with(self.parameters.as_ref(), at, joint, s).ok().flatten()
     }
 
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, LengthError> {
