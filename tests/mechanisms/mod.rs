@@ -32,6 +32,7 @@ mod peaucellier;
 mod profile_slider;
 mod quick_return;
 mod rate_driven_slider_crank;
+mod rate_table;
 mod redundant_parallelogram;
 mod robot_3rrr;
 mod scotch_yoke;
@@ -79,6 +80,7 @@ pub use peaucellier::Peaucellier;
 pub use profile_slider::{Bell, ProfileSlider};
 pub use quick_return::QuickReturn;
 pub use rate_driven_slider_crank::RateDrivenSliderCrank;
+pub use rate_table::RateTable;
 pub use redundant_parallelogram::RedundantParallelogram;
 pub use robot_3rrr::Robot3rrr;
 pub use scotch_yoke::ScotchYoke;
@@ -103,6 +105,7 @@ pub fn signals<M: Mechanism>(t: f64) -> Vec<Signal> {
     match M::model().name {
         "FiveBarLeg" => five_bar_leg::signals(t).to_vec(),
         "MeasuredExcavator" => measured_excavator::signals(t).to_vec(),
+        "RateTable" => rate_table::signals(t).to_vec(),
         "SignalTable" => signal_table::signals(t).to_vec(),
         _ => Vec::new(),
     }
@@ -157,6 +160,7 @@ macro_rules! every_mechanism {
                 redundant_parallelogram: RedundantParallelogram, 0.0, 1.6;
                 robot_3rrr: Robot3rrr, 0.0, 1.5;
                 wheel_by_rates: WheelByRates, 0.0, 1.7;
+                rate_table: RateTable, 0.0, 1.9;
                 scotch_yoke: ScotchYoke, 0.0, 1.9;
                 signal_table: SignalTable, 0.0, 1.9;
                 singular_slider_crank: SingularSliderCrank, 0.0, 0.44;

@@ -41,8 +41,7 @@ pub(super) fn integrate(
     let tolerance = equations.options.integration_tolerance;
     let effort = error(equations, q, &taken) / tolerance;
     let factor = SAFETY * effort.powf(-0.2);
-    // Also when the estimate is not a number.
-    if !(effort <= 1.0) {
+    if effort > 1.0 || effort.is_nan() {
         return Err(Fault::Coarse(if factor.is_finite() { factor.clamp(0.1, 0.8) } else { 0.1 }));
     }
     equations.move_to(s)?;
