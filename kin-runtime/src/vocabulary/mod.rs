@@ -8,12 +8,18 @@
 //! - [`joints`]: revolute, translational, fixed, point on line;
 //! - [`relations`]: distances, absolute and relative coordinates;
 //! - [`equations`]: free equations and drivers;
+//! - [`curves`]: cams, followers, contacts with curves;
+//! - [`inputs`]: signals known only at run time;
 //! - [`velocity`]: knife edges, speeds and other rows of velocity level.
 //!
 //! These modules hold documentation only.
 
+#[doc = include_str!("curves.md")]
+pub mod curves {}
 #[doc = include_str!("equations.md")]
 pub mod equations {}
+#[doc = include_str!("inputs.md")]
+pub mod inputs {}
 #[doc = include_str!("joints.md")]
 pub mod joints {}
 #[doc = include_str!("parts.md")]
