@@ -22,7 +22,7 @@ use kin_runtime::mechanism;
 #[unilateral(height: pin.y < high * r)]
 #[unilateral(reach: distance(pin, eye) > 2*r)]
 #[unilateral(slope: lean < leaning)]
-#[unilateral(moving: slider.x - l < gap * t)]
+#[unilateral(moving: slider.x - l < ahead + gap * t)]
 #[unilateral(mark[i in 0..3]: slider.x > marks[i])]
 #[guess(rod.phi = 0, slider.x = r + l)]
 pub struct StrokeLimits {
@@ -50,6 +50,9 @@ pub struct StrokeLimits {
     /// Speed of a moving limit
     #[param(0.05, unit = "m/s")]
     pub gap: f64,
+    /// Where it begins
+    #[param(0, unit = "m")]
+    pub ahead: f64,
     /// Marks along the guide
     #[param([0.6, 0.7, 0.8], unit = "m")]
     pub marks: [f64; 3],

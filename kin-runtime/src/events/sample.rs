@@ -14,7 +14,7 @@ pub(crate) struct Sample {
     pub(crate) t: f64,
     /// g.
     pub(crate) value: f64,
-    /// ġ; not a number where g has no derivative.
+    /// ġ, 0 within rounding; not a number where g has no derivative.
     pub(crate) rate: f64,
     /// g̈, likewise.
     pub(crate) acceleration: f64,
@@ -25,17 +25,14 @@ pub(crate) struct Sample {
 impl Sample {
     /// The side on which a motion that goes on in the direction of `h` finds itself: true where the condition is satisfied.
     ///
-    /// At the limit that is where ġ leads, or g̈ where the motion turns there.
+    /// At the limit that is where ġ leads, or g̈ where the motion turns there; one that stays at the limit is not satisfied.
     pub(crate) fn side_after(&self, h: f64) -> bool {
         let (rate, acceleration) = (self.rate * h.signum(), self.acceleration);
         if self.value.abs() > self.noise || rate.is_nan() || acceleration.is_nan() {
             return self.value > 0.0;
         }
         let turns = acceleration * rate < 0.0 && rate * rate <= 2.0 * acceleration.abs() * self.noise;
-        if rate == 0.0 || turns {
-            return if acceleration == 0.0 { self.value > 0.0 } else { acceleration > 0.0 };
-        }
-        rate > 0.0
+        if rate == 0.0 || turns { acceleration > 0.0 } else { rate > 0.0 }
     }
 
     /// Near enough to zero for the last digits of the configuration to matter.
@@ -54,12 +51,16 @@ pub(crate) fn samples(equations: &mut Equations<'_>, state: &State) -> Result<Ve
     equations.system.observe(&at, &state.q, &state.q_dot)?;
     let parts = equations.system.observables();
     let rounding = 4.0 * f64::EPSILON * (4.0 + state.condition.clamp(1.0, WORST_CONDITION));
+    let columns = &equations.scale.columns;
+    let largest = |v: &[f64]| v.iter().zip(columns).fold(0.0, |m: f64, (v, d)| m.max((v / d).abs()));
+    let (velocity, acceleration_size) = (largest(&state.q_dot), largest(&state.q_ddot));
     let mut all = Vec::with_capacity(model.conditions.len());
     for (index, condition) in model.conditions.iter().enumerate() {
         let row = condition.observable;
         let (value, mut rate, mut acceleration) = (parts.phi[row], parts.phi_t[row], -parts.gamma[row]);
         finite("conditions", index, condition.name, value)?;
-        let mut size = value.abs() + (rate * state.t).abs();
+        // Sizes of what g, ġ and g̈ are sums of: rounding is relative to these.
+        let mut sizes = [value.abs() + (rate * state.t).abs(), rate.abs(), acceleration.abs()];
         // The pattern is sorted by rows.
         let entries = model.observable_pattern.entries;
         let first = entries.partition_point(|&(r, _)| r < row);
@@ -69,9 +70,14 @@ pub(crate) fn samples(equations: &mut Equations<'_>, state: &State) -> Result<Ve
             }
             rate += entry * state.q_dot[k];
             acceleration += entry * state.q_ddot[k];
-            size += (entry * state.q[k]).abs() + (entry * equations.scale.columns[k]).abs();
+            let turned = (entry * columns[k]).abs();
+            sizes[0] += (entry * state.q[k]).abs() + turned;
+            sizes[1] += turned * velocity;
+            sizes[2] += turned * (acceleration_size + velocity * velocity);
         }
-        let noise = if size.is_finite() { rounding * size } else { 0.0 };
+        let [noise, of_rate, of_acceleration] = sizes.map(|s| if s.is_finite() { rounding * s } else { 0.0 });
+        let clear = |v: f64, noise: f64| if v.abs() <= noise { 0.0 } else { v };
+        let (rate, acceleration) = (clear(rate, of_rate), clear(acceleration, of_acceleration));
         all.push(Sample { t: state.t, value, rate, acceleration, noise });
     }
     Ok(all)

@@ -5,10 +5,11 @@
 //! ġ are from polynomials of low degree is seen from
 //!
 //! ```text
-//! g_b − g_a − ½ (g′_a + g′_b)        g′_b − g′_a − ½ (g″_a + g″_b)
+//! g_b − g_a − g′_a − ½ g″_a        g_a − g_b + g′_b − ½ g″_b        g′_b − g′_a − ½ (g″_a + g″_b)        g″_b − g″_a
 //! ```
 //!
 //! which vanish for parabolas and are of third order in h otherwise, so that they overestimate the error of the cubic.
+//! Several of them, since one alone may vanish by chance where g changes faster than the steps are short.
 
 use super::sample::Sample;
 
@@ -17,7 +18,7 @@ use super::sample::Sample;
 pub(super) enum Shape {
     /// g keeps its sign.
     Clear,
-    /// g is zero within rounding all the time.
+    /// g is zero within rounding, and so are its derivatives.
     Still,
     /// g rises or falls all the time.
     Monotone,
@@ -33,20 +34,24 @@ pub(super) fn shape(a: &Sample, b: &Sample) -> Shape {
     let [first_a, first_b] = [a, b].map(|s| h * s.rate);
     let [second_a, second_b] = [a, b].map(|s| h * h * s.acceleration);
     let noise = a.noise.max(b.noise);
-    let of_rate = (first_b - first_a - 0.5 * (second_a + second_b)).abs();
-    let of_value = (b.value - a.value - 0.5 * (first_a + first_b)).abs() + of_rate;
+    let of_rate = (first_b - first_a - 0.5 * (second_a + second_b)).abs() + 0.1 * (second_b - second_a).abs();
+    let ahead = (b.value - a.value - first_a - 0.5 * second_a).abs();
+    let behind = (a.value - b.value + first_b - 0.5 * second_b).abs();
+    let of_value = ahead.max(behind) + of_rate;
     let value = bernstein([a.value, b.value], [first_a, first_b]);
     if clearance(value) > of_value + noise {
         return Shape::Clear;
     }
-    if value.iter().all(|v| v.abs() <= noise) {
+    let rests = |s: &Sample| s.value.abs() <= noise && s.rate == 0.0 && s.acceleration == 0.0;
+    if rests(a) && rests(b) {
         return Shape::Still;
     }
-    if clearance(bernstein([first_a, first_b], [second_a, second_b])) > of_rate {
+    // Rates that the values contradict mean nothing, however alike they are: there may be a whole wave in between.
+    if clearance(bernstein([first_a, first_b], [second_a, second_b])) > of_value {
         return Shape::Monotone;
     }
     let turns = first_a * first_b < 0.0 || (first_a == 0.0) != (first_b == 0.0);
-    if turns && clearance([second_a, second_b]) > 2.0 * of_rate {
+    if turns && clearance([second_a, second_b]) > 2.0 * of_value {
         return Shape::Turning;
     }
     Shape::Unclear

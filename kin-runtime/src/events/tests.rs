@@ -1,1 +1,104 @@
+//! The pieces that need no mechanism.
 
+use super::root::{Value, bracket, tolerance};
+use super::sample::Sample;
+use super::shape::{Shape, shape};
+
+/// A function with its derivative as what [`bracket`] asks for, counting.
+fn located(f: impl Fn(f64) -> (f64, f64), lo: f64, hi: f64) -> ([Value; 2], usize) {
+    let mut trials = 0;
+    let value = |t: f64| {
+        let (f, rate) = f(t);
+        Value { t, f, rate }
+    };
+    let ends = bracket(value(lo), value(hi), 1e-12, |t| {
+        trials += 1;
+        Some(value(t))
+    });
+    (ends, trials)
+}
+
+#[test]
+fn a_bracket_closes_from_both_sides() {
+    let cases: [(&dyn Fn(f64) -> (f64, f64), f64); 5] = [
+        (&|t| (0.3 - t, -1.0), 0.3),
+        (&|t: f64| (t.cos(), -t.sin()), core::f64::consts::FRAC_PI_2),
+        (&|t| (2.0 - t * t * t, -3.0 * t * t), 2.0_f64.cbrt()),
+        (&|t: f64| (1e-3 - (t - 1.0).powi(3), -3.0 * (t - 1.0).powi(2)), 1.1),
+        // Without a derivative, and with a wrong one.
+        (&|t: f64| (0.7 - t, f64::NAN), 0.7),
+    ];
+    for (k, (f, zero)) in cases.into_iter().enumerate() {
+        for (lo, hi) in [(0.0, 2.0), (-0.5, 1.9)] {
+            let ([a, b], trials) = located(f, lo, hi);
+            assert!((a.t - b.t).abs() <= 1e-12, "{k}: {a:?} {b:?}");
+            assert!((a.t - zero).abs() < 1e-10, "{k}: {a:?} and {zero}");
+            assert!(trials < if k == 4 { 60 } else { 40 }, "{k}: {trials}");
+        }
+    }
+    let ([a, b], _) = located(|t| (t - 0.3, 1.0), 2.0, -1.0);
+    assert!(a.t > b.t && (a.t - 0.3).abs() < 1e-10, "time runs backwards");
+    let (_, trials) = located(|t: f64| (t.cos(), -t.sin()), 1.0, 2.0);
+    assert!(trials <= 6, "{trials}");
+}
+
+#[test]
+fn where_nothing_can_be_evaluated_the_bracket_stays_open() {
+    let ends = [Value { t: 0.0, f: 1.0, rate: -1.0 }, Value { t: 1.0, f: -1.0, rate: -1.0 }];
+    assert_eq!(bracket(ends[0], ends[1], 1e-12, |_| None), ends);
+    let half = |t: f64| (t < 0.45).then_some(Value { t, f: 0.5 - t, rate: -1.0 });
+    let [a, b] = bracket(ends[0], ends[1], 1e-12, half);
+    assert!(a.t > 0.2 && b.t == 1.0);
+}
+
+#[test]
+fn instants_are_located_to_what_they_can_be() {
+    assert_eq!(tolerance(1.0), 1e-12);
+    assert_eq!(tolerance(1e4), 5e-11);
+    assert!(tolerance(1e9) > f64::EPSILON * 1e9);
+}
+
+fn sample(t: f64, value: f64, rate: f64, acceleration: f64) -> Sample {
+    Sample { t, value, rate, acceleration, noise: 1e-15 }
+}
+
+/// The course of a polynomial with its derivatives between two times.
+fn course(c: [f64; 4], a: f64, b: f64) -> Shape {
+    let at = |t: f64| {
+        let value = c[0] + t * (c[1] + t * (c[2] + t * c[3]));
+        sample(t, value, c[1] + t * (2.0 * c[2] + 3.0 * t * c[3]), 2.0 * c[2] + 6.0 * t * c[3])
+    };
+    shape(&at(a), &at(b))
+}
+
+#[test]
+fn shapes_are_what_they_are_called() {
+    for (a, b) in [(-1.0, 1.0), (1.0, -1.0)] {
+        assert_eq!(course([3.0, 1.0, 0.5, 0.0], a, b), Shape::Clear);
+        assert_eq!(course([0.2, 2.0, 0.1, 0.0], a, b), Shape::Monotone);
+        assert_eq!(course([-0.1, 0.2, 1.0, 0.0], a, b), Shape::Turning);
+        assert_eq!(course([0.0, -1.0, 0.0, 2.0], a, b), Shape::Unclear);
+        assert_eq!(course([0.0; 4], a, b), Shape::Still);
+    }
+    // Two values alike with a wave between them.
+    let wave = |t: f64| sample(t, t.sin() + 0.5, t.cos(), -t.sin());
+    assert_eq!(shape(&wave(0.1), &wave(0.1 + core::f64::consts::TAU)), Shape::Unclear);
+    let unknown = sample(1.0, 0.1, f64::NAN, f64::NAN);
+    assert_eq!(shape(&sample(0.0, 1.0, 0.0, 0.0), &unknown), Shape::Unclear);
+}
+
+#[test]
+fn the_side_at_the_limit_is_where_the_motion_goes() {
+    for (rate, acceleration, side) in [
+        (1.0, 0.0, true),
+        (-1.0, 0.0, false),
+        (0.0, 1.0, true),
+        (0.0, -1.0, false),
+        (0.0, 0.0, false),
+        (-1e-9, 1.0, true),
+    ] {
+        assert_eq!(sample(0.0, 0.0, rate, acceleration).side_after(1.0), side, "{rate} {acceleration}");
+    }
+    assert!(!sample(0.0, 0.0, 1.0, 0.0).side_after(-1.0), "backwards");
+    assert!(sample(0.0, 1e-3, -9.0, 0.0).side_after(1.0), "not there yet");
+}
