@@ -244,3 +244,46 @@ fn a_reader_that_leaves_is_no_panic() {
 fn temporary(name: &str) -> PathBuf {
     std::env::temp_dir().join(format!("kin-cli-{}-{name}", std::process::id()))
 }
+
+#[test]
+fn limits_are_reported_where_they_are_met() {
+    let ran = kin("limits sweep --to 2 --steps 4 --format csv");
+    assert_eq!((ran.status, ran.out.lines().count()), (Some(0), 6), "one row per instant: {}", ran.out);
+    assert!(
+        ran.err.starts_with("note: violated at the first instant: front, moving\nevent: t = 0.64104610791"),
+        "{}",
+        ran.err
+    );
+    assert!(ran.err.contains(": front satisfied again (slider.x < far)\n"), "{}", ran.err);
+    assert!(
+        ran.err.contains("event: t = 1.570796326") && ran.err.contains(": reach touched (distance(pin, eye) > 2*r)")
+    );
+    let ran = kin("limits sweep --to 2 --steps 4 --format json");
+    let whole: Value = serde_json::from_str(&ran.out).expect("one JSON document");
+    assert_eq!(whole["violated_at_start"], serde_json::json!(["front", "moving"]));
+    let events = whole["events"].as_array().expect("a list");
+    assert_eq!(events.len(), 8);
+    assert_eq!((&events[1]["name"], &events[1]["crossing"]), (&"slope".into(), &"violated".into()));
+    assert_eq!((&whole["complete"], &whole["stopped"]), (&true.into(), &false.into()));
+    let ran = kin("limits sweep --to 2 --steps 4 --format json --stop-at-events");
+    let stopped: Value = serde_json::from_str(&ran.out).expect("one JSON document");
+    assert_eq!((ran.status, &stopped["complete"], &stopped["stopped"]), (Some(0), &false.into(), &true.into()));
+    let states = stopped["states"].as_array().expect("a list");
+    assert_eq!((states.len(), &states[2]["q"]), (3, &events[0]["q"]));
+    assert!(ran.err.ends_with("note: the sweep stopped there; the last row is the event\n"), "{}", ran.err);
+}
+
+#[test]
+fn conditions_are_listed_with_their_margins() {
+    let info = json("limits info --format json");
+    assert_eq!(info["conditions"][5]["condition"], "slider.x - l < ahead + gap*t");
+    assert_eq!(info["conditions"][5]["classes"], serde_json::json!(["holonomic", "rheonomic", "unilateral"]));
+    assert_eq!((&info["counts"]["conditions"], &info["counts"]["rows"]), (&9.into(), &9.into()));
+    let solved = json("limits solve --format json");
+    let front = &solved["conditions"]["front"];
+    assert!((front["value"].as_f64().expect("a number") + 0.05).abs() < 1e-12);
+    assert_eq!(front["satisfied"], false);
+    let text = good("limits solve");
+    assert!(text.contains("Unilateral conditions") && text.contains("mark[2]    satisfied   0.100000"), "{text}");
+    assert!(good("limits info").contains("  conditions           9  front, back, height"));
+}

@@ -10,7 +10,8 @@
 //! - [`equations`]: free equations and drivers;
 //! - [`curves`]: cams, followers, contacts with curves;
 //! - [`inputs`]: signals known only at run time;
-//! - [`velocity`]: knife edges, speeds and other rows of velocity level.
+//! - [`velocity`]: knife edges, speeds and other rows of velocity level;
+//! - [`unilateral`]: inequalities that are watched along a motion.
 //!
 //! These modules hold documentation only.
 
@@ -26,5 +27,7 @@ pub mod joints {}
 pub mod parts {}
 #[doc = include_str!("relations.md")]
 pub mod relations {}
+#[doc = include_str!("unilateral.md")]
+pub mod unilateral {}
 #[doc = include_str!("velocity.md")]
 pub mod velocity {}
