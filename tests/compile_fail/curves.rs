@@ -70,4 +70,19 @@ struct Meant {
     r: f64,
 }
 
+/// The direction of a roller's curve is its derivative, so that accelerations hold the third one.
+#[mechanism]
+#[bodies(cam, arm, rod)]
+#[coordinates(u, v)]
+#[function(f)]
+#[revolute(O: ground @ (0, 0), cam @ (0, 0))]
+#[revolute(P: ground @ (1, 0), arm @ (0, 0))]
+#[on_curve(A: cam @ (0, 0), arm @ (1, 0), parametric(u) = (u, 0.1 * f(2*u)), roller = 0.1)]
+#[on_curve(B: cam @ (0, 0), rod @ (1, 0), parametric(v) = (v + f(t), f(r)), roller = 0.1)]
+struct Third<F> {
+    f: F,
+    #[param(1)]
+    r: f64,
+}
+
 fn main() {}

@@ -29,6 +29,8 @@ const PARTS: &str = r#"
     #[translational(T: ground @ (0, 0), slider @ (0, 0), axis = (1, 2), angle = -pi/2)]
     #[distance(D: tip, arm @ (0, 0), length = l1 + 0.1*t)]
     #[angle(a[i in 0..3]: link[i] = i * t)]
+    #[on_curve(n[i in 0..3]: crank @ (0, 0), link[i] @ (0, 0), parametric(w[i]) = (l1*cos(w[i]), f(w[i])), roller = -l1)]
+    #[on_curve(m: crank @ (0, 0), tip, implicit(X, Y) = X*X + Y.powi(2) - l1)]
     #[driver(drive: crank.phi = omega * t)]
     #[driver(lift: distance(ground @ (0, 0), tip) = l1 + feed)]
     #[driver(turn[i in 0..3]: w[i] = l[i] * exp(-t))]
