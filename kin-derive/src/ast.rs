@@ -184,6 +184,11 @@ pub(crate) enum RowKind {
     RelativeAngle { a: Option<NameUse>, b: Option<NameUse>, value: Expr },
     OnCurve { p: PointExpr, q: PointExpr, curve: CurveExpr },
     FlatFollower { p: PointExpr, q: PointExpr, axis: AxisExpr, support: Expr },
+    Gear(PairExpr),
+    Belt(PairExpr),
+    RackPinion { p: PointExpr, q: PointExpr, axis: AxisExpr, pinion: Option<NameUse>, radius: Expr, offset: Expr },
+    RollingOnLine { p: PointExpr, q: PointExpr, axis: AxisExpr, radius: Expr, offset: Expr },
+    RollingOnDisc { p: PointExpr, q: PointExpr, radii: RadiiExpr, along: Option<NameUse>, offset: Expr },
     Constraint { left: Expr, right: Expr },
     KnifeEdge { p: PointExpr, angle: Expr },
     Speed { p: PointExpr, angle: Expr, value: Expr },
@@ -218,6 +223,34 @@ pub(crate) struct AxisExpr {
     pub(crate) x: Expr,
     pub(crate) y: Expr,
     pub(crate) span: Span,
+}
+
+/// `(ra, rb)`.
+#[derive(Debug)]
+pub(crate) struct RadiiExpr {
+    pub(crate) i: Expr,
+    pub(crate) j: Expr,
+    pub(crate) span: Span,
+}
+
+/// Two bodies that gears or a belt couple.
+#[derive(Debug)]
+pub(crate) struct PairExpr {
+    pub(crate) a: Option<NameUse>,
+    pub(crate) b: Option<NameUse>,
+    pub(crate) radii: RadiiExpr,
+    pub(crate) carrier: CarrierExpr,
+    pub(crate) offset: Expr,
+}
+
+/// What carries the axles.
+#[derive(Debug)]
+pub(crate) enum CarrierExpr {
+    /// Nothing is given.
+    Ground,
+    Body(NameUse),
+    /// Could not be read; reported.
+    Hole,
 }
 
 /// A use of a name, with an index when it has one.

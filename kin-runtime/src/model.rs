@@ -137,6 +137,16 @@ pub enum JointKind {
     OnParametricCurve,
     /// n·(r_Q − r_P) − h(θ): a flat-faced follower on a cam.
     FlatFollower,
+    /// R_a(φ_a − φ_c) + R_b(φ_b − φ_c) − e.
+    Gear,
+    /// R_a(φ_a − φ_c) − R_b(φ_b − φ_c) − e.
+    Belt,
+    /// (A_i v̂)·(r_Q − r_P) − R(φ_b − φ_i) − e.
+    RackPinion,
+    /// A disc on a line: perp(A_i v̂)·d − R; (A_i v̂)·d + R(φ_j − φ_i) − e, where d = r_Q − r_P.
+    RollingOnLine,
+    /// A disc on a disc: d − (R_i + R_j)(cos ψ, sin ψ); R_i(φ_i − ψ) + R_j(φ_j − ψ) − e.
+    RollingOnDisc,
     /// A free-form holonomic row.
     Constraint,
     /// No velocity of a point across a direction of its body.
@@ -164,6 +174,10 @@ impl JointKind {
             Self::RelativeAngle => "relative_angle",
             Self::OnPolarCurve | Self::OnImplicitCurve | Self::OnParametricCurve => "on_curve",
             Self::FlatFollower => "flat_follower",
+            Self::Gear => "gear",
+            Self::Belt => "belt",
+            Self::RackPinion => "rack_pinion",
+            Self::RollingOnLine | Self::RollingOnDisc => "rolling",
             Self::Constraint => "constraint",
             Self::KnifeEdge => "knife_edge",
             Self::Speed => "speed",
@@ -189,8 +203,11 @@ pub enum Role {
     Q,
     /// Unit vector of an axis in the frame it is fixed in, two numbers.
     Axis,
-    /// Length, angle, offset or right-hand side, one number; may depend on t and inputs.
+    /// Length, angle, offset or right-hand side, one number; may depend on t and inputs. The frame of a gear's or a
+    /// belt's is that of its carrier.
     Value,
+    /// Radius of a disc or gear of that frame's body, one number; negative where the other runs inside.
+    Radius,
 }
 
 /// A piece of geometry of a joint: where its numbers stand in the geometry array.

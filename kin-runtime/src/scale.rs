@@ -150,20 +150,23 @@ fn is_angle(kind: CoordinateKind) -> bool {
     matches!(kind, CoordinateKind::Pose { component: Component::Phi, .. })
 }
 
-/// Distance of joints from the origins of their moving bodies; of the ground's joints where there is none.
+/// Distance of joints from the origins of their moving bodies; of the ground's joints where there is none; then the
+/// radii, which are last because those of gears may be numbers of teeth.
 fn typical_length(equations: &Equations<'_>) -> f64 {
     let at = Instant { t: equations.t, inputs: &equations.inputs };
     let Ok(numbers) = equations.system.geometry(&at) else { return 1.0 };
-    let mut arms = [Vec::new(), Vec::new()];
+    let mut lengths = [Vec::new(), Vec::new(), Vec::new()];
     for geometry in equations.model.joints.iter().flat_map(|j| j.geometry) {
-        if matches!(geometry.role, Role::P | Role::Q) {
-            let part = |k: usize| numbers.get(geometry.offset + k).copied().unwrap_or(0.0);
-            let moving = usize::from(matches!(geometry.frame, Frame::Ground));
-            arms[moving].push(part(0).hypot(part(1)));
+        let part = |k: usize| numbers.get(geometry.offset + k).copied().unwrap_or(0.0);
+        match geometry.role {
+            Role::P | Role::Q => {
+                lengths[usize::from(geometry.frame == Frame::Ground)].push(part(0).hypot(part(1)));
+            }
+            Role::Radius => lengths[2].push(part(0).abs()),
+            _ => {}
         }
     }
-    let [moving, ground] = &mut arms;
-    let found = [median_of_nonzero(moving), median_of_nonzero(ground)];
+    let found = lengths.map(|mut lengths| median_of_nonzero(&mut lengths));
     found.into_iter().find(|&l| l > 0.0 && l.is_finite()).unwrap_or(1.0)
 }
 

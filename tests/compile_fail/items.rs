@@ -35,13 +35,7 @@ struct Empty;
 #[angle(A: crank = t)]
 struct Misplaced;
 
-#[mechanism]
-#[bodies(crank, planet)]
-#[gear(A: crank, planet, radii = (1, 2))]
-#[driver(B: crank.phi = t)]
-struct Later;
-
 fn main() {
-    let _ = (Enumeration::A, Union { a: 1.0 }, Tuple(1.0, 2.0), Generic { a: 1.0 }, Scalar::<1>, Empty, Misplaced, Later);
+    let _ = (Enumeration::A, Union { a: 1.0 }, Tuple(1.0, 2.0), Generic { a: 1.0 }, Scalar::<1>, Empty, Misplaced);
     function();
 }

@@ -1,5 +1,6 @@
 //! Assembly: walks the mechanism and asks every joint for its rows.
 
+use super::gear::Pair;
 use super::layout::indexed;
 use super::placed::{PlacedPoint, Pose};
 use super::set::{
@@ -7,8 +8,8 @@ use super::set::{
     Observable, ObservableKind, PointInstance, Quantity, Role, VelocityRow,
 };
 use super::{
-    angle, coordinate, curve, distance, driver, fixed, knife_edge, nonholonomic, point_on_line, revolute, speed,
-    translational,
+    angle, belt, coordinate, curve, distance, driver, fixed, gear, knife_edge, nonholonomic, point_on_line,
+    rack_pinion, revolute, rolling_on_disc, rolling_on_line, speed, translational,
 };
 use crate::error::{ModelError, Origin};
 use crate::expr::{ExprId, Graph};
@@ -181,6 +182,17 @@ impl Assembly<'_> {
             JointKind::RelativeAngle { a, b, value } => angle::relative(self, a, b, value),
             JointKind::OnCurve { p, q, curve } => curve::rows(self, p, q, curve),
             JointKind::FlatFollower { p, q, axis, support } => curve::flat_follower::rows(self, p, q, axis, support),
+            JointKind::Gear { a, b, radii, carrier, offset } => gear::rows(self, Pair { a, b, radii, carrier }, offset),
+            JointKind::Belt { a, b, radii, carrier, offset } => belt::rows(self, Pair { a, b, radii, carrier }, offset),
+            JointKind::RackPinion { p, q, axis, pinion, radius, offset } => {
+                rack_pinion::rows(self, [p, q], axis, (pinion, radius), offset)
+            }
+            JointKind::RollingOnLine { p, q, axis, radius, offset } => {
+                rolling_on_line::rows(self, [p, q], axis, radius, offset)
+            }
+            JointKind::RollingOnDisc { p, q, radii, along, offset } => {
+                rolling_on_disc::rows(self, [p, q], radii, along, offset)
+            }
             JointKind::Constraint { left, right } => driver::equation(self, left, right),
             JointKind::KnifeEdge { p, angle } => knife_edge::rows(self, p, angle),
             JointKind::Speed { p, angle, value } => speed::rows(self, p, angle, value),
@@ -272,6 +284,11 @@ fn tag(kind: &JointKind) -> JointTag {
         JointKind::OnCurve { curve: Curve::Implicit { .. }, .. } => JointTag::OnImplicitCurve,
         JointKind::OnCurve { curve: Curve::Parametric { .. }, .. } => JointTag::OnParametricCurve,
         JointKind::FlatFollower { .. } => JointTag::FlatFollower,
+        JointKind::Gear { .. } => JointTag::Gear,
+        JointKind::Belt { .. } => JointTag::Belt,
+        JointKind::RackPinion { .. } => JointTag::RackPinion,
+        JointKind::RollingOnLine { .. } => JointTag::RollingOnLine,
+        JointKind::RollingOnDisc { .. } => JointTag::RollingOnDisc,
         JointKind::Constraint { .. } => JointTag::Constraint,
         JointKind::KnifeEdge { .. } => JointTag::KnifeEdge,
         JointKind::Speed { .. } => JointTag::Speed,

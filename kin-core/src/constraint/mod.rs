@@ -5,6 +5,7 @@
 
 mod angle;
 mod assembly;
+mod belt;
 mod condition;
 mod coordinate;
 mod curve;
@@ -12,12 +13,16 @@ mod distance;
 mod driver;
 mod fixed;
 mod formula;
+mod gear;
 mod knife_edge;
 mod layout;
 mod nonholonomic;
 mod placed;
 mod point_on_line;
+mod rack_pinion;
 mod revolute;
+mod rolling_on_disc;
+mod rolling_on_line;
 mod set;
 mod speed;
 mod translational;

@@ -90,8 +90,10 @@ pub enum Role {
     Q,
     /// Unit vector of an axis.
     Axis,
-    /// Length, angle, offset or right-hand side.
+    /// Length, angle, offset or right-hand side; of gears and belts in the frame of the carrier.
     Value,
+    /// Radius of a disc or gear about its axle.
+    Radius,
 }
 
 /// A piece of geometry of a joint.
@@ -143,6 +145,16 @@ pub enum JointTag {
     OnParametricCurve,
     /// Flat-faced follower on a cam.
     FlatFollower,
+    /// Gear pair.
+    Gear,
+    /// Belt.
+    Belt,
+    /// Rack and pinion.
+    RackPinion,
+    /// A disc on a line.
+    RollingOnLine,
+    /// A disc on a disc.
+    RollingOnDisc,
     /// Free-form equation.
     Constraint,
     /// No velocity across a direction of the body.

@@ -1,32 +1,35 @@
 //! What is wrong with a mechanism before any equation is written: one function per rule.
 //!
 //! Part by part ([`check_parts`]):
-//! 1. `names_differ`: bodies, coordinates, parameters, points, defines, functions and inputs share one namespace;
-//! 2. `names_are_free`: none of them is a word of the language;
-//! 3. `row_names_differ`: rows have a namespace of their own;
-//! 4. `families_have_members`: lengths and ranges are not empty and not absurd;
-//! 5. `indices_exist`: every index is within its family at every step of the range;
-//! 6. `origins_end_somewhere`: no body is carried by itself, directly or around a circle;
-//! 7. `defines_end_somewhere`: no define uses itself;
-//! 8. `joints_join_two_bodies`: a joint has two different bodies;
-//! 9. `axes_have_a_direction`: an axis is not (0, 0);
-//! 10. `lengths_are_positive`: a literal length is greater than 0;
-//! 11. `divisors_are_not_zero`: nothing is divided by a literal 0;
-//! 12. `guesses_are_for_coordinates`: a guess is for a free coordinate, one for each;
-//! 13. `rows_hold_coordinates`: a row that mentions no coordinate constrains nothing;
-//! 14. `conditions_change`: a condition of parameters alone is always or never satisfied;
-//! 15. `curves_are_curves`: a literal polar radius is positive, and a curve holds its variables;
-//! 16. `rollers_know_their_curve`: a roller runs on no curve that has only two derivatives;
-//! 17. `velocity_rows_are_linear`: a row of velocity level is linear in `dot(…)`, and holds one.
+//! - `names_differ`: bodies, coordinates, parameters, points, defines, functions and inputs share one namespace;
+//! - `names_are_free`: none of them is a word of the language;
+//! - `row_names_differ`: rows have a namespace of their own;
+//! - `families_have_members`: lengths and ranges are not empty and not absurd;
+//! - `indices_exist`: every index is within its family at every step of the range;
+//! - `origins_end_somewhere`: no body is carried by itself, directly or around a circle;
+//! - `defines_end_somewhere`: no define uses itself;
+//! - `joints_join_two_bodies`: a joint has two different bodies;
+//! - `carriers_carry`: the carrier of two gears is a third body;
+//! - `axes_have_a_direction`: an axis is not (0, 0);
+//! - `lengths_are_positive`: a literal length is greater than 0;
+//! - `radii_have_a_size`: a radius is not a literal 0, and discs on one another do not have one centre;
+//! - `divisors_are_not_zero`: nothing is divided by a literal 0;
+//! - `curves_are_curves`: a literal polar radius is positive, and a curve holds its variables;
+//! - `rollers_know_their_curve`: a roller runs on no curve that has only two derivatives;
+//! - `velocity_rows_are_linear`: a row of velocity level is linear in `dot(…)`, and holds one;
+//! - `guesses_are_for_coordinates`: a guess is for a free coordinate, one for each;
+//! - `rows_hold_coordinates`: a row that mentions no coordinate constrains nothing;
+//! - `conditions_change`: a condition of parameters alone is always or never satisfied.
 //!
 //! As a whole ([`check`]):
-//! 18. `has_coordinates`: something can move;
-//! 19. `bodies_are_touched`: some row mentions a coordinate of every body;
-//! 20. `scalars_are_mentioned`: some row mentions every scalar coordinate.
+//! - `has_coordinates`: something can move;
+//! - `bodies_are_touched`: some row mentions a coordinate of every body;
+//! - `scalars_are_mentioned`: some row mentions every scalar coordinate.
 
 mod condition;
 mod curve;
 pub mod cycle;
+mod gearing;
 mod geometry;
 mod guess;
 mod mention;
@@ -44,6 +47,7 @@ pub use names::{RESERVED, is_reserved};
 
 use condition::conditions_change;
 use curve::{curves_are_curves, rollers_know_their_curve};
+use gearing::{carriers_carry, radii_have_a_size};
 use geometry::{axes_have_a_direction, divisors_are_not_zero, joints_join_two_bodies, lengths_are_positive};
 use guess::guesses_are_for_coordinates;
 use names::{names_are_free, names_differ, row_names_differ};
@@ -80,11 +84,13 @@ pub fn check_parts(mechanism: &Mechanism) -> Vec<ModelError> {
     defines_end_somewhere(mechanism, &mut errors);
     axes_have_a_direction(mechanism, &mut errors);
     lengths_are_positive(mechanism, &mut errors);
+    radii_have_a_size(mechanism, &mut errors);
     divisors_are_not_zero(mechanism, &mut errors);
     curves_are_curves(mechanism, &mut errors);
     rollers_know_their_curve(mechanism, &mut errors);
     if is_sound(mechanism) {
         joints_join_two_bodies(mechanism, &mut errors);
+        carriers_carry(mechanism, &mut errors);
         guesses_are_for_coordinates(mechanism, &mut errors);
         rows_hold_coordinates(mechanism, &mut errors);
         conditions_change(mechanism, &mut errors);

@@ -1,7 +1,8 @@
 //! A mechanism as text, in the user's language: what was understood.
 
 use super::{
-    BodyOrigin, BodyRef, Component, Curve, Formula, GuessTarget, Index, Joint, JointKind, Mechanism, Member, Place,
+    Axis, BodyOrigin, BodyRef, Component, Curve, Formula, GuessTarget, Index, Joint, JointKind, Mechanism, Member,
+    Place, Radii,
 };
 use core::fmt;
 
@@ -95,11 +96,11 @@ impl Mechanism {
         let operands = match &joint.kind {
             JointKind::Revolute { p: a, q: b } => format!("{}, {}", p(a), p(b)),
             JointKind::Translational { p: a, q: b, axis, angle } => {
-                format!("{}, {}, axis = ({}, {}), angle = {}", p(a), p(b), t(&axis.x), t(&axis.y), t(angle))
+                format!("{}, {}, {}, angle = {}", p(a), p(b), self.axis(axis), t(angle))
             }
             JointKind::Fixed { p: a, q: b, angle } => format!("{}, {}, angle = {}", p(a), p(b), t(angle)),
             JointKind::PointOnLine { p: a, q: b, axis, offset } => {
-                format!("{}, {}, axis = ({}, {}), offset = {}", p(a), p(b), t(&axis.x), t(&axis.y), t(offset))
+                format!("{}, {}, {}, offset = {}", p(a), p(b), self.axis(axis), t(offset))
             }
             JointKind::Distance { p: a, q: b, length, .. } => format!("{}, {}, length = {}", p(a), p(b), t(length)),
             JointKind::Coordinate { p: a, value, .. } => format!("{} = {}", p(a), t(value)),
@@ -107,8 +108,25 @@ impl Mechanism {
             JointKind::RelativeAngle { a, b, value } => format!("{}, {} = {}", self.body(a), self.body(b), t(value)),
             JointKind::OnCurve { p: a, q: b, curve } => format!("{}, {}, {}", p(a), p(b), self.curve(curve)),
             JointKind::FlatFollower { p: a, q: b, axis, support } => {
-                let (x, y) = (t(&axis.x), t(&axis.y));
-                format!("{}, {}, axis = ({x}, {y}), support(theta) = {}", p(a), p(b), t(support))
+                format!("{}, {}, {}, support(theta) = {}", p(a), p(b), self.axis(axis), t(support))
+            }
+            JointKind::Gear { a, b, radii, carrier, offset } | JointKind::Belt { a, b, radii, carrier, offset } => {
+                let [a, b, carrier] = [a, b, carrier].map(|body| self.body(body));
+                let (radii, offset) = (self.radii(radii), t(offset));
+                format!("{a}, {b}, {radii}, carrier = {carrier}, offset = {offset}")
+            }
+            JointKind::RackPinion { p: a, q: b, axis, pinion, radius, offset } => {
+                let (axis, pinion) = (self.axis(axis), self.body(pinion));
+                let (radius, offset) = (t(&radius.value), t(offset));
+                format!("{}, {}, {axis}, pinion = {pinion}, radius = {radius}, offset = {offset}", p(a), p(b))
+            }
+            JointKind::RollingOnLine { p: a, q: b, axis, radius, offset } => {
+                let (axis, radius, offset) = (self.axis(axis), t(&radius.value), t(offset));
+                format!("{}, {}, {axis}, radius = {radius}, offset = {offset}", p(a), p(b))
+            }
+            JointKind::RollingOnDisc { p: a, q: b, radii, along, offset } => {
+                let along = self.member(self.scalars.get(along.family).map(|s| &s.name), along);
+                format!("{}, {}, {}, along = {along}, offset = {}", p(a), p(b), self.radii(radii), t(offset))
             }
             JointKind::KnifeEdge { p: a, angle } => format!("{}, angle = {}", p(a), t(angle)),
             JointKind::Speed { p: a, angle, value } => {
@@ -133,6 +151,13 @@ impl Mechanism {
                 format!("parametric({u}) = ({}, {}){roller}", self.text(x), self.text(y))
             }
         }
+    }
+    fn axis(&self, axis: &Axis) -> String {
+        format!("axis = ({}, {})", self.text(&axis.x), self.text(&axis.y))
+    }
+
+    fn radii(&self, radii: &Radii) -> String {
+        format!("radii = ({}, {})", self.text(&radii.i.value), self.text(&radii.j.value))
     }
 
     /// A formula with every operation in brackets, as it was understood.

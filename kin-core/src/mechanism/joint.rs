@@ -14,6 +14,26 @@ pub struct Axis {
     pub origin: Origin,
 }
 
+/// The radius of a disc or a gear; negative for one that the other runs inside of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Radius {
+    /// Its value, a formula of parameters.
+    pub value: Formula,
+    /// The tokens it is written with.
+    pub origin: Origin,
+}
+
+/// The radii of a pair of discs, or of two gears.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Radii {
+    /// Of body i.
+    pub i: Radius,
+    /// Of body j.
+    pub j: Radius,
+    /// The pair.
+    pub origin: Origin,
+}
+
 /// What a joint says. Operands come in the user's order: first belongs to body i, second to body j.
 #[derive(Clone, Debug, PartialEq)]
 pub enum JointKind {
@@ -111,6 +131,73 @@ pub enum JointKind {
         /// h.
         support: Formula,
     },
+    /// R_a(φ_a − φ_c) + R_b(φ_b − φ_c) − e.
+    Gear {
+        /// Body i.
+        a: BodyRef,
+        /// Body j.
+        b: BodyRef,
+        /// R_a and R_b.
+        radii: Radii,
+        /// The body that carries both axles; the ground unless another is given.
+        carrier: BodyRef,
+        /// e.
+        offset: Formula,
+    },
+    /// R_a(φ_a − φ_c) − R_b(φ_b − φ_c) − e.
+    Belt {
+        /// Body i.
+        a: BodyRef,
+        /// Body j.
+        b: BodyRef,
+        /// R_a and R_b.
+        radii: Radii,
+        /// The body that carries both axles; the ground unless another is given.
+        carrier: BodyRef,
+        /// e.
+        offset: Formula,
+    },
+    /// (A_i v̂)·(r_Q − r_P) − R(φ_b − φ_i) − e.
+    RackPinion {
+        /// Point of the guide, body i.
+        p: Place,
+        /// Point of the rack, body j.
+        q: Place,
+        /// v in body i.
+        axis: Axis,
+        /// The pinion, whose axle the guide carries.
+        pinion: BodyRef,
+        /// R.
+        radius: Radius,
+        /// e.
+        offset: Formula,
+    },
+    /// A disc on a line: perp(A_i v̂)·d − R; (A_i v̂)·d + R(φ_j − φ_i) − e, where d = r_Q − r_P.
+    RollingOnLine {
+        /// Point of body i on the line.
+        p: Place,
+        /// Centre of the disc, body j.
+        q: Place,
+        /// v in body i.
+        axis: Axis,
+        /// R.
+        radius: Radius,
+        /// e.
+        offset: Formula,
+    },
+    /// A disc on a disc: d − (R_i + R_j)(cos ψ, sin ψ); R_i(φ_i − ψ) + R_j(φ_j − ψ) − e, where d = r_Q − r_P.
+    RollingOnDisc {
+        /// Centre of the disc of body i.
+        p: Place,
+        /// Centre of the disc of body j.
+        q: Place,
+        /// R_i and R_j.
+        radii: Radii,
+        /// ψ, a scalar coordinate: the direction of d in the inertial frame.
+        along: Member,
+        /// e.
+        offset: Formula,
+    },
     /// Left minus right, a free-form holonomic row.
     Constraint {
         /// Left side.
@@ -165,6 +252,10 @@ impl JointKind {
             Self::RelativeAngle { .. } => "relative_angle",
             Self::OnCurve { .. } => "on_curve",
             Self::FlatFollower { .. } => "flat_follower",
+            Self::Gear { .. } => "gear",
+            Self::Belt { .. } => "belt",
+            Self::RackPinion { .. } => "rack_pinion",
+            Self::RollingOnLine { .. } | Self::RollingOnDisc { .. } => "rolling",
             Self::Constraint { .. } => "constraint",
             Self::KnifeEdge { .. } => "knife_edge",
             Self::Speed { .. } => "speed",

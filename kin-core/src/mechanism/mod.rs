@@ -17,7 +17,7 @@ pub use body::{
 pub use condition::{Condition, Relation};
 pub use curve::{Curve, CurveVariable};
 pub use formula::{Component, Formula, Function, Index, Member};
-pub use joint::{Axis, Guess, GuessTarget, Joint, JointKind};
+pub use joint::{Axis, Guess, GuessTarget, Joint, JointKind, Radii, Radius};
 
 use crate::error::Origin;
 

@@ -277,6 +277,33 @@ impl<'m, S: Number> Direct<'m, S> {
                 let theta = turn(&p.body, &q.body) + v.x.atan2(-v.y);
                 vec![("", -lift - self.within(support, &[(CurveVariable::Theta, theta)], i))]
             }
+            JointKind::Gear { a, b, radii, carrier, offset } => {
+                let arcs =
+                    [(a, &radii.i), (b, &radii.j)].map(|(body, r)| self.formula(&r.value, i) * turn(carrier, body));
+                vec![("", arcs[0] + arcs[1] - self.formula(offset, i))]
+            }
+            JointKind::Belt { a, b, radii, carrier, offset } => {
+                let arcs =
+                    [(a, &radii.i), (b, &radii.j)].map(|(body, r)| self.formula(&r.value, i) * turn(carrier, body));
+                vec![("", arcs[0] - arcs[1] - self.formula(offset, i))]
+            }
+            JointKind::RackPinion { p, q, axis, pinion, radius, offset } => {
+                let arc = self.formula(&radius.value, i) * turn(&p.body, pinion);
+                vec![("", self.by_axis(p, q, axis, i).x - arc - self.formula(offset, i))]
+            }
+            JointKind::RollingOnLine { p, q, axis, radius, offset } => {
+                let (d, r) = (self.by_axis(p, q, axis, i), self.formula(&radius.value, i));
+                let arc = r * turn(&p.body, &q.body);
+                vec![(".normal", d.y - r), (".roll", d.x + arc - self.formula(offset, i))]
+            }
+            JointKind::RollingOnDisc { p, q, radii, along, offset } => {
+                let psi = self.formula(&Formula::Scalar(*along), i);
+                let [ri, rj] = [&radii.i, &radii.j].map(|r| self.formula(&r.value, i));
+                let centres = Complex::turn(psi) * Complex { x: ri + rj, y: S::real(0.0) };
+                let gap = self.point(q, i) - self.point(p, i) - centres;
+                let rolled = ri * (self.pose(&p.body, i).1 - psi) + rj * (self.pose(&q.body, i).1 - psi);
+                vec![(".x", gap.x), (".y", gap.y), (".roll", rolled - self.formula(offset, i))]
+            }
             JointKind::Driver { left: Formula::Distance(p, q), right } => vec![("", self.distance(p, q, right, i))],
             JointKind::KnifeEdge { .. } | JointKind::Speed { .. } | JointKind::Nonholonomic { .. } => {
                 panic!("rows of velocity level have tests of their own")

@@ -3,7 +3,7 @@
 use super::*;
 use kin_core::mechanism::{
     Axis, Body, BodyOrigin, BodyRef, Component, Condition, Curve, CurveVariable, Define, Formula, Function, Input,
-    Joint, JointKind, Mechanism, NamedPoint, Place, Range, Relation, Scalar, SuppliedFunction,
+    Joint, JointKind, Mechanism, NamedPoint, Place, Radii, Radius, Range, Relation, Scalar, SuppliedFunction,
 };
 
 /// SplitMix64.
@@ -279,12 +279,39 @@ impl Builder {
         self.variables.clear();
         formula
     }
+    fn radius(&mut self) -> Radius {
+        let value = self.formula(Holds::Parameters, 1);
+        Radius { value, origin: AT }
+    }
+
+    fn radii(&mut self) -> Radii {
+        Radii { i: self.radius(), j: self.radius(), origin: AT }
+    }
 
     fn joint(&mut self) -> JointKind {
         let (p, q) = (self.place(), self.place());
-        let choice = self.random.below(15);
+        let choice = self.random.below(20);
         let mut value = || self.formula(Holds::Time, 1);
         match choice {
+            15 | 16 => {
+                let (a, b, offset) = (p.body, q.body, value());
+                let (radii, carrier) = (self.radii(), self.any_body());
+                if choice == 15 {
+                    JointKind::Gear { a, b, radii, carrier, offset }
+                } else {
+                    JointKind::Belt { a, b, radii, carrier, offset }
+                }
+            }
+            17 => {
+                let (offset, axis, radius) = (value(), self.axis(), self.radius());
+                JointKind::RackPinion { p, q, axis, pinion: self.any_body(), radius, offset }
+            }
+            18 => JointKind::RollingOnLine { p, q, offset: value(), axis: self.axis(), radius: self.radius() },
+            19 => {
+                let (offset, radii) = (value(), self.radii());
+                let (scale, at) = self.small_index();
+                JointKind::RollingOnDisc { p, q, radii, along: member(1, index(scale, at)), offset }
+            }
             0 | 1 => JointKind::Revolute { p, q },
             2 => JointKind::Translational { p, q, angle: value(), axis: self.axis() },
             3 => JointKind::Fixed { p, q, angle: value() },

@@ -179,6 +179,7 @@ fn joints(system: &KinematicSystem) -> impl Iterator<Item = TokenStream> {
                 Role::Q => variant("Role", "Q"),
                 Role::Axis => variant("Role", "Axis"),
                 Role::Value => variant("Role", "Value"),
+                Role::Radius => variant("Role", "Radius"),
             };
             quote! { __kin::Geometry { role: #role, frame: #frame, offset: #offset } }
         });
@@ -210,6 +211,11 @@ fn kind(tag: JointTag) -> &'static str {
         JointTag::OnImplicitCurve => "OnImplicitCurve",
         JointTag::OnParametricCurve => "OnParametricCurve",
         JointTag::FlatFollower => "FlatFollower",
+        JointTag::Gear => "Gear",
+        JointTag::Belt => "Belt",
+        JointTag::RackPinion => "RackPinion",
+        JointTag::RollingOnLine => "RollingOnLine",
+        JointTag::RollingOnDisc => "RollingOnDisc",
         JointTag::Constraint => "Constraint",
         JointTag::KnifeEdge => "KnifeEdge",
         JointTag::Speed => "Speed",

@@ -2,7 +2,6 @@
 
 use super::declare::IndexRange;
 use super::formula::{Allow, Scope};
-use super::names::Symbol;
 use super::{Class, Lowerer};
 use crate::ast::{CurveExpr, Expr, NameUse, PathExpr};
 use crate::suggest::nearest;
@@ -90,19 +89,8 @@ impl Lowerer<'_> {
 
     /// The scalar coordinate that a parametric curve runs over.
     fn parameter(&mut self, used: &NameUse, range: &IndexRange) -> Option<Member> {
-        let declared = self.resolve(used, "coordinate", |symbol| matches!(symbol, Symbol::Scalar(_)))?;
-        let Symbol::Scalar(family) = declared.symbol else {
-            let message = format!(
-                "`{}` is {}; the parameter of a curve is a scalar coordinate, `#[coordinates(u)]`",
-                declared.name,
-                declared.symbol.noun()
-            );
-            self.report.error(used.ident.span(), message);
-            return None;
-        };
-        let index = self.member(used, &declared, range)?;
-        let origin = self.origin(used.ident.span());
-        Some(Member { family, index, origin })
+        let right = "the parameter of a curve is a scalar coordinate, `#[coordinates(u)]`";
+        self.scalar_operand(used, right, range)
     }
 
     /// A variable of the curve at hand where it is used.

@@ -4,6 +4,7 @@ mod body;
 mod curve;
 mod declare;
 mod formula;
+mod gearing;
 mod index;
 mod names;
 mod place;

@@ -3,6 +3,7 @@
 use super::Lowerer;
 use super::declare::IndexRange;
 use super::formula::{Allow, Scope};
+use super::gearing::Pair;
 use super::names::Symbol;
 use crate::ast::{AxisExpr, ConditionDecl, Expr, GuessDecl, Item, NameUse, RowKind, text};
 use kin_core::mechanism::{
@@ -89,6 +90,35 @@ impl Lowerer<'_> {
                 let (axis, support) = (self.axis(axis, range), self.support(support, range));
                 JointKind::FlatFollower { p: p?, q: q?, axis: axis?, support: support? }
             }
+            RowKind::Gear(pair) => {
+                let Pair { a, b, radii, carrier, offset } = self.pair(pair, range)?;
+                JointKind::Gear { a, b, radii, carrier, offset }
+            }
+            RowKind::Belt(pair) => {
+                let Pair { a, b, radii, carrier, offset } = self.pair(pair, range)?;
+                JointKind::Belt { a, b, radii, carrier, offset }
+            }
+            RowKind::RackPinion { p, q, axis, pinion, radius, offset } => {
+                let (p, q) = (self.place(p, range), self.place(q, range));
+                let (axis, pinion) = (self.axis(axis, range), self.operand(pinion.as_ref(), range));
+                let (radius, offset) = (self.radius(radius, "`radius`", range), self.signal(offset, "`offset`", range));
+                let (p, q, axis, pinion) = (p?, q?, axis?, pinion?);
+                JointKind::RackPinion { p, q, axis, pinion, radius: radius?, offset: offset? }
+            }
+            RowKind::RollingOnLine { p, q, axis, radius, offset } => {
+                let (p, q) = (self.place(p, range), self.place(q, range));
+                let axis = self.axis(axis, range);
+                let (radius, offset) = (self.radius(radius, "`radius`", range), self.signal(offset, "`offset`", range));
+                JointKind::RollingOnLine { p: p?, q: q?, axis: axis?, radius: radius?, offset: offset? }
+            }
+            RowKind::RollingOnDisc { p, q, radii, along, offset } => {
+                let (p, q) = (self.place(p, range), self.place(q, range));
+                let radii = self.radii(radii, range);
+                let right = "`along` names a scalar coordinate, `#[coordinates(psi)]`";
+                let along = along.as_ref().and_then(|along| self.scalar_operand(along, right, range));
+                let offset = self.signal(offset, "`offset`", range);
+                JointKind::RollingOnDisc { p: p?, q: q?, radii: radii?, along: along?, offset: offset? }
+            }
             RowKind::Constraint { left, right } => {
                 let (left, right) = (self.anything(left, range), self.anything(right, range));
                 JointKind::Constraint { left: left?, right: right? }
@@ -130,7 +160,7 @@ impl Lowerer<'_> {
         })
     }
 
-    fn operand(&mut self, body: Option<&NameUse>, range: &IndexRange) -> Option<BodyRef> {
+    pub(super) fn operand(&mut self, body: Option<&NameUse>, range: &IndexRange) -> Option<BodyRef> {
         body.and_then(|body| self.body(body, range))
     }
 
@@ -141,7 +171,7 @@ impl Lowerer<'_> {
         Some(Axis { x: x?, y: y?, origin })
     }
 
-    fn signal(&mut self, expr: &Expr, what: &'static str, range: &IndexRange) -> Option<Formula> {
+    pub(super) fn signal(&mut self, expr: &Expr, what: &'static str, range: &IndexRange) -> Option<Formula> {
         self.formula(expr, &Scope { what, allow: Allow::Signals, range })
     }
 

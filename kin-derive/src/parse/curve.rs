@@ -128,7 +128,7 @@ impl Parts<'_> {
             }
             Some(Value::Expression(value)) if key == "polar" => CurveExpr::Polar(value),
             Some(Value::Expression(value)) => CurveExpr::Implicit(value),
-            Some(Value::Axis(_)) | None => CurveExpr::Hole,
+            Some(Value::Axis(_) | Value::Radii(_) | Value::Name(_)) | None => CurveExpr::Hole,
         }
     }
 }

@@ -23,10 +23,6 @@ pub(super) enum Keyword {
     Param,
     /// `#[mechanism]` itself, a second time.
     Mechanism,
-    /// Belongs to the language, but is not there yet; true when it declares a name.
-    Later {
-        declares: bool,
-    },
 }
 
 impl Keyword {
@@ -34,22 +30,13 @@ impl Keyword {
     pub(super) const fn declares(self) -> bool {
         matches!(
             self,
-            Self::Bodies
-                | Self::Body
-                | Self::Coordinates
-                | Self::Input
-                | Self::Point
-                | Self::Define
-                | Self::Function
-                | Self::Later { declares: true }
+            Self::Bodies | Self::Body | Self::Coordinates | Self::Input | Self::Point | Self::Define | Self::Function
         )
     }
 }
 
-const LATER: Keyword = Keyword::Later { declares: false };
-
 /// The words that are no rows.
-const WORDS: [(&str, Keyword); 15] = [
+const WORDS: [(&str, Keyword); 11] = [
     ("bodies", Keyword::Bodies),
     ("body", Keyword::Body),
     ("coordinates", Keyword::Coordinates),
@@ -60,10 +47,6 @@ const WORDS: [(&str, Keyword); 15] = [
     ("mechanism", Keyword::Mechanism),
     ("input", Keyword::Input),
     ("function", Keyword::Function),
-    ("gear", LATER),
-    ("belt", LATER),
-    ("rack_pinion", LATER),
-    ("rolling", LATER),
     ("unilateral", Keyword::Condition),
 ];
 

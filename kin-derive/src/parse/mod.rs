@@ -138,10 +138,6 @@ fn read(attribute: &Attribute, word: &Ident, keyword: Keyword, report: &Report, 
             report.error(word.span(), "`mechanism` stands above the struct once, before its other attributes");
             return true;
         }
-        Keyword::Later { .. } => {
-            report.error(word.span(), format!("`{word}` is not supported yet"));
-            return false;
-        }
     };
     let complete = inside(attribute, word, form, report, |input| {
         Ok(match keyword {
@@ -164,7 +160,7 @@ fn read(attribute: &Attribute, word: &Ident, keyword: Keyword, report: &Report, 
                 items.push(Item::Condition(Box::new(condition::condition(input, word, report)?)));
                 true
             }
-            Keyword::Param | Keyword::Mechanism | Keyword::Later { .. } => true,
+            Keyword::Param | Keyword::Mechanism => true,
         })
     });
     // What was declared before the error stays declared; what follows it may be missing.

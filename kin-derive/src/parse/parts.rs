@@ -1,7 +1,7 @@
 //! The parts of a row: operands in order, then `key = value` in any order.
 
 use super::rows::RowForm;
-use crate::ast::{AxisExpr, Expr, NameUse, PointExpr, text};
+use crate::ast::{AxisExpr, CarrierExpr, Expr, NameUse, PointExpr, RadiiExpr, text};
 use crate::report::Report;
 use proc_macro2::Span;
 use std::collections::VecDeque;
@@ -24,6 +24,10 @@ pub(super) enum OptionForm {
     Curve(&'static [&'static str]),
     /// `key(u) = (ex, ey)`.
     Path,
+    Radii,
+    Body,
+    /// The name of a scalar coordinate.
+    Scalar,
 }
 
 /// An operand that was read, or its hole.
@@ -38,6 +42,8 @@ pub(super) enum Value {
     Axis(AxisExpr),
     Expression(Expr),
     Path { parameter: NameUse, x: Expr, y: Expr, span: Span },
+    Radii(RadiiExpr),
+    Name(NameUse),
 }
 
 /// What was read of a row; whoever takes a part that is not there gets a hole.
@@ -98,6 +104,43 @@ impl Parts<'_> {
         }
     }
 
+    /// The value of a pair of radii, which is required.
+    pub(super) fn radii(&mut self, key: &str) -> RadiiExpr {
+        match self.take(key) {
+            Some(Some(Value::Radii(radii))) => radii,
+            given => {
+                self.missing(key, given.is_some());
+                let span = self.keyword.span();
+                RadiiExpr { i: Expr::hole(span), j: Expr::hole(span), span }
+            }
+        }
+    }
+
+    /// The name that a required option gives.
+    pub(super) fn name(&mut self, key: &str) -> Option<NameUse> {
+        match self.take(key) {
+            Some(Some(Value::Name(name))) => Some(name),
+            given => {
+                self.missing(key, given.is_some());
+                None
+            }
+        }
+    }
+
+    /// The body that carries axles: the ground, unless another is given.
+    pub(super) fn carrier(&mut self, key: &str) -> CarrierExpr {
+        match self.take(key) {
+            None => CarrierExpr::Ground,
+            Some(Some(Value::Name(name))) => CarrierExpr::Body(name),
+            Some(_) => CarrierExpr::Hole,
+        }
+    }
+
+    /// The first of the given options that is one of `keys`.
+    pub(super) fn given(&self, keys: &[&str]) -> Option<&Ident> {
+        self.options.iter().map(|(key, _)| key).find(|key| keys.contains(&text(key).as_str()))
+    }
+
     /// The value of a required option.
     pub(super) fn required(&mut self, key: &str) -> Expr {
         match self.take(key) {
@@ -120,7 +163,7 @@ impl Parts<'_> {
 
     pub(super) fn take(&mut self, key: &str) -> Option<Option<Value>> {
         let place = self.options.iter().position(|(given, _)| text(given) == key)?;
-        Some(self.options.swap_remove(place).1)
+        Some(self.options.remove(place).1)
     }
 
     fn missing(&self, key: &str, given: bool) {

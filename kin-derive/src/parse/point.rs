@@ -3,7 +3,7 @@
 use super::expr::{deeper, end_of_expr, nested};
 use super::index::name_use;
 use super::reject::{self, here};
-use crate::ast::{AxisExpr, Expr, NameUse, PointExpr};
+use crate::ast::{AxisExpr, Expr, NameUse, PointExpr, RadiiExpr};
 use proc_macro2::{Span, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
@@ -59,6 +59,23 @@ pub(super) fn axis(input: ParseStream) -> Result<AxisExpr> {
     Ok(AxisExpr { x, y, span })
 }
 
+/// The value of `radii`.
+pub(super) fn radii(input: ParseStream) -> Result<RadiiExpr> {
+    let (i, j, span) = pair(input, 0, "radii are a pair, in the order of the operands: `radii = (r1, r2)`")?;
+    Ok(RadiiExpr { i, j, span })
+}
+
+/// The name of a scalar coordinate.
+pub(super) fn scalar(input: ParseStream) -> Result<NameUse> {
+    const FORM: &str = "here stands the name of a scalar coordinate, declared with `#[coordinates(psi)]`";
+    if !input.peek(Ident::peek_any) {
+        return Err(here(input, FORM));
+    }
+    let name = name_use(input)?;
+    if input.is_empty() || input.peek(Token![,]) { Ok(name) } else { Err(here(input, FORM)) }
+}
+
+/// `(x, y)`, inside brackets that are `depth` levels deep.
 pub(super) fn pair(input: ParseStream, depth: usize, form: &str) -> Result<(Expr, Expr, Span)> {
     if !input.peek(token::Paren) {
         let error = here(input, form);

@@ -5,7 +5,7 @@ use super::expr::{end_of_expr, expr};
 use super::index::identifier;
 use super::list::{comma, end_of_part, skip_part, skip_to};
 use super::parts::{Operand, OperandForm, OptionForm, Parts, Value};
-use super::point::{axis, body, point};
+use super::point::{axis, body, point, radii, scalar};
 use super::reject::{self, here};
 use super::rows::RowForm;
 use crate::ast::{Expr, PointExpr, text};
@@ -152,7 +152,7 @@ impl<'a> Parts<'a> {
         };
         // The key counts as given even when its value cannot be read.
         self.options.push((key.clone(), None));
-        if matches!(form, OptionForm::Axis | OptionForm::Expression) {
+        if !matches!(form, OptionForm::Curve(_) | OptionForm::Path) {
             input.parse::<Token![=]>().map_err(|_| here(input, format!("`{key}` is given as `{key} = …`")))?;
         }
         let value = match form {
@@ -164,6 +164,9 @@ impl<'a> Parts<'a> {
                 end_of_expr(input)?;
                 Value::Expression(value)
             }
+            OptionForm::Radii => radii(input).map(Value::Radii)?,
+            OptionForm::Body => body(input).map(Value::Name)?,
+            OptionForm::Scalar => scalar(input).map(Value::Name)?,
         };
         if let Some((_, slot)) = self.options.last_mut() {
             *slot = Some(value);

@@ -3,7 +3,7 @@
 //! A new kind is an entry of [`FORMS`] and a function that takes its [`Parts`] apart.
 
 use super::parts::{OperandForm, OptionForm, Parts};
-use crate::ast::RowKind;
+use crate::ast::{PairExpr, RowKind};
 
 /// How a row is written.
 pub(super) struct RowForm {
@@ -30,6 +30,11 @@ impl core::fmt::Debug for RowForm {
 use OperandForm::{Body, Expression, Point};
 
 const TWO_POINTS: &[OperandForm] = &[Point, Point];
+const TWO_BODIES: &[OperandForm] = &[Body, Body];
+
+/// The options of gears and belts.
+const PAIR: &[(&str, OptionForm)] =
+    &[("radii", OptionForm::Radii), ("carrier", OptionForm::Body), ("offset", OptionForm::Expression)];
 
 /// Every row of the language, in the order of the guide.
 pub(super) const FORMS: &[RowForm] = &[
@@ -99,7 +104,7 @@ pub(super) const FORMS: &[RowForm] = &[
     },
     RowForm {
         keyword: "relative_angle",
-        operands: &[Body, Body],
+        operands: TWO_BODIES,
         equals: true,
         options: &[],
         example: "#[relative_angle(A: crank, rocker = pi/2)]",
@@ -125,6 +130,49 @@ pub(super) const FORMS: &[RowForm] = &[
         options: &[("axis", OptionForm::Axis), ("support", OptionForm::Curve(&["theta"]))],
         example: "#[flat_follower(A: cam @ (0, 0), follower @ (0, 0), axis = (1, 0), support(theta) = r + e*cos(theta))]",
         build: flat_follower,
+    },
+    RowForm {
+        keyword: "gear",
+        operands: TWO_BODIES,
+        equals: false,
+        options: PAIR,
+        example: "#[gear(A: sun, planet, radii = (r1, r2), carrier = arm)]",
+        build: gear,
+    },
+    RowForm {
+        keyword: "belt",
+        operands: TWO_BODIES,
+        equals: false,
+        options: PAIR,
+        example: "#[belt(A: motor, spindle, radii = (r1, r2))]",
+        build: belt,
+    },
+    RowForm {
+        keyword: "rack_pinion",
+        operands: TWO_POINTS,
+        equals: false,
+        options: &[
+            ("axis", OptionForm::Axis),
+            ("pinion", OptionForm::Body),
+            ("radius", OptionForm::Expression),
+            ("offset", OptionForm::Expression),
+        ],
+        example: "#[rack_pinion(A: ground @ (0, 0), rack @ (0, 0), axis = (1, 0), pinion = wheel, radius = r)]",
+        build: rack_pinion,
+    },
+    RowForm {
+        keyword: "rolling",
+        operands: TWO_POINTS,
+        equals: false,
+        options: &[
+            ("axis", OptionForm::Axis),
+            ("radius", OptionForm::Expression),
+            ("radii", OptionForm::Radii),
+            ("along", OptionForm::Scalar),
+            ("offset", OptionForm::Expression),
+        ],
+        example: "#[rolling(A: ground @ (0, 0), wheel @ (0, 0), axis = (1, 0), radius = r)]",
+        build: rolling,
     },
     RowForm {
         keyword: "constraint",
@@ -225,6 +273,74 @@ fn flat_follower(parts: &mut Parts) -> RowKind {
         axis: parts.axis("axis"),
         support: parts.required("support"),
     }
+}
+
+fn gear(parts: &mut Parts) -> RowKind {
+    RowKind::Gear(pair(parts))
+}
+
+fn belt(parts: &mut Parts) -> RowKind {
+    RowKind::Belt(pair(parts))
+}
+
+fn pair(parts: &mut Parts) -> PairExpr {
+    PairExpr {
+        a: parts.body(),
+        b: parts.body(),
+        radii: parts.radii("radii"),
+        carrier: parts.carrier("carrier"),
+        offset: parts.or_zero("offset"),
+    }
+}
+
+fn rack_pinion(parts: &mut Parts) -> RowKind {
+    RowKind::RackPinion {
+        p: parts.point(),
+        q: parts.point(),
+        axis: parts.axis("axis"),
+        pinion: parts.name("pinion"),
+        radius: parts.required("radius"),
+        offset: parts.or_zero("offset"),
+    }
+}
+
+/// A disc rolls on a line or on a disc; the options tell which.
+fn rolling(parts: &mut Parts) -> RowKind {
+    const LINE: [&str; 2] = ["axis", "radius"];
+    const DISC: [&str; 2] = ["radii", "along"];
+    const FORMS: &str =
+        "a disc rolls on a line with `axis = (1, 0), radius = r`, on another disc with `radii = (r1, r2), along = psi`";
+    let on_disc = match (parts.given(&LINE), parts.given(&DISC)) {
+        (Some(line), Some(disc)) => {
+            // What comes first says what is meant.
+            let on_disc = parts.given(&[LINE, DISC].concat()) == Some(disc);
+            let wrong = if on_disc { line } else { disc };
+            let message = format!("`{wrong}` belongs to the other form of `{}`: {FORMS}", parts.keyword);
+            parts.report.error(wrong.span(), message);
+            parts.lost_option = true;
+            on_disc
+        }
+        (None, None) => {
+            if !parts.lost_option {
+                parts.report.error(parts.keyword.span(), FORMS);
+                parts.lost_option = true;
+            }
+            false
+        }
+        (_, disc) => disc.is_some(),
+    };
+    let (p, q) = (parts.point(), parts.point());
+    if on_disc {
+        let missing = DISC.into_iter().find(|key| parts.given(&[*key]).is_none());
+        if let (Some(key), false) = (missing, parts.lost_option) {
+            parts.report.error(parts.keyword.span(), format!("`{}` needs `{key} = …`: {FORMS}", parts.keyword));
+            parts.lost_option = true;
+        }
+        let (radii, along) = (parts.radii("radii"), parts.name("along"));
+        return RowKind::RollingOnDisc { p, q, radii, along, offset: parts.or_zero("offset") };
+    }
+    let (axis, radius) = (parts.axis("axis"), parts.required("radius"));
+    RowKind::RollingOnLine { p, q, axis, radius, offset: parts.or_zero("offset") }
 }
 
 fn constraint(parts: &mut Parts) -> RowKind {

@@ -7,6 +7,7 @@
 //! - [`parts`]: bodies, coordinates, points, defines, guesses, families;
 //! - [`joints`]: revolute, translational, fixed, point on line;
 //! - [`relations`]: distances, absolute and relative coordinates;
+//! - [`gears`]: gears, belts, racks, rolling discs;
 //! - [`equations`]: free equations and drivers;
 //! - [`curves`]: cams, followers, contacts with curves;
 //! - [`inputs`]: signals known only at run time;
@@ -19,6 +20,8 @@
 pub mod curves {}
 #[doc = include_str!("equations.md")]
 pub mod equations {}
+#[doc = include_str!("gears.md")]
+pub mod gears {}
 #[doc = include_str!("inputs.md")]
 pub mod inputs {}
 #[doc = include_str!("joints.md")]

@@ -1,10 +1,11 @@
 //! Laws of the equations at configurations that are not assembled.
 
 use crate::{When, evaluated, random_configuration};
-use kin_runtime::model::{Frame, JointKind};
+use kin_runtime::model::{CoordinateKind, Frame, JointKind};
 use kin_runtime::{Instant, Kinematics, Mechanism, Subset};
 use kin_tests::compare::{Differences, largest};
 use kin_tests::random::Random;
+use std::collections::BTreeSet;
 
 /// Φ_q, Φ_t and γ against dual numbers, at configurations that are not assembled.
 pub(crate) fn closed_forms_equal_duals<M: Kinematics + Default>() {
@@ -65,7 +66,7 @@ pub(crate) fn single_precision_agrees<M: Mechanism + Default>() {
     differences.finish();
 }
 
-/// A joint between two moving bodies has the same residual norm after both were moved as one rigid body.
+/// A joint between moving bodies has the same residual norm after all of them were moved as one rigid body.
 pub(crate) fn joints_do_not_feel_rigid_motion<M: Mechanism + Default>() {
     let mechanism = M::default();
     let model = M::model();
@@ -75,7 +76,19 @@ pub(crate) fn joints_do_not_feel_rigid_motion<M: Mechanism + Default>() {
         if matches!(joint.kind, JointKind::Constraint) {
             continue;
         }
-        let poses = [first, second].map(|body| model.bodies[body].coordinates);
+        // Axles in the ground: such a row holds the angles themselves.
+        let frames = joint.geometry.iter().map(|geometry| geometry.frame);
+        let coupled = matches!(joint.kind, JointKind::Gear | JointKind::Belt);
+        if coupled && frames.clone().any(|frame| frame == Frame::Ground) {
+            continue;
+        }
+        // A carrier or a pinion is a third body.
+        let third = frames.filter_map(|frame| match frame {
+            Frame::Body(body) => Some(body),
+            Frame::Ground => None,
+        });
+        let bodies: BTreeSet<usize> = [first, second].into_iter().chain(third).collect();
+        let poses: Vec<_> = bodies.into_iter().map(|body| model.bodies[body].coordinates).collect();
         if poses.iter().flatten().any(Option::is_none) {
             continue;
         }
@@ -83,11 +96,20 @@ pub(crate) fn joints_do_not_feel_rigid_motion<M: Mechanism + Default>() {
         let (turn, shift) = (random.between(-3.0, 3.0), random.vector(2, -2.0, 2.0));
         let (sin, cos) = turn.sin_cos();
         let mut moved = q.clone();
-        for pose in poses {
+        for pose in &poses {
             let [x, y, phi] = pose.map(|place| place.expect("checked above"));
             moved[x] = shift[0] + cos * q[x] - sin * q[y];
             moved[y] = shift[1] + sin * q[x] + cos * q[y];
             moved[phi] = q[phi] + turn;
+        }
+        if joint.kind == JointKind::RollingOnDisc {
+            // The direction of the line of centres turns along.
+            let rows = joint.first_row..joint.first_row + joint.rows;
+            let entries = model.constraint_pattern.entries.iter().filter(|entry| rows.contains(&entry.0));
+            let scalars: BTreeSet<usize> = entries.map(|entry| entry.1).collect();
+            for psi in scalars.into_iter().filter(|&k| model.coordinates[k].kind == CoordinateKind::Scalar) {
+                moved[psi] = q[psi] + turn;
+            }
         }
         let norm = |q: &[f64]| {
             let phi = mechanism.constraints(&when.at(), q).expect("lengths agree");

@@ -13,8 +13,13 @@ fn bodies(kind: &JointKind) -> Option<(BodyRef, BodyRef, Origin)> {
         | JointKind::PointOnLine { p, q, .. }
         | JointKind::Distance { p, q, .. }
         | JointKind::OnCurve { p, q, .. }
-        | JointKind::FlatFollower { p, q, .. } => Some((p.body, q.body, q.origin)),
-        JointKind::RelativeAngle { a, b, .. } => Some((*a, *b, b.origin())),
+        | JointKind::FlatFollower { p, q, .. }
+        | JointKind::RackPinion { p, q, .. }
+        | JointKind::RollingOnLine { p, q, .. }
+        | JointKind::RollingOnDisc { p, q, .. } => Some((p.body, q.body, q.origin)),
+        JointKind::RelativeAngle { a, b, .. } | JointKind::Gear { a, b, .. } | JointKind::Belt { a, b, .. } => {
+            Some((*a, *b, b.origin()))
+        }
         JointKind::Coordinate { .. }
         | JointKind::Angle { .. }
         | JointKind::Constraint { .. }
@@ -35,23 +40,25 @@ pub(super) fn joints_join_two_bodies(mechanism: &Mechanism, errors: &mut Vec<Mod
     for joint in &mechanism.joints {
         let Some((a, b, origin)) = bodies(&joint.kind) else { continue };
         let (keyword, name) = (joint.kind.keyword(), &joint.name);
-        let same = match (a, b) {
-            (BodyRef::Ground(_), BodyRef::Ground(_)) => Some("ground".to_owned()),
-            (BodyRef::Body { family, index, .. }, BodyRef::Body { family: other, index: with, .. })
-                if family == other =>
-            {
-                let range = joint.range.unwrap_or(Range { start: 0, end: 1 });
-                let Some(body) = mechanism.bodies.get(family) else { continue };
-                let met = range.indices().find_map(|i| index.at(i).filter(|k| with.at(i) == Some(*k)));
-                met.map(|k| if body.len.is_some() { format!("{}[{k}]", body.name) } else { body.name.clone() })
-            }
-            _ => None,
-        };
-        if let Some(body) = same {
+        if let Some(body) = common_member(mechanism, joint, a, b) {
             let message =
                 format!("{keyword} `{name}` joins `{body}` with itself; its operands belong to two different bodies");
             errors.push(ModelError::new(origin, message));
         }
+    }
+}
+
+/// The body that two references of a joint both mean at some step of its range, by name.
+pub(super) fn common_member(mechanism: &Mechanism, joint: &Joint, a: BodyRef, b: BodyRef) -> Option<String> {
+    match (a, b) {
+        (BodyRef::Ground(_), BodyRef::Ground(_)) => Some("ground".to_owned()),
+        (BodyRef::Body { family, index, .. }, BodyRef::Body { family: other, index: with, .. }) if family == other => {
+            let range = joint.range.unwrap_or(Range { start: 0, end: 1 });
+            let body = mechanism.bodies.get(family)?;
+            let met = range.indices().find_map(|i| index.at(i).filter(|k| with.at(i) == Some(*k)));
+            met.map(|k| if body.len.is_some() { format!("{}[{k}]", body.name) } else { body.name.clone() })
+        }
+        _ => None,
     }
 }
 
@@ -60,7 +67,9 @@ pub(super) fn axes_have_a_direction(mechanism: &Mechanism, errors: &mut Vec<Mode
     for joint in &mechanism.joints {
         let (JointKind::Translational { axis, .. }
         | JointKind::PointOnLine { axis, .. }
-        | JointKind::FlatFollower { axis, .. }) = &joint.kind
+        | JointKind::FlatFollower { axis, .. }
+        | JointKind::RackPinion { axis, .. }
+        | JointKind::RollingOnLine { axis, .. }) = &joint.kind
         else {
             continue;
         };

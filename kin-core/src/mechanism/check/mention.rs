@@ -117,6 +117,7 @@ impl<'a> Mentions<'a> {
             JointKind::Translational { p, q, angle: value, .. }
             | JointKind::Fixed { p, q, angle: value }
             | JointKind::PointOnLine { p, q, offset: value, .. }
+            | JointKind::RollingOnLine { p, q, offset: value, .. }
             | JointKind::Distance { p, q, length: value, .. } => {
                 self.place(p, &BOTH, i);
                 self.place(q, &BOTH, i);
@@ -165,6 +166,25 @@ impl<'a> Mentions<'a> {
                 self.pose(p.body, Component::Phi, i);
                 self.formula(angle, i);
                 self.formula(value, i);
+            }
+            JointKind::Gear { a, b, carrier, offset, .. } | JointKind::Belt { a, b, carrier, offset, .. } => {
+                [a, b, carrier].into_iter().for_each(|body| self.pose(*body, Component::Phi, i));
+                self.formula(offset, i);
+            }
+            JointKind::RackPinion { p, q, pinion, offset, .. } => {
+                self.place(p, &BOTH, i);
+                self.place(q, &BOTH, i);
+                self.pose(p.body, Component::Phi, i);
+                self.pose(*pinion, Component::Phi, i);
+                self.formula(offset, i);
+            }
+            JointKind::RollingOnDisc { p, q, along, offset, .. } => {
+                self.place(p, &BOTH, i);
+                self.place(q, &BOTH, i);
+                self.pose(p.body, Component::Phi, i);
+                self.pose(q.body, Component::Phi, i);
+                self.scalar(along, i);
+                self.formula(offset, i);
             }
             JointKind::Constraint { left, right }
             | JointKind::Nonholonomic { left, right }

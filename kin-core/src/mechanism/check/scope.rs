@@ -3,7 +3,7 @@
 use crate::error::Origin;
 use crate::mechanism::{
     Axis, Body, BodyOrigin, BodyRef, Condition, Curve, Formula, GuessTarget, Index, Joint, JointKind, Mechanism,
-    Member, Place, Range,
+    Member, Place, Radii, Range,
 };
 
 /// What one declaration is made of.
@@ -101,6 +101,18 @@ impl<'a> Scope<'a> {
             JointKind::Constraint { left, right }
             | JointKind::Nonholonomic { left, right }
             | JointKind::Driver { left, right } => scope.formula(left).formula(right),
+            JointKind::Gear { a, b, radii, carrier, offset } | JointKind::Belt { a, b, radii, carrier, offset } => {
+                scope.body(*a).body(*b).radii(radii).body(*carrier).formula(offset)
+            }
+            JointKind::RackPinion { p, q, axis, pinion, radius, offset } => {
+                scope.place(p).place(q).axis(axis).body(*pinion).formula(&radius.value).formula(offset)
+            }
+            JointKind::RollingOnLine { p, q, axis, radius, offset } => {
+                scope.place(p).place(q).axis(axis).formula(&radius.value).formula(offset)
+            }
+            JointKind::RollingOnDisc { p, q, radii, along, offset } => {
+                scope.place(p).place(q).radii(radii).scalar(*along).formula(offset)
+            }
         }
     }
 
@@ -130,6 +142,10 @@ impl<'a> Scope<'a> {
 
     fn axis(self, axis: &'a Axis) -> Self {
         self.formula(&axis.x).formula(&axis.y)
+    }
+
+    fn radii(self, radii: &'a Radii) -> Self {
+        self.formula(&radii.i.value).formula(&radii.j.value)
     }
 
     /// Every node of every formula.

@@ -160,10 +160,42 @@ fn rows_say_how_they_are_written() {
         ("#[bodies(#[cfg(a)] wheel)]", "only a doc comment"),
         ("#[param(1)]", "stands on a field"),
         ("#[mechanism]", "once"),
-        ("#[gear(G: a, b, radii = (1, 2))]", "`gear` is not supported yet"),
         ("#[input()] #[driver(D: crank.phi = t)]", "says nothing"),
         ("#[input(u = 1)] #[driver(D: crank.phi = u)]", "value, rate and acceleration of `u` come with every call"),
         ("#[input(u[i in 1..3])] #[driver(D: crank.phi = u[0])]", "counted from 0: `#[input(u[3])]`"),
+        ("#[gear(G: crank, ground)]", "`gear` needs `radii = …`"),
+        ("#[gear(G: crank, radii = (1, 2))]", "`gear` takes two bodies, then options"),
+        ("#[gear(G: crank, wheel @ (0, 0), radii = (1, 2))]", "not a point"),
+        ("#[gear(G: crank, ground, radii = 2)]", "radii are a pair"),
+        ("#[gear(G: crank, ground, radii = (1, 2), carrier = arm @ (0, 0))]", "not a point"),
+        ("#[gear(G: crank, ground, radii = (1, t), carrier = crank)]", "`radii` takes numbers and parameters only"),
+        ("#[belt(G: crank, crank, radii = (1, 2))]", "joins `crank` with itself"),
+        ("#[belt(G: crank, ground, radii = (1, 2))]", "turns against the ground and not with it"),
+        ("#[belt(G: ground, crank, radii = (1, 2), carrier = crank)]", "one of the two bodies that belt `G` couples"),
+        ("#[rack_pinion(R: ground @ (0, 0), crank @ (0, 0), axis = (1, 0), radius = 1)]", "needs `pinion = …`"),
+        ("#[rack_pinion(R: ground @ (0, 0), crank @ (0, 0), axis = (1, 0), radius = 1, pinion = 3)]", "name of a body"),
+        (
+            "#[rolling(R: ground @ (0, 0), crank @ (0, 0))]",
+            "on a line with `axis = (1, 0), radius = r`, on another disc",
+        ),
+        ("#[rolling(R: ground @ (0, 0), crank @ (0, 0), radius = 1)]", "needs `axis = …`"),
+        (
+            "#[rolling(R: ground @ (0, 0), crank @ (0, 0), radii = (1, 1), radius = 1)]",
+            "`radius` belongs to the other form",
+        ),
+        (
+            "#[rolling(R: ground @ (0, 0), crank @ (0, 0), axis = (1, 0), along = u)]",
+            "`along` belongs to the other form",
+        ),
+        (
+            "#[rolling(R: ground @ (0, 0), crank @ (0, 0), radii = (1, 1), along = crank)]",
+            "`along` names a scalar coordinate",
+        ),
+        (
+            "#[rolling(R: ground @ (0, 0), crank @ (0, 0), radii = (1, 1), along = crank.phi)]",
+            "name of a scalar coordinate",
+        ),
+        ("#[rolling(R: ground @ (0, 0), crank @ (0, 0), radii = (1, 1), along = psi)]", "no coordinate named `psi`"),
     ] {
         let errors = errors(&pendulum(source));
         assert_eq!(errors.len(), 1, "{source}: {errors:?}");

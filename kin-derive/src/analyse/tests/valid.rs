@@ -109,6 +109,34 @@ fn held_and_carried_bodies() {
 }
 
 #[test]
+fn gears_and_rolling_discs() {
+    let m = good(
+        "#[bodies(a, b, c)] #[coordinates(psi[2])] \
+         #[gear(g: a, b, radii = (l, -2*l))] \
+         #[gear(gc: a, b, carrier = c, offset = 0.1*t, radii = (l, 2),)] \
+         #[belt(bt: a, b, radii = (20, 40), carrier = ground)] \
+         #[rack_pinion(rp: c @ (0, 0), a @ (l, 0), pinion = b, axis = (1, l), radius = -l)] \
+         #[rolling(rl: a @ (0, 0), b @ (0, 0), radius = l, axis = (0, 1), offset = t)] \
+         #[rolling(rd[i in 0..2]: a @ (0, 0), b @ (0, 0), radii = (l, 1), along = psi[1 - i])] \
+         struct S { l: f64 }",
+    )
+    .mechanism;
+    let rows: Vec<&str> = m.joints.iter().map(|j| j.kind.keyword()).collect();
+    assert_eq!(rows, ["gear", "gear", "belt", "rack_pinion", "rolling", "rolling"]);
+    let JointKind::Gear { radii, carrier, offset, .. } = &m.joints[0].kind else { panic!() };
+    assert!(carrier.is_ground() && *offset == Formula::ZERO);
+    assert!(matches!(radii.i.value, Formula::Parameter(_)) && matches!(radii.j.value, Formula::Mul(..)));
+    let JointKind::Gear { carrier, offset, .. } = &m.joints[1].kind else { panic!() };
+    assert!(matches!(carrier, BodyRef::Body { family: 2, .. }) && matches!(offset, Formula::Mul(..)));
+    assert!(matches!(&m.joints[2].kind, JointKind::Belt { carrier: BodyRef::Ground(_), .. }));
+    let JointKind::RackPinion { pinion, radius, .. } = &m.joints[3].kind else { panic!() };
+    assert!(matches!(pinion, BodyRef::Body { family: 1, .. }) && matches!(radius.value, Formula::Neg(_)));
+    assert!(matches!(&m.joints[4].kind, JointKind::RollingOnLine { offset: Formula::Time, .. }));
+    let JointKind::RollingOnDisc { along, .. } = &m.joints[5].kind else { panic!() };
+    assert_eq!(along.index, Index { scale: -1, offset: 1 });
+}
+
+#[test]
 fn every_row_of_the_vocabulary() {
     let m = good(
         "#[bodies(a, b)] #[coordinates(u)] \

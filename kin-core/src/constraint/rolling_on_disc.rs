@@ -1,0 +1,42 @@
+//! Rolling on a disc: a disc of body j, centred at Q, rolls without slipping on a disc of body i, centred at P.
+//!
+//! Rows (3), with d = r_Q − r_P and the scalar coordinate ψ, the direction of d in the inertial frame, in units of
+//! length:
+//! ```text
+//! x, y:  d − (R_i + R_j)(cos ψ, sin ψ) = 0
+//! roll:  R_i(φ_i − ψ) + R_j(φ_j − ψ) − e = 0
+//! ```
+//! The discs touch at r_P + R_i(cos ψ, sin ψ) = r_Q − R_j(cos ψ, sin ψ), whatever the signs; a ring, inside of which
+//! the other disc rolls, has the negative radius. ψ is a coordinate because the direction of d alone would forget whole
+//! turns. The line of centres acts as a carrier that turns with ψ: the third row is that of a [`gear`](super::gear).
+//! Singular where R_i + R_j = 0: the centres coincide and ψ is any angle. After Nikravesh (1988), section 4.2.
+
+use super::assembly::{Assembly, Rows};
+use super::set::Role;
+use crate::mechanism::{Formula, Member, Place, Radii};
+
+pub(super) fn rows(a: &mut Assembly<'_>, [p, q]: [&Place; 2], radii: &Radii, along: &Member, offset: &Formula) -> Rows {
+    let (p, q) = (a.place(p), a.place(q));
+    let radii = [&radii.i, &radii.j].map(|radius| a.formula(&radius.value));
+    let offset = a.formula(offset);
+    let psi = a.formula(&Formula::Scalar(*along));
+    let mut rows = Rows::between(&p, &q);
+    rows.geometry.push((Role::Radius, p.frame, vec![radii[0]]));
+    rows.geometry.push((Role::Radius, q.frame, vec![radii[1]]));
+    rows.geometry.push((Role::Value, p.frame, vec![offset]));
+    // (R_i + R_j)(cos ψ, sin ψ) is the vector (R_i + R_j, 0) of a body that turns with ψ.
+    let (sum, zero) = (a.graph.add(radii[0], radii[1]), a.graph.zero());
+    let centres = a.graph.rotate(psi, [sum, zero]);
+    let d = [0, 1].map(|k| a.graph.sub(q.r[k], p.r[k]));
+    let arcs = [(radii[0], p.angle), (radii[1], q.angle)].map(|(radius, angle)| {
+        let turned = a.graph.sub(angle, psi);
+        a.graph.mul(radius, turned)
+    });
+    let rolled = a.graph.add(arcs[0], arcs[1]);
+    rows.residuals = vec![
+        ("x", a.graph.sub(d[0], centres[0])),
+        ("y", a.graph.sub(d[1], centres[1])),
+        ("roll", a.graph.sub(rolled, offset)),
+    ];
+    rows
+}
