@@ -64,7 +64,7 @@ pub(crate) fn placeholders(lowered: &Lowered) -> TokenStream {
         .filter(|(name, ..)| seen.insert(name.as_str()))
         .map(|(name, origin, len, ty)| {
             let span = lowered.spans.get(origin.0 as usize).copied().unwrap_or_else(Span::call_site);
-            let (handle, ty) = (handle_name(name, span), Ident::new(ty, Span::call_site()));
+            let (handle, ty) = (handle_name(name, span, lowered), Ident::new(ty, Span::call_site()));
             // A family of unknown length has every member that a family can have.
             let len = if lowered.boundless.contains(name) { Some(MAX_MEMBERS) } else { len };
             let (ty, value) = match len {
@@ -92,7 +92,7 @@ fn constant(
 ) -> TokenStream {
     let visibility = &lowered.item.vis;
     let span = lowered.spans.get(origin.0 as usize).copied().unwrap_or_else(Span::call_site);
-    let handle = handle_name(name, span);
+    let handle = handle_name(name, span, lowered);
     let ty = Ident::new(ty, Span::call_site());
     let kind = match ty.to_string().as_str() {
         "Body" => "The body",
@@ -114,14 +114,19 @@ fn constant(
 }
 
 /// The constant's name: the user's own, raw where it is a keyword. A handle called `default` would hide
-/// `Default::default` from `Name::default()`, so it gets an underscore.
-fn handle_name(name: &str, span: Span) -> Ident {
+/// `Default::default` from `Name::default()`, so it gets an underscore, or as many as make it the only one.
+fn handle_name(name: &str, span: Span, lowered: &Lowered) -> Ident {
     if name == "default" {
-        return Ident::new("default_", span);
+        let mut free = "default_".to_owned();
+        while lowered.mentions.iter().any(|mention| mention.ident == free.as_str()) {
+            free.push('_');
+        }
+        return Ident::new(&free, span);
     }
+    // `gen` is a word of Rust since 2024.
     match syn::parse_str::<Ident>(name) {
-        Ok(_) => Ident::new(name, span),
-        Err(_) => Ident::new_raw(name, span),
+        Ok(_) if name != "gen" => Ident::new(name, span),
+        _ => Ident::new_raw(name, span),
     }
 }
 

@@ -3,11 +3,13 @@
 use super::Dice;
 use super::damage::{Tree, trees};
 use crate::parse::vocabulary;
+use proc_macro2::TokenStream;
 
 /// Declarations and rows that get along with the examples of the vocabulary.
 const PARTS: &str = r#"
     #[bodies(crank, coupler, rocker, slider, plate, link[3])]
-    #[bodies(crank, arm)]
+    #[bodies(crank, cam, follower, sleigh, wheel, slider, rack, pinion, sun, planet, carrier)]
+    #[bodies(crank, arm, wheel)]
     #[bodies(link[2])]
     #[coordinates(phi1, phi2, u, w[3])]
     #[coordinates(u)]
@@ -36,13 +38,21 @@ const PARTS: &str = r#"
     #[driver(turn[i in 0..3]: w[i] = l[i] * exp(-t))]
     #[constraint(c: atan2(u, l1) - ln(2 + sqrt(abs(u))) = stroke / (1 - omega))]
     #[constraint(loop_x: l1*cos(phi1) + l2*cos(phi2) = d1)]
+    #[unilateral(stop: slider.x < l1 + feed, clear[i in 0..3]: w[i] > 0)]
+    #[unilateral(reach: distance(tip, ground @ (0, 0)) > l1)]
+    #[on_curve(I: cam @ (0, 0), tip, implicit(X, Y) = X*X/4 + pow(Y, 2) - l1*l1)]
+    #[on_curve(P: cam @ (0, l1), wheel @ (0, 0), parametric(u) = (u, 0.1*u.powi(2)), roller = 0.2)]
+    #[on_curve(R: ground @ (0, 0), wheel @ (0, 0), polar(theta) = f(theta), roller = r)]
+    #[speed(V: wheel @ (0, 0), angle = feed, value = f(t))]
+    #[nonholonomic(H[i in 0..3]: dot(link[i].phi) * l1 - dot(p[i].x) = i*t)]
+    #[constraint(data: u = f(2*t) + f(crank.phi))]
     #[derive(Clone, Default)]
     #[cfg_attr(all(), derive(Debug))]
     #[doc = "A paragraph."]
 "#;
 
 /// Mechanisms that are right.
-const WHOLE: [&str; 9] = [
+const WHOLE: [&str; 12] = [
     "#[bodies(arm)] #[revolute(O: ground @ (0, 0), arm @ (-l1, 0))] #[driver(d: arm.phi = omega*t)] \
      struct S { #[param(0.5, unit = \"m\")] l1: f64, #[param(2)] omega: f64 }",
     "#[coordinates(phi1, phi2)] #[constraint(x: l1*cos(phi1) + l2*cos(phi2) = 1)] #[driver(d: phi1 = t)] \
@@ -59,6 +69,13 @@ const WHOLE: [&str; 9] = [
      #[distance(e: ground @ (3, 0), b @ (0, 0), length = 2 + 0.1*t)] struct S<'a, const N: usize> { l1: f64 }",
     "#[coordinates(u, v)] #[input(feed)] #[driver(a: u = feed)] #[driver(b: v = pow(u, 2) + t.powi(3) - 1/u)] struct S;",
     "#[coordinates(r#type)] #[driver(a: r#type = exp(-t) + atan2(t, 2) + abs(ln(2 + t)))] struct r#struct {}",
+    "#[bodies(cam, follower)] #[revolute(O: ground @ (0, 0), cam @ (0, 0))] #[driver(d: cam.phi = t)] #[angle(a: follower = 0)] \
+     #[x(g: follower @ (0, 0) = l1)] #[on_curve(c: cam @ (0, 0), follower @ (0, 0), polar(theta) = 1 + 0.2*cos(theta))] \
+     #[unilateral(low: follower.y > 0)] struct Cam { l1: f64 }",
+    "#[bodies(sleigh)] #[knife_edge(k: sleigh @ (l1, 0), angle = 0)] #[speed(s: sleigh @ (l1, 0), angle = 0, value = v)] \
+     #[nonholonomic(n: dot(sleigh.phi) = f(t))] #[function(f)] struct Sleigh<F> { l1: f64, v: f64, f: F }",
+    "#[bodies(cam, b)] #[revolute(O: ground @ (0, 0), cam @ (0, 0))] #[driver(d: cam.phi = t)] #[angle(a: b = 0)] #[x(g: b @ (0, 0) = 0)] \
+     #[flat_follower(c: cam @ (0, 0), b @ (0, 0), axis = (1, 0), support(theta) = 1 + 0.1*cos(2*theta))] struct S;",
     "#[bodies(b)] #[point(p = b @ (1, 0))] #[y(h: p = 0)] #[x(g: p = t)] #[driver(d: b.phi = distance(p, b @ (0, 0)))] \
      struct S {}",
 ];
@@ -67,6 +84,7 @@ const STRUCT: &str = r#"pub(crate) struct FourBar {
     /// A length.
     #[param(0.1, unit = "m")] l1: f64, #[param(0.4)] l2: f64, l3: f32, d1: f64, d2: f64,
     #[param([1, 2, 3], unit = "rad/s")] l: [f64; 3], #[param] omega: f64, f: Table, ra: f64, rb: f64,
+    r: f64, e: f64, R: f64, v: f64, phi0: f64,
 }"#;
 
 const FLAGS: [&str; 6] =
@@ -146,5 +164,14 @@ impl Corpus {
                 found => return found.clone(),
             }
         }
+    }
+}
+
+#[test]
+fn whole_mechanisms_are_right() {
+    for source in WHOLE {
+        let expanded = crate::derive(TokenStream::new(), source.parse().unwrap());
+        let errors = expanded.to_string();
+        assert!(!errors.contains("compile_error"), "{source}\n{}", &errors[..errors.len().min(600)]);
     }
 }
