@@ -6,8 +6,8 @@
 //! ```
 //!
 //! Parsing and lowering collect every mistake; the rules of `kin_core::mechanism::check` are the second gate, and what
-//! `kin_core::structure` proves of the equations the third; after it expansion cannot fail. With mistakes, `fallback` emits the struct and empty items beside
-//! the errors.
+//! `kin_core::structure` proves of the equations is the third; after it expansion cannot fail. With mistakes, `fallback`
+//! emits the struct and empty items beside the errors.
 
 mod analyse;
 mod ast;

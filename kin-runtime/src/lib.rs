@@ -110,7 +110,7 @@ pub use events::{Crossing, Event};
 #[cfg(feature = "std")]
 pub use kinematics::Kinematics;
 #[cfg(feature = "std")]
-pub use mobility::{Mobility, RedundantRow};
+pub use mobility::{Cause, Mobility, RedundantRow};
 #[cfg(feature = "std")]
 pub use motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates};
 #[cfg(feature = "std")]

@@ -8,17 +8,45 @@
 //! in one way at a time. So degrees of freedom are counted on both levels: of velocity, with all rows (B stands in Φ_q),
 //! and of position, with the rows of position level alone, which is the dimension of the space of configurations.
 //! Without rows of velocity level the two are the same.
+//!
+//! The symbols alone give ranks too, at a general pose and for general dimensions ([`Structure`](crate::model::Structure)).
+//! What is redundant beyond that is so because of the dimensions, or in this configuration alone.
 
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::linear::{Dependency, Factorization, dependencies, null_space};
 use crate::model::{Component, CoordinateKind, Level};
 use crate::scale::Scale;
+use crate::singular::rank_nearby;
 use crate::workspace::Subset;
 use core::fmt;
 use nalgebra::{ColPivQR, DMatrix};
 
-/// A row that the rows declared before it already imply.
+/// Why a row is redundant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum Cause {
+    /// By its symbols: at every pose, whatever the dimensions.
+    Structure,
+    /// By these dimensions: not in general, but everywhere around this configuration.
+    Dimensions,
+    /// In this configuration alone, which is singular.
+    Configuration,
+}
+
+impl fmt::Display for Cause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Structure => "whatever the dimensions",
+            Self::Dimensions => "because of the dimensions",
+            Self::Configuration => "in this singular configuration",
+        })
+    }
+}
+
+/// A row that other rows already imply: of a dependency, the one declared last, where driving rows count as later than
+/// all others, and prescribed coordinates as later still.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RedundantRow {
@@ -32,6 +60,8 @@ pub struct RedundantRow {
     pub circuit: Vec<&'static str>,
     /// False when the row contradicts the others instead of repeating them.
     pub consistent: bool,
+    /// Why; `None` where the model says nothing about its structure.
+    pub cause: Option<Cause>,
 }
 
 /// What can move, and what is said twice, in one configuration.
@@ -70,7 +100,13 @@ pub struct Mobility {
     pub independent: Vec<usize>,
     /// u: dependent coordinates.
     pub dependent: Vec<usize>,
-    /// Rows that earlier ones imply.
+    /// Rank of all rows at a general pose and for general dimensions, prescribed coordinates not counted; `None`
+    /// where the model says nothing about its structure.
+    pub generic_rank: Option<usize>,
+    /// δ at a general pose and for general dimensions: less than
+    /// [`degrees_of_freedom`](Self::degrees_of_freedom) where dimensions or this configuration let more move.
+    pub generic_degrees_of_freedom: Option<usize>,
+    /// Rows that others imply, those that do not drive first.
     pub redundant: Vec<RedundantRow>,
     /// Singular values of the scaled Φ_q, largest first.
     pub singular_values: Vec<f64>,
@@ -99,9 +135,15 @@ impl fmt::Display for Mobility {
                 self.position_degrees_of_freedom, self.position_degrees_of_freedom_left, self.velocity_level_rows
             )?;
         }
+        if let Some(generic) = self.generic_degrees_of_freedom.filter(|generic| *generic < self.degrees_of_freedom) {
+            write!(f, "; {generic} in general")?;
+        }
         for row in &self.redundant {
             let verb = if row.consistent { "repeats" } else { "contradicts" };
             write!(f, "; row `{}` of joint `{}` {verb} {}", row.name, row.joint, row.circuit.join(", "))?;
+            if let Some(cause) = row.cause {
+                write!(f, " {cause}")?;
+            }
         }
         Ok(())
     }
@@ -138,6 +180,10 @@ pub(crate) fn mobility(equations: &mut Equations<'_>, q: &[f64]) -> Result<Mobil
         _ => 1.0,
     };
     let free = null_space(&scaled, tolerance);
+    let could_be_given = (0..n).filter(|&k| free.ncols() > 0 && free.row(k).amax() > MOVES).collect();
+    let mut redundant = redundant_rows(equations, tolerance);
+    let structure = equations.model.structure;
+    explain(equations, q, [(&passive, rank_without_driving), (&all, rank)], &mut redundant);
     Ok(Mobility {
         coordinates: n,
         rows: equations.model.rows.len(),
@@ -153,11 +199,50 @@ pub(crate) fn mobility(equations: &mut Equations<'_>, q: &[f64]) -> Result<Mobil
         position_degrees_of_freedom_left: n - position_rank,
         independent,
         dependent,
-        redundant: dependencies(&scaled, tolerance).into_iter().map(|d| redundant(equations, d)).collect(),
+        generic_rank: structure.map(|s| s.rank),
+        generic_degrees_of_freedom: structure.map(|s| n - s.rank_without_driving),
+        redundant,
         singular_values,
         condition,
-        could_be_given: (0..n).filter(|&k| free.ncols() > 0 && free.row(k).amax() > MOVES).collect(),
+        could_be_given,
     })
+}
+
+/// The redundant rows, in the order in which the structure of a mechanism is analysed: passive rows before driving
+/// ones, those of position level before those of velocity level, prescribed coordinates last.
+fn redundant_rows(equations: &Equations<'_>, tolerance: f64) -> Vec<RedundantRow> {
+    let declared = equations.model.rows.len();
+    let mut order: Vec<usize> = (0..equations.rows()).collect();
+    order.sort_by_key(|&row| (row >= declared, equations.drives(row), !equations.holonomic(row)));
+    let found = dependencies(&equations.scaled(&order), tolerance);
+    let in_q = |Dependency { row, combination }: Dependency| {
+        let mut combination: Vec<_> = combination.into_iter().map(|(k, factor)| (order[k], factor)).collect();
+        combination.sort_unstable_by_key(|(row, _)| *row);
+        redundant(equations, Dependency { row: order[row], combination })
+    };
+    found.into_iter().map(in_q).collect()
+}
+
+/// Says why rows are redundant. Those that are so by structure are known; the others are so by the dimensions if they
+/// are everywhere around `q`. Evaluates `equations` elsewhere.
+fn explain(
+    equations: &mut Equations<'_>,
+    q: &[f64],
+    [passive, all]: [(&[usize], usize); 2],
+    redundant: &mut [RedundantRow],
+) {
+    let Some(structure) = equations.model.structure else { return };
+    let mut around = [None, None];
+    for found in redundant {
+        if structure.redundant.iter().any(|generic| generic.row == found.row) {
+            found.cause = Some(Cause::Structure);
+            continue;
+        }
+        let side = usize::from(equations.drives(found.row));
+        let (rows, here) = [passive, all][side];
+        let usual = *around[side].get_or_insert_with(|| rank_nearby(equations, q, here, rows));
+        found.cause = Some(if usual > here { Cause::Configuration } else { Cause::Dimensions });
+    }
 }
 
 /// Singular values, largest first.
@@ -220,5 +305,5 @@ fn redundant(equations: &Equations<'_>, dependency: Dependency) -> RedundantRow 
     // Where rows of velocity level take part, positions imply nothing.
     let of_position = equations.holonomic(row) && combination.iter().all(|&(other, _)| equations.holonomic(other));
     let consistent = (!of_position || agrees(&equations.phi, 1.0)) && agrees(&equations.phi_t, f64::MIN_POSITIVE);
-    RedundantRow { row, name: equations.row_name(row), joint, circuit, consistent }
+    RedundantRow { row, name: equations.row_name(row), joint, circuit, consistent, cause: None }
 }

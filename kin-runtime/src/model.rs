@@ -391,6 +391,33 @@ pub struct EquationText {
     pub gamma: &'static str,
 }
 
+/// A row that repeats, or contradicts, what other rows say: at every pose and for all dimensions they depend on one
+/// another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GenericRedundancy {
+    /// Place in [`Model::rows`]; of a circuit, the row declared last, where driving rows count as later than all others.
+    pub row: usize,
+    /// The other joints of the circuit, in order of declaration.
+    pub circuit: &'static [&'static str],
+}
+
+/// What the symbols alone say: ranks of Φ_q at a general pose of a mechanism with the same joints, directions, ratios
+/// and angle relations, and general dimensions.
+///
+/// No pose and no dimensions give a larger rank. Smaller ones are possible: a parallelogram with a fifth bar moves only
+/// because of its lengths. [`Mobility`](crate::Mobility) tells the two apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Structure {
+    /// Rank of all rows.
+    pub rank: usize,
+    /// Rank of the rows that do not drive.
+    pub rank_without_driving: usize,
+    /// Rank of the rows of position level that do not drive.
+    pub position_rank_without_driving: usize,
+    /// Redundant rows, those that do not drive first.
+    pub redundant: &'static [GenericRedundancy],
+}
+
 /// Everything about a mechanism that no number changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Model {
@@ -435,6 +462,8 @@ pub struct Model {
     pub geometry: usize,
     /// True with `#[mechanism(allow_redundant)]`.
     pub allow_redundant: bool,
+    /// Generic ranks and redundant rows; `None` in a model that was written by hand.
+    pub structure: Option<Structure>,
     /// Operations of one combined evaluation.
     pub operations: OperationCount,
     /// The derivation as text; empty without the feature `equations`.

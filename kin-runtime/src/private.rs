@@ -6,8 +6,9 @@ pub use crate::generic::GenericMechanism;
 pub use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 pub use crate::model::{
     Body, BodyInfo, Component, ConditionInfo, Coordinate, CoordinateInfo, CoordinateKind, DefineInfo, EquationText,
-    FamilyInfo, FamilyKind, Frame, Geometry, Input, JointInfo, JointKind, JointQuantity, Level, Model, Observable,
-    OperationCount, OriginKind, ParameterInfo, Pattern, Point, PointInfo, Quantity, Role, RowInfo,
+    FamilyInfo, FamilyKind, Frame, GenericRedundancy, Geometry, Input, JointInfo, JointKind, JointQuantity, Level,
+    Model, Observable, OperationCount, OriginKind, ParameterInfo, Pattern, Point, PointInfo, Quantity, Role, RowInfo,
+    Structure,
 };
 pub use crate::scalar::Scalar;
 pub use crate::workspace::{Evaluation, Instant, Signal, Subset};

@@ -22,7 +22,7 @@ const DIRECTIONS: usize = 6;
 pub(crate) fn diagnose(equations: &mut Equations<'_>, q: &[f64], here: &Factorization) -> Option<SolveError> {
     let all: Vec<usize> = (0..equations.rows()).collect();
     let scaled = equations.scaled(&all);
-    let expected_rank = rank_nearby(equations, q, here.rank);
+    let expected_rank = rank_nearby(equations, q, here.rank, &all);
     if expected_rank <= here.rank {
         return None;
     }
@@ -38,8 +38,8 @@ pub(crate) fn dependent_rows(equations: &Equations<'_>, left: &nalgebra::DMatrix
     (0..left.nrows()).filter(|&i| left.row(i).amax() > 1e-3 * largest).map(|i| equations.row_name(i)).collect()
 }
 
-/// Largest rank of all rows at assembled configurations around `q`; stops at the first above `here`.
-fn rank_nearby(equations: &mut Equations<'_>, q: &[f64], here: usize) -> usize {
+/// Largest rank of `rows` at assembled configurations around `q`; stops at the first above `here`.
+pub(crate) fn rank_nearby(equations: &mut Equations<'_>, q: &[f64], here: usize, rows: &[usize]) -> usize {
     let closing = equations.rows_where(|e, row| !e.drives(row) && e.holonomic(row));
     let columns: Vec<usize> = (0..equations.coordinates()).collect();
     // Rows of velocity level do not say which configurations there are.
@@ -64,7 +64,7 @@ fn rank_nearby(equations: &mut Equations<'_>, q: &[f64], here: usize) -> usize {
                 let travel = equations.scale.size(&travel);
                 if travel > 0.1 * distance && travel < 10.0 * distance {
                     moved = true;
-                    best = best.max(rank_at(equations, &nearby).unwrap_or(0));
+                    best = best.max(rank_at(equations, &nearby, rows).unwrap_or(0));
                 }
                 if best > here {
                     return best;
@@ -76,7 +76,7 @@ fn rank_nearby(equations: &mut Equations<'_>, q: &[f64], here: usize) -> usize {
         // Null vectors that lead nowhere: a shaky structure. Any perturbation shows its usual rank.
         for _ in 0..4 {
             let nearby = displaced(equations, q, |_| 1e-2 * random.symmetric());
-            best = best.max(rank_at(equations, &nearby).unwrap_or(0));
+            best = best.max(rank_at(equations, &nearby, rows).unwrap_or(0));
         }
     }
     best
@@ -87,10 +87,9 @@ fn displaced(equations: &Equations<'_>, q: &[f64], mut by: impl FnMut(usize) -> 
     q.iter().zip(&equations.scale.columns).enumerate().map(|(k, (x, d))| x + d * by(k)).collect()
 }
 
-/// Rank of all rows at q.
-fn rank_at(equations: &mut Equations<'_>, q: &[f64]) -> Option<usize> {
+/// Rank of `rows` at q.
+fn rank_at(equations: &mut Equations<'_>, q: &[f64], rows: &[usize]) -> Option<usize> {
     equations.evaluate(Subset::JACOBIAN, q, None).ok()?;
-    let rows: Vec<usize> = (0..equations.rows()).collect();
-    let matrix = equations.scaled_rows(&rows);
+    let matrix = equations.scaled_rows(rows);
     Some(Factorization::absolute(&matrix, &equations.scale.columns, equations.options.rank_tolerance).rank)
 }

@@ -12,7 +12,8 @@ use core::fmt;
 /// Draws that a redundant row has to survive.
 const DRAWS: [u64; 3] = [0x6b69_6e31, 0x6b69_6e32, 0x6b69_6e33];
 
-/// A row that repeats, or contradicts, what other rows say, at every pose and for all dimensions.
+/// A row that repeats, or contradicts, what other rows say: together they depend on one another at every pose and for
+/// all dimensions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Redundancy {
     /// The row; of a circuit, the one declared last, where driving rows count as later than all others.

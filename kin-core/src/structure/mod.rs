@@ -9,9 +9,9 @@
 //!
 //! **What is proved.** Rotations and places are drawn from a family of poses that is irreducible (angles are tied by
 //! ±1, places by linear equations with constant coefficients) and that contains every assembled pose of every mechanism
-//! with these symbols. Rank is largest at the general member of such a family. So a row that depends on earlier ones here does so at
-//! every pose, whatever the dimensions. The converse does not hold: lengths can make a mechanism redundant that is not
-//! so generically (a parallelogram with a fifth bar); that is for the actual rank at run time.
+//! with these symbols. Rank is largest at the general member of such a family. So rows that depend on one another here
+//! do so at every pose, whatever the dimensions. The converse does not hold: lengths can make a mechanism redundant that
+//! is not so generically (a parallelogram with a fifth bar); that is for the actual rank at run time.
 
 mod diagnosis;
 mod field;

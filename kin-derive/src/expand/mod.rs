@@ -16,15 +16,16 @@ pub(crate) use handles::{mentions, placeholders};
 use crate::lower::Lowered;
 use kernel::{Kernel, Layout, kernel};
 use kin_core::program::{Program, Slot, lower};
+use kin_core::structure::Structure;
 use kin_core::system::KinematicSystem;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 /// All items of a mechanism: the struct, its handles, the trait, and what the flags ask for.
-pub(crate) fn expand(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
+pub(crate) fn expand(lowered: &Lowered, system: &KinematicSystem, structure: &Structure) -> TokenStream {
     let item = &lowered.item;
     let handles = handles::handles(lowered, system);
-    let mechanism = mechanism(lowered, system);
+    let mechanism = mechanism(lowered, system, structure);
     let default = parameters::default(lowered);
     let cross_check = cross_check(lowered);
     quote! {
@@ -42,7 +43,7 @@ pub(crate) fn expand(lowered: &Lowered, system: &KinematicSystem) -> TokenStream
 }
 
 /// The implementation of the trait.
-fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
+fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure) -> TokenStream {
     let item = &lowered.item;
     let set = &system.set;
     let name = &item.ident;
@@ -59,6 +60,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
         operations: all.operations(),
         doc: &lowered.docs.mechanism,
         allow_redundant: lowered.flags.allow_redundant,
+        structure,
     });
     let (n, s, p, u) = (set.coordinates.len(), set.rows.len(), set.parameters.len(), set.inputs.len());
     let (entries, seen, seen_entries) = (constraints.entries.len(), set.observables.len(), observables.entries.len());

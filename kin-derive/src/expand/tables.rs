@@ -5,6 +5,7 @@ use super::program::literal;
 use kin_core::constraint::{CoordinateKind, Family, Frame, JointTag, ObservableKind, Role};
 use kin_core::mechanism::{Component, Mechanism};
 use kin_core::program::OperationCount;
+use kin_core::structure::Structure;
 use kin_core::system::KinematicSystem;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
@@ -18,6 +19,7 @@ pub(crate) struct Tables<'a> {
     pub(crate) operations: OperationCount,
     pub(crate) doc: &'a str,
     pub(crate) allow_redundant: bool,
+    pub(crate) structure: &'a Structure,
 }
 
 /// The `Model` expression.
@@ -96,6 +98,7 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     let geometry = set.geometry.len();
     let operations = operations(tables.operations);
     let equations = equations(tables.system);
+    let structure = structure(tables.system, tables.structure);
     quote! {
         __kin::Model {
             name: #name,
@@ -118,6 +121,7 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
             guesses: &[#(#guesses),*],
             geometry: #geometry,
             allow_redundant: #allow_redundant,
+            structure: __kin::Some(#structure),
             operations: #operations,
             equations: &[#(#equations),*],
         }
@@ -265,6 +269,25 @@ fn operations(count: OperationCount) -> TokenStream {
     quote! {
         __kin::OperationCount {
             add: #add, mul: #mul, neg: #neg, div: #div, sqrt: #sqrt, sincos: #sincos, function: #function,
+        }
+    }
+}
+
+/// Generic ranks and redundant rows.
+fn structure(system: &KinematicSystem, structure: &Structure) -> TokenStream {
+    let set = &system.set;
+    let redundant = structure.redundant.iter().map(|redundancy| {
+        let (row, own) = (redundancy.row, set.rows[redundancy.row].joint);
+        let mut joints: Vec<usize> = redundancy.circuit.iter().map(|row| set.rows[*row].joint).collect();
+        joints.dedup();
+        let names = joints.iter().filter(|joint| **joint != own).map(|joint| &set.joints[*joint].name);
+        quote! { __kin::GenericRedundancy { row: #row, circuit: &[#(#names),*] } }
+    });
+    let Structure { rank, rank_without_driving, rank_of_position, .. } = structure;
+    quote! {
+        __kin::Structure {
+            rank: #rank, rank_without_driving: #rank_without_driving,
+            position_rank_without_driving: #rank_of_position, redundant: &[#(#redundant),*],
         }
     }
 }

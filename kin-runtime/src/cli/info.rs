@@ -93,6 +93,9 @@ pub(super) fn text(engine: &dyn Engine, known: Option<Known<'_>>) -> String {
             let start = if left == 0 { "all determined".to_owned() } else { format!("{left} decided by the start") };
             facts.add("  of position", mobility.position_degrees_of_freedom, [start]);
         }
+        if let Some(generic) = mobility.generic_degrees_of_freedom.filter(|g| *g < mobility.degrees_of_freedom) {
+            facts.add("  in general", generic, ["with other dimensions, at another pose"]);
+        }
         if !mobility.redundant.is_empty() {
             facts.add("redundant rows", mobility.redundant.len(), mobility.redundant.iter().map(redundancy));
         }
@@ -106,7 +109,8 @@ pub(super) fn text(engine: &dyn Engine, known: Option<Known<'_>>) -> String {
 
 fn redundancy(row: &RedundantRow) -> String {
     let verb = if row.consistent { "repeats" } else { "contradicts" };
-    format!("{} {verb} {}", row.name, row.circuit.join(" + "))
+    let cause = row.cause.map_or(String::new(), |cause| format!(" {cause}"));
+    format!("{} {verb} {}{cause}", row.name, row.circuit.join(" + "))
 }
 
 /// How many rows of which class.

@@ -41,6 +41,10 @@ pub(crate) struct StructureRecord<'a> {
     could_be_given: Option<Vec<&'static str>>,
     rank: Option<usize>,
     rank_without_driving: Option<usize>,
+    /// Ranks at a general pose and for general dimensions; null where the model does not know them.
+    generic_rank: Option<usize>,
+    generic_degrees_of_freedom: Option<usize>,
+    generic_redundant: Vec<GenericRecord>,
     redundant: Option<&'a [RedundantRow]>,
     condition: Option<f64>,
     singular_values: Option<&'a [f64]>,
@@ -76,6 +80,9 @@ impl<'a> StructureRecord<'a> {
             could_be_given: names(|m| &m.could_be_given),
             rank: mobility.map(|m| m.rank),
             rank_without_driving: mobility.map(|m| m.rank_without_driving),
+            generic_rank: model.structure.map(|s| s.rank),
+            generic_degrees_of_freedom: model.structure.map(|s| model.coordinates.len() - s.rank_without_driving),
+            generic_redundant: generic(model),
             redundant: mobility.map(|m| m.redundant.as_slice()),
             condition: mobility.map(|m| m.condition),
             singular_values: mobility.map(|m| m.singular_values.as_slice()),
@@ -100,6 +107,13 @@ struct RowRecord {
     rheonomic: bool,
     bilateral: bool,
     driving: bool,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct GenericRecord {
+    row: &'static str,
+    joint: &'static str,
+    circuit: &'static [&'static str],
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -168,6 +182,16 @@ struct JointRecord {
 pub(crate) fn drivers(model: &Model) -> Vec<&'static str> {
     let drives = |place: usize| model.rows.iter().any(|r| r.joint == place && r.driving);
     model.joints.iter().enumerate().filter(|(place, _)| drives(*place)).map(|(_, j)| j.name).collect()
+}
+
+/// Rows that are redundant whatever the dimensions.
+fn generic(model: &Model) -> Vec<GenericRecord> {
+    let record = |found: &crate::model::GenericRedundancy| {
+        let row = model.rows.get(found.row);
+        let joint = row.and_then(|row| model.joints.get(row.joint));
+        GenericRecord { row: row.map_or("", |r| r.name), joint: joint.map_or("", |j| j.name), circuit: found.circuit }
+    };
+    model.structure.iter().flat_map(|structure| structure.redundant).map(record).collect()
 }
 
 fn rows(model: &Model) -> Vec<RowRecord> {

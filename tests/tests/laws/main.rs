@@ -5,6 +5,7 @@ mod finite;
 mod four_bars;
 mod motion;
 mod observables;
+mod structure;
 
 use kin_runtime::{Instant, Mechanism, Scalar, Signal, Subset, Workspace};
 use kin_tests::every_mechanism;
@@ -74,6 +75,11 @@ macro_rules! motion_laws {
         #[test]
         fn velocity_ratios_add_up() {
             observables::velocity_ratios_add_up::<$Mechanism>($from, $to);
+        }
+
+        #[test]
+        fn ranks_are_generic() {
+            structure::ranks_are_generic::<$Mechanism>($from, $to);
         }
 
         #[test]

@@ -1,0 +1,20 @@
+//! Generic and actual ranks.
+
+use crate::motion::{grid, swept};
+use kin_runtime::Kinematics;
+
+/// No pose has a larger rank than the symbols allow; a smaller one is for mechanisms that say so.
+pub(crate) fn ranks_are_generic<M: Kinematics + Default>(from: f64, to: f64) {
+    let mechanism = M::default();
+    let (name, structure) = (M::model().name, M::model().structure.expect("generated models know their structure"));
+    for state in &swept(&mechanism, &grid(from, to, 3)) {
+        let found = mechanism.mobility(&state.instant(), &state.q).unwrap_or_else(|error| panic!("{error}"));
+        assert!(found.rank <= structure.rank, "{name}: {found}");
+        assert!(found.rank_without_driving <= structure.rank_without_driving, "{name}: {found}");
+        assert!(found.position_rank_without_driving <= structure.position_rank_without_driving, "{name}: {found}");
+        if !M::model().allow_redundant {
+            assert_eq!((found.rank, found.redundant.len()), (structure.rank, 0), "{name}: {found}");
+            assert_eq!(found.generic_degrees_of_freedom, Some(found.degrees_of_freedom), "{name}: {found}");
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! What a mechanism says by its symbols, and what it does at its dimensions: generic and actual rank are told apart.
+
+use kin_runtime::{Cause, Instant, Kinematics, Mechanism, SolveError, mechanism};
+use kin_tests::random::Random;
+
+/// A four-bar of free lengths.
+#[mechanism]
+#[bodies(crank, coupler, rocker)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (a, 0), coupler @ (0, 0))]
+#[revolute(B: coupler @ (b, 0), rocker @ (c, 0))]
+#[revolute(D: ground @ (d, 0), rocker @ (0, 0))]
+#[driver(drive: crank.phi = 0.6 + t)]
+struct FourBar {
+    #[param(0.3)]
+    a: f64,
+    #[param(0.7)]
+    b: f64,
+    #[param(0.3)]
+    c: f64,
+    #[param(0.7)]
+    d: f64,
+}
+
+/// A table on three parallel links: rigid, unless the links are equal.
+#[mechanism]
+#[bodies(p, q, r, table)]
+#[revolute(A: ground @ (0, 0), p @ (0, 0))]
+#[revolute(B: ground @ (b, 0), q @ (0, 0))]
+#[revolute(C: ground @ (c, 0), r @ (0, 0))]
+#[revolute(D: table @ (0, 0), p @ (a, 0))]
+#[revolute(E: table @ (b, 0), q @ (a, 0))]
+#[revolute(F: table @ (c, 0), r @ (last, 0))]
+struct Table {
+    #[param(0.3)]
+    a: f64,
+    #[param(0.5)]
+    b: f64,
+    #[param(0.8)]
+    c: f64,
+    #[param(0.3)]
+    last: f64,
+}
+
+/// Three sliders in a loop, whose last angle is said a second time.
+#[mechanism(allow_redundant)]
+#[bodies(lower, upper)]
+#[translational(floor: ground @ (0, 0), lower @ (0, 0), axis = (1, 0))]
+#[translational(slope: lower @ (0, 0), upper @ (0, 0), axis = (4, 3), angle = tilt)]
+#[translational(wall: ground @ (1, 0), upper @ (0, 0), axis = (0, 1))]
+#[driver(push: lower.x = t)]
+struct Wedges {
+    #[param(0)]
+    tilt: f64,
+}
+
+#[test]
+fn the_model_knows_its_generic_ranks() {
+    let structure = FourBar::model().structure.unwrap();
+    assert_eq!((structure.rank, structure.rank_without_driving, structure.redundant.len()), (9, 8, 0));
+    let structure = Wedges::model().structure.unwrap();
+    assert_eq!((structure.rank, structure.rank_without_driving), (6, 5));
+    let [redundant] = structure.redundant else { panic!("{structure:?}") };
+    assert_eq!(Wedges::model().rows[redundant.row].name, "wall.angle");
+    assert_eq!(redundant.circuit, ["floor", "slope"]);
+}
+
+/// Redundant by structure: consistent where the angles of the wedges agree, and not elsewhere.
+#[test]
+fn a_loop_of_wedges_is_redundant_whatever_its_dimensions() {
+    for (tilt, consistent) in [(0.0, true), (0.1, false)] {
+        let mobility = Wedges { tilt }.mobility(&Instant::at(0.2), &[0.2, 0.0, 0.0, 1.0, 0.6, 0.0]).unwrap();
+        assert_eq!((mobility.rank, mobility.generic_rank), (6, Some(6)));
+        assert_eq!((mobility.degrees_of_freedom, mobility.generic_degrees_of_freedom), (1, Some(1)));
+        let [row] = &mobility.redundant[..] else { panic!("{mobility}") };
+        assert_eq!(
+            (row.name, row.cause, row.consistent),
+            ("wall.angle", Some(Cause::Structure), consistent),
+            "{mobility}"
+        );
+        assert_eq!(row.circuit, ["floor", "slope"]);
+        assert!(mobility.to_string().ends_with("whatever the dimensions"), "{mobility}");
+    }
+    assert!(Wedges { tilt: 0.0 }.state_at(&Instant::at(0.2)).is_ok());
+    let error = Wedges { tilt: 0.1 }.state_at(&Instant::at(0.2)).unwrap_err();
+    assert!(matches!(error, SolveError::NotAssembled { .. }), "{error}");
+}
+
+/// Redundant by its lengths: the joints are named, and the last link decides whether it closes.
+#[test]
+fn a_parallelogram_with_a_fifth_bar_moves_because_of_its_lengths() {
+    let (at, phi) = (Instant::at(0.0), 0.6_f64);
+    let place = |x: f64| [x, 0.0, phi];
+    let table = [0.3 * phi.cos(), 0.3 * phi.sin(), 0.0];
+    let q = [place(0.0), place(0.5), place(0.8), table].concat();
+    for (last, consistent) in [(0.3, true), (0.31, false)] {
+        let table = Table { last, ..Table::default() };
+        let mobility = table.mobility(&at, &q).unwrap();
+        assert_eq!((mobility.degrees_of_freedom, mobility.generic_degrees_of_freedom), (1, Some(0)), "{mobility}");
+        let [row] = &mobility.redundant[..] else { panic!("{mobility}") };
+        assert_eq!((row.joint, row.consistent), ("F", consistent), "{mobility}");
+        assert_ne!(row.cause, Some(Cause::Structure), "{mobility}");
+        assert_eq!(row.circuit, ["A", "B", "C", "D", "E"]);
+        assert!(mobility.to_string().contains("1 left; 0 in general; row `F.y`"), "{mobility}");
+        // Around a place that does not close there is nothing to compare with.
+        assert!(!consistent || row.cause == Some(Cause::Dimensions), "{mobility}");
+    }
+    // With links of their own lengths it assembles elsewhere, and stands.
+    let other = Table { last: 0.34, a: 0.31, ..Table::default() };
+    let q = other.state_at(&at).unwrap().q;
+    let mobility = other.mobility(&at, &q).unwrap();
+    assert_eq!((mobility.degrees_of_freedom, mobility.redundant.len()), (0, 0), "{mobility}");
+}
+
+/// The same at an instant alone: where a parallelogram is stretched, it could go on in two ways.
+#[test]
+fn a_stretched_parallelogram_is_singular_in_this_configuration() {
+    let flat = FourBar::default();
+    let q = [0.0, 0.0, 0.0, 0.3, 0.0, 0.0, 0.7, 0.0, 0.0];
+    let mobility = flat.mobility(&Instant::at(-0.6), &q).unwrap();
+    assert_eq!((mobility.degrees_of_freedom, mobility.generic_degrees_of_freedom), (2, Some(1)));
+    let [row] = &mobility.redundant[..] else { panic!("{mobility}") };
+    assert_eq!((row.cause, row.consistent), (Some(Cause::Configuration), true), "{mobility}");
+    assert!(mobility.to_string().ends_with("in this singular configuration"), "{mobility}");
+}
+
+/// Where lengths are free, random ones have the generic rank; and no dimensions have more.
+#[test]
+fn random_dimensions_have_the_generic_rank() {
+    let mut random = Random::new(11);
+    let mut assembled = 0;
+    for _ in 0..40 {
+        let mut length = || random.between(0.2, 1.0);
+        let linkage = FourBar { a: length(), b: length(), c: length(), d: length() };
+        let Ok(state) = linkage.state_at(&Instant::at(0.0)) else { continue };
+        let mobility = linkage.mobility(&Instant::at(0.0), &state.q).unwrap();
+        assert_eq!(Some(mobility.rank), mobility.generic_rank, "{mobility}");
+        assert!(mobility.redundant.is_empty());
+        assembled += 1;
+    }
+    assert!(assembled >= 10, "{assembled}");
+}
