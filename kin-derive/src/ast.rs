@@ -317,7 +317,7 @@ pub(crate) enum ExprKind {
     /// `dot(e)`, with the word.
     Dot(Ident, Box<Expr>),
     /// A call of something that is no function of the language: a supplied function, or a mistake.
-    Apply(NameUse, Vec<Expr>),
+    Apply(Box<NameUse>, Vec<Expr>),
     /// Could not be read; reported.
     Hole,
 }

@@ -102,7 +102,7 @@ pub use workspace::{Array, Evaluation, Subset};
 pub use nalgebra;
 
 #[cfg(feature = "std")]
-pub use cross_check::{Configuration, CrossCheck, CrossCheckOptions, WorstEntry};
+pub use cross_check::{Configuration, CrossCheck, CrossCheckOptions, FunctionCheck, WorstEntry};
 #[cfg(feature = "std")]
 pub use error::{Degeneracy, Refusal, SolveError, SweepError};
 #[cfg(feature = "std")]

@@ -287,3 +287,17 @@ fn conditions_are_listed_with_their_margins() {
     assert!(text.contains("Unilateral conditions") && text.contains("mark[2]    satisfied   0.100000"), "{text}");
     assert!(good("limits info").contains("  conditions           9  front, back, height"));
 }
+
+#[test]
+fn supplied_functions_are_listed_and_checked() {
+    let text = good("cam info");
+    assert!(text.contains("supplied functions") && text.contains("lift"), "{text}");
+    assert_eq!(json("cam info --format json")["functions"][0], "lift");
+    assert!(good("cam solve --set a=0.2,omega=3 --at 0.1").contains("follower.y"));
+    let check = json("cam check --format json");
+    assert_eq!(check["cross_check"]["functions"][0]["function"], "lift");
+    assert!(check["cross_check"]["functions"][0]["arguments"].as_u64().expect("a count") > 100);
+    let parts = ["the derivatives of a supplied function are not its derivatives", "`lift`: f″ is"];
+    let wrong = failed("wrong_cam check", 1, &parts);
+    assert!(wrong.out.contains("FAILED") && wrong.out.contains("f″ of `lift`"), "{}", wrong.out);
+}

@@ -1,7 +1,7 @@
 //! Supplied functions: every type that a field can have.
 
 use kin_runtime::function::{CubicSpline, FromFn, MotionLaw, Polynomial, Sequence};
-use kin_runtime::{Instant, Kinematics, ScalarFunction, mechanism};
+use kin_runtime::{Instant, Kinematics, ScalarFunction, SolveError, mechanism};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -131,4 +131,48 @@ fn peaks_of_a_cycloidal_cam() {
     let at = |angle: f64| cam.state_at(&Instant::at(angle / omega)).unwrap();
     assert!((at(beta / 2.0).q_dot[0] - PI / 2.0 * h * omega / beta).abs() < 1e-13);
     assert!((at(0.0).q_ddot[0] - PI * PI / 2.0 * h * (omega / beta).powi(2)).abs() < 1e-12);
+}
+
+/// A wrong derivative is right for both sides of the comparison with dual numbers; its own differences tell.
+#[test]
+fn wrong_derivatives_fail_the_cross_check_by_name() {
+    #[mechanism]
+    #[function(good, bad)]
+    #[coordinates(x, y)]
+    #[driver(d: x = good(t))]
+    #[constraint(e: y = bad(x + 0.2 * y))]
+    struct Two<F> {
+        good: Sine,
+        bad: F,
+    }
+    for (first, second, derivative) in [(1.001, 1.0, "f′"), (1.0, 0.999, "f″"), (1.0, 0.0, "f″")] {
+        let bad = FromFn(move |x: f64| [x.sin(), first * x.cos(), -second * x.sin()]);
+        let two = Two { good: Sine, bad };
+        let check = two.cross_check().unwrap();
+        assert!(check.max_error < 1e-12 && !check.passes(1e-12), "{check}");
+        let worst = check.worst_function().unwrap();
+        assert_eq!((worst.function, worst.derivative), ("bad", derivative), "{check}");
+        assert!(worst.error > 5e-4 && worst.arguments > 0);
+        assert!(check.functions.iter().any(|f| f.function == "good" && f.error < 1e-9 && f.arguments > 0));
+        // What the test of `#[mechanism(cross_check)]` says.
+        let said = kin_runtime::private::cross_check(&two).unwrap_err();
+        assert!(said.contains(&format!("function `bad`: {derivative} is")), "{said}");
+    }
+    let nan = Two { good: Sine, bad: FromFn(|x: f64| [x, 1.0, f64::NAN]) };
+    assert!(!nan.cross_check().unwrap().passes(1e300));
+}
+
+/// A function without a value somewhere: typed errors and skipped configurations, never a number.
+#[test]
+fn where_a_function_has_no_value_there_is_no_answer() {
+    let root = |x: f64| [x.sqrt(), 0.5 / x.sqrt(), -0.25 / (x * x.sqrt())];
+    let cam = WithDefault { lift: FromFn(root), omega: 1.0 };
+    assert!((cam.state_at(&Instant::at(0.25)).unwrap().q[0] - 0.5).abs() < 1e-15);
+    let error = cam.state_at(&Instant::at(-0.25)).unwrap_err();
+    assert!(matches!(error, SolveError::NonFinite { .. }), "{error:?}");
+    // A value without derivatives is not enough for a velocity.
+    let error = cam.state_at(&Instant::at(0.0)).unwrap_err();
+    assert!(matches!(error, SolveError::NonFinite { .. }), "{error:?}");
+    let check = cam.cross_check().unwrap();
+    assert!(check.skipped > 0 && check.configurations > 0 && check.passes(1e-12), "{check}");
 }

@@ -17,7 +17,7 @@ pub(super) fn member(name: NameUse, input: ParseStream, depth: usize) -> Result<
     let span = join(name.ident.span(), parens.span.join());
     let arguments = arguments(&content, depth)?;
     let heights: Vec<usize> = arguments.iter().map(|a| a.height).collect();
-    Expr::over(ExprKind::Apply(name, arguments), span, &heights)
+    Expr::over(ExprKind::Apply(Box::new(name), arguments), span, &heights)
 }
 
 /// `name(…)`; the cursor stands before the parenthesis.
@@ -49,7 +49,7 @@ pub(super) fn function(name: Ident, input: ParseStream, depth: usize) -> Result<
             let Some(function) = Function::from_name(known) else {
                 let heights: Vec<usize> = arguments.iter().map(|a| a.height).collect();
                 let name = NameUse { ident: name, index: None };
-                return Expr::over(ExprKind::Apply(name, arguments), span, &heights);
+                return Expr::over(ExprKind::Apply(Box::new(name), arguments), span, &heights);
             };
             let [a] = take(&name, arguments, &format!("{known}(a)"))?;
             call(function, a, span)

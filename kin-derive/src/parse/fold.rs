@@ -1,6 +1,6 @@
 //! Constant expressions: defaults of parameters and exponents are numbers when the macro runs.
 
-use crate::ast::{Expr, ExprKind, NameUse, Operator};
+use crate::ast::{Expr, ExprKind, Operator};
 use kin_core::mechanism::Function;
 use syn::{Error, Result};
 
@@ -35,7 +35,8 @@ fn value(expr: &Expr, what: &str) -> Result<f64> {
             let message = format!("{what} is a constant made of numbers and `pi`; `{}` has no value here", name.text());
             return Err(Error::new(name.ident.span(), message));
         }
-        ExprKind::Apply(NameUse { ident: name, .. }, _) => {
+        ExprKind::Apply(used, _) => {
+            let name = &used.ident;
             return Err(Error::new(name.span(), format!("{what} is a constant; there is no function `{name}`")));
         }
         ExprKind::Distance(..) | ExprKind::Dot(..) | ExprKind::Hole => {

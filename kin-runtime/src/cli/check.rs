@@ -125,6 +125,15 @@ pub(super) fn facts(findings: &Findings) -> Facts {
     let column = if worst.column_name.is_empty() { String::new() } else { format!(", {}", worst.column_name) };
     let place = (!worst.row_name.is_empty()).then(|| format!("{}[{}{column}]", worst.matrix, worst.row_name));
     facts.add("  worst error", magnitude(check.max_error), place);
+    if let Some(function) = check.worst_function() {
+        let arguments = check.functions.iter().map(|f| f.arguments).sum::<usize>();
+        let place = (function.error > 0.0).then(|| format!("{} of `{}`", function.derivative, function.function));
+        facts.add("supplied functions by differences", arguments, ["arguments"]).add(
+            "  worst error",
+            magnitude(function.error),
+            place,
+        );
+    }
     if let Some(closure) = &findings.closure {
         let row = |miss: &Option<Miss>| miss.map(|m| format!("row {}", m.row));
         let size = |miss: &Option<Miss>| magnitude(miss.map_or(0.0, |m| m.error));
@@ -142,5 +151,9 @@ fn complaint(findings: &Findings) -> String {
     if check.passes(CLOSED_FORM_TOLERANCE) {
         return format!("the solution misses the equations by more than {CLOSURE_TOLERANCE:e}");
     }
-    format!("a closed form differs from the dual numbers by more than {CLOSED_FORM_TOLERANCE:e}: {check}")
+    if check.max_error > CLOSED_FORM_TOLERANCE {
+        return format!("a closed form differs from the dual numbers by more than {CLOSED_FORM_TOLERANCE:e}: {check}");
+    }
+    let wrong = check.worst_function().map(ToString::to_string).unwrap_or_default();
+    format!("the derivatives of a supplied function are not its derivatives: {wrong}")
 }

@@ -81,6 +81,9 @@ pub(super) fn text(engine: &dyn Engine, known: Option<Known<'_>>) -> String {
     if !model.inputs.is_empty() {
         facts.add("inputs", model.inputs.len(), model.inputs.iter().copied());
     }
+    if !model.functions.is_empty() {
+        facts.add("supplied functions", model.functions.len(), model.functions.iter().copied());
+    }
     if let Some(Known { mobility, .. }) = known {
         let left = mobility.degrees_of_freedom_left;
         let driven = if left == 0 { "fully driven".to_owned() } else { format!("{left} left open by the drivers") };

@@ -1,6 +1,7 @@
 //! Closed forms and dual numbers, entry by entry.
 
 use super::automatic::{Automatic, automatic};
+use super::functions::FunctionChecks;
 use super::{Configuration, CrossCheck, WorstEntry};
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
@@ -11,6 +12,7 @@ use crate::workspace::{Instant, Subset};
 pub(super) struct Comparison {
     model: &'static Model,
     result: CrossCheck,
+    functions: FunctionChecks,
 }
 
 impl Comparison {
@@ -26,7 +28,9 @@ impl Comparison {
             q_dot: Vec::new(),
             t: 0.0,
         };
-        Self { model, result: CrossCheck { configurations: 0, skipped: 0, entries: 0, worst, max_error: 0.0 } }
+        let (max_error, functions) = (0.0, Vec::new());
+        let result = CrossCheck { configurations: 0, skipped: 0, entries: 0, worst, max_error, functions };
+        Self { model, result, functions: FunctionChecks::default() }
     }
 
     /// One configuration.
@@ -45,6 +49,22 @@ impl Comparison {
         let instant = Instant { t: at.t, inputs: &at.inputs };
         mechanism.evaluate_with(parameters, Subset::ALL, &instant, &at.q, &at.q_dot, &mut workspace)?;
         self.entries(at, &dual, workspace.phi_q(), workspace.phi_t(), workspace.gamma());
+        self.functions(mechanism, parameters, at)
+    }
+
+    /// Supplied functions at their arguments in one configuration.
+    fn functions<M: Mechanism>(
+        &mut self,
+        mechanism: &M,
+        parameters: &[f64],
+        at: &Configuration,
+    ) -> Result<(), SolveError> {
+        let mut arguments = vec![0.0; self.model.arguments.len()];
+        let instant = Instant { t: at.t, inputs: &at.inputs };
+        mechanism.write_arguments(parameters, &instant, &at.q, &mut arguments)?;
+        for (&function, &x) in self.model.arguments.iter().zip(&arguments) {
+            self.functions.compare(mechanism, function, x);
+        }
         Ok(())
     }
 
@@ -98,6 +118,7 @@ impl Comparison {
         }
         self.result.worst.error = self.result.worst.error.max(0.0);
         self.result.max_error = self.result.worst.error;
+        self.result.functions = self.functions.finish();
         Ok(self.result)
     }
 }

@@ -3,10 +3,14 @@
 //! The generic Φ alone is differentiated: Φ_q column by column and Φ_t with first-order dual numbers, γ as the negative
 //! second derivative of s ↦ Φ(q + s q̇, t + s) at 0 with second-order ones. Inputs move with their rates and
 //! accelerations. Entries that the sparsity pattern calls zero are compared as well.
+//!
+//! Supplied functions enter both sides as they are, so that their derivatives are held against their own differences, at
+//! the arguments at which they are evaluated in these configurations.
 //! Rows of velocity level are compared in the same places: B, b and γ against derivatives of the generic η.
 
 mod automatic;
 mod comparison;
+mod functions;
 
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
@@ -15,6 +19,7 @@ use crate::random::Random;
 use crate::workspace::Signal;
 use comparison::Comparison;
 use core::fmt;
+pub use functions::FunctionCheck;
 
 /// How a cross-check chooses its configurations.
 #[derive(Clone, Debug, PartialEq)]
@@ -88,12 +93,21 @@ pub struct CrossCheck {
     /// to Φ_t, or to γ (or that row of Φ_q times the largest q̇ squared, if larger), but to no less than one. Whatever
     /// is not a number has an infinite error.
     pub max_error: f64,
+    /// Every supplied function that is evaluated: f, f′ and f″ against one another, by differences.
+    pub functions: Vec<FunctionCheck>,
 }
 
 impl CrossCheck {
-    /// True when no error exceeds `tolerance`.
+    /// True when no error exceeds `tolerance`, and no supplied function differs from its own differences by more than
+    /// these can tell ([`FunctionCheck::TOLERANCE`], or `tolerance` if that is larger).
     pub fn passes(&self, tolerance: f64) -> bool {
-        self.max_error <= tolerance
+        let of_functions = tolerance.max(FunctionCheck::TOLERANCE);
+        self.max_error <= tolerance && self.functions.iter().all(|function| function.error <= of_functions)
+    }
+
+    /// The supplied function with the largest error.
+    pub fn worst_function(&self) -> Option<&FunctionCheck> {
+        self.functions.iter().max_by(|a, b| a.error.total_cmp(&b.error))
     }
 }
 
@@ -108,7 +122,11 @@ impl fmt::Display for CrossCheck {
         if !worst.column_name.is_empty() {
             write!(f, ", {}", worst.column_name)?;
         }
-        write!(f, "] at t = {}: closed form {}, automatic {}", worst.t, worst.closed_form, worst.automatic)
+        write!(f, "] at t = {}: closed form {}, automatic {}", worst.t, worst.closed_form, worst.automatic)?;
+        match self.worst_function() {
+            Some(function) => write!(f, "; function {function}"),
+            None => Ok(()),
+        }
     }
 }
 

@@ -9,6 +9,7 @@
 //! - [`relations`]: distances, absolute and relative coordinates;
 //! - [`gears`]: gears, belts, racks, rolling discs;
 //! - [`equations`]: free equations and drivers;
+//! - [`functions`]: supplied functions, splines, motion laws;
 //! - [`curves`]: cams, followers, contacts with curves;
 //! - [`inputs`]: signals known only at run time;
 //! - [`velocity`]: knife edges, speeds and other rows of velocity level;
@@ -20,6 +21,8 @@
 pub mod curves {}
 #[doc = include_str!("equations.md")]
 pub mod equations {}
+#[doc = include_str!("functions.md")]
+pub mod functions {}
 #[doc = include_str!("gears.md")]
 pub mod gears {}
 #[doc = include_str!("inputs.md")]

@@ -2,6 +2,7 @@
 //! that crept in would bring a second one, and the build would fail with a duplicate lang item.
 #![no_std]
 
+use kin_runtime::function::{FromFn, MotionLaw, Polynomial};
 use kin_runtime::{GenericMechanism, Instant, Mechanism, Subset, mechanism};
 
 /// The lecture's four-bar.
@@ -64,6 +65,28 @@ pub struct Pendulum<T> {
 pub extern "C" fn swing(t: f32) -> f32 {
     let mut workspace = Pendulum::<f32>::own_workspace();
     match Pendulum::default().evaluate_own(Subset::ALL, &Instant::at(t), &[t; 3], &[t; 3], &mut workspace) {
+        Ok(()) => workspace.gamma().iter().fold(0.0, |sum, &value| sum + value),
+        Err(_) => 0.0,
+    }
+}
+
+/// A follower that is driven by functions which need no allocator.
+#[mechanism]
+#[function(lift, law)]
+#[coordinates(y)]
+#[driver(rise: y = lift(t) + law(t))]
+pub struct Cam<F> {
+    lift: Polynomial<[f64; 3]>,
+    law: F,
+}
+
+/// One step of the cam.
+#[unsafe(no_mangle)]
+pub extern "C" fn lift(t: f64) -> f64 {
+    let law: fn(f64) -> [f64; 3] = |x| MotionLaw::ModifiedSine.normalised(x);
+    let cam = Cam { lift: Polynomial([0.0, 0.1, 0.2]), law: FromFn(law) };
+    let mut workspace = Cam::<FromFn<fn(f64) -> [f64; 3]>>::workspace::<f64>();
+    match cam.evaluate(Subset::ALL, &Instant::at(t), &[t], &[t], &mut workspace) {
         Ok(()) => workspace.gamma().iter().fold(0.0, |sum, &value| sum + value),
         Err(_) => 0.0,
     }

@@ -8,15 +8,34 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 
 use kin_runtime::cli::run_from;
+use kin_runtime::function::FromFn;
+use kin_runtime::mechanism;
 use kin_tests::mechanisms::{
-    FourbarEnds, FourbarLectureMid, InfeasibleFourbar, RedundantParallelogram, SingularSliderCrank, StrokeLimits,
-    UnderdrivenFivebar,
+    CamTable, FourbarEnds, FourbarLectureMid, InfeasibleFourbar, RedundantParallelogram, SingularSliderCrank,
+    StrokeLimits, UnderdrivenFivebar,
 };
+
+/// A follower whose lift claims a second derivative that it does not have.
+#[mechanism]
+#[function(lift)]
+#[coordinates(y)]
+#[driver(rise: y = lift(t))]
+struct WrongCam {
+    lift: FromFn<fn(f64) -> [f64; 3]>,
+}
+
+impl Default for WrongCam {
+    fn default() -> Self {
+        Self { lift: FromFn(|x| [x.sin(), x.cos(), -1.01 * x.sin()]) }
+    }
+}
 
 fn main() -> ExitCode {
     let mut args: Vec<OsString> = std::env::args_os().collect();
     let name = if args.len() > 1 { args.remove(1) } else { OsString::new() };
     match name.to_str() {
+        Some("cam") => run_from::<CamTable>(args),
+        Some("wrong_cam") => run_from::<WrongCam>(args),
         Some("fourbar") => run_from::<FourbarLectureMid>(args),
         Some("ends") => run_from::<FourbarEnds>(args),
         Some("infeasible") => run_from::<InfeasibleFourbar>(args),
@@ -26,7 +45,7 @@ fn main() -> ExitCode {
         Some("underdriven") => run_from::<UnderdrivenFivebar>(args),
         _ => {
             eprintln!(
-                "error: the first argument is fourbar, ends, infeasible, limits, redundant, singular or underdriven"
+                "error: the first argument is cam, wrong_cam, fourbar, ends, infeasible, limits, redundant, singular or underdriven"
             );
             ExitCode::from(2)
         }
