@@ -1,0 +1,208 @@
+//! Every word of the vocabulary against a closed form, with operands where a user may put them: held and carried bodies,
+//! families, named points, moving frames, defines as dimensions.
+
+use kin_runtime::{Kinematics, Mechanism, State, mechanism};
+
+/// The value, rate and acceleration of a coordinate.
+fn of<M: Mechanism>(state: &State, name: &str) -> [f64; 3] {
+    let k = M::model().coordinate(name).unwrap_or_else(|| panic!("no coordinate {name}"));
+    [state.q[k], state.q_dot[k], state.q_ddot[k]]
+}
+
+/// f and its first two derivatives by sixth-order differences, for the closed forms.
+fn differences(f: impl Fn(f64) -> f64, t: f64) -> [f64; 3] {
+    let h = 2e-3;
+    let at = |k: f64| f(t + k * h);
+    let odd = |k: f64| at(k) - at(-k);
+    let even = |k: f64| at(k) + at(-k);
+    let first = (45.0 * odd(1.0) - 9.0 * odd(2.0) + odd(3.0)) / (60.0 * h);
+    let second = (270.0 * even(1.0) - 27.0 * even(2.0) + 2.0 * even(3.0) - 490.0 * at(0.0)) / (180.0 * h * h);
+    [at(0.0), first, second]
+}
+
+fn agree(found: [f64; 3], expected: [f64; 3], what: &str) {
+    for ((found, expected), tolerance) in found.into_iter().zip(expected).zip([1e-11, 1e-9, 1e-7]) {
+        let size = expected.abs().max(1.0);
+        assert!((found - expected).abs() < tolerance * size, "{what}: {found} and {expected}");
+    }
+}
+
+/// Solves over a sweep and compares one coordinate with its closed form.
+fn follows<M: Mechanism + Kinematics>(mechanism: &M, times: &[f64], name: &str, closed_form: impl Fn(f64) -> f64) {
+    let sweep = mechanism.kinematic_analysis(times).unwrap_or_else(|error| panic!("{name}: {error}"));
+    assert_eq!(sweep.len(), times.len());
+    for state in &sweep {
+        agree(of::<M>(state, name), differences(&closed_form, state.t), &format!("{name} at t = {}", state.t));
+    }
+    let check = mechanism.cross_check().expect("comparable");
+    assert!(check.passes(1e-11), "{check}");
+}
+
+const TIMES: [f64; 6] = [0.0, 0.3, 0.9, 1.7, 2.6, 4.0];
+
+/// Three planets on carried origins, a held ring with internal teeth.
+#[mechanism]
+#[body(sun, x = 0, y = 0)]
+#[body(arm, x = 0, y = 0)]
+#[body(ring, x = 0, y = 0, phi = 0)]
+#[body(planet[i in 0..3], origin = arm @ (a * cos(2*pi*i/3), a * sin(2*pi*i/3)))]
+#[define(a = rs + rp)]
+#[gear(inner[i in 0..3]: sun, planet[i], radii = (rs, rp), carrier = arm)]
+#[gear(outer: planet[0], ring, radii = (rp, -(rs + 2*rp)), carrier = arm)]
+#[driver(drive: sun.phi = 0.7 * t + 0.1 * sin(t))]
+struct Planetary {
+    #[param(0.03)]
+    rs: f64,
+    #[param(0.02)]
+    rp: f64,
+}
+
+#[test]
+fn planetary_gear() {
+    // Willis: rs φs = (rs + rr) φc with the ring at rest.
+    follows(&Planetary::default(), &TIMES, "arm.phi", |t| 0.03 * (0.7 * t + 0.1 * t.sin()) / 0.1);
+    follows(&Planetary::default(), &TIMES, "planet[2].phi", |t| {
+        let (sun, arm) = (0.7 * t + 0.1 * t.sin(), 0.3 * (0.7 * t + 0.1 * t.sin()));
+        arm - 1.5 * (sun - arm)
+    });
+}
+
+/// A pinion on a guide that turns, and a belt from the pinion to a pulley of the guide.
+#[mechanism]
+#[bodies(guide, rack, pinion, pulley)]
+#[revolute(O: ground @ (0, 0), guide @ (0, 0))]
+#[translational(slide: guide @ (0, -radius), rack @ (0, 0), axis = (2, 0))]
+#[revolute(P: guide @ (0, 0), pinion @ (0, 0))]
+#[rack_pinion(teeth: guide @ (0, -radius), rack @ (0, 0), axis = (2, 0), pinion = pinion, radius = radius, offset = 0.01 * t)]
+#[revolute(Q: guide @ (1, 0), pulley @ (0, 0))]
+#[belt(band: pinion, pulley, radii = (radius, 0.05), carrier = guide, offset = 0.002)]
+#[driver(turn: guide.phi = 0.4 * t)]
+#[driver(drive: pinion.phi = 1.5 * sin(t))]
+struct Rack {
+    #[param(0.02)]
+    radius: f64,
+}
+
+#[test]
+fn rack_and_belt_on_a_moving_guide() {
+    let stroke = |t: f64| 0.02 * (1.5 * t.sin() - 0.4 * t) + 0.01 * t;
+    follows(&Rack::default(), &TIMES, "rack.x", |t| stroke(t) * (0.4 * t).cos() + 0.02 * (0.4 * t).sin());
+    follows(&Rack::default(), &TIMES, "pulley.phi", |t| (0.02 * (1.5 * t.sin() - 0.4 * t) - 0.002) / 0.05 + 0.4 * t);
+}
+
+const R: f64 = 0.04;
+const E: f64 = 0.015;
+
+/// One eccentric cam, four ways to write the contact.
+#[mechanism]
+#[coordinates(u)]
+#[body(cam, x = 0, y = 0)]
+#[body(by_polar, x = 0, phi = 0)]
+#[body(by_implicit, x = 0, phi = 0)]
+#[body(by_roller, x = 0, phi = 0)]
+#[body(flat, x = 0.3, phi = 0)]
+#[point(hub = cam @ (0, 0))]
+#[on_curve(polar_contact: hub, by_polar @ (0, 0), polar(theta) = e * cos(theta) + sqrt(r*r - pow(e * sin(theta), 2)))]
+#[on_curve(implicit_contact: hub, by_implicit @ (0, 0), implicit(X, Y) = (X - e).powi(2) + Y*Y - r*r)]
+#[on_curve(roller_contact: hub, by_roller @ (0, 0), parametric(u) = (e + r * cos(u), r * sin(u)), roller = -roller)]
+#[flat_follower(face: hub, flat @ (0, 0), axis = (3, 0), support(theta) = r + e * cos(theta))]
+#[driver(drive: cam.phi = 0.3 + t)]
+#[guess(by_polar.y = r, by_implicit.y = r, by_roller.y = r, u = 1.2, flat.y = r)]
+struct Cam {
+    #[param(0.04)]
+    r: f64,
+    #[param(0.015)]
+    e: f64,
+    #[param(0.01)]
+    roller: f64,
+}
+
+#[test]
+fn cams() {
+    let lift =
+        |radius: f64| move |t: f64| E * (0.3 + t).sin() + (radius * radius - (E * (0.3 + t).cos()).powi(2)).sqrt();
+    follows(&Cam::default(), &TIMES, "by_polar.y", lift(R));
+    follows(&Cam::default(), &TIMES, "by_implicit.y", lift(R));
+    follows(&Cam::default(), &TIMES, "by_roller.y", lift(R + 0.01));
+    follows(&Cam::default(), &TIMES, "flat.y", |t| R + E * (0.3 + t).sin());
+}
+
+/// A disc that rolls on a table which rises and tilts, and one that rolls inside a fixed ring of twice its size.
+#[mechanism]
+#[coordinates(psi)]
+#[bodies(table, wheel, disc)]
+#[revolute(O: ground @ (0, 0), table @ (0, 0))]
+#[rolling(on_table: table @ (0, 0.1), wheel @ (0, 0), axis = (1, 0), radius = 0.2, offset = 0.5)]
+#[rolling(in_ring: ground @ (5, 0), disc @ (0, 0), radii = (2, -1), along = psi)]
+#[driver(tilt: table.phi = 0.2 * sin(t))]
+#[driver(spin: wheel.phi = -1.5 * t)]
+#[driver(round: psi = 0.8 * t)]
+#[point(rim = disc @ (1, 0))]
+#[guess(disc.x = 6)]
+struct Rolling;
+
+#[test]
+fn rolling_discs() {
+    let tilt = |t: f64| 0.2 * t.sin();
+    let along = move |t: f64| 0.5 - 0.2 * (-1.5 * t - tilt(t));
+    follows(&Rolling, &TIMES, "wheel.x", move |t| along(t) * tilt(t).cos() - 0.3 * tilt(t).sin());
+    follows(&Rolling, &TIMES, "wheel.y", move |t| along(t) * tilt(t).sin() + 0.3 * tilt(t).cos());
+    // Cardan: a rim point of a disc that rolls in a ring of twice its size moves on a diameter.
+    follows(&Rolling, &TIMES, "disc.phi", |t| -0.8 * t);
+    for t in TIMES {
+        let state = Rolling.solver().sweep(&[0.0, t]).expect("it rolls").states.pop().expect("two states");
+        let rim = Rolling.solver().motion(&state).expect("the same")[Rolling::rim];
+        assert!(rim.r[1].abs() < 1e-11 && (rim.r[0] - 5.0 - 2.0 * (0.8 * t).cos()).abs() < 1e-11, "{rim:?}");
+    }
+}
+
+/// A car with steered front wheels, driven at the rear.
+#[mechanism]
+#[bodies(car)]
+#[knife_edge(rear: car @ (0, 0))]
+#[knife_edge(front: car @ (l, 0), angle = steer)]
+#[speed(drive: car @ (0, 0), value = v)]
+#[guess(car.x = 1, car.y = 2, car.phi = 0.5)]
+struct Car {
+    #[param(2.5)]
+    l: f64,
+    #[param(0.3)]
+    steer: f64,
+    #[param(3.0)]
+    v: f64,
+}
+
+#[test]
+fn a_car_drives_in_a_circle() {
+    let rate = 3.0 * 0.3_f64.tan() / 2.5;
+    let radius = 3.0 / rate;
+    follows(&Car::default(), &TIMES, "car.phi", |t| 0.5 + rate * t);
+    follows(&Car::default(), &TIMES, "car.x", |t| 1.0 + radius * ((0.5 + rate * t).sin() - 0.5_f64.sin()));
+    follows(&Car::default(), &TIMES, "car.y", |t| 2.0 - radius * ((0.5 + rate * t).cos() - 0.5_f64.cos()));
+}
+
+/// A wheel that rolls along a wire of its own shape: v_x = R φ̇ written with `dot`, and a follower of the same speed.
+#[mechanism]
+#[coordinates(s)]
+#[body(wheel, y = 0.2)]
+#[nonholonomic(roll: dot(wheel.x) + r * dot(wheel.phi) = 0)]
+#[nonholonomic(follow: (1 + 0.5 * sin(t)) * dot(s) - dot(wheel.x * wheel.x) = 0.1 * t)]
+#[driver(turn: wheel.phi = -2 * sin(t))]
+#[guess(wheel.x = 0.3, s = 1)]
+struct Wheel {
+    #[param(0.2)]
+    r: f64,
+}
+
+#[test]
+fn rolling_by_its_velocities() {
+    let x = |t: f64| 0.3 + 0.4 * t.sin();
+    follows(&Wheel::default(), &TIMES, "wheel.x", x);
+    let sweep = Wheel::default().kinematic_analysis(&TIMES).expect("it rolls");
+    for state in &sweep {
+        let t = state.t;
+        let [_, rate, _] = of::<Wheel>(state, "s");
+        let expected = (2.0 * x(t) * 0.4 * t.cos() + 0.1 * t) / (1.0 + 0.5 * t.sin());
+        assert!((rate - expected).abs() < 1e-9, "{rate} and {expected}");
+    }
+}
