@@ -188,15 +188,34 @@ fn a_loop_driven_by_a_rate_moves_like_one_driven_by_an_angle() {
 #[guess(car.x = 0.5, car.phi = 0.3)]
 struct CarWithInput;
 
+fn steering(t: f64) -> Signal {
+    let (sin, cos) = (2.0 * t).sin_cos();
+    Signal { value: 0.2 + 0.3 * sin, rate: 0.6 * cos, acceleration: -1.2 * sin }
+}
+
 #[test]
 fn inputs_steer() {
     let times = grid(0.0, 1.9, 4);
-    let steering = |t: f64, inputs: &mut [Signal]| {
-        let (sin, cos) = (2.0 * t).sin_cos();
-        inputs[0] = Signal { value: 0.2 + 0.3 * sin, rate: 0.6 * cos, acceleration: -1.2 * sin };
-    };
-    let found = CarWithInput.solver().with_inputs(&steering).sweep(&times).unwrap();
+    let inputs = |t: f64, inputs: &mut [Signal]| inputs[0] = steering(t);
+    let found = CarWithInput.solver().with_inputs(&inputs).sweep(&times).unwrap();
     compare(&found.states, &SteeredCar::default().kinematic_analysis(&times).unwrap().states);
+}
+
+/// From tick to tick, with nothing known of the steering in between; without time nothing moves.
+#[test]
+fn a_tracker_drives_on() {
+    let mut tracker = CarWithInput.solver().tracker(&Instant { t: 0.0, inputs: &[steering(0.0)] }).unwrap();
+    for t in grid(0.0, 1.9, 95) {
+        tracker.update(&Instant { t, inputs: &[steering(t)] }).unwrap();
+    }
+    let expected = SteeredCar::default().kinematic_analysis(&[0.0, 1.9]).unwrap();
+    for (expected, found) in expected.states[1].q.iter().zip(tracker.state().q.clone()) {
+        close("q", *expected, found, 1e-9);
+    }
+    let before = tracker.state().clone();
+    let after = tracker.update(&Instant { t: 1.9, inputs: &[Signal::constant(-0.4)] }).unwrap();
+    assert_eq!(before.q, after.q);
+    close("phi_dot", 1.5 / 2.5 * (-0.4_f64).tan(), after.q_dot[2], 1e-13);
 }
 
 /// A skate that nobody pushes.

@@ -6,6 +6,7 @@ use super::names::listing;
 use super::session::Session;
 use crate::error::SolveError;
 use crate::mobility::Mobility;
+use crate::model::Level;
 use crate::motion::Motion;
 use crate::present::text;
 use crate::ratios::VelocityRatios;
@@ -70,6 +71,10 @@ pub(super) fn note_start(session: &mut Session<'_>, mobility: &Mobility) {
     }
 }
 
+fn has_velocity_rows(engine: &dyn Engine) -> bool {
+    engine.model().rows.iter().any(|row| row.level == Level::Velocity)
+}
+
 /// An error when degrees of freedom are left, with the coordinates that could be given.
 pub(super) fn fully_driven(engine: &dyn Engine, mobility: &Mobility, t: f64) -> Result<(), Failure> {
     let left = mobility.degrees_of_freedom_left;
@@ -107,6 +112,9 @@ pub(super) fn analysis(engine: &dyn Engine, error: &SolveError) -> Failure {
     let hint = match error {
         SolveError::NotAssembled { .. } => {
             "if these dimensions can close at all, start nearer to the position: --guess coordinate=value,…"
+        }
+        SolveError::GivenConflict { open: 0, .. } if has_velocity_rows(engine) => {
+            "drivers and rows of velocity level determine every rate already: leave --given out; --guess sets a start"
         }
         SolveError::GivenConflict { open: 0, .. } => {
             "the drivers determine every coordinate already: leave --given out"
