@@ -27,23 +27,8 @@ pub fn total_derivatives(graph: &mut Graph, roots: &[ExprId]) -> Vec<Jet> {
     derivatives(graph, roots, of_symbol)
 }
 
-/// η̇ of a row of velocity level: η̇ = Σ_k ∂η/∂q̇_k q̈_k + (η_q q̇ + η_t).
-#[derive(Clone, Debug, PartialEq)]
-pub struct VelocityJet {
-    /// ∂η/∂q̇_k for every rate that appears, by k: B where η is linear in q̇, and the coefficients of q̈_k.
-    pub gradient: Vec<(u32, ExprId)>,
-    /// η_q q̇ + η_t at fixed q̇, which is −γ.
-    pub rest: ExprId,
-}
-
-/// The derivatives of `roots`, which may hold q̇: first derivatives only, with q̇_k in the place of q_k.
-pub fn velocity_derivatives(graph: &mut Graph, roots: &[ExprId]) -> Vec<VelocityJet> {
-    let jets = derivatives(graph, roots, of_symbol_at_velocity_level);
-    jets.into_iter().map(|jet| VelocityJet { gradient: jet.gradient, rest: jet.partial_t }).collect()
-}
-
 /// The jets of `roots`, given those of the symbols.
-fn derivatives(graph: &mut Graph, roots: &[ExprId], of_symbol: fn(&mut Graph, Symbol) -> Jet) -> Vec<Jet> {
+pub(super) fn derivatives(graph: &mut Graph, roots: &[ExprId], of_symbol: fn(&mut Graph, Symbol) -> Jet) -> Vec<Jet> {
     let order = graph.reachable(roots.iter().copied());
     let unchanging = Rc::new(constant(graph));
     let mut jets: Vec<Rc<Jet>> = vec![unchanging; graph.len()];
@@ -156,7 +141,7 @@ fn derive(graph: &mut Graph, jets: &[Rc<Jet>], id: ExprId) -> Jet {
     }
 }
 
-fn constant(graph: &mut Graph) -> Jet {
+pub(super) fn constant(graph: &mut Graph) -> Jet {
     let zero = graph.zero();
     Jet { gradient: Vec::new(), partial_t: zero, rate: zero, rest: zero }
 }
@@ -180,20 +165,6 @@ fn of_symbol(graph: &mut Graph, symbol: Symbol) -> Jet {
             jet.gradient.push((k, one));
             jet.rate = graph.symbol(Symbol::Rate(k));
         }
-    }
-    jet
-}
-
-/// Only the first derivatives: q̇_k gives the gradient, everything else the rest. Second derivatives are all 0, so that
-/// nothing is built that nobody reads.
-fn of_symbol_at_velocity_level(graph: &mut Graph, symbol: Symbol) -> Jet {
-    let mut jet = constant(graph);
-    match symbol {
-        Symbol::Parameter(_) => {}
-        Symbol::Time => jet.partial_t = graph.number(1.0),
-        Symbol::Input(k, order) => jet.partial_t = graph.symbol(Symbol::Input(k, order + 1)),
-        Symbol::Coordinate(k) => jet.partial_t = graph.symbol(Symbol::Rate(k)),
-        Symbol::Rate(k) => jet.gradient.push((k, graph.number(1.0))),
     }
     jet
 }

@@ -8,11 +8,13 @@ mod graph;
 mod jet;
 mod node;
 mod simplify;
+mod velocity;
 
 pub(crate) use display::suffix;
 pub use display::{Names, Shown};
 pub(crate) use eval::function;
 pub use eval::{Environment, evaluate};
 pub use graph::Graph;
-pub use jet::{Jet, VelocityJet, partial, total_derivatives, velocity_derivatives};
+pub use jet::{Jet, partial, total_derivatives};
 pub use node::{Bits, Depends, ExprId, MAX_ORDER, Node, Rotation, Symbol, Turning};
+pub use velocity::{VelocityJet, velocity_derivatives};
