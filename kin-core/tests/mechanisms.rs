@@ -68,8 +68,8 @@ fn everything<S: Number>(system: &KinematicSystem, direct: &Direct<'_, S>) -> Ve
                 let condition = &mechanism.conditions[family];
                 let sides = [&condition.left, &condition.right].map(|side| direct.formula(side, index));
                 match condition.relation {
-                    Relation::Greater => sides[0].clone() - sides[1].clone(),
-                    Relation::Less => sides[1].clone() - sides[0].clone(),
+                    Relation::Greater => sides[0] - sides[1],
+                    Relation::Less => sides[1] - sides[0],
                 }
             }
             ObservableKind::Joint(..) => continue,

@@ -271,8 +271,8 @@ impl core::error::Error for SolveError {}
 /// A sweep that ended early: what went well, and why it ended.
 #[derive(Clone, PartialEq)]
 pub struct SweepError {
-    /// The states of all instants before the one that failed.
-    pub trajectory: Trajectory,
+    /// The states of all instants before the one that failed, and the events until then.
+    pub trajectory: Box<Trajectory>,
     /// Why there is no next one.
     pub source: SolveError,
 }

@@ -317,7 +317,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
             .and_then(|mut equations| first(&mut equations).map(|position| (equations, position)));
         match started {
             Ok((mut equations, position)) => kinematic(&mut equations, position, times),
-            Err(source) => Err(SweepError { trajectory: nothing(), source }),
+            Err(source) => Err(SweepError { trajectory: Box::new(nothing()), source }),
         }
     }
 }

@@ -116,7 +116,7 @@ impl<M: Mechanism> Engine for Bound<M> {
         let solver = self.solver(setup).with_inputs(&inputs).stop_at_events(stop_at_events);
         match solver.sweep(times) {
             Ok(trajectory) => (trajectory, None),
-            Err(error) => (error.trajectory, Some(error.source)),
+            Err(error) => (*error.trajectory, Some(error.source)),
         }
     }
 

@@ -18,7 +18,7 @@ pub(crate) fn kinematic(
     trajectory.states.reserve_exact(times.len());
     match follow(equations, first, times, &mut trajectory) {
         Ok(()) => Ok(trajectory),
-        Err(source) => Err(SweepError { trajectory, source }),
+        Err(source) => Err(SweepError { trajectory: Box::new(trajectory), source }),
     }
 }
 

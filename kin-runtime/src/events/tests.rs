@@ -20,7 +20,8 @@ fn located(f: impl Fn(f64) -> (f64, f64), lo: f64, hi: f64) -> ([Value; 2], usiz
 
 #[test]
 fn a_bracket_closes_from_both_sides() {
-    let cases: [(&dyn Fn(f64) -> (f64, f64), f64); 5] = [
+    type Function<'f> = &'f dyn Fn(f64) -> (f64, f64);
+    let cases: [(Function<'_>, f64); 5] = [
         (&|t| (0.3 - t, -1.0), 0.3),
         (&|t: f64| (t.cos(), -t.sin()), core::f64::consts::FRAC_PI_2),
         (&|t| (2.0 - t * t * t, -3.0 * t * t), 2.0_f64.cbrt()),
