@@ -6,6 +6,7 @@ use crate::error::SolveError;
 use crate::mechanism::LengthError;
 use crate::model::{Level, Model};
 use crate::options::Options;
+use crate::radii;
 use crate::scale::Scale;
 use crate::system::System;
 use crate::workspace::{Instant, Signal, Subset};
@@ -95,7 +96,7 @@ impl<'a> Equations<'a> {
             moving: Vec::new(),
         };
         equations.set_instant(at)?;
-        Ok(equations)
+        radii::degenerate(&equations).map_or(Ok(equations), Err)
     }
 
     /// Number of coordinates n.

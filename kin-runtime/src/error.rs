@@ -30,7 +30,7 @@ impl fmt::Display for Refusal {
     }
 }
 
-/// What is degenerate where a point meets a curve.
+/// What is degenerate where bodies touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -52,6 +52,16 @@ pub enum Degeneracy {
         /// Its value.
         value: f64,
     },
+    /// The radius of a gear, a pulley or a disc couples nothing.
+    Radius {
+        /// The radius.
+        value: f64,
+    },
+    /// Two discs that roll on one another have one centre.
+    OneCentre {
+        /// The sum of their radii.
+        sum: f64,
+    },
 }
 
 impl fmt::Display for Degeneracy {
@@ -65,6 +75,10 @@ impl fmt::Display for Degeneracy {
             }
             Self::Gradient { largest } => {
                 write!(f, "the curve has no gradient at its point (scaled {largest:.1e}): a double point or a cusp")
+            }
+            Self::Radius { value } => write!(f, "a radius is {value}, so that it couples nothing"),
+            Self::OneCentre { sum } => {
+                write!(f, "the radii add up to {sum}, so that both discs have one centre, where nothing rolls")
             }
             Self::Direction { parameter, value } => {
                 write!(f, "the curve stands still at {parameter} = {value}, so that its roller has no side to run on")
@@ -149,7 +163,7 @@ pub enum SolveError {
         /// Why.
         reason: Refusal,
     },
-    /// A point meets a curve where the curve says nothing.
+    /// Bodies touch where their contact says nothing.
     DegenerateContact {
         /// Time.
         t: f64,

@@ -71,6 +71,8 @@ mod newton;
 #[cfg(feature = "std")]
 mod position;
 #[cfg(feature = "std")]
+mod radii;
+#[cfg(feature = "std")]
 mod random;
 #[cfg(feature = "std")]
 mod scale;

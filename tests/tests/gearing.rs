@@ -1,7 +1,8 @@
 //! Gears, belts, racks and rolling discs against closed forms of the textbooks.
 
+use kin_runtime::error::Degeneracy;
 use kin_runtime::model::{Body, Model, Role};
-use kin_runtime::{Instant, Kinematics, Mechanism, Motion, State, mechanism};
+use kin_runtime::{Instant, Kinematics, Mechanism, Motion, SolveError, State, mechanism};
 use kin_tests::mechanisms::{
     BeltDrive, CardanCircles, GearTrain, PlanetaryBasic, PlanetaryTwoStage, RackPinionSlider, RollingIncline,
 };
@@ -171,6 +172,34 @@ fn a_coin_around_a_coin_turns_twice() {
     let [first, last] = &swept.states[..] else { panic!("two instants") };
     let phi = Coins::model().coordinate("coin.phi").unwrap();
     close(last.q[phi] - first.q[phi], 2.0 * std::f64::consts::TAU);
+}
+
+/// Radii that couple nothing, or leave no line of centres, are errors by name and not answers of some kind.
+#[test]
+fn degenerate_radii_are_errors() {
+    let at = Instant::at(0.0);
+    let error = Coins { r: 0.0 }.state_at(&at).unwrap_err();
+    let radius = |error: &SolveError, joint: &str| matches!(error, SolveError::DegenerateContact { joint: j, what: Degeneracy::Radius { .. }, .. } if *j == joint);
+    assert!(radius(&error, "roll"), "{error}");
+    let error = PlanetaryBasic { rp: 0.0, ..PlanetaryBasic::default() }.state_at(&at).unwrap_err();
+    assert!(radius(&error, "inner"), "{error}");
+    let error = InRing { ring: -0.1, disc_radius: 0.1 }.state_at(&at).unwrap_err();
+    let what = Degeneracy::OneCentre { sum: 0.0 };
+    assert!(matches!(error, SolveError::DegenerateContact { joint: "roll", what: w, .. } if w == what), "{error}");
+    assert!(InRing::default().state_at(&at).is_ok());
+}
+
+/// A disc in a fixed ring.
+#[mechanism]
+#[bodies(disc)]
+#[coordinates(psi)]
+#[rolling(roll: ground @ (0, 0), disc @ (0, 0), radii = (ring, disc_radius), along = psi)]
+#[driver(drive: psi = t)]
+struct InRing {
+    #[param(-0.2)]
+    ring: f64,
+    #[param(0.1)]
+    disc_radius: f64,
 }
 
 /// A drawing knows the radii, with the bodies they belong to.

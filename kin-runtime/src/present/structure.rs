@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::condition::{self, ConditionRecord};
-use super::text::{classes, coordinate_names, frame_name};
+use super::text::{classes, coordinate_names, frame_name, third_body};
 use crate::mobility::{Mobility, RedundantRow};
 use crate::model::{BodyInfo, Level, Model, OperationCount, OriginKind};
 
@@ -176,6 +176,8 @@ struct JointRecord {
     name: &'static str,
     kind: &'static str,
     between: Vec<&'static str>,
+    /// The carrier of gears, the pinion of a rack.
+    third_body: Option<&'static str>,
     rows: Vec<&'static str>,
     quantities: Vec<&'static str>,
 }
@@ -256,6 +258,7 @@ fn joints(model: &Model) -> Vec<JointRecord> {
         name: joint.name,
         kind: joint.kind.keyword(),
         between: joint.frames.iter().flatten().map(|f| frame_name(model, *f)).collect(),
+        third_body: third_body(model, joint),
         rows: model.rows.iter().filter(|r| r.joint == place).map(|r| r.name).collect(),
         quantities: joint.quantities.iter().map(|q| q.name).collect(),
     };

@@ -5,7 +5,7 @@
 use super::number::{magnitude, plain, rounded};
 use super::table::{Table, width, wrapped};
 use crate::mobility::Mobility;
-use crate::model::{Frame, Model};
+use crate::model::{Frame, JointInfo, Model};
 use crate::motion::Motion;
 use crate::ratios::VelocityRatios;
 use crate::state::State;
@@ -105,6 +105,7 @@ pub(crate) fn rows(model: &Model) -> String {
         for group in own.chunk_by(|a, b| classes(a) == classes(b) && a.driving == b.driving) {
             let Some(first) = group.first() else { continue };
             let bodies: Vec<&str> = joint.frames.iter().flatten().map(|f| frame_name(model, *f)).collect();
+            let third = third_body(model, joint).map(|name| format!(" ({name})")).unwrap_or_default();
             let mut class = classes(first).join(" ");
             if first.driving {
                 class.push_str(", driving");
@@ -112,7 +113,7 @@ pub(crate) fn rows(model: &Model) -> String {
             lines.push([
                 joint.name.to_owned(),
                 joint.kind.to_string(),
-                bodies.join(" – "),
+                bodies.join(" – ") + &third,
                 group.iter().map(|r| short(r.name, joint.name)).collect::<Vec<_>>().join(", "),
                 class,
             ]);
@@ -139,6 +140,12 @@ pub(crate) fn frame_name(model: &Model, frame: Frame) -> &'static str {
         Frame::Ground => "ground",
         Frame::Body(place) => model.bodies.get(place).map_or("?", |b| b.name),
     }
+}
+
+/// The carrier of gears or of a belt, the pinion of a rack: a body that is no operand of its joint.
+pub(crate) fn third_body(model: &Model, joint: &JointInfo) -> Option<&'static str> {
+    let is_third = |frame: &Frame| matches!(frame, Frame::Body(_)) && !joint.frames.contains(&Some(*frame));
+    joint.geometry.iter().map(|geometry| geometry.frame).find(is_third).map(|frame| frame_name(model, frame))
 }
 
 /// The names of coordinates.
