@@ -102,7 +102,6 @@ pub(super) fn own(lowered: &Lowered, evaluations: &Evaluations) -> TokenStream {
     let (lengths, own_parameters) = (lengths(scalar), parameters::own(lowered, scalar));
     quote! {
         #[automatically_derived]
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         impl #impl_generics __kin::GenericMechanism for #name #type_generics #where_clause {
             type Scalar = #scalar;
             type Parameters = [#scalar; #p];

@@ -121,7 +121,6 @@ pub(crate) fn kernel(name: &str, lowered: &Lowered, program: &Program, targets: 
     let statements = body(program);
     Kernel {
         item: quote! {
-            #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
             #[inline]
             fn #name<__T: __kin::Scalar #(, #types)*>(#(#arguments),*) { #statements }
         },

@@ -30,6 +30,7 @@ pub(crate) fn expand(lowered: &Lowered, system: &KinematicSystem, structure: &St
     let cross_check = cross_check(lowered);
     quote! {
         #item
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         const _: () = {
             use ::kin_runtime::private as __kin;
             #[allow(unused_imports)]
@@ -95,7 +96,6 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure)
         #generic
 
         #[automatically_derived]
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         impl #impl_generics __kin::Mechanism for #name #type_generics #where_clause {
             const COORDINATES: usize = #n;
             const ROWS: usize = #s;

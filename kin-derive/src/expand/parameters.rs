@@ -134,7 +134,6 @@ pub(crate) fn default(lowered: &Lowered) -> TokenStream {
     });
     quote! {
         #[automatically_derived]
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         impl #impl_generics __kin::Default for #name #type_generics #where_clause {
             fn default() -> Self {
                 Self { #(#values)* }

@@ -12,8 +12,8 @@ fn peaks(law: MotionLaw) -> [f64; 2] {
 fn peaks_are_those_of_the_textbooks() {
     let known = [
         (MotionLaw::ConstantVelocity, 1.0, 0.0),
-        (MotionLaw::Harmonic, 1.570_796, 4.934_802),
-        (MotionLaw::Cycloidal, 2.0, 6.283_185),
+        (MotionLaw::Harmonic, core::f64::consts::FRAC_PI_2, 4.934_802),
+        (MotionLaw::Cycloidal, 2.0, core::f64::consts::TAU),
         (MotionLaw::Polynomial345, 1.875, 5.773_503),
         (MotionLaw::Polynomial4567, 2.1875, 7.513_188),
         (MotionLaw::ModifiedSine, 1.759_603, 5.527_957),

@@ -53,7 +53,6 @@ impl Tridiagonal {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use alloc::vec;
 
     fn system(n: usize) -> (Tridiagonal, Vec<f64>) {
         let at = |i: usize| 0.3 + 0.1 * (i as f64 * 1.7).sin();
@@ -80,7 +79,7 @@ mod tests {
             let (m, b) = system(n);
             let x = m.solve_cyclic(&b);
             for i in 0..n {
-                let terms = vec![m.lower[i] * x[(i + n - 1) % n], m.diagonal[i] * x[i], m.upper[i] * x[(i + 1) % n]];
+                let terms = [m.lower[i] * x[(i + n - 1) % n], m.diagonal[i] * x[i], m.upper[i] * x[(i + 1) % n]];
                 assert!((terms.iter().sum::<f64>() - b[i]).abs() < 1e-15);
             }
         }
