@@ -98,7 +98,7 @@ fn a_limit_may_move() {
         lo
     };
     let found = events_of(&trajectory, "moving");
-    assert!(g(6.28) > 0.0, "later turns stay behind the limit");
+    assert!(g(6.2) > 0.0, "later turns stay behind the limit");
     agree(&found, &[(zero(0.5, 2.0), Restored)]);
 }
 

@@ -53,7 +53,7 @@ fn a_function_can_have_any_type() {
         acceleration(Rc::new(Sine)),
         acceleration(shared),
         acceleration(borrowed),
-        acceleration(&&Sine),
+        acceleration(&Sine),
         acceleration(captured),
         acceleration(FromFn(sine as fn(f64) -> [f64; 3])),
     ];
