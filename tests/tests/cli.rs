@@ -197,6 +197,44 @@ fn a_sweep_that_ends_early_keeps_its_rows() {
 }
 
 #[test]
+fn inputs_come_with_value_rate_and_acceleration() {
+    let inputs = "--input motor[0]=-0.5,0.8,-0.3 --input motor[1]=-2.6,-0.9";
+    let solved = json(&format!("leg solve --format json {inputs}"));
+    assert_eq!(numbers(&serde_json::json!([-0.5, 0.8, -0.3])), rates(&solved["inputs"]["motor[0]"]));
+    assert_eq!(numbers(&serde_json::json!([-2.6, -0.9, 0.0])), rates(&solved["inputs"]["motor[1]"]));
+    // The second thigh's angle is the second motor's.
+    let ratio = &solved["input_ratios"]["motor[1]"];
+    let first = numbers(&ratio["first"]);
+    assert!(first[2].abs() < 1e-15 && (first[5] - 1.0).abs() < 1e-15, "{first:?}");
+
+    // Over a time grid the accelerations stay what they are.
+    let swept = json(&format!("leg sweep --from 1 --to 1.5 --steps 1 --format json {inputs}"));
+    let (value, rate) = (-0.5 + 0.5 * (0.8 - 0.25 * 0.3), 0.8 - 0.5 * 0.3);
+    let last = rates(&swept["states"][1]["inputs"]["motor[0]"]);
+    assert!((last[0] - value).abs() < 1e-15 && (last[1] - rate).abs() < 1e-15, "{last:?}");
+    let q = numbers(&swept["states"][1]["q"]);
+    assert!((q[2] - value).abs() < 1e-12, "{q:?}");
+    let at_once = json(&format!(
+        "leg solve --at 1.5 --format json --input motor[0]={value},{rate},-0.3,motor[1]={},-0.9",
+        -2.6 - 0.45
+    ));
+    for (a, b) in numbers(&at_once["q_ddot"]).iter().zip(numbers(&swept["states"][1]["q_ddot"])) {
+        assert!((a - b).abs() < 1e-9, "{a} {b}");
+    }
+
+    assert!(good(&format!("leg check {inputs}")).contains("passed"));
+    assert!(good(&format!("leg info {inputs}")).contains("2  motor[0], motor[1]\n"));
+    failed("leg solve --input motor[0]=1", 2, &["inputs without a value: motor[1]", "write --input motor[1]=value"]);
+    failed("leg solve --input motor[2]=1", 2, &["no input named `motor[2]`"]);
+    failed("leg solve --input motor=1", 2, &["motor[0]"]);
+    failed("leg sweep", 2, &["inputs without a value"]);
+}
+
+fn rates(input: &Value) -> Vec<f64> {
+    ["value", "rate", "acceleration"].map(|part| input[part].as_f64().expect("a number")).to_vec()
+}
+
+#[test]
 fn bad_options_are_named_with_status_2() {
     failed("fourbar solve --set l9=1", 2, &["--set: no parameter named `l9`; did you mean", "l1, l2, l3, d1, d2, w"]);
     failed("fourbar solve --set l1=NaN", 2, &["--set l1: `NaN` is not finite"]);

@@ -26,7 +26,7 @@ Examples, after the program's name:
   check --at 0.5 --set l1=0.12
   check --configurations 1000 --format json
 
-The status is 0 only when everything passes.")]
+The status is 0 only when everything passes. Where inputs have no value (--input), no solution is checked.")]
 pub(super) struct CheckArgs {
     #[command(flatten)]
     instant: InstantArgs,
@@ -48,7 +48,7 @@ pub(super) struct Findings {
     mechanism: &'static str,
     passed: bool,
     cross_check: CrossCheck,
-    /// None where the mechanism could not be solved.
+    /// None where the mechanism could not be solved, or inputs have no value.
     closure: Option<Closure>,
 }
 
@@ -68,13 +68,22 @@ struct Closure {
 
 pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let t = args.instant.time()?;
-    let setup = args.setup.apply_complete(engine)?;
+    let setup = args.setup.apply(engine)?;
     let engine = &*engine;
     if args.output.format() == Format::Csv {
         return Err(Failure::option("--format", "`check` has no csv form; write text or json"));
     }
-    let solved = driven_state(engine, &setup, t, args.freedom.least_norm).map(|(state, _)| state);
-    let findings = find(engine, t, solved.as_ref().ok(), args.configurations as usize)?;
+    // The closed forms are right or wrong whatever the inputs are; a solution needs them.
+    let solved = match setup.missing_inputs.as_slice() {
+        [] => driven_state(engine, &setup, t, args.freedom.least_norm).map(|(state, _)| Some(state)),
+        missing => {
+            let missing = missing.join(", ");
+            session.note(&format!("note: no solution is checked: inputs without a value: {missing}"));
+            Ok(None)
+        }
+    };
+    let state = solved.as_ref().ok().and_then(Option::as_ref);
+    let findings = find(engine, t, state, args.configurations as usize)?;
     let text = match args.output.format() {
         Format::Text | Format::Csv => {
             let heading = format!("{}, check at t = {}\n\n", engine.model().name, plain(t));

@@ -52,6 +52,12 @@ pub(super) fn run(args: &InfoArgs, engine: &mut dyn Engine, session: &mut Sessio
     session.deliver(&args.output, &text)?;
     match solved {
         Ok(_) => Ok(()),
+        // Zeros are as good as any value where the configuration does not care; where it does, none was asked for.
+        Err(_) if !setup.missing_inputs.is_empty() => {
+            session
+                .note("note: with these the mechanism has no configuration; degrees of freedom and ranks need --input");
+            Ok(())
+        }
         Err(error) => {
             session.note("note: degrees of freedom, ranks and redundant rows need a configuration, and there is none");
             Err(analysis(engine, &error))

@@ -222,6 +222,11 @@ fn inputs_need_values() {
     near(&sweep["states"][1]["q"][0], 0.3 + 4.0 + 0.5);
     near(&sweep["states"][1]["q_dot"][0], 2.0 + 1.0);
     assert!(kind::<WITH_INPUT>("info").err.contains("taken as 0: u"));
+    let check = kind::<WITH_INPUT>("check");
+    assert_eq!(check.status, 0);
+    assert!(check.out.contains("passed") && !check.out.contains("position"), "{}", check.out);
+    assert!(check.err.contains("no solution is checked: inputs without a value: u"), "{}", check.err);
+    assert!(kind::<WITH_INPUT>("check --input u=0.5").out.contains("position"));
 }
 
 #[test]

@@ -11,8 +11,8 @@ use kin_runtime::cli::run_from;
 use kin_runtime::function::FromFn;
 use kin_runtime::mechanism;
 use kin_tests::mechanisms::{
-    CamTable, FourbarEnds, FourbarLectureMid, InfeasibleFourbar, RedundantParallelogram, SingularSliderCrank,
-    StrokeLimits, UnderdrivenFivebar,
+    CamTable, FiveBarLeg, FourbarEnds, FourbarLectureMid, InfeasibleFourbar, RedundantParallelogram,
+    SingularSliderCrank, StrokeLimits, UnderdrivenFivebar,
 };
 
 /// A follower whose lift claims a second derivative that it does not have.
@@ -38,6 +38,7 @@ fn main() -> ExitCode {
         Some("wrong_cam") => run_from::<WrongCam>(args),
         Some("fourbar") => run_from::<FourbarLectureMid>(args),
         Some("ends") => run_from::<FourbarEnds>(args),
+        Some("leg") => run_from::<FiveBarLeg>(args),
         Some("infeasible") => run_from::<InfeasibleFourbar>(args),
         Some("limits") => run_from::<StrokeLimits>(args),
         Some("redundant") => run_from::<RedundantParallelogram>(args),
@@ -45,7 +46,7 @@ fn main() -> ExitCode {
         Some("underdriven") => run_from::<UnderdrivenFivebar>(args),
         _ => {
             eprintln!(
-                "error: the first argument is cam, wrong_cam, fourbar, ends, infeasible, limits, redundant, singular or underdriven"
+                "error: the first argument is cam, wrong_cam, fourbar, ends, infeasible, leg, limits, redundant, singular or underdriven"
             );
             ExitCode::from(2)
         }

@@ -83,6 +83,13 @@ macro_rules! motion_laws {
         }
 
         #[test]
+        fn input_ratios_are_derivatives() {
+            if $Mechanism::INPUTS > 0 {
+                observables::input_ratios_are_derivatives::<$Mechanism>($from, $to);
+            }
+        }
+
+        #[test]
         fn nothing_comes_of_what_is_not_finite() {
             finite::nothing_comes_of_what_is_not_finite::<$Mechanism>($from);
         }

@@ -2,7 +2,7 @@
 
 use crate::motion::swept;
 use kin_runtime::model::{Observable, Point};
-use kin_runtime::{Kinematics, Mechanism, Motion};
+use kin_runtime::{Instant, Kinematics, Mechanism, Motion, Signal};
 use kin_tests::compare::{Differences, largest};
 use kin_tests::stencil::Stencil;
 
@@ -106,6 +106,45 @@ pub(crate) fn velocity_ratios_add_up<M: Kinematics + Default>(from: f64, to: f64
                 1e-10 * largest(&state.q_ddot).max(1.0),
             );
         }
+    }
+    differences.finish();
+}
+
+/// ∂q/∂u and ∂²q/∂u² of every input are those of the configurations around, and the inputs' shares add up to q̇ where time
+/// itself moves nothing.
+pub(crate) fn input_ratios_are_derivatives<M: Kinematics + Default>(from: f64, to: f64) {
+    let mechanism = M::default();
+    let solver = mechanism.solver();
+    let mut differences = Differences::new();
+    let name = |place: usize| M::model().coordinates[place].name;
+    for state in &swept(&mechanism, &[from, 0.5 * (from + to)]) {
+        let ratios = solver.velocity_ratios(state).unwrap().inputs;
+        assert_eq!(M::INPUTS, ratios.len());
+        for (k, ratio) in ratios.iter().enumerate() {
+            let h = 2e-3;
+            let samples: Vec<Vec<f64>> = (-3..=3)
+                .map(|shift| {
+                    let mut inputs = state.inputs.clone();
+                    inputs[k].value += f64::from(shift) * h;
+                    solver.position(&Instant { t: state.t, inputs: &inputs }, &state.q).unwrap().q
+                })
+                .collect();
+            differences.at(format_args!("t = {}, input {}", state.t, ratio.name));
+            for place in 0..M::COORDINATES {
+                let [a, b, c, d, e, f, g] = std::array::from_fn(|sample| samples[sample][place]);
+                let first = (45.0 * (e - c) - 9.0 * (f - b) + (g - a)) / (60.0 * h);
+                let second = (270.0 * (e + c) - 27.0 * (f + b) + 2.0 * (g + a) - 490.0 * d) / (180.0 * h * h);
+                let sizes = [largest(&ratio.first).max(1.0), largest(&ratio.second).max(1.0)];
+                differences.number(format_args!("∂{}", name(place)), first, ratio.first[place], 1e-9 * sizes[0]);
+                differences.number(format_args!("∂²{}", name(place)), second, ratio.second[place], 1e-6 * sizes[1]);
+            }
+        }
+        let still: Vec<Signal> = state.inputs.iter().map(|u| Signal::constant(u.value)).collect();
+        let rest = solver.velocity(&Instant { t: state.t, inputs: &still }, &state.q).unwrap();
+        let sum = |k: usize| rest[k] + ratios.iter().map(|ratio| ratio.q_dot[k]).sum::<f64>();
+        let sum: Vec<f64> = (0..M::COORDINATES).map(sum).collect();
+        differences.at(format_args!("t = {}", state.t));
+        differences.vector("sum of shares", name, &state.q_dot, &sum, 1e-11 * largest(&state.q_dot).max(1.0));
     }
     differences.finish();
 }
