@@ -17,6 +17,7 @@
 //! Φ_q l = −(Φ_q k)_q k − 2 Φ_qu k − Φ_uu      l = ∂²q/∂u²
 //! ```
 //!
+//! Where rows of velocity level take part k is ∂q̇/∂u̇ and l u̇² its share of q̈, and there is no q(u).
 //! Φ_u is the part of Φ_t that is linear in u̇, Φ_t(u̇ = 1) − Φ_t(u̇ = 0); the right-hand side of l is the part of γ that
 //! is even in q̇ and u̇ together, at q̇ = k, u̇ = 1.
 

@@ -227,7 +227,7 @@ fn inputs_come_with_value_rate_and_acceleration() {
     failed("leg solve --input motor[0]=1", 2, &["inputs without a value: motor[1]", "write --input motor[1]=value"]);
     failed("leg solve --input motor[2]=1", 2, &["no input named `motor[2]`"]);
     failed("leg solve --input motor=1", 2, &["motor[0]"]);
-    failed("leg sweep", 2, &["inputs without a value"]);
+    failed("leg sweep --to 1", 2, &["inputs without a value"]);
 }
 
 fn rates(input: &Value) -> Vec<f64> {

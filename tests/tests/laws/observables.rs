@@ -1,7 +1,7 @@
 //! Laws of what a mechanism reports besides q: poses, points, named expressions, joint quantities, ratios.
 
 use crate::motion::swept;
-use kin_runtime::model::{Observable, Point};
+use kin_runtime::model::{Level, Observable, Point};
 use kin_runtime::{Instant, Kinematics, Mechanism, Motion, Signal};
 use kin_tests::compare::{Differences, largest};
 use kin_tests::stencil::Stencil;
@@ -120,7 +120,9 @@ pub(crate) fn input_ratios_are_derivatives<M: Kinematics + Default>(from: f64, t
     for state in &swept(&mechanism, &[from, 0.5 * (from + to)]) {
         let ratios = solver.velocity_ratios(state).unwrap().inputs;
         assert_eq!(M::INPUTS, ratios.len());
-        for (k, ratio) in ratios.iter().enumerate() {
+        // Rows of velocity level leave no configuration to compare with.
+        let holonomic = M::model().rows.iter().all(|row| row.level == Level::Position);
+        for (k, ratio) in ratios.iter().enumerate().filter(|_| holonomic) {
             let h = 2e-3;
             let samples: Vec<Vec<f64>> = (-3..=3)
                 .map(|shift| {
