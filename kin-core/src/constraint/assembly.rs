@@ -176,7 +176,7 @@ impl Assembly<'_> {
             JointKind::Translational { p, q, axis, angle } => translational::rows(self, p, q, axis, angle),
             JointKind::Fixed { p, q, angle } => fixed::rows(self, p, q, angle),
             JointKind::PointOnLine { p, q, axis, offset } => point_on_line::rows(self, p, q, axis, offset),
-            JointKind::Distance { p, q, length, .. } => distance::rows(self, p, q, length),
+            JointKind::Distance { p, q, length, length_origin } => distance::rows(self, p, q, length, *length_origin),
             JointKind::Coordinate { p, component, value } => coordinate::rows(self, p, *component, value),
             JointKind::Angle { body, value } => angle::absolute(self, body, value),
             JointKind::RelativeAngle { a, b, value } => angle::relative(self, a, b, value),
@@ -197,7 +197,7 @@ impl Assembly<'_> {
             JointKind::KnifeEdge { p, angle } => knife_edge::rows(self, p, angle),
             JointKind::Speed { p, angle, value } => speed::rows(self, p, angle, value),
             JointKind::Nonholonomic { left, right } => nonholonomic::rows(self, left, right),
-            JointKind::Driver { left, right } => driver::rows(self, left, right),
+            JointKind::Driver { left, right } => driver::rows(self, left, right, joint.origin),
         }
     }
 

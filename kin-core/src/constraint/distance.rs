@@ -10,17 +10,31 @@
 use super::assembly::{Assembly, Rows};
 use super::placed::PlacedPoint;
 use super::set::Role;
+use crate::error::Origin;
 use crate::expr::ExprId;
 use crate::mechanism::{Formula, Function, Place};
 
-pub(super) fn rows(a: &mut Assembly<'_>, p: &Place, q: &Place, length: &Formula) -> Rows {
+pub(super) fn rows(a: &mut Assembly<'_>, p: &Place, q: &Place, length: &Formula, origin: Origin) -> Rows {
     let (p, q) = (a.place(p), a.place(q));
     let length = a.formula(length);
-    between(a, &p, &q, length)
+    between(a, &p, &q, length, origin)
 }
 
 /// |r_Q − r_P|² − e².
-pub(super) fn between(a: &mut Assembly<'_>, p: &PlacedPoint, q: &PlacedPoint, length: ExprId) -> Rows {
+pub(super) fn between(a: &mut Assembly<'_>, p: &PlacedPoint, q: &PlacedPoint, length: ExprId, origin: Origin) -> Rows {
+    // A number only once names are followed and numbers folded; plain ones have their own rule.
+    match a.graph.literal(length) {
+        Some(0.0) => {
+            a.error(
+                origin,
+                "this length is 0, whose row has no gradient; points that coincide are joined with `revolute`",
+            );
+        }
+        Some(value) if value < 0.0 => {
+            a.error(origin, format!("a length is positive; this one is {value}"));
+        }
+        _ => {}
+    }
     let mut rows = Rows::between(p, q);
     rows.geometry.push((Role::Value, p.frame, vec![length]));
     let square = square_of_distance(a, p, q);

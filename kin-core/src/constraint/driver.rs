@@ -9,13 +9,14 @@
 
 use super::assembly::{Assembly, Rows};
 use super::distance;
+use crate::error::Origin;
 use crate::mechanism::Formula;
 
-pub(super) fn rows(a: &mut Assembly<'_>, left: &Formula, right: &Formula) -> Rows {
+pub(super) fn rows(a: &mut Assembly<'_>, left: &Formula, right: &Formula, origin: Origin) -> Rows {
     if let Formula::Distance(p, q) = left {
         let (p, q) = (a.place(p), a.place(q));
         let length = a.formula(right);
-        return distance::between(a, &p, &q, length);
+        return distance::between(a, &p, &q, length, origin);
     }
     equation(a, left, right)
 }

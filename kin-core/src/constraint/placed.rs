@@ -162,7 +162,10 @@ impl<'m> Assembly<'m> {
             (Some(x), Some(y)) => {
                 let norm = x.hypot(y);
                 if norm == 0.0 {
-                    self.error(axis.origin, "an axis of length zero has no direction");
+                    self.error(
+                        axis.origin,
+                        "this axis is (0, 0) and has no direction; kin normalises it, so that any other length will do",
+                    );
                     v
                 } else {
                     [self.graph.number(x / norm), self.graph.number(y / norm)]

@@ -1,6 +1,7 @@
 //! Mechanisms with known mobility: counts, and the joints that a planted fault is blamed on, whatever things are called
 //! and in whichever order they are declared.
 
+mod assembled;
 mod chains;
 mod existing;
 mod faults;

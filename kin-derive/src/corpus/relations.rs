@@ -128,4 +128,81 @@ pub(super) const CASES: &[Case] = &[
         counts: [6, 6, 6, 2],
         fault: "",
     },
+    Case {
+        name: "planetary gear with its ring held",
+        parameters: "rs rp rr",
+        attributes: "bodies(sun, planet, arm)
+            revolute(S: ground @ (0, 0), sun @ (0, 0)); revolute(C: ground @ (0, 0), arm @ (0, 0)); revolute(P: arm @ (rs + rp, 0), planet @ (0, 0))
+            gear(mesh: sun, planet, radii = (rs, rp), carrier = arm); gear(ring: planet, ground, radii = (rp, -rr), carrier = arm)",
+        counts: [9, 8, 8, 1],
+        fault: "",
+    },
+    Case {
+        name: "planetary gear with three planets",
+        parameters: "rs rp rr",
+        attributes: "bodies(sun, planet[3], arm)
+            revolute(S: ground @ (0, 0), sun @ (0, 0)); revolute(C: ground @ (0, 0), arm @ (0, 0))
+            revolute(P: arm @ (rs + rp, 0), planet[0] @ (0, 0)); revolute(Q: arm @ (0, rs + rp), planet[1] @ (0, 0)); revolute(R: arm @ (-rs, -rp), planet[2] @ (0, 0))
+            gear(mesh[i in 0..3]: sun, planet[i], radii = (rs, rp), carrier = arm); gear(ring[i in 0..3]: planet[i], ground, radii = (rp, -rr), carrier = arm)",
+        counts: [15, 16, 14, 1],
+        fault: "mesh ring",
+    },
+    Case {
+        name: "two planetary trains on one sun, one arm held",
+        parameters: "a b c d e",
+        attributes: "coordinates(sun, arm, ring, other_arm, p, q)
+            constraint(mesh: a*(sun - arm) + b*(p - arm) = 0); constraint(inner: b*(p - arm) - c*(ring - arm) = 0)
+            constraint(other: a*(sun - other_arm) + d*(q - other_arm) = 0); constraint(outer: d*(q - other_arm) - e*(arm - other_arm) = 0)
+            driver(drive: ring = t); constraint(brake: other_arm = 0)",
+        counts: [6, 6, 6, 1],
+        fault: "",
+    },
+    Case {
+        name: "two shafts joined by a gear and by a belt of another ratio",
+        parameters: "a b c d e",
+        attributes: "bodies(p, q)
+            revolute(A: ground @ (0, 0), p @ (0, 0)); revolute(B: ground @ (e, 0), q @ (0, 0))
+            gear(mesh: p, q, radii = (a, b)); belt(loop_belt: p, q, radii = (c, d))",
+        counts: [6, 6, 6, 0],
+        fault: "",
+    },
+    Case {
+        name: "two shafts joined by two belts of the same pulleys",
+        parameters: "a b e",
+        attributes: "bodies(p, q)
+            revolute(A: ground @ (0, 0), p @ (0, 0)); revolute(B: ground @ (e, 0), q @ (0, 0))
+            belt(front: p, q, radii = (a, b)); belt(back: p, q, radii = (2*a, 2*b))",
+        counts: [6, 6, 5, 1],
+        fault: "front back",
+    },
+    Case {
+        name: "rack and pinion",
+        parameters: "r",
+        attributes: "bodies(rack, wheel)
+            revolute(O: ground @ (0, r), wheel @ (0, 0)); translational(guide: ground @ (0, 0), rack @ (0, 0), axis = (1, 0))
+            rack_pinion(mesh: ground @ (0, 0), rack @ (0, 0), axis = (1, 0), pinion = wheel, radius = r)",
+        counts: [6, 5, 5, 1],
+        fault: "",
+    },
+    Case {
+        name: "rolling disc",
+        parameters: "r",
+        attributes: "bodies(disc); rolling(road: ground @ (0, 0), disc @ (0, 0), axis = (1, 0), radius = r)",
+        counts: [3, 2, 2, 1],
+        fault: "",
+    },
+    Case {
+        name: "cart on two axles",
+        parameters: "a",
+        attributes: "bodies(cart); knife_edge(rear: cart @ (0, 0)); knife_edge(front: cart @ (a, 0)); speed(engine: cart @ (0, 0), value = 1)",
+        counts: [3, 3, 3, 1],
+        fault: "",
+    },
+    Case {
+        name: "cart on two axles that is driven to turn",
+        parameters: "a",
+        attributes: "bodies(cart); knife_edge(rear: cart @ (0, 0)); knife_edge(front: cart @ (a, 0)); driver(turn: cart.phi = t)",
+        counts: [3, 3, 2, 1],
+        fault: "turn",
+    },
 ];
