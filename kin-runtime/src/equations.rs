@@ -3,6 +3,7 @@
 use crate::contact;
 use crate::course::{InputFunction, Kind, Way};
 use crate::error::SolveError;
+use crate::geometry;
 use crate::mechanism::LengthError;
 use crate::model::{Level, Model};
 use crate::options::Options;
@@ -218,7 +219,10 @@ impl<'a> Equations<'a> {
 
     /// Evaluates a subset at q and q̇ (`None` where γ is not asked for).
     pub(crate) fn evaluate(&mut self, subset: Subset, q: &[f64], q_dot: Option<&[f64]>) -> Result<(), SolveError> {
-        self.evaluate_rows(subset, q, q_dot).map_err(|error| contact::explain(self, q, error))
+        self.evaluate_rows(subset, q, q_dot).map_err(|error| {
+            let error = contact::explain(self, q, error);
+            geometry::explain(self, error)
+        })
     }
 
     fn evaluate_rows(&mut self, subset: Subset, q: &[f64], q_dot: Option<&[f64]>) -> Result<(), SolveError> {

@@ -87,6 +87,30 @@ impl fmt::Display for Degeneracy {
     }
 }
 
+/// What the geometry of a joint lacks at the values of the parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum GeometryFault {
+    /// The axis has no direction: its components are 0, or too small to be normalised.
+    Axis,
+    /// The distance that the joint keeps is nothing, and its row has no gradient where it is kept.
+    Length {
+        /// The distance.
+        length: f64,
+    },
+}
+
+impl fmt::Display for GeometryFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Axis => f.write_str("its axis has no direction, both components are 0"),
+            Self::Length { length } => {
+                write!(f, "its length is {length}; points that coincide are joined with `revolute`")
+            }
+        }
+    }
+}
+
 /// An analysis without an answer.
 ///
 /// Rows are named as in [`Model::rows`](crate::model::Model::rows). A coordinate that the caller prescribes adds a row
@@ -174,6 +198,15 @@ pub enum SolveError {
         /// What is degenerate.
         what: Degeneracy,
     },
+    /// The values of the parameters leave a joint without a direction or a length.
+    DegenerateGeometry {
+        /// Time.
+        t: f64,
+        /// The joint.
+        joint: &'static str,
+        /// What it lacks.
+        fault: GeometryFault,
+    },
     /// NaN or infinity in an argument, a parameter or a result.
     NonFinite {
         /// Where: `q`, `t`, `parameters`, `inputs`, `Φ`, ….
@@ -254,6 +287,7 @@ impl fmt::Display for SolveError {
                 f,
                 "the branch ends after t = {t}: at t = {t_refused} {reason} (joint `{joint}`, row `{row_name}`)"
             ),
+            Self::DegenerateGeometry { t, joint, fault } => write!(f, "joint `{joint}` at t = {t}: {fault}"),
             Self::DegenerateContact { t, joint, what, .. } => {
                 write!(f, "degenerate contact of joint `{joint}` at t = {t}: {what}")
             }

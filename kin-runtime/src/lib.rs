@@ -65,6 +65,8 @@ mod equations;
 #[cfg(all(test, feature = "std"))]
 mod fixture;
 #[cfg(feature = "std")]
+mod geometry;
+#[cfg(feature = "std")]
 mod linear;
 #[cfg(feature = "std")]
 mod newton;
@@ -106,7 +108,7 @@ pub use nalgebra;
 #[cfg(feature = "std")]
 pub use cross_check::{Configuration, CrossCheck, CrossCheckOptions, FunctionCheck, WorstEntry};
 #[cfg(feature = "std")]
-pub use error::{Degeneracy, Refusal, SolveError, SweepError};
+pub use error::{Degeneracy, GeometryFault, Refusal, SolveError, SweepError};
 #[cfg(feature = "std")]
 pub use events::{Crossing, Event};
 #[cfg(feature = "std")]

@@ -8,6 +8,7 @@
 use crate::closure::close;
 use crate::equations::Equations;
 use crate::error::SolveError;
+use crate::geometry::without_length;
 use crate::linear::{Factorization, null_space};
 use crate::random::Random;
 use crate::workspace::Subset;
@@ -20,6 +21,9 @@ const DIRECTIONS: usize = 6;
 
 /// The error if `q`, whose Φ_q was evaluated last and has the factorisation `here`, is singular.
 pub(crate) fn diagnose(equations: &mut Equations<'_>, q: &[f64], here: &Factorization) -> Option<SolveError> {
+    if let Some(error) = without_length(equations) {
+        return Some(error);
+    }
     let all: Vec<usize> = (0..equations.rows()).collect();
     let scaled = equations.scaled(&all);
     let expected_rank = rank_nearby(equations, q, here.rank, &all);

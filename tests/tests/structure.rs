@@ -1,6 +1,6 @@
 //! What a mechanism says by its symbols, and what it does at its dimensions: generic and actual rank are told apart.
 
-use kin_runtime::{Cause, Instant, Kinematics, Mechanism, SolveError, mechanism};
+use kin_runtime::{Cause, GeometryFault, Instant, Kinematics, Mechanism, SolveError, mechanism};
 use kin_tests::random::Random;
 
 /// A four-bar of free lengths.
@@ -139,4 +139,36 @@ fn random_dimensions_have_the_generic_rank() {
         assembled += 1;
     }
     assert!(assembled >= 10, "{assembled}");
+}
+
+/// Directions and lengths that only the parameters know.
+#[mechanism]
+#[bodies(crank, slider)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[translational(guide: ground @ (0, 0), slider @ (0, 0), axis = (u, v))]
+#[distance(rod: crank @ (0.1, 0), slider @ (0, 0), length = rod)]
+#[driver(drive: crank.phi = t)]
+struct Guided {
+    #[param(1)]
+    u: f64,
+    #[param(0)]
+    v: f64,
+    #[param(0.3)]
+    rod: f64,
+}
+
+#[test]
+fn parameters_without_direction_or_length_are_errors_by_name() {
+    let at = Instant::at(0.0);
+    assert!(Guided::default().state_at(&at).is_ok());
+    let error = Guided { u: 0.0, ..Guided::default() }.state_at(&at).unwrap_err();
+    assert!(
+        matches!(error, SolveError::DegenerateGeometry { joint: "guide", fault: GeometryFault::Axis, .. }),
+        "{error}"
+    );
+    assert!(error.to_string().contains("no direction"), "{error}");
+    let error = Guided { rod: 0.0, ..Guided::default() }.state_at(&at).unwrap_err();
+    let fault = GeometryFault::Length { length: 0.0 };
+    assert_eq!(error, SolveError::DegenerateGeometry { t: 0.0, joint: "rod", fault }, "{error}");
+    assert!(error.to_string().contains("`revolute`"), "{error}");
 }

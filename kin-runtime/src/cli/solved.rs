@@ -120,7 +120,9 @@ pub(super) fn analysis(engine: &dyn Engine, error: &SolveError) -> Failure {
             "the drivers determine every coordinate already: leave --given out"
         }
         SolveError::GivenConflict { .. } => "give other coordinates, or fewer",
-        SolveError::NonFinite { what: "Φ", .. } | SolveError::DegenerateContact { .. } => {
+        SolveError::NonFinite { what: "Φ", .. }
+        | SolveError::DegenerateContact { .. }
+        | SolveError::DegenerateGeometry { .. } => {
             "the equations have no value there: other parameters (--set) or guesses (--guess) may have"
         }
         _ => return Failure::Analysis(format!("{}: {error}", engine.model().name)),

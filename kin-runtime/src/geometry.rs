@@ -1,0 +1,48 @@
+//! Geometry that is degenerate at the values of the parameters: reported by the name of the joint.
+//!
+//! - An axis whose components are both 0, or too small to be normalised, has no direction; its rows are not numbers.
+//! - A distance of 0 has no gradient where it is kept; its row of Φ_q vanishes.
+
+use crate::equations::Equations;
+use crate::error::{GeometryFault, SolveError};
+use crate::model::{JointInfo, JointKind, Role};
+use crate::workspace::Instant;
+
+/// The error of an evaluation, by the name of the joint whose axis has no direction, if that is why.
+pub(crate) fn explain(equations: &mut Equations<'_>, error: SolveError) -> SolveError {
+    let SolveError::NonFinite { what: "Φ" | "Φ_q" | "Φ_t" | "γ", index: row, .. } = error else { return error };
+    let Some(joint) = equations.model.rows.get(row).map(|row| &equations.model.joints[row.joint]) else { return error };
+    match numbers(equations, joint, Role::Axis) {
+        Some([x, y]) if !(x.is_finite() && y.is_finite()) => {
+            SolveError::DegenerateGeometry { t: equations.t, joint: joint.name, fault: GeometryFault::Axis }
+        }
+        _ => error,
+    }
+}
+
+/// The first joint that keeps a distance of nothing, on the common scale.
+pub(crate) fn without_length(equations: &mut Equations<'_>) -> Option<SolveError> {
+    let tolerance = equations.options.rank_tolerance * equations.scale.length;
+    let keeps = |joint: &&JointInfo| {
+        joint.kind == JointKind::Distance
+            || joint.kind == JointKind::Driver && joint.geometry.iter().any(|geometry| geometry.role == Role::Q)
+    };
+    let joints: Vec<&JointInfo> = equations.model.joints.iter().filter(keeps).collect();
+    joints.into_iter().find_map(|joint| {
+        let [length] = numbers(equations, joint, Role::Value)?;
+        let fault = GeometryFault::Length { length };
+        (length.abs() <= tolerance).then_some(SolveError::DegenerateGeometry {
+            t: equations.t,
+            joint: joint.name,
+            fault,
+        })
+    })
+}
+
+/// The numbers of a piece of a joint's geometry.
+fn numbers<const N: usize>(equations: &mut Equations<'_>, joint: &JointInfo, role: Role) -> Option<[f64; N]> {
+    let geometry = joint.geometry.iter().find(|geometry| geometry.role == role)?;
+    let at = Instant { t: equations.t, inputs: &equations.inputs };
+    let all = equations.system.geometry(&at).ok()?;
+    all.get(geometry.offset..geometry.offset + N)?.try_into().ok()
+}
