@@ -33,6 +33,23 @@ fn slider_on_an_inclined_guide() {
 }
 
 #[test]
+fn a_follower_with_supplied_functions() {
+    insta::assert_snapshot!(expansion(
+        quote! {},
+        quote! {
+            #[function(lift, law)]
+            #[coordinates(y)]
+            #[driver(rise: y = scale * lift(law[1](t)) + law[0](y))]
+            struct Follower<F> {
+                law: [F; 2],
+                scale: f64,
+                lift: Box<dyn ScalarFunction>,
+            }
+        },
+    ));
+}
+
+#[test]
 fn a_family_with_an_array_of_parameters() {
     insta::assert_snapshot!(expansion(
         quote! {},

@@ -56,6 +56,17 @@ struct Undeclared<'a> {
     borrowed: &'a CubicSpline,
 }
 
+/// Declared where it does not belong.
+#[mechanism]
+#[coordinates(u)]
+#[driver(drive: u = profile(t))]
+struct OnField {
+    #[function]
+    profile: Box<dyn kin_runtime::ScalarFunction>,
+    #[function(other)]
+    other: CubicSpline,
+}
+
 /// A type that is no function.
 #[mechanism(cross_check)]
 #[function(profile)]

@@ -41,7 +41,7 @@ pub(super) fn field(
     report: &Report,
     names_missing: &mut bool,
 ) -> Option<FieldDecl> {
-    let is_function = field.ident.as_ref().is_some_and(|ident| functions.contains(&text(ident)));
+    let mut is_function = field.ident.as_ref().is_some_and(|ident| functions.contains(&text(ident)));
     let mut param: Option<Param> = None;
     let attributes = std::mem::take(&mut field.attrs);
     for attribute in attributes {
@@ -62,6 +62,13 @@ pub(super) fn field(
                 report.error(word.span(), "`param` is given twice; one default and one unit are enough");
             }
             Some(Keyword::Param) => param = Some(read_param(&attribute, report)),
+            Some(Keyword::Function) => {
+                // The field is as good as declared, so that its type is no mistake.
+                (*names_missing, is_function) = (true, true);
+                let field = field.ident.as_ref().map(text).unwrap_or_default();
+                let message = format!("`function` stands above the struct and names the field: `#[function({field})]`");
+                report.error(word.span(), message);
+            }
             Some(other) => {
                 *names_missing |= other.declares();
                 let message = format!("`{name}` stands above the struct; a field takes `{FORM}`");

@@ -32,7 +32,7 @@ pub use spline::{CubicSpline, SplineError};
 /// ```
 /// use kin_runtime::ScalarFunction;
 ///
-/// /// A spring's force over its length would be as good an example: anything with two derivatives.
+/// /// A bump of the given width.
 /// struct Gauss { width: f64 }
 ///
 /// impl ScalarFunction for Gauss {

@@ -40,7 +40,7 @@ use segment::Segment;
 /// The position is continuous; whether velocity and acceleration are depends on the laws that meet, see
 /// [`junctions`](Self::junctions). Where they jump, so does q̇ or q̈ of what is driven; at the junction itself the segment
 /// that begins there counts. A periodic sequence repeats forever in both directions; any other one continues straight
-/// before its start and after its end, with the velocity that it has there, which is rest beside a dwell.
+/// before its start and after its end, with the velocity that it has there, which is rest beside a dwell. What is not a number has no value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sequence {
     segments: Vec<Segment>,
@@ -90,6 +90,10 @@ impl ScalarFunction for Sequence {
             return straight(self.segments[self.segments.len() - 1].at_end(), end);
         }
         let x = if self.periodic { super::wrapped(x, start, end) } else { x };
+        if x.is_nan() {
+            // A dwell would not notice.
+            return [f64::NAN; 3];
+        }
         let place = self.segments[1..].partition_point(|segment| segment.start <= x);
         self.segments[place].evaluate(x)
     }

@@ -61,6 +61,14 @@ fn what_runs_once_continues_straight() {
 }
 
 #[test]
+fn not_a_number_has_no_value() {
+    let once = Sequence::starting_at(0.0, 1.0).dwell(1.0).build().unwrap();
+    assert!(once.evaluate(f64::NAN).iter().all(|s| s.is_nan()));
+    let again = Sequence::starting_at(0.0, 1.0).dwell(1.0).periodic().unwrap();
+    assert!([f64::NAN, f64::INFINITY].into_iter().all(|x| again.evaluate(x)[0].is_nan()));
+}
+
+#[test]
 fn unsound_sequences_are_refused() {
     use SequenceError::*;
     let start = || Sequence::starting_at(0.0, 0.0);
