@@ -22,6 +22,7 @@ pub mod mechanism;
 pub mod program;
 pub mod structure;
 pub mod system;
+pub mod units;
 
 pub use constraint::{ConstraintSet, assemble};
 pub use error::{ModelError, Origin};

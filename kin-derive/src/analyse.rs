@@ -5,6 +5,7 @@ use crate::lower::{Lowered, Outcome, lower};
 use crate::parse::parse;
 use crate::report::Report;
 use kin_core::mechanism::check::{check, check_parts};
+use kin_core::units;
 use proc_macro2::{Span, TokenStream};
 use syn::ItemStruct;
 
@@ -49,6 +50,24 @@ pub(crate) fn analyse(args: TokenStream, item: TokenStream) -> (Option<ItemStruc
 fn check_model(lowered: &Lowered, report: &Report) {
     let rules = if report.count() == 0 { check } else { check_parts };
     for error in rules(&lowered.mechanism) {
+        let span = lowered.spans.get(error.origin.0 as usize).copied().unwrap_or_else(Span::call_site);
+        report.error(span, error.message);
+    }
+    if lowered.flags.check_units && report.count() == 0 {
+        check_units(lowered, report);
+    }
+}
+
+/// The units of a mechanism that is right in every other respect.
+fn check_units(lowered: &Lowered, report: &Report) {
+    for unit in lowered.fields.iter().filter_map(|field| field.unit.as_ref()) {
+        if let Err(units::UnknownUnit(part)) = units::parse(&unit.value()) {
+            let message =
+                format!("no unit `{part}` is known; units are written as in `m`, `mm`, `rad/s`, `m/s^2` or `N*m`");
+            report.error(unit.span(), message);
+        }
+    }
+    for error in units::check(&lowered.mechanism) {
         let span = lowered.spans.get(error.origin.0 as usize).copied().unwrap_or_else(Span::call_site);
         report.error(span, error.message);
     }

@@ -6,7 +6,7 @@
 use kin_core::mechanism::{Function, Relation};
 use proc_macro2::Span;
 use syn::ext::IdentExt;
-use syn::{Ident, Type};
+use syn::{Ident, LitStr, Type};
 
 /// Everything that the attributes and fields of one mechanism say.
 pub(crate) struct Description {
@@ -358,6 +358,6 @@ pub(crate) struct FieldDecl {
     pub(crate) scalar: Option<Ident>,
     /// Default of every element.
     pub(crate) default: Option<Vec<f64>>,
-    pub(crate) unit: Option<String>,
+    pub(crate) unit: Option<LitStr>,
     pub(crate) doc: String,
 }

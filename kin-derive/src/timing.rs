@@ -12,10 +12,10 @@ use std::time::{Duration, Instant};
 use syn::visit::Visit;
 
 /// A mechanism as it stands in a source file.
-struct Found {
-    name: String,
-    args: TokenStream,
-    item: TokenStream,
+pub(crate) struct Found {
+    pub(crate) name: String,
+    pub(crate) args: TokenStream,
+    pub(crate) item: TokenStream,
 }
 
 /// Everything under a `#[mechanism]`, wherever it stands.
@@ -48,7 +48,7 @@ fn files(directory: &Path) -> Vec<PathBuf> {
     paths.into_iter().flat_map(of).collect()
 }
 
-fn corpus() -> Vec<Found> {
+pub(crate) fn corpus() -> Vec<Found> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut finder = Finder::default();
     for directory in ["examples", "tests/mechanisms", "tests/tests"] {

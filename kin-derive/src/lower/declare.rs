@@ -139,7 +139,7 @@ impl Lowerer<'_> {
             mechanism.parameters.push(Parameter {
                 name,
                 len: field.len,
-                unit: field.unit.clone(),
+                unit: field.unit.as_ref().map(syn::LitStr::value),
                 default: field.default.clone(),
                 doc: field.doc.clone(),
                 origin,

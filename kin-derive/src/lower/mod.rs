@@ -18,7 +18,7 @@ use kin_core::mechanism::{Define, Mechanism, NamedPoint};
 use names::Names;
 use proc_macro2::Span;
 use std::collections::BTreeSet;
-use syn::{Ident, ItemStruct, Type};
+use syn::{Ident, ItemStruct, LitStr, Type};
 
 /// Everything that expansion needs to know of a description.
 pub(crate) struct Lowered {
@@ -70,6 +70,8 @@ pub(crate) struct Field {
     pub(crate) len: Option<usize>,
     /// The type parameter of the struct that its numbers are of.
     pub(crate) scalar: Option<Ident>,
+    /// Its unit, as written.
+    pub(crate) unit: Option<LitStr>,
     pub(crate) role: FieldRole,
 }
 
@@ -154,7 +156,7 @@ fn fields(description: &Description, mechanism: &Mechanism) -> Vec<Field> {
         let role = function.map_or_else(|| FieldRole::Parameter(parameters), FieldRole::Function);
         parameters += usize::from(function.is_none());
         let (ident, ty, scalar) = (field.ident.clone(), field.ty.clone(), field.scalar.clone());
-        Field { ident, ty, len: field.len, scalar, role }
+        Field { ident, ty, len: field.len, scalar, unit: field.unit.clone(), role }
     });
     read.collect()
 }

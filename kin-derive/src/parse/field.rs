@@ -29,7 +29,7 @@ enum Default {
 #[derive(Default)]
 struct Param {
     default: Option<Default>,
-    unit: Option<String>,
+    unit: Option<LitStr>,
 }
 
 /// Takes our attributes off a field and reads it; the flag is set when an attribute that declares names is lost.
@@ -151,7 +151,7 @@ fn part(input: ParseStream, first: bool, param: &mut Param) -> Result<()> {
         let unit: LitStr = input
             .parse()
             .map_err(|error: Error| Error::new(error.span(), "a unit is written in quotes: `unit = \"m\"`"))?;
-        param.unit = Some(unit.value());
+        param.unit = Some(unit);
         return end_of_part(input);
     }
     if !first {

@@ -4,6 +4,7 @@ mod families;
 mod form;
 mod names;
 mod rules;
+mod units;
 mod valid;
 
 use super::{Broken, analyse};

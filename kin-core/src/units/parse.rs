@@ -1,0 +1,167 @@
+//! Units as they are written: `m`, `rad/s`, `mm`, `m/s^2`, `m·s⁻¹`, `kg*m/s²`, `deg`, `rpm`.
+
+use super::Unit;
+use core::f64::consts::PI;
+
+/// The first part of a unit that is none.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownUnit(pub String);
+
+const LENGTH: Unit = Unit::base(0, 1.0);
+const TIME: Unit = Unit::base(1, 1.0);
+
+/// Symbols that take no prefix.
+fn whole(symbol: &str) -> Option<Unit> {
+    let scaled = |unit: Unit, scale: f64| Unit { scale: Some(scale), ..unit };
+    Some(match symbol {
+        "1" | "rad" => Unit::NUMBER,
+        "deg" | "°" => scaled(Unit::NUMBER, PI / 180.0),
+        "rev" => scaled(Unit::NUMBER, 2.0 * PI),
+        "rpm" => Unit { powers: [0.0, -1.0, 0.0], scale: Some(2.0 * PI / 60.0) },
+        "in" => scaled(LENGTH, 0.0254),
+        "ft" => scaled(LENGTH, 0.3048),
+        "min" => scaled(TIME, 60.0),
+        "h" => scaled(TIME, 3600.0),
+        _ => return None,
+    })
+}
+
+/// Symbols that take a prefix.
+fn prefixed(symbol: &str) -> Option<Unit> {
+    let si = |powers: [f64; 3]| Unit { powers, scale: Some(1.0) };
+    Some(match symbol {
+        "m" => LENGTH,
+        "s" => TIME,
+        "g" => Unit::base(2, 1e-3),
+        "rad" => Unit::NUMBER,
+        "Hz" => si([0.0, -1.0, 0.0]),
+        "N" => si([1.0, -2.0, 1.0]),
+        "Pa" => si([-1.0, -2.0, 1.0]),
+        "J" => si([2.0, -2.0, 1.0]),
+        "W" => si([2.0, -3.0, 1.0]),
+        _ => return None,
+    })
+}
+
+const PREFIXES: [(char, f64); 10] = [
+    ('G', 1e9),
+    ('M', 1e6),
+    ('k', 1e3),
+    ('d', 1e-1),
+    ('c', 1e-2),
+    ('m', 1e-3),
+    ('u', 1e-6),
+    ('µ', 1e-6),
+    ('μ', 1e-6),
+    ('n', 1e-9),
+];
+
+fn symbol(text: &str) -> Option<Unit> {
+    if let Some(unit) = whole(text).or_else(|| prefixed(text)) {
+        return Some(unit);
+    }
+    let mut rest = text.chars();
+    let first = rest.next()?;
+    let (_, factor) = PREFIXES.iter().find(|(prefix, _)| *prefix == first)?;
+    let unit = prefixed(rest.as_str())?;
+    Some(Unit { scale: unit.scale.map(|scale| scale * factor), ..unit })
+}
+
+/// The symbol of a length, a time or one of their common quotients.
+pub(super) fn symbol_of(unit: Unit) -> Option<&'static str> {
+    const COMMON: [&str; 20] = [
+        "m", "mm", "cm", "km", "in", "ft", "um", "s", "ms", "min", "h", "rad/s", "rpm", "m/s", "mm/s", "rad/s^2",
+        "m/s^2", "kg", "deg", "rev",
+    ];
+    COMMON.into_iter().find(|symbol| unit.scale.is_some() && parse(symbol).is_ok_and(|known| known.agrees(unit)))
+}
+
+/// Reads a unit: factors joined by `*`, `·`, `.` or a space, divided by what follows a `/`; powers as `^2` or `²`.
+///
+/// # Errors
+/// The part that is no unit.
+pub fn parse(text: &str) -> Result<Unit, UnknownUnit> {
+    let is_joint = |c: char| matches!(c, '*' | '·' | '⋅' | '.' | ' ');
+    let mut unit = Unit::NUMBER;
+    for (k, quotient) in text.trim().split('/').enumerate() {
+        // `m/s·kg` divides by s alone.
+        for (n, factor) in quotient.trim().split(is_joint).enumerate() {
+            let (name, power) = powered(factor)?;
+            let known = symbol(name).ok_or_else(|| UnknownUnit(factor.to_owned()))?;
+            unit = unit.times(known.power(if k > 0 && n == 0 { -power } else { power }));
+        }
+    }
+    Ok(unit)
+}
+
+/// A symbol and its power.
+fn powered(factor: &str) -> Result<(&str, f64), UnknownUnit> {
+    let unknown = || UnknownUnit(factor.to_owned());
+    let digit = |c: char| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|d| d == c);
+    let (name, digits) = match factor.split_once('^') {
+        Some((name, digits)) => (name, digits.to_owned()),
+        None => {
+            let end = factor.find(|c| c == '⁻' || digit(c).is_some()).unwrap_or(factor.len());
+            let plain = |c: char| if c == '⁻' { Some('-') } else { char::from_digit(digit(c)? as u32, 10) };
+            let digits = factor[end..].chars().map(plain).collect::<Option<String>>().ok_or_else(unknown)?;
+            (&factor[..end], digits)
+        }
+    };
+    if digits.is_empty() && name.len() == factor.len() {
+        return Ok((name, 1.0));
+    }
+    let power: i8 = digits.parse().map_err(|_| unknown())?;
+    Ok((name, f64::from(power)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_read() {
+        for (text, powers, scale) in [
+            ("m", [1.0, 0.0, 0.0], 1.0),
+            ("mm", [1.0, 0.0, 0.0], 1e-3),
+            ("µm", [1.0, 0.0, 0.0], 1e-6),
+            ("rad/s", [0.0, -1.0, 0.0], 1.0),
+            ("m/s^2", [1.0, -2.0, 0.0], 1.0),
+            ("m/s/s", [1.0, -2.0, 0.0], 1.0),
+            ("m·s⁻¹", [1.0, -1.0, 0.0], 1.0),
+            ("kg*m/s²", [1.0, -2.0, 1.0], 1.0),
+            ("N m", [2.0, -2.0, 1.0], 1.0),
+            ("1/s", [0.0, -1.0, 0.0], 1.0),
+            ("deg", [0.0; 3], PI / 180.0),
+            ("rpm", [0.0, -1.0, 0.0], PI / 30.0),
+            ("1/min", [0.0, -1.0, 0.0], 1.0 / 60.0),
+            ("kN/mm", [0.0, -2.0, 1.0], 1e6),
+        ] {
+            let unit = parse(text).unwrap();
+            assert!(unit.agrees(Unit { powers, scale: Some(scale) }), "{text}: {unit:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_unit_is_named() {
+        let cases = [
+            ("metre", "metre"),
+            ("m/sec", "sec"),
+            ("m^x", "m^x"),
+            ("m^", "m^"),
+            ("", ""),
+            ("m//s", ""),
+            ("kin", "kin"),
+        ];
+        for (text, part) in cases {
+            assert_eq!(Err(UnknownUnit(part.to_owned())), parse(text), "{text}");
+        }
+        assert!(parse("m^99999").is_err());
+    }
+
+    #[test]
+    fn units_are_shown() {
+        for text in ["m", "mm", "rad/s", "rpm", "m/s", "m^2", "m^2/s", "1/s^3"] {
+            assert_eq!(text, parse(text).unwrap().to_string());
+        }
+    }
+}

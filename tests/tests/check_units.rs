@@ -1,0 +1,88 @@
+//! Units that agree, however they are written: each mechanism here compiles with `check_units`.
+#![deny(missing_docs, warnings)]
+
+use kin_runtime::{Kinematics, Signal, mechanism};
+use kin_tests::works;
+
+/// The lecture's four-bar, with numbers among the lengths.
+#[mechanism(check_units)]
+#[bodies(crank, coupler, rocker)]
+#[revolute(C: ground @ (0, 0), crank @ (-l1/2, 0))]
+#[revolute(A: crank @ (l1/2, 0), coupler @ (-l2/2, 0))]
+#[revolute(B: coupler @ (l2/2, 0), rocker @ (-l3/2, 0))]
+#[revolute(D: rocker @ (l3/2, 0), ground @ (0.4, 2*d2))]
+#[driver(drive: crank.phi = pi/4 + omega * t + alpha*t*t/2)]
+#[point(tip = coupler @ (0, 0.1))]
+#[define(reach = sqrt(pow(tip.x, 2) + tip.y*tip.y) - l1)]
+#[define(slope = atan2(tip.y, tip.x - 0.1) + acos(tip.x/l2/4))]
+#[guess(coupler.phi = 0.9, rocker.phi = 5.0, rocker.x = l2)]
+struct FourBar {
+    #[param(0.1, unit = "m")]
+    l1: f64,
+    #[param(0.4, unit = "m")]
+    l2: f64,
+    #[param(0.3, unit = "m")]
+    l3: f64,
+    #[param(0.05, unit = "m")]
+    d2: f64,
+    #[param(1.5, unit = "rad/s")]
+    omega: f64,
+    #[param(0.5, unit = "s⁻²")]
+    alpha: f64,
+}
+
+/// Millimetres, speeds in revolutions per minute, degrees and teeth; numbers that stand for quantities.
+#[mechanism(check_units)]
+#[bodies(motor, wheel, rack)]
+#[revolute(O: ground @ (0, 0), motor @ (0, 0))]
+#[revolute(W: ground @ (centre, 0), wheel @ (0, 0))]
+#[gear(mesh: motor, wheel, radii = (z1, z2), offset = 0.5*z1)]
+#[translational(guide: ground @ (0, 0), rack @ (0, 0), axis = (cos(tilt*pi/180), sin(tilt*pi/180)))]
+#[rack_pinion(feed: ground @ (0, 0), rack @ (0, 0), axis = (cos(tilt*pi/180), sin(tilt*pi/180)), pinion = wheel, radius = r)]
+#[driver(drive: motor.phi = n*2*pi/60*t + 0.1*sin(3*t) + phase)]
+#[unilateral(stop: rack.x < 0.2*1000 + travel*1000)]
+struct Machine {
+    #[param(120, unit = "mm")]
+    centre: f64,
+    #[param(20)]
+    z1: f64,
+    #[param(40)]
+    z2: f64,
+    #[param(30, unit = "mm")]
+    r: f64,
+    #[param(15, unit = "deg")]
+    tilt: f64,
+    #[param(60, unit = "rpm")]
+    n: f64,
+    #[param(0.1, unit = "rad")]
+    phase: f64,
+    #[param(0.5, unit = "m")]
+    travel: f64,
+}
+
+/// Velocities, inputs and coordinates without a unit of their own.
+#[mechanism(check_units)]
+#[bodies(skate)]
+#[coordinates(u)]
+#[input(feed)]
+#[knife_edge(blade: skate @ (0, 0), angle = 0)]
+#[speed(run: skate @ (0, 0), angle = 0, value = v + a*t)]
+#[nonholonomic(turn: dot(skate.phi) = v/r)]
+#[constraint(any: u = feed + v*t)]
+struct Skate {
+    #[param(1, unit = "m/s")]
+    v: f64,
+    #[param(0.1, unit = "m*s^-2")]
+    a: f64,
+    #[param(2, unit = "m")]
+    r: f64,
+}
+
+#[test]
+fn units_that_agree_are_no_errors() {
+    works(&FourBar::default());
+    works(&Machine::default());
+    let signal = [Signal { value: 1.0, rate: 0.0, acceleration: 0.0 }];
+    let state = Skate::default().state_at(&kin_runtime::Instant { t: 0.0, inputs: &signal }).unwrap();
+    assert!((state.q[3] - 1.0).abs() < 1e-12);
+}
