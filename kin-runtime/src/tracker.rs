@@ -29,7 +29,8 @@ use crate::workspace::Instant;
 /// - in a straight line with t standing still, where only the inputs have changed.
 ///
 /// The answer is at the new values on the branch, with q̇ and q̈ for the new rates and accelerations, whichever way was
-/// taken. Where several branches could be reached, around a singular configuration, the way decides.
+/// taken. Where several branches could be reached, around a singular configuration, the way decides; so it does where rows
+/// of velocity level make the position depend on the way.
 ///
 /// After an error, [`state`](Self::state) is still the last good instant, and the next update goes on from there. How
 /// long a refused update takes is bounded by [`Options::min_step`](crate::Options::min_step) and
