@@ -55,6 +55,7 @@ struct Form;
 #[unilateral(f: slidr.x < ll)]
 #[unilateral(g: slider < P)]
 #[unilateral(h: slider.x / 0 < 1)]
+#[unilateral(rate: dot(slider.x) < 1)]
 #[unilateral(good: slider.x < size)]
 #[unilateral(timed: l > t)]
 struct Meaning {

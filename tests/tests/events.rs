@@ -1,7 +1,7 @@
 //! Unilateral conditions: limits are met where closed forms say, in either direction of time, and nothing else changes.
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI, TAU};
-use kin_runtime::{Crossing, Event, Instant, Kinematics, Mechanism, SolveError, Trajectory, mechanism};
+use kin_runtime::{Crossing, Event, Instant, Kinematics, Mechanism, Signal, SolveError, Trajectory, mechanism};
 use kin_tests::mechanisms::StrokeLimits;
 use kin_tests::random::Random;
 
@@ -374,5 +374,30 @@ fn no_crossing_of_two_waves_is_missed() {
                 assert!(g(found.0).abs() < 1e-10);
             }
         }
+    }
+}
+
+/// A cylinder measured at run time, with limits on what is measured and on where it leads.
+#[mechanism]
+#[input(length)]
+#[body(boom, x = 0, y = 0)]
+#[distance(cylinder: ground @ (0, -1), boom @ (1, 0), length = length)]
+#[unilateral(stroke: length < 1.5)]
+#[unilateral(up: boom.phi < 0.2)]
+#[guess(boom.phi = 0)]
+struct Lifted;
+
+#[test]
+fn inputs_have_limits_too() {
+    let length = |t: f64, u: &mut [Signal]| {
+        u[0] = Signal { value: 1.4 + 0.2 * t.sin(), rate: 0.2 * t.cos(), acceleration: -0.2 * t.sin() };
+    };
+    let trajectory = Lifted.solver().with_inputs(&length).sweep(&[0.0, PI]).unwrap();
+    agree(&events_of(&trajectory, "stroke"), &[(FRAC_PI_6, Violated), (PI - FRAC_PI_6, Restored)]);
+    // |(cos φ, sin φ + 1)|² = 2 + 2 sin φ = length².
+    let at = (((2.0 + 2.0 * 0.2_f64.sin()).sqrt() - 1.4) / 0.2).asin();
+    agree(&events_of(&trajectory, "up"), &[(at, Violated), (PI - at, Restored)]);
+    for event in &trajectory.events {
+        assert!((event.state.inputs[0].value - (1.4 + 0.2 * event.t.sin())).abs() < 1e-14);
     }
 }

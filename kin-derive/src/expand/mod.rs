@@ -89,6 +89,8 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure)
         type __Inputs<__T> = [__kin::Signal<__T>; #u];
         type __Coordinates<__T> = [__T; #n];
 
+        // Numbers of the user's that look like a rounded π are the user's business.
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         static __MODEL: __kin::Model = #tables;
 
         #(#kernels)*
