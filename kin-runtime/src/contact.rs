@@ -66,7 +66,7 @@ fn place(equations: &mut Equations<'_>, joint: &JointInfo, role: Role, q: &[f64]
 pub(crate) fn at_a_standstill(equations: &Equations<'_>, q: &[f64]) -> Option<SolveError> {
     let joints = equations.model.joints.iter().enumerate();
     let is_roller = |joint: &JointInfo| {
-        joint.kind == JointKind::OnParametricCurve && joint.geometry.iter().any(|g| g.role == Role::Value)
+        joint.kind == JointKind::OnParametricCurve && joint.geometry.iter().any(|g| g.role == Role::Radius)
     };
     joints.filter(|(_, joint)| is_roller(joint)).find_map(|(place, joint)| {
         let (column, _, speed) = speed(equations, place, q)?;

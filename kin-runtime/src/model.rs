@@ -206,7 +206,8 @@ pub enum Role {
     /// Length, angle, offset or right-hand side, one number; may depend on t and inputs. The frame of a gear's or a
     /// belt's is that of its carrier.
     Value,
-    /// Radius of a disc or gear of that frame's body, one number; negative where the other runs inside.
+    /// Radius of a disc or gear of that frame's body, one number; negative where the other runs inside. A roller's is that
+    /// to the left of the curve that it runs on.
     Radius,
 }
 

@@ -12,6 +12,8 @@ use crate::workspace::{Instant, Subset};
 
 /// Configurations over which the typical size of an entry is taken.
 const SAMPLES: usize = 9;
+/// Arguments at which the size of a curve is looked at.
+const CURVE_SAMPLES: [f64; 3] = [0.3, 2.4, 4.5];
 /// Sweeps of row and column equilibration.
 const SWEEPS: usize = 6;
 
@@ -165,6 +167,10 @@ fn typical_length(equations: &Equations<'_>) -> f64 {
             Role::Radius => lengths[2].push(part(0).abs()),
             _ => {}
         }
+    }
+    for joint in 0..equations.model.joints.len() {
+        let points = CURVE_SAMPLES.iter().filter_map(|&s| equations.system.curve(&at, joint, s));
+        lengths[2].extend(points.map(|point| point.r[0].hypot(point.r[1])));
     }
     let found = lengths.map(|mut lengths| median_of_nonzero(&mut lengths));
     found.into_iter().find(|&l| l > 0.0 && l.is_finite()).unwrap_or(1.0)

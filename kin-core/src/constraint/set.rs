@@ -92,7 +92,7 @@ pub enum Role {
     Axis,
     /// Length, angle, offset or right-hand side; of gears and belts in the frame of the carrier.
     Value,
-    /// Radius of a disc or gear about its axle.
+    /// Radius of a disc or gear about its axle, or of a roller in the frame of its curve.
     Radius,
 }
 

@@ -42,7 +42,7 @@ pub(super) fn rows(
     let c = match (roller, u) {
         (Some(radius), Some(u)) => {
             let radius = a.formula(radius);
-            rows.geometry.push((Role::Value, p.frame, vec![radius]));
+            rows.geometry.push((Role::Radius, p.frame, vec![radius]));
             parallel(a, c, u, radius)
         }
         _ => c,
