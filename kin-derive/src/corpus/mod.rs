@@ -5,6 +5,7 @@ mod assembled;
 mod chains;
 mod existing;
 mod faults;
+mod gears;
 mod linkages;
 mod relations;
 mod sliders;
@@ -158,7 +159,9 @@ fn renamed(tokens: TokenStream, names: &BTreeSet<String>) -> TokenStream {
 }
 
 fn all() -> impl Iterator<Item = &'static Case> {
-    [linkages::CASES, sliders::CASES, relations::CASES, faults::CASES, chains::CASES].into_iter().flatten()
+    [linkages::CASES, sliders::CASES, relations::CASES, faults::CASES, chains::CASES, gears::CASES]
+        .into_iter()
+        .flatten()
 }
 
 #[test]
