@@ -132,13 +132,13 @@ pub(crate) fn input_ratios_are_derivatives<M: Kinematics + Default>(from: f64, t
                 })
                 .collect();
             differences.at(format_args!("t = {}, input {}", state.t, ratio.name));
-            for place in 0..M::COORDINATES {
+            for (place, (first_ratio, second_ratio)) in ratio.first.iter().zip(&ratio.second).enumerate() {
                 let [a, b, c, d, e, f, g] = std::array::from_fn(|sample| samples[sample][place]);
                 let first = (45.0 * (e - c) - 9.0 * (f - b) + (g - a)) / (60.0 * h);
                 let second = (270.0 * (e + c) - 27.0 * (f + b) + 2.0 * (g + a) - 490.0 * d) / (180.0 * h * h);
                 let sizes = [largest(&ratio.first).max(1.0), largest(&ratio.second).max(1.0)];
-                differences.number(format_args!("∂{}", name(place)), first, ratio.first[place], 1e-9 * sizes[0]);
-                differences.number(format_args!("∂²{}", name(place)), second, ratio.second[place], 1e-6 * sizes[1]);
+                differences.number(format_args!("∂{}", name(place)), first, *first_ratio, 1e-9 * sizes[0]);
+                differences.number(format_args!("∂²{}", name(place)), second, *second_ratio, 1e-6 * sizes[1]);
             }
         }
         let still: Vec<Signal> = state.inputs.iter().map(|u| Signal::constant(u.value)).collect();
