@@ -264,3 +264,49 @@ fn generic_callers() {
     let (wide, narrow) = (residual(&FourBar::<f64>::default()), residual(&FourBar::<f32>::default()));
     assert!((wide - f64::from(narrow)).abs() < 1e-5 && wide > 1e-3, "{wide} {narrow}");
 }
+
+/// A supplied function beside numbers of a type parameter, with and without a bound on the struct.
+mod functions {
+    use super::works;
+    use kin_runtime::{GenericMechanism, Instant, ScalarFunction, Subset, mechanism};
+
+    /// f(x) = x².
+    #[derive(Clone, Copy)]
+    struct Square;
+
+    impl ScalarFunction for Square {
+        fn evaluate(&self, x: f64) -> [f64; 3] {
+            [x * x, 2.0 * x, 2.0]
+        }
+    }
+
+    #[mechanism]
+    #[coordinates(u)]
+    #[function(law)]
+    #[driver(drive: u = l * law(t))]
+    #[derive(Clone)]
+    struct Cam<T, F> {
+        l: T,
+        law: F,
+    }
+
+    #[mechanism]
+    #[coordinates(u)]
+    #[function(law)]
+    #[driver(drive: u = law(t + l[0]) - l[1])]
+    struct Bounded<F: ScalarFunction + Clone, T, const N: usize> {
+        l: [T; 2],
+        law: F,
+    }
+
+    #[test]
+    fn beside_generic_numbers() {
+        works(&Cam { l: 0.5, law: Square });
+        works(&Cam { l: 0.5_f32, law: Square });
+        works(&Bounded::<_, _, 3> { l: [0.5, 1.0], law: Square });
+        let cam = Cam { l: 0.5_f32, law: Square }.clone();
+        let mut workspace = Cam::<f32, Square>::own_workspace();
+        cam.evaluate_own(Subset::ALL, &Instant::at(3.0), &[1.0], &[0.0], &mut workspace).unwrap();
+        assert_eq!(([-3.5_f32], [1.0_f32]), ([workspace.phi()[0]], [workspace.gamma()[0]]));
+    }
+}
