@@ -24,8 +24,6 @@ mod report;
 mod suggest;
 #[cfg(test)]
 mod tests;
-#[cfg(test)]
-mod timing;
 
 use derive::derive;
 use proc_macro::TokenStream;

@@ -4,8 +4,8 @@
 //! formula counts, and a rigid part can hide behind a loop that moves freely. The rank of Φ_q at an assembled pose of
 //! a mechanism *of this structure* says it all. It is found exactly, by elimination modulo a large prime at a random
 //! pose of the most general mechanism that has the same
-//! - directions, ratios and angle relations, as far as they are literal or shared ([`turn`], [`residue`]);
-//! - joints between the same points, where every distinct point of a body is an independent position ([`place`]).
+//! - directions, ratios and angle relations, as far as they are literal or shared (`turn`, `residue`);
+//! - joints between the same points, where every distinct point of a body is an independent position (`place`).
 //!
 //! **What is proved.** Rotations and places are drawn from a family of poses that is irreducible (angles are tied by
 //! ±1, places by linear equations with constant coefficients) and that contains every assembled pose of every mechanism

@@ -77,4 +77,14 @@ pub(super) const CASES: &[Case] = &[
         counts: [3, 3, 3, 2],
         fault: "",
     },
+    Case {
+        name: "chain of thirty links with a pin said twice at its end",
+        parameters: "l",
+        attributes: "bodies(link[30]); revolute(root: ground @ (0, 0), link[0] @ (0, 0))
+            revolute(pin[i in 0..29]: link[i] @ (l, 0), link[i + 1] @ (0, 0))
+            revolute(again: link[28] @ (l, 0), link[29] @ (0, 0))
+            driver(turn[i in 0..30]: link[i].phi = t)",
+        counts: [90, 92, 90, 30],
+        fault: "again",
+    },
 ];

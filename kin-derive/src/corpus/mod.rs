@@ -8,6 +8,7 @@ mod faults;
 mod gears;
 mod linkages;
 mod relations;
+pub(crate) mod repository;
 mod sliders;
 mod timing;
 

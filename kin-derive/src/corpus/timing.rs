@@ -1,6 +1,7 @@
 //! How long the macro takes: `cargo test -p kin-derive --lib corpus::timing -- --ignored --nocapture`, once as it is
 //! (as a user gets it: macros are built unoptimised) and once with `--release`.
 
+use super::repository::{Found, mechanisms};
 use super::{Case, all};
 use proc_macro2::TokenStream;
 use std::time::{Duration, Instant};
@@ -23,23 +24,24 @@ fn whole(case: &Case) -> Duration {
 #[test]
 #[ignore = "a measurement, not a test"]
 fn times() {
-    let mut worst = (Duration::ZERO, "");
+    let mut rows: Vec<(Duration, usize, String)> = Vec::new();
     for case in all() {
-        let found = super::diagnosed(case.source(&case.attributes()));
-        let structure = shortest(3, || drop(kin_core::diagnose(&found.system)));
-        let whole = whole(case);
-        worst = worst.max((whole, case.name));
-        println!("{:8.2} ms, structure {:7.2} ms: {}", ms(whole), ms(structure), case.name);
+        rows.push((whole(case), case.counts[0], case.name.to_owned()));
     }
-    println!("slowest of {}: {} ({:.1} ms)", all().count(), worst.1, ms(worst.0));
-    for links in [100, 300] {
-        let source = format!(
-            "#[bodies(link[{links}])] #[revolute(root: ground @ (0, 0), link[0] @ (0, 0))] \
-             #[revolute(pin[i in 0..{last}]: link[i] @ (l, 0), link[i + 1] @ (0, 0))] \
-             #[driver(turn[i in 0..{links}]: link[i].phi = t)] struct Chain {{ l: f64 }}",
-            last = links - 1
-        );
-        let tokens: TokenStream = source.parse().unwrap();
+    for Found { name, args, item } in mechanisms() {
+        let (_, Ok(lowered)) = crate::analyse::analyse(args.clone(), item.clone()) else { continue };
+        let coordinates = kin_core::assemble(&lowered.mechanism).map_or(0, |set| set.coordinates.len());
+        let time = shortest(3, || drop(crate::derive(args.clone(), item.clone())));
+        rows.push((time, coordinates, name));
+    }
+    rows.sort();
+    for (time, coordinates, name) in &rows {
+        println!("{:8.2} ms, {coordinates:4} coordinates: {name}", ms(*time));
+    }
+    let of_ten_bodies = rows.iter().filter(|row| row.1 <= 30).map(|row| row.0).max().unwrap_or_default();
+    println!("{} mechanisms; slowest with at most 30 coordinates {:.1} ms", rows.len(), ms(of_ten_bodies));
+    for links in [10, 100, 300] {
+        let tokens = chain(links);
         let found = super::diagnosed(tokens.clone());
         let structure = shortest(1, || drop(kin_core::diagnose(&found.system)));
         let whole = shortest(1, || drop(crate::derive(TokenStream::new(), tokens.clone())));
@@ -47,19 +49,16 @@ fn times() {
     }
 }
 
-fn ms(duration: Duration) -> f64 {
-    1e3 * duration.as_secs_f64()
+fn chain(links: usize) -> TokenStream {
+    let source = format!(
+        "#[bodies(link[{links}])] #[revolute(root: ground @ (0, 0), link[0] @ (0, 0))] \
+         #[revolute(pin[i in 0..{last}]: link[i] @ (l, 0), link[i + 1] @ (0, 0))] \
+         #[driver(turn[i in 0..{links}]: link[i].phi = t)] struct Chain {{ l: f64 }}",
+        last = links - 1
+    );
+    source.parse().unwrap()
 }
 
-/// A guard against blowing up, far above what is measured.
-#[test]
-fn a_long_chain_is_analysed_quickly() {
-    let source = "#[bodies(link[100])] #[revolute(root: ground @ (0, 0), link[0] @ (0, 0))] \
-                  #[revolute(pin[i in 0..99]: link[i] @ (l, 0), link[i + 1] @ (0, 0))] \
-                  #[revolute(again: link[98] @ (l, 0), link[99] @ (0, 0))] \
-                  #[driver(turn[i in 0..100]: link[i].phi = t)] struct Chain { l: f64 }";
-    let found = super::diagnosed(source.parse().unwrap());
-    assert_eq!(found.counts(), [300, 302, 300, 100]);
-    let structure = shortest(1, || drop(kin_core::diagnose(&found.system)));
-    assert!(structure < Duration::from_secs(5), "{structure:?}");
+fn ms(duration: Duration) -> f64 {
+    1e3 * duration.as_secs_f64()
 }

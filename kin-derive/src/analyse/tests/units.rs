@@ -10,7 +10,7 @@ const KNOWN: [&str; 3] = ["CamsOnCarriage", "WeldedPendulums", "Order"];
 #[test]
 fn units_of_the_repository_agree() {
     let (mut with_units, mut wrong) = (0, Vec::new());
-    for found in crate::timing::corpus() {
+    for found in crate::corpus::repository::mechanisms() {
         let (_, result) = analyse(found.args, found.item);
         let Ok(lowered) = result else { continue };
         let given: Vec<_> = lowered.mechanism.parameters.iter().filter_map(|p| p.unit.as_deref()).collect();
