@@ -377,7 +377,7 @@ fn no_crossing_of_two_waves_is_missed() {
     }
 }
 
-/// A cylinder measured at run time, with limits on what is measured and on where it leads.
+/// A measured cylinder, with limits on what is measured and on where it leads.
 #[mechanism]
 #[input(length)]
 #[body(boom, x = 0, y = 0)]
@@ -397,7 +397,6 @@ fn inputs_have_limits_too() {
     // |(cos φ, sin φ + 1)|² = 2 + 2 sin φ = length².
     let at = (((2.0 + 2.0 * 0.2_f64.sin()).sqrt() - 1.4) / 0.2).asin();
     agree(&events_of(&trajectory, "up"), &[(at, Violated), (PI - at, Restored)]);
-    for event in &trajectory.events {
-        assert!((event.state.inputs[0].value - (1.4 + 0.2 * event.t.sin())).abs() < 1e-14);
-    }
+    let measured = |event: &Event| event.state.inputs[0].value;
+    assert!(trajectory.events.iter().all(|e| (measured(e) - (1.4 + 0.2 * e.t.sin())).abs() < 1e-14));
 }

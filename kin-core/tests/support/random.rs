@@ -316,7 +316,8 @@ impl Builder {
             2 => JointKind::Translational { p, q, angle: value(), axis: self.axis() },
             3 => JointKind::Fixed { p, q, angle: value() },
             4 => JointKind::PointOnLine { p, q, offset: value(), axis: self.axis() },
-            5 => JointKind::Distance { p, q, length: value(), length_origin: AT },
+            // A length that comes to 0 is an error.
+            5 => JointKind::Distance { p, q, length: positive(value()), length_origin: AT },
             6 => {
                 let value = value();
                 JointKind::Coordinate { p, component: self.random.pick(&[Component::X, Component::Y]), value }
@@ -325,12 +326,13 @@ impl Builder {
             8 => JointKind::RelativeAngle { a: p.body, b: q.body, value: value() },
             9 => {
                 let right = value();
-                let left = match self.random.below(3) {
-                    0 => Formula::Distance(Box::new(p), Box::new(q)),
-                    1 => Formula::Pose(p.body, Component::Phi),
-                    _ => self.formula(Holds::Everything, 2),
-                };
-                JointKind::Driver { left, right }
+                match self.random.below(3) {
+                    0 => {
+                        JointKind::Driver { left: Formula::Distance(Box::new(p), Box::new(q)), right: positive(right) }
+                    }
+                    1 => JointKind::Driver { left: Formula::Pose(p.body, Component::Phi), right },
+                    _ => JointKind::Driver { left: self.formula(Holds::Everything, 2), right },
+                }
             }
             10 => {
                 let radius = self.on_curve(&[Formula::Curve(CurveVariable::Theta)]);
@@ -356,4 +358,9 @@ impl Builder {
             }
         }
     }
+}
+
+/// 0.2 + value², which never comes to 0.
+fn positive(value: Formula) -> Formula {
+    add(Formula::Number(0.2), Formula::Pow(Box::new(value), 2.0))
 }

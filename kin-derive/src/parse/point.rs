@@ -100,11 +100,7 @@ pub(super) fn pair(input: ParseStream, depth: usize, form: &str) -> Result<(Expr
     if content.peek(Token![,]) {
         content.parse::<Token![,]>()?;
     }
-    if content.is_empty() {
-        Ok((x, y, span))
-    } else {
-        Err(here(&content, "a pair has two components: motion is planar"))
-    }
+    if content.is_empty() { Ok((x, y, span)) } else { Err(here(&content, "a pair has two components")) }
 }
 
 /// Skips `x, y` without brackets, so that `y` is not taken for what follows the pair.
