@@ -125,7 +125,7 @@ pub struct JointQuantity {
     /// follower's face as the cam sees it); its rate is the relative angular velocity, the sliding velocity or the rate of
     /// change of the distance.
     pub name: &'static str,
-    /// Its observable in [`Model::observables`].
+    /// Its observable in [`Model::observables`](super::Model::observables).
     pub observable: usize,
 }
 
