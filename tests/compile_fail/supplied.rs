@@ -82,6 +82,29 @@ impl Default for NoFunction {
     }
 }
 
+/// Numbers that are declared as functions: one error for each field, however often it is used.
+#[mechanism]
+#[function(f, g)]
+#[coordinates(u, v)]
+#[constraint(first: v = f(u) + g[0](u) + g[1](v))]
+#[driver(drive: u = f(t) + g[1](t))]
+struct Numbers {
+    f: f64,
+    g: [f64; 2],
+}
+
+/// A parameter that is used in many rows: one error all the same.
+#[mechanism]
+#[coordinates(u, v)]
+#[constraint(first: v = l * u)]
+#[driver(drive: u = l * t)]
+struct Words {
+    #[param(0.1)]
+    l: Length,
+}
+
+pub struct Length(pub f64);
+
 /// A field that is not declared, of a type that only the compiler knows.
 #[mechanism]
 #[coordinates(u)]

@@ -2,36 +2,70 @@
 
 use super::kernel::Supplied;
 use super::list;
-use crate::lower::{FieldRole, Lowered};
+use crate::lower::{Field, FieldRole, Lowered};
 use kin_core::expr::{ExprId, Node};
 use kin_core::system::KinematicSystem;
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 use syn::Type;
 
-/// A supplied function: its type as the user wrote it, where a type that is none is told so, and where it is.
-struct Place<'a> {
-    ty: &'a Type,
-    place: TokenStream,
+/// The fields with supplied functions, in the order of the constraint set.
+fn fields(lowered: &Lowered) -> impl Iterator<Item = &Field> {
+    let field_of = |number: usize| lowered.fields.iter().find(move |field| field.role == FieldRole::Function(number));
+    (0..lowered.mechanism.functions.len()).filter_map(field_of)
 }
 
-/// All supplied functions, element by element, in the order of the constraint set.
-fn places(lowered: &Lowered) -> Vec<Place<'_>> {
-    let field_of = |number: usize| lowered.fields.iter().find(|field| field.role == FieldRole::Function(number));
-    let fields = (0..lowered.mechanism.functions.len()).filter_map(field_of);
-    let elements = fields.flat_map(|field| {
-        let ident = &field.ident;
+/// All supplied functions at an argument `x`, element by element: calls of what [`helpers`] writes.
+fn calls(lowered: &Lowered) -> Vec<TokenStream> {
+    let elements = fields(lowered).enumerate().flat_map(|(number, field)| {
+        let helper = helper(number);
         (0..field.len.unwrap_or(1)).map(move |k| match field.len {
-            None => Place { ty: &field.ty, place: quote! { self.#ident } },
-            Some(_) => Place { ty: element(&field.ty), place: member(ident, k) },
+            None => quote! { __Functions::#helper(self, x) },
+            Some(_) => quote! { __Functions::#helper(self, #k, x) },
         })
     });
     elements.collect()
 }
 
-fn member(ident: &Ident, k: usize) -> TokenStream {
-    let k = Literal::usize_unsuffixed(k);
-    quote! { self.#ident[#k] }
+fn helper(number: usize) -> Ident {
+    format_ident!("function_{number}")
+}
+
+/// One method for every field with functions, in a trait that nobody sees.
+///
+/// Whatever evaluates a function goes through it, so that a type that is no function is used, and told so, once.
+pub(crate) fn helpers(lowered: &Lowered) -> TokenStream {
+    let (mut heads, mut bodies) = (Vec::new(), Vec::new());
+    for (number, field) in fields(lowered).enumerate().filter(|(_, field)| field.len != Some(0)) {
+        let (helper, ident, ty) = (helper(number), &field.ident, function_type(field));
+        let (head, function) = match field.len {
+            None => (quote! { fn #helper(&self, x: f64) -> [f64; 3] }, quote! { &self.#ident }),
+            Some(len) => {
+                let others = (0..len - 1).map(Literal::usize_unsuffixed);
+                let last = Literal::usize_unsuffixed(len - 1);
+                let function = quote! { match k { #(#others => &self.#ident[#others],)* _ => &self.#ident[#last] } };
+                (quote! { fn #helper(&self, k: usize, x: f64) -> [f64; 3] }, function)
+            }
+        };
+        bodies.push(quote! { #[inline] #head { <#ty as __kin::ScalarFunction>::evaluate(#function, x) } });
+        heads.push(head);
+    }
+    if heads.is_empty() {
+        return TokenStream::new();
+    }
+    let name = &lowered.item.ident;
+    let generics = super::generics::of_functions(lowered);
+    let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
+    quote! {
+        trait __Functions {
+            #(#heads;)*
+        }
+
+        #[automatically_derived]
+        impl #impl_generics __Functions for #name #type_generics #where_clause {
+            #(#bodies)*
+        }
+    }
 }
 
 /// The type of the elements of an array.
@@ -47,16 +81,17 @@ fn element(ty: &Type) -> &Type {
 /// The types of all supplied functions.
 pub(crate) fn types(lowered: &Lowered) -> impl Iterator<Item = &Type> {
     let is_function = |role| matches!(role, FieldRole::Function(_));
-    let fields = lowered.fields.iter().filter(move |field| is_function(field.role));
-    fields.map(|field| if field.len.is_some() { element(&field.ty) } else { &field.ty })
+    lowered.fields.iter().filter(move |field| is_function(field.role)).map(function_type)
+}
+
+fn function_type(field: &Field) -> &Type {
+    if field.len.is_some() { element(&field.ty) } else { &field.ty }
 }
 
 /// The supplied functions as closures over `self`.
 pub(crate) fn functions(lowered: &Lowered) -> Vec<Supplied> {
-    let closure = |Place { ty, place }: Place<'_>| Supplied {
-        closure: quote! { |x: f64| <#ty as __kin::ScalarFunction>::evaluate(&#place, x) },
-    };
-    places(lowered).into_iter().map(closure).collect()
+    let closure = |call| Supplied { closure: quote! { |x: f64| #call } };
+    calls(lowered).into_iter().map(closure).collect()
 }
 
 /// Every (function, argument) at which a supplied function is evaluated, once.
@@ -81,13 +116,11 @@ pub(crate) fn arguments(system: &KinematicSystem) -> Vec<(u32, ExprId)> {
 
 /// `fn evaluate_function` and `fn write_arguments`, where there is a supplied function.
 pub(crate) fn access(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
-    let places = places(lowered);
-    if places.is_empty() {
+    let calls = calls(lowered);
+    if calls.is_empty() {
         return TokenStream::new();
     }
-    let arms = places.iter().enumerate().map(|(number, Place { ty, place })| {
-        quote! { #number => __kin::Some(<#ty as __kin::ScalarFunction>::evaluate(&#place, x)), }
-    });
+    let arms = calls.iter().enumerate().map(|(number, call)| quote! { #number => __kin::Some(#call), });
     let arguments = list(lowered, system, arguments(system).into_iter().map(|(_, argument)| argument));
     quote! {
         fn evaluate_function(&self, index: usize, x: f64) -> __kin::Option<[f64; 3]> {

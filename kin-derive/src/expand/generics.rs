@@ -29,6 +29,13 @@ pub(crate) fn bounded(lowered: &Lowered, bound: &str) -> Generics {
     generics
 }
 
+/// The struct's generics, with what supplied functions need and nothing else.
+pub(crate) fn of_functions(lowered: &Lowered) -> Generics {
+    let mut generics = lowered.item.generics.clone();
+    add_functions(lowered, &mut generics);
+    generics
+}
+
 /// Supplied functions may be of any type that is one, also of one that the struct leaves open.
 fn add_functions(lowered: &Lowered, generics: &mut Generics) {
     let types: Vec<Ident> = generics.type_params().map(|parameter| parameter.ident.clone()).collect();

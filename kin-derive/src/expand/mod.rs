@@ -67,7 +67,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure)
     let (entries, seen, seen_entries) = (constraints.entries.len(), set.observables.len(), observables.entries.len());
     let parameters = parameters::read(lowered);
     let set_parameter = parameters::write(lowered);
-    let functions = functions::access(lowered, system);
+    let (helpers, functions) = (functions::helpers(lowered), functions::access(lowered, system));
     let values = values(lowered, system, &constraints);
     let evaluations = Evaluations {
         evaluate: evaluate(lowered, system, &constraints, &all, &values),
@@ -92,6 +92,8 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure)
         // Numbers of the user's that look like a rounded π are the user's business.
         #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         static __MODEL: __kin::Model = #tables;
+
+        #helpers
 
         #(#kernels)*
 
