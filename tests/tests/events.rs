@@ -175,6 +175,50 @@ fn a_limit_that_is_touched_is_no_crossing() {
     assert_eq!(trajectory.violated_at_start, [1]);
 }
 
+/// Conditions that are exact squares, so that their rounding vanishes with them, beside one that is none.
+#[mechanism]
+#[bodies(a)]
+#[revolute(pin: ground @ (0, 0), a @ (0, 0))]
+#[driver(d: a.phi = omega * t)]
+#[unilateral(square: pow(a.phi - at, 2) > -depth)]
+#[unilateral(from_above: -scale * (a.phi - at).powi(2) > 0)]
+#[unilateral(cosine: 1 - cos(a.phi - at) > 0)]
+struct Squares {
+    #[param(1)]
+    omega: f64,
+    #[param(0.5)]
+    at: f64,
+    #[param(0)]
+    depth: f64,
+    #[param(1000)]
+    scale: f64,
+}
+
+#[test]
+fn an_exact_square_is_touched() {
+    for (omega, at) in [(1.0, 0.5), (0.01, 0.005), (300.0, 150.0), (-3.0, -1.5), (1.0, 0.1 + 0.2)] {
+        let mechanism = Squares { omega, at, ..Squares::default() };
+        for times in [vec![0.1, 0.9], vec![0.0, 1.0], vec![0.0, 3.0], grid(-1.0, 1.0, 7), vec![0.0, 0.5, 1.0]] {
+            let back: Vec<f64> = times.iter().rev().copied().collect();
+            for times in [times, back] {
+                let trajectory = sweep(&mechanism, &times);
+                // The cosine comes back after a turn.
+                let names =
+                    if omega.abs() > 1.0 { &["square", "from_above"][..] } else { &["square", "from_above", "cosine"] };
+                for name in names {
+                    agree(&events_of(&trajectory, name), &[(at / omega, Touched)]);
+                }
+                assert_eq!(trajectory.violated_at_start, [1]);
+            }
+        }
+    }
+    // Where it stays clear of the limit, however little, it is not touched; where it goes beyond, it is crossed twice.
+    let clear = sweep(&Squares { depth: 1e-18, ..Squares::default() }, &[0.0, 1.0]);
+    assert_eq!(events_of(&clear, "square"), []);
+    let crossed = sweep(&Squares { depth: -1e-14, ..Squares::default() }, &[0.0, 1.0]);
+    agree(&events_of(&crossed, "square"), &[(0.5 - 1e-7, Violated), (0.5 + 1e-7, Restored)]);
+}
+
 #[test]
 fn a_limit_that_is_passed_a_little_is_crossed_twice() {
     for depth in [1e-4, 1e-8, 1e-12] {

@@ -35,6 +35,16 @@ impl Sample {
         if rate == 0.0 || turns { acceleration > 0.0 } else { rate > 0.0 }
     }
 
+    /// True where an extremum of g, of which this is the best instant known, is zero within rounding.
+    ///
+    /// The instant is right to about `dt`, so that g here may lie ½|g̈|dt² beside its extremum. That counts where g has no
+    /// rounding of its own: that of an exact square vanishes with the square.
+    pub(super) fn touches(&self, dt: f64) -> bool {
+        let beside = 0.5 * self.acceleration.abs() * (2.0 * dt).powi(2);
+        // Without a second derivative there is only the rounding.
+        self.value.abs() <= self.noise + if beside.is_finite() { beside } else { 0.0 }
+    }
+
     /// Near enough to zero for the last digits of the configuration to matter.
     pub(crate) fn is_near(&self) -> bool {
         self.value.abs() <= 1e6 * self.noise

@@ -218,7 +218,7 @@ impl Search<'_, '_, '_, '_> {
         }
         let t = if ends[0].f.abs() <= ends[1].f.abs() { ends[0].t } else { ends[1].t };
         let Some(extremum) = self.sample(t) else { return self.monotone(a, b) };
-        if extremum.value.abs() <= extremum.noise {
+        if extremum.touches(narrow) {
             self.found.push(Found { crossing: Crossing::Touched, ends });
         }
         self.monotone(&extremum, b);
