@@ -7,6 +7,7 @@
 //! 3. **Full** position analysis from there.
 //!
 //! When that fails, it is tried again with other values of the coordinates that have no guess, always the same ones.
+//! A guess is the user's word for the mode, and is not varied.
 
 use crate::closure::close;
 use crate::equations::Equations;
@@ -20,6 +21,15 @@ use crate::workspace::Subset;
 
 /// The configuration that the guesses lead to.
 pub(crate) fn assemble(equations: &mut Equations<'_>, guesses: &[Option<f64>]) -> Result<Position, SolveError> {
+    let mut assembled = attempts(equations, guesses);
+    if let Err(SolveError::NotAssembled { all_guessed, .. }) = &mut assembled {
+        *all_guessed = !guesses.is_empty() && guesses.iter().all(Option::is_some);
+    }
+    assembled
+}
+
+/// As often as there is something to vary.
+fn attempts(equations: &mut Equations<'_>, guesses: &[Option<f64>]) -> Result<Position, SolveError> {
     let start: Vec<f64> = guesses.iter().map(|g| g.unwrap_or(0.0)).collect();
     equations.check("guess", &start)?;
     let (q, _) = propagate(equations, guesses, &start);

@@ -134,6 +134,8 @@ pub enum SolveError {
         joint: &'static str,
         /// Iterations of that attempt.
         iterations: usize,
+        /// Whether assembly had nothing to vary, since every coordinate had a guess.
+        all_guessed: bool,
     },
     /// Φ_q loses rank in this configuration, though not in its neighbourhood.
     Singular {
@@ -254,11 +256,17 @@ impl From<LengthError> for SolveError {
 impl fmt::Display for SolveError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotAssembled { t, gap, residual, row_name, joint, iterations, .. } => write!(
-                f,
-                "not assembled at t = {t}: joint `{joint}` stays open, row `{row_name}` at {residual:.3e} \
-                 (scaled {gap:.3e}) after {iterations} iterations"
-            ),
+            Self::NotAssembled { t, gap, residual, row_name, joint, iterations, all_guessed, .. } => {
+                write!(
+                    f,
+                    "not assembled at t = {t}: joint `{joint}` stays open, row `{row_name}` at {residual:.3e} \
+                     (scaled {gap:.3e}) after {iterations} iterations"
+                )?;
+                if !all_guessed {
+                    return Ok(());
+                }
+                f.write_str("; every coordinate has a guess and none is varied: other guesses, or fewer, may close")
+            }
             Self::Singular { t, rank, expected_rank, rows, condition } => {
                 write!(
                     f,
@@ -337,7 +345,8 @@ impl fmt::Debug for SweepError {
 
 impl fmt::Display for SweepError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} (after {} good instants)", self.source, self.trajectory.len())
+        let good = self.trajectory.len();
+        write!(f, "{} (after {good} good {})", self.source, if good == 1 { "instant" } else { "instants" })
     }
 }
 

@@ -25,7 +25,12 @@ pub struct LengthError {
 
 impl core::fmt::Display for LengthError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "{} has {} entries and must have {}", self.what, self.found, self.expected)
+        let entries = if self.found == 1 { "entry" } else { "entries" };
+        write!(f, "{} has {} {entries} and must have {}", self.what, self.found, self.expected)?;
+        if self.what == "inputs" && self.found == 0 {
+            f.write_str("; inputs come with `Instant::inputs`, and along a sweep with `Solver::with_inputs`")?;
+        }
+        Ok(())
     }
 }
 

@@ -67,6 +67,7 @@ pub(crate) fn finish(equations: &mut Equations<'_>, q: Vec<f64>, outcome: Outcom
         row_name: equations.row_name(outcome.worst),
         joint: equations.joint_name(outcome.worst),
         iterations: outcome.iterations,
+        all_guessed: false,
     })
 }
 

@@ -1,6 +1,6 @@
 //! Configurations at the edge of what has an answer: far guesses, late instants, rows that vanish altogether.
 
-use kin_runtime::{Instant, Kinematics, Mechanism, SolveError, mechanism};
+use kin_runtime::{Instant, Kinematics, Mechanism, Signal, SolveError, mechanism};
 
 #[mechanism]
 #[bodies(crank, rod, slider)]
@@ -95,4 +95,52 @@ fn scalar_coordinates_have_no_unit() {
         let state = Cylinder { a: 0.7 * unit, b: 0.9 * unit }.state_at(&Instant::at(0.0)).unwrap();
         assert!((state.q[0].abs() / unit - expected).abs() < 1e-10, "{unit}: {:?}", state.q);
     }
+}
+
+/// A slider at the end of its stroke, where the guess does not say which way the crank goes on.
+#[mechanism]
+#[body(crank, x = 0, y = 0)]
+#[coordinates(s)]
+#[constraint(c: s = r * cos(crank.phi))]
+#[driver(d: s = r - t)]
+#[guess(crank.phi = 0, s = r)]
+struct EndOfStroke {
+    #[param(0.2)]
+    r: f64,
+}
+
+/// A measured lift.
+#[mechanism]
+#[body(table, x = 0, phi = 0)]
+#[input(u)]
+#[driver(lift: table.y = u)]
+struct Measured;
+
+#[test]
+fn what_is_guessed_is_not_varied_and_the_error_says_so() {
+    let mechanism = EndOfStroke::default();
+    let error = mechanism.state_at(&Instant::at(0.05)).unwrap_err();
+    assert!(matches!(error, SolveError::NotAssembled { all_guessed: true, .. }), "{error}");
+    assert!(
+        error
+            .to_string()
+            .ends_with("every coordinate has a guess and none is varied: other guesses, or fewer, may close")
+    );
+    for angle in [0.1, -0.1] {
+        let state = mechanism.solver().with_guess(0, angle).state(&Instant::at(0.05)).unwrap();
+        assert!((state.q[0] - 0.75_f64.acos().copysign(angle)).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_sweep_without_inputs_names_where_they_come_from() {
+    let error = Measured.solver().sweep(&[0.0, 1.0]).unwrap_err().to_string();
+    assert!(
+        error.contains("inputs has 0 entries and must have 1") && error.contains("`Solver::with_inputs`"),
+        "{error}"
+    );
+    // The state of the first instant is good; there is none at 1.
+    let ends = |t: f64, u: &mut [Signal]| u[0] = Signal::constant(if t > 0.5 { f64::NAN } else { 1.0 });
+    let error = Measured.solver().with_inputs(&ends).sweep(&[0.0, 1.0]).unwrap_err().to_string();
+    assert!(error.ends_with("(after 1 good instant)"), "{error}");
 }

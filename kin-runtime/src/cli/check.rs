@@ -6,7 +6,7 @@ use super::engine::{Engine, Miss};
 use super::failure::Failure;
 use super::options::{Format, FreedomArgs, InstantArgs, OutputArgs, SetupArgs};
 use super::session::Session;
-use super::solved::{analysis, driven_state};
+use super::solved::{analysis, driven_state, note_freedom};
 use crate::cross_check::{Configuration, CrossCheck, CrossCheckOptions};
 use crate::present::json::to_json;
 use crate::present::number::{magnitude, plain};
@@ -26,7 +26,8 @@ Examples, after the program's name:
   check --at 0.5 --set l1=0.12
   check --configurations 1000 --format json
 
-The status is 0 only when everything passes. Where inputs have no value (--input), no solution is checked.")]
+The status is 0 only when everything passes. Where inputs have no value (--input), no solution is checked; where the
+drivers leave degrees of freedom open, it is that of least norm.")]
 pub(super) struct CheckArgs {
     #[command(flatten)]
     instant: InstantArgs,
@@ -75,7 +76,8 @@ pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Sessi
     }
     // The closed forms are right or wrong whatever the inputs are; a solution needs them.
     let solved = match setup.missing_inputs.as_slice() {
-        [] => driven_state(engine, &setup, t, args.freedom.least_norm).map(|(state, _)| Some(state)),
+        // What the drivers leave open is no fault: the answer of least norm satisfies the same equations.
+        [] => driven_state(engine, &setup, t, true).map(|(state, _)| Some(state)),
         missing => {
             let missing = missing.join(", ");
             session.note(&format!("note: no solution is checked: inputs without a value: {missing}"));
@@ -83,6 +85,7 @@ pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Sessi
         }
     };
     let state = solved.as_ref().ok().and_then(Option::as_ref);
+    note_freedom(session, state.map_or(0, |state| state.degrees_of_freedom_left));
     let findings = find(engine, t, state, args.configurations as usize)?;
     let text = match args.output.format() {
         Format::Text | Format::Csv => {

@@ -42,6 +42,10 @@ pub(super) fn assignments(option: &str, example: &str, texts: &[String]) -> Resu
         if value.is_empty() {
             return Err(Failure::option(option, format!("`{name}` has no value; write {option} {example}")));
         }
+        if value.starts_with('[') {
+            let what = format!("an array is set member by member; write {option} {name}[0]=…,{name}[1]=…");
+            return Err(Failure::option(option, what));
+        }
         if pairs.iter().any(|(other, _)| other == name) {
             return Err(Failure::option(option, format!("`{name}` is set twice")));
         }

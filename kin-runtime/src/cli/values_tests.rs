@@ -33,6 +33,8 @@ fn bad_assignments_say_what_would_be_right() {
     assert_eq!(bad("l1=1,"), "--set: an assignment is missing; write --set l1=0.1");
     assert_eq!(bad("=1"), "--set: `=1` has no name; write --set l1=0.1");
     assert_eq!(bad("l1="), "--set: `l1` has no value; write --set l1=0.1");
+    let members = "--set: an array is set member by member; write --set l[0]=…,l[1]=…";
+    assert_eq!((bad("l=[1,2]"), bad("l = [1]")), (members.to_owned(), members.to_owned()));
     assert_eq!(bad("l1=1,l1=2"), "--set: `l1` is set twice");
 }
 
