@@ -13,7 +13,8 @@
 //! - [`curves`]: cams, followers, contacts with curves;
 //! - [`inputs`]: signals known only at run time;
 //! - [`velocity`]: knife edges, speeds and other rows of velocity level;
-//! - [`unilateral`]: inequalities that are watched along a motion.
+//! - [`unilateral`]: inequalities that are watched along a motion;
+//! - [`units`]: units of parameters, held against one another.
 //!
 //! These modules hold documentation only.
 
@@ -35,5 +36,7 @@ pub mod parts {}
 pub mod relations {}
 #[doc = include_str!("unilateral.md")]
 pub mod unilateral {}
+#[doc = include_str!("units.md")]
+pub mod units {}
 #[doc = include_str!("velocity.md")]
 pub mod velocity {}
