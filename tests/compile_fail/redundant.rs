@@ -69,6 +69,12 @@ struct Family;
 #[revolute(C: p @ (1, 0), q @ (0, 0))]
 struct Allowed;
 
+/// The height that the line prescribes is held already.
+#[mechanism]
+#[body(wheel, y = 0.3)]
+#[rolling(R: ground @ (0, 0), wheel @ (0, 0), axis = (1, 0), radius = 0.3)]
+struct Rests;
+
 fn main() {
     let _ = (Twice, Wedges, Guides::default(), Hidden, Overdriven, Family, Allowed);
 }

@@ -27,6 +27,14 @@ struct Held;
 #[point(corner = table @ (1, 0))]
 struct AllHeld;
 
+/// A row that is wrong was to hold the body: that is told once.
+#[mechanism]
+#[bodies(crank)]
+#[body(c, phi = 0)]
+#[revolute(A: ground @ (0, 0), crank @ (0, 0))]
+#[angle(B: c = t)]
+struct OnlyRow;
+
 fn main() {
     let _ = (Untouched, Nothing::default(), Held, AllHeld::corner);
 }

@@ -16,12 +16,13 @@
 //! - `divisors_are_not_zero`: nothing is divided by a literal 0;
 //! - `curves_are_curves`: a literal polar radius is positive, and a curve holds its variables;
 //! - `rollers_know_their_curve`: a roller runs on no curve that has only two derivatives;
-//! - `velocity_rows_are_linear`: a row of velocity level is linear in `dot(…)`, and holds one;
+//! - `velocity_rows_are_linear`: a row of velocity level is linear in `dot(…)`, and holds one of something that
+//!   changes;
 //! - `guesses_are_for_coordinates`: a guess is for a free coordinate, one for each;
 //! - `rows_hold_coordinates`: a row that mentions no coordinate constrains nothing;
 //! - `conditions_change`: a condition of parameters alone is always or never satisfied.
 //!
-//! As a whole ([`check`]):
+//! As a whole ([`check`]), the last two where no row is wrong in what it joins or holds:
 //! - `has_coordinates`: something can move;
 //! - `bodies_are_touched`: some row mentions a coordinate of every body;
 //! - `scalars_are_mentioned`: some row mentions every scalar coordinate.
@@ -43,6 +44,7 @@ use crate::error::ModelError;
 use scope::scopes;
 use std::collections::BTreeSet;
 
+pub(crate) use mention::meets_held;
 pub use names::{RESERVED, is_reserved};
 
 use condition::conditions_change;
@@ -64,7 +66,10 @@ pub fn check(mechanism: &Mechanism) -> Vec<ModelError> {
     if is_sound(mechanism) && names::are_distinct(mechanism) {
         let before = errors.len();
         has_coordinates(mechanism, &mut errors);
-        if errors.len() == before {
+        let mut of_rows = Vec::new();
+        check_rows(mechanism, &mut of_rows);
+        // A row that is wrong may be the one that was to hold what no row holds now.
+        if errors.len() == before && of_rows.is_empty() {
             bodies_are_touched(mechanism, &mut errors);
             scalars_are_mentioned(mechanism, &mut errors);
         }
@@ -89,14 +94,19 @@ pub fn check_parts(mechanism: &Mechanism) -> Vec<ModelError> {
     curves_are_curves(mechanism, &mut errors);
     rollers_know_their_curve(mechanism, &mut errors);
     if is_sound(mechanism) {
-        joints_join_two_bodies(mechanism, &mut errors);
-        carriers_carry(mechanism, &mut errors);
+        check_rows(mechanism, &mut errors);
         guesses_are_for_coordinates(mechanism, &mut errors);
-        rows_hold_coordinates(mechanism, &mut errors);
         conditions_change(mechanism, &mut errors);
-        velocity_rows_are_linear(mechanism, &mut errors);
     }
     sorted(errors)
+}
+
+/// What is wrong with the rows of a sound mechanism: with what they join and hold.
+fn check_rows(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    joints_join_two_bodies(mechanism, errors);
+    carriers_carry(mechanism, errors);
+    rows_hold_coordinates(mechanism, errors);
+    velocity_rows_are_linear(mechanism, errors);
 }
 
 /// True when families can be unrolled and names followed to their ends.

@@ -4,6 +4,7 @@ use super::diagnosis::{Redundancy, Structure};
 use crate::constraint::{ConstraintSet, JointTag};
 use crate::error::ModelError;
 use crate::mechanism::Mechanism;
+use crate::mechanism::check::meets_held;
 use crate::system::KinematicSystem;
 use std::collections::BTreeMap;
 
@@ -21,13 +22,13 @@ pub fn explain(mechanism: &Mechanism, system: &KinematicSystem, structure: &Stru
         .into_iter()
         .filter_map(|(family, rows)| {
             let joint = mechanism.joints.get(family)?;
-            Some(ModelError::new(joint.origin, message(system, structure, &rows)))
+            Some(ModelError::new(joint.origin, message(system, structure, &rows, meets_held(mechanism, joint))))
         })
         .collect()
 }
 
-/// What is said of one declaration.
-fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redundancy]) -> String {
+/// What is said of one declaration, which may meet a held coordinate.
+fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redundancy], meets_held: bool) -> String {
     let set = &system.set;
     let joint_of = |row: usize| set.rows[row].joint;
     let own = distinct(redundant.iter().map(|r| joint_of(r.row)));
@@ -72,9 +73,16 @@ fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redund
     let already = match others.len() {
         0 if redundant.iter().all(|r| r.circuit.is_empty()) => {
             let (holds, it) = if plural { ("hold", "their") } else { ("holds", "its") };
-            return format!(
+            let said = format!(
                 "{rows}{names} {holds} nothing: at no pose {it} residual changes with a coordinate; {advice}, or write \
                  `#[mechanism(allow_redundant)]`"
+            );
+            if !meets_held {
+                return said;
+            }
+            let it = if plural { "them" } else { "it" };
+            return format!(
+                "{said}; a held coordinate already satisfies {it}, or never can: leave that coordinate free instead"
             );
         }
         0 => "itself".to_owned(),

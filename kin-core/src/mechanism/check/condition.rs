@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 /// A condition holds a coordinate, t or an input: otherwise no motion can change it.
 pub(super) fn conditions_change(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for condition in &mechanism.conditions {
-        if !changes(mechanism, [&condition.left, &condition.right]) {
+        if !changes(mechanism, &[&condition.left, &condition.right]) {
             let message = format!(
                 "unilateral `{}` holds no coordinate, no input and no `t`, so that no motion changes it; \
                  one of its sides moves",
@@ -23,7 +23,7 @@ pub(super) fn conditions_change(mechanism: &Mechanism, errors: &mut Vec<ModelErr
 type Part = (bool, usize, Component);
 
 /// False only for what certainly stays as it is: formulas are followed through defines, held and carried coordinates.
-fn changes<'m>(mechanism: &'m Mechanism, formulas: [&'m Formula; 2]) -> bool {
+pub(super) fn changes<'m>(mechanism: &'m Mechanism, formulas: &[&'m Formula]) -> bool {
     let mut seen: BTreeSet<Part> = BTreeSet::new();
     let mut open = formulas.to_vec();
     while let Some(formula) = open.pop() {

@@ -44,6 +44,18 @@ pub(super) fn moves(mechanism: &Mechanism, formula: &Formula, i: i64) -> bool {
     !all.follow().is_empty()
 }
 
+/// True if any step of the joint's range meets a coordinate that is held.
+pub(crate) fn meets_held(mechanism: &Mechanism, joint: &Joint) -> bool {
+    let indices = joint.range.map_or(0..1, |range| range.indices());
+    let mut all = Mentions::new(mechanism);
+    indices.for_each(|i| all.joint(joint, i));
+    all.close();
+    all.seen.iter().any(|mention| match *mention {
+        Mention::Coordinate(Coordinate::Pose(family, _, component)) => is_held(mechanism, family, component),
+        Mention::Coordinate(Coordinate::Scalar(..)) | Mention::Define(..) => false,
+    })
+}
+
 /// The coordinates of its own that a body has.
 pub(super) fn free_of(mechanism: &Mechanism, family: usize, member: usize) -> Vec<Coordinate> {
     let free = |component| is_free(mechanism, family, component);
@@ -57,6 +69,16 @@ fn is_free(mechanism: &Mechanism, family: usize, component: Component) -> bool {
         (_, BodyOrigin::Carried(_)) => false,
         (Component::X, BodyOrigin::Free { x, .. }) => x.is_none(),
         (Component::Y, BodyOrigin::Free { y, .. }) => y.is_none(),
+    }
+}
+
+fn is_held(mechanism: &Mechanism, family: usize, component: Component) -> bool {
+    let Some(body) = mechanism.bodies.get(family) else { return false };
+    match (component, &body.origin_at) {
+        (Component::Phi, _) => body.phi.is_some(),
+        (_, BodyOrigin::Carried(_)) => false,
+        (Component::X, BodyOrigin::Free { x, .. }) => x.is_some(),
+        (Component::Y, BodyOrigin::Free { y, .. }) => y.is_some(),
     }
 }
 
@@ -77,8 +99,8 @@ impl<'a> Mentions<'a> {
         }
     }
 
-    /// Follows what was noted to its end and keeps the coordinates that are free.
-    fn follow(mut self) -> BTreeSet<Coordinate> {
+    /// Follows what was noted to its end.
+    fn close(&mut self) {
         let mechanism = self.mechanism;
         while let Some(mention) = self.open.pop() {
             match mention {
@@ -95,6 +117,12 @@ impl<'a> Mentions<'a> {
                 Mention::Coordinate(_) => {}
             }
         }
+    }
+
+    /// The coordinates that are free of all that what was noted leads to.
+    fn follow(mut self) -> BTreeSet<Coordinate> {
+        let mechanism = self.mechanism;
+        self.close();
         let coordinates = self.seen.into_iter().filter_map(|mention| match mention {
             Mention::Coordinate(coordinate) => Some(coordinate),
             Mention::Define(..) => None,

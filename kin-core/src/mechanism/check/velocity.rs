@@ -3,6 +3,7 @@
 //! A formula is walked with its degree in q̇: 0 without a rate, 1 for `dot(…)` of something that moves, and more than
 //! that nowhere.
 
+use super::condition::changes;
 use super::mention::moves;
 use crate::error::{ModelError, Origin};
 use crate::mechanism::{Formula, JointKind, Mechanism};
@@ -79,6 +80,10 @@ impl Walk<'_> {
         match formula {
             Formula::Dot(a, origin) => {
                 self.dots += 1;
+                if !changes(self.mechanism, &[a]) {
+                    let message = "what stands in this `dot(…)` does not change; its rate is 0";
+                    self.errors.push(ModelError::new(*origin, message));
+                }
                 moves(self.mechanism, a, self.i).then_some(*origin)
             }
             Formula::Neg(a) => self.rate(a),
