@@ -47,6 +47,11 @@ pub(crate) fn did_you_mean<'a>(name: &str, candidates: impl IntoIterator<Item = 
     nearest(name, candidates).map(|best| format!("; did you mean `{best}`?")).unwrap_or_default()
 }
 
+/// True for what other languages call a rate.
+pub(crate) fn is_rate(word: &str) -> bool {
+    matches!(word, "d" | "der" | "ddt" | "diff" | "deriv" | "derivative" | "rate" | "vel" | "velocity")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

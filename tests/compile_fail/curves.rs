@@ -85,4 +85,19 @@ struct Third<F> {
     r: f64,
 }
 
+/// Variables of curves where they have no meaning; one that is declared has the one it was given.
+#[mechanism]
+#[bodies(cam, arm)]
+#[coordinates(u)]
+#[revolute(O: ground @ (0, 0), cam @ (0, 0))]
+#[angle(A: arm = 2 * theta)]
+#[constraint(B: arm.x * X = Y)]
+#[on_curve(C: cam @ (0, 0), arm @ (0, 0), polar(theta) = r + X)]
+#[on_curve(D: cam @ (0, 0), arm @ (0, 0), implicit(X, Y) = X + Y - theta)]
+#[on_curve(E: cam @ (0, 0), arm @ (0, 0), parametric(u) = (cos(theta), r))]
+struct Elsewhere {
+    #[param(1)]
+    r: f64,
+}
+
 fn main() {}

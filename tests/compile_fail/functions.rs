@@ -42,4 +42,13 @@ struct Functions {
     n: f64,
 }
 
+/// Arguments without brackets.
+#[mechanism]
+#[bodies(crank)]
+#[constraint(sine: crank.phi = sin t)]
+#[constraint(root: crank.x = 2 * sqrt 2 + atan2 t)]
+#[constraint(inside: crank.y = pow(cos t, 2))]
+#[constraint(product: crank.y = 2 t)]
+struct NoBrackets;
+
 fn main() {}

@@ -24,4 +24,28 @@ use kin_runtime::mechanism;
 #[define(rate = dot(s))]
 pub struct Sleigh;
 
+/// Rates as other languages write them.
+#[mechanism]
+#[coordinates(u, v)]
+#[nonholonomic(a: der(u) = 1)]
+#[nonholonomic(b: ddt(u) + rate(v) = derivative(v) + d(u))]
+#[nonholonomic(c: dt(u) = sgn(v))]
+#[nonholonomic(e: u.der() = 1)]
+#[constraint(f: der(u) = 1)]
+struct Rates;
+
+/// What does not change has no rate; t and what is held by it change.
+#[mechanism]
+#[bodies(sleigh)]
+#[body(table, x = 0, y = 0, phi = r)]
+#[body(carrier, x = 0, y = sin(t), phi = 0)]
+#[define(twice = 2 * r)]
+#[nonholonomic(a: dot(sleigh.x) = dot(r))]
+#[nonholonomic(b: dot(sleigh.y) = dot(twice) + dot(table.phi))]
+#[nonholonomic(c: dot(sleigh.phi) = dot(carrier.y) + dot(t))]
+struct Still {
+    #[param(1)]
+    r: f64,
+}
+
 fn main() {}

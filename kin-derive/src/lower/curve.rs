@@ -4,7 +4,7 @@ use super::declare::IndexRange;
 use super::formula::{Allow, Scope};
 use super::{Class, Lowerer};
 use crate::ast::{CurveExpr, Expr, NameUse, PathExpr};
-use crate::suggest::nearest;
+use crate::suggest::{listed, nearest};
 use kin_core::mechanism::{Curve, CurveVariable, Formula, Index, Member};
 
 /// What the curve whose formula is being lowered brings along.
@@ -110,6 +110,32 @@ impl Lowerer<'_> {
             self.require(Class::Coordinate, &found, (span, span), scope)?;
         }
         Some(Formula::Curve(variable))
+    }
+
+    /// True for a variable of a curve where it has no meaning, which is reported.
+    pub(super) fn is_variable_of_another_curve(&mut self, used: &NameUse) -> bool {
+        let name = used.text();
+        if self.names_missing || self.names.find(&name).is_some() {
+            return false;
+        }
+        let whose = match name.as_str() {
+            "theta" => {
+                "`theta` is the variable of a polar curve or a support function, and stands behind `polar(theta) =` or \
+                 `support(theta) =` only"
+            }
+            "X" | "Y" => {
+                &format!("`{name}` is a variable of an implicit curve, and stands behind `implicit(X, Y) =` only")
+            }
+            _ => return false,
+        };
+        let words = self.inside.words();
+        let own = match words.len() {
+            0 => String::new(),
+            1 => format!("; the variable of this curve is {}", listed(words, "and")),
+            _ => format!("; the variables of this curve are {}", listed(words, "and")),
+        };
+        self.report.error(used.ident.span(), format!("{whose}{own}"));
+        true
     }
 
     /// True for a slip of a word of the curve, which is reported.

@@ -4,7 +4,7 @@ use super::declare::IndexRange;
 use super::names::{Declared, Shape, Symbol};
 use super::{Class, Lowerer, MentionKind};
 use crate::ast::{Expr, ExprKind, NameUse, Operator, text};
-use crate::suggest::{did_you_mean, listed};
+use crate::suggest::{did_you_mean, is_rate, listed};
 use kin_core::mechanism::check::is_reserved;
 use kin_core::mechanism::{BodyRef, Component, Formula, Function, Index, Member};
 use proc_macro2::Span;
@@ -130,7 +130,7 @@ impl Lowerer<'_> {
             }
             return Some(Formula::Index(Index { scale: 1, offset: 0 }));
         }
-        if self.is_slip_of_the_curve(used) {
+        if self.is_variable_of_another_curve(used) || self.is_slip_of_the_curve(used) {
             return None;
         }
         let declared = self.resolve(used, "parameter, coordinate or define", is_value)?;
@@ -197,7 +197,7 @@ impl Lowerer<'_> {
                     self.report.error(index.span, format!("`{name}` takes no index"));
                     return None;
                 }
-                self.no_function(&used.ident);
+                self.no_function(&used.ident, scope);
                 return None;
             }
         };
@@ -337,7 +337,7 @@ impl Lowerer<'_> {
         is_marker
     }
 
-    fn no_function(&self, name: &Ident) {
+    fn no_function(&self, name: &Ident, scope: &Scope) {
         let word = text(name);
         let message = match self.names.find(&word) {
             Some(Declared { symbol: Symbol::Parameter(_), .. }) => format!(
@@ -351,14 +351,18 @@ impl Lowerer<'_> {
             }
             None if self.names_missing => return,
             None => {
-                let others = ["atan2", "pow", "distance"];
+                let has_rates = matches!(scope.allow, Allow::Rates | Allow::Dotted);
+                let others = ["atan2", "pow", "distance"].into_iter().chain(has_rates.then_some("dot"));
                 let known = Function::ALL.iter().map(|f| f.name()).chain(others).chain(self.names.functions());
                 let suggestion = match word.as_str() {
                     "log" => "; the natural logarithm is `ln`".to_owned(),
+                    rate if is_rate(rate) && has_rates => "; a rate is written `dot(…)`".to_owned(),
+                    rate if is_rate(rate) => "; a rate is written `dot(…)`, in `nonholonomic` only".to_owned(),
                     _ => did_you_mean(&word, known),
                 };
+                let last = if has_rates { ", pow, distance and dot" } else { ", pow and distance" };
                 format!(
-                    "no function `{word}`; there are sin, cos, tan, asin, acos, atan, atan2, sqrt, exp, ln, abs, pow and distance{suggestion}"
+                    "no function `{word}`; there are sin, cos, tan, asin, acos, atan, atan2, sqrt, exp, ln, abs{last}{suggestion}"
                 )
             }
         };

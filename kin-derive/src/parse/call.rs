@@ -5,8 +5,9 @@ use super::fold::constant;
 use super::point::point_at_depth;
 use super::reject::{RADIANS, is_angle_word};
 use crate::ast::{Expr, ExprKind, NameUse, text};
-use crate::suggest::did_you_mean;
+use crate::suggest::{did_you_mean, is_rate};
 use kin_core::mechanism::Function;
+use kin_core::mechanism::check::is_reserved;
 use syn::parse::ParseStream;
 use syn::{Error, Ident, Result, Token, parenthesized};
 
@@ -57,6 +58,16 @@ pub(super) fn function(name: Ident, input: ParseStream, depth: usize) -> Result<
     }
 }
 
+/// An error on the name of a function whose argument follows it without brackets.
+pub(super) fn has_brackets(name: &Ident) -> Result<()> {
+    let word = text(name);
+    let is_function = is_reserved(&word) && !matches!(word.as_str(), "t" | "pi" | "ground");
+    if !is_function {
+        return Ok(());
+    }
+    Err(Error::new(name.span(), format!("`{word}` is a function; its argument stands in parentheses, `{word}(…)`")))
+}
+
 /// `value.name(…)`; the cursor stands before the parenthesis.
 pub(super) fn method(value: Expr, name: Ident, input: ParseStream, depth: usize) -> Result<Expr> {
     let depth = deeper(input, depth)?;
@@ -101,7 +112,10 @@ fn unknown_method(name: &Ident, known: &str) -> Error {
     }
     const OTHERS: [&str; 3] = ["atan2", "powi", "powf"];
     let methods = Function::ALL.iter().map(|f| f.name()).chain(OTHERS);
-    let suggestion = did_you_mean(known, methods);
+    let suggestion = match known {
+        rate if is_rate(rate) => "; a rate is written `dot(…)`, in `nonholonomic` only".to_owned(),
+        _ => did_you_mean(known, methods),
+    };
     let message = format!(
         "no function `{known}`; there are sin, cos, tan, asin, acos, atan, atan2, sqrt, exp, ln, abs, powi and powf{suggestion}"
     );

@@ -153,6 +153,9 @@ fn primary(input: ParseStream, depth: usize) -> Result<Expr> {
         if name.index.is_some() && input.peek(token::Paren) {
             return call::member(name, input, deeper(input, depth)?);
         }
+        if name.index.is_none() && (input.peek(Ident) || input.peek(Lit)) {
+            call::has_brackets(&name.ident)?;
+        }
         let span = name.ident.span();
         return Ok(Expr { kind: ExprKind::Name(name), span, height: 0 });
     }
