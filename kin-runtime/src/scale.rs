@@ -3,7 +3,9 @@
 //! With row scales S and column scales D, the matrix S Φ_q D has entries of size one at typical configurations, and D
 //! is one for angles: scaled displacements D⁻¹ δq are radians, or the displacement that a radian causes. The scales
 //! come from the *typical* size of every entry over several configurations, never from the current one alone, because
-//! a row or column that happens to vanish is exactly what a rank must show.
+//! a row or column that happens to vanish is exactly what a rank must show. What other configurations cannot tell,
+//! because an entry depends on inputs or time alone, the angles do: radians need no scale, so that a column of φ that is
+//! tiny beside the lengths of its rows is nearly singular, or rounding noise, and is not drawn up to size one.
 
 use crate::equations::Equations;
 use crate::model::{Component, CoordinateKind, Frame, Role};
@@ -16,6 +18,9 @@ const SAMPLES: usize = 9;
 const CURVE_SAMPLES: [f64; 3] = [0.3, 2.4, 4.5];
 /// Sweeps of row and column equilibration.
 const SWEEPS: usize = 6;
+
+/// Size that a column of an angle has at least beside the lengths in its rows: what is smaller is nearly singular.
+const SMALLEST_ANGLE_COLUMN: f64 = 1e-3;
 
 /// Scales of rows and columns.
 #[derive(Clone, Debug)]
@@ -63,6 +68,7 @@ impl Scale {
         let angles = (0..n).filter(|&k| is_angle(equations.model.coordinates[k].kind)).collect();
         let mut scale = Self { rows: vec![1.0; s], columns: vec![1.0; n], length, angles };
         scale.start(equations, &typical);
+        scale.raise_angles(&mut typical);
         scale.equilibrate(&typical);
         scale.normalise(equations);
         scale
@@ -82,6 +88,18 @@ impl Scale {
         for (row, max) in self.rows.iter_mut().zip(largest) {
             if max > 0.0 && max.is_finite() {
                 *row = 1.0 / max;
+            }
+        }
+    }
+
+    /// Takes the columns of angles for no smaller than [`SMALLEST_ANGLE_COLUMN`], where rows and lengths have their sizes.
+    fn raise_angles(&self, entries: &mut [(usize, usize, f64)]) {
+        for &angle in &self.angles {
+            let own = entries.iter().filter(|entry| entry.1 == angle);
+            let largest = own.map(|&(i, j, size)| size * self.rows[i] * self.columns[j]).fold(0.0, f64::max);
+            let missing = SMALLEST_ANGLE_COLUMN / largest;
+            if missing > 1.0 && missing.is_finite() {
+                entries.iter_mut().filter(|entry| entry.1 == angle).for_each(|entry| entry.2 *= missing);
             }
         }
     }

@@ -4,6 +4,9 @@
 //! this configuration is special. The difference shows in the neighbourhood: the mechanism is moved a little along
 //! null vectors of the rows of position level that do not drive, closed again on those rows alone, and the rank of all
 //! rows compared. Full row rank and full column rank are never singular.
+//!
+//! Rows of velocity level may lose rank by inputs or time alone, at every configuration. Where that leaves no velocity,
+//! the rank at other inputs and times shows that this instant is special.
 
 use crate::closure::close;
 use crate::equations::Equations;
@@ -16,6 +19,8 @@ use nalgebra::DVector;
 
 /// Distances of the probes, on the common scale.
 const DISTANCES: [f64; 2] = [1e-2, 5e-2];
+/// Changes of inputs and time, relative to their values, but to no less than one.
+const CHANGES: [f64; 4] = [1e-2, -1e-2, 0.1, -0.1];
 /// Most null vectors that are tried one by one.
 const DIRECTIONS: usize = 6;
 
@@ -34,6 +39,41 @@ pub(crate) fn diagnose(equations: &mut Equations<'_>, q: &[f64], here: &Factoriz
     let rows = dependent_rows(equations, &null_space(&scaled.transpose(), tolerance));
     let (t, rank, condition) = (equations.t, here.rank, here.full_condition);
     Some(SolveError::Singular { t, rank, expected_rank, rows, condition })
+}
+
+/// What an inconsistency at `q` is: singular, where the rows that drive have more rank at other inputs or times.
+pub(crate) fn explain(equations: &mut Equations<'_>, q: &[f64], here: &Factorization, error: SolveError) -> SolveError {
+    let inconsistent =
+        matches!(error, SolveError::InconsistentVelocity { .. } | SolveError::InconsistentAcceleration { .. });
+    if !inconsistent || here.rank >= equations.rows().min(equations.coordinates()) {
+        return error;
+    }
+    let rows: Vec<usize> = (0..equations.rows()).collect();
+    if equations.evaluate(Subset::JACOBIAN, q, None).is_err() {
+        return error;
+    }
+    let left = null_space(&equations.scaled(&rows).transpose(), equations.options.rank_tolerance);
+    let expected_rank = rank_at_other_instants(equations, q, &rows);
+    if expected_rank <= here.rank {
+        return error;
+    }
+    let rows = dependent_rows(equations, &left);
+    SolveError::Singular { t: equations.t, rank: here.rank, expected_rank, rows, condition: here.full_condition }
+}
+
+/// Largest rank of `rows` at q with other inputs and times. The rows that do not drive depend on neither.
+fn rank_at_other_instants(equations: &mut Equations<'_>, q: &[f64], rows: &[usize]) -> usize {
+    let (t, inputs) = (equations.t, equations.inputs.clone());
+    let mut random = Random::new(0x0001_4b07);
+    let mut best = 0;
+    for change in CHANGES {
+        let mut moved = |value: f64| value + change * value.abs().max(1.0) * (1.5 + random.symmetric());
+        equations.t = moved(t);
+        equations.inputs.iter_mut().zip(&inputs).for_each(|(input, now)| input.value = moved(now.value));
+        best = best.max(rank_at(equations, q, rows).unwrap_or(0));
+    }
+    (equations.t, equations.inputs) = (t, inputs);
+    best
 }
 
 /// Names of the rows that take part in a dependency, given the left null vectors of the scaled Φ_q.

@@ -16,6 +16,7 @@ use crate::options::Options;
 use crate::position::position;
 use crate::ratios::{VelocityRatios, velocity_ratios};
 use crate::scale::Scale;
+use crate::singular::explain;
 use crate::state::State;
 use crate::system::Evaluator;
 use crate::trajectory::Trajectory;
@@ -169,7 +170,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
             equations.check("q_dot", q_dot)?;
             equations.scale = Scale::around(equations, q);
             let factor = factorize(equations, q, None)?;
-            acceleration(equations, q, q_dot, &factor)
+            acceleration(equations, q, q_dot, &factor).map_err(|error| explain(equations, q, &factor, error))
         })
     }
 

@@ -21,7 +21,7 @@ pub(crate) fn velocity(
     usual_rank: Option<usize>,
 ) -> Result<(Vec<f64>, Factorization), SolveError> {
     let factor = factorize(equations, q, usual_rank)?;
-    let solution = solve(equations, &factor)?;
+    let solution = solve(equations, &factor).map_err(|error| singular::explain(equations, q, &factor, error))?;
     Ok((solution.as_slice().to_vec(), factor))
 }
 

@@ -318,6 +318,52 @@ fn rows_that_contradict_one_another_are_inconsistent() {
     assert!(!mobility.redundant[0].consistent, "{mobility}");
 }
 
+/// A car whose front wheels are turned by an input.
+#[mechanism]
+#[bodies(car)]
+#[input(w)]
+#[knife_edge(rear: car @ (0, 0))]
+#[knife_edge(front: car @ (2, 0), angle = w)]
+#[speed(engine: car @ (0, 0), value = 1.5)]
+struct Turned;
+
+/// Wheels across the car have no motion; cos(π/2) is 6e-17 in floating point, and no velocity may come out of that.
+#[test]
+fn wheels_across_the_car_are_singular() {
+    let with = |w: f64| [Signal::constant(w)];
+    for phi in [0.0, 0.3, -2.0] {
+        let q = [0.4, -1.0, phi];
+        let inputs = with(FRAC_PI_2);
+        let at = Instant { t: 0.0, inputs: &inputs };
+        for error in [
+            Turned.velocity_analysis(&at, &q).unwrap_err(),
+            Turned.solver().state_from(&at, &q).unwrap_err(),
+            Turned.state_at(&at).unwrap_err(),
+        ] {
+            let SolveError::Singular { rank: 2, expected_rank: 3, ref rows, condition, .. } = error else {
+                panic!("{error}")
+            };
+            assert!(condition > 1e10, "{error}");
+            assert!(rows.contains(&"front") && rows.contains(&"engine"), "{error}");
+        }
+        for error in [1e-9, 1e-6] {
+            let inputs = with(FRAC_PI_2 - error);
+            let at = Instant { t: 0.0, inputs: &inputs };
+            match Turned.velocity_analysis(&at, &q) {
+                Ok(q_dot) => close("turning", 0.75 * inputs[0].value.tan(), q_dot[2], 1e-6 * q_dot[2].abs()),
+                Err(error) => assert!(matches!(error, SolveError::Singular { .. }), "{error}"),
+            }
+            let condition = Turned.mobility(&at, &q).unwrap().condition;
+            assert!(condition > 1e-4 / error, "{condition:e} at {error:e}");
+        }
+        let inputs = with(0.4);
+        let at = Instant { t: 0.0, inputs: &inputs };
+        close("turning", 0.75 * 0.4_f64.tan(), Turned.velocity_analysis(&at, &q).unwrap()[2], 1e-14);
+    }
+    // A contradiction that no steering resolves stays one.
+    assert!(matches!(Cart.state_at(&Instant::at(0.0)), Err(SolveError::InconsistentVelocity { .. })));
+}
+
 /// The driven wheels of a robot: two sides that roll without slipping.
 #[mechanism]
 #[bodies(robot)]
