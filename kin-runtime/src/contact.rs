@@ -11,6 +11,8 @@ use crate::workspace::Instant;
 
 /// Squares of lengths below this are 0.
 const NOTHING: f64 = 1e-150;
+/// Distance from the centre of a polar curve, relative to the typical length, at which the direction is rounding.
+const AT_CENTRE: f64 = 1e-12;
 
 /// The error of an evaluation at q, by the name of the contact that is degenerate there, if one is.
 pub(crate) fn explain(equations: &mut Equations<'_>, q: &[f64], error: SolveError) -> SolveError {
@@ -23,6 +25,13 @@ pub(crate) fn explain(equations: &mut Equations<'_>, q: &[f64], error: SolveErro
         _ => None,
     };
     what.map_or(error, |what| degenerate(equations, row, what))
+}
+
+/// The first polar curve whose point stands at its centre at q, as far as rounding lets one say.
+pub(crate) fn without_angle(equations: &mut Equations<'_>, q: &[f64]) -> Option<SolveError> {
+    let joints = equations.model.joints;
+    let mut polar = joints.iter().filter(|joint| joint.kind == JointKind::OnPolarCurve);
+    polar.find_map(|joint| at_centre(equations, joint, q).map(|what| degenerate(equations, joint.first_row, what)))
 }
 
 /// The first implicit curve whose row of Φ_q, evaluated last, has no entry above `tolerance` on the common scale.
@@ -45,7 +54,8 @@ fn at_centre(equations: &mut Equations<'_>, joint: &JointInfo, q: &[f64]) -> Opt
     let [p, q] = [Role::P, Role::Q].map(|role| place(equations, joint, role, q));
     let ([px, py], [qx, qy]) = (p?, q?);
     let distance = (qx - px).hypot(qy - py);
-    (distance < NOTHING).then_some(Degeneracy::Centre { distance })
+    let nothing = (AT_CENTRE * equations.scale.length).max(NOTHING);
+    (distance <= nothing).then_some(Degeneracy::Centre { distance })
 }
 
 /// A joint's point in the inertial frame.

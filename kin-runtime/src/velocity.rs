@@ -48,7 +48,7 @@ pub(crate) fn factorize(
     let rows: Vec<usize> = (0..s).collect();
     let matrix = equations.scaled_rows(&rows);
     let factor = Factorization::absolute(&matrix, &equations.scale.columns, equations.options.rank_tolerance);
-    if let Some(error) = contact::at_a_standstill(equations, q) {
+    if let Some(error) = contact::at_a_standstill(equations, q).or_else(|| contact::without_angle(equations, q)) {
         return Err(error);
     }
     let conflict = given_conflict(equations);
