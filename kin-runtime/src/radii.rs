@@ -1,5 +1,5 @@
-//! Radii that parameters have made degenerate: a radius of 0 couples nothing, and discs that roll on one another with
-//! one centre have no line of centres.
+//! Radii that parameters have made degenerate: a gear or a disc of radius 0 couples nothing, and discs that roll on one
+//! another with one centre have no line of centres. A roller of radius 0 is a point that follows the curve.
 
 use crate::equations::Equations;
 use crate::error::{Degeneracy, SolveError};
@@ -14,7 +14,8 @@ pub(crate) fn degenerate(equations: &Equations<'_>) -> Option<SolveError> {
     }
     let at = Instant { t: equations.t, inputs: &equations.inputs };
     let numbers = equations.system.geometry(&at).ok()?;
-    joints.iter().find_map(|joint| {
+    let mut coupled = joints.iter().filter(|joint| joint.kind != JointKind::OnParametricCurve);
+    coupled.find_map(|joint| {
         let places = joint.geometry.iter().filter(|geometry| geometry.role == Role::Radius);
         let radii: Vec<f64> = places.filter_map(|geometry| numbers.get(geometry.offset).copied()).collect();
         let sum: f64 = radii.iter().sum();

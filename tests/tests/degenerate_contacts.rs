@@ -57,6 +57,11 @@ fn a_polar_curve_at_its_centre() {
     let (joint, t, what, message) = contact(mechanism.velocity_analysis(&at, &centre));
     assert_eq!((joint, t, what), ("track", 0.0, Degeneracy::Centre { distance: 0.0 }));
     assert!(message.contains("`track`") && message.contains("t = 0") && message.contains("centre"), "{message}");
+    // Nor does rounding lead away from the centre.
+    for off in [1e-14, 1e-20, 7.7e-34, 1e-160] {
+        let (_, _, what, _) = contact(mechanism.velocity_analysis(&at, &[0.1 + off, -0.2 - off, 0.0]));
+        assert!(matches!(what, Degeneracy::Centre { distance } if distance < 1e-13), "{what:?}");
+    }
     _ = contact(mechanism.position_analysis(&at, &centre));
     _ = contact(mechanism.acceleration_analysis(&at, &centre, &[0.0; 3]));
     // Assembly does not depend on where it happens to start.
@@ -88,6 +93,24 @@ fn an_implicit_curve_at_a_double_point() {
     // A sweep into it ends by name and does not choose a branch there.
     let error = lemniscate.kinematic_analysis(&[0.3, 0.1, 0.0]).expect_err("no tangent at the double point");
     assert!(matches!(error.source, SolveError::DegenerateContact { joint: "loops", .. }), "{error}");
+}
+
+/// A roller whose radius is a parameter, on an ellipse.
+#[mechanism]
+#[bodies(roller)]
+#[coordinates(u)]
+#[angle(upright: roller = 0)]
+#[on_curve(track: ground @ (0, 0), roller @ (0, 0), parametric(u) = (2 * cos(u), sin(u)), roller = r)]
+#[driver(feed: u = t)]
+struct Ellipse {
+    #[param(0)]
+    r: f64,
+}
+
+#[test]
+fn a_roller_without_a_radius_is_a_point() {
+    let state = Ellipse::default().state_at(&Instant::at(0.4)).unwrap_or_else(|error| panic!("{error}"));
+    assert!((state.q[0] - 2.0 * 0.4_f64.cos()).abs() < 1e-12 && (state.q[1] - 0.4_f64.sin()).abs() < 1e-12);
 }
 
 #[test]
