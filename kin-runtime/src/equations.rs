@@ -97,7 +97,8 @@ impl<'a> Equations<'a> {
             moving: Vec::new(),
         };
         equations.set_instant(at)?;
-        radii::degenerate(&equations).map_or(Ok(equations), Err)
+        let degenerate = radii::degenerate(&equations).or_else(|| geometry::without_direction(&equations));
+        degenerate.map_or(Ok(equations), Err)
     }
 
     /// Number of coordinates n.

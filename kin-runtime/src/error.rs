@@ -91,7 +91,7 @@ impl fmt::Display for Degeneracy {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum GeometryFault {
-    /// The axis has no direction: its components are 0, or too small to be normalised.
+    /// The axis has no direction: its components are 0, or too small or too large to be normalised.
     Axis,
     /// The distance that the joint keeps is nothing, and its row has no gradient where it is kept.
     Length {
@@ -103,7 +103,9 @@ pub enum GeometryFault {
 impl fmt::Display for GeometryFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Axis => f.write_str("its axis has no direction, both components are 0"),
+            Self::Axis => f.write_str(
+                "its axis has no direction: its components cannot be normalised, being 0, too small or too large",
+            ),
             Self::Length { length } => {
                 write!(f, "its length is {length}; points that coincide are joined with `revolute`")
             }

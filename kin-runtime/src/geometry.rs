@@ -1,6 +1,6 @@
 //! Geometry that is degenerate at the values of the parameters: reported by the name of the joint.
 //!
-//! - An axis whose components are both 0, or too small to be normalised, has no direction; its rows are not numbers.
+//! - An axis whose components are both 0, or so small or large that their squares are no numbers, cannot be normalised.
 //! - A distance of 0 has no gradient where it is kept; its row of Φ_q vanishes.
 
 use crate::equations::Equations;
@@ -18,6 +18,28 @@ pub(crate) fn explain(equations: &mut Equations<'_>, error: SolveError) -> Solve
         }
         _ => error,
     }
+}
+
+/// Deviation of a unit vector's length from one that is more than rounding.
+const UNIT: f64 = 1e-9;
+
+/// The first joint whose axis is no unit vector, at the current instant.
+pub(crate) fn without_direction(equations: &Equations<'_>) -> Option<SolveError> {
+    let joints = equations.model.joints;
+    if !joints.iter().flat_map(|joint| joint.geometry).any(|geometry| geometry.role == Role::Axis) {
+        return None;
+    }
+    let at = Instant { t: equations.t, inputs: &equations.inputs };
+    let all = equations.system.geometry(&at).ok()?;
+    joints.iter().find_map(|joint| {
+        let mut axes = joint.geometry.iter().filter(|geometry| geometry.role == Role::Axis);
+        let is_unit = |offset: usize| match all.get(offset..offset + 2) {
+            Some(&[x, y]) => (x.hypot(y) - 1.0).abs() <= UNIT,
+            _ => true,
+        };
+        let (t, joint, fault) = (equations.t, joint.name, GeometryFault::Axis);
+        axes.any(|axis| !is_unit(axis.offset)).then_some(SolveError::DegenerateGeometry { t, joint, fault })
+    })
 }
 
 /// The first joint that keeps a distance of nothing, on the common scale.

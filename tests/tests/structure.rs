@@ -167,6 +167,14 @@ fn parameters_without_direction_or_length_are_errors_by_name() {
         "{error}"
     );
     assert!(error.to_string().contains("no direction"), "{error}");
+    // |v|² is no number, or one with few digits, long before v itself is none.
+    for a in [1e155, 1e-162, 1e-160] {
+        let error = Guided { u: a, v: a, ..Guided::default() }.state_at(&at).unwrap_err();
+        let fault = GeometryFault::Axis;
+        assert_eq!(error, SolveError::DegenerateGeometry { t: 0.0, joint: "guide", fault }, "{a:e}");
+        assert!(error.to_string().contains("cannot be normalised"), "{error}");
+    }
+    assert!(Guided { u: 1e100, ..Guided::default() }.state_at(&at).is_ok());
     let error = Guided { rod: 0.0, ..Guided::default() }.state_at(&at).unwrap_err();
     let fault = GeometryFault::Length { length: 0.0 };
     assert_eq!(error, SolveError::DegenerateGeometry { t: 0.0, joint: "rod", fault }, "{error}");
