@@ -14,6 +14,8 @@ pub mod model;
 pub mod private;
 pub mod scalar;
 pub mod signal;
+#[cfg(feature = "simd")]
+mod trig;
 pub mod vocabulary;
 pub mod workspace;
 

@@ -51,8 +51,9 @@ pub trait Scalar:
 
 /// `std`'s functions where there is a std, `libm`'s where there is none.
 macro_rules! float {
-    ($t:ty, $($std:ident $libm:ident),*; $atan2:ident $fabs:ident $pow:ident $sincos:ident) => {
+    ($t:ty, $($std:ident $libm:ident),*; $atan2:ident $fabs:ident $pow:ident $sincos:ident; $($more:item)*) => {
         impl Scalar for $t {
+            $($more)*
             #[inline(always)]
             fn from_f64(value: f64) -> Self {
                 value as $t
@@ -110,5 +111,12 @@ macro_rules! float {
     };
 }
 
-float!(f64, tan tan, asin asin, acos acos, atan atan, sqrt sqrt, exp exp, ln log; atan2 fabs pow sincos);
-float!(f32, tan tanf, asin asinf, acos acosf, atan atanf, sqrt sqrtf, exp expf, ln logf; atan2f fabsf powf sincosf);
+float!(
+    f64, tan tan, asin asin, acos acos, atan atan, sqrt sqrt, exp exp, ln log; atan2 fabs pow sincos;
+    #[cfg(feature = "simd")]
+    #[inline(always)]
+    fn sin_cos_all<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
+        crate::trig::sin_cos_all(angles)
+    }
+);
+float!(f32, tan tanf, asin asinf, acos acosf, atan atanf, sqrt sqrtf, exp expf, ln logf; atan2f fabsf powf sincosf;);
