@@ -1,0 +1,4 @@
+//! Speed as ratios against a baseline of the same run: machines are shared and noisy, times alone say little.
+
+pub mod four_bar;
+pub mod paired;
