@@ -1,5 +1,5 @@
 //! Φ, Φ_q, Φ_t, γ of the lecture's 9×9 four-bar: `cargo bench -p kin-benches`, also with
-//! `RUSTFLAGS="-C target-cpu=native"`.
+//! `--features simd` and `RUSTFLAGS="-C target-cpu=native"`.
 
 use kin_benches::four_bar::{ByHand, FourBar, by_hand};
 use kin_benches::paired::{Contender, compare};
