@@ -61,6 +61,7 @@ impl<'a> Equations<'a> {
         input_function: InputFunction<'a>,
         at: &Instant<'_>,
     ) -> Result<Self, SolveError> {
+        options.check()?;
         let model = system.model();
         let n = model.coordinates.len();
         let rows = model.rows.len() + given.len();

@@ -222,6 +222,15 @@ pub enum SolveError {
     },
     /// An argument of the wrong length.
     Length(LengthError),
+    /// One of the [`Options`](crate::Options) is no number that means something.
+    Option {
+        /// Its name.
+        name: &'static str,
+        /// What it was given.
+        value: f64,
+        /// The largest that means something.
+        most: f64,
+    },
     /// No coordinate has this index.
     UnknownCoordinate {
         /// The index.
@@ -309,6 +318,10 @@ impl fmt::Display for SolveError {
                 f.write_str(" is not a finite number")
             }
             Self::Length(error) => error.fmt(f),
+            Self::Option { name, value, most } => {
+                write!(f, "the option `{name}` is {value}; it is above 0")?;
+                if *most < f64::MAX { write!(f, " and at most {most}") } else { Ok(()) }
+            }
             Self::UnknownCoordinate { index, coordinates } => {
                 write!(f, "there is no coordinate {index}; the mechanism has {coordinates}, counted from 0")
             }

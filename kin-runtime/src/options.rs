@@ -1,5 +1,7 @@
 //! Tolerances and limits of the analyses.
 
+use crate::error::SolveError;
+
 /// Tolerances and limits; the default suits mechanisms of any size and unit.
 ///
 /// All tolerances are relative. Rows and coordinates are first brought to a common scale, on which one unit is a
@@ -60,5 +62,25 @@ impl Default for Options {
             max_steps: 200_000,
             stop_at_events: false,
         }
+    }
+}
+
+impl Options {
+    /// Every number is positive and finite, and what is relative is below 1.
+    ///
+    /// # Errors
+    /// [`SolveError::Option`] with the first that is not.
+    pub(crate) fn check(&self) -> Result<(), SolveError> {
+        let below = |name, value: f64, most: f64| {
+            if value > 0.0 && value <= most { Ok(()) } else { Err(SolveError::Option { name, value, most }) }
+        };
+        below("tolerance", self.tolerance, 1.0)?;
+        below("rank_tolerance", self.rank_tolerance, 1.0)?;
+        below("consistency_tolerance", self.consistency_tolerance, 1.0)?;
+        below("trust_radius", self.trust_radius, f64::MAX)?;
+        below("max_rotation_per_step", self.max_rotation_per_step, core::f64::consts::FRAC_PI_2)?;
+        below("prediction_tolerance", self.prediction_tolerance, 1.0)?;
+        below("min_step", self.min_step, 1.0)?;
+        below("integration_tolerance", self.integration_tolerance, 1.0)
     }
 }

@@ -280,7 +280,7 @@ fn motions_end_with_an_error() {
 
 #[test]
 fn a_tolerance_out_of_reach_is_an_error() {
-    let impossible = Options { integration_tolerance: 0.0, ..Options::default() };
+    let impossible = Options { integration_tolerance: 1e-300, ..Options::default() };
     let refused = SteeredCar::default().solver().with_options(impossible).sweep(&[0.0, 1.0]).unwrap_err();
     assert!(matches!(refused.source, SolveError::StepRefused { reason: Refusal::StepTooSmall, .. }), "{refused}");
     assert!(refused.to_string().contains("cannot be integrated"), "{refused}");

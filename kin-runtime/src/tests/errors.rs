@@ -1,7 +1,7 @@
 //! Errors: what does not assemble, what is singular, what is not a number.
 
 use crate::fixture::{FiveBar, FlatParallelogram, FourBarLoop, FreeParallelogram, Parallelogram, StretchedSlider};
-use crate::{Instant, Kinematics, LengthError, Signal, SolveError};
+use crate::{Instant, Kinematics, LengthError, Options, Signal, SolveError};
 
 #[test]
 fn an_open_loop_is_named_with_its_gap() {
@@ -106,4 +106,18 @@ fn wrong_lengths_are_errors() {
     assert_eq!(mechanism.acceleration_analysis(&at, &[0.0; 3], &[0.0; 4]), Err(length("q_dot", 3, 4)));
     let at = Instant { t: 0.0, inputs: &[Signal { value: 0.0, rate: 0.0, acceleration: 0.0 }] };
     assert_eq!(mechanism.state_at(&at).unwrap_err(), length("inputs", 0, 1));
+}
+
+#[test]
+fn options_that_mean_nothing_are_named() {
+    let lever = FourBarLoop::default();
+    for options in [
+        Options { tolerance: 0.0, ..Options::default() },
+        Options { tolerance: f64::NAN, ..Options::default() },
+        Options { min_step: -1.0, ..Options::default() },
+        Options { max_rotation_per_step: 10.0, ..Options::default() },
+    ] {
+        let error = lever.solver().with_options(options).state(&Instant::at(0.3)).unwrap_err();
+        assert!(matches!(error, SolveError::Option { .. }), "{error}");
+    }
 }
