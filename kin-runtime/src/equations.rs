@@ -223,7 +223,7 @@ impl<'a> Equations<'a> {
     pub(crate) fn evaluate(&mut self, subset: Subset, q: &[f64], q_dot: Option<&[f64]>) -> Result<(), SolveError> {
         self.evaluate_rows(subset, q, q_dot).map_err(|error| {
             let error = contact::explain(self, q, error);
-            geometry::explain(self, error)
+            geometry::explain(self, error).at(self.t)
         })
     }
 
@@ -308,7 +308,7 @@ impl<'a> Equations<'a> {
 
 /// An error unless `value` is finite.
 pub(crate) fn finite(what: &'static str, index: usize, name: &'static str, value: f64) -> Result<(), SolveError> {
-    if value.is_finite() { Ok(()) } else { Err(SolveError::NonFinite { what, index, name }) }
+    if value.is_finite() { Ok(()) } else { Err(SolveError::NonFinite { what, index, name, t: None }) }
 }
 
 /// An error unless all three numbers are finite.

@@ -219,6 +219,8 @@ pub enum SolveError {
         index: usize,
         /// Name of the coordinate, parameter, input or row.
         name: &'static str,
+        /// Time, where the number was computed for an instant.
+        t: Option<f64>,
     },
     /// An argument of the wrong length.
     Length(LengthError),
@@ -310,12 +312,13 @@ impl fmt::Display for SolveError {
             Self::DegenerateContact { t, joint, what, .. } => {
                 write!(f, "degenerate contact of joint `{joint}` at t = {t}: {what}")
             }
-            Self::NonFinite { what, index, name } => {
+            Self::NonFinite { what, index, name, t } => {
                 write!(f, "{what}[{index}]")?;
                 if !name.is_empty() {
                     write!(f, " ({name})")?;
                 }
-                f.write_str(" is not a finite number")
+                f.write_str(" is not a finite number")?;
+                t.map_or(Ok(()), |t| write!(f, " at t = {t}"))
             }
             Self::Length(error) => error.fmt(f),
             Self::Option { name, value, most } => {
@@ -334,6 +337,16 @@ impl fmt::Display for SolveError {
                 write!(f, "nothing was compared: Φ is not finite at any of {skipped} configurations")
             }
         }
+    }
+}
+
+impl SolveError {
+    /// The error with the time of the instant that it was computed for.
+    pub(crate) fn at(mut self, now: f64) -> Self {
+        if let Self::NonFinite { t, .. } = &mut self {
+            *t = Some(now);
+        }
+        self
     }
 }
 

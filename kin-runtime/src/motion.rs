@@ -177,7 +177,7 @@ pub(crate) fn motion(equations: &mut Equations<'_>, state: &State) -> Result<Mot
     }
     for (index, rate) in rates.iter().enumerate() {
         for value in [rate.value, rate.rate, rate.acceleration] {
-            finite("observables", index, name(model, index), value)?;
+            finite("observables", index, name(model, index), value).map_err(|error| error.at(state.t))?;
         }
     }
     let at = |k: usize| rates.get(k).copied().unwrap_or_default();
@@ -247,7 +247,7 @@ pub(crate) fn point_jacobian(
     let mut jacobian = DMatrix::zeros(2, q.len());
     for (&(row, column), &entry) in model.observable_pattern.entries.iter().zip(parts.phi_q) {
         if let Some(component) = info.observables.iter().position(|&k| k == row) {
-            finite("observables", row, info.name, entry)?;
+            finite("observables", row, info.name, entry).map_err(|error| error.at(at.t))?;
             jacobian[(component, column)] = entry;
         }
     }

@@ -114,7 +114,7 @@ fn places(equations: &mut Equations<'_>, q: &[f64]) -> Result<Vec<Place>, SolveE
             let (u, v) = (part(0), part(1));
             let r = [x + cos * u - sin * v, y + sin * u + cos * v];
             for value in r {
-                finite("geometry", joint, info.name, value)?;
+                finite("geometry", joint, info.name, value).map_err(|error| error.at(equations.t))?;
             }
             places.push(Place { joint, body, r });
         }

@@ -347,7 +347,9 @@ struct Undefined;
 #[test]
 fn a_condition_without_a_value_is_an_error() {
     let error = Undefined.kinematic_analysis(&[0.0, 0.9, 2.0]).unwrap_err();
-    let SolveError::NonFinite { what: "conditions", name: "root", .. } = error.source else { panic!("{error}") };
+    let SolveError::NonFinite { what: "conditions", name: "root", t: Some(_), .. } = error.source else {
+        panic!("{error}")
+    };
     assert_eq!(error.trajectory.len(), 2);
     agree(&events_of(&error.trajectory, "edge"), &[(0.49, Violated), (0.51, Restored)]);
 }

@@ -256,7 +256,7 @@ fn wrong_inputs_change_nothing() {
     let mut broken = inputs.clone();
     broken[..][MeasuredExcavator::stick_length].rate = f64::NAN;
     let error = tracker.update(&Instant { t: 0.1, inputs: &broken }).unwrap_err();
-    assert_eq!(SolveError::NonFinite { what: "inputs", index: 1, name: "stick_length" }, error);
+    assert_eq!(SolveError::NonFinite { what: "inputs", index: 1, name: "stick_length", t: None }, error);
     assert!(error.to_string().contains("stick_length"), "{error}");
     assert!(tracker.update(&Instant { t: f64::NAN, inputs: &inputs }).is_err());
     assert!(tracker.restart(&Instant { t: f64::INFINITY, inputs: &inputs }).is_err());

@@ -68,7 +68,7 @@ pub(crate) fn samples(equations: &mut Equations<'_>, state: &State) -> Result<Ve
     for (index, condition) in model.conditions.iter().enumerate() {
         let row = condition.observable;
         let (value, mut rate, mut acceleration) = (parts.phi[row], parts.phi_t[row], -parts.gamma[row]);
-        finite("conditions", index, condition.name, value)?;
+        finite("conditions", index, condition.name, value).map_err(|error| error.at(state.t))?;
         // Sizes of what g, ġ and g̈ are sums of: rounding is relative to these.
         let mut sizes = [value.abs() + (rate * state.t).abs(), rate.abs(), acceleration.abs()];
         // The pattern is sorted by rows.

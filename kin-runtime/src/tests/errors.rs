@@ -78,7 +78,7 @@ fn what_is_not_a_number_is_named() {
     for bad in [f64::NAN, f64::INFINITY] {
         let named = |error: SolveError, what: &str, index: usize, name: &str| {
             assert!(
-                matches!(&error, SolveError::NonFinite { what: w, index: k, name: n }
+                matches!(&error, SolveError::NonFinite { what: w, index: k, name: n, .. }
                     if *w == what && *k == index && *n == name),
                 "{error}"
             );
@@ -94,7 +94,8 @@ fn what_is_not_a_number_is_named() {
     }
     let wrong = FourBarLoop { wrong: f64::NAN };
     let error = wrong.state_at(&at).unwrap_err();
-    assert!(matches!(error, SolveError::NonFinite { what: "Φ_q", .. }), "{error}");
+    assert!(matches!(error, SolveError::NonFinite { what: "Φ_q", t: Some(0.0), .. }), "{error}");
+    assert!(error.to_string().ends_with("at t = 0"), "{error}");
 }
 
 #[test]

@@ -119,7 +119,7 @@ fn wrong_inputs_are_named<M: Kinematics>(mechanism: &M, when: &When) {
             let broken = &mut inputs[place];
             *[&mut broken.value, &mut broken.rate, &mut broken.acceleration][part] = f64::NAN;
             let error = mechanism.state_at(&Instant { t: when.t, inputs: &inputs }).unwrap_err();
-            assert_eq!(SolveError::NonFinite { what: "inputs", index: place, name: input }, error);
+            assert_eq!(SolveError::NonFinite { what: "inputs", index: place, name: input, t: None }, error);
         }
     }
 }
