@@ -66,6 +66,7 @@ struct Sums {
 #[on_curve(Q: ground @ (0, 0), f @ (0, 0), parametric(u) = (u + t, omega), roller = slope)]
 #[flat_follower(R: a @ (0, 0), b @ (0, 0), axis = (1, 0), support(theta) = omega*sin(theta))]
 #[knife_edge(S: h @ (0, 0), angle = l)]
+#[gear(J2: c, g, radii = (omega, omega))]
 #[speed(T: h @ (0, 0), angle = l, value = l)]
 #[nonholonomic(U: dot(h.x) = l*h.phi)]
 #[driver(V: distance(tip, ground @ (0, 0)) = omega*t)]

@@ -142,6 +142,9 @@ impl Checker<'_> {
                 self.at = radii.j.origin;
                 self.same(&radii.i.value, &radii.j.value);
                 if let Of(unit) = self.quantity(&radii.i.value) {
+                    if unit != Unit::NUMBER {
+                        self.expect(&radii.i.value, length, radii.i.origin);
+                    }
                     self.expect(offset, unit, at);
                 }
             }
