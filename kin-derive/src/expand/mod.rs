@@ -30,6 +30,7 @@ pub(crate) fn expand(lowered: &Lowered, system: &KinematicSystem, structure: &St
     let cross_check = cross_check(lowered);
     quote! {
         #item
+        // Numbers of the user's that look like a rounded π are the user's business.
         #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         const _: () = {
             use ::kin_runtime::private as __kin;
@@ -89,8 +90,6 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure)
         type __Inputs<__T> = [__kin::Signal<__T>; #u];
         type __Coordinates<__T> = [__T; #n];
 
-        // Numbers of the user's that look like a rounded π are the user's business.
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         static __MODEL: __kin::Model = #tables;
 
         #helpers
