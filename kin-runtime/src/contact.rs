@@ -13,6 +13,10 @@ use crate::workspace::Instant;
 const NOTHING: f64 = 1e-150;
 /// Distance from the centre of a polar curve, relative to the typical length, at which the direction is rounding.
 const AT_CENTRE: f64 = 1e-12;
+/// Places on the way of one step at which the direction of a curve under a roller is compared.
+const SAMPLES: u32 = 4;
+/// Cosine of the largest turn between two of them.
+const TURN: f64 = 0.87;
 
 /// The error of an evaluation at q, by the name of the contact that is degenerate there, if one is.
 pub(crate) fn explain(equations: &mut Equations<'_>, q: &[f64], error: SolveError) -> SolveError {
@@ -74,16 +78,43 @@ fn place(equations: &mut Equations<'_>, joint: &JointInfo, role: Role, q: &[f64]
 
 /// The first roller whose curve stands still at q, on the common scale.
 pub(crate) fn at_a_standstill(equations: &Equations<'_>, q: &[f64]) -> Option<SolveError> {
-    let joints = equations.model.joints.iter().enumerate();
-    let is_roller = |joint: &JointInfo| {
-        joint.kind == JointKind::OnParametricCurve && joint.geometry.iter().any(|g| g.role == Role::Radius)
-    };
-    joints.filter(|(_, joint)| is_roller(joint)).find_map(|(place, joint)| {
+    rollers(equations).find_map(|(place, joint)| {
         let (column, _, speed) = speed(equations, place, q)?;
         let length = equations.scale.length;
         let still = speed * equations.scale.columns[column] <= equations.options.rank_tolerance * length;
         let what = Degeneracy::Direction { parameter: equations.model.coordinates[column].name, value: q[column] };
         still.then(|| degenerate(equations, joint.first_row, what))
+    })
+}
+
+/// The first row of a roller whose curve turns too far on the way from one configuration to the next for its side to be
+/// the same for sure: at a cusp the normal flips, and the roller with it, while Φ stays closed on either side.
+pub(crate) fn turned_about(equations: &Equations<'_>, from: &[f64], to: &[f64]) -> Option<usize> {
+    rollers(equations).find_map(|(place, joint)| {
+        let column = parameter(equations, joint)?;
+        let direction = |k: u32| {
+            let value = from[column] + f64::from(k) / f64::from(SAMPLES) * (to[column] - from[column]);
+            let [x, y] = tangent(equations, place, value)?;
+            let speed = x.hypot(y);
+            Some([x / speed, y / speed])
+        };
+        let mut before = direction(0)?;
+        for k in 1..=SAMPLES {
+            let after = direction(k)?;
+            let cosine = before[0] * after[0] + before[1] * after[1];
+            if cosine.is_nan() || cosine < TURN {
+                return Some(joint.first_row);
+            }
+            before = after;
+        }
+        None
+    })
+}
+
+/// The parametric curves under a roller.
+fn rollers<'e>(equations: &'e Equations<'_>) -> impl Iterator<Item = (usize, &'static JointInfo)> + use<'e> {
+    equations.model.joints.iter().enumerate().filter(|(_, joint)| {
+        joint.kind == JointKind::OnParametricCurve && joint.geometry.iter().any(|g| g.role == Role::Radius)
     })
 }
 
@@ -95,13 +126,21 @@ fn without_direction(equations: &Equations<'_>, joint: usize, q: &[f64]) -> Opti
 
 /// Place and value of the parameter of a joint's curve, and |c′| there.
 fn speed(equations: &Equations<'_>, joint: usize, q: &[f64]) -> Option<(usize, f64, f64)> {
-    let info = &equations.model.joints[joint];
-    let rows = info.first_row..info.first_row + info.rows;
+    let column = parameter(equations, &equations.model.joints[joint])?;
+    let [x, y] = tangent(equations, joint, q[column])?;
+    Some((column, q[column], x.hypot(y)))
+}
+
+/// Place in q of the parameter of a curve.
+fn parameter(equations: &Equations<'_>, joint: &JointInfo) -> Option<usize> {
+    let rows = joint.first_row..joint.first_row + joint.rows;
     let is_scalar = |column: usize| equations.model.coordinates[column].kind == CoordinateKind::Scalar;
     let entries = equations.model.constraint_pattern.entries.iter();
-    let column = entries.filter(|entry| rows.contains(&entry.0)).map(|entry| entry.1).find(|k| is_scalar(*k))?;
+    entries.filter(|entry| rows.contains(&entry.0)).map(|entry| entry.1).find(|k| is_scalar(*k))
+}
+
+/// c′ at a value of the parameter.
+fn tangent(equations: &Equations<'_>, joint: usize, value: f64) -> Option<[f64; 2]> {
     let at = Instant { t: equations.t, inputs: &equations.inputs };
-    let value = q[column];
-    let [x, y] = equations.system.curve(&at, joint, value)?.tangent;
-    Some((column, value, x.hypot(y)))
+    Some(equations.system.curve(&at, joint, value)?.tangent)
 }

@@ -118,3 +118,30 @@ fn a_formula_without_a_value_is_no_degenerate_contact() {
     let error = Half.velocity_analysis(&Instant::at(0.0), &[-1.0, 0.0, 0.0]).expect_err("the root of −1");
     assert!(matches!(error, SolveError::NonFinite { name: "half", .. }), "{error}");
 }
+
+/// Rollers around cusps of two kinds, the parameter driven.
+#[mechanism]
+#[bodies(roller)]
+#[coordinates(u)]
+#[angle(upright: roller = 0)]
+#[on_curve(cusp: ground @ (0, 0), roller @ (0, 0), parametric(u) = (u*u, u.powi(3)), roller = r)]
+#[driver(feed: u = -1 + t)]
+struct Beak {
+    #[param(0.1)]
+    r: f64,
+}
+
+/// At a cusp the normal flips: whatever the grid, no sweep leads a roller from one side to the other.
+#[test]
+fn no_sweep_steps_over_a_cusp() {
+    for steps in [1, 2, 3, 7, 13, 15, 33, 101] {
+        let times = |end: f64| (0..=steps).map(|k| end * f64::from(k) / f64::from(steps)).collect::<Vec<_>>();
+        let error = Beak::default().kinematic_analysis(&times(2.0)).unwrap_err();
+        assert!(error.trajectory.iter().all(|state| state.t < 1.0), "{steps}: {error}");
+        assert!(error.to_string().contains("cusp"), "{steps}: {error}");
+        let sweep = Cusp.kinematic_analysis(&times(2.0).iter().map(|t| t - 1.0).collect::<Vec<_>>());
+        assert!(sweep.unwrap_err().trajectory.iter().all(|state| state.t < 0.0), "{steps}");
+        // Up to the cusp there is nothing in the way.
+        assert_eq!(Beak::default().kinematic_analysis(&times(0.9)).unwrap().len(), times(0.9).len());
+    }
+}

@@ -2,6 +2,7 @@
 
 use super::branch::Orientation;
 use crate::acceleration::acceleration;
+use crate::contact;
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::linear::Factorization;
@@ -123,6 +124,9 @@ pub(super) fn settle(
     let gap = closing.iter().map(|&row| (equations.phi[row] * equations.scale.rows[row]).abs()).fold(0.0, f64::max);
     if gap > closed(equations, &state.q) {
         return Err(Fault::Open(worst));
+    }
+    if let Some(row) = contact::turned_about(equations, &from.node.state.q, &state.q) {
+        return Err(Fault::Jump(row));
     }
     let matrix = equations.scaled_rows(&scratch.all);
     let tolerance = equations.options.rank_tolerance;
