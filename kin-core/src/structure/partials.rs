@@ -8,7 +8,8 @@ use super::field::Residue;
 use super::place::local;
 use super::rank::{Row, add_to};
 use super::residue::Residues;
-use crate::constraint::{ConstraintSet, Frame, JointTag, Role};
+use crate::constraint::{ConstraintSet, Frame, JointInstance, JointTag, Role};
+use crate::expr::Depends;
 use crate::system::KinematicSystem;
 
 /// ∂r of a point for the coordinates that move it.
@@ -64,12 +65,19 @@ fn of_joint(system: &KinematicSystem, residues: &mut Residues<'_>, row: usize) -
             }
             Some(entries)
         }
-        (JointTag::Distance | JointTag::Driver, 0) => {
+        // A driver's right side may hold coordinates, which have partials of their own.
+        (JointTag::Distance | JointTag::Driver, 0) if !follows_coordinates(set, joint) => {
             let d = [r_q[0] - r_p[0], r_q[1] - r_p[1]];
             Some(combined(&[(&motion_q, d), (&motion_p, minus(d))]))
         }
         _ => None,
     }
+}
+
+/// The length of a joint depends on coordinates.
+fn follows_coordinates(set: &ConstraintSet, joint: &JointInstance) -> bool {
+    let values = joint.geometry.iter().filter(|geometry| geometry.role == Role::Value);
+    values.map(|geometry| set.geometry[geometry.offset]).any(|e| set.graph.depends(e).on(Depends::COORDINATE))
 }
 
 fn unit(component: usize) -> [Residue; 2] {

@@ -12,6 +12,7 @@ use crate::expr::{Depends, ExprId, Graph, Node, Symbol};
 use crate::mechanism::Component;
 use crate::system::KinematicSystem;
 use core::f64::consts::FRAC_PI_2;
+use std::collections::BTreeMap;
 
 /// A point of the unit circle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,10 +45,18 @@ impl Turn {
         Self { sin: -self.sin, ..self }
     }
 
-    /// The rotation by `times` the angle.
+    /// The rotation by `times` the angle, by doubling.
     fn times(self, times: i64) -> Self {
-        let one = if times < 0 { self.back() } else { self };
-        (0..times.unsigned_abs()).fold(Self::NONE, |all, _| all.then(one))
+        let (mut power, mut all, mut left) =
+            (if times < 0 { self.back() } else { self }, Self::NONE, times.unsigned_abs());
+        while left > 0 {
+            if left % 2 == 1 {
+                all = all.then(power);
+            }
+            power = power.then(power);
+            left /= 2;
+        }
+        all
     }
 
     /// A·v.
@@ -65,17 +74,30 @@ fn multiple(graph: &Graph, a: ExprId, b: ExprId) -> Option<(i64, ExprId)> {
     whole(a).map(|n| (n as i64, b)).or_else(|| whole(b).map(|n| (n as i64, a)))
 }
 
-/// An angle as a sum of integer multiples of other expressions.
+/// An angle as a sum of integer multiples of other expressions, each once.
+///
+/// Operands stand before what is made of them, so that from the last node on every coefficient is complete when its
+/// node is opened: shared parts are opened once. Coefficients may wrap, since 2⁶¹ turns of any angle are none modulo p.
 fn terms(graph: &Graph, angle: ExprId) -> Vec<(i64, ExprId)> {
-    let (mut open, mut sum) = (vec![(1_i64, angle)], Vec::new());
-    while let Some((times, id)) = open.pop() {
+    let (mut open, mut sum) = (BTreeMap::from([(angle, 1_i64)]), Vec::new());
+    while let Some((id, times)) = open.pop_last() {
+        let mut add = |id: ExprId, times: i64| {
+            let coefficient = open.entry(id).or_insert(0);
+            *coefficient = coefficient.wrapping_add(times);
+        };
         match graph.node(id) {
-            Node::Add(a, b) => open.extend([(times, a), (times, b)]),
-            Node::Sub(a, b) => open.extend([(times, a), (-times, b)]),
-            Node::Neg(a) => open.push((-times, a)),
+            Node::Add(a, b) => {
+                add(a, times);
+                add(b, times);
+            }
+            Node::Sub(a, b) => {
+                add(a, times);
+                add(b, times.wrapping_neg());
+            }
+            Node::Neg(a) => add(a, times.wrapping_neg()),
             Node::Mul(a, b) => match multiple(graph, a, b) {
-                Some((n, a)) if (n * times).abs() <= MULTIPLE => open.push((n * times, a)),
-                _ => sum.push((times, id)),
+                Some((n, a)) => add(a, n.wrapping_mul(times)),
+                None => sum.push((times, id)),
             },
             _ => sum.push((times, id)),
         }

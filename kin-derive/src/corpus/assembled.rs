@@ -139,12 +139,18 @@ fn rank(mut a: Vec<Vec<f64>>) -> usize {
 }
 
 /// The largest rank at assembled poses of some draws, and at how many of them it closed.
-fn largest_rank(system: &KinematicSystem, seed: u64) -> (usize, usize) {
+///
+/// Iteration may end where links have shrunk to nothing, so that a pose says what the rank is at least: below
+/// `expected` more of them are looked at.
+fn largest_rank(system: &KinematicSystem, seed: u64, expected: usize) -> (usize, usize) {
     let set = &system.set;
     let passive = (0..set.rows.len()).filter(|&row| !system.classes[row].driving && system.classes[row].holonomic);
     let rows: Vec<ExprId> = passive.map(|row| set.rows[row].phi).collect();
     let (mut best, mut closed) = (0, 0);
-    for draw in 0..4 {
+    for draw in 0..16 {
+        if draw >= 4 && (closed == 0 || best >= expected) {
+            break;
+        }
         let mut dice = Dice(seed + 1000 * draw);
         let count = set.coordinates.len() + set.parameters.len();
         let mut z: Vec<f64> = (0..count).map(|k| 0.4 + dice.next() + 0.01 * (k % 7) as f64).collect();
@@ -173,7 +179,7 @@ fn free_lengths_have_the_generic_rank() {
         let attributes: Vec<&str> = attributes.iter().map(String::as_str).collect();
         let free = diagnosed(own.source(&attributes));
         assert_eq!(free.counts(), case.counts, "{} with free lengths", case.name);
-        let (best, closed) = largest_rank(&free.system, seed);
+        let (best, closed) = largest_rank(&free.system, seed, case.counts[2]);
         if closed > 0 {
             assert_eq!(best, case.counts[2], "{} with free lengths, closed {closed} times", case.name);
             closed_at_all += 1;
@@ -182,7 +188,7 @@ fn free_lengths_have_the_generic_rank() {
         }
         // As it is written, lengths may be special, and the rank smaller; it is never larger.
         let written = diagnosed(case.source(&case.attributes()));
-        let (best, _) = largest_rank(&written.system, seed);
+        let (best, _) = largest_rank(&written.system, seed, 0);
         assert!(best <= case.counts[2], "{}: {best}", case.name);
     }
     assert!(closed_at_all + 5 > all().count(), "{closed_at_all} of {}", all().count());

@@ -205,4 +205,35 @@ pub(super) const CASES: &[Case] = &[
         counts: [3, 3, 2, 1],
         fault: "turn",
     },
+    Case {
+        name: "driven distance that is a coordinate",
+        parameters: "",
+        attributes: "body(s, y = 0, phi = 0); coordinates(u)
+            driver(a: s.x = 2 + t); driver(b: distance(ground @ (0, 1), s @ (0, 0)) = u)",
+        counts: [2, 2, 2, 2],
+        fault: "",
+    },
+    Case {
+        name: "driven distance that is another distance",
+        parameters: "",
+        attributes: "body(s, y = 0, phi = 0); body(r, y = 0, phi = 0)
+            driver(a: s.x = 2 + t); driver(b: distance(ground @ (0, 1), s @ (0, 0)) = distance(ground @ (0, 2), r @ (0, 0)))",
+        counts: [2, 2, 2, 2],
+        fault: "",
+    },
+    Case {
+        name: "angle by defines that double",
+        parameters: "p",
+        attributes: "bodies(a, b); revolute(A: ground @ (0, 0), a @ (0, 0)); revolute(B: a @ (1, 0), b @ (0, 0))
+            define(d1 = p + (p + 0.1)); define(d2 = d1 + (d1 + p)); define(d3 = d2 + (d2 + p)); define(d4 = d3 + (d3 + p))
+            define(d5 = d4 + (d4 + p)); define(d6 = d5 + (d5 + p)); define(d7 = d6 + (d6 + p)); define(d8 = d7 + (d7 + p))
+            define(d9 = d8 + (d8 + p)); define(e1 = d9 + (d9 + p)); define(e2 = e1 + (e1 + p)); define(e3 = e2 + (e2 + p))
+            define(e4 = e3 + (e3 + p)); define(e5 = e4 + (e4 + p)); define(e6 = e5 + (e5 + p)); define(e7 = e6 + (e6 + p))
+            define(e8 = e7 + (e7 + p)); define(e9 = e8 + (e8 + p)); define(f1 = e9 + (e9 + p)); define(f2 = f1 + (f1 + p))
+            define(f3 = f2 + (f2 + p)); define(f4 = f3 + (f3 + p)); define(f5 = f4 + (f4 + p)); define(f6 = f5 + (f5 + p))
+            define(f7 = f6 + (f6 + p)); define(f8 = f7 + (f7 + p)); define(f9 = f8 + (f8 + p)); define(g1 = f9 + (f9 + p))
+            relative_angle(C: a, b = g1); angle(D: b = f9)",
+        counts: [6, 6, 6, 0],
+        fault: "",
+    },
 ];
