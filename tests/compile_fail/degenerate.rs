@@ -26,6 +26,26 @@ struct Lengths {
     l: f64,
 }
 
+#[mechanism]
+#[bodies(a, b, c, wheel[3])]
+#[coordinates(psi, chi[2])]
+#[gear(A: a, b, radii = (0 * l, 1))]
+#[belt(B: b, c, radii = (l, l - l))]
+#[gear(C[i in 0..2]: wheel[i], wheel[i + 1], radii = (i, 1))]
+#[rack_pinion(D: ground @ (0, 0), a @ (0, 0), axis = (1, 0), pinion = b, radius = nothing)]
+#[rolling(E: ground @ (0, 0), a @ (0, 0), axis = (1, 0), radius = 0 * l)]
+#[rolling(F: b @ (0, 0), c @ (0, 0), radii = (l, -l), along = psi)]
+#[rolling(G[i in 0..2]: a @ (0, 0), wheel[i] @ (0, 0), radii = (i - 2, 1), along = chi[i])]
+#[distance(H[i in 0..2]: a @ (0, 0), wheel[i] @ (0, 0), length = i - 1)]
+#[x(I[i in 0..2]: wheel[i] @ (0, 0) = i)]
+#[on_curve(J: ground @ (0, 0), c @ (0, 0), polar(theta) = 0 * l * cos(theta) - 1)]
+#[on_curve(K: ground @ (0, 0), c @ (0, 0), parametric(psi) = (psi, 1), roller = 0 * l)]
+#[define(nothing = l - l)]
+struct Radii {
+    #[param(1)]
+    l: f64,
+}
+
 fn main() {
-    let _ = (Folded::default(), Lengths::default());
+    let _ = (Folded::default(), Lengths::default(), Radii::default());
 }

@@ -13,7 +13,7 @@ use super::{
 };
 use crate::error::{ModelError, Origin};
 use crate::expr::{ExprId, Graph};
-use crate::mechanism::{BodyOrigin, Component, Curve, GuessTarget, Joint, JointKind, Mechanism, Range};
+use crate::mechanism::{BodyOrigin, Component, Curve, GuessTarget, Joint, JointKind, Mechanism, Radius, Range};
 use std::collections::HashMap;
 
 /// What a joint hands back: rows as (suffix of the name, residual), and what it reports.
@@ -55,6 +55,8 @@ pub(super) struct Assembly<'m> {
     pub(super) defines: HashMap<(usize, i64), Option<ExprId>>,
     /// The index variable of the range that is being laid out.
     pub(super) index: i64,
+    /// The name of what is being written, where it is a member of a family.
+    pub(super) member: Option<String>,
     /// What the variables of the curve that is being written stand for.
     pub(super) variables: curve::Variables,
     /// Every q̇ is 0: rates of formulas are their partial derivatives with respect to time.
@@ -86,6 +88,25 @@ impl Assembly<'_> {
     pub(super) fn error(&mut self, origin: Origin, message: impl Into<String>) -> ExprId {
         self.errors.push(ModelError::new(origin, message));
         self.graph.zero()
+    }
+
+    /// What is degenerate in a joint: told of the first member of a family, by name, and not of each.
+    pub(super) fn degenerate(&mut self, origin: Origin, what: &str, message: impl core::fmt::Display) {
+        if self.errors.iter().all(|error| error.origin != origin) {
+            let member = self.member.as_ref().map_or(String::new(), |name| format!(" of `{name}`"));
+            self.error(origin, format!("{what}{member} {message}"));
+        }
+    }
+
+    /// The radius of a disc or gear, which is not 0; plain numbers have their own rule.
+    pub(super) fn radius(&mut self, radius: &Radius) -> ExprId {
+        let before = self.errors.len();
+        let value = self.formula(&radius.value);
+        if self.graph.is_zero(value) && self.errors.len() == before {
+            let right = "a radius is positive, or negative for a disc or gear that the other runs inside of";
+            self.degenerate(radius.origin, "this radius", format_args!("is 0; {right}"));
+        }
+        value
     }
 
     pub(super) fn observe(&self, set: &mut ConstraintSet, kind: ObservableKind, value: ExprId) -> usize {
@@ -160,9 +181,12 @@ impl Assembly<'_> {
             let members = instances.len();
             for (shown, index) in instances {
                 self.index = index;
+                let name = indexed(&joint.name, shown.is_some(), index);
+                self.member = shown.map(|_| name.clone());
                 let rows = self.rows_of(joint);
-                self.write(set, joint, (family, index), indexed(&joint.name, shown.is_some(), index), rows);
+                self.write(set, joint, (family, index), name, rows);
             }
+            self.member = None;
             if joint.range.is_some() && members > 0 {
                 let stride = (set.rows.len() - first) / members;
                 set.row_families.push(Family { name: joint.name.clone(), first, members, stride });

@@ -25,13 +25,14 @@ pub(super) fn between(a: &mut Assembly<'_>, p: &PlacedPoint, q: &PlacedPoint, le
     // A number only once names are followed and numbers folded; plain ones have their own rule.
     match a.graph.literal(length) {
         Some(0.0) => {
-            a.error(
+            a.degenerate(
                 origin,
-                "this length is 0, whose row has no gradient; points that coincide are joined with `revolute`",
+                "this length",
+                "is 0, whose row has no gradient; points that coincide are joined with `revolute`",
             );
         }
         Some(value) if value < 0.0 => {
-            a.error(origin, format!("a length is positive; this one is {value}"));
+            a.degenerate(origin, "this length", format_args!("is {value}; a length is positive"));
         }
         _ => {}
     }

@@ -36,7 +36,7 @@ pub(super) fn coupled(
 ) -> Rows {
     let [i, j, carrier] = [pair.a, pair.b, pair.carrier].map(|body| a.frame(body));
     let turned = [pair.a, pair.b, pair.carrier].map(|body| a.pose(body)[2]);
-    let radii = [&pair.radii.i, &pair.radii.j].map(|radius| a.formula(&radius.value));
+    let radii = [&pair.radii.i, &pair.radii.j].map(|radius| a.radius(radius));
     let offset = a.formula(offset);
     let arcs = [0, 1].map(|k| {
         let angle = a.graph.sub(turned[k], turned[2]);

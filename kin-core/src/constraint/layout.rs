@@ -90,6 +90,7 @@ impl<'m> Assembly<'m> {
             first_function,
             defines: HashMap::new(),
             index: 0,
+            member: None,
             variables: Default::default(),
             at_rest: false,
             outline: None,

@@ -162,9 +162,10 @@ impl<'m> Assembly<'m> {
             (Some(x), Some(y)) => {
                 let norm = x.hypot(y);
                 if norm == 0.0 {
-                    self.error(
+                    self.degenerate(
                         axis.origin,
-                        "this axis is (0, 0) and has no direction; kin normalises it, so that any other length will do",
+                        "this axis",
+                        "is (0, 0) and has no direction; kin normalises it, so that any other length will do",
                     );
                     v
                 } else {

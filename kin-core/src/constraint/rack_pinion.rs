@@ -24,7 +24,7 @@ pub(super) fn rows(
     let (p, q) = (a.place(p), a.place(q));
     let axis = a.axis(axis, &p);
     let (wheel, turned) = (a.frame(pinion).unwrap_or(Frame::Ground), a.pose(pinion)[2]);
-    let (radius, offset) = (a.formula(&radius.value), a.formula(offset));
+    let (radius, offset) = (a.radius(radius), a.formula(offset));
     let mut rows = Rows::between(&p, &q);
     rows.geometry.push((Role::Axis, p.frame, axis.local.to_vec()));
     rows.geometry.push((Role::Radius, wheel, vec![radius]));

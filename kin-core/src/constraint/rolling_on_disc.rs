@@ -17,7 +17,8 @@ use crate::mechanism::{Formula, Member, Place, Radii};
 
 pub(super) fn rows(a: &mut Assembly<'_>, [p, q]: [&Place; 2], radii: &Radii, along: &Member, offset: &Formula) -> Rows {
     let (p, q) = (a.place(p), a.place(q));
-    let radii = [&radii.i, &radii.j].map(|radius| a.formula(&radius.value));
+    let origin = radii.origin;
+    let radii = [&radii.i, &radii.j].map(|radius| a.radius(radius));
     let offset = a.formula(offset);
     let psi = a.formula(&Formula::Scalar(*along));
     let mut rows = Rows::between(&p, &q);
@@ -26,6 +27,9 @@ pub(super) fn rows(a: &mut Assembly<'_>, [p, q]: [&Place; 2], radii: &Radii, alo
     rows.geometry.push((Role::Value, p.frame, vec![offset]));
     // (R_i + R_j)(cos ψ, sin ψ) is the vector (R_i + R_j, 0) of a body that turns with ψ.
     let (sum, zero) = (a.graph.add(radii[0], radii[1]), a.graph.zero());
+    if a.graph.is_zero(sum) && radii.iter().all(|radius| !a.graph.is_zero(*radius)) {
+        a.degenerate(origin, "the radii", "add up to 0, which puts both discs on one centre, where nothing rolls");
+    }
     let centres = a.graph.rotate(psi, [sum, zero]);
     let d = [0, 1].map(|k| a.graph.sub(q.r[k], p.r[k]));
     let arcs = [(radii[0], p.angle), (radii[1], q.angle)].map(|(radius, angle)| {

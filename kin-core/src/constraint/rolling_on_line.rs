@@ -18,7 +18,7 @@ use crate::mechanism::{Axis, Formula, Place, Radius};
 pub(super) fn rows(a: &mut Assembly<'_>, [p, q]: [&Place; 2], axis: &Axis, radius: &Radius, offset: &Formula) -> Rows {
     let (p, q) = (a.place(p), a.place(q));
     let axis = a.axis(axis, &p);
-    let (radius, offset) = (a.formula(&radius.value), a.formula(offset));
+    let (radius, offset) = (a.radius(radius), a.formula(offset));
     let mut rows = Rows::between(&p, &q);
     rows.geometry.push((Role::Axis, p.frame, axis.local.to_vec()));
     rows.geometry.push((Role::Radius, q.frame, vec![radius]));

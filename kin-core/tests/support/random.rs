@@ -279,8 +279,11 @@ impl Builder {
         self.variables.clear();
         formula
     }
+
+    /// A radius that comes to 0 is an error; its sign is either.
     fn radius(&mut self) -> Radius {
-        let value = self.formula(Holds::Parameters, 1);
+        let value = positive(self.formula(Holds::Parameters, 1));
+        let value = if self.random.below(3) == 0 { Formula::Neg(Box::new(value)) } else { value };
         Radius { value, origin: AT }
     }
 
@@ -335,7 +338,7 @@ impl Builder {
                 }
             }
             10 => {
-                let radius = self.on_curve(&[Formula::Curve(CurveVariable::Theta)]);
+                let radius = positive(self.on_curve(&[Formula::Curve(CurveVariable::Theta)]));
                 JointKind::OnCurve { p, q, curve: Curve::Polar { radius, origin: AT } }
             }
             11 => {

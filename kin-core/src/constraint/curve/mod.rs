@@ -46,7 +46,7 @@ impl Variables {
 pub(super) fn rows(a: &mut Assembly<'_>, p: &Place, q: &Place, curve: &Curve) -> Rows {
     let (p, q) = (a.place(p), a.place(q));
     match curve {
-        Curve::Polar { radius, .. } => polar::rows(a, &p, &q, radius),
+        Curve::Polar { radius, origin } => polar::rows(a, &p, &q, radius, *origin),
         Curve::Implicit { value, .. } => implicit::rows(a, &p, &q, value),
         Curve::Parametric { parameter, x, y, roller, .. } => {
             parametric::rows(a, &p, &q, parameter, [x, y], roller.as_ref())

@@ -12,16 +12,21 @@ use super::{draw, in_theta, seen};
 use crate::constraint::assembly::{Assembly, Rows};
 use crate::constraint::distance;
 use crate::constraint::placed::PlacedPoint;
+use crate::error::Origin;
 use crate::expr::Symbol;
 use crate::mechanism::Formula;
 
-pub(super) fn rows(a: &mut Assembly<'_>, p: &PlacedPoint, q: &PlacedPoint, radius: &Formula) -> Rows {
+pub(super) fn rows(a: &mut Assembly<'_>, p: &PlacedPoint, q: &PlacedPoint, radius: &Formula, origin: Origin) -> Rows {
     let mut rows = Rows::between(p, q);
     let distance = distance::length(a, p, q);
     let [x, y] = seen(a, p, q);
     let theta = a.graph.atan2(y, x);
     let s = a.graph.symbol(Symbol::ARGUMENT);
     let (rho, cos, sin) = (in_theta(a, radius, s), a.graph.cos(s), a.graph.sin(s));
+    // A plain number has its own rule.
+    if let Some(value) = a.graph.literal(rho).filter(|value| *value <= 0.0) {
+        a.degenerate(origin, "this polar radius", format_args!("is {value} everywhere; it is positive"));
+    }
     let drawn = [a.graph.mul(rho, cos), a.graph.mul(rho, sin)];
     draw(a, p, drawn);
     let radius = in_theta(a, radius, theta);

@@ -4,7 +4,8 @@ use super::geometry::common_member;
 use crate::error::{ModelError, Origin};
 use crate::mechanism::{BodyRef, Joint, JointKind, Mechanism, Radius};
 
-/// A radius is not a literal 0, and discs that roll on one another do not have one centre.
+/// A radius is not a literal 0, and discs that roll on one another do not have one centre; assembly sees what comes to
+/// that for a member of a family, and what is 0 only once numbers are folded.
 pub(super) fn radii_have_a_size(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for joint in &mechanism.joints {
         for radius in radii(&joint.kind) {
