@@ -6,7 +6,7 @@
 //! ```text
 //! smooth    s = t:    u = u₀ + h u̇₀ x + ½ h² ü₀ x² + c₃ x³ + c₄ x⁴ + c₅ x⁵
 //! straight  s = t:    u = u₀ + Δu x,    u̇ = Δu/h,    ü = 0
-//! frozen    s = x:    u = u₀ + Δu x,    t stays what it is
+//! frozen    s = x:    u = u₀ + Δu x,    t stays what it is, within a few units in its last place
 //! ```
 //!
 //! with c₃, c₄, c₅ such that the quintic has value, rate and acceleration of both ends. On a frozen way derivatives are
@@ -20,6 +20,9 @@ pub(crate) type InputFunction<'a> = Option<&'a dyn Fn(f64, &mut [Signal])>;
 /// Deviation of a signal's end from what its other end foretells, relative to its change, up to which rates and
 /// accelerations are believed.
 const BELIEVED: f64 = 0.25;
+
+/// Units in the last place of t below which there is no room for steps in time.
+const NEIGHBOURS: f64 = 64.0;
 
 /// How the inputs go from one instant to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,8 +63,9 @@ impl Way {
             let allowed = BELIEVED * (b.value - a.value).abs();
             (a.after(h).value - b.value).abs() <= allowed && (b.after(-h).value - a.value).abs() <= allowed
         };
+        let nothing = NEIGHBOURS * f64::EPSILON * from.t.abs().max(to.t.abs());
         self.kind = match h {
-            0.0 => Kind::Frozen,
+            h if h.abs() <= nothing => Kind::Frozen,
             h if h > 0.0 && self.from.iter().zip(&self.to).all(believed) => Kind::Smooth,
             _ => Kind::Straight,
         };
@@ -81,12 +85,17 @@ impl Way {
 
     /// True where neither time nor a value changes on the way.
     pub(crate) fn is_still(&self) -> bool {
-        self.kind == Kind::Frozen && self.from.iter().zip(&self.to).all(|(a, b)| a.value == b.value)
+        self.t[0] == self.t[1] && self.from.iter().zip(&self.to).all(|(a, b)| a.value == b.value)
     }
 
     /// Time at a place.
     pub(crate) fn time(&self, s: f64) -> f64 {
-        if self.kind == Kind::Frozen { self.t[0] } else { s }
+        let [start, end] = self.t;
+        match self.kind {
+            Kind::Frozen if s == 1.0 => end,
+            Kind::Frozen => start + s * (end - start),
+            Kind::Smooth | Kind::Straight => s,
+        }
     }
 
     /// Writes the inputs at a place.
@@ -162,5 +171,6 @@ mod tests {
         assert_eq!(Kind::Straight, kind(0.1, Signal::constant(0.2), Signal::constant(0.3)));
         assert_eq!(Kind::Smooth, kind(0.1, Signal::constant(0.2), Signal::constant(0.2)));
         assert_eq!(Kind::Frozen, kind(0.0, fall, Signal::constant(2.0)));
+        assert_eq!(Kind::Straight, kind(1e-9, fall, Signal::constant(2.0)));
     }
 }

@@ -171,6 +171,11 @@ impl<'a> Equations<'a> {
         Ok(())
     }
 
+    /// Prescribed coordinates begin anew at time `t`; gives the time at which they began.
+    pub(crate) fn begin_at(&mut self, t: f64) -> f64 {
+        core::mem::replace(&mut self.start_time, t)
+    }
+
     fn set_time(&mut self, t: f64) {
         self.t = t;
         let elapsed = t - self.start_time;

@@ -34,7 +34,8 @@ pub struct Options {
     pub max_rotation_per_step: f64,
     /// Largest correction of the predicted position, relative to the predicted motion, that a step of a sweep accepts.
     pub prediction_tolerance: f64,
-    /// Smallest internal step of a sweep, relative to the distance between the first and the last instant.
+    /// Smallest internal step of a sweep, relative to the distance to the next instant or to the step within which nothing
+    /// turns by more than is allowed, whichever is shorter; at least four units in the last place of t.
     pub min_step: f64,
     /// Largest estimated error that one internal step leaves in a coordinate, where rows of velocity level make a sweep
     /// integrate: on the common scale, and relative to the coordinate where that is larger than one. Over a usual sweep
@@ -81,6 +82,8 @@ impl Options {
         below("max_rotation_per_step", self.max_rotation_per_step, core::f64::consts::FRAC_PI_2)?;
         below("prediction_tolerance", self.prediction_tolerance, 1.0)?;
         below("min_step", self.min_step, 1.0)?;
-        below("integration_tolerance", self.integration_tolerance, 1.0)
+        below("integration_tolerance", self.integration_tolerance, 1.0)?;
+        below("max_iterations", self.max_iterations as f64, f64::MAX)?;
+        below("max_steps", self.max_steps as f64, f64::MAX)
     }
 }

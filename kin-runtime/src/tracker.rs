@@ -34,7 +34,8 @@ use crate::workspace::Instant;
 ///
 /// After an error, [`state`](Self::state) is still the last good instant, and the next update goes on from there. How
 /// long a refused update takes is bounded by [`Options::min_step`](crate::Options::min_step) and
-/// [`Options::max_steps`](crate::Options::max_steps): a controller may prefer larger and fewer ones than the default.
+/// [`Options::max_steps`](crate::Options::max_steps), for each of the two ways that are tried: a controller may prefer
+/// larger and fewer steps than the default.
 ///
 /// Parameters are those at the time when the tracker was made, which borrows (or owns) the mechanism; for other
 /// dimensions make another one with [`Solver::tracker_from`] and [`State::q`]. States, workspaces and buffers are used
@@ -146,12 +147,15 @@ impl<'m> Tracker<'m> {
         at: &Instant<'_>,
         first: impl FnOnce(&mut Equations<'_>, &[Option<f64>]) -> Result<Position, SolveError>,
     ) -> Result<&State, SolveError> {
+        self.equations.check_instant(at)?;
         let scale = self.equations.scale.clone();
+        let begun = self.equations.begin_at(at.t);
         self.equations.set_instant(at)?;
         match self.equations.by_time(|equations| begin(equations, &self.guess, first)) {
             Ok(follower) => self.follower = follower,
             Err(error) => {
                 self.equations.scale = scale;
+                self.equations.begin_at(begun);
                 return Err(error);
             }
         }

@@ -314,3 +314,40 @@ fn reports_are_those_of_the_solver() {
     }
     differences.finish();
 }
+
+/// An arm that an input turns, and another that is prescribed.
+#[mechanism]
+#[input(turn)]
+#[body(arm, x = 0, y = 0)]
+#[body(other, x = 1, y = 0)]
+#[driver(drive: arm.phi = turn)]
+#[driver(half: other.phi + free = 0)]
+#[coordinates(free)]
+struct Arms;
+
+/// Time stamps of a large clock, or jitter, leave no step in time between two updates; the inputs still lead on.
+#[test]
+fn instants_may_be_neighbouring_numbers() {
+    for start in [1.0_f64, 1.7e9] {
+        let free = Arms::model().coordinate("free").expect("its name");
+        let solver = Arms.solver().with_given(free, Signal::default());
+        let mut tracker = solver.tracker(&Instant { t: start, inputs: &[Signal::constant(0.0)] }).unwrap();
+        let next = start.next_up();
+        let state = tracker.update(&Instant { t: next, inputs: &[Signal::new(2.0, 0.5, 0.0)] }).unwrap();
+        assert_eq!((state.t, state.q[0], state.q_dot[0]), (next, 2.0, 0.5));
+        assert!(state.iterations < 1000, "{}", state.iterations);
+    }
+}
+
+#[test]
+fn a_restart_begins_prescribed_coordinates_anew() {
+    let free = Arms::model().coordinate("free").expect("its name");
+    let solver = Arms.solver().with_given(free, Signal::new(0.1, 1.0, 0.0));
+    let inputs = [Signal::constant(0.0)];
+    let mut tracker = solver.tracker(&Instant { t: 0.0, inputs: &inputs }).unwrap();
+    assert!((tracker.update(&Instant { t: 0.5, inputs: &inputs }).unwrap().q[free] - 0.6).abs() < 1e-12);
+    // What does not start leaves everything as it was.
+    assert!(tracker.restart(&Instant { t: f64::NAN, inputs: &inputs }).is_err());
+    assert!((tracker.update(&Instant { t: 0.7, inputs: &inputs }).unwrap().q[free] - 0.8).abs() < 1e-12);
+    assert!((tracker.restart(&Instant { t: 5.0, inputs: &inputs }).unwrap().q[free] - 0.1).abs() < 1e-12);
+}

@@ -171,6 +171,10 @@ impl Follower {
                 share if share < 2.0 => from + 0.5 * remaining,
                 _ => from + length.copysign(remaining),
             };
+            if s == from {
+                // Between neighbouring numbers there is no step to take.
+                return Err(refusal(equations, &start, target, Fault::Coarse(0.5)));
+            }
             match (self.step)(equations, &mut self.scratch, start, &mut self.next, s, s == target) {
                 Ok(growth) => {
                     iterations += self.next.state.iterations;

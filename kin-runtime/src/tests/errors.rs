@@ -117,6 +117,8 @@ fn options_that_mean_nothing_are_named() {
         Options { tolerance: f64::NAN, ..Options::default() },
         Options { min_step: -1.0, ..Options::default() },
         Options { max_rotation_per_step: 10.0, ..Options::default() },
+        Options { max_steps: 0, ..Options::default() },
+        Options { max_iterations: 0, ..Options::default() },
     ] {
         let error = lever.solver().with_options(options).state(&Instant::at(0.3)).unwrap_err();
         assert!(matches!(error, SolveError::Option { .. }), "{error}");
