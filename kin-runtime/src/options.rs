@@ -6,7 +6,9 @@ use crate::error::SolveError;
 ///
 /// All tolerances are relative. Rows and coordinates are first brought to a common scale, on which one unit is a
 /// rotation of one radian or the displacement that such a rotation causes in this mechanism; a mechanism in
-/// millimetres is therefore solved exactly as the same one in metres.
+/// millimetres is therefore solved exactly as the same one in metres, wherever joints, points or curves say how large it
+/// is. Equations over scalar coordinates alone say nothing of that: there one unit of a coordinate counts as one, and
+/// coordinates of very different size want other limits.
 ///
 /// ```
 /// use kin_runtime::Options;

@@ -17,7 +17,7 @@
 //! Φ_q l = −(Φ_q k)_q k − 2 Φ_qu k − Φ_uu      l = ∂²q/∂u²
 //! ```
 //!
-//! Where rows of velocity level take part k is ∂q̇/∂u̇ and l u̇² its share of q̈, and there is no q(u).
+//! Where rows of velocity level take part a row's k is ∂q̇/∂f, an input's k is ∂q̇/∂u̇ and l u̇² its share of q̈, and there is no q(u).
 //! Φ_u is the part of Φ_t that is linear in u̇, Φ_t(u̇ = 1) − Φ_t(u̇ = 0); the right-hand side of l is the part of γ that
 //! is even in q̇ and u̇ together, at q̇ = k, u̇ = 1.
 
@@ -41,7 +41,7 @@ pub struct VelocityRatio {
     pub row_name: &'static str,
     /// Its joint.
     pub joint: &'static str,
-    /// k = ∂q/∂f, n numbers: Φ_q k = e_d, with f the row's right-hand side (Φ_q k = 2 f e_d for a distance).
+    /// k = ∂q/∂f (∂q̇/∂f for a row of velocity level), n numbers: Φ_q k = e_d, with f the row's right-hand side (Φ_q k = 2 f e_d for a distance).
     pub first: Vec<f64>,
     /// l = ∂²q/∂f², n numbers: Φ_q l = −(Φ_q k)_q k (plus 2 e_d for a distance).
     pub second: Vec<f64>,
@@ -52,6 +52,9 @@ pub struct VelocityRatio {
 }
 
 /// How q follows one input, all others and time standing still.
+///
+/// Counted is what follows u̇ and ü. Where a row of velocity level holds the *value* of the input (a `speed` that it sets),
+/// q̇ follows u itself; that is the row's [`VelocityRatio`], and no part of these numbers.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct InputRatio {
