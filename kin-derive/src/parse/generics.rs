@@ -7,7 +7,7 @@ use quote::ToTokens;
 use syn::{Error, GenericParam, Generics, Ident, ItemStruct, Result, Type};
 
 /// What generated code calls its own: no struct and no parameter of it may have one of these names.
-const RESERVED: [&str; 5] = ["__T", "__Parameters", "__Inputs", "__Coordinates", "__kin"];
+const RESERVED: [&str; 7] = ["__T", "__Parameters", "__Inputs", "__Coordinates", "__Functions", "__MODEL", "__kin"];
 
 /// Refuses the names that generated code uses beside the user's; true when there is one.
 pub(super) fn reserved(item: &ItemStruct, report: &Report) -> bool {

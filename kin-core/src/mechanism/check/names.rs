@@ -42,7 +42,7 @@ pub(super) fn names_differ(mechanism: &Mechanism, errors: &mut Vec<ModelError>) 
             }
             Some(other) => {
                 let message = format!(
-                    "`{name}` is {other} already, and here {kind}; bodies, coordinates, parameters, points, defines and inputs share one namespace"
+                    "`{name}` is {other} already, and here {kind}; bodies, coordinates, parameters, points, defines, functions and inputs share one namespace"
                 );
                 errors.push(ModelError::new(origin, message));
             }
