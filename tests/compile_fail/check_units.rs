@@ -67,6 +67,8 @@ struct Sums {
 #[flat_follower(R: a @ (0, 0), b @ (0, 0), axis = (1, 0), support(theta) = omega*sin(theta))]
 #[knife_edge(S: h @ (0, 0), angle = l)]
 #[gear(J2: c, g, radii = (omega, omega))]
+#[gear(J3: c, g, radii = (1, l), offset = omega)]
+#[belt(J4: c, g, radii = (2, omega))]
 #[speed(T: h @ (0, 0), angle = l, value = l)]
 #[nonholonomic(U: dot(h.x) = l*h.phi)]
 #[driver(V: distance(tip, ground @ (0, 0)) = omega*t)]

@@ -140,10 +140,15 @@ impl Checker<'_> {
             // Numbers of teeth do as well as radii.
             Kind::Gear { radii, offset, .. } | Kind::Belt { radii, offset, .. } => {
                 self.at = radii.j.origin;
-                self.same(&radii.i.value, &radii.j.value);
-                if let Of(unit) = self.quantity(&radii.i.value) {
+                // The unit that both agree on; where they do not, the offset goes by the first.
+                let agreed = match self.same(&radii.i.value, &radii.j.value) {
+                    Of(unit) => Of(unit),
+                    _ => self.quantity(&radii.i.value),
+                };
+                if let Of(unit) = agreed {
                     if unit != Unit::NUMBER {
                         self.expect(&radii.i.value, length, radii.i.origin);
+                        self.expect(&radii.j.value, length, radii.j.origin);
                     }
                     self.expect(offset, unit, at);
                 }
