@@ -46,6 +46,30 @@ struct Radii {
     l: f64,
 }
 
+/// Conditions that nothing moves once numbers are folded.
+#[mechanism]
+#[bodies(c)]
+#[revolute(O: ground @ (0, 0), c @ (0, 0))]
+#[driver(turn: c.phi = t)]
+#[unilateral(L[i in 0..3]: i * c.phi > 0)]
+#[unilateral(M[i in 0..3]: (i - 1) * c.phi + l < 0)]
+#[unilateral(N: c.phi - c.phi < l)]
+#[unilateral(P[i in 1..3]: i * c.phi > 0)]
+struct Still {
+    #[param(1)]
+    l: f64,
+}
+
+/// A driven distance is wrong at its value.
+#[mechanism]
+#[bodies(p, q, r[2])]
+#[driver(D: distance(p @ (0, 0), q @ (0, 0)) = 0 * l)]
+#[driver(E[i in 0..2]: distance(p @ (0, 0), r[i] @ (0, 0)) = 1 - i)]
+struct Driven {
+    #[param(1)]
+    l: f64,
+}
+
 fn main() {
     let _ = (Folded::default(), Lengths::default(), Radii::default());
 }

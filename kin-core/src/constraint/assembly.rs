@@ -90,12 +90,17 @@ impl Assembly<'_> {
         self.graph.zero()
     }
 
-    /// What is degenerate in a joint: told of the first member of a family, by name, and not of each.
-    pub(super) fn degenerate(&mut self, origin: Origin, what: &str, message: impl core::fmt::Display) {
+    /// What is wrong with a family is told once, of the first member that has it.
+    pub(super) fn error_once(&mut self, origin: Origin, message: impl Into<String>) {
         if self.errors.iter().all(|error| error.origin != origin) {
-            let member = self.member.as_ref().map_or(String::new(), |name| format!(" of `{name}`"));
-            self.error(origin, format!("{what}{member} {message}"));
+            self.error(origin, message);
         }
+    }
+
+    /// What is degenerate in a joint; a member of a family is named.
+    pub(super) fn degenerate(&mut self, origin: Origin, what: &str, message: impl core::fmt::Display) {
+        let member = self.member.as_ref().map_or(String::new(), |name| format!(" of `{name}`"));
+        self.error_once(origin, format!("{what}{member} {message}"));
     }
 
     /// The radius of a disc or gear, which is not 0; plain numbers have their own rule.

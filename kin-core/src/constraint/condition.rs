@@ -22,9 +22,18 @@ impl Assembly<'_> {
                     Relation::Greater => self.graph.sub(left, right),
                     Relation::Less => self.graph.sub(right, left),
                 };
+                let name = indexed(&condition.name, shown.is_some(), index);
+                // Of a member whose index leaves nothing that moves; the others have the rule on formulas.
+                if self.graph.depends(value).is_static() {
+                    let message = format!(
+                        "unilateral `{name}` comes to a value of parameters alone, so that no motion changes it; one \
+                         of its sides moves"
+                    );
+                    self.error_once(condition.keyword, message);
+                }
                 let observable = self.observe(set, ObservableKind::Condition(set.conditions.len()), value);
                 set.conditions.push(ConditionInstance {
-                    name: indexed(&condition.name, shown.is_some(), index),
+                    name,
                     family: (family, index),
                     text: condition.text.clone(),
                     observable,

@@ -106,6 +106,8 @@ pub fn mechanism(seed: u64) -> Mechanism {
     for (k, relation) in [Relation::Greater, Relation::Less].into_iter().enumerate() {
         builder.range = if builder.random.chance(50) { ranged } else { None };
         let (left, right) = (builder.formula(Holds::Everything, 2), builder.formula(Holds::Everything, 1));
+        // A condition that comes to parameters alone is an error.
+        let left = add(left, mul(Formula::Number(0.37), Formula::Scalar(member(0, index(0, 0)))));
         let (name, range) = (format!("C{k}"), builder.range);
         out.conditions.push(Condition {
             name,
