@@ -166,7 +166,7 @@ fn families_of_rows_reach_the_program() {
     let row_of = |slot: Slot| match slot {
         Slot::Phi(row) | Slot::PhiT(row) | Slot::Gamma(row) => Some(row),
         Slot::PhiQ(place) => entries.get(place).copied(),
-        Slot::Entry(_) => None,
+        _ => None,
     };
     let mut program = combined(&system);
     for family in &set.row_families {

@@ -10,6 +10,7 @@ pub mod generic;
 mod handles;
 pub mod mechanism;
 pub mod model;
+pub mod plan;
 #[doc(hidden)]
 pub mod private;
 pub mod scalar;

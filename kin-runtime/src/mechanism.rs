@@ -2,6 +2,7 @@
 
 use crate::curve::CurvePoint;
 use crate::model::Model;
+use crate::plan::{Depth, Solved};
 use crate::scalar::Scalar;
 use crate::workspace::{Array, Evaluation, Instant, Subset};
 
@@ -149,6 +150,60 @@ pub trait Mechanism: Sized {
         // Without rows of velocity level there is nothing to evaluate.
         let _ = (parameters, at, q, q_dot);
         *eta = Self::Rows::<T>::generate(|_| T::from_f64(0.0));
+        Ok(())
+    }
+
+    /// q, q̇ and q̈, as far as `depth` goes, by the plan ([`Model::plan`]): every group in closed form where it has one.
+    ///
+    /// `modes` has a sign, ±1, for every mode of the plan; angles come out within half a turn of those in `start`, n
+    /// numbers, and iterations start there. What is written is good only where all margins are positive; nothing is
+    /// written where there is no plan.
+    ///
+    /// # Errors
+    /// When an argument has the wrong length.
+    fn solve_with<T: Scalar>(
+        &self,
+        parameters: &[T],
+        at: &Instant<'_, T>,
+        modes: &[T],
+        start: &[T],
+        depth: Depth,
+        solved: Solved<'_, T>,
+    ) -> Result<(), LengthError> {
+        let _ = (parameters, at, modes, start, depth, solved);
+        Ok(())
+    }
+
+    /// For every mode of the plan, a number in −1 ≤ w ≤ 1 whose sign is the mode of the configuration q and whose
+    /// size says how far the two closures are apart: 0 where they meet.
+    ///
+    /// # Errors
+    /// When an argument has the wrong length.
+    fn closures_with<T: Scalar>(
+        &self,
+        parameters: &[T],
+        at: &Instant<'_, T>,
+        q: &[T],
+        closures: &mut [T],
+    ) -> Result<(), LengthError> {
+        let _ = (parameters, at, q, closures);
+        Ok(())
+    }
+
+    /// x with Φ_q x = b, s numbers b, by the blocks of the plan; margins as in [`Solved::margins`].
+    ///
+    /// # Errors
+    /// When an argument has the wrong length.
+    fn resolve_with<T: Scalar>(
+        &self,
+        parameters: &[T],
+        at: &Instant<'_, T>,
+        q: &[T],
+        b: &[T],
+        x: &mut [T],
+        margins: &mut [T],
+    ) -> Result<(), LengthError> {
+        let _ = (parameters, at, q, b, x, margins);
         Ok(())
     }
 

@@ -2,6 +2,8 @@
 //!
 //! Generated code holds one static [`Model`] per mechanism. All indices are 0-based.
 
+use crate::plan::Plan;
+
 mod joint;
 
 pub use crate::handles::{Body, Coordinate, Input, Point, Quantity};
@@ -322,6 +324,8 @@ pub struct Model {
     pub allow_redundant: bool,
     /// Generic ranks and redundant rows; `None` in a model that was written by hand.
     pub structure: Option<Structure>,
+    /// How the mechanism is solved block by block.
+    pub plan: Plan,
     /// Operations of one combined evaluation.
     pub operations: OperationCount,
     /// The derivation as text; empty without the feature `equations`.

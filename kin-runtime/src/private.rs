@@ -10,6 +10,7 @@ pub use crate::model::{
     Model, Observable, OperationCount, OriginKind, ParameterInfo, Pattern, Point, PointInfo, Quantity, Role, RowInfo,
     Structure,
 };
+pub use crate::plan::{Depth, ModeInfo, Plan, PlanStep, Solved, StepKind, iterate};
 pub use crate::scalar::Scalar;
 pub use crate::workspace::{Evaluation, Instant, Signal, Subset};
 pub use core::default::Default;
@@ -26,7 +27,8 @@ pub mod locals {
     }
     names! {
         arguments at eta gamma geometry guesses index joint k observations out p parameters phi phi_q phi_t q
-        q_dot s subset t this u value w workspace x
+        acceleration held margins modes position q_dot right s start subset t this u unknowns value velocity w
+        workspace x
     }
 }
 

@@ -29,6 +29,19 @@ pub trait Scalar:
     fn atan(self) -> Self;
     /// Angle of the vector (x, y) = (`x`, `self`), in (−π, π].
     fn atan2(self, x: Self) -> Self;
+    /// The angle `self` + 2πn that is nearest to `reference`.
+    #[inline(always)]
+    fn nearest(self, reference: Self) -> Self {
+        let (sin, cos) = (self - reference).sin_cos();
+        reference + sin.atan2(cos)
+    }
+    /// True when |`self`| is at most `bound`, in all lanes; ends iterations. A scalar that cannot tell says no, and
+    /// iterations go on to their last.
+    #[inline(always)]
+    fn is_within(self, bound: f64) -> bool {
+        let _ = bound;
+        false
+    }
     /// Square root.
     fn sqrt(self) -> Self;
     /// Exponential.
@@ -102,6 +115,18 @@ macro_rules! float {
                 return <$t>::powf(self, n as $t);
                 #[cfg(not(feature = "std"))]
                 return libm::$pow(self, n as $t);
+            }
+            #[inline(always)]
+            fn nearest(self, reference: Self) -> Self {
+                const TURN: $t = core::f64::consts::TAU as $t;
+                // Adding 1.5·2ᵐ, m the bits of a mantissa, rounds to an integer without a call.
+                const ROUND: $t = 1.5 / <$t>::EPSILON;
+                let turns = ((reference - self) * (1.0 / TURN) + ROUND) - ROUND;
+                self + turns * TURN
+            }
+            #[inline(always)]
+            fn is_within(self, bound: f64) -> bool {
+                f64::from(<$t>::abs(self)) <= bound
             }
             #[inline(always)]
             fn lift(self, f: impl Fn(f64) -> [f64; 3]) -> [Self; 3] {

@@ -325,6 +325,9 @@ impl Names for ConstraintSet {
             Symbol::Input(k, order) => name(&self.inputs, k) + crate::expr::suffix(order),
             Symbol::Coordinate(k) => self.coordinate_name(k).to_owned(),
             Symbol::Rate(k) => format!("{}_dot", self.coordinate_name(k)),
+            Symbol::Start(k) => format!("{}_start", self.coordinate_name(k)),
+            Symbol::Unknown(k) => self.coordinate_name(k).to_owned(),
+            other => other.of_plan(),
         }
     }
 

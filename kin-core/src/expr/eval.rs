@@ -36,6 +36,11 @@ pub(crate) fn function(f: Function, x: f64) -> f64 {
     }
 }
 
+/// The angle `a` + 2πn that is nearest to `b`.
+pub(crate) fn nearest(a: f64, b: f64) -> f64 {
+    a + core::f64::consts::TAU * ((b - a) / core::f64::consts::TAU).round()
+}
+
 /// The values of `roots`.
 pub fn evaluate(graph: &Graph, roots: &[ExprId], environment: &impl Environment) -> Vec<f64> {
     let mut values = vec![0.0; graph.len()];
@@ -54,6 +59,7 @@ pub fn evaluate(graph: &Graph, roots: &[ExprId], environment: &impl Environment)
             Node::Call(f, a) => function(f, v(a)),
             Node::Sign(a) => v(a).signum(),
             Node::Atan2(y, x) => v(y).atan2(v(x)),
+            Node::Nearest(a, b) => nearest(v(a), v(b)),
             Node::RotX(r) => v(r.angle).cos() * v(r.x) - v(r.angle).sin() * v(r.y),
             Node::RotY(r) => v(r.angle).sin() * v(r.x) + v(r.angle).cos() * v(r.y),
             Node::Dot(t) => v(t.u[0]) * v(t.d[0]) + v(t.u[1]) * v(t.d[1]),

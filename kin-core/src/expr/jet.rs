@@ -118,6 +118,8 @@ fn derive(graph: &mut Graph, jets: &[Rc<Jet>], id: ExprId) -> Jet {
             }
             _ => of_atan2(graph, [x, y], &jet(x), &jet(y)),
         },
+        // Whole turns do not change while the mechanism moves.
+        Node::Nearest(a, _) => linear(graph, &[(None, &jet(a))]),
         Node::RotX(r) | Node::RotY(r) => {
             let along = graph.rotate(r.angle, [r.x, r.y]);
             rotated(
@@ -151,6 +153,7 @@ fn of_symbol(graph: &mut Graph, symbol: Symbol) -> Jet {
     let mut jet = Jet { gradient: Vec::new(), partial_t: zero, rate: zero, rest: zero };
     match symbol {
         Symbol::Parameter(_) | Symbol::Rate(_) => {}
+        Symbol::Mode(_) | Symbol::Start(_) | Symbol::Unknown(_) | Symbol::Held(_) | Symbol::Right(_) => {}
         Symbol::Time => {
             jet.partial_t = one;
             jet.rate = one;

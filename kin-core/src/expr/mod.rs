@@ -12,8 +12,8 @@ mod velocity;
 
 pub(crate) use display::suffix;
 pub use display::{Names, Shown};
-pub(crate) use eval::function;
 pub use eval::{Environment, evaluate};
+pub(crate) use eval::{function, nearest};
 pub use graph::Graph;
 pub use jet::{Jet, partial, total_derivatives};
 pub use node::{Bits, Depends, ExprId, MAX_ORDER, Node, Rotation, Symbol, Turning};

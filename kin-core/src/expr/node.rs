@@ -30,6 +30,16 @@ pub enum Symbol {
     Coordinate(u32),
     /// Its rate q̇_k.
     Rate(u32),
+    /// The sign, ±1, of an assembly mode. This and the following stand in the programs of a solution plan only.
+    Mode(u32),
+    /// q_k where a solution begins: what angles are counted from, and where an iteration starts.
+    Start(u32),
+    /// An unknown of an iteration: its current value, and afterwards its solution.
+    Unknown(u32),
+    /// A value that an earlier part of the solution has left.
+    Held(u32),
+    /// A right-hand side b_k of Φ_q x = b.
+    Right(u32),
 }
 
 /// The place of the argument of a curve that is drawn, as if it were a coordinate: it is in no q.
@@ -38,6 +48,18 @@ const ARGUMENT: u32 = u32::MAX;
 impl Symbol {
     /// The free argument of a curve that is drawn.
     pub const ARGUMENT: Self = Self::Coordinate(ARGUMENT);
+
+    /// The name of a symbol that only solution plans have.
+    pub(crate) fn of_plan(self) -> String {
+        match self {
+            Self::Mode(k) => format!("mode{k}"),
+            Self::Start(k) => format!("start{k}"),
+            Self::Unknown(k) => format!("unknown{k}"),
+            Self::Held(k) => format!("held{k}"),
+            Self::Right(k) => format!("right{k}"),
+            _ => String::new(),
+        }
+    }
 }
 
 /// A finite number, compared and hashed by its bits.
@@ -87,6 +109,8 @@ pub enum Node {
     Sign(ExprId),
     /// atan2(y, x).
     Atan2(ExprId, ExprId),
+    /// The angle a + 2πn that is nearest to b.
+    Nearest(ExprId, ExprId),
     /// cos φ·s_x − sin φ·s_y.
     RotX(Rotation),
     /// sin φ·s_x + cos φ·s_y.
@@ -132,7 +156,12 @@ impl Node {
             | Self::Call(_, a)
             | Self::Sign(a)
             | Self::Supplied(_, _, a) => f(a),
-            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) | Self::Atan2(a, b) => {
+            Self::Add(a, b)
+            | Self::Sub(a, b)
+            | Self::Mul(a, b)
+            | Self::Div(a, b)
+            | Self::Atan2(a, b)
+            | Self::Nearest(a, b) => {
                 f(a);
                 f(b);
             }
@@ -166,6 +195,8 @@ impl Depends {
     pub const COORDINATE: Self = Self(8);
     /// Rates of coordinates.
     pub const RATE: Self = Self(16);
+    /// What a solution plan supplies: modes, starts, unknowns, values held.
+    pub const PLAN: Self = Self(32);
 
     /// Both.
     pub const fn or(self, other: Self) -> Self {
@@ -194,6 +225,7 @@ impl Depends {
             Symbol::Input(..) => Self::INPUT,
             Symbol::Coordinate(_) => Self::COORDINATE,
             Symbol::Rate(_) => Self::RATE,
+            Symbol::Mode(_) | Symbol::Start(_) | Symbol::Unknown(_) | Symbol::Held(_) | Symbol::Right(_) => Self::PLAN,
         }
     }
 }

@@ -332,6 +332,11 @@ impl Graph {
         self.intern(Node::Atan2(y, x))
     }
 
+    /// The angle a + 2πn that is nearest to b.
+    pub fn nearest(&mut self, a: ExprId, b: ExprId) -> ExprId {
+        self.intern(Node::Nearest(a, b))
+    }
+
     /// A supplied function (`order` 0) or its first or second derivative at `a`.
     pub fn supplied(&mut self, function: u32, order: u8, a: ExprId) -> ExprId {
         self.intern(Node::Supplied(function, order, a))

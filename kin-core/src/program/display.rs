@@ -46,6 +46,7 @@ impl fmt::Display for Program {
                 Instruction::Call(g, a) => writeln!(f, "v{place} = {}({})", g.name(), v(a))?,
                 Instruction::Sign(a) => writeln!(f, "v{place} = sign({})", v(a))?,
                 Instruction::Atan2(y, x) => writeln!(f, "v{place} = atan2({}, {})", v(y), v(x))?,
+                Instruction::Nearest(a, b) => writeln!(f, "v{place} = nearest({}, {})", v(a), v(b))?,
                 Instruction::Powi(a, n) => writeln!(f, "v{place} = {}^{n}", v(a))?,
                 Instruction::Powf(a, n) => writeln!(f, "v{place} = {}^{}", v(a), n.value())?,
                 Instruction::Supplied(g, a) => {
@@ -68,6 +69,11 @@ impl fmt::Display for Slot {
             Self::PhiT(k) => write!(f, "Φ_t[{k}]"),
             Self::Gamma(k) => write!(f, "γ[{k}]"),
             Self::Entry(k) => write!(f, "[{k}]"),
+            Self::Position(k) => write!(f, "q[{k}]"),
+            Self::Velocity(k) => write!(f, "q_dot[{k}]"),
+            Self::Acceleration(k) => write!(f, "q_ddot[{k}]"),
+            Self::Margin(k) => write!(f, "margin[{k}]"),
+            Self::Held(k) => write!(f, "held{k}"),
         }
     }
 }

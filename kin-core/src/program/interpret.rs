@@ -1,7 +1,7 @@
 //! The interpreter: runs a program in double precision, as an oracle of the emitted code.
 
 use super::{Instruction, Program, Slot};
-use crate::expr::{Environment, function};
+use crate::expr::{Environment, function, nearest};
 
 /// The outputs of `program`.
 pub fn interpret(program: &Program, environment: &impl Environment) -> Vec<(Slot, f64)> {
@@ -23,6 +23,7 @@ pub fn interpret(program: &Program, environment: &impl Environment) -> Vec<(Slot
             Instruction::Call(f, a) => [function(f, v(a)), 0.0, 0.0],
             Instruction::Sign(a) => [v(a).signum(), 0.0, 0.0],
             Instruction::Atan2(y, x) => [v(y).atan2(v(x)), 0.0, 0.0],
+            Instruction::Nearest(a, b) => [nearest(v(a), v(b)), 0.0, 0.0],
             Instruction::Powi(a, n) => [v(a).powi(n), 0.0, 0.0],
             Instruction::Powf(a, n) => [v(a).powf(n.value()), 0.0, 0.0],
             Instruction::Supplied(f, a) => std::array::from_fn(|order| environment.supplied(f, order as u8, v(a))),

@@ -170,6 +170,10 @@ impl Lowering<'_> {
                 let (Signed { value: y, negative }, x) = (self.signed(y), self.positive(x));
                 Signed { value: self.emit(Instruction::Atan2(y, x)), negative }
             }
+            Node::Nearest(a, b) => {
+                let (a, b) = (self.positive(a), self.positive(b));
+                plain(self.emit(Instruction::Nearest(a, b)))
+            }
             Node::RotX(r) => self.rotation(r, true),
             Node::RotY(r) => self.rotation(r, false),
             Node::Dot(t) => self.products([(t.u[0], t.d[0]), (t.u[1], t.d[1])], false, swap),

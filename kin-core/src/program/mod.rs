@@ -53,6 +53,8 @@ pub enum Instruction {
     Sign(Value),
     /// atan2(y, x).
     Atan2(Value, Value),
+    /// The angle a + 2πn that is nearest to b.
+    Nearest(Value, Value),
     /// a to an integer power.
     Powi(Value, i32),
     /// a to a real constant power.
@@ -78,7 +80,12 @@ impl Instruction {
             | Self::Powf(a, _)
             | Self::Supplied(_, a)
             | Self::SuppliedOf(a, _) => f(a),
-            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) | Self::Atan2(a, b) => {
+            Self::Add(a, b)
+            | Self::Sub(a, b)
+            | Self::Mul(a, b)
+            | Self::Div(a, b)
+            | Self::Atan2(a, b)
+            | Self::Nearest(a, b) => {
                 f(a);
                 f(b);
             }
@@ -99,6 +106,7 @@ impl Instruction {
             Self::Call(g, a) => Self::Call(g, f(a)),
             Self::Sign(a) => Self::Sign(f(a)),
             Self::Atan2(a, b) => Self::Atan2(f(a), f(b)),
+            Self::Nearest(a, b) => Self::Nearest(f(a), f(b)),
             Self::Powi(a, n) => Self::Powi(f(a), n),
             Self::Powf(a, n) => Self::Powf(f(a), n),
             Self::Supplied(g, a) => Self::Supplied(g, f(a)),
@@ -120,6 +128,16 @@ pub enum Slot {
     Gamma(usize),
     /// Entry of a plain list (geometry, guesses).
     Entry(usize),
+    /// Entry of q, of a solution.
+    Position(usize),
+    /// Entry of q̇, of a solution.
+    Velocity(usize),
+    /// Entry of q̈, of a solution.
+    Acceleration(usize),
+    /// A margin of a solution.
+    Margin(usize),
+    /// A value for later parts of a solution.
+    Held(usize),
 }
 
 /// Operations of a program.
@@ -203,6 +221,7 @@ impl Program {
                 Instruction::Call(..)
                 | Instruction::Sign(_)
                 | Instruction::Atan2(..)
+                | Instruction::Nearest(..)
                 | Instruction::Powi(..)
                 | Instruction::Powf(..)
                 | Instruction::Supplied(..) => count.function += 1,

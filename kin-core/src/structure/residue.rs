@@ -78,7 +78,12 @@ impl<'a> Residues<'a> {
             Node::RotY(r) => self.rotated(r)[1],
             Node::Dot(t) => v(t.u[0]) * v(t.d[0]) + v(t.u[1]) * v(t.d[1]),
             Node::Cross(t) => v(t.u[0]) * v(t.d[1]) - v(t.u[1]) * v(t.d[0]),
-            Node::Powf(..) | Node::Call(..) | Node::Sign(_) | Node::Atan2(..) | Node::Supplied(..) => self.drawn(id),
+            Node::Powf(..)
+            | Node::Call(..)
+            | Node::Sign(_)
+            | Node::Atan2(..)
+            | Node::Nearest(..)
+            | Node::Supplied(..) => self.drawn(id),
         }
     }
 

@@ -179,6 +179,7 @@ impl Environment for Values {
             Symbol::Input(k, order) => self.inputs[k as usize][usize::from(order)],
             Symbol::Coordinate(k) => self.q[k as usize],
             Symbol::Rate(k) => self.q_dot[k as usize],
+            _ => f64::NAN,
         }
     }
 
@@ -205,6 +206,7 @@ impl Values {
                     Dual2_64::new(value, part(order + 1), part(order + 2))
                 }
                 Symbol::Coordinate(k) => Dual2_64::new(value, self.q_dot[k as usize], 0.0),
+                _ => Dual2_64::from_re(f64::NAN),
             }
         }
     }

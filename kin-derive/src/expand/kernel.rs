@@ -60,7 +60,7 @@ impl Layout {
         match slot {
             Slot::Phi(row) | Slot::PhiT(row) | Slot::Gamma(row) => Some(row),
             Slot::PhiQ(place) => self.entries.get(place).map(|entry| entry.0),
-            Slot::Entry(_) => None,
+            _ => None,
         }
     }
 }
@@ -91,6 +91,12 @@ pub(crate) fn kernel(name: &str, lowered: &Lowered, program: &Program, targets: 
         (reads.coordinates, "q", quote! { &__Coordinates<__T> }, quote! { q }),
         (reads.argument, "s", quote! { __T }, quote! { s }),
         (reads.rates, "w", quote! { &__Coordinates<__T> }, quote! { w }),
+        (reads.modes, "modes", quote! { &__Modes<__T> }, quote! { modes }),
+        (reads.start, "start", quote! { &__Coordinates<__T> }, quote! { start }),
+        (reads.unknowns, "unknowns", quote! { &__Coordinates<__T> }, quote! { unknowns }),
+        // What a kernel both reads and leaves is one array.
+        (reads.held && !writes("held"), "held", quote! { &__Held<__T> }, quote! { held }),
+        (reads.right, "right", quote! { &__Rows<__T> }, quote! { right }),
     ];
     let (mut arguments, mut values) = (Vec::new(), Vec::new());
     for (_, argument, ty, value) in inputs.into_iter().filter(|(used, ..)| *used) {
@@ -135,5 +141,10 @@ fn target_name(slot: Slot) -> &'static str {
         Slot::PhiT(_) => "phi_t",
         Slot::Gamma(_) => "gamma",
         Slot::Entry(_) => "out",
+        Slot::Position(_) => "position",
+        Slot::Velocity(_) => "velocity",
+        Slot::Acceleration(_) => "acceleration",
+        Slot::Margin(_) => "margins",
+        Slot::Held(_) => "held",
     }
 }

@@ -63,6 +63,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure)
         doc: &lowered.docs.mechanism,
         allow_redundant: lowered.flags.allow_redundant,
         structure,
+        plan: &quote! { __kin::Plan::absent("none was derived") },
     });
     let (n, s, p, u) = (set.coordinates.len(), set.rows.len(), set.parameters.len(), set.inputs.len());
     let (entries, seen, seen_entries) = (constraints.entries.len(), set.observables.len(), observables.entries.len());

@@ -23,6 +23,11 @@ pub(crate) struct Reads {
     pub(crate) inputs: bool,
     pub(crate) coordinates: bool,
     pub(crate) rates: bool,
+    pub(crate) modes: bool,
+    pub(crate) start: bool,
+    pub(crate) unknowns: bool,
+    pub(crate) held: bool,
+    pub(crate) right: bool,
     /// Numbers of the supplied functions.
     pub(crate) functions: BTreeSet<u32>,
     pub(crate) argument: bool,
@@ -39,6 +44,11 @@ impl Reads {
                 Instruction::Load(Symbol::ARGUMENT) => reads.argument = true,
                 Instruction::Load(Symbol::Coordinate(_)) => reads.coordinates = true,
                 Instruction::Load(Symbol::Rate(_)) => reads.rates = true,
+                Instruction::Load(Symbol::Mode(_)) => reads.modes = true,
+                Instruction::Load(Symbol::Start(_)) => reads.start = true,
+                Instruction::Load(Symbol::Unknown(_)) => reads.unknowns = true,
+                Instruction::Load(Symbol::Held(_)) => reads.held = true,
+                Instruction::Load(Symbol::Right(_)) => reads.right = true,
                 Instruction::Supplied(function, _) => _ = reads.functions.insert(*function),
                 _ => {}
             }
@@ -212,6 +222,10 @@ impl Emitter<'_> {
                 let (y, x) = (v(y), v(x));
                 quote! { __kin::Scalar::atan2(#y, #x) }
             }
+            Instruction::Nearest(a, b) => {
+                let (a, b) = (v(a), v(b));
+                quote! { __kin::Scalar::nearest(#a, #b) }
+            }
             Instruction::Powi(a, n) => {
                 let (a, n) = (v(a), Literal::i32_suffixed(n));
                 quote! { __kin::Scalar::powi(#a, #n) }
@@ -301,6 +315,26 @@ fn load(symbol: Symbol) -> TokenStream {
             let k = at(k);
             quote! { w[#k] }
         }
+        Symbol::Mode(k) => {
+            let k = at(k);
+            quote! { modes[#k] }
+        }
+        Symbol::Start(k) => {
+            let k = at(k);
+            quote! { start[#k] }
+        }
+        Symbol::Unknown(k) => {
+            let k = at(k);
+            quote! { unknowns[#k] }
+        }
+        Symbol::Held(k) => {
+            let k = at(k);
+            quote! { held[#k] }
+        }
+        Symbol::Right(k) => {
+            let k = at(k);
+            quote! { right[#k] }
+        }
     }
 }
 
@@ -330,6 +364,26 @@ fn target(slot: Slot) -> TokenStream {
         Slot::Entry(k) => {
             let k = at(k);
             quote! { out[#k] }
+        }
+        Slot::Position(k) => {
+            let k = at(k);
+            quote! { position[#k] }
+        }
+        Slot::Velocity(k) => {
+            let k = at(k);
+            quote! { velocity[#k] }
+        }
+        Slot::Acceleration(k) => {
+            let k = at(k);
+            quote! { acceleration[#k] }
+        }
+        Slot::Margin(k) => {
+            let k = at(k);
+            quote! { margins[#k] }
+        }
+        Slot::Held(k) => {
+            let k = at(k);
+            quote! { held[#k] }
         }
     }
 }

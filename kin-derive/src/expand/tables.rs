@@ -20,6 +20,7 @@ pub(crate) struct Tables<'a> {
     pub(crate) doc: &'a str,
     pub(crate) allow_redundant: bool,
     pub(crate) structure: &'a Structure,
+    pub(crate) plan: &'a TokenStream,
 }
 
 /// The `Model` expression.
@@ -98,7 +99,7 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     let geometry = set.geometry.len();
     let operations = operations(tables.operations);
     let equations = equations(tables.system);
-    let structure = structure(tables.system, tables.structure);
+    let (structure, plan) = (structure(tables.system, tables.structure), tables.plan);
     quote! {
         __kin::Model {
             name: #name,
@@ -122,6 +123,7 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
             geometry: #geometry,
             allow_redundant: #allow_redundant,
             structure: __kin::Some(#structure),
+            plan: #plan,
             operations: #operations,
             equations: &[#(#equations),*],
         }

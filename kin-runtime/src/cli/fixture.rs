@@ -89,6 +89,7 @@ const MODEL: Model = Model {
     guesses: &[0],
     geometry: 2,
     allow_redundant: false,
+    plan: crate::plan::Plan::absent("written by hand"),
     structure: None,
     operations: OperationCount { add: 4, mul: 5, neg: 1, div: 0, sqrt: 0, sincos: 1, function: 0 },
     equations: &[],

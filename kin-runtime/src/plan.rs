@@ -1,0 +1,137 @@
+//! The solution plan: q, q̇ and q̈ the way an expert would, block by block, in closed form where there is one.
+//!
+//! The plan is found at compile time and its steps are generated code ([`Mechanism::solve_with`]); what it is, step by
+//! step, stands in [`Model::plan`](crate::model::Model::plan). This evaluation path needs no `std` and no allocator.
+//!
+//! [`Mechanism::solve_with`]: crate::Mechanism::solve_with
+
+use crate::scalar::Scalar;
+
+/// How far a solution goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Depth {
+    /// q.
+    Position,
+    /// q and q̇.
+    Velocity,
+    /// q, q̇ and q̈.
+    Acceleration,
+}
+
+/// Where a solution is written.
+#[derive(Debug)]
+pub struct Solved<'a, T> {
+    /// q, n numbers.
+    pub q: &'a mut [T],
+    /// q̇, n numbers.
+    pub q_dot: &'a mut [T],
+    /// q̈, n numbers.
+    pub q_ddot: &'a mut [T],
+    /// The margins of the plan's steps, [`Plan::margins`] numbers: 1 far from trouble, 0 at a limit or where the step
+    /// says nothing, negative beyond a limit. What is solved is only good where all of them are positive.
+    pub margins: &'a mut [T],
+}
+
+/// A plan: its steps in order, and its assembly modes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plan {
+    /// The steps, in the order in which they are solved; empty where there is no plan.
+    pub steps: &'static [PlanStep],
+    /// The assembly modes.
+    pub modes: &'static [ModeInfo],
+    /// How many margins a solution has.
+    pub margins: usize,
+    /// Why there is no plan.
+    pub absent: Option<&'static str>,
+}
+
+/// What kind of step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StepKind {
+    /// Given by a formula of what is known.
+    Explicit,
+    /// A linear system of so many unknowns.
+    Linear(usize),
+    /// A group that closes without iteration, in one of two ways.
+    Closure,
+    /// An iteration over so many unknowns.
+    Newton(usize),
+}
+
+/// A step of a plan.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanStep {
+    /// What kind.
+    pub kind: StepKind,
+    /// Its kinematic group, `RRR` or `RRP` for example, where it is a dyad.
+    pub group: &'static str,
+    /// Places of its joints in [`Model::joints`](crate::model::Model::joints).
+    pub joints: &'static [usize],
+    /// The coordinates that it gives, places in q, each with the place of the joint that gives it.
+    pub coordinates: &'static [(usize, usize)],
+    /// Its modes: first place in [`Plan::modes`] and one past the last.
+    pub modes: (usize, usize),
+    /// Its margins: first place and one past the last.
+    pub margins: (usize, usize),
+    /// When it is singular, in words.
+    pub singular: &'static str,
+}
+
+/// An assembly mode: a group that closes in two ways, told apart by a sign.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ModeInfo {
+    /// The names of its joints, joined with `-`.
+    pub name: &'static str,
+    /// Its step, a place in [`Plan::steps`].
+    pub step: usize,
+    /// Its margin, a place among the margins of a solution.
+    pub margin: usize,
+}
+
+impl Plan {
+    /// No plan, and why.
+    pub const fn absent(why: &'static str) -> Self {
+        Self { steps: &[], modes: &[], margins: 0, absent: Some(why) }
+    }
+
+    /// True where there is a plan.
+    pub const fn exists(&self) -> bool {
+        self.absent.is_none()
+    }
+
+    /// The step that a margin belongs to.
+    pub fn step_of_margin(&self, margin: usize) -> Option<usize> {
+        self.steps.iter().position(|step| (step.margins.0..step.margins.1).contains(&margin))
+    }
+}
+
+/// Most corrections of an iteration inside a plan.
+const CORRECTIONS: usize = 12;
+/// A correction this small, for an unknown of size 1, is the last: the next one is its square.
+const LAST: f64 = 3e-9;
+
+/// Newton's iteration over the unknowns `places` of `x`: `correction` gives, for the current values, what is to be
+/// subtracted. `sizes` says of each unknown whether it is a length, whose size is that of the largest such. Gives 1 where
+/// it has converged and 0 where not.
+#[doc(hidden)]
+#[inline]
+pub fn iterate<T: Scalar, const N: usize, const M: usize>(
+    x: &mut [T; N],
+    places: [usize; M],
+    mut correction: impl FnMut(&[T; N]) -> [T; M],
+) -> T {
+    for _ in 0..CORRECTIONS {
+        let steps = correction(x);
+        let mut last = true;
+        for (place, step) in places.into_iter().zip(steps) {
+            x[place] = x[place] - step;
+            // Relative to 1 + |x|: angles are of size 1, and a length far below 1 is found again to the same digits.
+            let size = T::from_f64(1.0) + x[place].abs();
+            last &= (step / size).is_within(LAST);
+        }
+        if last {
+            return T::from_f64(1.0);
+        }
+    }
+    T::from_f64(0.0)
+}
