@@ -8,6 +8,8 @@ mod curve;
 pub mod function;
 pub mod generic;
 mod handles;
+#[cfg(feature = "simd")]
+mod lanes;
 pub mod mechanism;
 pub mod model;
 pub mod plan;
@@ -99,6 +101,8 @@ pub use curve::CurvePoint;
 pub use function::ScalarFunction;
 pub use generic::GenericMechanism;
 pub use kin_derive::mechanism;
+#[cfg(feature = "simd")]
+pub use lanes::Lanes;
 pub use mechanism::{LengthError, Mechanism, Observations, Workspace};
 pub use scalar::Scalar;
 pub use signal::{Instant, Signal};

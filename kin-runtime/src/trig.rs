@@ -49,6 +49,9 @@ macro_rules! lanes {
         #[inline(always)]
         fn $name(x: $float) -> ($float, $float) {
             let k = |v: f64| $float::splat(v);
+            // Sine is odd also where it is 0: of the magnitude, with the sign put back.
+            let negative = x & k(-0.0);
+            let x = x ^ negative;
             let polynomial = |z: $float, c: [f64; 6]| c[1..].iter().fold(k(c[0]), |p, &c| p.mul_add(z, k(c)));
             let shifted = x * k(core::f64::consts::FRAC_2_PI) + k(ROUND);
             let n: $int = cast(shifted);
@@ -75,13 +78,31 @@ macro_rules! lanes {
             let exchange = (sin ^ cos) & ($int::splat(0) - (n & one));
             let sin_sign = (n & $int::splat(2)) << 62;
             let cos_sign = ((n + one) & $int::splat(2)) << 62;
-            (cast(sin ^ exchange ^ sin_sign), cast(cos ^ exchange ^ cos_sign))
+            (cast::<_, $float>(sin ^ exchange ^ sin_sign) ^ negative, cast(cos ^ exchange ^ cos_sign))
         }
     };
 }
 
 lanes!(two, f64x2, i64x2);
 lanes!(four, f64x4, i64x4);
+
+/// Sine and cosine of the lanes, each within [`RANGE`] or not; what is not a number passes through.
+#[inline(always)]
+pub(crate) fn sin_cos_lanes(x: f64x4) -> (f64x4, f64x4) {
+    let near = four(x);
+    if x.abs().simd_gt(f64x4::splat(RANGE)).any() { beyond(x, near) } else { near }
+}
+
+/// With the standard library in the lanes that are beyond the range; the others keep what they have.
+#[cold]
+#[inline(never)]
+fn beyond(x: f64x4, near: (f64x4, f64x4)) -> (f64x4, f64x4) {
+    let (mut sin, mut cos) = (near.0.to_array(), near.1.to_array());
+    for (lane, x) in x.to_array().into_iter().enumerate().filter(|(_, x)| x.abs() > RANGE) {
+        (sin[lane], cos[lane]) = crate::scalar::Scalar::sin_cos(x);
+    }
+    (f64x4::new(sin), f64x4::new(cos))
+}
 
 /// Sine and cosine of every angle.
 #[inline(always)]
@@ -161,5 +182,6 @@ mod tests {
         compare([1e9, 1.0, -3e15, 0.5, 1e300]);
         assert!(sin_cos_all([f64::NAN, 1.0])[0].0.is_nan() && sin_cos_all([1.0, f64::INFINITY])[1].1.is_nan());
         assert_eq!(sin_cos_all([1.0, f64::NAN])[0].0, 1.0_f64.sin());
+        assert!(sin_cos_all([-0.0, 0.0, 1.0]).map(|pair| pair.0.is_sign_negative()) == [true, false, false]);
     }
 }

@@ -1,0 +1,177 @@
+//! Lanes against std, in units in the last place.
+
+use super::Lanes;
+use crate::random::Random;
+use crate::scalar::Scalar;
+
+const SPECIAL: [f64; 22] = [
+    0.0,
+    -0.0,
+    1.0,
+    -1.0,
+    0.5,
+    -0.5,
+    2.0,
+    -2.0,
+    f64::MIN_POSITIVE,
+    -f64::MIN_POSITIVE,
+    5e-324,
+    -5e-324,
+    1e-310,
+    1e-20,
+    1e20,
+    f64::MAX,
+    f64::MIN,
+    1e300,
+    -1e300,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    f64::NAN,
+];
+
+/// Steps between two numbers of one sign; none between two that are not numbers.
+fn ulps(a: f64, b: f64) -> u64 {
+    if a.is_nan() && b.is_nan() { 0 } else { a.to_bits().abs_diff(b.to_bits()) }
+}
+
+/// Numbers of all sizes that matter, in fours, each lane of another size.
+fn numbers(random: &mut Random) -> [f64; 4] {
+    core::array::from_fn(|_| random.symmetric() * 10_f64.powf(4.0 * random.symmetric()))
+}
+
+#[track_caller]
+fn compare(what: &str, most: u64, of: &[f64], found: Lanes, expected: [f64; 4]) {
+    for (lane, (found, expected)) in found.to_array().into_iter().zip(expected).enumerate() {
+        let steps = ulps(found, expected);
+        assert!(steps <= most, "{what} of {of:?}, lane {lane}: {found:e} and {expected:e}, {steps} ulp");
+    }
+}
+
+/// A function of one argument against std, at random numbers of up to `size` and at special ones.
+#[track_caller]
+fn unary(what: &str, most: u64, size: f64, lanes: impl Fn(Lanes) -> Lanes, std: impl Fn(f64) -> f64) {
+    let mut random = Random::new(11);
+    let check = |x: [f64; 4]| compare(what, most, &x, lanes(Lanes::new(x)), x.map(&std));
+    for _ in 0..10_000 {
+        check(core::array::from_fn(|_| size * random.symmetric()));
+        check(numbers(&mut random).map(|x| x.clamp(-size, size)));
+    }
+    for special in SPECIAL {
+        // Beside numbers that are not special: no lane sees another.
+        check([0.3, special, -0.7, special]);
+        check([special; 4]);
+    }
+}
+
+#[test]
+fn arithmetic_is_that_of_f64() {
+    let mut random = Random::new(3);
+    for _ in 0..10_000 {
+        let (a, b) = (numbers(&mut random), numbers(&mut random));
+        let (x, y) = (Lanes::new(a), Lanes::new(b));
+        let each = |f: fn(f64, f64) -> f64| core::array::from_fn(|lane| f(a[lane], b[lane]));
+        compare("sum", 0, &a, x + y, each(|a, b| a + b));
+        compare("difference", 0, &a, x - y, each(|a, b| a - b));
+        compare("product", 0, &a, x * y, each(|a, b| a * b));
+        compare("quotient", 0, &a, x / y, each(|a, b| a / b));
+        compare("negative", 0, &a, -x, a.map(|a| -a));
+    }
+}
+
+#[test]
+fn exact_functions() {
+    unary("sqrt", 0, 1e300, Scalar::sqrt, f64::sqrt);
+    unary("abs", 0, 1e300, Scalar::abs, f64::abs);
+    unary("signum", 0, 1e300, Scalar::signum, f64::signum);
+    unary("exp", 0, 700.0, Scalar::exp, f64::exp);
+    unary("ln", 0, 1e300, Scalar::ln, f64::ln);
+    unary("powf", 0, 1e3, |x| x.powf(2.5), |x| x.powf(2.5));
+}
+
+#[test]
+fn sines_and_cosines() {
+    for size in [1.0, 7.0, 1e4, 1e9] {
+        unary("sin", 1, size, |x| x.sin_cos().0, f64::sin);
+        unary("cos", 1, size, |x| x.sin_cos().1, f64::cos);
+        unary("tan", 3, size, Scalar::tan, f64::tan);
+    }
+}
+
+#[test]
+fn inverse_functions() {
+    unary("atan", 2, 1e6, Scalar::atan, f64::atan);
+    unary("asin", 3, 1.0, Scalar::asin, f64::asin);
+    unary("acos", 3, 1.0, Scalar::acos, f64::acos);
+}
+
+#[test]
+fn angles_of_vectors() {
+    let mut random = Random::new(5);
+    let check = |y: [f64; 4], x: [f64; 4]| {
+        let expected = core::array::from_fn(|lane| y[lane].atan2(x[lane]));
+        let of: Vec<f64> = y.into_iter().zip(x).flat_map(|(y, x)| [y, x]).collect();
+        compare("atan2 (y, x)", 2, &of, Lanes::new(y).atan2(Lanes::new(x)), expected);
+    };
+    for _ in 0..20_000 {
+        check(core::array::from_fn(|_| random.symmetric()), core::array::from_fn(|_| random.symmetric()));
+        check(numbers(&mut random), numbers(&mut random));
+        // About the ratio 1/2, where the reduction changes, and about 1.
+        let x: [f64; 4] = core::array::from_fn(|_| random.symmetric());
+        check(x.map(|x| x * (0.5 + 1e-3 * random.symmetric())), x);
+        check(x, x.map(|x| x * (1.0 + 1e-9 * random.symmetric())));
+    }
+    for y in SPECIAL {
+        for x in SPECIAL {
+            check([y, 0.1, y, -0.2], [x, -0.3, x, 0.4]);
+        }
+    }
+}
+
+#[test]
+fn no_lane_sees_another() {
+    let functions: [fn(Lanes) -> Lanes; 4] =
+        [|x| x.sin_cos().0, |x| x.sin_cos().1, |x| x.atan2(Lanes::from(0.9)), |x| Lanes::from(0.9).atan2(x)];
+    let mut random = Random::new(9);
+    for function in functions {
+        for _ in 0..2_000 {
+            let x = numbers(&mut random);
+            let alone = x.map(|x| function(Lanes::from(x)).to_array()[0]);
+            for special in SPECIAL {
+                let beside = function(Lanes::new([x[0], special, x[2], x[3]])).to_array();
+                assert_eq!([alone[0], alone[2], alone[3]], [beside[0], beside[2], beside[3]], "{x:?} beside {special}");
+            }
+        }
+    }
+}
+
+#[test]
+fn turns_of_angles() {
+    unary("nearest", 0, 1e3, |x| x.nearest(Lanes::from(-2.5)), |x| x.nearest(-2.5));
+    assert_eq!(Lanes::from(0.1 + 3.0 * core::f64::consts::TAU), Lanes::from(0.1).nearest(Lanes::from(19.0)));
+}
+
+#[test]
+fn within_a_bound_in_all_lanes() {
+    assert!(Lanes::new([-2.0, 2.0, 1.0, -0.0]).is_within(2.0));
+    for outside in [2.1, -2.1, f64::NAN, f64::NEG_INFINITY] {
+        assert!(!Lanes::new([0.0, 0.0, outside, 1.0]).is_within(2.0));
+    }
+}
+
+#[test]
+fn integer_powers() {
+    for n in [-7_i32, -2, -1, 0, 1, 2, 3, 4, 5, 10, 31] {
+        let most = u64::from(n.unsigned_abs()) / 2 + 1;
+        unary("powi", most, 30.0, |x| x.powi(n), |x| x.powi(n));
+    }
+    assert_eq!(Lanes::from(2.0).powi(i32::MIN), Lanes::from(0.0));
+}
+
+#[test]
+fn supplied_functions_see_one_number_at_a_time() {
+    let x = Lanes::new([1.0, 2.0, 3.0, 4.0]);
+    let [f, f1, f2] = x.lift(|x| [x * x, 2.0 * x, x + 10.0]);
+    assert_eq!([1.0, 4.0, 9.0, 16.0], f.to_array());
+    assert_eq!([2.0, 4.0, 6.0, 8.0], f1.to_array());
+    assert_eq!([11.0, 12.0, 13.0, 14.0], f2.to_array());
+}
