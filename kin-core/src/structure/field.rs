@@ -13,21 +13,21 @@ const DENOMINATOR: i64 = 1 << 20;
 
 /// A residue modulo p.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Residue(u64);
+pub(crate) struct Residue(u64);
 
 impl Residue {
-    pub(super) const ZERO: Self = Self(0);
-    pub(super) const ONE: Self = Self(1);
+    pub(crate) const ZERO: Self = Self(0);
+    pub(crate) const ONE: Self = Self(1);
 
     /// The residue of an integer.
-    pub(super) fn integer(value: i64) -> Self {
+    pub(crate) fn integer(value: i64) -> Self {
         let magnitude = Self(value.unsigned_abs() % P);
         if value < 0 { -magnitude } else { magnitude }
     }
 
     /// The residue of the number that the source means by `value`: the fraction with the smallest denominator that
     /// rounds to it (1/3, 0.1), or else its binary fraction.
-    pub(super) fn number(value: f64) -> Self {
+    pub(crate) fn number(value: f64) -> Self {
         if let Some((p, q)) = fraction(value, 0.0) {
             return Self::integer(p) * Self::integer(q).inverse();
         }
@@ -43,16 +43,16 @@ impl Residue {
         if value < 0.0 { -magnitude } else { magnitude }
     }
 
-    pub(super) fn is_zero(self) -> bool {
+    pub(crate) fn is_zero(self) -> bool {
         self.0 == 0
     }
 
     /// 1/x by Fermat's theorem; 0 for 0.
-    pub(super) fn inverse(self) -> Self {
+    pub(crate) fn inverse(self) -> Self {
         self.power(P - 2)
     }
 
-    pub(super) fn power(self, mut exponent: u64) -> Self {
+    pub(crate) fn power(self, mut exponent: u64) -> Self {
         let (mut base, mut result) = (self, Self::ONE);
         while exponent > 0 {
             if exponent & 1 == 1 {
@@ -98,7 +98,7 @@ impl Mul for Residue {
 }
 
 /// The fraction p/q with the smallest q that is `value`, or within `tolerance` of it (relative), by continued fractions.
-pub(super) fn fraction(value: f64, tolerance: f64) -> Option<(i64, i64)> {
+pub(crate) fn fraction(value: f64, tolerance: f64) -> Option<(i64, i64)> {
     if !value.is_finite() || value.abs() > 1e9 {
         return None;
     }
@@ -125,11 +125,11 @@ pub(super) fn fraction(value: f64, tolerance: f64) -> Option<(i64, i64)> {
 
 /// Values that are random and yet always the same: that of a thing depends on the draw, its sort and its number alone.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Draw(pub(super) u64);
+pub(crate) struct Draw(pub(crate) u64);
 
 impl Draw {
     /// A residue for thing `key` of a sort.
-    pub(super) fn residue(self, sort: u64, key: u64) -> Residue {
+    pub(crate) fn residue(self, sort: u64, key: u64) -> Residue {
         let mut state = self.0 ^ mixed(sort.wrapping_mul(0x9e37_79b9_7f4a_7c15)) ^ mixed(key);
         loop {
             state = mixed(state);

@@ -14,13 +14,13 @@
 //! is not so generically (a parallelogram with a fifth bar); that is for the actual rank at run time.
 
 mod diagnosis;
-mod field;
+pub(crate) mod field;
 mod message;
 mod partials;
 mod place;
 mod rank;
 mod residue;
-mod turn;
+pub(crate) mod turn;
 
 pub use diagnosis::{Redundancy, Structure, diagnose};
 pub use message::explain;

@@ -16,11 +16,11 @@ use std::collections::BTreeMap;
 
 /// A point of the unit circle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Turn {
-    pub(super) cos: Residue,
-    pub(super) sin: Residue,
+pub(crate) struct Turn {
+    pub(crate) cos: Residue,
+    pub(crate) sin: Residue,
     /// Nothing about it was drawn.
-    pub(super) exact: bool,
+    pub(crate) exact: bool,
 }
 
 impl Turn {
@@ -60,7 +60,7 @@ impl Turn {
     }
 
     /// A·v.
-    pub(super) fn apply(self, [x, y]: [Residue; 2]) -> [Residue; 2] {
+    pub(crate) fn apply(self, [x, y]: [Residue; 2]) -> [Residue; 2] {
         [self.cos * x - self.sin * y, self.sin * x + self.cos * y]
     }
 }
@@ -78,7 +78,7 @@ fn multiple(graph: &Graph, a: ExprId, b: ExprId) -> Option<(i64, ExprId)> {
 ///
 /// Operands stand before what is made of them, so that from the last node on every coefficient is complete when its
 /// node is opened: shared parts are opened once. Coefficients may wrap, since 2⁶¹ turns of any angle are none modulo p.
-fn terms(graph: &Graph, angle: ExprId) -> Vec<(i64, ExprId)> {
+pub(crate) fn terms(graph: &Graph, angle: ExprId) -> Vec<(i64, ExprId)> {
     let (mut open, mut sum) = (BTreeMap::from([(angle, 1_i64)]), Vec::new());
     while let Some((id, times)) = open.pop_last() {
         let mut add = |id: ExprId, times: i64| {
@@ -112,7 +112,7 @@ struct Relation {
 }
 
 /// The rotations of a draw.
-pub(super) struct Turns {
+pub(crate) struct Turns {
     draw: Draw,
     /// By coordinate.
     of: Vec<Turn>,
@@ -123,8 +123,14 @@ const SORT_LITERAL: u64 = 2;
 const SORT_EXPRESSION: u64 = 3;
 
 impl Turns {
+    /// Draws the rotations of `coordinates` angles, none tied to another.
+    pub(crate) fn free(coordinates: usize, draw: Draw) -> Self {
+        let of = (0..coordinates).map(|k| Turn::drawn(draw.residue(SORT_COORDINATE, k as u64))).collect();
+        Self { draw, of }
+    }
+
     /// Draws rotations that satisfy the angle rows.
-    pub(super) fn new(system: &KinematicSystem, draw: Draw) -> Self {
+    pub(crate) fn new(system: &KinematicSystem, draw: Draw) -> Self {
         let set = &system.set;
         let ground = set.coordinates.len();
         let mut turns = Self { draw, of: Vec::new() };
@@ -195,7 +201,7 @@ impl Turns {
     }
 
     /// The rotation of an angle.
-    pub(super) fn of(&self, graph: &Graph, angle: ExprId) -> Turn {
+    pub(crate) fn of(&self, graph: &Graph, angle: ExprId) -> Turn {
         let terms = terms(graph, angle);
         terms.into_iter().fold(Turn::NONE, |all, (times, id)| all.then(self.term(graph, id).times(times)))
     }

@@ -7,6 +7,7 @@ mod existing;
 mod faults;
 mod gears;
 mod linkages;
+mod plans;
 mod relations;
 pub(crate) mod repository;
 mod sliders;

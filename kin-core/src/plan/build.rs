@@ -1,0 +1,449 @@
+//! From the tree of a plan to expressions: q step by step, then q̇ and q̈ by the linear level of the same tree.
+//!
+//! Angles that close are known by cosine and sine; the angle itself is only taken for what is reported (atan2, and
+//! whole turns so that it is near where it was). A sign that says which closure is meant stands before every root, and
+//! the root is taken of the magnitude, so that nothing is ever not a number: the margin says whether it counts.
+
+use super::dense;
+use super::rates::Rates;
+use super::rewrite::{Substitution, Turned, rewrite};
+use super::steps::Listed;
+use super::tree::{Block, Core, Pair, PairValue, Part, Pivot, Way};
+use crate::expr::{ExprId, Graph, Node, Symbol, total_derivatives};
+use crate::mechanism::Function;
+use crate::program::Slot;
+use crate::structure::turn::terms;
+use crate::system::KinematicSystem;
+use std::collections::{BTreeMap, HashMap};
+
+/// A stretch of the solution: expressions to compute, or an iteration.
+pub(super) enum Stage {
+    /// What is written where.
+    Closed(Vec<(Slot, ExprId)>),
+    /// Unknowns, and what is subtracted from each of them, for their current values; the place of what says whether the
+    /// iteration has converged.
+    Newton { unknowns: Vec<u32>, corrections: Vec<ExprId>, converged: u32 },
+}
+
+/// What is known of the coordinates so far.
+#[derive(Default)]
+struct Known {
+    values: HashMap<u32, ExprId>,
+    turns: HashMap<u32, Turned>,
+    rates: HashMap<u32, ExprId>,
+    /// Expressions of the description, rewritten.
+    rewritten: HashMap<ExprId, ExprId>,
+}
+
+/// A view of [`Known`] that takes part in a rewriting.
+struct InTermsOf<'k> {
+    values: &'k HashMap<u32, ExprId>,
+    turns: &'k HashMap<u32, Turned>,
+    rates: &'k HashMap<u32, ExprId>,
+}
+
+impl Substitution for InTermsOf<'_> {
+    fn symbol(&mut self, _graph: &mut Graph, symbol: Symbol) -> Option<ExprId> {
+        match symbol {
+            Symbol::Coordinate(k) => self.values.get(&k).copied(),
+            Symbol::Rate(k) => self.rates.get(&k).copied(),
+            _ => None,
+        }
+    }
+
+    fn turn(&mut self, graph: &mut Graph, known: &HashMap<ExprId, ExprId>, angle: ExprId) -> Option<Turned> {
+        Some(turned(graph, self.turns, known, angle))
+    }
+}
+
+/// The rotation by an angle: products of known cosines and sines where there are any, and the rest as an angle.
+fn turned(graph: &mut Graph, turns: &HashMap<u32, Turned>, known: &HashMap<ExprId, ExprId>, angle: ExprId) -> Turned {
+    let mut pair: Option<[ExprId; 2]> = None;
+    let mut rest = graph.zero();
+    for (times, id) in terms(graph, angle) {
+        let turn = match graph.node(id) {
+            Node::Symbol(Symbol::Coordinate(k)) => turns.get(&k).copied(),
+            _ => None,
+        };
+        match turn {
+            Some(Turned::Pair([cos, sin])) if times.unsigned_abs() <= 3 => {
+                let sin = if times < 0 { graph.neg(sin) } else { sin };
+                for _ in 0..times.unsigned_abs() {
+                    pair = Some(match pair {
+                        None => [cos, sin],
+                        Some([c, s]) => [graph.plain_cross([c, s], [sin, cos]), graph.plain_dot([s, c], [cos, sin])],
+                    });
+                }
+            }
+            _ => {
+                let (factor, value) = (graph.number(times as f64), known.get(&id).copied().unwrap_or(id));
+                let term = graph.mul(factor, value);
+                rest = graph.add(rest, term);
+            }
+        }
+    }
+    match pair {
+        None => Turned::Angle(known.get(&angle).copied().unwrap_or(rest)),
+        Some(pair) if graph.is_zero(rest) => Turned::Pair(pair),
+        Some(pair) => Turned::Pair(graph.rotate(rest, pair)),
+    }
+}
+
+/// Builds the solution of a plan.
+pub(super) struct Build<'a> {
+    system: &'a KinematicSystem,
+    pub(super) graph: Graph,
+    known: Known,
+    pub(super) stages: Vec<Stage>,
+    /// Margins as far as they belong to positions, and those of iterations by their first row.
+    pub(super) listed: Listed,
+    /// Places that say whether iterations have converged.
+    pub(super) iterations: u32,
+    /// (row, place of the margin, place that says whether it has converged) of every iteration.
+    pending: Vec<(usize, usize, u32)>,
+    /// The closures' indicators at a given q.
+    pub(super) closures: Vec<ExprId>,
+}
+
+impl<'a> Build<'a> {
+    pub(super) fn new(system: &'a KinematicSystem, graph: Graph, listed: Listed) -> Self {
+        let known = Known::default();
+        let (stages, pending, closures) = (vec![Stage::Closed(Vec::new())], Vec::new(), Vec::new());
+        Self { system, graph, known, stages, listed, iterations: 0, pending, closures }
+    }
+
+    /// All stages of q, q̇ and q̈; gives where those of q̇ and q̈ begin.
+    pub(super) fn all(&mut self, tree: &Block) -> [usize; 2] {
+        self.block(tree);
+        let n = self.system.set.coordinates.len();
+        let mut starts = [0; 2];
+        for (order, start) in starts.iter_mut().enumerate() {
+            let right: Vec<ExprId> = (self.system.equations.iter())
+                .map(|equation| if order == 0 { equation.phi_t } else { equation.gamma })
+                .collect();
+            let right: Vec<ExprId> = right.into_iter().map(|e| self.known_value(e)).collect();
+            let right = if order == 0 { right.into_iter().map(|e| self.graph.neg(e)).collect() } else { right };
+            let (solution, margins) = self.rates(tree, right, n);
+            if order == 0 {
+                self.iteration_margins(&margins);
+            }
+            *start = self.stages.len();
+            let slot = |k| if order == 0 { Slot::Velocity(k) } else { Slot::Acceleration(k) };
+            self.stages.push(Stage::Closed(solution.iter().enumerate().map(|(k, e)| (slot(k), *e)).collect()));
+            self.known.rates = (0..).zip(solution).collect();
+        }
+        starts
+    }
+
+    /// x with Φ_q x = right, all coordinates known.
+    fn rates(&mut self, tree: &Block, right: Vec<ExprId>, n: usize) -> (Vec<ExprId>, BTreeMap<usize, ExprId>) {
+        let mut entries = Vec::new();
+        for equation in &self.system.equations {
+            let row: Vec<(u32, ExprId)> = equation.phi_q.clone();
+            entries.push(row.into_iter().map(|(k, e)| (k, self.known_value(e))).collect());
+        }
+        let squares: Vec<(u32, ExprId)> = squares(tree);
+        let squares = squares.into_iter().map(|(k, square)| (k, self.known_value(square))).collect();
+        let mut rates = Rates::new(&mut self.graph, entries, right, n, squares);
+        rates.block(tree);
+        let zero = rates.graph.zero();
+        (rates.solution.iter().map(|value| value.unwrap_or(zero)).collect(), rates.margins)
+    }
+
+    /// An expression of the description in terms of what is known.
+    fn known_value(&mut self, id: ExprId) -> ExprId {
+        let Known { values, turns, rates, rewritten } = &mut self.known;
+        rewrite(&mut self.graph, id, rewritten, &mut InTermsOf { values, turns, rates })
+    }
+
+    fn write(&mut self, slot: Slot, value: ExprId) {
+        match self.stages.last_mut() {
+            Some(Stage::Closed(outputs)) => outputs.push((slot, value)),
+            _ => self.stages.push(Stage::Closed(vec![(slot, value)])),
+        }
+    }
+
+    /// Knows a coordinate by its value, and by its cosine and sine where they were found first.
+    fn know(&mut self, k: u32, value: ExprId, turned: Option<Turned>) {
+        self.known.values.insert(k, value);
+        self.known.turns.insert(k, turned.unwrap_or(Turned::Angle(value)));
+        self.write(Slot::Position(k as usize), value);
+    }
+
+    fn block(&mut self, block: &Block) {
+        for part in &block.parts {
+            match part {
+                Part::Core(core) => self.core(core),
+                Part::Block(block) => self.block(block),
+                Part::Pair(pair) => {
+                    self.block(&pair.inner);
+                    self.pair(pair);
+                }
+            }
+        }
+        for &Pivot { coordinate, value, .. } in block.pivots.iter().rev() {
+            let known = self.known_value(value);
+            let turned = turned(&mut self.graph, &self.known.turns, &self.known.rewritten, value);
+            self.know(coordinate, known, Some(turned));
+        }
+    }
+
+    fn pair(&mut self, pair: &Pair) {
+        match &pair.value {
+            PairValue::Linear(value) => {
+                let value = self.known_value(*value);
+                self.know(pair.coordinate, value, None);
+            }
+            PairValue::Angle { turn, cos, sin, .. } => {
+                let found = [*cos, *sin].map(|e| self.known_value(e));
+                self.angle(pair.coordinate, turn, found);
+            }
+        }
+    }
+
+    /// An angle from the cosine and sine of a sum of multiples of angles.
+    fn angle(&mut self, k: u32, turn: &[(u32, i32)], [cos, sin]: [ExprId; 2]) {
+        let graph = &mut self.graph;
+        let (mut start, mut others) = (graph.zero(), graph.zero());
+        let (mut pair, mut own) = ([cos, sin], 1);
+        for &(other, n) in turn {
+            let (factor, symbol) = (graph.number(f64::from(n)), graph.symbol(Symbol::Start(other)));
+            let term = graph.mul(factor, symbol);
+            start = graph.add(start, term);
+            if other == k {
+                own = n;
+                continue;
+            }
+            let value = self.known.values.get(&other).copied().unwrap_or(factor);
+            let term = graph.mul(factor, value);
+            others = graph.add(others, term);
+            if let Some(turn) = self.known.turns.get(&other).copied() {
+                // Turned back by the others, one at a time.
+                let (c, s) = (turn.cos(graph), turn.sin(graph));
+                let s = if n > 0 { graph.neg(s) } else { s };
+                for _ in 0..n.unsigned_abs() {
+                    let [x, y] = pair;
+                    pair = [graph.plain_cross([c, s], [y, x]), graph.plain_dot([s, c], [x, y])];
+                }
+            }
+        }
+        let angle = graph.atan2(sin, cos);
+        let angle = graph.nearest(angle, start);
+        let rest = graph.sub(angle, others);
+        let value = if own < 0 { graph.neg(rest) } else { rest };
+        let sin = if own < 0 { graph.neg(pair[1]) } else { pair[1] };
+        self.know(k, value, Some(Turned::Pair([pair[0], sin])));
+    }
+
+    fn core(&mut self, core: &Core) {
+        let step = self.listed.core();
+        match &core.way {
+            Way::Linear { matrix, constant } => {
+                let matrix: Vec<Vec<ExprId>> =
+                    matrix.iter().map(|row| row.iter().map(|&e| self.known_value(e)).collect()).collect();
+                let right: Vec<ExprId> = constant.iter().map(|&e| self.known_value(e)).collect();
+                let right = right.into_iter().map(|e| self.graph.neg(e)).collect();
+                let (solutions, margin) = dense::solve(&mut self.graph, &matrix, &[right]);
+                if let Some(margin) = margin {
+                    let place = self.listed.margin(step);
+                    self.write(Slot::Margin(place), margin);
+                }
+                for (&k, value) in core.coordinates.iter().zip(solutions.into_iter().flatten()) {
+                    self.know(k, value, None);
+                }
+            }
+            Way::Newton { residuals } => self.newton(step, core, residuals),
+            Way::Angle { a, b, c } => {
+                let k = core.coordinates[0];
+                let indicator = angle_indicator(&mut self.graph, k, [*a, *b]);
+                let (mode, place) = self.closure(step, indicator);
+                let [a, b, c] = [*a, *b, *c].map(|e| self.known_value(e));
+                let graph = &mut self.graph;
+                // w = ±√(a² + b² − c²): cos φ = (a c − b w)/(a² + b²), sin φ = (b c + a w)/(a² + b²).
+                let (one, d, square) = (graph.number(1.0), graph.plain_dot([a, b], [a, b]), graph.square(c));
+                let inside = graph.sub(d, square);
+                let inverse = graph.div(one, d);
+                let w = signed_root(graph, mode, inside);
+                let (cos, sin) = (graph.plain_cross([a, b], [w, c]), graph.plain_dot([b, a], [c, w]));
+                let [cos, sin] = [cos, sin].map(|e| graph.mul(e, inverse));
+                let margin = graph.mul(inside, inverse);
+                self.write(Slot::Margin(place), margin);
+                self.angle(k, &[(k, 1)], [cos, sin]);
+            }
+            Way::Quadratic { a, b, c } => {
+                let k = core.coordinates[0];
+                let indicator = quadratic_indicator(&mut self.graph, k, [*a, *b, *c]);
+                let (mode, place) = self.closure(step, indicator);
+                let [a, b, c] = [*a, *b, *c].map(|e| self.known_value(e));
+                let graph = &mut self.graph;
+                let half = graph.number(0.5);
+                let half = graph.mul(half, b);
+                let (square, product) = (graph.square(half), graph.mul(a, c));
+                let inside = graph.sub(square, product);
+                let size = size_of_quadratic(graph, square, product);
+                let w = signed_root(graph, mode, inside);
+                let top = graph.sub(w, half);
+                let value = graph.div(top, a);
+                let margin = graph.div(inside, size);
+                self.write(Slot::Margin(place), margin);
+                self.know(k, value, None);
+            }
+            Way::Circle { e, l, k, n, m } => {
+                let at = [core.coordinates[0], core.coordinates[1]];
+                let indicator = circle_indicator(&mut self.graph, at, [*e, l[0], l[1], *k, n[0], n[1]]);
+                let (mode, place) = self.closure(step, indicator);
+                let [e, lx, ly, k, nx, ny, m] = [*e, l[0], l[1], *k, n[0], n[1], *m].map(|e| self.known_value(e));
+                let graph = &mut self.graph;
+                let ([x0, y0], radius) = centre_and_square(graph, e, [lx, ly], k);
+                // The distance of the line from the centre, times |n|; half the chord, times |n|.
+                let (off, n2) = (graph.plain_dot([nx, ny], [x0, y0]), graph.plain_dot([nx, ny], [nx, ny]));
+                let off = graph.add(off, m);
+                let (full, square) = (graph.mul(radius, n2), graph.square(off));
+                let inside = graph.sub(full, square);
+                let w = signed_root(graph, mode, inside);
+                let (dx, dy) = (graph.plain_dot([off, w], [nx, ny]), graph.plain_cross([w, off], [ny, nx]));
+                let [dx, dy] = [dx, dy].map(|d| graph.div(d, n2));
+                let (x, y) = (graph.sub(x0, dx), graph.add(y0, dy));
+                let size = graph.call(Function::Abs, full);
+                let margin = graph.div(inside, size);
+                self.write(Slot::Margin(place), margin);
+                self.know(at[0], x, None);
+                self.know(at[1], y, None);
+            }
+        }
+    }
+
+    /// A new mode and its margin, given what tells the mode of a configuration.
+    fn closure(&mut self, step: usize, indicator: ExprId) -> (ExprId, usize) {
+        self.closures.push(indicator);
+        let place = self.listed.margin(step);
+        let mode = self.listed.mode(self.system, step, place);
+        (self.graph.symbol(Symbol::Mode(mode as u32)), place)
+    }
+
+    fn newton(&mut self, step: usize, core: &Core, residuals: &[ExprId]) {
+        let jets = total_derivatives(&mut self.graph, residuals);
+        for &k in &core.coordinates {
+            let unknown = self.graph.symbol(Symbol::Unknown(k));
+            self.know(k, unknown, None);
+        }
+        // What was written of the unknowns stands after the iteration.
+        let written = match self.stages.last_mut() {
+            Some(Stage::Closed(outputs)) => outputs.split_off(outputs.len() - core.coordinates.len()),
+            _ => Vec::new(),
+        };
+        let right: Vec<ExprId> = residuals.iter().map(|&e| self.known_value(e)).collect();
+        let mut matrix = Vec::new();
+        for jet in jets {
+            let zero = self.graph.zero();
+            let entry = |k: u32| jet.gradient.iter().find(|(other, _)| *other == k).map_or(zero, |(_, e)| *e);
+            let row: Vec<ExprId> = core.coordinates.iter().map(|&k| entry(k)).collect();
+            matrix.push(row.into_iter().map(|e| self.known_value(e)).collect::<Vec<_>>());
+        }
+        let (corrections, _) = dense::solve(&mut self.graph, &matrix, &[right]);
+        let (unknowns, converged) = (core.coordinates.clone(), self.iterations);
+        let corrections = corrections.into_iter().flatten().collect();
+        self.stages.push(Stage::Newton { unknowns, corrections, converged });
+        self.stages.push(Stage::Closed(written));
+        self.iterations += 1;
+        let place = self.listed.margin(step);
+        self.pending.push((core.rows[0], place, converged));
+    }
+
+    /// The margins of iterations: converged, and Φ_q not singular.
+    fn iteration_margins(&mut self, margins: &BTreeMap<usize, ExprId>) {
+        for (row, place, converged) in std::mem::take(&mut self.pending) {
+            let mut margin = self.graph.symbol(Symbol::Held(converged));
+            if let Some(&regular) = margins.get(&row) {
+                margin = self.graph.mul(margin, regular);
+            }
+            self.write(Slot::Margin(place), margin);
+        }
+    }
+
+    /// x with Φ_q x = b at a given q, entries of b as symbols, and its margins.
+    pub(super) fn resolve(&mut self, tree: &Block) -> Vec<(Slot, ExprId)> {
+        let n = self.system.set.coordinates.len();
+        let right = (0..self.system.equations.len()).map(|row| self.graph.symbol(Symbol::Right(row as u32))).collect();
+        let entries = self.system.equations.iter().map(|equation| equation.phi_q.iter().copied().collect()).collect();
+        let mut rates = Rates::new(&mut self.graph, entries, right, n, squares(tree).into_iter().collect());
+        rates.block(tree);
+        let zero = rates.graph.zero();
+        rates.solution.iter().enumerate().map(|(k, value)| (Slot::Entry(k), value.unwrap_or(zero))).collect()
+    }
+}
+
+/// The squared lengths of the vectors that angles of pairs turn, by coordinate.
+fn squares(block: &Block) -> Vec<(u32, ExprId)> {
+    let (mut out, mut open) = (Vec::new(), vec![block]);
+    while let Some(block) = open.pop() {
+        for part in &block.parts {
+            match part {
+                Part::Core(_) => {}
+                Part::Block(block) => open.push(block),
+                Part::Pair(pair) => {
+                    if let PairValue::Angle { square: Some(square), .. } = pair.value {
+                        out.push((pair.coordinate, square));
+                    }
+                    open.push(&pair.inner);
+                }
+            }
+        }
+    }
+    out
+}
+
+/// ±√|inside|.
+fn signed_root(graph: &mut Graph, mode: ExprId, inside: ExprId) -> ExprId {
+    let magnitude = graph.call(Function::Abs, inside);
+    let root = graph.call(Function::Sqrt, magnitude);
+    graph.mul(mode, root)
+}
+
+/// (a sin φ − b cos φ)/√(a² + b²), which is ±w/√(a² + b²).
+fn angle_indicator(graph: &mut Graph, k: u32, [a, b]: [ExprId; 2]) -> ExprId {
+    let phi = graph.symbol(Symbol::Coordinate(k));
+    // The second component of A(φ)(a, −b).
+    let minus_b = graph.neg(b);
+    let w = graph.rotate(phi, [a, minus_b])[1];
+    let d = graph.plain_dot([a, b], [a, b]);
+    let size = graph.call(Function::Sqrt, d);
+    graph.div(w, size)
+}
+
+/// (a x + b/2)/√(b²/4 + |a c|).
+fn quadratic_indicator(graph: &mut Graph, k: u32, [a, b, c]: [ExprId; 3]) -> ExprId {
+    let (x, half) = (graph.symbol(Symbol::Coordinate(k)), graph.number(0.5));
+    let (ax, half) = (graph.mul(a, x), graph.mul(half, b));
+    let (square, product) = (graph.square(half), graph.mul(a, c));
+    let size = size_of_quadratic(graph, square, product);
+    let (w, size) = (graph.add(ax, half), graph.call(Function::Sqrt, size));
+    graph.div(w, size)
+}
+
+fn size_of_quadratic(graph: &mut Graph, square: ExprId, product: ExprId) -> ExprId {
+    let magnitude = graph.call(Function::Abs, product);
+    graph.add(square, magnitude)
+}
+
+/// The centre and squared radius of e(x² + y²) + l·(x, y) + k = 0.
+fn centre_and_square(graph: &mut Graph, e: ExprId, l: [ExprId; 2], k: ExprId) -> ([ExprId; 2], ExprId) {
+    let (minus_half, one) = (graph.number(-0.5), graph.number(1.0));
+    let inverse = graph.div(one, e);
+    let factor = graph.mul(minus_half, inverse);
+    let centre = l.map(|l| graph.mul(factor, l));
+    let (square, k) = (graph.plain_dot(centre, centre), graph.mul(k, inverse));
+    (centre, graph.sub(square, k))
+}
+
+/// perp(n)·(p − centre)/(|n| r), with its sign.
+fn circle_indicator(graph: &mut Graph, at: [u32; 2], [e, lx, ly, k, nx, ny]: [ExprId; 6]) -> ExprId {
+    let ([x0, y0], radius) = centre_and_square(graph, e, [lx, ly], k);
+    let [x, y] = at.map(|k| graph.symbol(Symbol::Coordinate(k)));
+    let [dx, dy] = [graph.sub(x, x0), graph.sub(y, y0)];
+    let (w, n2) = (graph.plain_cross([nx, ny], [dx, dy]), graph.plain_dot([nx, ny], [nx, ny]));
+    let full = graph.mul(n2, radius);
+    let magnitude = graph.call(Function::Abs, full);
+    let size = graph.call(Function::Sqrt, magnitude);
+    graph.div(w, size)
+}

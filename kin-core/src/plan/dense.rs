@@ -1,0 +1,137 @@
+//! Small systems M x = b as expressions: by Cramer's rule up to three unknowns, beyond by elimination in a fixed order.
+
+use crate::expr::{ExprId, Graph};
+
+/// x for every b, and a margin that is 0 where M is singular: for up to three unknowns (det M)² over the product of the
+/// rows' squared norms, beyond the product of pivots over the sums of their rows. One unknown has none.
+pub(super) fn solve(
+    graph: &mut Graph,
+    matrix: &[Vec<ExprId>],
+    rights: &[Vec<ExprId>],
+) -> (Vec<Vec<ExprId>>, Option<ExprId>) {
+    match matrix.len() {
+        0 => (rights.iter().map(|_| Vec::new()).collect(), None),
+        1 => {
+            let one = graph.number(1.0);
+            let inverse = graph.div(one, matrix[0][0]);
+            (rights.iter().map(|b| vec![graph.mul(b[0], inverse)]).collect(), None)
+        }
+        2 | 3 => cramer(graph, matrix, rights),
+        _ => eliminate(graph, matrix, rights),
+    }
+}
+
+fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>]) -> (Vec<Vec<ExprId>>, Option<ExprId>) {
+    let n = matrix.len();
+    let cofactors: Vec<Vec<ExprId>> = (0..n).map(|i| (0..n).map(|j| cofactor(graph, matrix, i, j)).collect()).collect();
+    let det = sum(graph, (0..n).map(|j| (matrix[0][j], cofactors[0][j])));
+    let one = graph.number(1.0);
+    let inverse = graph.div(one, det);
+    let solutions = rights
+        .iter()
+        .map(|b| {
+            let along = |j: usize| {
+                let top = sum(graph, (0..n).map(|i| (b[i], cofactors[i][j])));
+                graph.mul(top, inverse)
+            };
+            (0..n).map(along).collect()
+        })
+        .collect();
+    let mut product = one;
+    for row in matrix {
+        let norm = sum(graph, row.iter().map(|&e| (e, e)));
+        product = graph.mul(product, norm);
+    }
+    let square = graph.square(det);
+    (solutions, Some(graph.div(square, product)))
+}
+
+/// The signed minor of M without row i and column j, for two or three rows.
+fn cofactor(graph: &mut Graph, matrix: &[Vec<ExprId>], i: usize, j: usize) -> ExprId {
+    let rest = |without: usize| (0..matrix.len()).filter(move |k| *k != without).collect::<Vec<_>>();
+    let (rows, columns) = (rest(i), rest(j));
+    let minor = match (rows.as_slice(), columns.as_slice()) {
+        (&[r], &[c]) => matrix[r][c],
+        (&[r, s], &[c, d]) => graph.plain_cross([matrix[r][c], matrix[r][d]], [matrix[s][c], matrix[s][d]]),
+        _ => graph.zero(),
+    };
+    if (i + j).is_multiple_of(2) { minor } else { graph.neg(minor) }
+}
+
+fn sum(graph: &mut Graph, products: impl Iterator<Item = (ExprId, ExprId)>) -> ExprId {
+    let mut sum = graph.zero();
+    for (a, b) in products {
+        let product = graph.mul(a, b);
+        sum = graph.add(sum, product);
+    }
+    sum
+}
+
+/// Gauss's elimination: numbers first as pivots, then the entry with the least fill (Markowitz 1957).
+fn eliminate(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>]) -> (Vec<Vec<ExprId>>, Option<ExprId>) {
+    let n = matrix.len();
+    let mut m = matrix.to_vec();
+    let mut b: Vec<Vec<ExprId>> = rights.to_vec();
+    let (mut rows, mut columns): (Vec<usize>, Vec<usize>) = ((0..n).collect(), (0..n).collect());
+    let mut order = Vec::new();
+    let mut margin = graph.number(1.0);
+    while !rows.is_empty() {
+        let filled = |graph: &Graph, i: usize, j: usize| !graph.is_zero(m[i][j]);
+        let score = |i: usize, j: usize| {
+            let in_row = columns.iter().filter(|&&c| filled(graph, i, c)).count();
+            let in_column = rows.iter().filter(|&&r| filled(graph, r, j)).count();
+            (graph.literal(m[i][j]).is_none(), (in_row - 1) * (in_column - 1), i, j)
+        };
+        let entries = rows.iter().flat_map(|&i| columns.iter().map(move |&j| (i, j)));
+        let best = entries.filter(|&(i, j)| filled(graph, i, j)).map(|(i, j)| score(i, j)).min();
+        // A column of zeros: whoever asked knows from the margin.
+        let Some((literal, _, i, j)) = best else {
+            return (rights.iter().map(|_| vec![graph.zero(); n]).collect(), Some(graph.zero()));
+        };
+        if literal || columns.len() > 1 {
+            let mut size = graph.zero();
+            for &c in &columns {
+                let magnitude = graph.call(crate::mechanism::Function::Abs, m[i][c]);
+                size = graph.add(size, magnitude);
+            }
+            let pivot = graph.call(crate::mechanism::Function::Abs, m[i][j]);
+            let share = graph.div(pivot, size);
+            margin = graph.mul(margin, share);
+        }
+        rows.retain(|&r| r != i);
+        columns.retain(|&c| c != j);
+        let one = graph.number(1.0);
+        let inverse = graph.div(one, m[i][j]);
+        for &r in &rows {
+            if graph.is_zero(m[r][j]) {
+                continue;
+            }
+            let factor = graph.mul(m[r][j], inverse);
+            for &c in &columns {
+                let term = graph.mul(factor, m[i][c]);
+                m[r][c] = graph.sub(m[r][c], term);
+            }
+            for b in &mut b {
+                let term = graph.mul(factor, b[i]);
+                b[r] = graph.sub(b[r], term);
+            }
+        }
+        order.push((i, j, inverse, columns.clone()));
+    }
+    let solutions = b
+        .iter()
+        .map(|b| {
+            let mut x = vec![graph.zero(); n];
+            for (i, j, inverse, later) in order.iter().rev() {
+                let mut rest = b[*i];
+                for &c in later {
+                    let term = graph.mul(m[*i][c], x[c]);
+                    rest = graph.sub(rest, term);
+                }
+                x[*j] = graph.mul(rest, *inverse);
+            }
+            x
+        })
+        .collect();
+    (solutions, Some(margin))
+}

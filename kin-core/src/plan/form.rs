@@ -1,0 +1,342 @@
+//! Rows as sums over their unknowns: what an expert sees in them.
+//!
+//! ```text
+//! f = Σ_m Σ_θ m (C cos θ + S sin θ) + rest
+//! ```
+//!
+//! m are products of unknowns, θ sums of integer multiples of unknown angles, C and S expressions without unknowns. What
+//! is not of this kind (a supplied function of an unknown, say) is the rest. Coefficients that are zero for all values
+//! are found by [`Probe`], so that |A(φ)s|² has no φ left.
+
+use super::probe::Probe;
+use crate::expr::{ExprId, Graph, Node, Symbol};
+use crate::mechanism::Function;
+use crate::structure::turn::terms;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+/// Terms of a form beyond which it is left as it is.
+const MAX_TERMS: usize = 64;
+
+/// A product of unknowns (place in q, power) and a sum of multiples of unknown angles, its first multiple positive.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Key {
+    pub(super) powers: Vec<(u32, u8)>,
+    pub(super) turn: Vec<(u32, i32)>,
+}
+
+impl Key {
+    /// Everything it holds.
+    fn unknowns(&self) -> impl Iterator<Item = u32> + '_ {
+        self.powers.iter().map(|(k, _)| *k).chain(self.turn.iter().map(|(k, _)| *k))
+    }
+}
+
+/// θ with C and S.
+type Turning<'t> = (&'t [(u32, i32)], [ExprId; 2]);
+
+/// A row as a sum.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Form {
+    /// [C, S] of every product and angle.
+    pub(super) terms: BTreeMap<Key, [ExprId; 2]>,
+    /// What is not of this kind.
+    pub(super) rest: Option<ExprId>,
+}
+
+/// Reads forms; remembers which expressions hold unknowns.
+pub(super) struct Reader<'a> {
+    pub(super) graph: &'a mut Graph,
+    pub(super) probe: &'a mut Probe,
+    unknowns: &'a BTreeSet<u32>,
+    holds: HashMap<ExprId, bool>,
+    read: HashMap<ExprId, Form>,
+}
+
+impl<'a> Reader<'a> {
+    pub(super) fn new(graph: &'a mut Graph, probe: &'a mut Probe, unknowns: &'a BTreeSet<u32>) -> Self {
+        Self { graph, probe, unknowns, holds: HashMap::new(), read: HashMap::new() }
+    }
+
+    /// What is sought.
+    pub(super) fn unknowns(&self) -> &'a BTreeSet<u32> {
+        self.unknowns
+    }
+
+    /// True when an unknown is in `id`.
+    pub(super) fn holds(&mut self, id: ExprId) -> bool {
+        for id in self.graph.reachable([id]) {
+            if self.holds.contains_key(&id) {
+                continue;
+            }
+            let node = self.graph.node(id);
+            let mut found = matches!(node, Node::Symbol(Symbol::Coordinate(k)) if self.unknowns.contains(&k));
+            node.for_each_operand(|operand| found |= self.holds.get(&operand).copied().unwrap_or(false));
+            self.holds.insert(id, found);
+        }
+        self.holds.get(&id).copied().unwrap_or(false)
+    }
+
+    /// The form of a row.
+    pub(super) fn read(&mut self, id: ExprId) -> Form {
+        self.holds(id);
+        for id in self.graph.reachable([id]) {
+            if !self.read.contains_key(&id) && self.holds.get(&id).copied().unwrap_or(false) {
+                let form = self.node(id).unwrap_or_else(|| Form { rest: Some(id), ..Form::default() });
+                self.read.insert(id, form);
+            }
+        }
+        let form = self.known_form(id);
+        self.clean(form)
+    }
+
+    /// Without coefficients that are zero for all values.
+    pub(super) fn clean(&mut self, mut form: Form) -> Form {
+        let zero = self.graph.zero();
+        form.terms.retain(|_, pair| {
+            for coefficient in pair.iter_mut() {
+                if self.probe.is_zero(self.graph, *coefficient) {
+                    *coefficient = zero;
+                }
+            }
+            pair.iter().any(|coefficient| *coefficient != zero)
+        });
+        form
+    }
+
+    fn known_form(&mut self, id: ExprId) -> Form {
+        if let Some(form) = self.read.get(&id) {
+            return form.clone();
+        }
+        self.constant(id)
+    }
+
+    pub(super) fn constant(&mut self, id: ExprId) -> Form {
+        let zero = self.graph.zero();
+        if id == zero {
+            return Form::default();
+        }
+        Form { terms: BTreeMap::from([(Key::default(), [id, zero])]), rest: None }
+    }
+
+    fn node(&mut self, id: ExprId) -> Option<Form> {
+        let form = match self.graph.node(id) {
+            Node::Symbol(Symbol::Coordinate(k)) => {
+                let (one, zero) = (self.graph.number(1.0), self.graph.zero());
+                let key = Key { powers: vec![(k, 1)], turn: Vec::new() };
+                Form { terms: BTreeMap::from([(key, [one, zero])]), rest: None }
+            }
+            Node::Neg(a) => {
+                let a = self.known_form(a);
+                self.scaled(&a, -1.0)?
+            }
+            Node::Add(a, b) => {
+                let (a, b) = (self.known_form(a), self.known_form(b));
+                self.sum(&a, &b, 1.0)?
+            }
+            Node::Sub(a, b) => {
+                let (a, b) = (self.known_form(a), self.known_form(b));
+                self.sum(&a, &b, -1.0)?
+            }
+            Node::Mul(a, b) => {
+                let (a, b) = (self.known_form(a), self.known_form(b));
+                self.product(&a, &b)?
+            }
+            Node::Div(a, b) if !self.holds.get(&b).copied().unwrap_or(false) => {
+                let one = self.graph.number(1.0);
+                let (inverse, a) = (self.graph.div(one, b), self.known_form(a));
+                let inverse = self.constant(inverse);
+                self.product(&a, &inverse)?
+            }
+            Node::Powi(a, n @ 2..=4) => {
+                let a = self.known_form(a);
+                let mut power = a.clone();
+                for _ in 1..n {
+                    power = self.product(&power, &a)?;
+                }
+                power
+            }
+            Node::Call(Function::Sin, a) => self.turned(a)?[1].clone(),
+            Node::Call(Function::Cos, a) => self.turned(a)?[0].clone(),
+            Node::RotX(r) | Node::RotY(r) => {
+                let [cos, sin] = self.turned(r.angle)?;
+                let (x, y) = (self.known_form(r.x), self.known_form(r.y));
+                if matches!(self.graph.node(id), Node::RotX(_)) {
+                    let (a, b) = (self.product(&cos, &x)?, self.product(&sin, &y)?);
+                    self.sum(&a, &b, -1.0)?
+                } else {
+                    let (a, b) = (self.product(&sin, &x)?, self.product(&cos, &y)?);
+                    self.sum(&a, &b, 1.0)?
+                }
+            }
+            Node::Dot(t) => {
+                let [ux, uy, dx, dy] = [t.u[0], t.u[1], t.d[0], t.d[1]].map(|id| self.known_form(id));
+                let (a, b) = (self.product(&ux, &dx)?, self.product(&uy, &dy)?);
+                self.sum(&a, &b, 1.0)?
+            }
+            Node::Cross(t) => {
+                let [ux, uy, dx, dy] = [t.u[0], t.u[1], t.d[0], t.d[1]].map(|id| self.known_form(id));
+                let (a, b) = (self.product(&ux, &dy)?, self.product(&uy, &dx)?);
+                self.sum(&a, &b, -1.0)?
+            }
+            _ => return None,
+        };
+        let form = self.clean(form);
+        (form.terms.len() <= MAX_TERMS).then_some(form)
+    }
+
+    /// cos and sin of an angle that is a sum of integer multiples of unknowns and something known.
+    fn turned(&mut self, angle: ExprId) -> Option<[Form; 2]> {
+        let zero = self.graph.zero();
+        let (mut turn, mut known) = (BTreeMap::<u32, i64>::new(), zero);
+        for (times, id) in terms(self.graph, angle) {
+            match self.graph.node(id) {
+                Node::Symbol(Symbol::Coordinate(k)) if self.unknowns.contains(&k) => {
+                    *turn.entry(k).or_default() += times
+                }
+                _ if self.holds(id) => return None,
+                _ => {
+                    let factor = self.graph.number(times as f64);
+                    let term = self.graph.mul(factor, id);
+                    known = self.graph.add(known, term);
+                }
+            }
+        }
+        turn.retain(|_, times| *times != 0);
+        let turn: Vec<(u32, i32)> =
+            turn.into_iter().map(|(k, times)| Some((k, i32::try_from(times).ok()?))).collect::<Option<_>>()?;
+        // cos(θ + δ) = cos δ cos θ − sin δ sin θ.
+        let (cos, sin) = (self.graph.cos(known), self.graph.sin(known));
+        let minus_sin = self.graph.neg(sin);
+        Some([self.term(&turn, [cos, minus_sin]), self.term(&turn, [sin, cos])])
+    }
+
+    /// C cos θ + S sin θ with θ of either sign.
+    fn term(&mut self, turn: &[(u32, i32)], [c, s]: [ExprId; 2]) -> Form {
+        let zero = self.graph.zero();
+        if turn.is_empty() {
+            return self.constant(c);
+        }
+        let negative = turn[0].1 < 0;
+        let turn = turn.iter().map(|&(k, n)| (k, if negative { -n } else { n })).collect();
+        let s = if negative { self.graph.neg(s) } else { s };
+        let key = Key { powers: Vec::new(), turn };
+        let mut form = Form::default();
+        if c != zero || s != zero {
+            form.terms.insert(key, [c, s]);
+        }
+        form
+    }
+
+    fn scaled(&mut self, a: &Form, factor: f64) -> Option<Form> {
+        let nothing = Form::default();
+        self.sum(&nothing, a, factor)
+    }
+
+    /// a + factor b, with a factor of ±1.
+    pub(super) fn sum(&mut self, a: &Form, b: &Form, factor: f64) -> Option<Form> {
+        let mut out = a.clone();
+        let zero = self.graph.zero();
+        let plus = |graph: &mut Graph, x, y| if factor < 0.0 { graph.sub(x, y) } else { graph.add(x, y) };
+        for (key, pair) in &b.terms {
+            let entry = out.terms.entry(key.clone()).or_insert([zero; 2]);
+            for (sum, term) in entry.iter_mut().zip(pair) {
+                *sum = plus(self.graph, *sum, *term);
+            }
+        }
+        if let Some(rest) = b.rest {
+            let own = out.rest.unwrap_or(zero);
+            out.rest = Some(plus(self.graph, own, rest));
+        }
+        Some(out)
+    }
+
+    /// a · b; `None` where one of them has a rest, or the product has too many terms.
+    pub(super) fn product(&mut self, a: &Form, b: &Form) -> Option<Form> {
+        if a.rest.is_some() || b.rest.is_some() || a.terms.len() * b.terms.len() > 4 * MAX_TERMS {
+            return None;
+        }
+        let mut out = Form::default();
+        for (key_a, pair_a) in &a.terms {
+            for (key_b, pair_b) in &b.terms {
+                let powers = multiplied(&key_a.powers, &key_b.powers);
+                for part in self.turns((&key_a.turn, *pair_a), (&key_b.turn, *pair_b)) {
+                    let terms = part.terms.into_iter();
+                    let terms = terms.map(|(key, pair)| (Key { powers: powers.clone(), ..key }, pair)).collect();
+                    out = self.sum(&out, &Form { terms, rest: None }, 1.0)?;
+                }
+            }
+        }
+        Some(out)
+    }
+
+    /// (C cos α + S sin α)(C′ cos β + S′ sin β) as terms in α + β and α − β.
+    fn turns(&mut self, (alpha, [c, s]): Turning<'_>, (beta, [d, r]): Turning<'_>) -> Vec<Form> {
+        let graph = &mut *self.graph;
+        if alpha.is_empty() {
+            let pair = [graph.mul(c, d), graph.mul(c, r)];
+            return vec![self.term(beta, pair)];
+        }
+        if beta.is_empty() {
+            let pair = [graph.mul(c, d), graph.mul(s, d)];
+            return vec![self.term(alpha, pair)];
+        }
+        let half = graph.number(0.5);
+        let [cd, cr, sd, sr] = [graph.mul(c, d), graph.mul(c, r), graph.mul(s, d), graph.mul(s, r)];
+        let plus = [graph.sub(cd, sr), graph.add(cr, sd)].map(|e| graph.mul(half, e));
+        let minus = [graph.add(cd, sr), graph.sub(sd, cr)].map(|e| graph.mul(half, e));
+        let combined = |sign: i32| {
+            let mut turn: BTreeMap<u32, i32> = alpha.iter().copied().collect();
+            beta.iter().for_each(|&(k, n)| *turn.entry(k).or_default() += sign * n);
+            turn.into_iter().filter(|(_, n)| *n != 0).collect::<Vec<_>>()
+        };
+        vec![self.term(&combined(1), plus), self.term(&combined(-1), minus)]
+    }
+
+    /// The form as an expression.
+    pub(super) fn written(&mut self, form: &Form) -> ExprId {
+        let mut sum = form.rest.unwrap_or_else(|| self.graph.zero());
+        for (key, pair) in &form.terms {
+            let value = self.value(key, *pair);
+            sum = self.graph.add(sum, value);
+        }
+        sum
+    }
+
+    /// m (C cos θ + S sin θ).
+    pub(super) fn value(&mut self, key: &Key, [c, s]: [ExprId; 2]) -> ExprId {
+        let graph = &mut *self.graph;
+        let mut value = c;
+        if !key.turn.is_empty() {
+            let mut angle = graph.zero();
+            for &(k, n) in &key.turn {
+                let (factor, symbol) = (graph.number(f64::from(n)), graph.symbol(Symbol::Coordinate(k)));
+                let term = graph.mul(factor, symbol);
+                angle = graph.add(angle, term);
+            }
+            // cos θ C − sin θ (−S) is the first component of A(θ)(C, −S).
+            let minus_s = graph.neg(s);
+            value = graph.rotate(angle, [c, minus_s])[0];
+        }
+        for &(k, n) in &key.powers {
+            let symbol = graph.symbol(Symbol::Coordinate(k));
+            let power = graph.powi(symbol, i32::from(n));
+            value = graph.mul(value, power);
+        }
+        value
+    }
+}
+
+fn multiplied(a: &[(u32, u8)], b: &[(u32, u8)]) -> Vec<(u32, u8)> {
+    let mut powers: BTreeMap<u32, u8> = a.iter().copied().collect();
+    b.iter().for_each(|&(k, n)| *powers.entry(k).or_default() += n);
+    powers.into_iter().collect()
+}
+
+impl Form {
+    /// The unknowns that appear, given those of the rest.
+    pub(super) fn unknowns(&self, of_rest: impl FnOnce(ExprId) -> BTreeSet<u32>) -> BTreeSet<u32> {
+        let mut found = self.rest.map_or_else(BTreeSet::new, of_rest);
+        found.extend(self.terms.keys().flat_map(Key::unknowns));
+        found
+    }
+}

@@ -1,0 +1,128 @@
+//! The solution plan: what an expert would do instead of "Newton on all coordinates".
+//!
+//! ```text
+//! KinematicSystem → blocks (matching, strongly connected components) → reduction → tree → expressions → programs
+//! ```
+//!
+//! Every block of rows is reduced by eliminations that are exact everywhere (see `reduce`) until what is left closes by
+//! itself (a cos φ + b sin φ = c, a quadratic, a circle and a line, a linear system) or is a small system for Newton's
+//! iteration. In the coordinates of joint-by-joint descriptions this finds the Assur groups: dyads close without
+//! iteration, triads are left with two unknowns. Recognition works on the equations, not on the joints, so that a loop
+//! in free equations, with carried or held coordinates, `distance` and `point_on_line` comes to the same.
+//!
+//! Velocities and accelerations, and every other Φ_q x = b, go along the same tree (see `rates`).
+
+mod build;
+mod dense;
+mod display;
+mod form;
+mod matching;
+mod probe;
+mod rates;
+mod recognise;
+mod reduce;
+mod rewrite;
+mod run;
+mod sections;
+mod steps;
+mod tree;
+
+pub use run::{Solution, closures, resolve, run};
+pub use sections::Section;
+pub use steps::{Kind, Mode, Step};
+
+use crate::program::{Program, Slot, lower};
+use crate::system::KinematicSystem;
+use build::Build;
+use probe::Probe;
+use reduce::Reduction;
+use std::collections::BTreeSet;
+use steps::Listed;
+
+/// How far a section belongs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Depth {
+    /// q.
+    Position,
+    /// q̇.
+    Velocity,
+    /// q̈.
+    Acceleration,
+}
+
+/// How a mechanism is solved, block by block.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct SolutionPlan {
+    /// The steps in order.
+    pub steps: Vec<Step>,
+    /// The assembly modes.
+    pub modes: Vec<Mode>,
+    /// How many margins a solution has.
+    pub margins: usize,
+    /// Why there is no plan.
+    pub absent: Option<String>,
+    /// The programs in order, and how far each belongs.
+    pub sections: Vec<(Section, Depth)>,
+    /// How many values the sections hold for one another.
+    pub held: u32,
+    /// What tells the modes of a configuration: one entry per mode.
+    pub closures: Program,
+    /// x with Φ_q x = b at a configuration.
+    pub resolve: Program,
+}
+
+/// The plan of a mechanism whose rows determine its coordinates; for others, why there is none.
+pub fn plan(system: &KinematicSystem) -> SolutionPlan {
+    planned(system).unwrap_or_else(|why| SolutionPlan { absent: Some(why), ..SolutionPlan::default() })
+}
+
+fn planned(system: &KinematicSystem) -> Result<SolutionPlan, String> {
+    let set = &system.set;
+    let (n, s) = (set.coordinates.len(), set.rows.len());
+    if system.classes.iter().any(|class| !class.holonomic) {
+        return Err("rows of velocity level leave the position to the motion".to_owned());
+    }
+    if s < n {
+        return Err(format!("{s} rows leave {} of {n} coordinates undetermined", n - s));
+    }
+    if s > n {
+        return Err(format!("{s} rows for {n} coordinates: some of them are redundant"));
+    }
+    let mut graph = set.graph.clone();
+    let mut probe = Probe::new(n);
+    let all: Vec<usize> = (0..s).collect();
+    let mut reduction = Reduction {
+        graph: &mut graph,
+        probe: &mut probe,
+        rows: set.rows.iter().map(|row| row.phi).collect(),
+        made_of: all.iter().map(|&row| BTreeSet::from([row])).collect(),
+        replaced: BTreeSet::new(),
+    };
+    let determined = || "the rows do not determine all coordinates".to_owned();
+    let pattern = system.equations.iter().map(|equation| equation.phi_q.iter().map(|(k, _)| *k as usize).collect());
+    let pattern: Vec<Vec<usize>> = pattern.collect();
+    let mut tree = tree::Block::default();
+    for (rows, unknowns) in matching::blocks(&pattern, n).map_err(|_| determined())? {
+        let unknowns: BTreeSet<u32> = unknowns.into_iter().map(|k| k as u32).collect();
+        let block = reduction.block(&rows, &unknowns).ok_or_else(determined)?;
+        tree.parts.push(tree::Part::Block(block));
+    }
+    let made_of = std::mem::take(&mut reduction.made_of);
+    let listed = Listed::new(system, &tree, &made_of);
+    let mut build = Build::new(system, graph, listed);
+    let [velocity, acceleration] = build.all(&tree);
+    let resolve = build.resolve(&tree);
+    let Build { mut graph, stages, listed, iterations, closures, .. } = build;
+    let resolve = lower(&graph, &resolve);
+    let indicators: Vec<_> = closures.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
+    let closures = lower(&graph, &indicators);
+    let (sections, held) = sections::sections(&mut graph, stages, iterations);
+    let depth = |place| match place {
+        place if place >= acceleration => Depth::Acceleration,
+        place if place >= velocity => Depth::Velocity,
+        _ => Depth::Position,
+    };
+    let sections = sections.into_iter().enumerate().map(|(place, section)| (section, depth(place))).collect();
+    let Listed { steps, modes, margins, .. } = listed;
+    Ok(SolutionPlan { steps, modes, margins, absent: None, sections, held, closures, resolve })
+}

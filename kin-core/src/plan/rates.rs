@@ -1,0 +1,155 @@
+//! Φ_q x = b along the tree of a plan: the linear level of every block, for velocities, accelerations and whatever else
+//! has Φ_q on its left.
+//!
+//! The eliminations are those of the positions, differentiated: a pivot takes its coordinate out of the other rows; a
+//! pair (p x_k + …, q x_k + …) becomes q times the first less p times the second, in which x_k is missing, and gives
+//! x_k = (p b₁ + q b₂)/(p² + q²) at the end; cores are small systems. What depends on Φ_q alone is the same expression
+//! for every b, so that all orders share it.
+
+use super::dense;
+use super::tree::{Block, Core, Pair, Part};
+use crate::expr::{ExprId, Graph};
+use std::collections::{BTreeMap, HashMap};
+
+/// A linear system along a tree.
+pub(super) struct Rates<'g> {
+    pub(super) graph: &'g mut Graph,
+    /// Φ_q row by row, by column.
+    entries: Vec<BTreeMap<u32, ExprId>>,
+    right: Vec<ExprId>,
+    /// x, as far as it is known.
+    pub(super) solution: Vec<Option<ExprId>>,
+    /// The margins of cores, by their first row.
+    pub(super) margins: BTreeMap<usize, ExprId>,
+    /// p² + q² of pairs, by coordinate, where it is known to be the squared length of a vector.
+    squares: HashMap<u32, ExprId>,
+}
+
+impl<'g> Rates<'g> {
+    pub(super) fn new(
+        graph: &'g mut Graph,
+        entries: Vec<BTreeMap<u32, ExprId>>,
+        right: Vec<ExprId>,
+        n: usize,
+        squares: HashMap<u32, ExprId>,
+    ) -> Self {
+        Self { graph, entries, right, solution: vec![None; n], margins: BTreeMap::new(), squares }
+    }
+
+    /// Solves a block.
+    pub(super) fn block(&mut self, block: &Block) {
+        let mut left = rows_of(block);
+        left.iter().for_each(|&row| self.fold(row));
+        for pivot in &block.pivots {
+            left.retain(|&row| row != pivot.row);
+            let Some(&coefficient) = self.entries[pivot.row].get(&pivot.coordinate) else { continue };
+            for &row in &left {
+                if let Some(entry) = self.entries[row].remove(&pivot.coordinate) {
+                    let factor = self.graph.div(entry, coefficient);
+                    self.subtract(row, factor, pivot.row, pivot.coordinate);
+                }
+            }
+        }
+        for part in &block.parts {
+            match part {
+                Part::Core(core) => self.core(core),
+                Part::Block(block) => self.block(block),
+                Part::Pair(pair) => self.pair(pair),
+            }
+        }
+        for pivot in block.pivots.iter().rev() {
+            let Some(coefficient) = self.entries[pivot.row].remove(&pivot.coordinate) else { continue };
+            self.fold(pivot.row);
+            let value = self.graph.div(self.right[pivot.row], coefficient);
+            self.solution[pivot.coordinate as usize] = Some(value);
+        }
+    }
+
+    /// Takes what is known to the right side.
+    fn fold(&mut self, row: usize) {
+        let (mut right, graph) = (self.right[row], &mut *self.graph);
+        self.entries[row].retain(|&k, entry| match self.solution[k as usize] {
+            Some(value) => {
+                let product = graph.mul(*entry, value);
+                right = graph.sub(right, product);
+                false
+            }
+            None => true,
+        });
+        self.right[row] = right;
+    }
+
+    /// Takes `factor` times another row away, but for one column.
+    fn subtract(&mut self, row: usize, factor: ExprId, other: usize, but: u32) {
+        let zero = self.graph.zero();
+        for (k, entry) in self.entries[other].clone() {
+            if k != but {
+                let product = self.graph.mul(factor, entry);
+                let own = self.entries[row].entry(k).or_insert(zero);
+                *own = self.graph.sub(*own, product);
+            }
+        }
+        let product = self.graph.mul(factor, self.right[other]);
+        self.right[row] = self.graph.sub(self.right[row], product);
+    }
+
+    fn core(&mut self, core: &Core) {
+        core.rows.iter().for_each(|&row| self.fold(row));
+        let zero = self.graph.zero();
+        let entry = |row: usize, k: u32| self.entries[row].get(&k).copied().unwrap_or(zero);
+        let matrix: Vec<Vec<ExprId>> =
+            core.rows.iter().map(|&row| core.coordinates.iter().map(|&k| entry(row, k)).collect()).collect();
+        let right: Vec<ExprId> = core.rows.iter().map(|&row| self.right[row]).collect();
+        let (solutions, margin) = dense::solve(self.graph, &matrix, &[right]);
+        for (&k, value) in core.coordinates.iter().zip(solutions.into_iter().flatten()) {
+            self.solution[k as usize] = Some(value);
+        }
+        if let (Some(margin), Some(&row)) = (margin, core.rows.first()) {
+            self.margins.insert(row, margin);
+        }
+    }
+
+    fn pair(&mut self, pair: &Pair) {
+        pair.rows.iter().for_each(|&row| self.fold(row));
+        let zero = self.graph.zero();
+        let [first, second] = pair.rows;
+        let before = pair.rows.map(|row| (self.entries[row].clone(), self.right[row]));
+        let [p, q] = pair.rows.map(|row| self.entries[row].remove(&pair.coordinate).unwrap_or(zero));
+        let scaled = |graph: &mut Graph, row: &mut BTreeMap<u32, ExprId>, factor: ExprId| {
+            row.values_mut().for_each(|entry| *entry = graph.mul(factor, *entry));
+        };
+        scaled(self.graph, &mut self.entries[first], q);
+        self.right[first] = self.graph.mul(q, self.right[first]);
+        self.subtract(first, p, second, pair.coordinate);
+        self.block(&pair.inner);
+        let square = match self.squares.get(&pair.coordinate) {
+            Some(square) => *square,
+            None => self.graph.plain_dot([p, q], [p, q]),
+        };
+        let mut rights = [zero; 2];
+        for ((right, row), (mut entries, own)) in rights.iter_mut().zip(pair.rows).zip(before) {
+            entries.remove(&pair.coordinate);
+            (self.entries[row], self.right[row]) = (entries, own);
+            self.fold(row);
+            *right = self.right[row];
+        }
+        let top = self.graph.plain_dot([p, q], rights);
+        self.solution[pair.coordinate as usize] = Some(self.graph.div(top, square));
+    }
+}
+
+/// The rows of a block.
+pub(super) fn rows_of(block: &Block) -> Vec<usize> {
+    let of_part = |part: &Part| match part {
+        Part::Core(core) => core.rows.clone(),
+        Part::Block(block) => rows_of(block),
+        Part::Pair(pair) => {
+            let mut rows = rows_of(&pair.inner);
+            rows.extend(pair.rows);
+            rows.sort_unstable();
+            rows.dedup();
+            rows
+        }
+    };
+    block.pivots.iter().map(|pivot| pivot.row).chain(block.parts.iter().flat_map(of_part)).collect()
+}

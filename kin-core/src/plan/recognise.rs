@@ -1,0 +1,97 @@
+//! Parts that close without iteration.
+
+use super::form::{Form, Key, Reader};
+use super::tree::Way;
+use crate::expr::ExprId;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// How the rows of a part are solved at once, if they are of such a kind.
+pub(super) fn recognise(reader: &mut Reader<'_>, rows: &[usize], forms: &BTreeMap<usize, Form>) -> Option<Way> {
+    let unknowns: Vec<u32> = reader.unknowns().iter().copied().collect();
+    let forms: Vec<&Form> = rows.iter().map(|row| &forms[row]).collect();
+    if forms.iter().any(|form| form.rest.is_some()) {
+        return None;
+    }
+    if let Some(way) = linear(reader, &forms, &unknowns) {
+        return Some(way);
+    }
+    match (forms.as_slice(), unknowns.as_slice()) {
+        (&[form], &[k]) => angle(reader, form, k).or_else(|| quadratic(reader, form, k)),
+        (&[f, g], &[x, y]) => circle(reader, [f, g], [x, y]),
+        _ => None,
+    }
+}
+
+/// The coefficient of a key, 0 where it is missing.
+fn coefficient(reader: &mut Reader<'_>, form: &Form, key: &Key) -> [ExprId; 2] {
+    let zero = reader.graph.zero();
+    form.terms.get(key).copied().unwrap_or([zero; 2])
+}
+
+/// True when a form has no other keys.
+fn only(form: &Form, keys: &[Key]) -> bool {
+    form.terms.keys().all(|key| keys.contains(key))
+}
+
+fn linear(reader: &mut Reader<'_>, forms: &[&Form], unknowns: &[u32]) -> Option<Way> {
+    let keys: Vec<Key> = unknowns.iter().map(|&k| Key::power(k, 1)).collect();
+    let allowed: BTreeSet<&Key> = keys.iter().collect();
+    let is_linear = |form: &&Form| form.terms.keys().all(|key| *key == Key::default() || allowed.contains(key));
+    if !forms.iter().all(is_linear) {
+        return None;
+    }
+    let mut matrix = Vec::new();
+    let mut constant = Vec::new();
+    for form in forms {
+        matrix.push(keys.iter().map(|key| coefficient(reader, form, key)[0]).collect());
+        constant.push(coefficient(reader, form, &Key::default())[0]);
+    }
+    Some(Way::Linear { matrix, constant })
+}
+
+fn angle(reader: &mut Reader<'_>, form: &Form, k: u32) -> Option<Way> {
+    let turn = Key { powers: Vec::new(), turn: vec![(k, 1)] };
+    if !only(form, &[Key::default(), turn.clone()]) {
+        return None;
+    }
+    let [a, b] = coefficient(reader, form, &turn);
+    let constant = coefficient(reader, form, &Key::default())[0];
+    let c = reader.graph.neg(constant);
+    Some(Way::Angle { a, b, c })
+}
+
+fn quadratic(reader: &mut Reader<'_>, form: &Form, k: u32) -> Option<Way> {
+    let keys = [Key::power(k, 2), Key::power(k, 1), Key::default()];
+    if !only(form, &keys) {
+        return None;
+    }
+    let [a, b, c] = keys.map(|key| coefficient(reader, form, &key)[0]);
+    Some(Way::Quadratic { a, b, c })
+}
+
+/// Two circles, or a circle and a line.
+fn circle(reader: &mut Reader<'_>, forms: [&Form; 2], [x, y]: [u32; 2]) -> Option<Way> {
+    let squares = [Key::power(x, 2), Key::power(y, 2)];
+    let keys = [squares[0].clone(), squares[1].clone(), Key::power(x, 1), Key::power(y, 1), Key::default()];
+    if !forms.iter().all(|form| only(form, &keys)) {
+        return None;
+    }
+    let of = |reader: &mut Reader<'_>, form: &Form| {
+        let [e, e_y, l_x, l_y, k] = [0, 1, 2, 3, 4].map(|place: usize| coefficient(reader, form, &keys[place])[0]);
+        reader.probe.equal(reader.graph, e, e_y).then_some((e, [l_x, l_y], k))
+    };
+    let (first, second) = (of(reader, forms[0])?, of(reader, forms[1])?);
+    let zero = reader.graph.zero();
+    let ((e, l, k), (f, n, m)) = if first.0 == zero { (second, first) } else { (first, second) };
+    if f == zero {
+        return Some(Way::Circle { e, l, k, n, m });
+    }
+    // The line through both points where two circles meet: e times the second less f times the first.
+    let graph = &mut *reader.graph;
+    let mut less = |a: ExprId, b: ExprId| {
+        let (a, b) = (graph.mul(e, a), graph.mul(f, b));
+        graph.sub(a, b)
+    };
+    let (n, m) = ([less(n[0], l[0]), less(n[1], l[1])], less(m, k));
+    Some(Way::Circle { e, l, k, n, m })
+}

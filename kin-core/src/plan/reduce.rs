@@ -1,0 +1,343 @@
+//! A block of rows reduced to what must be solved together.
+//!
+//! Three eliminations that are exact everywhere, in this order, as long as one applies:
+//!
+//! - *pivot*: a coordinate that is linear in a row, with a coefficient that does not change (origins of pinned bodies,
+//!   angles of sliders and gears): its row gives it, and it disappears from all others;
+//! - *ratio*: an unknown x that is linear in two rows f₁x + f₀ and g₁x + g₀ and in no other: f₁g₀ − g₁f₀ = 0 holds
+//!   without it, and x = −(f₁f₀ + g₁g₀)/(f₁² + g₁²) (a stroke along a turning guide);
+//! - *norm*: an angle θ that turns a known vector in two rows and stands in no other, F + A(θ)s = 0: |F|² = |s|² holds
+//!   without it, and A(θ)s = −F gives it without a choice (a link between two pins is a distance).
+//!
+//! After each the rest falls into blocks again. A block of one row in one angle, a cos φ + b sin φ = c, closes in two
+//! ways, which a sign tells apart; so do a quadratic equation and a circle that meets a line or a circle. What is left
+//! over is for Newton's iteration, on as few unknowns as there are now.
+
+use super::form::{Form, Key, Reader};
+use super::matching::blocks;
+use super::probe::Probe;
+use super::recognise::recognise;
+use super::rewrite::{Substitution, rewrite};
+use super::tree::{Block, Core, Pair, PairValue, Part, Pivot, Way};
+use crate::expr::{ExprId, Graph, Node, Symbol};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+/// Rows while they are being reduced.
+pub(super) struct Reduction<'a> {
+    pub(super) graph: &'a mut Graph,
+    pub(super) probe: &'a mut Probe,
+    /// What stands in every row now.
+    pub(super) rows: Vec<ExprId>,
+    /// The rows that every row is made of now.
+    pub(super) made_of: Vec<BTreeSet<usize>>,
+    /// Rows that a pair has replaced.
+    pub(super) replaced: BTreeSet<usize>,
+}
+
+/// An unknown that two rows had, what it is, and the row that holds without it.
+struct Eliminated {
+    rows: [usize; 2],
+    coordinate: u32,
+    value: PairValue,
+    row: ExprId,
+}
+
+/// A coordinate's value in its place.
+struct Replaced {
+    coordinate: u32,
+    value: ExprId,
+}
+
+impl Substitution for Replaced {
+    fn symbol(&mut self, _graph: &mut Graph, symbol: Symbol) -> Option<ExprId> {
+        (symbol == Symbol::Coordinate(self.coordinate)).then_some(self.value)
+    }
+}
+
+impl Reduction<'_> {
+    /// Reduces `rows` over `unknowns`; `None` where the rows do not determine them.
+    pub(super) fn block(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>) -> Option<Block> {
+        let (mut rows, mut unknowns) = (rows.to_vec(), unknowns.clone());
+        let mut out = Block::default();
+        let mut forms: BTreeMap<usize, Form> = rows.iter().map(|&row| (row, self.form(row, &unknowns))).collect();
+        while let Some((row, coordinate)) = self.pivot(&rows, &unknowns, &forms) {
+            let form = forms.remove(&row)?;
+            let value = self.solved_for(&form, coordinate);
+            rows.retain(|&other| other != row);
+            unknowns.remove(&coordinate);
+            let mut known = HashMap::new();
+            for &other in &rows {
+                let holds = self.graph.reachable([self.rows[other]]).into_iter();
+                let symbol = Node::Symbol(Symbol::Coordinate(coordinate));
+                if holds.map(|id| self.graph.node(id)).any(|node| node == symbol) {
+                    let mut replaced = Replaced { coordinate, value };
+                    self.rows[other] = rewrite(self.graph, self.rows[other], &mut known, &mut replaced);
+                    let own = self.made_of[row].clone();
+                    self.made_of[other].extend(own);
+                    let form = self.form(other, &unknowns);
+                    forms.insert(other, form);
+                }
+            }
+            out.pivots.push(Pivot { row, coordinate, value });
+        }
+        let places: Vec<u32> = unknowns.iter().copied().collect();
+        let held: Vec<Vec<usize>> = rows
+            .iter()
+            .map(|row| {
+                let found = self.unknowns(&forms[row], &unknowns);
+                found.iter().filter_map(|k| places.binary_search(k).ok()).collect()
+            })
+            .collect();
+        for (part_rows, part_unknowns) in blocks(&held, places.len()).ok()? {
+            let part_rows: Vec<usize> = part_rows.into_iter().map(|place| rows[place]).collect();
+            let part_unknowns: BTreeSet<u32> = part_unknowns.into_iter().map(|place| places[place]).collect();
+            out.parts.push(self.part(&part_rows, &part_unknowns)?);
+        }
+        Some(out)
+    }
+
+    fn part(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>) -> Option<Part> {
+        // Coordinates of other parts are known here.
+        let forms: BTreeMap<usize, Form> = rows.iter().map(|&row| (row, self.form(row, unknowns))).collect();
+        let way = recognise(&mut Reader::new(self.graph, self.probe, unknowns), rows, &forms);
+        let pair = match &way {
+            Some(_) => None,
+            None => self.ratio(rows, unknowns, &forms).or_else(|| self.norm(rows, unknowns, &forms)),
+        };
+        let Some(Eliminated { rows: pair_rows, coordinate, value, row }) = pair else {
+            let way =
+                way.unwrap_or_else(|| Way::Newton { residuals: rows.iter().map(|&row| self.rows[row]).collect() });
+            return Some(Part::Core(Core {
+                rows: rows.to_vec(),
+                coordinates: unknowns.iter().copied().collect(),
+                way,
+            }));
+        };
+        let [first, second] = pair_rows;
+        let value = match value {
+            // What replaced a row says the same on another scale.
+            PairValue::Angle { turn, cos, sin, .. } if pair_rows.iter().any(|row| self.replaced.contains(row)) => {
+                PairValue::Angle { turn, cos, sin, square: None }
+            }
+            other => other,
+        };
+        self.replaced.insert(first);
+        self.rows[first] = row;
+        let own = self.made_of[second].clone();
+        self.made_of[first].extend(own);
+        let rest: Vec<usize> = rows.iter().copied().filter(|&other| other != second).collect();
+        let mut unknowns = unknowns.clone();
+        unknowns.remove(&coordinate);
+        let inner = self.block(&rest, &unknowns)?;
+        Some(Part::Pair(Box::new(Pair { rows: pair_rows, coordinate, value, inner })))
+    }
+
+    fn form(&mut self, row: usize, unknowns: &BTreeSet<u32>) -> Form {
+        Reader::new(self.graph, self.probe, unknowns).read(self.rows[row])
+    }
+
+    /// The unknowns of a form.
+    fn unknowns(&self, form: &Form, unknowns: &BTreeSet<u32>) -> BTreeSet<u32> {
+        form.unknowns(|rest| {
+            let nodes = self.graph.reachable([rest]).into_iter().map(|id| self.graph.node(id));
+            let found = nodes.filter_map(|node| match node {
+                Node::Symbol(Symbol::Coordinate(k)) => Some(k).filter(|k| unknowns.contains(k)),
+                _ => None,
+            });
+            found.collect()
+        })
+    }
+
+    /// The row and the coordinate that are best taken out next: a coefficient of ±1 before other numbers before
+    /// parameters, in the row with the fewest unknowns, so that loops stay short.
+    fn pivot(
+        &mut self,
+        rows: &[usize],
+        unknowns: &BTreeSet<u32>,
+        forms: &BTreeMap<usize, Form>,
+    ) -> Option<(usize, u32)> {
+        let mut best = None;
+        for &row in rows {
+            let form = &forms[&row];
+            let of_rest = form.rest.map_or_else(BTreeSet::new, |rest| {
+                self.unknowns(&Form { rest: Some(rest), ..Form::default() }, unknowns)
+            });
+            let width = self.unknowns(form, unknowns).len();
+            for (key, [coefficient, _]) in &form.terms {
+                let &[(coordinate, 1)] = key.powers.as_slice() else { continue };
+                let alone = key.turn.is_empty()
+                    && !of_rest.contains(&coordinate)
+                    && form.terms.keys().filter(|other| other.holds(coordinate)).count() == 1;
+                let rank = match self.graph.literal(*coefficient) {
+                    Some(value) if value.abs() == 1.0 => 0,
+                    Some(_) => 1,
+                    None if self.graph.depends(*coefficient).is_static() => 2,
+                    None => continue,
+                };
+                let score = (rank, width, row, coordinate);
+                if alone && best.is_none_or(|other| score < other) {
+                    best = Some(score);
+                }
+            }
+        }
+        best.map(|(_, _, row, coordinate)| (row, coordinate))
+    }
+
+    /// The coordinate by a row in which it is linear.
+    fn solved_for(&mut self, form: &Form, coordinate: u32) -> ExprId {
+        let key = Key::power(coordinate, 1);
+        let coefficient = form.terms[&key][0];
+        let mut others = form.clone();
+        others.terms.remove(&key);
+        let nothing = BTreeSet::new();
+        let rest = Reader::new(self.graph, self.probe, &nothing).written(&others);
+        let minus = self.graph.neg(rest);
+        self.graph.div(minus, coefficient)
+    }
+
+    /// The two rows of an unknown that stands in no other.
+    fn only_two(rows: &[usize], forms: &BTreeMap<usize, Form>, found: impl Fn(&Form) -> bool) -> Option<[usize; 2]> {
+        let mut with = rows.iter().copied().filter(|row| found(&forms[row]));
+        let two = [with.next()?, with.next()?];
+        with.next().is_none().then_some(two)
+    }
+
+    /// An unknown that is linear in two rows and stands in no other.
+    fn ratio(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, forms: &BTreeMap<usize, Form>) -> Option<Eliminated> {
+        if forms.values().any(|form| form.rest.is_some()) {
+            return None;
+        }
+        for &k in unknowns {
+            let Some(two) = Self::only_two(rows, forms, |form| form.terms.keys().any(|key| key.holds(k))) else {
+                continue;
+            };
+            let linear = |key: &Key| !key.turns(k) && key.powers.iter().all(|&(other, power)| other != k || power == 1);
+            if !two.iter().all(|row| forms[row].terms.keys().all(linear)) {
+                continue;
+            }
+            let [f, g] = two.map(|row| split(&forms[&row], k));
+            let mut reader = Reader::new(self.graph, self.probe, unknowns);
+            let product = |reader: &mut Reader<'_>, a: &Form, b: &Form| reader.product(a, b);
+            let (Some(a), Some(b)) = (product(&mut reader, &f.0, &g.1), product(&mut reader, &g.0, &f.1)) else {
+                continue;
+            };
+            let Some(row) = reader.sum(&a, &b, -1.0) else { continue };
+            let row = reader.clean(row);
+            if row.terms.keys().all(|key| key.powers.is_empty() && key.turn.is_empty()) {
+                continue;
+            }
+            let [f1, f0, g1, g0] = [&f.0, &f.1, &g.0, &g.1].map(|form| reader.written(form));
+            let row = reader.written(&row);
+            let (top, bottom) = (self.graph.plain_dot([f1, g1], [f0, g0]), self.graph.plain_dot([f1, g1], [f1, g1]));
+            let quotient = self.graph.div(top, bottom);
+            let value = PairValue::Linear(self.graph.neg(quotient));
+            return Some(Eliminated { rows: two, coordinate: k, value, row });
+        }
+        None
+    }
+
+    /// An angle that turns a known vector in two rows and stands in no other; the one of the shortest rows.
+    fn norm(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, forms: &BTreeMap<usize, Form>) -> Option<Eliminated> {
+        let mut candidates = Vec::new();
+        for &k in unknowns {
+            let held = |form: &Form| self.unknowns(form, unknowns).contains(&k);
+            let Some(two) = Self::only_two(rows, forms, held) else { continue };
+            let of_rest = two.iter().any(|row| {
+                let rest = forms[row].rest.map(|rest| Form { rest: Some(rest), ..Form::default() });
+                rest.is_some_and(|rest| self.unknowns(&rest, unknowns).contains(&k))
+            });
+            let keys: BTreeSet<&Key> =
+                two.iter().flat_map(|row| forms[row].terms.keys()).filter(|key| key.holds(k)).collect();
+            let mut keys = keys.into_iter();
+            if let (Some(key), None, false) = (keys.next(), keys.next(), of_rest)
+                && key.powers.is_empty()
+                && key.turn.iter().any(|&(other, n)| other == k && n.abs() == 1)
+            {
+                let size: usize = two.iter().map(|row| forms[row].terms.len()).sum();
+                candidates.push((size, std::cmp::Reverse(k), two, key.clone()));
+            }
+        }
+        candidates.sort();
+        candidates.into_iter().find_map(|(_, std::cmp::Reverse(k), two, key)| {
+            let (value, row) = self.without_angle(two.map(|row| &forms[&row]), &key, unknowns)?;
+            Some(Eliminated { rows: two, coordinate: k, value, row })
+        })
+    }
+
+    /// F + M (cos θ, sin θ) = 0: the row without θ, and θ.
+    fn without_angle(
+        &mut self,
+        [f, g]: [&Form; 2],
+        key: &Key,
+        unknowns: &BTreeSet<u32>,
+    ) -> Option<(PairValue, ExprId)> {
+        let zero = self.graph.zero();
+        let of = |form: &Form| form.terms.get(key).copied().unwrap_or([zero; 2]);
+        let ([c1, s1], [c2, s2]) = (of(f), of(g));
+        let without = |form: &Form| {
+            let mut form = form.clone();
+            form.terms.remove(key);
+            form
+        };
+        let mut reader = Reader::new(self.graph, self.probe, unknowns);
+        let [f, g] = [without(f), without(g)].map(|form| reader.written(&form));
+        let (graph, probe) = (&mut *self.graph, &mut *self.probe);
+        let minus_c2 = graph.neg(c2);
+        let minus_s1 = graph.neg(s1);
+        let turn = key.turn.clone();
+        let direct = probe.equal(graph, s2, c1) && probe.equal(graph, c2, minus_s1);
+        let reflected = probe.opposite(graph, s2, c1) && probe.equal(graph, minus_c2, minus_s1);
+        if direct || reflected {
+            // The second row, with its sign, is what the first is a quarter turn on.
+            let g = if reflected { graph.neg(g) } else { g };
+            let square = graph.plain_dot([c1, s1], [c1, s1]);
+            if probe.is_zero(graph, square) {
+                return None;
+            }
+            let (a, b) = (graph.plain_cross([s1, c1], [f, g]), graph.plain_dot([s1, c1], [f, g]));
+            // cos = −(C f − S g)/|s|², sin = −(S f + C g)/|s|².
+            let (cos, sin) = (graph.div(a, square), graph.div(b, square));
+            let sin = graph.neg(sin);
+            let norm = graph.plain_dot([f, g], [f, g]);
+            let row = graph.sub(norm, square);
+            return Some((PairValue::Angle { turn, cos, sin, square: Some(square) }, row));
+        }
+        let det = graph.plain_cross([c1, s1], [c2, s2]);
+        if probe.is_zero(graph, det) {
+            return None;
+        }
+        // cos = −(S₂ f − S₁ g)/det, sin = −(C₁ g − C₂ f)/det.
+        let (a, b) = (graph.plain_cross([s1, s2], [f, g]), graph.plain_cross([f, g], [c1, c2]));
+        let (cos, sin) = (graph.div(a, det), graph.div(b, det));
+        let norm = graph.plain_dot([a, b], [a, b]);
+        let square = graph.square(det);
+        let row = graph.sub(norm, square);
+        Some((PairValue::Angle { turn, cos, sin, square: None }, row))
+    }
+}
+
+/// f₁ and f₀ of f₁ x + f₀.
+fn split(form: &Form, x: u32) -> (Form, Form) {
+    let (mut with, mut without) = (Form::default(), Form::default());
+    for (key, pair) in &form.terms {
+        if key.powers.iter().any(|&(k, _)| k == x) {
+            let powers = key.powers.iter().copied().filter(|&(k, _)| k != x).collect();
+            with.terms.insert(Key { powers, turn: key.turn.clone() }, *pair);
+        } else {
+            without.terms.insert(key.clone(), *pair);
+        }
+    }
+    (with, without)
+}
+
+impl Key {
+    /// True when an unknown is in it.
+    pub(super) fn holds(&self, unknown: u32) -> bool {
+        self.turns(unknown) || self.powers.iter().any(|&(k, _)| k == unknown)
+    }
+
+    /// True when an unknown is one of its angles.
+    pub(super) fn turns(&self, unknown: u32) -> bool {
+        self.turn.iter().any(|&(k, _)| k == unknown)
+    }
+}

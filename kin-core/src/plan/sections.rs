@@ -1,0 +1,117 @@
+//! Stages to programs: what a later stage needs of an earlier one is held, and computed once.
+
+use super::build::Stage;
+use super::rewrite::{Substitution, rewrite};
+use crate::expr::{ExprId, Graph, Node, Symbol};
+use crate::program::{Program, Slot, lower};
+use std::collections::{BTreeSet, HashMap};
+
+/// A stretch of a solution.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Section {
+    /// Straight-line code.
+    Closed(Program),
+    /// Newton's iteration.
+    Newton {
+        /// The unknowns, places in q; the outputs of `correction` are in this order.
+        unknowns: Vec<u32>,
+        /// What is subtracted from the unknowns, for their current values.
+        correction: Program,
+        /// The place among the values held that says whether it has converged: 1, or 0.
+        converged: u32,
+    },
+}
+
+/// Where the value of an expression is found.
+struct Places {
+    /// The section that computes it.
+    owner: HashMap<ExprId, usize>,
+    held: HashMap<ExprId, u32>,
+    /// (section, place, expression) of everything that is held.
+    wanted: Vec<(usize, u32, ExprId)>,
+    next: u32,
+}
+
+/// Everything that a section finds done.
+struct Done<'p> {
+    places: &'p mut Places,
+    section: usize,
+}
+
+impl Substitution for Done<'_> {
+    fn symbol(&mut self, _graph: &mut Graph, _symbol: Symbol) -> Option<ExprId> {
+        None
+    }
+
+    fn whole(&mut self, graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+        let owner = *self.places.owner.get(&id)?;
+        if owner >= self.section || matches!(graph.node(id), Node::Number(_) | Node::Symbol(_)) {
+            return None;
+        }
+        let place = *self.places.held.entry(id).or_insert_with(|| {
+            let place = self.places.next;
+            self.places.next += 1;
+            self.places.wanted.push((owner, place, id));
+            place
+        });
+        Some(graph.symbol(Symbol::Held(place)))
+    }
+}
+
+/// The sections of `stages`, of which the last may be empty, and how many values they hold; `first` are taken.
+pub(super) fn sections(graph: &mut Graph, stages: Vec<Stage>, first: u32) -> (Vec<Section>, u32) {
+    let mut places = Places { owner: HashMap::new(), held: HashMap::new(), wanted: Vec::new(), next: first };
+    for (number, stage) in stages.iter().enumerate() {
+        match stage {
+            Stage::Closed(outputs) => {
+                for id in graph.reachable(outputs.iter().map(|(_, id)| *id)) {
+                    places.owner.entry(id).or_insert(number);
+                }
+            }
+            Stage::Newton { unknowns, corrections, .. } => {
+                own_constants(graph, &mut places, number, unknowns, corrections)
+            }
+        }
+    }
+    let mut rewritten: Vec<HashMap<ExprId, ExprId>> = stages.iter().map(|_| HashMap::new()).collect();
+    let mut roots: Vec<Vec<(Slot, ExprId)>> = stages
+        .iter()
+        .map(|stage| match stage {
+            Stage::Closed(outputs) => outputs.clone(),
+            Stage::Newton { corrections, .. } => {
+                corrections.iter().enumerate().map(|(place, id)| (Slot::Entry(place), *id)).collect()
+            }
+        })
+        .collect();
+    // From the last to the first: what is wanted of a section is known when it is written.
+    for section in (0..stages.len()).rev() {
+        let wanted = places.wanted.iter().filter(|(owner, ..)| *owner == section);
+        let wanted: Vec<_> = wanted.map(|&(_, place, id)| (Slot::Held(place as usize), id)).collect();
+        roots[section].extend(wanted);
+        for (_, id) in &mut roots[section] {
+            let mut done = Done { places: &mut places, section };
+            *id = rewrite(graph, *id, &mut rewritten[section], &mut done);
+        }
+    }
+    let programs = roots.into_iter().map(|outputs| lower(graph, &outputs));
+    let sections = stages.into_iter().zip(programs).map(|(stage, program)| match stage {
+        Stage::Closed(_) => Section::Closed(program),
+        Stage::Newton { unknowns, converged, .. } => Section::Newton { unknowns, correction: program, converged },
+    });
+    (sections.collect(), places.next)
+}
+
+/// What an iteration needs and never changes belongs to the section before it.
+fn own_constants(graph: &Graph, places: &mut Places, number: usize, unknowns: &[u32], corrections: &[ExprId]) {
+    let mut moving: BTreeSet<ExprId> = BTreeSet::new();
+    for id in graph.reachable(corrections.iter().copied()) {
+        let node = graph.node(id);
+        let mut moves = matches!(node, Node::Symbol(Symbol::Unknown(k)) if unknowns.contains(&k));
+        node.for_each_operand(|operand| moves |= moving.contains(&operand));
+        if moves {
+            moving.insert(id);
+        } else {
+            places.owner.entry(id).or_insert(number.saturating_sub(1));
+        }
+    }
+}
