@@ -9,7 +9,10 @@ use proc_macro2::{Span, TokenStream};
 pub(crate) fn derive(args: TokenStream, item: TokenStream) -> TokenStream {
     let (cleaned, lowered) = analyse(args, item.clone());
     let derived = lowered.and_then(|lowered| match system(&lowered) {
-        Ok((system, structure)) => Ok(expand::expand(&lowered, &system, &structure)),
+        Ok((system, structure)) => {
+            let plan = kin_core::plan(&system);
+            Ok(expand::expand(&lowered, &system, &structure, &plan))
+        }
         Err(error) => Err(Broken { error, lowered: Some(Box::new(lowered)) }),
     });
     derived.unwrap_or_else(|broken| fallback::fallback(cleaned.as_ref(), item, &broken))

@@ -190,7 +190,8 @@ pub trait Mechanism: Sized {
         Ok(())
     }
 
-    /// x with Φ_q x = b, s numbers b, by the blocks of the plan; margins as in [`Solved::margins`].
+    /// x with Φ_q x = b, s numbers b, by the blocks of the plan; nothing is written where there is no plan. Where Φ_q is
+    /// singular, x is not finite or far too large: whoever asks for it checks Φ_q x = b, or the margins of a solution.
     ///
     /// # Errors
     /// When an argument has the wrong length.
@@ -201,9 +202,8 @@ pub trait Mechanism: Sized {
         q: &[T],
         b: &[T],
         x: &mut [T],
-        margins: &mut [T],
     ) -> Result<(), LengthError> {
-        let _ = (parameters, at, q, b, x, margins);
+        let _ = (parameters, at, q, b, x);
         Ok(())
     }
 

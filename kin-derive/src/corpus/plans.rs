@@ -1,8 +1,8 @@
 //! What a plan gives closes the rows, at every mechanism that the repository knows: Φ = 0, Φ_q q̇ = −Φ_t, Φ_q q̈ = γ
 //! wherever its margins are positive, for drawn parameters, modes and starts.
 
+use super::all;
 use super::repository::{Found, mechanisms};
-use super::{all, diagnosed};
 use crate::analyse::analyse;
 use kin_core::KinematicSystem;
 use kin_core::expr::{Environment, Symbol, evaluate};

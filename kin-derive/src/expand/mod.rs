@@ -7,6 +7,7 @@ mod generics;
 mod handles;
 mod kernel;
 mod parameters;
+mod plan;
 mod program;
 mod tables;
 
@@ -15,6 +16,7 @@ pub(crate) use handles::{mentions, placeholders};
 
 use crate::lower::Lowered;
 use kernel::{Kernel, Layout, kernel};
+use kin_core::plan::SolutionPlan;
 use kin_core::program::{Program, Slot, lower};
 use kin_core::structure::Structure;
 use kin_core::system::KinematicSystem;
@@ -22,10 +24,15 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 /// All items of a mechanism: the struct, its handles, the trait, and what the flags ask for.
-pub(crate) fn expand(lowered: &Lowered, system: &KinematicSystem, structure: &Structure) -> TokenStream {
+pub(crate) fn expand(
+    lowered: &Lowered,
+    system: &KinematicSystem,
+    structure: &Structure,
+    plan: &SolutionPlan,
+) -> TokenStream {
     let item = &lowered.item;
     let handles = handles::handles(lowered, system);
-    let mechanism = mechanism(lowered, system, structure);
+    let mechanism = mechanism(lowered, system, structure, plan);
     let default = parameters::default(lowered);
     let cross_check = cross_check(lowered);
     quote! {
@@ -45,7 +52,7 @@ pub(crate) fn expand(lowered: &Lowered, system: &KinematicSystem, structure: &St
 }
 
 /// The implementation of the trait.
-fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure) -> TokenStream {
+fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure, plan: &SolutionPlan) -> TokenStream {
     let item = &lowered.item;
     let set = &system.set;
     let name = &item.ident;
@@ -54,6 +61,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure)
     let constraints = Layout::new(&set.graph, &system.equations, &set.row_families);
     let observables = Layout::new(&set.graph, &system.observables, &[]);
     let all = constraints.program(&set.graph, |_| true);
+    let planned = plan::planned(lowered, system, plan);
     let tables = tables::model(&tables::Tables {
         mechanism: &lowered.mechanism,
         system,
@@ -63,7 +71,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure)
         doc: &lowered.docs.mechanism,
         allow_redundant: lowered.flags.allow_redundant,
         structure,
-        plan: &quote! { __kin::Plan::absent("none was derived") },
+        plan: &planned.table,
     });
     let (n, s, p, u) = (set.coordinates.len(), set.rows.len(), set.parameters.len(), set.inputs.len());
     let (entries, seen, seen_entries) = (constraints.entries.len(), set.observables.len(), observables.entries.len());
@@ -78,8 +86,9 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure)
     };
     let generic = generics::own(lowered, &evaluations);
     let scalar = Ident::new("__T", Span::call_site());
-    let [position_lengths, lengths] = [position_lengths(&scalar), lengths(&scalar)];
+    let [position_lengths, lengths] = [position_lengths(&scalar, "q"), lengths(&scalar)];
     let Evaluations { evaluate, observe, .. } = &evaluations;
+    let (plan_items, plan_methods) = (&planned.items, &planned.methods);
     let kernels = [&values.item, &evaluate.item, &observe.item];
     let [values, evaluate, observe] = [&values.call, &evaluate.call, &observe.call];
     let velocity_constraints = velocity_constraints(lowered, system, &lengths);
@@ -96,6 +105,8 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure)
         #helpers
 
         #(#kernels)*
+
+        #plan_items
 
         #generic
 
@@ -134,6 +145,8 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure)
             }
 
             #velocity_constraints
+
+            #plan_methods
 
             fn evaluate_with<__T: __kin::Scalar>(
                 &self,
@@ -204,18 +217,19 @@ fn targets(rows: usize, entries: usize) -> [(&'static str, TokenStream); 4] {
 }
 
 fn lengths(scalar: &Ident) -> TokenStream {
-    let position = position_lengths(scalar);
+    let position = position_lengths(scalar, "q");
     quote! {
         #position
         let w: &__Coordinates<#scalar> = __kin::fixed("q_dot", q_dot)?;
     }
 }
 
-fn position_lengths(scalar: &Ident) -> TokenStream {
+fn position_lengths(scalar: &Ident, q: &str) -> TokenStream {
+    let name = Ident::new(q, Span::call_site());
     quote! {
         let p: &__Parameters<#scalar> = __kin::fixed("parameters", parameters)?;
         let u: &__Inputs<#scalar> = __kin::fixed("inputs", at.inputs)?;
-        let q: &__Coordinates<#scalar> = __kin::fixed("q", q)?;
+        let #name: &__Coordinates<#scalar> = __kin::fixed(#q, #name)?;
     }
 }
 

@@ -5,6 +5,7 @@ mod finite;
 mod four_bars;
 mod motion;
 mod observables;
+mod plan;
 mod structure;
 
 use kin_runtime::{Instant, Mechanism, Scalar, Signal, Subset, Workspace};
@@ -50,6 +51,11 @@ macro_rules! motion_laws {
         #[test]
         fn rates_are_derivatives() {
             motion::rates_are_derivatives::<$Mechanism>($from, $to);
+        }
+
+        #[test]
+        fn plans_equal_newton() {
+            plan::plans_equal_newton::<$Mechanism>($from, $to);
         }
 
         #[test]

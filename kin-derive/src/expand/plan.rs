@@ -1,0 +1,208 @@
+//! The solution plan: its sections as kernels, the methods that run them, and its static table.
+
+use super::kernel::{Kernel, kernel};
+use super::position_lengths;
+use crate::lower::Lowered;
+use kin_core::plan::{Depth, Kind, Section, SolutionPlan};
+use kin_core::program::Program;
+use kin_core::system::KinematicSystem;
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+/// What a plan adds to a mechanism.
+pub(super) struct Planned {
+    /// Types and kernels, beside the trait.
+    pub(super) items: TokenStream,
+    /// Methods of the trait.
+    pub(super) methods: TokenStream,
+    /// The static table.
+    pub(super) table: TokenStream,
+}
+
+/// The code and the table of a plan.
+pub(super) fn planned(lowered: &Lowered, system: &KinematicSystem, plan: &SolutionPlan) -> Planned {
+    let table = table(system, plan);
+    if plan.absent.is_some() {
+        return Planned { items: TokenStream::new(), methods: TokenStream::new(), table };
+    }
+    let (modes, held, rows) = (plan.modes.len(), plan.held as usize, system.set.rows.len());
+    let solve = solve(lowered, system, plan);
+    let at_q = |name: &str, program: &Program, outputs: usize| {
+        kernel(name, lowered, program, &[("out", quote! { [__T; #outputs] })])
+    };
+    let closures = at_q("tell_modes", &plan.closures, modes);
+    let resolve = at_q("solve_rows", &plan.resolve, system.set.coordinates.len());
+    let kernels = solve.kernels.iter().chain([&closures.item, &resolve.item]);
+    let items = quote! {
+        type __Modes<__T> = [__T; #modes];
+        type __Held<__T> = [__T; #held];
+        type __Rows<__T> = [__T; #rows];
+        #(#kernels)*
+    };
+    let methods = [solve.method, closures_method(&closures), resolve_method(&resolve)];
+    Planned { items, methods: quote! { #(#methods)* }, table }
+}
+
+/// Kernels, and the method that calls them.
+struct Solve {
+    kernels: Vec<TokenStream>,
+    method: TokenStream,
+}
+
+fn solve(lowered: &Lowered, system: &KinematicSystem, plan: &SolutionPlan) -> Solve {
+    let (n, margins, held) = (system.set.coordinates.len(), plan.margins, plan.held as usize);
+    let coordinates = quote! { __Coordinates<__T> };
+    let targets = [
+        ("position", coordinates.clone()),
+        ("velocity", coordinates.clone()),
+        ("acceleration", coordinates),
+        ("margins", quote! { [__T; #margins] }),
+        ("held", quote! { __Held<__T> }),
+    ];
+    let (mut kernels, mut statements) = (Vec::new(), Vec::new());
+    let mut before = Depth::Position;
+    for (number, (section, depth)) in plan.sections.iter().enumerate() {
+        if *depth != before {
+            let last = depth_tokens(before);
+            statements.push(quote! { if let #last = depth { return __kin::Ok(()); } });
+            before = *depth;
+        }
+        let name = format!("solve_part_{number}");
+        match section {
+            Section::Closed(program) => {
+                let kernel = kernel(&name, lowered, program, &targets);
+                kernels.push(kernel.item);
+                statements.push(kernel.call);
+            }
+            Section::Newton { unknowns, correction, converged } => {
+                let (places, count, converged) =
+                    (unknowns.iter().map(|k| *k as usize), unknowns.len(), *converged as usize);
+                let kernel = kernel(&name, lowered, correction, &[("out", quote! { [__T; #count] })]);
+                let call = kernel.call;
+                kernels.push(kernel.item);
+                statements.push(quote! {
+                    let value = __kin::iterate(unknowns, [#(#places),*], |unknowns| {
+                        let mut correction = [<__T as __kin::Scalar>::from_f64(0.0); #count];
+                        let out = &mut correction;
+                        #call
+                        correction
+                    });
+                    held[#converged] = value;
+                });
+            }
+        }
+    }
+    let lengths = position_lengths(&Ident::new("__T", Span::call_site()), "start");
+    let method = quote! {
+        fn solve_with<__T: __kin::Scalar>(
+            &self,
+            parameters: &[__T],
+            at: &__kin::Instant<'_, __T>,
+            modes: &[__T],
+            start: &[__T],
+            depth: __kin::Depth,
+            solved: __kin::Solved<'_, __T>,
+        ) -> __kin::Result<(), __kin::LengthError> {
+            #lengths
+            let modes: &__Modes<__T> = __kin::fixed("modes", modes)?;
+            let position: &mut [__T; #n] = __kin::fixed_mut("q", solved.q)?;
+            let velocity: &mut [__T; #n] = __kin::fixed_mut("q_dot", solved.q_dot)?;
+            let acceleration: &mut [__T; #n] = __kin::fixed_mut("q_ddot", solved.q_ddot)?;
+            let margins: &mut [__T; #margins] = __kin::fixed_mut("margins", solved.margins)?;
+            let held: &mut __Held<__T> = &mut [<__T as __kin::Scalar>::from_f64(0.0); #held];
+            let unknowns: &mut __Coordinates<__T> = &mut { *start };
+            let _ = (p, u, modes, &position, &velocity, &acceleration, &margins, &held, &unknowns);
+            #(#statements)*
+            __kin::Ok(())
+        }
+    };
+    Solve { kernels, method }
+}
+
+fn depth_tokens(depth: Depth) -> TokenStream {
+    match depth {
+        Depth::Position => quote! { __kin::Depth::Position },
+        Depth::Velocity => quote! { __kin::Depth::Velocity },
+        Depth::Acceleration => quote! { __kin::Depth::Acceleration },
+    }
+}
+
+fn closures_method(kernel: &Kernel) -> TokenStream {
+    let lengths = position_lengths(&Ident::new("__T", Span::call_site()), "q");
+    let call = &kernel.call;
+    quote! {
+        fn closures_with<__T: __kin::Scalar>(
+            &self,
+            parameters: &[__T],
+            at: &__kin::Instant<'_, __T>,
+            q: &[__T],
+            closures: &mut [__T],
+        ) -> __kin::Result<(), __kin::LengthError> {
+            #lengths
+            let out: &mut __Modes<__T> = __kin::fixed_mut("closures", closures)?;
+            let _ = (p, u, q, &out);
+            #call
+            __kin::Ok(())
+        }
+    }
+}
+
+fn resolve_method(kernel: &Kernel) -> TokenStream {
+    let lengths = position_lengths(&Ident::new("__T", Span::call_site()), "q");
+    let call = &kernel.call;
+    quote! {
+        fn resolve_with<__T: __kin::Scalar>(
+            &self,
+            parameters: &[__T],
+            at: &__kin::Instant<'_, __T>,
+            q: &[__T],
+            b: &[__T],
+            x: &mut [__T],
+        ) -> __kin::Result<(), __kin::LengthError> {
+            #lengths
+            let right: &__Rows<__T> = __kin::fixed("b", b)?;
+            let out: &mut __Coordinates<__T> = __kin::fixed_mut("x", x)?;
+            let _ = (p, u, q, right, &out);
+            #call
+            __kin::Ok(())
+        }
+    }
+}
+
+fn table(system: &KinematicSystem, plan: &SolutionPlan) -> TokenStream {
+    if let Some(why) = &plan.absent {
+        return quote! { __kin::Plan::absent(#why) };
+    }
+    let steps = plan.steps.iter().map(|step| {
+        let kind = match step.kind {
+            Kind::Explicit => quote! { __kin::StepKind::Explicit },
+            Kind::Linear(n) => quote! { __kin::StepKind::Linear(#n) },
+            Kind::Closure => quote! { __kin::StepKind::Closure },
+            Kind::Newton(n) => quote! { __kin::StepKind::Newton(#n) },
+        };
+        let (group, singular, joints) = (&step.group, &step.singular, &step.joints);
+        let coordinates = step.coordinates.iter().map(|(k, joint)| {
+            let k = *k as usize;
+            quote! { (#k, #joint) }
+        });
+        let [modes, margins] = [&step.modes, &step.margins].map(|range| {
+            let (start, end) = (range.start, range.end);
+            quote! { (#start, #end) }
+        });
+        quote! {
+            __kin::PlanStep {
+                kind: #kind, group: #group, joints: &[#(#joints),*], coordinates: &[#(#coordinates),*],
+                modes: #modes, margins: #margins, singular: #singular,
+            }
+        }
+    });
+    let modes = plan.modes.iter().map(|mode| {
+        let (name, step, margin) = (&mode.name, mode.step, mode.margin);
+        quote! { __kin::ModeInfo { name: #name, step: #step, margin: #margin } }
+    });
+    let margins = plan.margins;
+    debug_assert!(system.set.rows.len() == system.set.coordinates.len());
+    quote! {
+        __kin::Plan { steps: &[#(#steps),*], modes: &[#(#modes),*], margins: #margins, absent: __kin::None }
+    }
+}
