@@ -120,7 +120,13 @@ fn long_programs_are_nested() {
     let rows = (0..60_usize).map(|k| {
         let (a, b) = (quote::format_ident!("c{k}"), quote::format_ident!("c{}", (k + 1) % 60));
         let row = quote::format_ident!("row{k}");
-        quote! { #[constraint(#row: sin(#a) * exp(#b) + #a * #b * #b + #a / (2 + #b * #b) = t)] }
+        // Rows in no regular order, which no loop can write.
+        let irregular = match (k * k * 7919 / 13) % 3 {
+            0 => quote! { sin(#a) * exp(#b) },
+            1 => quote! { cos(#a + t) * #b },
+            _ => quote! { sqrt(2 + #b * #b) },
+        };
+        quote! { #[constraint(#row: #irregular + sin(#a) + #a * #b * #b + #a / (2 + #b * #b) = t)] }
     });
     let names = (0..60_usize).map(|k| quote::format_ident!("c{k}"));
     let text = expansion(

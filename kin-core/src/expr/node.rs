@@ -49,6 +49,38 @@ impl Symbol {
     /// The free argument of a curve that is drawn.
     pub const ARGUMENT: Self = Self::Coordinate(ARGUMENT);
 
+    /// Its place in the array that it is of; time is alone.
+    pub const fn index(self) -> u32 {
+        match self {
+            Self::Time => 0,
+            Self::Parameter(k)
+            | Self::Input(k, _)
+            | Self::Coordinate(k)
+            | Self::Rate(k)
+            | Self::Mode(k)
+            | Self::Start(k)
+            | Self::Unknown(k)
+            | Self::Held(k)
+            | Self::Right(k) => k,
+        }
+    }
+
+    /// The symbol at another place of the same array.
+    pub const fn at(self, k: u32) -> Self {
+        match self {
+            Self::Time => Self::Time,
+            Self::Parameter(_) => Self::Parameter(k),
+            Self::Input(_, order) => Self::Input(k, order),
+            Self::Coordinate(_) => Self::Coordinate(k),
+            Self::Rate(_) => Self::Rate(k),
+            Self::Mode(_) => Self::Mode(k),
+            Self::Start(_) => Self::Start(k),
+            Self::Unknown(_) => Self::Unknown(k),
+            Self::Held(_) => Self::Held(k),
+            Self::Right(_) => Self::Right(k),
+        }
+    }
+
     /// The name of a symbol that only solution plans have.
     pub(crate) fn of_plan(self) -> String {
         match self {

@@ -286,27 +286,36 @@ impl Lowering<'_> {
     }
 }
 
-/// Drops what no output needs and orders by depth in sines and cosines, so that those of one depth stand together.
+/// Drops what no output needs and orders the rest: angles come first, those of one depth in sines and cosines with what
+/// they need, so that their sines and cosines stand together; everything else follows where it is first used.
 fn schedule(program: Program) -> Program {
     let Program { instructions, mut outputs, families } = program;
-    let mut needed = vec![false; instructions.len()];
-    outputs.iter().for_each(|(_, value)| needed[value.index()] = true);
-    for place in (0..instructions.len()).rev() {
-        if needed[place] {
-            instructions[place].for_each_operand(|operand| needed[operand.index()] = true);
-        }
-    }
-    let mut depth = vec![(0_usize, false); instructions.len()];
+    let is_pair = |place: usize| matches!(instructions[place], Instruction::SinCos(_));
+    let mut depth = vec![0_usize; instructions.len()];
     for (place, instruction) in instructions.iter().enumerate() {
         let mut level = 0;
         instruction.for_each_operand(|operand| {
-            let (operand_level, is_pair) = depth[operand.index()];
-            level = level.max(operand_level + usize::from(is_pair));
+            level = level.max(depth[operand.index()] + usize::from(is_pair(operand.index())));
         });
-        depth[place] = (level, matches!(instruction, Instruction::SinCos(_)));
+        depth[place] = level;
     }
+    // The depth of the first sine and cosine that needs an instruction; what none needs comes last.
+    const LAST: usize = usize::MAX;
+    let mut needed = vec![false; instructions.len()];
+    let mut serves = vec![LAST; instructions.len()];
+    outputs.iter().for_each(|(_, value)| needed[value.index()] = true);
+    for place in (0..instructions.len()).rev() {
+        if needed[place] {
+            let level = if is_pair(place) { depth[place] } else { serves[place] };
+            instructions[place].for_each_operand(|operand| {
+                needed[operand.index()] = true;
+                serves[operand.index()] = serves[operand.index()].min(level);
+            });
+        }
+    }
+    let phase = |place: usize| if is_pair(place) { (depth[place], true) } else { (serves[place], false) };
     let mut order: Vec<usize> = (0..instructions.len()).filter(|place| needed[*place]).collect();
-    order.sort_by_key(|place| depth[*place]);
+    order.sort_by_key(|place| phase(*place));
     let mut renumbered = vec![Value(0); instructions.len()];
     for (new, old) in order.iter().enumerate() {
         renumbered[*old] = Value(new as u32);

@@ -5,10 +5,12 @@
 mod display;
 mod interpret;
 mod lower;
+mod roll;
 mod signs;
 
 pub use interpret::interpret;
 pub use lower::lower;
+pub use roll::{Keep, Part, Piece, Rolled, Source, Step, Worth, interpret_rolled, roll};
 
 use crate::expr::{Bits, Symbol};
 use crate::mechanism::Function;
@@ -140,6 +142,40 @@ pub enum Slot {
     Held(usize),
 }
 
+impl Slot {
+    /// Its place in the array that it is of.
+    pub const fn index(self) -> usize {
+        match self {
+            Self::Phi(k)
+            | Self::PhiQ(k)
+            | Self::PhiT(k)
+            | Self::Gamma(k)
+            | Self::Entry(k)
+            | Self::Position(k)
+            | Self::Velocity(k)
+            | Self::Acceleration(k)
+            | Self::Margin(k)
+            | Self::Held(k) => k,
+        }
+    }
+
+    /// The slot at another place of the same array.
+    pub const fn at(self, k: usize) -> Self {
+        match self {
+            Self::Phi(_) => Self::Phi(k),
+            Self::PhiQ(_) => Self::PhiQ(k),
+            Self::PhiT(_) => Self::PhiT(k),
+            Self::Gamma(_) => Self::Gamma(k),
+            Self::Entry(_) => Self::Entry(k),
+            Self::Position(_) => Self::Position(k),
+            Self::Velocity(_) => Self::Velocity(k),
+            Self::Acceleration(_) => Self::Acceleration(k),
+            Self::Margin(_) => Self::Margin(k),
+            Self::Held(_) => Self::Held(k),
+        }
+    }
+}
+
 /// Operations of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OperationCount {
@@ -163,6 +199,30 @@ impl OperationCount {
     /// Additions, multiplications, negations and divisions.
     pub const fn flops(&self) -> usize {
         self.add + self.mul + self.neg + self.div
+    }
+
+    /// Counts an instruction that is done `times` times.
+    fn add(&mut self, instruction: &Instruction, times: usize) {
+        match instruction {
+            Instruction::Number(_)
+            | Instruction::Load(_)
+            | Instruction::SinOf(_)
+            | Instruction::CosOf(_)
+            | Instruction::SuppliedOf(..) => {}
+            Instruction::Neg(_) => self.neg += times,
+            Instruction::Add(..) | Instruction::Sub(..) => self.add += times,
+            Instruction::Mul(..) => self.mul += times,
+            Instruction::Div(..) => self.div += times,
+            Instruction::SinCos(_) => self.sincos += times,
+            Instruction::Call(Function::Sqrt, _) => self.sqrt += times,
+            Instruction::Call(..)
+            | Instruction::Sign(_)
+            | Instruction::Atan2(..)
+            | Instruction::Nearest(..)
+            | Instruction::Powi(..)
+            | Instruction::Powf(..)
+            | Instruction::Supplied(..) => self.function += times,
+        }
     }
 }
 
@@ -205,28 +265,7 @@ impl Program {
     /// The operations of one run.
     pub fn operations(&self) -> OperationCount {
         let mut count = OperationCount::default();
-        for instruction in &self.instructions {
-            match instruction {
-                Instruction::Number(_)
-                | Instruction::Load(_)
-                | Instruction::SinOf(_)
-                | Instruction::CosOf(_)
-                | Instruction::SuppliedOf(..) => {}
-                Instruction::Neg(_) => count.neg += 1,
-                Instruction::Add(..) | Instruction::Sub(..) => count.add += 1,
-                Instruction::Mul(..) => count.mul += 1,
-                Instruction::Div(..) => count.div += 1,
-                Instruction::SinCos(_) => count.sincos += 1,
-                Instruction::Call(Function::Sqrt, _) => count.sqrt += 1,
-                Instruction::Call(..)
-                | Instruction::Sign(_)
-                | Instruction::Atan2(..)
-                | Instruction::Nearest(..)
-                | Instruction::Powi(..)
-                | Instruction::Powf(..)
-                | Instruction::Supplied(..) => count.function += 1,
-            }
-        }
+        self.instructions.iter().for_each(|instruction| count.add(instruction, 1));
         count
     }
 }

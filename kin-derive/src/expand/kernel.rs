@@ -1,7 +1,7 @@
 //! Kernels: the functions that evaluate a set of rows, one for every subset worth its own code.
 
 use super::functions::functions;
-use super::program::{Reads, body, function_name};
+use super::program::{Reads, body, function_name, target_name};
 use crate::lower::Lowered;
 use kin_core::constraint::Family;
 use kin_core::expr::{ExprId, Graph};
@@ -131,20 +131,5 @@ pub(crate) fn kernel(name: &str, lowered: &Lowered, program: &Program, targets: 
             fn #name<__T: __kin::Scalar #(, #types)*>(#(#arguments),*) { #statements }
         },
         call: quote! { #name(#(#values),*); },
-    }
-}
-
-fn target_name(slot: Slot) -> &'static str {
-    match slot {
-        Slot::Phi(_) => "phi",
-        Slot::PhiQ(_) => "phi_q",
-        Slot::PhiT(_) => "phi_t",
-        Slot::Gamma(_) => "gamma",
-        Slot::Entry(_) => "out",
-        Slot::Position(_) => "position",
-        Slot::Velocity(_) => "velocity",
-        Slot::Acceleration(_) => "acceleration",
-        Slot::Margin(_) => "margins",
-        Slot::Held(_) => "held",
     }
 }

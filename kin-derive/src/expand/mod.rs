@@ -9,6 +9,8 @@ mod kernel;
 mod parameters;
 mod plan;
 mod program;
+mod rolled;
+mod statements;
 mod tables;
 
 pub(crate) use generics::placeholder;

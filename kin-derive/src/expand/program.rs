@@ -1,19 +1,15 @@
 //! A straight-line program as the body of a function.
-//!
-//! rustc overflows its stack on functions with thousands of `let`s when debug information is on, so that statements
-//! are grouped in nested blocks that hand out only what later blocks need.
 
+use super::statements::{Statement, blocks};
 use kin_core::expr::Symbol;
 use kin_core::mechanism::Function;
-use kin_core::program::{Instruction, Program, Slot, Value};
+use kin_core::program::{Instruction, Program, Slot, Value, Worth, roll};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::BTreeSet;
 
-/// Statements in one block.
-const BLOCK: usize = 500;
 /// Angles in one call of `sin_cos_all`.
-const ANGLES: usize = 64;
+pub(super) const ANGLES: usize = 64;
 
 /// Which of a kernel's arguments its program reads.
 #[derive(Clone, Default)]
@@ -57,56 +53,16 @@ impl Reads {
     }
 }
 
-/// A statement: what it defines, and its tokens.
-struct Statement {
-    defines: Vec<Value>,
-    tokens: TokenStream,
-}
-
-/// The statements that compute `program` and write its outputs to `phi`, `phi_q`, `phi_t`, `gamma` or `out`.
-/// Supplied functions are arguments of the kernel.
+/// The statements that compute `program` and write its outputs to `phi`, `phi_q`, `phi_t`, `gamma` or `out`; regular
+/// repetition as loops. Supplied functions are arguments of the kernel.
 pub(crate) fn body(program: &Program) -> TokenStream {
+    if let Some(rolled) = roll(program, Worth::default()) {
+        return super::rolled::body(&rolled);
+    }
     let emitter = Emitter { program };
     let mut statements = emitter.statements();
     emitter.place_outputs(&mut statements);
-    if statements.len() <= BLOCK {
-        return statements.into_iter().map(|s| s.tokens).collect();
-    }
-    // The block in which each value is used last decides whether it must leave its own.
-    let mut block_of = vec![0_usize; program.instructions.len()];
-    for (number, block) in statements.chunks(BLOCK).enumerate() {
-        for value in block.iter().flat_map(|s| &s.defines) {
-            block_of[value.index()] = number;
-        }
-    }
-    let mut last_use = vec![0_usize; program.instructions.len()];
-    for (place, instruction) in program.instructions.iter().enumerate() {
-        let user = block_of[place];
-        // Parts of pairs and triples have no statement of their own: whoever uses a part uses the whole.
-        instruction.for_each_operand(|operand| {
-            let operand = emitter.holder(operand);
-            last_use[operand.index()] = last_use[operand.index()].max(user);
-        });
-    }
-    let mut out = TokenStream::new();
-    let mut rest = statements.as_slice();
-    let mut number = 0;
-    while !rest.is_empty() {
-        let (block, tail) = rest.split_at(rest.len().min(BLOCK));
-        let tokens = block.iter().map(|s| &s.tokens);
-        let leaving: Vec<Ident> = (block.iter().flat_map(|s| &s.defines))
-            .filter(|value| last_use[value.index()] > number)
-            .flat_map(|value| emitter.names(*value))
-            .collect();
-        out.extend(if leaving.is_empty() {
-            quote! { { #(#tokens)* } }
-        } else {
-            quote! { let [#(#leaving),*] = { #(#tokens)* [#(#leaving),*] }; }
-        });
-        rest = tail;
-        number += 1;
-    }
-    out
+    blocks(&statements)
 }
 
 struct Emitter<'p> {
@@ -119,7 +75,7 @@ pub(crate) fn function_name(number: u32) -> Ident {
 }
 
 /// A local of its own; see `kin_runtime::private::locals` for why no user's constant may have its name.
-fn name(prefix: char, value: Value) -> Ident {
+pub(super) fn name(prefix: char, value: Value) -> Ident {
     Ident::new(&format!("__{prefix}{}", value.0), Span::call_site())
 }
 
@@ -136,13 +92,12 @@ impl Emitter<'_> {
         }
     }
 
-    /// The identifiers that a statement gives to `value`.
-    fn names(&self, value: Value) -> Vec<Ident> {
-        match self.instruction(value) {
-            Instruction::SinCos(_) => vec![name('s', value), name('c', value)],
-            Instruction::Supplied(..) => vec![name('d', value), name('e', value), name('f', value)],
-            _ => vec![name('v', value)],
-        }
+    /// The values that an instruction reads; parts of pairs and triples have no statement of their own: whoever uses a
+    /// part uses the whole.
+    fn uses(&self, value: Value) -> Vec<Value> {
+        let mut uses = Vec::new();
+        self.instruction(value).for_each_operand(|operand| uses.push(self.holder(operand)));
+        uses
     }
 
     /// `value` as an operand.
@@ -190,59 +145,14 @@ impl Emitter<'_> {
         } else {
             quote! { let [#(#names),*] = __kin::Scalar::sin_cos_all([#(#operands),*]); }
         };
-        Statement { defines: angles.iter().map(|(pair, _)| *pair).collect(), tokens }
+        let defines = angles.iter().map(|(pair, _)| (*pair, names_of(*pair, &self.instruction(*pair)))).collect();
+        Statement { defines, uses: angles.iter().map(|(_, angle)| self.holder(*angle)).collect(), tokens }
     }
 
     fn statement(&self, value: Value) -> Option<Statement> {
-        let v = |value: Value| self.operand(value);
-        let expression = match self.instruction(value) {
-            Instruction::Number(_)
-            | Instruction::Load(_)
-            | Instruction::SinOf(_)
-            | Instruction::CosOf(_)
-            | Instruction::SinCos(_)
-            | Instruction::SuppliedOf(..) => return None,
-            Instruction::Neg(a) => {
-                let a = v(a);
-                quote! { -#a }
-            }
-            Instruction::Add(a, b) => binary(v(a), quote! { + }, v(b)),
-            Instruction::Sub(a, b) => binary(v(a), quote! { - }, v(b)),
-            Instruction::Mul(a, b) => binary(v(a), quote! { * }, v(b)),
-            Instruction::Div(a, b) => binary(v(a), quote! { / }, v(b)),
-            Instruction::Call(f, a) => {
-                let (f, a) = (function(f), v(a));
-                quote! { __kin::Scalar::#f(#a) }
-            }
-            Instruction::Sign(a) => {
-                let a = v(a);
-                quote! { __kin::Scalar::signum(#a) }
-            }
-            Instruction::Atan2(y, x) => {
-                let (y, x) = (v(y), v(x));
-                quote! { __kin::Scalar::atan2(#y, #x) }
-            }
-            Instruction::Nearest(a, b) => {
-                let (a, b) = (v(a), v(b));
-                quote! { __kin::Scalar::nearest(#a, #b) }
-            }
-            Instruction::Powi(a, n) => {
-                let (a, n) = (v(a), Literal::i32_suffixed(n));
-                quote! { __kin::Scalar::powi(#a, #n) }
-            }
-            Instruction::Powf(a, n) => {
-                let (a, n) = (v(a), literal(n.value()));
-                quote! { __kin::Scalar::powf(#a, #n) }
-            }
-            Instruction::Supplied(f, a) => {
-                let (function, a) = (function_name(f), v(a));
-                let names = self.names(value);
-                let tokens = quote! { let [#(#names),*] = __kin::Scalar::lift(#a, #function); };
-                return Some(Statement { defines: vec![value], tokens });
-            }
-        };
-        let defined = name('v', value);
-        Some(Statement { defines: vec![value], tokens: quote! { let #defined = #expression; } })
+        let tokens = definition(value, &self.instruction(value), |operand| self.operand(operand))?;
+        let defines = vec![(value, names_of(value, &self.instruction(value)))];
+        Some(Statement { defines, uses: self.uses(value), tokens })
     }
 
     /// Writes every output right after the statement that computes it; what needs no statement is written first.
@@ -254,14 +164,14 @@ impl Emitter<'_> {
             let tokens = quote! { #place = #operand; };
             match self.instruction(*value) {
                 Instruction::Number(_) | Instruction::Load(_) => {
-                    first.push(Statement { defines: Vec::new(), tokens });
+                    first.push(Statement { tokens, ..Statement::default() });
                 }
                 _ => after[self.holder(*value).index()].push(tokens),
             }
         }
         let mut placed = first;
         for mut statement in statements.drain(..) {
-            for value in &statement.defines {
+            for (value, _) in &statement.defines {
                 // In one statement with what it writes, so that no block ends between the two.
                 statement.tokens.extend(std::mem::take(&mut after[value.index()]));
             }
@@ -269,6 +179,76 @@ impl Emitter<'_> {
         }
         *statements = placed;
     }
+}
+
+/// The identifiers that a statement gives to the value of an instruction.
+pub(super) fn names_of(value: Value, instruction: &Instruction) -> Vec<Ident> {
+    match instruction {
+        Instruction::SinCos(_) => vec![name('s', value), name('c', value)],
+        Instruction::Supplied(..) => vec![name('d', value), name('e', value), name('f', value)],
+        _ => vec![name('v', value)],
+    }
+}
+
+/// `let … = …;` for an instruction with operands as `v` writes them; nothing for what is written where it is used.
+pub(super) fn definition(
+    value: Value,
+    instruction: &Instruction,
+    v: impl Fn(Value) -> TokenStream,
+) -> Option<TokenStream> {
+    let expression = match *instruction {
+        Instruction::Number(_)
+        | Instruction::Load(_)
+        | Instruction::SinOf(_)
+        | Instruction::CosOf(_)
+        | Instruction::SuppliedOf(..) => return None,
+        Instruction::SinCos(a) => {
+            let a = v(a);
+            quote! { __kin::Scalar::sin_cos(#a) }
+        }
+        Instruction::Neg(a) => {
+            let a = v(a);
+            quote! { -#a }
+        }
+        Instruction::Add(a, b) => binary(v(a), quote! { + }, v(b)),
+        Instruction::Sub(a, b) => binary(v(a), quote! { - }, v(b)),
+        Instruction::Mul(a, b) => binary(v(a), quote! { * }, v(b)),
+        Instruction::Div(a, b) => binary(v(a), quote! { / }, v(b)),
+        Instruction::Call(f, a) => {
+            let (f, a) = (function(f), v(a));
+            quote! { __kin::Scalar::#f(#a) }
+        }
+        Instruction::Sign(a) => {
+            let a = v(a);
+            quote! { __kin::Scalar::signum(#a) }
+        }
+        Instruction::Atan2(y, x) => {
+            let (y, x) = (v(y), v(x));
+            quote! { __kin::Scalar::atan2(#y, #x) }
+        }
+        Instruction::Nearest(a, b) => {
+            let (a, b) = (v(a), v(b));
+            quote! { __kin::Scalar::nearest(#a, #b) }
+        }
+        Instruction::Powi(a, n) => {
+            let (a, n) = (v(a), Literal::i32_suffixed(n));
+            quote! { __kin::Scalar::powi(#a, #n) }
+        }
+        Instruction::Powf(a, n) => {
+            let (a, n) = (v(a), literal(n.value()));
+            quote! { __kin::Scalar::powf(#a, #n) }
+        }
+        Instruction::Supplied(f, a) => {
+            let (function, a) = (function_name(f), v(a));
+            quote! { __kin::Scalar::lift(#a, #function) }
+        }
+    };
+    let names = names_of(value, instruction);
+    Some(match instruction {
+        Instruction::SinCos(_) => quote! { let (#(#names),*) = #expression; },
+        Instruction::Supplied(..) => quote! { let [#(#names),*] = #expression; },
+        _ => quote! { let #(#names)* = #expression; },
+    })
 }
 
 fn ident(ident: Ident) -> TokenStream {
@@ -295,46 +275,27 @@ fn number(value: f64) -> TokenStream {
 }
 
 fn load(symbol: Symbol) -> TokenStream {
-    let at = |k: u32| Literal::usize_unsuffixed(k as usize);
+    let at = Literal::usize_unsuffixed(symbol.index() as usize);
+    load_at(symbol, &quote! { #at })
+}
+
+/// The symbol of this kind with this index.
+pub(super) fn load_at(symbol: Symbol, at: &TokenStream) -> TokenStream {
     match symbol {
-        Symbol::Parameter(k) => {
-            let k = at(k);
-            quote! { p[#k] }
-        }
         Symbol::Time => quote! { t },
-        Symbol::Input(k, order) => {
-            let (k, part) = (at(k), format_ident!("{}", ["value", "rate", "acceleration"][usize::from(order.min(2))]));
-            quote! { u[#k].#part }
-        }
         Symbol::ARGUMENT => quote! { s },
-        Symbol::Coordinate(k) => {
-            let k = at(k);
-            quote! { q[#k] }
+        Symbol::Parameter(_) => quote! { p[#at] },
+        Symbol::Input(_, order) => {
+            let part = format_ident!("{}", ["value", "rate", "acceleration"][usize::from(order.min(2))]);
+            quote! { u[#at].#part }
         }
-        Symbol::Rate(k) => {
-            let k = at(k);
-            quote! { w[#k] }
-        }
-        Symbol::Mode(k) => {
-            let k = at(k);
-            quote! { modes[#k] }
-        }
-        Symbol::Start(k) => {
-            let k = at(k);
-            quote! { start[#k] }
-        }
-        Symbol::Unknown(k) => {
-            let k = at(k);
-            quote! { unknowns[#k] }
-        }
-        Symbol::Held(k) => {
-            let k = at(k);
-            quote! { held[#k] }
-        }
-        Symbol::Right(k) => {
-            let k = at(k);
-            quote! { right[#k] }
-        }
+        Symbol::Coordinate(_) => quote! { q[#at] },
+        Symbol::Rate(_) => quote! { w[#at] },
+        Symbol::Mode(_) => quote! { modes[#at] },
+        Symbol::Start(_) => quote! { start[#at] },
+        Symbol::Unknown(_) => quote! { unknowns[#at] },
+        Symbol::Held(_) => quote! { held[#at] },
+        Symbol::Right(_) => quote! { right[#at] },
     }
 }
 
@@ -343,47 +304,28 @@ fn function(f: Function) -> Ident {
 }
 
 fn target(slot: Slot) -> TokenStream {
-    let at = Literal::usize_unsuffixed;
+    let at = Literal::usize_unsuffixed(slot.index());
+    target_at(slot, &quote! { #at })
+}
+
+/// The slot of this array with this index.
+pub(super) fn target_at(slot: Slot, at: &TokenStream) -> TokenStream {
+    let array = Ident::new(target_name(slot), Span::call_site());
+    quote! { #array[#at] }
+}
+
+/// The array that a slot is of.
+pub(super) fn target_name(slot: Slot) -> &'static str {
     match slot {
-        Slot::Phi(k) => {
-            let k = at(k);
-            quote! { phi[#k] }
-        }
-        Slot::PhiQ(k) => {
-            let k = at(k);
-            quote! { phi_q[#k] }
-        }
-        Slot::PhiT(k) => {
-            let k = at(k);
-            quote! { phi_t[#k] }
-        }
-        Slot::Gamma(k) => {
-            let k = at(k);
-            quote! { gamma[#k] }
-        }
-        Slot::Entry(k) => {
-            let k = at(k);
-            quote! { out[#k] }
-        }
-        Slot::Position(k) => {
-            let k = at(k);
-            quote! { position[#k] }
-        }
-        Slot::Velocity(k) => {
-            let k = at(k);
-            quote! { velocity[#k] }
-        }
-        Slot::Acceleration(k) => {
-            let k = at(k);
-            quote! { acceleration[#k] }
-        }
-        Slot::Margin(k) => {
-            let k = at(k);
-            quote! { margins[#k] }
-        }
-        Slot::Held(k) => {
-            let k = at(k);
-            quote! { held[#k] }
-        }
+        Slot::Phi(_) => "phi",
+        Slot::PhiQ(_) => "phi_q",
+        Slot::PhiT(_) => "phi_t",
+        Slot::Gamma(_) => "gamma",
+        Slot::Entry(_) => "out",
+        Slot::Position(_) => "position",
+        Slot::Velocity(_) => "velocity",
+        Slot::Acceleration(_) => "acceleration",
+        Slot::Margin(_) => "margins",
+        Slot::Held(_) => "held",
     }
 }

@@ -1,0 +1,181 @@
+//! Finding loops: stretches of a stream that repeat with a fixed period, all addresses advancing by fixed steps.
+//!
+//! From the first item on, every distance to a later item of the same surroundings is a candidate for a period. The
+//! candidate that covers the most is taken, and the search goes on behind it.
+
+use super::stream::{Operand, Stream};
+
+/// A loop: `count` iterations of `period` items each, from item `start` on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Span {
+    pub(super) start: usize,
+    pub(super) period: usize,
+    pub(super) count: usize,
+}
+
+impl Span {
+    pub(super) const fn end(self) -> usize {
+        self.start + self.period * self.count
+    }
+
+    /// Items that need not be written.
+    pub(super) const fn saved(self) -> usize {
+        self.period * (self.count - 1)
+    }
+}
+
+/// Periods that are tried at every item.
+const CANDIDATES: usize = 40;
+/// Items that must be of the same kinds for a distance to be a candidate.
+const SURROUNDINGS: usize = 3;
+
+/// The loops of a stream, in order.
+pub(super) fn loops(stream: &Stream, fewest: usize) -> Vec<Span> {
+    let mut search =
+        Search { stream, fewest, next: next_alike(stream), loops: Vec::new(), loop_of: vec![None; stream.len()] };
+    let mut at = 0;
+    while at < stream.len() {
+        match search.best(at) {
+            Some(span) => {
+                let number = search.loops.len();
+                search.loop_of[span.start..span.end()].fill(Some(number));
+                search.loops.push(span);
+                at = span.end();
+            }
+            None => at += 1,
+        }
+    }
+    search.loops
+}
+
+/// For every item the next one whose surroundings are of the same kinds.
+fn next_alike(stream: &Stream) -> Vec<Option<usize>> {
+    let mut latest = std::collections::HashMap::new();
+    let mut next = vec![None; stream.len()];
+    for at in (0..stream.len()).rev() {
+        let end = stream.len().min(at + SURROUNDINGS);
+        next[at] = latest.insert(&stream.kinds[at..end], at);
+    }
+    next
+}
+
+struct Search<'s> {
+    stream: &'s Stream,
+    fewest: usize,
+    next: Vec<Option<usize>>,
+    loops: Vec<Span>,
+    /// The loop that each item is in.
+    loop_of: Vec<Option<usize>>,
+}
+
+impl Search<'_> {
+    /// The loop from `start` on that covers the most.
+    fn best(&self, start: usize) -> Option<Span> {
+        let mut found: Vec<Span> = Vec::new();
+        let mut other = self.next[start];
+        for _ in 0..CANDIDATES {
+            let Some(at) = other else { break };
+            other = self.next[at];
+            let period = at - start;
+            if start + self.fewest * period > self.stream.len() {
+                break;
+            }
+            let count = 1 + self.run(start, period) / period;
+            if count >= self.fewest {
+                found.push(Span { start, period, count });
+            }
+        }
+        // Of those that cover the same, the shortest period.
+        found.sort_by_key(|span| (core::cmp::Reverse(span.saved()), span.period));
+        found.into_iter().find_map(|span| self.valid(self.well_cut(span)).or_else(|| self.valid(span)))
+    }
+
+    /// How many items from `start` on are repeated `period` later with the steps of the iteration before.
+    fn run(&self, start: usize, period: usize) -> usize {
+        let stream = self.stream;
+        let same = |at: usize| {
+            stream.kinds[at] == stream.kinds[at + period]
+                && (at < start + period || {
+                    let [before, here, after] = [at - period, at, at + period].map(|item| stream.addresses(item));
+                    (0..here.len()).all(|k| here[k] - before[k] == after[k] - here[k])
+                })
+        };
+        (start..stream.len() - period).take_while(|at| same(*at)).count()
+    }
+
+    /// The same loop begun at another item of its first iteration, so that iterations pass on the fewest values.
+    fn well_cut(&self, span: Span) -> Span {
+        let Span { start, period, count } = span;
+        let mut crossing = vec![0_i64; period + 1];
+        for (place, item) in (start + period..start + 2 * period).enumerate() {
+            for operand in self.stream.operands(item) {
+                if let Operand::Item(at, _) = *operand
+                    && at >= start
+                    && at < item
+                {
+                    // A cut in front of every item behind `at` up to this one passes it on.
+                    let length = (item - at).min(period);
+                    let first = (place + period + 1 - length) % period;
+                    for k in 0..length {
+                        crossing[(first + k) % period] += 1;
+                    }
+                }
+            }
+        }
+        let cut = (0..period).min_by_key(|k| crossing[*k]).unwrap_or_default();
+        if cut == 0 { span } else { Span { start: start + cut, period, count: count - 1 } }
+    }
+
+    /// The loop, or as many of its iterations as a loop can do; none if they are too few.
+    fn valid(&self, mut span: Span) -> Option<Span> {
+        // What the first iterations are passed by another loop they read by themselves, in straight code.
+        for _ in 0..3 {
+            if span.count < self.fewest {
+                return None;
+            }
+            match self.shortened(span) {
+                Some(count) if count >= self.fewest => return Some(Span { count, ..span }),
+                _ => span = Span { start: span.start + span.period, count: span.count - 1, ..span },
+            }
+        }
+        None
+    }
+
+    /// How many iterations read values that stand at places a loop can know.
+    fn shortened(&self, span: Span) -> Option<usize> {
+        let mut count = span.count;
+        for item in span.start..span.start + span.period {
+            let (first, second) = (self.stream.addresses(item), self.stream.addresses(item + span.period));
+            for (k, operand) in self.stream.operands(item).iter().enumerate() {
+                if !matches!(operand, Operand::Item(..)) {
+                    continue;
+                }
+                let step = second[k] - first[k];
+                count = self.readable(span, first[k], step, count)?;
+            }
+        }
+        Some(count)
+    }
+
+    /// How many of the items `first`, `first + step`, … are members of one loop or, in straight code, stand where
+    /// members of it would.
+    fn readable(&self, span: Span, first: i64, step: i64, count: usize) -> Option<usize> {
+        let start = span.start as i64;
+        if step == 0 {
+            return (first < start).then_some(count);
+        }
+        let at = |k: usize| first + k as i64 * step;
+        if at(count - 1) >= start {
+            // Values of this loop, of an earlier iteration at first perhaps.
+            let before = (0..count).take_while(|k| at(*k) < start);
+            let straight = |place: i64| place >= 0 && self.loop_of[place as usize].is_none();
+            return (step == span.period as i64 && before.map(at).all(straight)).then_some(count);
+        }
+        let of = |k: usize| self.loop_of.get(at(k) as usize).copied().flatten();
+        let source = (0..count).find_map(of)?;
+        if step % self.loops[source].period as i64 != 0 {
+            return None;
+        }
+        Some((0..count).take_while(|k| of(*k).is_none_or(|other| other == source)).count())
+    }
+}

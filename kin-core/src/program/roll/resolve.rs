@@ -1,0 +1,223 @@
+//! From loops of a stream to a rolled program: names, arrays and tables.
+
+use super::detect::Span;
+use super::stream::{Action, Operand, Stream};
+use super::{Keep, Part, Piece, Rolled, Source, Step};
+use crate::program::{Program, Value};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The item of a loop's first iteration that an item repeats, and by how many iterations.
+#[derive(Clone, Copy)]
+struct Member {
+    template: usize,
+    period: usize,
+}
+
+/// Items `template + k·period` as they are read from outside of their iteration: the array of one part of them.
+#[derive(Clone, Copy, Debug)]
+struct Range {
+    number: usize,
+    /// The iterations, also those that straight code does before and behind the loop.
+    first: i64,
+    last: i64,
+}
+
+pub(super) fn resolve(program: &Program, stream: &Stream, loops: &[Span]) -> Rolled {
+    let mut resolver = Resolver {
+        program,
+        stream,
+        members: vec![None; stream.len()],
+        ranges: BTreeMap::new(),
+        outside: BTreeSet::new(),
+        kept: BTreeMap::new(),
+        rolled: Rolled::default(),
+    };
+    for span in loops {
+        for item in span.start..span.end() {
+            let template = span.start + (item - span.start) % span.period;
+            resolver.members[item] = Some(Member { template, period: span.period });
+        }
+    }
+    resolver.find_arrays(loops);
+    resolver.lay_out();
+    resolver.write(loops);
+    resolver.rolled
+}
+
+struct Resolver<'a> {
+    program: &'a Program,
+    stream: &'a Stream,
+    /// Of items in loops, what they repeat.
+    members: Vec<Option<Member>>,
+    /// Arrays by template and part.
+    ranges: BTreeMap<(usize, Part), Range>,
+    /// Straight items that are read as if a loop had computed them: (item, template, part, iteration).
+    outside: BTreeSet<(usize, usize, Part, i64)>,
+    /// The arrays that keep parts of an item: (part, array, element).
+    kept: BTreeMap<usize, Vec<Keep>>,
+    rolled: Rolled,
+}
+
+/// Straight code is a loop of one iteration.
+fn pieces(stream: &Stream, loops: &[Span]) -> Vec<Span> {
+    let mut out = Vec::new();
+    let mut at = 0;
+    let straight = |from: usize, to: usize| Span { start: from, period: to - from, count: 1 };
+    for span in loops {
+        if span.start > at {
+            out.push(straight(at, span.start));
+        }
+        out.push(*span);
+        at = span.end();
+    }
+    if at < stream.len() {
+        out.push(straight(at, stream.len()));
+    }
+    out
+}
+
+impl Resolver<'_> {
+    /// The step of an operand's address from iteration to iteration.
+    fn step(&self, span: Span, item: usize, operand: usize) -> i64 {
+        if span.count < 2 {
+            return 0;
+        }
+        self.stream.addresses(item + span.period)[operand] - self.stream.addresses(item)[operand]
+    }
+
+    /// The template that the items `first`, `first + step`, … belong to, unless each is computed in its own iteration
+    /// or by straight code.
+    fn array(&self, span: Span, first: usize, step: i64) -> Option<Member> {
+        if step == 0 {
+            return self.members[first];
+        }
+        let own = (span.start..span.start + span.period).contains(&first) && step == span.period as i64;
+        let at = |k: usize| (first as i64 + k as i64 * step) as usize;
+        if own { None } else { (0..span.count).find_map(|k| self.members[at(k)]) }
+    }
+
+    fn find_arrays(&mut self, loops: &[Span]) {
+        for span in pieces(self.stream, loops) {
+            for item in span.start..span.start + span.period {
+                for (place, operand) in self.stream.operands(item).iter().enumerate() {
+                    let Operand::Item(first, part) = *operand else { continue };
+                    let step = self.step(span, item, place);
+                    let Some(member) = self.array(span, first, step) else { continue };
+                    let iteration =
+                        |k: usize| (first as i64 + k as i64 * step - member.template as i64) / member.period as i64;
+                    let (one, other) = (iteration(0), iteration(span.count - 1));
+                    let number = self.ranges.len();
+                    let range =
+                        self.ranges.entry((member.template, part)).or_insert(Range { number, first: 0, last: 0 });
+                    range.first = range.first.min(one).min(other);
+                    range.last = range.last.max(one).max(other);
+                    for k in 0..span.count {
+                        let read = (first as i64 + k as i64 * step) as usize;
+                        if self.members[read].is_none() {
+                            self.outside.insert((read, member.template, part, iteration(k)));
+                        }
+                    }
+                }
+            }
+        }
+        for span in loops {
+            for template in span.start..span.start + span.period {
+                for (_, range) in self.ranges.range_mut((template, Part::Whole)..(template + 1, Part::Whole)) {
+                    range.last = range.last.max(span.count as i64 - 1);
+                }
+            }
+        }
+    }
+
+    /// Lengths of the arrays, and the straight items that are members of them.
+    fn lay_out(&mut self) {
+        self.rolled.arrays = vec![0; self.ranges.len()];
+        let keep = |(template, part), iteration: i64| {
+            let range: &Range = &self.ranges[&(template, part)];
+            Keep { part, array: range.number, first: (iteration - range.first) as usize }
+        };
+        for (&(template, part), range) in &self.ranges {
+            self.rolled.arrays[range.number] = (range.last - range.first + 1) as usize;
+            self.kept.entry(template).or_default().push(keep((template, part), 0));
+        }
+        for &(item, template, part, iteration) in &self.outside {
+            self.kept.entry(item).or_default().push(keep((template, part), iteration));
+        }
+    }
+
+    fn write(&mut self, loops: &[Span]) {
+        for span in pieces(self.stream, loops) {
+            let body = (span.start..span.start + span.period).map(|item| self.write_step(span, item)).collect();
+            self.rolled.pieces.push(match span.count {
+                1 => Piece::Straight(body),
+                count => Piece::Loop { count, body },
+            });
+        }
+    }
+
+    fn write_step(&mut self, span: Span, item: usize) -> Step {
+        let mut operands = Vec::new();
+        for place in 0..self.stream.operands(item).len() {
+            let source = self.source(span, item, place);
+            operands.push(Value(self.rolled.sources.len() as u32));
+            self.rolled.sources.push(source);
+        }
+        match self.stream.actions[item] {
+            Action::Compute(value) => {
+                let next = core::cell::Cell::new(0);
+                let instruction = self.program.instructions[value.index()].map_operands(|_| {
+                    next.set(next.get() + 1);
+                    operands[next.get() - 1]
+                });
+                Step::Compute { value, instruction, keeps: self.kept.get(&item).cloned().unwrap_or_default() }
+            }
+            // The first operand is the slot itself.
+            Action::Write(slot) => Step::Write { slot, step: self.step(span, item, 0), source: operands[1] },
+        }
+    }
+
+    fn source(&mut self, span: Span, item: usize, place: usize) -> Source {
+        let step = self.step(span, item, place);
+        match self.stream.operands(item)[place] {
+            Operand::Slot(_) => Source::Number(crate::expr::Bits::new(0.0)),
+            Operand::Load(symbol) => Source::Load(symbol, step),
+            Operand::Number(bits) => {
+                let literal = |k: usize| match self.stream.operands(item + k * span.period)[place] {
+                    Operand::Number(bits) => bits,
+                    _ => bits,
+                };
+                let literals: Vec<_> = (0..span.count).map(literal).collect();
+                if literals.iter().all(|other| *other == bits) {
+                    return Source::Number(bits);
+                }
+                let tables = &mut self.rolled.tables;
+                let known = tables.iter().position(|table| *table == literals);
+                Source::Table(known.unwrap_or_else(|| {
+                    tables.push(literals);
+                    tables.len() - 1
+                }))
+            }
+            Operand::Item(first, part) => match self.array(span, first, step) {
+                None => Source::Local(self.value(first), part),
+                Some(member) => {
+                    let range = self.ranges[&(member.template, part)];
+                    let period = member.period as i64;
+                    let iteration = (first as i64 - member.template as i64) / period;
+                    Source::Element {
+                        array: range.number,
+                        first: (iteration - range.first) as usize,
+                        step: step / period,
+                    }
+                }
+            },
+        }
+    }
+
+    /// The value that an item computes.
+    fn value(&self, item: usize) -> Value {
+        match self.stream.actions[item] {
+            Action::Compute(value) => value,
+            Action::Write(_) => Value(0),
+        }
+    }
+}

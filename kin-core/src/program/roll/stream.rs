@@ -1,0 +1,196 @@
+//! A program as a stream of items, in which repetition can be seen.
+//!
+//! An item is an instruction that computes something, or an output that is written. What an operand refers to is an
+//! address: the item that computes it, the index of a symbol, the index of a slot. Everything else about an item is its
+//! kind; so two items are the same code exactly if they are of one kind, and addresses say how far they are apart.
+
+use super::Part;
+use crate::expr::{Bits, Symbol};
+use crate::program::{Instruction, Program, Slot, Value};
+use std::collections::HashMap;
+
+/// What an item does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Action {
+    /// Computes a value of the program.
+    Compute(Value),
+    /// Writes an output.
+    Write(Slot),
+}
+
+/// What an operand is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Operand {
+    Number(Bits),
+    Load(Symbol),
+    /// A part of what another item computes.
+    Item(usize, Part),
+    /// The index of the slot that is written.
+    Slot(usize),
+}
+
+/// What two items must share to be one piece of code.
+#[derive(PartialEq, Eq, Hash)]
+struct Kind {
+    instruction: Option<Instruction>,
+    slot: Option<Slot>,
+    operands: Vec<OperandKind>,
+}
+
+/// An operand without its address.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum OperandKind {
+    Number,
+    Load(Symbol),
+    Item(Part),
+}
+
+pub(super) struct Stream {
+    pub(super) actions: Vec<Action>,
+    /// Equal numbers: items of one kind.
+    pub(super) kinds: Vec<u32>,
+    /// The operands of item k are those from `starts[k]` to `starts[k + 1]`.
+    starts: Vec<usize>,
+    operands: Vec<Operand>,
+    addresses: Vec<i64>,
+}
+
+impl Stream {
+    /// The items of a program: every output right after what computes it, outputs that need no computation first.
+    pub(super) fn of(program: &Program) -> Self {
+        let mut after: Vec<Vec<usize>> = vec![Vec::new(); program.instructions.len()];
+        let mut first = Vec::new();
+        for (number, (_, value)) in program.outputs.iter().enumerate() {
+            match program.instructions[value.index()] {
+                Instruction::Number(_) | Instruction::Load(_) => first.push(number),
+                _ => after[holder(program, *value).index()].push(number),
+            }
+        }
+        let mut builder = Builder {
+            program,
+            positions: vec![usize::MAX; program.instructions.len()],
+            kinds: HashMap::new(),
+            stream: Self {
+                actions: Vec::new(),
+                kinds: Vec::new(),
+                starts: vec![0],
+                operands: Vec::new(),
+                addresses: Vec::new(),
+            },
+        };
+        first.into_iter().for_each(|number| builder.write(number));
+        let mut waiting = Vec::new();
+        for (place, instruction) in program.instructions.iter().enumerate() {
+            if is_operand(instruction) {
+                continue;
+            }
+            if !matches!(instruction, Instruction::SinCos(_)) {
+                // Sines and cosines stand together; what is written of them follows.
+                std::mem::take(&mut waiting).into_iter().for_each(|number| builder.write(number));
+            }
+            builder.compute(Value(place as u32), *instruction);
+            waiting.append(&mut after[place]);
+        }
+        waiting.into_iter().for_each(|number| builder.write(number));
+        builder.stream
+    }
+
+    /// Number of items.
+    pub(super) fn len(&self) -> usize {
+        self.actions.len()
+    }
+
+    /// The operands of an item; the first of a written output is its slot.
+    pub(super) fn operands(&self, item: usize) -> &[Operand] {
+        &self.operands[self.starts[item]..self.starts[item + 1]]
+    }
+
+    /// Their addresses; literals have none and stand as 0.
+    pub(super) fn addresses(&self, item: usize) -> &[i64] {
+        &self.addresses[self.starts[item]..self.starts[item + 1]]
+    }
+}
+
+/// True for instructions that are no step of their own: they are written where they are used.
+fn is_operand(instruction: &Instruction) -> bool {
+    matches!(
+        instruction,
+        Instruction::Number(_)
+            | Instruction::Load(_)
+            | Instruction::SinOf(_)
+            | Instruction::CosOf(_)
+            | Instruction::SuppliedOf(..)
+    )
+}
+
+/// The value that is computed: itself, or the pair or triple that it is part of.
+fn holder(program: &Program, value: Value) -> Value {
+    match program.instructions[value.index()] {
+        Instruction::SinOf(whole) | Instruction::CosOf(whole) | Instruction::SuppliedOf(whole, _) => whole,
+        _ => value,
+    }
+}
+
+struct Builder<'p> {
+    program: &'p Program,
+    /// The item that computes each value.
+    positions: Vec<usize>,
+    kinds: HashMap<Kind, u32>,
+    stream: Stream,
+}
+
+impl Builder<'_> {
+    fn compute(&mut self, value: Value, instruction: Instruction) {
+        let mut operands = Vec::new();
+        instruction.for_each_operand(|operand| operands.push(self.operand(operand)));
+        let blank = instruction.map_operands(|_| Value(0));
+        self.positions[value.index()] = self.stream.len();
+        self.push(Action::Compute(value), (Some(blank), None), &operands);
+    }
+
+    fn write(&mut self, number: usize) {
+        let (slot, value) = self.program.outputs[number];
+        let operands = [Operand::Slot(slot.index()), self.operand(value)];
+        self.push(Action::Write(slot), (None, Some(slot.at(0))), &operands);
+    }
+
+    fn push(&mut self, action: Action, head: (Option<Instruction>, Option<Slot>), operands: &[Operand]) {
+        let kind = Kind { instruction: head.0, slot: head.1, operands: operands.iter().map(operand_kind).collect() };
+        let next = self.kinds.len() as u32;
+        let stream = &mut self.stream;
+        stream.kinds.push(*self.kinds.entry(kind).or_insert(next));
+        stream.actions.push(action);
+        stream.addresses.extend(operands.iter().map(address));
+        stream.operands.extend_from_slice(operands);
+        stream.starts.push(stream.operands.len());
+    }
+
+    fn operand(&self, value: Value) -> Operand {
+        let item = |value: Value, part| Operand::Item(self.positions[value.index()], part);
+        match self.program.instructions[value.index()] {
+            Instruction::Number(bits) => Operand::Number(bits),
+            Instruction::Load(symbol) => Operand::Load(symbol),
+            Instruction::SinOf(pair) => item(pair, Part::Sin),
+            Instruction::CosOf(pair) => item(pair, Part::Cos),
+            Instruction::SuppliedOf(triple, order) => item(triple, Part::Derivative(order)),
+            _ => item(value, Part::Whole),
+        }
+    }
+}
+
+fn operand_kind(operand: &Operand) -> OperandKind {
+    match *operand {
+        Operand::Number(_) | Operand::Slot(_) => OperandKind::Number,
+        Operand::Load(symbol) => OperandKind::Load(symbol.at(0)),
+        Operand::Item(_, part) => OperandKind::Item(part),
+    }
+}
+
+fn address(operand: &Operand) -> i64 {
+    match *operand {
+        Operand::Number(_) => 0,
+        Operand::Load(symbol) => i64::from(symbol.index()),
+        Operand::Item(item, _) => item as i64,
+        Operand::Slot(index) => index as i64,
+    }
+}

@@ -1,0 +1,44 @@
+//! Statements of a function's body, in blocks.
+//!
+//! rustc overflows its stack on functions with thousands of `let`s when debug information is on, so that statements
+//! are grouped in nested blocks that hand out only what later blocks need.
+
+use kin_core::program::Value;
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+use std::collections::HashMap;
+
+/// Statements in one block.
+const BLOCK: usize = 500;
+
+/// A statement: the values that it defines, with their names, those that it reads, and its tokens.
+#[derive(Default)]
+pub(super) struct Statement {
+    pub(super) defines: Vec<(Value, Vec<Ident>)>,
+    pub(super) uses: Vec<Value>,
+    pub(super) tokens: TokenStream,
+}
+
+/// Statements in blocks of bounded length, each handing out what later ones read.
+pub(super) fn blocks(statements: &[Statement]) -> TokenStream {
+    if statements.len() <= BLOCK {
+        return statements.iter().map(|s| &s.tokens).cloned().collect();
+    }
+    let last_use: HashMap<Value, usize> = (statements.chunks(BLOCK).enumerate())
+        .flat_map(|(number, block)| block.iter().flat_map(move |s| s.uses.iter().map(move |value| (*value, number))))
+        .collect();
+    let mut out = TokenStream::new();
+    for (number, block) in statements.chunks(BLOCK).enumerate() {
+        let tokens = block.iter().map(|s| &s.tokens);
+        let leaving: Vec<&Ident> = (block.iter().flat_map(|s| &s.defines))
+            .filter(|(value, _)| last_use.get(value).is_some_and(|last| *last > number))
+            .flat_map(|(_, names)| names)
+            .collect();
+        out.extend(if leaving.is_empty() {
+            quote! { { #(#tokens)* } }
+        } else {
+            quote! { let [#(#leaving),*] = { #(#tokens)* [#(#leaving),*] }; }
+        });
+    }
+    out
+}
