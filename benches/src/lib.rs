@@ -1,4 +1,5 @@
 //! Speed as ratios against a baseline of the same run: machines are shared and noisy, times alone say little.
 
+pub mod chain;
 pub mod four_bar;
 pub mod paired;
