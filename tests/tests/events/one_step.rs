@@ -1,0 +1,40 @@
+//! Several limits within one step, and motions that do not move: order, what stops a sweep, what holds at its start.
+
+use super::*;
+
+/// A hand so slow that a whole sweep is one step.
+#[mechanism]
+#[body(hand, x = 0, y = 0)]
+#[driver(drive: hand.phi = 0.01 * t)]
+#[unilateral(first: hand.phi < 0.002)]
+#[unilateral(second: hand.phi < 0.003)]
+#[unilateral(again: 2 * hand.phi < 0.004)]
+#[unilateral(start: hand.phi > 0)]
+struct Hand;
+
+fn names(trajectory: &Trajectory) -> Vec<&'static str> {
+    trajectory.events.iter().map(|event| event.name).collect()
+}
+
+#[test]
+fn events_of_one_step_are_in_the_order_of_the_motion() {
+    assert_eq!(names(&sweep(&Hand, &[0.0, 1.0])), ["first", "again", "second"]);
+    assert_eq!(names(&sweep(&Hand, &[1.0, 0.1])), ["second", "first", "again"]);
+}
+
+#[test]
+fn a_sweep_that_stops_has_no_later_event() {
+    for (times, met, t) in [([0.0, 1.0], &["first", "again"][..], 0.2), ([1.0, 0.1], &["second"], 0.3)] {
+        let stopped = Hand.solver().stop_at_events(true).sweep(&times).unwrap();
+        assert_eq!(names(&stopped), met);
+        assert!((stopped.last().unwrap().t - t).abs() < 1e-10);
+    }
+}
+
+/// At its limit and never moved, a condition is violated; where the motion leads away from the limit, it is not.
+#[test]
+fn what_stays_at_its_limit_is_violated_at_the_start() {
+    assert_eq!(sweep(&Hand, &[0.0]).violated_at_start, [3]);
+    assert_eq!(sweep(&Hand, &[0.0, 0.0]).violated_at_start, [3]);
+    assert_eq!(sweep(&Hand, &[0.0, 0.1]).violated_at_start, [0; 0]);
+}
