@@ -1,6 +1,6 @@
-//! Velocity ratios of a driver of a distance are per length, not per its square.
+//! Velocity ratios of distances are per length, not per its square; those of an input hold its acceleration.
 
-use kin_runtime::{Instant, Kinematics, mechanism};
+use kin_runtime::{Instant, Kinematics, Signal, mechanism};
 
 /// A carriage at height h whose distance from the origin is driven: x = √(f² − h²).
 #[mechanism]
@@ -31,4 +31,43 @@ fn ratios_of_a_driven_distance() {
     near(ratios.drivers[0].q_ddot[0], first + second * 0.04);
     near(state.q_dot[0], first * -0.2);
     near(state.q_ddot[0], first + second * 0.04);
+}
+
+/// The same carriage on a rod whose length is an input of time: the row is in squares, its ratios are not.
+#[mechanism]
+#[body(carriage, y = 0.6, phi = 0)]
+#[distance(rod: ground @ (0, 0), carriage @ (0, 0), length = 1 + 0.5 * t)]
+#[guess(carriage.x = 1)]
+struct Rod;
+
+#[test]
+fn ratios_of_a_distance_that_drives() {
+    let state = Rod.state_at(&Instant::at(0.0)).unwrap();
+    let ratios = Rod.solver().velocity_ratios(&state).unwrap();
+    let near = |found: f64, expected: f64| assert!((found - expected).abs() < 1e-13, "{found} {expected}");
+    // x² = f² − 0.36: k = f/x, l = (1 − k²)/x.
+    let (first, second) = (1.25, -0.703125);
+    near(state.q[0], 0.8);
+    near(ratios.drivers[0].first[0], first);
+    near(ratios.drivers[0].second[0], second);
+    near(ratios.drivers[0].q_dot[0], 0.5 * first);
+    near(ratios.drivers[0].q_ddot[0], 0.25 * second);
+}
+
+/// s follows an input by its square.
+#[mechanism]
+#[input(u)]
+#[coordinates(s)]
+#[constraint(square: s = u * u)]
+struct Square;
+
+/// s̈ = 2 u̇² + 2 u ü, of which the input has everything.
+#[test]
+fn an_input_has_its_share_of_the_acceleration() {
+    let inputs = [Signal::new(1.5, 2.0, 3.0)];
+    let state = Square.state_at(&Instant { t: 0.0, inputs: &inputs }).unwrap();
+    let ratio = Square.solver().velocity_ratios(&state).unwrap()[Square::u].clone();
+    assert_eq!((state.q_dot[0], state.q_ddot[0]), (6.0, 17.0));
+    assert_eq!((ratio.first[0], ratio.second[0]), (3.0, 2.0));
+    assert_eq!((ratio.q_dot[0], ratio.q_ddot[0]), (6.0, 17.0));
 }
