@@ -69,6 +69,24 @@ fn a_polar_curve_at_its_centre() {
     assert!((state.q[1] + 0.2).abs() > 0.1);
 }
 
+/// The same pin off its body's origin, and the body turned.
+#[mechanism]
+#[bodies(pin)]
+#[angle(turned: pin = 0.7)]
+#[on_curve(track: ground @ (0.1, 0), pin @ (0.3, 0.2), polar(theta) = 0.3 * (1.5 + cos(theta)))]
+#[driver(feed: pin.x = 0.1 + t)]
+struct Turned;
+
+#[test]
+fn the_centre_is_met_by_the_point_of_a_turned_body() {
+    let (sin, cos) = 0.7_f64.sin_cos();
+    let q = [0.1 - (0.3 * cos - 0.2 * sin), -(0.3 * sin + 0.2 * cos), 0.7];
+    for off in [0.0, 1e-14] {
+        let found = contact(Turned.velocity_analysis(&Instant::at(0.0), &[q[0] + off, q[1], q[2]]));
+        assert!(matches!(found, ("track", _, Degeneracy::Centre { distance }, _) if distance < 1e-13), "{found:?}");
+    }
+}
+
 #[test]
 fn a_roller_at_a_cusp() {
     let at = Instant::at(0.0);
