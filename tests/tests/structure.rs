@@ -180,3 +180,108 @@ fn parameters_without_direction_or_length_are_errors_by_name() {
     assert_eq!(error, SolveError::DegenerateGeometry { t: 0.0, joint: "rod", fault }, "{error}");
     assert!(error.to_string().contains("`revolute`"), "{error}");
 }
+
+/// A slider whose distance from the origin is driven, from nothing on.
+#[mechanism]
+#[body(slider, y = 0, phi = 0)]
+#[driver(push: distance(ground @ (0, 0), slider @ (0, 0)) = 0.3 * t)]
+#[guess(slider.x = 0.1)]
+struct Pushed;
+
+#[test]
+fn a_driven_distance_of_nothing_is_an_error_by_name() {
+    let error = Pushed.velocity_analysis(&Instant::at(0.0), &[0.0]).unwrap_err();
+    let fault = GeometryFault::Length { length: 0.0 };
+    assert_eq!(error, SolveError::DegenerateGeometry { t: 0.0, joint: "push", fault }, "{error}");
+    assert!((Pushed.state_at(&Instant::at(1.0)).unwrap().q_dot[0] - 0.3).abs() < 1e-14);
+}
+
+/// A blade along its guide says nothing new, wherever it is declared.
+#[mechanism(allow_redundant)]
+#[bodies(sledge)]
+#[knife_edge(blade: sledge @ (0, 0))]
+#[translational(guide: ground @ (0, 0), sledge @ (0, 0), axis = (1, 0))]
+#[driver(push: sledge.x = t)]
+struct Guarded;
+
+#[test]
+fn rows_of_velocity_level_yield_to_those_of_position() {
+    let structure = Guarded::model().structure.unwrap();
+    let mobility = Guarded.mobility(&Instant::at(0.0), &[0.0; 3]).unwrap();
+    let [generic] = structure.redundant else { panic!("{structure:?}") };
+    let [found] = &mobility.redundant[..] else { panic!("{mobility}") };
+    assert_eq!(Guarded::model().rows[generic.row].name, "blade");
+    assert_eq!(generic.circuit, ["guide"]);
+    assert_eq!((found.name, &found.circuit[..], found.consistent), ("blade", &["guide"][..], true), "{mobility}");
+}
+
+/// A blade keeps the height of what does not turn; a driver says it once more.
+#[mechanism(allow_redundant)]
+#[body(sledge, phi = 0)]
+#[knife_edge(blade: sledge @ (0, 0))]
+#[driver(lift: sledge.y = 1)]
+struct Level;
+
+/// A row of position level that rows of velocity level imply: no position contradicts them.
+#[test]
+fn velocities_imply_no_position() {
+    let mobility = Level.mobility(&Instant::at(0.0), &[0.0, 0.3]).unwrap();
+    let [row] = &mobility.redundant[..] else { panic!("{mobility}") };
+    assert_eq!((row.name, &row.circuit[..], row.consistent), ("lift", &["blade"][..], true), "{mobility}");
+}
+
+/// The table on three links, beside two arms that turn against one another.
+#[mechanism(allow_redundant)]
+#[bodies(p, q, r, table)]
+#[body(arm, x = 0, y = 0)]
+#[body(other, x = 0, y = 0)]
+#[revolute(A: ground @ (0, 0), p @ (0, 0))]
+#[revolute(B: ground @ (b, 0), q @ (0, 0))]
+#[revolute(C: ground @ (c, 0), r @ (0, 0))]
+#[revolute(D: table @ (0, 0), p @ (a, 0))]
+#[revolute(E: table @ (b, 0), q @ (a, 0))]
+#[revolute(F: table @ (c, 0), r @ (a, 0))]
+#[constraint(against: arm.phi + other.phi = 0)]
+#[driver(lift: sin(arm.phi) + other.phi = t)]
+struct Beside {
+    #[param(0.3)]
+    a: f64,
+    #[param(0.5)]
+    b: f64,
+    #[param(0.8)]
+    c: f64,
+}
+
+/// Where the arms lie flat the driver says the same as what ties them; the third link says nothing anywhere.
+#[test]
+fn passive_and_driving_rows_are_redundant_for_reasons_of_their_own() {
+    let (sin, cos) = 0.6_f64.sin_cos();
+    let place = |x: f64| [x, 0.0, 0.6];
+    let q = [&[place(0.0), place(0.5), place(0.8), [0.3 * cos, 0.3 * sin, 0.0]].concat()[..], &[0.0; 2]].concat();
+    let mobility = Beside::default().mobility(&Instant::at(0.0), &q).unwrap();
+    let found: Vec<_> = mobility.redundant.iter().map(|row| (row.joint, row.cause)).collect();
+    let expected = [("F", Some(Cause::Dimensions)), ("lift", Some(Cause::Configuration))];
+    assert_eq!(found, expected, "{mobility}");
+}
+
+/// Two wheels that turn one another; `a` is driven.
+#[mechanism]
+#[body(a, x = 0, y = 0)]
+#[body(b, x = 1, y = 0)]
+#[constraint(mesh: a.phi + 2 * b.phi = 0)]
+#[driver(drive: a.phi = t)]
+struct ByFirst;
+
+/// The same; `b` is driven.
+#[mechanism]
+#[body(a, x = 0, y = 0)]
+#[body(b, x = 1, y = 0)]
+#[constraint(mesh: a.phi + 2 * b.phi = 0)]
+#[driver(drive: b.phi = t)]
+struct BySecond;
+
+#[test]
+fn what_is_driven_is_independent() {
+    assert_eq!(ByFirst.mobility(&Instant::at(0.0), &[0.0; 2]).unwrap().independent, [0]);
+    assert_eq!(BySecond.mobility(&Instant::at(0.0), &[0.0; 2]).unwrap().independent, [1]);
+}
