@@ -3,6 +3,16 @@
 use super::root::{Value, bracket, tolerance};
 use super::sample::Sample;
 use super::shape::{Shape, shape};
+use super::watch::Watch;
+use crate::curve::CurvePoint;
+use crate::equations::Equations;
+use crate::fixture::{driver, model};
+use crate::mechanism::LengthError;
+use crate::model::{ConditionInfo, Model, Observable, Pattern};
+use crate::options::Options;
+use crate::state::State;
+use crate::system::{Parts, System};
+use crate::workspace::{Instant, Subset};
 
 /// A function with its derivative as what [`bracket`] asks for, counting.
 fn located(f: impl Fn(f64) -> (f64, f64), lo: f64, hi: f64) -> ([Value; 2], usize) {
@@ -102,4 +112,99 @@ fn the_side_at_the_limit_is_where_the_motion_goes() {
     }
     assert!(!sample(0.0, 0.0, 1.0, 0.0).side_after(-1.0), "backwards");
     assert!(sample(0.0, 1e-3, -9.0, 0.0).side_after(1.0), "not there yet");
+}
+
+/// x = t with the condition x < limit.
+struct Line {
+    limit: f64,
+    phi: [f64; 1],
+    g: [f64; 1],
+}
+
+impl System for Line {
+    fn model(&self) -> &'static Model {
+        let entries: &[(usize, usize)] = &[(0, 0)];
+        let condition = ConditionInfo { name: "limit", text: "x < limit", observable: 0, rheonomic: false };
+        Box::leak(Box::new(Model {
+            observables: &[Observable::Condition(0)],
+            observable_pattern: Pattern { rows: 1, entries, constants: &[] },
+            conditions: Vec::leak(vec![condition]),
+            ..model("Line", &[], &["x"], &[driver("drive")], &[])
+        }))
+    }
+
+    fn parameters(&self) -> &[f64] {
+        &[]
+    }
+
+    fn evaluate(&mut self, _: Subset, at: &Instant<'_>, q: &[f64], _: &[f64]) -> Result<(), LengthError> {
+        self.phi = [q[0] - at.t];
+        Ok(())
+    }
+
+    fn constraints(&self) -> Parts<'_> {
+        Parts { phi: &self.phi, phi_q: &[1.0], phi_t: &[-1.0], gamma: &[0.0] }
+    }
+
+    fn observe(&mut self, _: &Instant<'_>, q: &[f64], _: &[f64]) -> Result<(), LengthError> {
+        self.g = [self.limit - q[0]];
+        Ok(())
+    }
+
+    fn observables(&self) -> Parts<'_> {
+        Parts { phi: &self.g, phi_q: &[-1.0], phi_t: &[0.0], gamma: &[0.0] }
+    }
+
+    fn curve(&self, _: &Instant<'_>, _: usize, _: f64) -> Option<CurvePoint> {
+        None
+    }
+
+    fn geometry(&self, _: &Instant<'_>) -> Result<Vec<f64>, LengthError> {
+        Ok(Vec::new())
+    }
+}
+
+/// What is seen of x < `limit` from t = 0 to 1, where the first `solved` states in between are found: t, what it is
+/// known within, and how many were asked for.
+fn watched(limit: f64, solved: usize) -> (f64, f64, usize) {
+    let system = Box::new(Line { limit, phi: [0.0], g: [0.0] });
+    let mut equations = Equations::new(system, Options::default(), &[], None, &Instant::at(0.0)).unwrap();
+    let state = |t: f64| State {
+        t,
+        inputs: Vec::new(),
+        q: vec![t],
+        q_dot: vec![1.0],
+        q_ddot: vec![0.0],
+        residual: 0.0,
+        iterations: 0,
+        condition: 1.0,
+        degrees_of_freedom_left: 0,
+    };
+    let mut watch = Watch::start(&mut equations, &state(0.0)).unwrap().unwrap();
+    let mut asked = 0;
+    let mut between = |_: &mut Equations<'_>, t: f64| {
+        asked += 1;
+        (asked <= solved).then(|| state(t))
+    };
+    watch.pass(&mut equations, &state(1.0), &mut between).unwrap();
+    let [event] = watch.events() else { panic!("{:?}", watch.events()) };
+    assert_eq!(event.t, event.state.t);
+    (event.t, event.within, asked)
+}
+
+#[test]
+fn an_event_without_a_state_of_its_own_has_the_nearer_end() {
+    let (t, within, asked) = watched(0.3, usize::MAX);
+    assert!((t - 0.3).abs() < 1e-12 && within < 1e-11, "{t} {within}");
+    // Nothing can be solved on the way: the interval stays open.
+    for (limit, end) in [(0.3, 0.0), (0.7, 1.0)] {
+        let (t, within, _) = watched(limit, 0);
+        assert_eq!((t, within), (end, 1.0));
+    }
+    // It is located, and not solved there: the end lies as far away as it does.
+    for (limit, end) in [(0.3, 0.0), (0.7, 1.0)] {
+        let (t, within, again) = watched(limit, asked - 1);
+        assert_eq!((t, again), (end, asked));
+        assert!((within - 0.3).abs() < 1e-9, "{within}");
+    }
 }
