@@ -1,7 +1,7 @@
 //! Supplied functions: every type that a field can have.
 
 use kin_runtime::function::{CubicSpline, FromFn, MotionLaw, Polynomial, Sequence};
-use kin_runtime::{Instant, Kinematics, ScalarFunction, SolveError, mechanism};
+use kin_runtime::{Instant, Kinematics, Mechanism, ScalarFunction, SolveError, mechanism};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -175,4 +175,34 @@ fn where_a_function_has_no_value_there_is_no_answer() {
     assert!(matches!(error, SolveError::NonFinite { .. }), "{error:?}");
     let check = cam.cross_check().unwrap();
     assert!(check.skipped > 0 && check.configurations > 0 && check.passes(1e-12), "{check}");
+    // Beside a large constant rounding hides how a function varies: nothing is said of it, and that is counted.
+    let hidden = FromFn(|x: f64| [1e12 + 1e-3 * x, 1e-3 + 1e-18 * x, 1e-18]);
+    let check = WithDefault { lift: hidden, omega: 1.0 }.cross_check().unwrap();
+    let [of_lift] = &check.functions[..] else { panic!("{check}") };
+    assert!(of_lift.skipped > 0 && of_lift.arguments == 0, "{of_lift:?}");
+}
+
+/// Functions that stand where no row of position level has them: in a rate, in a point, in a guess.
+#[mechanism]
+#[function(speed, reach, first)]
+#[coordinates(s)]
+#[body(arm, x = 0, y = 0)]
+#[point_on_line(slot: arm @ (0, reach(0.25)), ground @ (1, 0.5), axis = (1, 0))]
+#[nonholonomic(rate: dot(s) = speed(0.5 * t))]
+#[guess(s = first(0.125), arm.phi = 0.1)]
+struct Elsewhere {
+    speed: Sine,
+    reach: Sine,
+    first: Sine,
+}
+
+#[test]
+fn functions_are_checked_wherever_they_stand() {
+    let model = Elsewhere::model();
+    let elsewhere = Elsewhere { speed: Sine, reach: Sine, first: Sine };
+    let mut arguments = vec![0.0_f64; model.arguments.len()];
+    elsewhere.write_arguments(&[], &Instant::at(3.0), &[0.0; 2], &mut arguments).unwrap();
+    let mut found: Vec<_> = model.arguments.iter().map(|&function| model.functions[function]).zip(arguments).collect();
+    found.sort_by(|a, b| a.1.total_cmp(&b.1));
+    assert_eq!(found, [("first", 0.125), ("reach", 0.25), ("speed", 1.5)]);
 }

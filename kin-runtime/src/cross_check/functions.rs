@@ -223,4 +223,20 @@ mod tests {
         let zero = worst(|x| [x * x, 2.0 * x, 0.0], 0.0, 1.0);
         assert!(zero[0] < 1e-9 && zero[1] > 0.9);
     }
+
+    /// Nothing is said where rounding drowns all intervals on which a function is smooth.
+    #[test]
+    fn what_rounding_drowns_is_no_alarm() {
+        // Beside a large constant f is known on long intervals alone, on which it is a wave; f′ has no such constant.
+        let waves = worst(|x| [3e8 + (100.0 * x).sin(), 100.0 * (100.0 * x).cos(), -1e4 * (100.0 * x).sin()], 0.0, 1.0);
+        assert!(waves.iter().all(|error| *error <= FunctionCheck::TOLERANCE), "{waves:?}");
+        // Around a large argument, and in a narrow range, the places themselves are rounded.
+        let from = 1.7e9;
+        let clock = |x: f64| {
+            let d = x - from;
+            if (0.0..=0.01).contains(&d) { [d * d, 2.0 * d, 2.0] } else { [f64::NAN; 3] }
+        };
+        let found = worst(clock, from, from + 0.01);
+        assert!(found.iter().all(|error| *error <= FunctionCheck::TOLERANCE), "{found:?}");
+    }
 }
