@@ -171,6 +171,13 @@ mod tests {
         assert_eq!(Kind::Straight, kind(0.1, Signal::constant(0.2), Signal::constant(0.3)));
         assert_eq!(Kind::Smooth, kind(0.1, Signal::constant(0.2), Signal::constant(0.2)));
         assert_eq!(Kind::Frozen, kind(0.0, fall, Signal::constant(2.0)));
+        // Either end foretells the other within a quarter of the change.
+        let signal = |value, rate| Signal::new(value, rate, 0.0);
+        for (first, last, expected) in
+            [(0.8, 1.0, Kind::Smooth), (0.7, 1.0, Kind::Straight), (1.0, 1.2, Kind::Smooth), (1.0, 1.3, Kind::Straight)]
+        {
+            assert_eq!(expected, kind(1.0, signal(0.0, first), signal(1.0, last)), "{first} {last}");
+        }
         assert_eq!(Kind::Straight, kind(1e-9, fall, Signal::constant(2.0)));
     }
 }
