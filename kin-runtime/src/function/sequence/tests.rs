@@ -43,6 +43,12 @@ fn junctions_tell_what_jumps() {
         assert!((junction.before[0] - junction.after[0]).abs() < 1e-15);
         assert!(junction.velocity_jump().abs() < 1e-15 && junction.acceleration_jump().abs() < 1e-14, "{junction:?}");
     }
+    // At its seam a repeated sequence meets its own end.
+    let saw = Sequence::starting_at(2.0, 0.0).rise(MotionLaw::ConstantVelocity, 3.0, 1.0);
+    let saw = saw.return_to_start(MotionLaw::ConstantVelocity, 2.0).periodic().unwrap();
+    let seam = saw.junctions().next().unwrap();
+    assert_eq!((seam.x, seam.before, seam.after), (2.0, [0.0, -1.5, 0.0], [0.0, 3.0, 0.0]));
+    assert_eq!(seam.velocity_jump(), 4.5);
     let rough = Sequence::starting_at(0.0, 0.0).dwell(1.0).rise(MotionLaw::Harmonic, 2.0, 0.5).dwell(1.0).build();
     let jumps: Vec<f64> = rough.unwrap().junctions().map(|j| j.acceleration_jump()).collect();
     let peak = 2.0 * core::f64::consts::PI.powi(2) / 2.0 / 0.25;
@@ -82,5 +88,11 @@ fn unsound_sequences_are_refused() {
     assert_eq!(lost, Err(Duration { segment: 0, duration: 1.0 }));
     let open = start().rise(MotionLaw::Cycloidal, 0.1, 1.0).periodic();
     assert_eq!(open, Err(NotPeriodic { start: 0.0, end: 0.1 }));
+    // Rounding is no gap; the smallest gap that anybody means is one.
+    let nearly = |gap: f64| {
+        start().rise(MotionLaw::Cycloidal, 100.0, 1.0).fall(MotionLaw::Cycloidal, 100.0 - gap, 1.0).periodic()
+    };
+    assert!(nearly(2e-11).is_ok());
+    assert!(matches!(nearly(1e-9), Err(NotPeriodic { .. })));
     assert!(open.unwrap_err().to_string().contains("begins at 0 and ends at 0.1"));
 }

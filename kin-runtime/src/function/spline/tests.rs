@@ -140,6 +140,10 @@ fn unsound_tables_are_refused_with_numbers() {
     assert_eq!(slope, Err(NonFinite { what: "slopes", index: 1 }));
     let open = CubicSpline::periodic(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.1]);
     assert_eq!(open, Err(NotPeriodic { first: 0.0, last: 0.1 }));
+    // Rounding is no gap; the smallest gap that anybody means is one.
+    let nearly = |gap: f64| CubicSpline::periodic(&[0.0, 1.0, 2.0], &[50.0, -100.0, 50.0 + gap]);
+    assert_eq!(nearly(2e-11).unwrap().evaluate(2.0), nearly(0.0).unwrap().evaluate(0.0));
+    assert!(matches!(nearly(1e-9), Err(NotPeriodic { .. })));
     assert_eq!(CubicSpline::periodic(&[0.0, 1.0], &[0.0; 2]), Err(TooFewPoints { found: 2, needed: 3 }));
     let apart = natural(&[0.0, 1e-300, 2e-300], &[0.0, 1e300, 0.0]);
     assert!(matches!(apart, Err(NonFinite { what: "coefficients", .. })), "{apart:?}");
