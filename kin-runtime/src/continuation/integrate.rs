@@ -77,3 +77,28 @@ fn error(equations: &Equations<'_>, before: &[f64], taken: &Taken) -> f64 {
     }
     largest
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fixture::StretchedSlider;
+    use crate::options::Options;
+    use crate::system::Evaluator;
+    use crate::workspace::Instant;
+
+    /// A velocity that some rows leave open is none: the step is too long.
+    #[test]
+    fn a_stage_that_loses_rank_has_no_velocity() {
+        let slider = StretchedSlider;
+        let system = Box::new(Evaluator::<_, StretchedSlider>::new(&slider));
+        let mut equations = Equations::new(system, Options::default(), &[], None, &Instant::at(0.0)).unwrap();
+        let all: Vec<usize> = (0..equations.rows()).collect();
+        let at = |phi: f64| {
+            let (sin, cos) = phi.sin_cos();
+            [0.0, 0.0, phi, 0.23 * cos + 0.355, 0.23 * sin, 0.0, 0.23 * cos + 0.71, 0.0, 0.0]
+        };
+        assert!(velocity(&mut equations, &all, 9, 0.475, &at(0.4)).is_ok());
+        let stretched = velocity(&mut equations, &all, 9, 0.475, &at(0.0));
+        assert!(matches!(stretched, Err(Fault::Coarse(factor)) if factor < 1.0), "{stretched:?}");
+    }
+}

@@ -1,6 +1,7 @@
 //! Where rows of velocity level contradict one another or lose rank, and events on the way.
 
 use super::*;
+use kin_runtime::function::FromFn;
 
 /// The front wheel turns across: the rear axle cannot go on at its speed.
 #[mechanism]
@@ -53,6 +54,51 @@ fn the_tolerance_is_kept() {
         assert!(error < 1e3 * tolerance && error > 1e-3 * tolerance, "{tolerance:e}: {error:e}");
     }
 }
+
+/// x = start + 0.1 sin 30 t.
+#[mechanism]
+#[coordinates(x)]
+#[nonholonomic(sway: dot(x) = 3 * cos(30 * t))]
+#[guess(x = start)]
+struct Swaying {
+    start: f64,
+}
+
+/// The tolerance is relative to what is large, so that it costs fewer steps.
+#[test]
+fn large_coordinates_are_known_relative_to_their_size() {
+    let [small, large] = [0.0, 1e6].map(|start| {
+        let swayed = Swaying { start }.kinematic_analysis(&[0.0, 10.0]).unwrap();
+        let state = &swayed.states[1];
+        let error = state.q[0] - start - 0.1 * 300.0_f64.sin();
+        assert!(error.abs() < 1e-9 * f64::max(start, 1.0), "{error:e} beside {start:e}");
+        state.iterations
+    });
+    assert!(4 * large < small, "{large} and {small} steps");
+}
+
+/// A driver that jumps at 0.5, and says nothing of it in its derivatives, beside a row of velocity level.
+#[mechanism]
+#[function(jump)]
+#[coordinates(x, y)]
+#[driver(place: x = jump(t))]
+#[nonholonomic(roll: dot(y) = dot(x) + 1)]
+struct Jumping<F> {
+    jump: F,
+}
+
+/// The correction onto Φ is of the size of the integration's error; a larger one is another branch.
+#[test]
+fn no_correction_bridges_a_jump() {
+    let jumping = |by: f64| Jumping { jump: FromFn(move |t: f64| [if t < 0.5 { 0.0 } else { by }, 0.0, 0.0]) };
+    for by in [1e-3, 1.0] {
+        let ended = jumping(by).kinematic_analysis(&[0.0, 0.4, 1.0]).unwrap_err();
+        assert_eq!(ended.trajectory.len(), 2, "{by}");
+        assert!(matches!(ended.source, SolveError::StepRefused { joint: "place", .. }), "{ended}");
+    }
+    assert!(jumping(0.0).kinematic_analysis(&[0.0, 0.4, 1.0]).is_ok());
+}
+
 /// Two axles that are not steered cannot turn.
 #[mechanism(allow_redundant)]
 #[bodies(cart)]

@@ -3,7 +3,7 @@
 
 mod limits;
 
-use kin_runtime::model::Level;
+use kin_runtime::model::{Frame, Level, Role};
 use kin_runtime::{Instant, Kinematics, Mechanism, Options, Refusal, Signal, SolveError, State, mechanism};
 use kin_tests::case::Case;
 use kin_tests::compare::{Differences, largest};
@@ -247,4 +247,29 @@ fn what_is_left_open_can_be_given() {
     let conflict = Skate.solver().with_given(0, signal(0.0, 1.0)).with_given(1, signal(0.0, 1.0));
     let conflict = conflict.with_given(2, signal(0.5, 0.0)).sweep(&times).unwrap_err();
     assert!(matches!(conflict.source, SolveError::GivenConflict { .. }), "{conflict}");
+}
+
+/// A wheel that is steered, and its speed, off the middle of what carries it.
+#[mechanism]
+#[bodies(cart)]
+#[knife_edge(wheel: cart @ (0.5, -0.2), angle = 0.3)]
+#[speed(motor: cart @ (0.1, 0.4), angle = -0.7, value = 1.5)]
+struct Steered;
+
+/// What a drawing needs: the point, the direction in the body's frame, and the speed.
+#[test]
+fn rows_of_velocity_level_tell_where_they_stand() {
+    let model = Steered::model();
+    let mut numbers = vec![0.0; model.geometry];
+    Steered.write_geometry(&[], &Instant::at(0.0), &mut numbers).unwrap();
+    let of = |joint: usize, role: Role| {
+        let geometry = model.joints[joint].geometry.iter().find(|geometry| geometry.role == role).unwrap();
+        assert_eq!(geometry.frame, Frame::Body(0));
+        &numbers[geometry.offset..]
+    };
+    assert_eq!(of(0, Role::P)[..2], [0.5, -0.2]);
+    assert_eq!(of(0, Role::Axis)[..2], [0.3_f64.cos(), 0.3_f64.sin()]);
+    assert_eq!(of(1, Role::P)[..2], [0.1, 0.4]);
+    assert_eq!(of(1, Role::Axis)[..2], [0.7_f64.cos(), -0.7_f64.sin()]);
+    assert_eq!(of(1, Role::Value)[0], 1.5);
 }
