@@ -70,3 +70,31 @@ fn no_unit_matters_to_a_cam() {
         }
     }
 }
+
+/// A wheel around a wheel with a slider on it, and nothing off the bodies' origins: its size is that of its radii.
+#[mechanism]
+#[body(sun, x = 0, y = 0)]
+#[bodies(planet)]
+#[body(slider, y = 0, phi = 0)]
+#[coordinates(psi)]
+#[rolling(mesh: sun @ (0, 0), planet @ (0, 0), radii = (3 * scale, 2 * scale), along = psi)]
+#[distance(rod: planet @ (0, 0), slider @ (0, 0), length = 9 * scale)]
+#[driver(hold: sun.phi = 0.1)]
+#[driver(drive: psi = 0.3 + t)]
+#[guess(slider.x = 14 * scale, psi = 0.3)]
+struct Planet {
+    #[param(1.0)]
+    scale: f64,
+}
+
+#[test]
+fn no_unit_matters_to_wheels() {
+    let expected = Planet { scale: 1.0 }.kinematic_analysis(&[0.0, 1.5, 0.4]).unwrap();
+    for scale in [1e-6, 1e-3, 1e3, 1e6] {
+        let found = Planet { scale }.kinematic_analysis(&[0.0, 1.5, 0.4]).unwrap();
+        for (a, b) in found.iter().zip(&expected) {
+            assert!((a.q[4] / scale - b.q[4]).abs() < 1e-11, "{scale}: {} and {}", a.q[4], b.q[4]);
+            assert!((a.condition / b.condition - 1.0).abs() < 1e-6, "{scale}: {} and {}", a.condition, b.condition);
+        }
+    }
+}
