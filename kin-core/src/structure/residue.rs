@@ -127,3 +127,32 @@ impl<'a> Residues<'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanism::Mechanism;
+    use crate::{assemble, differentiate};
+
+    /// Negative powers, tangents and signs are what they are called.
+    #[test]
+    fn residues_obey_the_rules_of_numbers() {
+        let mut system = differentiate(assemble(&Mechanism::default()).unwrap()).unwrap();
+        let draw = Draw(7);
+        let (turns, places) = (Turns::new(&system, draw), Places::new(&system, &Turns::new(&system, draw), draw));
+        let graph = &mut system.set.graph;
+        let [a, b] = [0, 1].map(|k| graph.symbol(Symbol::Parameter(k)));
+        let (cube, inverse) = (graph.powi(a, 3), graph.powi(a, -3));
+        let (tan, sin, cos) = (graph.call(Function::Tan, a), graph.sin(a), graph.cos(a));
+        let quotient = graph.div(a, b);
+        let back = graph.neg(quotient);
+        assert!(matches!(graph.node(inverse), Node::Powi(_, -3)) && matches!(graph.node(back), Node::Neg(_)));
+        let mut residues = Residues::new(&system.set, &turns, &places, draw);
+        let mut of = |id| residues.of(id);
+        assert_eq!(of(cube) * of(inverse), Residue::ONE);
+        assert_eq!(of(tan) * of(cos), of(sin));
+        assert_eq!(of(quotient) * of(b), of(a));
+        let (a, back_along) = (of(a), residues.direction([back, quotient]));
+        assert_eq!(back_along, [-a, a]);
+    }
+}
