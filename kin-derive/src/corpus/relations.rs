@@ -236,4 +236,13 @@ pub(super) const CASES: &[Case] = &[
         counts: [6, 6, 6, 0],
         fault: "",
     },
+    Case {
+        name: "lines that are parallel where the driver stands, and not in general",
+        parameters: "",
+        attributes: "body(beam, x = 0, y = 0); body(pin, phi = 0)
+            point_on_line(fixed: ground @ (0, 0), pin @ (0, 0), axis = (1, 0))
+            point_on_line(turning: beam @ (0, 0), pin @ (0, 0), axis = (1, 0)); driver(drive: beam.phi = 0)",
+        counts: [3, 3, 3, 1],
+        fault: "",
+    },
 ];
