@@ -85,4 +85,17 @@ struct Parts {
     slope: f64,
 }
 
+/// A place that carries an origin.
+#[mechanism(check_units)]
+#[bodies(horse)]
+#[body(rider, origin = horse @ (0, turn))]
+#[revolute(A: ground @ (0, 0), horse @ (r, 0))]
+#[angle(B: rider = 0.1)]
+struct Carried {
+    #[param(1, unit = "m")]
+    r: f64,
+    #[param(1, unit = "rad")]
+    turn: f64,
+}
+
 fn main() {}

@@ -78,10 +78,26 @@ struct Skate {
     r: f64,
 }
 
+/// Feet and inches, and what they are in metres.
+#[mechanism(check_units)]
+#[coordinates(u[3])]
+#[constraint(inches: u[0] = wide - 12 * high)]
+#[constraint(feet: u[1] = high - wide / 12)]
+#[constraint(metres: u[2] = long - 0.3048 * high)]
+struct Feet {
+    #[param(30, unit = "in")]
+    wide: f64,
+    #[param(2, unit = "ft")]
+    high: f64,
+    #[param(1, unit = "m")]
+    long: f64,
+}
+
 #[test]
 fn units_that_agree_are_no_errors() {
     works(&FourBar::default());
     works(&Machine::default());
+    works(&Feet::default());
     let signal = [Signal { value: 1.0, rate: 0.0, acceleration: 0.0 }];
     let state = Skate::default().state_at(&kin_runtime::Instant { t: 0.0, inputs: &signal }).unwrap();
     assert!((state.q[3] - 1.0).abs() < 1e-12);
