@@ -62,9 +62,36 @@ pub trait Scalar:
     fn lift(self, f: impl Fn(f64) -> [f64; 3]) -> [Self; 3];
 }
 
+/// Sine and cosine of one angle: in lanes where they are asked for.
+#[inline(always)]
+fn sin_cos(angle: f64) -> (f64, f64) {
+    #[cfg(feature = "simd")]
+    return crate::trig::sin_cos_one(angle);
+    #[cfg(not(feature = "simd"))]
+    return sin_cos_of_std(angle);
+}
+
+/// Sine and cosine by `std`, or `libm` where there is none.
+#[inline(always)]
+pub(crate) fn sin_cos_of_std(angle: f64) -> (f64, f64) {
+    #[cfg(feature = "std")]
+    return f64::sin_cos(angle);
+    #[cfg(not(feature = "std"))]
+    return libm::sincos(angle);
+}
+
+/// The same in `f32`.
+#[inline(always)]
+fn sin_cos_single(angle: f32) -> (f32, f32) {
+    #[cfg(feature = "std")]
+    return f32::sin_cos(angle);
+    #[cfg(not(feature = "std"))]
+    return libm::sincosf(angle);
+}
+
 /// `std`'s functions where there is a std, `libm`'s where there is none.
 macro_rules! float {
-    ($t:ty, $($std:ident $libm:ident),*; $atan2:ident $fabs:ident $pow:ident $sincos:ident; $($more:item)*) => {
+    ($t:ty, $($std:ident $libm:ident),*; $atan2:ident $fabs:ident $pow:ident $sin_cos:path; $($more:item)*) => {
         impl Scalar for $t {
             $($more)*
             #[inline(always)]
@@ -73,10 +100,7 @@ macro_rules! float {
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
-                #[cfg(feature = "std")]
-                return <$t>::sin_cos(self);
-                #[cfg(not(feature = "std"))]
-                return libm::$sincos(self);
+                $sin_cos(self)
             }
             $(
                 #[inline(always)]
@@ -137,11 +161,11 @@ macro_rules! float {
 }
 
 float!(
-    f64, tan tan, asin asin, acos acos, atan atan, sqrt sqrt, exp exp, ln log; atan2 fabs pow sincos;
+    f64, tan tan, asin asin, acos acos, atan atan, sqrt sqrt, exp exp, ln log; atan2 fabs pow sin_cos;
     #[cfg(feature = "simd")]
     #[inline(always)]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
         crate::trig::sin_cos_all(angles)
     }
 );
-float!(f32, tan tanf, asin asinf, acos acosf, atan atanf, sqrt sqrtf, exp expf, ln logf; atan2f fabsf powf sincosf;);
+float!(f32, tan tanf, asin asinf, acos acosf, atan atanf, sqrt sqrtf, exp expf, ln logf; atan2f fabsf powf sin_cos_single;);

@@ -1,0 +1,95 @@
+//! Sine and cosine of every lane of a vector, without branches.
+//!
+//! Three steps, in this order (Cody and Waite; Muller, *Elementary Functions*, chapter 11):
+//!
+//! ```text
+//! n = round(2|x|/π)                    the quadrant
+//! r + ε = |x| − n π/2                  π/2 in three parts
+//! sin r = r + r³ S(r²)    cos r = 1 + r² (−1/2 + r² C(r²))      minimax polynomials on |r| ≤ π/4
+//! ```
+//!
+//! ε, what r itself cannot hold, is added to both, so that they are within 1 ulp of the standard library's, also beside
+//! the zeros of either function, for |x| up to [`RANGE`].
+//! The coefficients were found by the Remez exchange: relative error of sin r 6e-18, of cos r 2e-19.
+
+use super::vector::Vector;
+
+/// The largest |x|: n has at most 20 bits there, and a product of n with 33 bits is exact.
+pub(super) const RANGE: f64 = 1_647_099.0;
+
+/// Adding 1.5·2⁵² rounds to an integer and leaves it in the lowest bits.
+const ROUND: f64 = 6_755_399_441_055_744.0;
+
+/// π/2 in three parts for fused operations, of 53, 33 and 53 bits: n times the first, taken from |x|, is exact as a
+/// whole, and so is n times the second.
+const WHOLE: [f64; 3] = [core::f64::consts::FRAC_PI_2, 6.123_233_995_384_61e-17, 3.521_559_865_183_2e-27];
+
+/// π/2 in three parts, the first two of 33 bits, so that n times them is exact.
+const SPLIT: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
+
+/// S, lowest power first.
+const SIN: [f64; 6] = [
+    -1.666_666_666_666_664e-1,
+    8.333_333_333_323_662e-3,
+    -1.984_126_983_014_439_3e-4,
+    2.755_731_365_185_318e-6,
+    -2.505_073_457_106_949e-8,
+    1.589_471_058_163_446_3e-10,
+];
+
+/// C, lowest power first.
+const COS: [f64; 6] = [
+    4.166_666_666_666_665e-2,
+    -1.388_888_888_888_284e-3,
+    2.480_158_729_462_800_4e-5,
+    -2.755_731_573_861_327_7e-7,
+    2.087_589_773_868_284_3e-9,
+    -1.136_798_188_046_904_6e-11,
+];
+
+/// Sine and cosine of the lanes, |x| ≤ [`RANGE`]; what is not a number gives what is not a number.
+#[inline(always)]
+pub(super) fn sin_cos<V: Vector>(x: V) -> (V, V) {
+    let k = V::splat;
+    // Sine is odd also where it is 0: of the magnitude, with the sign put back.
+    let sign = x & k(-0.0);
+    let x = x ^ sign;
+    let quadrant = x.mul_add(k(core::f64::consts::FRAC_2_PI), k(ROUND));
+    let (r, epsilon) = reduced(x, quadrant - k(ROUND));
+
+    let z = r * r;
+    let sin = r + (r * z).mul_add(polynomial(z, SIN), epsilon);
+    let cos = k(1.0) + polynomial(z, COS).mul_add(z, k(-0.5)).mul_add(z, k(0.0) - r * epsilon);
+
+    // Odd quadrants exchange the two; signs follow the quadrant.
+    let (up, across) = V::exchange_if_odd(quadrant, sin, cos);
+    let (half_turn, quarter_turn) = (quadrant.second_bit(), quadrant.second_bit_of_next());
+    (up ^ half_turn ^ sign, across ^ quarter_turn)
+}
+
+/// Σ cₖ zᵏ, in pairs: half as many operations wait for one another as in Horner's way.
+#[inline(always)]
+fn polynomial<V: Vector>(z: V, c: [f64; 6]) -> V {
+    let pair = |k: usize| V::splat(c[k + 1]).mul_add(z, V::splat(c[k]));
+    let z2 = z * z;
+    pair(4).mul_add(z2, pair(2)).mul_add(z2, pair(0))
+}
+
+/// x − n π/2, and what rounding it has lost.
+#[inline(always)]
+fn reduced<V: Vector>(x: V, n: V) -> (V, V) {
+    let k = V::splat;
+    if V::FUSED {
+        let [first, second, third] = WHOLE.map(k);
+        let exact = n.mul_neg_add(first, x);
+        let r = n.mul_neg_add(second, exact);
+        return (r, n.mul_neg_add(third, n.mul_neg_add(second, exact - r)));
+    }
+    let [first, second, third] = SPLIT.map(k);
+    let exact = x - n * first;
+    let second = n * second;
+    let r = exact - second;
+    let rest = ((exact - r) - second) - n * third;
+    let sum = r + rest;
+    (sum, (r - sum) + rest)
+}

@@ -1,0 +1,74 @@
+//! What sines and cosines need of a vector.
+
+use core::ops::{Add, BitAnd, BitXor, Mul, Sub};
+use wide::{bytemuck::cast, f64x2, f64x4, i64x2, i64x4};
+
+/// Several `f64` with their bits. [`ROUND`](super::cody_waite) leaves an integer n in the lowest bits of a number; what is
+/// called `quadrant` here is such a number.
+pub(super) trait Vector:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + BitAnd<Output = Self> + BitXor<Output = Self>
+{
+    /// True where multiplication and addition round once.
+    const FUSED: bool;
+
+    /// `value` in every lane.
+    fn splat(value: f64) -> Self;
+    /// `self`·a + b.
+    fn mul_add(self, a: Self, b: Self) -> Self;
+    /// b − `self`·a.
+    fn mul_neg_add(self, a: Self, b: Self) -> Self;
+    /// (a, b), or (b, a) where n is odd.
+    fn exchange_if_odd(quadrant: Self, a: Self, b: Self) -> (Self, Self);
+    /// A minus sign where the second bit of n is set.
+    fn second_bit(self) -> Self;
+    /// A minus sign where the second bit of n + 1 is set.
+    fn second_bit_of_next(self) -> Self;
+}
+
+macro_rules! vector {
+    ($($float:ident $int:ident),*) => { $(
+        impl Vector for $float {
+            const FUSED: bool = cfg!(any(target_feature = "fma", all(target_arch = "aarch64", target_feature = "neon")));
+
+            #[inline(always)]
+            fn splat(value: f64) -> Self {
+                $float::splat(value)
+            }
+
+            #[inline(always)]
+            fn mul_add(self, a: Self, b: Self) -> Self {
+                $float::mul_add(self, a, b)
+            }
+
+            #[inline(always)]
+            fn mul_neg_add(self, a: Self, b: Self) -> Self {
+                $float::mul_neg_add(self, a, b)
+            }
+
+            #[inline(always)]
+            fn exchange_if_odd(quadrant: Self, a: Self, b: Self) -> (Self, Self) {
+                let n: $int = cast(quadrant);
+                let odd: $float = cast($int::splat(0) - (n & $int::splat(1)));
+                if cfg!(target_feature = "sse4.1") {
+                    return (odd.select(b, a), odd.select(a, b));
+                }
+                let exchange = (a ^ b) & odd;
+                (a ^ exchange, b ^ exchange)
+            }
+
+            #[inline(always)]
+            fn second_bit(self) -> Self {
+                let n: $int = cast(self);
+                cast((n << 62) & $int::splat(i64::MIN))
+            }
+
+            #[inline(always)]
+            fn second_bit_of_next(self) -> Self {
+                let n: $int = cast(self);
+                cast(((n << 62) + $int::splat(1 << 62)) & $int::splat(i64::MIN))
+            }
+        }
+    )* };
+}
+
+vector!(f64x2 i64x2, f64x4 i64x4);
