@@ -114,6 +114,29 @@ fn defines_of_defines() {
 }
 
 #[test]
+fn defines_in_reverse_order() {
+    // Each uses the next one, and a held coordinate uses the first; the last is an angle.
+    let used = |k: usize| Formula::Define(member(k, index(0, 0)));
+    let define = |(k, formula): (usize, Formula)| Define { name: format!("s{k}"), range: None, formula, origin: AT };
+    let formulas = (1..3000).map(|k| add(used(k), number(1.0))).chain([phi(body(0))]);
+    let mechanism = Mechanism {
+        bodies: vec![free("b", None), kin_core::mechanism::Body { phi: Some(used(0)), ..free("c", None) }],
+        defines: formulas.enumerate().map(define).collect(),
+        joints: vec![joint("A", revolute(origin_of(body(0)), origin_of(body(1))))],
+        ..Mechanism::default()
+    };
+    // With as little room as a worker thread of a compiler may have left.
+    let work = move || {
+        assert_eq!(kin_core::mechanism::check::check(&mechanism), []);
+        assert_eq!(kin_core::units::check(&mechanism), []);
+        let set = assemble(&mechanism).expect("no circle");
+        assert_eq!(evaluate(&set.graph, &[set.bodies[1].pose[2]], &|_| 0.5), [2999.5]);
+    };
+    let small = std::thread::Builder::new().stack_size(1 << 19).spawn(work).expect("a thread");
+    small.join().expect("no overflow, no failure");
+}
+
+#[test]
 fn a_define_of_itself_is_an_error() {
     let used = |k: usize| Formula::Define(member(k, index(0, 0)));
     let define = |name: &str, formula| Define { name: name.into(), range: None, formula, origin: AT };

@@ -24,7 +24,7 @@ fn four_bar() -> Mechanism {
     let zero = || Formula::ZERO;
     let left = |k: usize| on(body(k), neg(half(parameter(k))), zero());
     let right = |k: usize| on(body(k), half(parameter(k)), zero());
-    let drive = JointKind::Driver { left: phi(body(0)), right: turning(5, 6) };
+    let drive = driver(phi(body(0)), turning(5, 6));
     Mechanism {
         name: "FourBar".into(),
         parameters: parameters(&["l1", "l2", "l3", "d1", "d2", "phi0", "omega"].map(|name| (name, None))),
@@ -67,7 +67,7 @@ fn quick_return() -> Mechanism {
             joint("B", revolute(on(body(2), half(l), along), on(body(3), neg(b), Formula::ZERO))),
             joint("R", revolute(origin_of(body(3)), ram())),
             joint("guide", sliding(on(GROUND, Formula::ZERO, h), ram(), 0.0)),
-            joint("drive", JointKind::Driver { left: phi(body(0)), right: angle }),
+            joint("drive", driver(phi(body(0)), angle)),
         ],
         ..Mechanism::default()
     }

@@ -13,7 +13,11 @@ fn follower() -> ConstraintSet {
     let follow = Joint {
         name: "follow".into(),
         range: None,
-        kind: JointKind::Driver { left: Formula::Scalar(member), right: Formula::Input(member) },
+        kind: JointKind::Driver {
+            left: Formula::Scalar(member),
+            right: Formula::Input(member),
+            right_origin: Origin(2),
+        },
         keyword: KEYWORD,
         origin: Origin(3),
     };

@@ -31,7 +31,8 @@ fn pendulum_on_a_slider() -> Mechanism {
         angle: Formula::ZERO,
     };
     let pin = JointKind::Revolute { p: at(body(0), Formula::ZERO), q: at(body(1), length.clone()) };
-    let swing = JointKind::Driver { left: Formula::Pose(body(1), Component::Phi), right: Formula::Time };
+    let swing =
+        JointKind::Driver { left: Formula::Pose(body(1), Component::Phi), right: Formula::Time, right_origin: AT };
     Mechanism {
         name: "Pendulum".into(),
         parameters: vec![Parameter {

@@ -68,7 +68,7 @@ fn chain_written_out(loops: usize) -> Mechanism {
             joint(
                 &name("turn"),
                 match k {
-                    0 => JointKind::Driver { left: phi(body(0)), right: mul(parameter(5), Formula::Time) },
+                    0 => driver(phi(body(0)), mul(parameter(5), Formula::Time)),
                     _ => JointKind::RelativeAngle { a: body(3 * k - 1), b: body(3 * k), value: number(0.1) },
                 },
             ),

@@ -75,6 +75,14 @@ struct Allowed;
 #[rolling(R: ground @ (0, 0), wheel @ (0, 0), axis = (1, 0), radius = 0.3)]
 struct Rests;
 
+/// Of some sliders one row is said twice, of another all is.
+#[mechanism]
+#[bodies(slider[3])]
+#[angle(level[i in 0..3]: slider[i] = 0)]
+#[y(floor: slider[2] @ (0, 0) = 0)]
+#[translational(rail[i in 0..3]: ground @ (0, 0), slider[i] @ (0, 0), axis = (1, 0))]
+struct Row;
+
 fn main() {
     let _ = (Twice, Wedges, Guides::default(), Hidden, Overdriven, Family, Allowed);
 }

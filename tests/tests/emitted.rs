@@ -103,7 +103,11 @@ fn mixed() -> Model {
         ),
         (
             "turn",
-            JointKind::Driver { left: pose(0, Component::Phi), right: add(h(), mul(Formula::Time, Formula::Time)) },
+            JointKind::Driver {
+                left: pose(0, Component::Phi),
+                right: add(h(), mul(Formula::Time, Formula::Time)),
+                right_origin: AT,
+            },
         ),
     ];
     let parameters = ["l", "h"].map(|name| Parameter {

@@ -226,7 +226,7 @@ impl Assembly<'_> {
             JointKind::KnifeEdge { p, angle } => knife_edge::rows(self, p, angle),
             JointKind::Speed { p, angle, value } => speed::rows(self, p, angle, value),
             JointKind::Nonholonomic { left, right } => nonholonomic::rows(self, left, right),
-            JointKind::Driver { left, right } => driver::rows(self, left, right, joint.origin),
+            JointKind::Driver { left, right, right_origin } => driver::rows(self, left, right, *right_origin),
         }
     }
 

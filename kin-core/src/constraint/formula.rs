@@ -2,9 +2,8 @@
 
 use super::assembly::Assembly;
 use super::distance;
-use crate::error::Origin;
 use crate::expr::{ExprId, Symbol, total_derivatives};
-use crate::mechanism::{Component, Formula, Member, Range};
+use crate::mechanism::{Component, Formula, Member};
 
 impl Assembly<'_> {
     /// The place in q of a scalar coordinate at the current index, if there is one.
@@ -139,32 +138,6 @@ impl Assembly<'_> {
                 _ => value,
             };
         }
-        value
-    }
-
-    /// A define, built once however often it is used.
-    fn define(&mut self, member: &Member) -> ExprId {
-        let Some(define) = self.mechanism.defines.get(member.family) else { return self.graph.zero() };
-        let range = define.range.map_or(0..1, Range::indices);
-        let Some(index) = member.index.at(self.index).filter(|i| range.contains(&(*i as i64))) else {
-            return self.error(member.origin, format!("the index is out of range: `{}` has {range:?}", define.name));
-        };
-        self.define_at(member.family, index as i64, member.origin)
-    }
-
-    /// The define of a family at an index.
-    pub(super) fn define_at(&mut self, family: usize, index: i64, origin: Origin) -> ExprId {
-        let define = &self.mechanism.defines[family];
-        match self.defines.get(&(family, index)) {
-            Some(Some(value)) => return *value,
-            Some(None) => return self.error(origin, format!("`{}` is defined by itself", define.name)),
-            None => {}
-        }
-        self.defines.insert((family, index), None);
-        let outer = std::mem::replace(&mut self.index, index);
-        let value = self.formula(&define.formula);
-        self.index = outer;
-        self.defines.insert((family, index), Some(value));
         value
     }
 }

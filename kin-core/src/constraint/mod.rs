@@ -9,6 +9,7 @@ mod belt;
 mod condition;
 mod coordinate;
 mod curve;
+mod define;
 mod distance;
 mod driver;
 mod fixed;

@@ -39,7 +39,7 @@ mod participation;
 mod scope;
 mod velocity;
 
-use super::{Body, BodyOrigin, Formula, Mechanism};
+use super::{Body, BodyOrigin, Formula, Mechanism, Member};
 use crate::error::ModelError;
 use scope::scopes;
 use std::collections::BTreeSet;
@@ -128,6 +128,21 @@ fn sorted(mut errors: Vec<ModelError>) -> Vec<ModelError> {
     errors
 }
 
+/// The families of defines, each after those that it uses as far as there is no circle.
+pub(crate) fn order_of_defines(mechanism: &Mechanism) -> cycle::Order {
+    let uses = |formula| defines_in(formula).map(|member| member.family).collect();
+    let edges: Vec<Vec<usize>> = mechanism.defines.iter().map(|define| uses(&define.formula)).collect();
+    cycle::order(&edges)
+}
+
+/// The defines that a formula uses itself.
+pub(crate) fn defines_in(formula: &Formula) -> impl Iterator<Item = &Member> {
+    scope::nodes(formula).into_iter().filter_map(|node| match node {
+        Formula::Define(member) => Some(member),
+        _ => None,
+    })
+}
+
 /// A family has at least one member and at most [`MAX_MEMBERS`].
 fn families_have_members(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     let bodies = mechanism.bodies.iter().map(|b| (&b.name, b.len, b.origin));
@@ -212,15 +227,7 @@ fn carriers(body: &Body) -> Vec<usize> {
 
 /// Defines lead to formulas without defines.
 fn defines_end_somewhere(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
-    let uses = |formula| {
-        let leaf = |node: &Formula| match node {
-            Formula::Define(member) => Some(member.family),
-            _ => None,
-        };
-        scope::nodes(formula).into_iter().filter_map(leaf).collect::<Vec<usize>>()
-    };
-    let edges: Vec<Vec<usize>> = mechanism.defines.iter().map(|define| uses(&define.formula)).collect();
-    for circle in cycle::order(&edges).cycles {
+    for circle in order_of_defines(mechanism).cycles {
         let names: Vec<&str> = circle.iter().map(|&k| mechanism.defines[k].name.as_str()).collect();
         let origin = circle.first().map_or(mechanism.origin, |&k| mechanism.defines[k].origin);
         let message = format!("{}; a define is made of what does not need it", chain(&names, "uses", "uses itself"));

@@ -134,7 +134,7 @@ impl Mechanism {
             }
             JointKind::Constraint { left, right }
             | JointKind::Nonholonomic { left, right }
-            | JointKind::Driver { left, right } => {
+            | JointKind::Driver { left, right, .. } => {
                 format!("{} = {}", t(left), t(right))
             }
         };

@@ -234,6 +234,8 @@ pub enum JointKind {
         left: Formula,
         /// Right side.
         right: Formula,
+        /// The tokens of the right side.
+        right_origin: Origin,
     },
 }
 

@@ -106,25 +106,52 @@ fn rows(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy]) -> String
     format!("{} {} of ", if names.len() == 1 { "row" } else { "rows" }, names.join(" and "))
 }
 
-/// What would be right, by the kind of the joint and by which of its rows are redundant.
+/// What would be right, by the kind of each joint and by which of its rows are redundant.
 fn advice(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy], driving: bool) -> String {
     let it = if own.len() > 1 { "them" } else { "it" };
     if driving {
         return format!("remove {it}");
     }
-    let joint = &set.joints[own[0]];
-    let of_first = |r: &&&Redundancy| set.rows[r.row].joint == own[0];
-    let mut numbers: Vec<usize> = redundant.iter().filter(of_first).map(|r| r.row - joint.first_row).collect();
+    // Members of a family may differ in what of them is redundant.
+    let mut kinds: Vec<(Option<&str>, Vec<usize>)> = Vec::new();
+    for &joint in own {
+        let instead = instead_of(set, joint, redundant);
+        match kinds.iter_mut().find(|(known, _)| *known == instead) {
+            Some((_, joints)) => joints.push(joint),
+            None => kinds.push((instead, vec![joint])),
+        }
+    }
+    if let [(None, _)] = kinds[..] {
+        return format!("remove {it}");
+    }
+    // What is shorter stands first.
+    kinds.sort_by_key(|(instead, _)| instead.is_some());
+    let parts = kinds.iter().map(|(instead, joints)| {
+        let names = list(joints.iter().map(|joint| set.joints[*joint].name.as_str()));
+        match instead {
+            Some(instead) => format!("replace {names} by {instead}"),
+            None => format!("remove {names}"),
+        }
+    });
+    parts.collect::<Vec<_>>().join(", and ")
+}
+
+/// What holds only as much as the rows of a joint do that are not redundant, if that has a name.
+fn instead_of(set: &ConstraintSet, place: usize, redundant: &[&Redundancy]) -> Option<&'static str> {
+    let joint = &set.joints[place];
+    let own = redundant.iter().filter(|r| set.rows[r.row].joint == place);
+    let mut numbers: Vec<usize> = own.map(|r| r.row - joint.first_row).collect();
     numbers.sort_unstable();
-    let instead = match (joint.tag, &numbers[..]) {
-        (JointTag::Translational, [1]) => "`point_on_line`, which leaves the angle to the other joints",
-        (JointTag::Translational, [0]) => "`relative_angle`, which leaves the place to the other joints",
-        (JointTag::Fixed, [2]) => "`revolute`, which leaves the angle to the other joints",
-        (JointTag::Fixed, [0, 1]) => "`relative_angle`, which leaves the place to the other joints",
-        (JointTag::Revolute | JointTag::Fixed, [_]) => "`point_on_line`, which holds the point in one direction only",
-        _ => return format!("remove {it}"),
-    };
-    format!("replace `{}` by {instead}", joint.name)
+    match (joint.tag, &numbers[..]) {
+        (JointTag::Translational, [1]) => Some("`point_on_line`, which leaves the angle to the other joints"),
+        (JointTag::Translational, [0]) => Some("`relative_angle`, which leaves the place to the other joints"),
+        (JointTag::Fixed, [2]) => Some("`revolute`, which leaves the angle to the other joints"),
+        (JointTag::Fixed, [0, 1]) => Some("`relative_angle`, which leaves the place to the other joints"),
+        (JointTag::Revolute | JointTag::Fixed, [_]) => {
+            Some("`point_on_line`, which holds the point in one direction only")
+        }
+        _ => None,
+    }
 }
 
 /// Number of driving rows.

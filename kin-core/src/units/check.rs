@@ -2,6 +2,7 @@
 
 use super::{Unit, near, parse};
 use crate::error::{ModelError, Origin};
+use crate::mechanism::check::order_of_defines;
 use crate::mechanism::{
     Axis, BodyOrigin, Component, Curve, Formula, Function, GuessTarget, Joint, JointKind, Mechanism, Place,
 };
@@ -66,6 +67,10 @@ struct Checker<'m> {
 impl Checker<'_> {
     fn mechanism(&mut self) {
         let m = self.mechanism;
+        // What others use comes first: a long chain of defines must not become deep recursion.
+        for k in order_of_defines(m).order {
+            self.define(k);
+        }
         for body in &m.bodies {
             match &body.origin_at {
                 BodyOrigin::Carried(place) => self.place(place),
@@ -80,9 +85,6 @@ impl Checker<'_> {
             }
         }
         m.points.iter().for_each(|point| self.place(&point.place));
-        for k in 0..m.defines.len() {
-            self.define(k);
-        }
         m.joints.iter().for_each(|joint| self.joint(joint));
         for condition in &m.conditions {
             self.at = condition.origin;
@@ -175,7 +177,9 @@ impl Checker<'_> {
                 self.expect(direction, angle, at);
                 self.expect(value, length.times(self.time.power(-1.0)), at);
             }
-            Kind::Constraint { left, right } | Kind::Nonholonomic { left, right } | Kind::Driver { left, right } => {
+            Kind::Constraint { left, right }
+            | Kind::Nonholonomic { left, right }
+            | Kind::Driver { left, right, .. } => {
                 self.at = at;
                 self.same(left, right);
             }

@@ -304,11 +304,11 @@ impl<'m, S: Number> Direct<'m, S> {
                 let rolled = ri * (self.pose(&p.body, i).1 - psi) + rj * (self.pose(&q.body, i).1 - psi);
                 vec![(".x", gap.x), (".y", gap.y), (".roll", rolled - self.formula(offset, i))]
             }
-            JointKind::Driver { left: Formula::Distance(p, q), right } => vec![("", self.distance(p, q, right, i))],
+            JointKind::Driver { left: Formula::Distance(p, q), right, .. } => vec![("", self.distance(p, q, right, i))],
             JointKind::KnifeEdge { .. } | JointKind::Speed { .. } | JointKind::Nonholonomic { .. } => {
                 panic!("rows of velocity level have tests of their own")
             }
-            JointKind::Constraint { left, right } | JointKind::Driver { left, right } => {
+            JointKind::Constraint { left, right } | JointKind::Driver { left, right, .. } => {
                 vec![("", self.formula(left, i) - self.formula(right, i))]
             }
         }

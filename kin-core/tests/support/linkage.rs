@@ -108,6 +108,10 @@ pub fn revolute(p: Place, q: Place) -> JointKind {
     JointKind::Revolute { p, q }
 }
 
+pub fn driver(left: Formula, right: Formula) -> JointKind {
+    JointKind::Driver { left, right, right_origin: AT }
+}
+
 /// Φ, Φ_q, Φ_t and γ in one program.
 pub fn combined(system: &KinematicSystem) -> Program {
     let mut outputs = Vec::new();
@@ -153,7 +157,7 @@ pub fn chain(loops: usize) -> Mechanism {
             over("B", 0, end, revolute(one(1, false), one(2, true))),
             over("D", 0, end, revolute(one(2, false), corner)),
             over("turn", 1, end, gear),
-            joint("drive", JointKind::Driver { left: phi(body_of(0, 0, 0)), right: turning }),
+            joint("drive", driver(phi(body_of(0, 0, 0)), turning)),
         ],
         ..Mechanism::default()
     }

@@ -332,11 +332,9 @@ impl Builder {
             9 => {
                 let right = value();
                 match self.random.below(3) {
-                    0 => {
-                        JointKind::Driver { left: Formula::Distance(Box::new(p), Box::new(q)), right: positive(right) }
-                    }
-                    1 => JointKind::Driver { left: Formula::Pose(p.body, Component::Phi), right },
-                    _ => JointKind::Driver { left: self.formula(Holds::Everything, 2), right },
+                    0 => driver(Formula::Distance(Box::new(p), Box::new(q)), positive(right)),
+                    1 => driver(Formula::Pose(p.body, Component::Phi), right),
+                    _ => driver(self.formula(Holds::Everything, 2), right),
                 }
             }
             10 => {

@@ -138,8 +138,9 @@ impl Lowerer<'_> {
                 JointKind::Nonholonomic { left: left?, right: right? }
             }
             RowKind::Driver { left, right } => {
+                let right_origin = self.origin(right.span);
                 let (left, right) = (self.anything(left, range), self.anything(right, range));
-                JointKind::Driver { left: left?, right: right? }
+                JointKind::Driver { left: left?, right: right?, right_origin }
             }
         })
     }

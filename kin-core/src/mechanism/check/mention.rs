@@ -216,7 +216,7 @@ impl<'a> Mentions<'a> {
             }
             JointKind::Constraint { left, right }
             | JointKind::Nonholonomic { left, right }
-            | JointKind::Driver { left, right } => {
+            | JointKind::Driver { left, right, .. } => {
                 self.formula(left, i);
                 self.formula(right, i);
             }

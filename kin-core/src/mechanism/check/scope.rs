@@ -100,7 +100,7 @@ impl<'a> Scope<'a> {
             JointKind::Speed { p, angle, value } => scope.place(p).formula(angle).formula(value),
             JointKind::Constraint { left, right }
             | JointKind::Nonholonomic { left, right }
-            | JointKind::Driver { left, right } => scope.formula(left).formula(right),
+            | JointKind::Driver { left, right, .. } => scope.formula(left).formula(right),
             JointKind::Gear { a, b, radii, carrier, offset } | JointKind::Belt { a, b, radii, carrier, offset } => {
                 scope.body(*a).body(*b).radii(radii).body(*carrier).formula(offset)
             }

@@ -30,7 +30,7 @@ fn a_chain_of_links() {
 #[test]
 fn points_of_a_family_are_seen_from_where_they_are_used() {
     let m = good(CHAIN).mechanism;
-    let JointKind::Driver { left: Formula::PointCoordinate(place, _), right } = &m.joints[2].kind else { panic!() };
+    let JointKind::Driver { left: Formula::PointCoordinate(place, _), right, .. } = &m.joints[2].kind else { panic!() };
     assert!(matches!(place.body, BodyRef::Body { index: Index { scale: 2, offset: 1 }, .. }));
     assert!(matches!(right, Formula::Define(member) if member.index == Index { scale: 2, offset: 1 }));
     let m = good(
