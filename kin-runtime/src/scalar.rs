@@ -29,6 +29,11 @@ pub trait Scalar:
     fn atan(self) -> Self;
     /// Angle of the vector (x, y) = (`x`, `self`), in (−π, π].
     fn atan2(self, x: Self) -> Self;
+    /// The angles of several vectors (y, x) at once; a type that can do better than one by one overrides it.
+    #[inline(always)]
+    fn atan2_all<const N: usize>(vectors: [(Self, Self); N]) -> [Self; N] {
+        vectors.map(|(y, x)| y.atan2(x))
+    }
     /// The angle `self` + 2πn that is nearest to `reference`.
     #[inline(always)]
     fn nearest(self, reference: Self) -> Self {
@@ -166,6 +171,11 @@ float!(
     #[inline(always)]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
         crate::trig::sin_cos_all(angles)
+    }
+    #[cfg(feature = "simd")]
+    #[inline(always)]
+    fn atan2_all<const N: usize>(vectors: [(Self, Self); N]) -> [Self; N] {
+        crate::lanes::atan2_all(vectors)
     }
 );
 float!(f32, tan tanf, asin asinf, acos acosf, atan atanf, sqrt sqrtf, exp expf, ln logf; atan2f fabsf powf sin_cos_single;);

@@ -59,6 +59,7 @@ pub fn evaluate(graph: &Graph, roots: &[ExprId], environment: &impl Environment)
             Node::Call(f, a) => function(f, v(a)),
             Node::Sign(a) => v(a).signum(),
             Node::Atan2(y, x) => v(y).atan2(v(x)),
+            Node::Whole(a) => v(a),
             Node::Nearest(a, b) => nearest(v(a), v(b)),
             Node::RotX(r) => v(r.angle).cos() * v(r.x) - v(r.angle).sin() * v(r.y),
             Node::RotY(r) => v(r.angle).sin() * v(r.x) + v(r.angle).cos() * v(r.y),

@@ -119,7 +119,7 @@ fn derive(graph: &mut Graph, jets: &[Rc<Jet>], id: ExprId) -> Jet {
             _ => of_atan2(graph, [x, y], &jet(x), &jet(y)),
         },
         // Whole turns do not change while the mechanism moves.
-        Node::Nearest(a, _) => linear(graph, &[(None, &jet(a))]),
+        Node::Nearest(a, _) | Node::Whole(a) => linear(graph, &[(None, &jet(a))]),
         Node::RotX(r) | Node::RotY(r) => {
             let along = graph.rotate(r.angle, [r.x, r.y]);
             rotated(

@@ -143,6 +143,8 @@ pub enum Node {
     Atan2(ExprId, ExprId),
     /// The angle a + 2πn that is nearest to b.
     Nearest(ExprId, ExprId),
+    /// a, as one thing: no product or sum that holds it is rearranged with what a is made of.
+    Whole(ExprId),
     /// cos φ·s_x − sin φ·s_y.
     RotX(Rotation),
     /// sin φ·s_x + cos φ·s_y.
@@ -187,6 +189,7 @@ impl Node {
             | Self::Powf(a, _)
             | Self::Call(_, a)
             | Self::Sign(a)
+            | Self::Whole(a)
             | Self::Supplied(_, _, a) => f(a),
             Self::Add(a, b)
             | Self::Sub(a, b)

@@ -332,6 +332,18 @@ impl Graph {
         self.intern(Node::Atan2(y, x))
     }
 
+    /// a, as one thing. Numbers, symbols and their opposites are so anyway.
+    pub fn whole(&mut self, a: ExprId) -> ExprId {
+        let (negative, inner) = self.unsigned(a);
+        match self.node(inner) {
+            Node::Number(_) | Node::Symbol(_) | Node::Whole(_) => a,
+            _ => {
+                let whole = self.intern(Node::Whole(inner));
+                self.signed(negative, whole)
+            }
+        }
+    }
+
     /// The angle a + 2πn that is nearest to b.
     pub fn nearest(&mut self, a: ExprId, b: ExprId) -> ExprId {
         self.intern(Node::Nearest(a, b))

@@ -130,7 +130,7 @@ impl<'a> Build<'a> {
             *start = self.stages.len();
             let slot = |k| if order == 0 { Slot::Velocity(k) } else { Slot::Acceleration(k) };
             self.stages.push(Stage::Closed(solution.iter().enumerate().map(|(k, e)| (slot(k), *e)).collect()));
-            self.known.rates = (0..).zip(solution).collect();
+            self.known.rates = (0..).zip(solution.into_iter().map(|e| self.graph.whole(e))).collect();
         }
         starts
     }
@@ -165,6 +165,7 @@ impl<'a> Build<'a> {
 
     /// Knows a coordinate by its value, and by its cosine and sine where they were found first.
     fn know(&mut self, k: u32, value: ExprId, turned: Option<Turned>) {
+        let value = self.graph.whole(value);
         self.known.values.insert(k, value);
         self.known.turns.insert(k, turned.unwrap_or(Turned::Angle(value)));
         self.write(Slot::Position(k as usize), value);
@@ -195,7 +196,7 @@ impl<'a> Build<'a> {
                 self.know(pair.coordinate, value, None);
             }
             PairValue::Angle { turn, cos, sin, .. } => {
-                let found = [*cos, *sin].map(|e| self.known_value(e));
+                let found = [*cos, *sin].map(|e| self.known_value(e)).map(|e| self.graph.whole(e));
                 self.angle(pair.coordinate, turn, found);
             }
         }
@@ -257,15 +258,17 @@ impl<'a> Build<'a> {
                 let k = core.coordinates[0];
                 let indicator = angle_indicator(&mut self.graph, k, [*a, *b]);
                 let (mode, place) = self.closure(step, indicator);
-                let [a, b, c] = [*a, *b, *c].map(|e| self.known_value(e));
+                let [a, b, c] = [*a, *b, *c].map(|e| self.known_value(e)).map(|e| self.graph.whole(e));
                 let graph = &mut self.graph;
                 // w = ±√(a² + b² − c²): cos φ = (a c − b w)/(a² + b²), sin φ = (b c + a w)/(a² + b²).
                 let (one, d, square) = (graph.number(1.0), graph.plain_dot([a, b], [a, b]), graph.square(c));
                 let inside = graph.sub(d, square);
                 let inverse = graph.div(one, d);
+                let inverse = graph.whole(inverse);
                 let w = signed_root(graph, mode, inside);
                 let (cos, sin) = (graph.plain_cross([a, b], [w, c]), graph.plain_dot([b, a], [c, w]));
                 let [cos, sin] = [cos, sin].map(|e| graph.mul(e, inverse));
+                let [cos, sin] = [cos, sin].map(|e| graph.whole(e));
                 let margin = graph.mul(inside, inverse);
                 self.write(Slot::Margin(place), margin);
                 self.angle(k, &[(k, 1)], [cos, sin]);
@@ -397,7 +400,8 @@ fn squares(block: &Block) -> Vec<(u32, ExprId)> {
 fn signed_root(graph: &mut Graph, mode: ExprId, inside: ExprId) -> ExprId {
     let magnitude = graph.call(Function::Abs, inside);
     let root = graph.call(Function::Sqrt, magnitude);
-    graph.mul(mode, root)
+    let w = graph.mul(mode, root);
+    graph.whole(w)
 }
 
 /// (a sin φ − b cos φ)/√(a² + b²), which is ±w/√(a² + b²).

@@ -14,6 +14,7 @@ pub(super) fn solve(
         1 => {
             let one = graph.number(1.0);
             let inverse = graph.div(one, matrix[0][0]);
+            let inverse = graph.whole(inverse);
             (rights.iter().map(|b| vec![graph.mul(b[0], inverse)]).collect(), None)
         }
         2 | 3 => cramer(graph, matrix, rights),
@@ -27,6 +28,7 @@ fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>]) -> 
     let det = sum(graph, (0..n).map(|j| (matrix[0][j], cofactors[0][j])));
     let one = graph.number(1.0);
     let inverse = graph.div(one, det);
+    let inverse = graph.whole(inverse);
     let solutions = rights
         .iter()
         .map(|b| {
@@ -102,6 +104,7 @@ fn eliminate(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>]) 
         columns.retain(|&c| c != j);
         let one = graph.number(1.0);
         let inverse = graph.div(one, m[i][j]);
+        let inverse = graph.whole(inverse);
         for &r in &rows {
             if graph.is_zero(m[r][j]) {
                 continue;

@@ -71,6 +71,7 @@ impl Probe {
             Node::Number(bits) => Residue::number(bits.value()),
             Node::Symbol(_) => self.draw.residue(SORT_SYMBOL, id.index() as u64),
             Node::Neg(a) => -v(a),
+            Node::Whole(a) => v(a),
             Node::Add(a, b) => v(a) + v(b),
             Node::Sub(a, b) => v(a) - v(b),
             Node::Mul(a, b) => v(a) * v(b),

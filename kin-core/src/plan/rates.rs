@@ -61,6 +61,7 @@ impl<'g> Rates<'g> {
             let Some(coefficient) = self.entries[pivot.row].remove(&pivot.coordinate) else { continue };
             self.fold(pivot.row);
             let value = self.graph.div(self.right[pivot.row], coefficient);
+            let value = self.graph.whole(value);
             self.solution[pivot.coordinate as usize] = Some(value);
         }
     }
@@ -90,7 +91,8 @@ impl<'g> Rates<'g> {
             }
         }
         let product = self.graph.mul(factor, self.right[other]);
-        self.right[row] = self.graph.sub(self.right[row], product);
+        let right = self.graph.sub(self.right[row], product);
+        self.right[row] = self.graph.whole(right);
     }
 
     fn core(&mut self, core: &Core) {
@@ -102,7 +104,7 @@ impl<'g> Rates<'g> {
         let right: Vec<ExprId> = core.rows.iter().map(|&row| self.right[row]).collect();
         let (solutions, margin) = dense::solve(self.graph, &matrix, &[right]);
         for (&k, value) in core.coordinates.iter().zip(solutions.into_iter().flatten()) {
-            self.solution[k as usize] = Some(value);
+            self.solution[k as usize] = Some(self.graph.whole(value));
         }
         if let (Some(margin), Some(&row)) = (margin, core.rows.first()) {
             self.margins.insert(row, margin);

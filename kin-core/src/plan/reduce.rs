@@ -298,8 +298,10 @@ impl Reduction<'_> {
             // cos = −(C f − S g)/|s|², sin = −(S f + C g)/|s|².
             let (cos, sin) = (graph.div(a, square), graph.div(b, square));
             let sin = graph.neg(sin);
-            let norm = graph.plain_dot([f, g], [f, g]);
+            // Half of it: what appears twice is not doubled.
+            let (norm, half) = (graph.plain_dot([f, g], [f, g]), graph.number(0.5));
             let row = graph.sub(norm, square);
+            let row = graph.mul(half, row);
             return Some((PairValue::Angle { turn, cos, sin, square: Some(square) }, row));
         }
         let det = graph.plain_cross([c1, s1], [c2, s2]);

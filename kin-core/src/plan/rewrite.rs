@@ -108,6 +108,7 @@ fn node(
         },
         Node::Call(f, a) => graph.call(f, v(a)),
         Node::Sign(a) => graph.sign(v(a)),
+        Node::Whole(a) => graph.whole(v(a)),
         Node::Atan2(y, x) => graph.atan2(v(y), v(x)),
         Node::Nearest(a, b) => graph.nearest(v(a), v(b)),
         Node::RotX(r) | Node::RotY(r) => {

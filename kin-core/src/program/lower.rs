@@ -3,6 +3,7 @@
 //! Values are numbered locally: two equal instructions are one value. Signs travel with the values (see `signs.rs`).
 //! At the end the instructions are ordered so that all sines and cosines that can be taken at once stand together.
 
+use super::gather::gather;
 use super::signs::{self, Signs};
 use super::{Instruction, Program, Slot, Value};
 use crate::expr::{Bits, ExprId, Graph, Node, Rotation};
@@ -170,6 +171,7 @@ impl Lowering<'_> {
                 let (Signed { value: y, negative }, x) = (self.signed(y), self.positive(x));
                 Signed { value: self.emit(Instruction::Atan2(y, x)), negative }
             }
+            Node::Whole(a) => self.signed(a),
             Node::Nearest(a, b) => {
                 let (a, b) = (self.positive(a), self.positive(b));
                 plain(self.emit(Instruction::Nearest(a, b)))
@@ -316,6 +318,7 @@ fn schedule(program: Program) -> Program {
     let phase = |place: usize| if is_pair(place) { (depth[place], true) } else { (serves[place], false) };
     let mut order: Vec<usize> = (0..instructions.len()).filter(|place| needed[*place]).collect();
     order.sort_by_key(|place| phase(*place));
+    let order = gather(order, &instructions);
     let mut renumbered = vec![Value(0); instructions.len()];
     for (new, old) in order.iter().enumerate() {
         renumbered[*old] = Value(new as u32);

@@ -3,6 +3,7 @@
 //! Imports `expr` alone.
 
 mod display;
+mod gather;
 mod interpret;
 mod lower;
 mod roll;
@@ -238,7 +239,8 @@ pub struct Family {
 /// A straight-line program.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Program {
-    /// The instructions, operands first. Sines and cosines that do not depend on one another stand side by side.
+    /// The instructions, operands first. Sines and cosines that do not depend on one another
+    /// stand side by side, and so do the angles of vectors.
     pub instructions: Vec<Instruction>,
     /// What is written where, in the order given to [`lower`].
     pub outputs: Vec<(Slot, Value)>,

@@ -59,6 +59,7 @@ impl<'a> Residues<'a> {
             Node::Number(bits) => Residue::number(bits.value()),
             Node::Symbol(symbol) => self.symbol(symbol, id),
             Node::Neg(a) => -v(a),
+            Node::Whole(a) => v(a),
             Node::Add(a, b) => v(a) + v(b),
             Node::Sub(a, b) => v(a) - v(b),
             Node::Mul(a, b) => v(a) * v(b),

@@ -123,7 +123,17 @@ impl Emitter<'_> {
                 })
                 .take(ANGLES)
                 .collect();
-            if angles.is_empty() {
+            let vectors: Vec<(Value, [Value; 2])> = (self.program.instructions[place..].iter().zip(place..))
+                .map_while(|(instruction, place)| match instruction {
+                    Instruction::Atan2(y, x) => Some((Value(place as u32), [*y, *x])),
+                    _ => None,
+                })
+                .take(ANGLES)
+                .collect();
+            if !vectors.is_empty() {
+                place += vectors.len();
+                out.push(self.atan2(&vectors));
+            } else if angles.is_empty() {
                 out.extend(self.statement(Value(place as u32)));
                 place += 1;
             } else {
@@ -140,13 +150,20 @@ impl Emitter<'_> {
             quote! { (#s, #c) }
         });
         let operands = angles.iter().map(|(_, angle)| self.operand(*angle));
-        let tokens = if angles.len() == 1 {
-            quote! { let #(#names)* = __kin::Scalar::sin_cos(#(#operands)*); }
-        } else {
-            quote! { let [#(#names),*] = __kin::Scalar::sin_cos_all([#(#operands),*]); }
-        };
+        let tokens = quote! { let [#(#names),*] = __kin::Scalar::sin_cos_all([#(#operands),*]); };
         let defines = angles.iter().map(|(pair, _)| (*pair, names_of(*pair, &self.instruction(*pair)))).collect();
         Statement { defines, uses: angles.iter().map(|(_, angle)| self.holder(*angle)).collect(), tokens }
+    }
+
+    fn atan2(&self, vectors: &[(Value, [Value; 2])]) -> Statement {
+        let names = vectors.iter().map(|(angle, _)| name('v', *angle));
+        let operands = vectors.iter().map(|(_, [y, x])| {
+            let (y, x) = (self.operand(*y), self.operand(*x));
+            quote! { (#y, #x) }
+        });
+        let tokens = quote! { let [#(#names),*] = __kin::Scalar::atan2_all([#(#operands),*]); };
+        let defines = vectors.iter().map(|(angle, _)| (*angle, names_of(*angle, &self.instruction(*angle)))).collect();
+        Statement { defines, uses: vectors.iter().flat_map(|(angle, _)| self.uses(*angle)).collect(), tokens }
     }
 
     fn statement(&self, value: Value) -> Option<Statement> {

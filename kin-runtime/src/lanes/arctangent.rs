@@ -64,6 +64,26 @@ pub(super) fn atan2(y: f64x4, x: f64x4) -> f64x4 {
     if long { of_long(y, x, angle) } else { angle }
 }
 
+/// The angles of several vectors (y, x).
+#[inline(always)]
+pub(crate) fn atan2_all<const N: usize>(vectors: [(f64, f64); N]) -> [f64; N] {
+    let mut out = [0.0; N];
+    let mut first = 0;
+    while first < N {
+        // Lanes to spare look along x.
+        let lane = |k: usize| if first + k < N { vectors[first + k] } else { (0.0, 1.0) };
+        let lanes: [(f64, f64); 4] = core::array::from_fn(lane);
+        let angles = atan2(f64x4::new(lanes.map(|v| v.0)), f64x4::new(lanes.map(|v| v.1))).to_array();
+        for (k, angle) in angles.into_iter().enumerate() {
+            if first + k < N {
+                out[first + k] = angle;
+            }
+        }
+        first += 4;
+    }
+    out
+}
+
 /// P(z), in pairs of pairs: the chain of dependent operations is a third as long as Horner's.
 #[inline(always)]
 fn polynomial(z: f64x4) -> f64x4 {

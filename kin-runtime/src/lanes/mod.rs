@@ -10,6 +10,8 @@ use core::f64::consts::TAU;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use wide::f64x4;
 
+pub(crate) use arctangent::atan2_all;
+
 /// Four `f64` that go through every operation together.
 ///
 /// Parameters, time, inputs, q and q̇ may differ from lane to lane: four configurations of one mechanism, or four

@@ -1,0 +1,150 @@
+//! q, q̇, q̈ of the lecture's four-bar at steps of one degree: the plan against Newton's iteration on all coordinates
+//! with an evaluation by hand. `cargo bench -p kin-benches --bench solution`.
+
+use kin_benches::four_bar::{ByHand, FourBar, by_hand};
+use kin_benches::paired::{Contender, compare};
+use kin_runtime::nalgebra::{SMatrix, SVector};
+use kin_runtime::plan::{Depth, Solved};
+use kin_runtime::{Instant, Kinematics, Mechanism};
+use std::hint::black_box;
+
+const STEPS: usize = 360;
+
+/// q, q̇, q̈ by hand: Newton from the prediction q + h q̇ + ½ h² q̈, dense LU.
+struct Newton {
+    q: [f64; 9],
+    q_dot: [f64; 9],
+    q_ddot: [f64; 9],
+    t: f64,
+    hand: ByHand,
+}
+
+type Matrix = SMatrix<f64, 9, 9>;
+type Vector = SVector<f64, 9>;
+
+impl Newton {
+    fn step(&mut self, four_bar: &FourBar, t: f64) {
+        let h = t - self.t;
+        let mut q: [f64; 9] = core::array::from_fn(|k| self.q[k] + h * (self.q_dot[k] + 0.5 * h * self.q_ddot[k]));
+        let jacobian = |hand: &ByHand| Matrix::from_fn(|i, j| hand.phi_q[i][j]);
+        for _ in 0..8 {
+            by_hand(four_bar, t, &q, &self.q_dot, &mut self.hand);
+            let Some(step) = jacobian(&self.hand).lu().solve(&Vector::from_row_slice(&self.hand.phi)) else { return };
+            q.iter_mut().zip(step.iter()).for_each(|(q, s)| *q -= s);
+            if step.amax() < 1e-9 {
+                break;
+            }
+        }
+        by_hand(four_bar, t, &q, &self.q_dot, &mut self.hand);
+        let lu = jacobian(&self.hand).lu();
+        let nu = -Vector::from_row_slice(&self.hand.phi_t);
+        let Some(q_dot) = lu.solve(&nu) else { return };
+        self.q_dot.copy_from_slice(q_dot.as_slice());
+        by_hand(four_bar, t, &q, &self.q_dot, &mut self.hand);
+        let Some(q_ddot) = lu.solve(&Vector::from_row_slice(&self.hand.gamma)) else { return };
+        self.q_ddot.copy_from_slice(q_ddot.as_slice());
+        (self.q, self.t) = (q, t);
+    }
+}
+
+/// What an expert derives for this very four-bar: the dyad A B D in closed form, all nine coordinates and their rates.
+#[inline(never)]
+fn dyad_by_hand(m: &FourBar, t: f64, q: &mut [f64; 9], v: &mut [f64; 9], a: &mut [f64; 9], start: &[f64; 9]) {
+    let phi1 = m.phi0 + m.omega * t;
+    let (s1, c1) = phi1.sin_cos();
+    let (ax, ay) = (m.l1 * c1, m.l1 * s1);
+    let (kx, ky) = (m.d1 - ax, m.d2 - ay);
+    let k2 = kx * kx + ky * ky;
+    // l2 (cos, sin) + l3 (cos, sin) = k.
+    let c = (k2 + m.l2 * m.l2 - m.l3 * m.l3) / (2.0 * m.l2);
+    let w = (k2 - c * c).sqrt();
+    let inverse = 1.0 / k2;
+    let (c2, s2) = ((kx * c + ky * w) * inverse, (ky * c - kx * w) * inverse);
+    let (x2, y2) = (m.l2 * c2, m.l2 * s2);
+    let (x3, y3) = (kx - x2, ky - y2);
+    let near =
+        |angle: f64, start: f64| angle + core::f64::consts::TAU * ((start - angle) / core::f64::consts::TAU).round();
+    let (phi2, phi3) = (near(y2.atan2(x2), start[5]), near(y3.atan2(x3), start[8]));
+    *q = [0.5 * ax, 0.5 * ay, phi1, ax + 0.5 * x2, ay + 0.5 * y2, phi2, m.d1 - 0.5 * x3, m.d2 - 0.5 * y3, phi3];
+    let det = 1.0 / (x2 * y3 - y2 * x3);
+    let (bx, by) = (ay * m.omega, -ax * m.omega);
+    let (w2, w3) = ((-bx * x3 - by * y3) * -det, (bx * x2 + by * y2) * -det);
+    let half = |x: f64, y: f64, w: f64| (-0.5 * y * w, 0.5 * x * w);
+    let ((v1x, v1y), (v2x, v2y), (v3x, v3y)) = (half(ax, ay, m.omega), half(x2, y2, w2), half(x3, y3, w3));
+    *v = [v1x, v1y, m.omega, 2.0 * v1x + v2x, 2.0 * v1y + v2y, w2, -v3x, -v3y, w3];
+    let (q1, q2, q3) = (m.omega * m.omega, w2 * w2, w3 * w3);
+    let (gx, gy) = (ax * q1 + x2 * q2 + x3 * q3, ay * q1 + y2 * q2 + y3 * q3);
+    let (e2, e3) = ((gx * x3 + gy * y3) * det, -(gx * x2 + gy * y2) * det);
+    let accelerate = |x: f64, y: f64, e: f64, s: f64| (0.5 * (-y * e - x * s), 0.5 * (x * e - y * s));
+    let ((a1x, a1y), (a2x, a2y), (a3x, a3y)) =
+        (accelerate(ax, ay, 0.0, q1), accelerate(x2, y2, e2, q2), accelerate(x3, y3, e3, q3));
+    *a = [a1x, a1y, 0.0, 2.0 * a1x + a2x, 2.0 * a1y + a2y, e2, -a3x, -a3y, e3];
+}
+
+fn main() {
+    let four_bar = FourBar::default();
+    let state = four_bar.solver().state(&Instant::at(0.0)).expect("it closes at t = 0");
+    let array = |v: &[f64]| -> [f64; 9] { v.try_into().expect("nine coordinates") };
+    let mut newton = Newton {
+        q: array(&state.q),
+        q_dot: array(&state.q_dot),
+        q_ddot: array(&state.q_ddot),
+        t: 0.0,
+        hand: ByHand::default(),
+    };
+    let parameters = four_bar.parameters::<f64>();
+    let mut modes = [0.0; 1];
+    four_bar.closures_with(&parameters, &Instant::at(0.0), &state.q, &mut modes).expect("one mode");
+    let modes = modes.map(f64::signum);
+    let (mut q, mut q_dot, mut q_ddot, mut margins) = (array(&state.q), [0.0; 9], [0.0; 9], [0.0; 1]);
+    let (mut p, mut v, mut a) = (array(&state.q), [0.0; 9], [0.0; 9]);
+    let times: Vec<f64> = (0..STEPS).map(|k| (k as f64).to_radians() / four_bar.omega).collect();
+    let mut contenders = [
+        Contender {
+            name: "evaluation by hand, Newton with dense LU 9×9",
+            work: Box::new(|| {
+                for &t in &times {
+                    newton.step(black_box(&four_bar), black_box(t));
+                    black_box(&newton.q_ddot);
+                }
+                newton.q[2] -= 360_f64.to_radians();
+                newton.t = -1_f64.to_radians() / four_bar.omega;
+            }),
+        },
+        Contender {
+            name: "kin, the plan",
+            work: Box::new(|| {
+                for &t in &times {
+                    let start = q;
+                    let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
+                    let at = Instant::at(black_box(t));
+                    let parameters = black_box(&four_bar).parameters::<f64>();
+                    four_bar
+                        .solve_with(&parameters, &at, &modes, &start, Depth::Acceleration, solved)
+                        .expect("nine coordinates");
+                    black_box((&q, &q_dot, &q_ddot, &margins));
+                }
+                q[2] -= 360_f64.to_radians();
+            }),
+        },
+        Contender {
+            name: "the dyad by hand",
+            work: Box::new(|| {
+                for &t in &times {
+                    let start = p;
+                    dyad_by_hand(black_box(&four_bar), black_box(t), &mut p, &mut v, &mut a, &start);
+                    black_box((&p, &v, &a));
+                }
+            }),
+        },
+    ];
+    compare("q, q̇, q̈ of the 9×9 four-bar at steps of one degree", STEPS, &mut contenders);
+    drop(contenders);
+    let worst = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    println!(
+        "  by hand less kin at the end: {:.1e} {:.1e} {:.1e}",
+        worst(&p[3..], &q[3..]),
+        worst(&v, &q_dot),
+        worst(&a, &q_ddot)
+    );
+}
