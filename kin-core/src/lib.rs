@@ -18,6 +18,7 @@
 pub mod constraint;
 pub mod error;
 pub mod expr;
+mod hash;
 pub mod mechanism;
 pub mod plan;
 pub mod program;

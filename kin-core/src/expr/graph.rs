@@ -1,7 +1,7 @@
 //! The hash-consed arena: every distinct expression once.
 
 use super::node::{Bits, Depends, ExprId, Node, Symbol};
-use std::collections::HashMap;
+use crate::hash::FastMap;
 
 /// An arena of expressions. Operands always come before the expressions that use them.
 ///
@@ -11,7 +11,7 @@ use std::collections::HashMap;
 pub struct Graph {
     nodes: Vec<Node>,
     depends: Vec<Depends>,
-    known: HashMap<Node, ExprId>,
+    known: FastMap<Node, ExprId>,
     pub(super) simplify: bool,
 }
 
@@ -24,7 +24,7 @@ impl Default for Graph {
 impl Graph {
     /// An empty graph that simplifies at construction.
     pub fn new() -> Self {
-        Self { nodes: Vec::new(), depends: Vec::new(), known: HashMap::new(), simplify: true }
+        Self { nodes: Vec::new(), depends: Vec::new(), known: FastMap::default(), simplify: true }
     }
 
     /// An empty graph that keeps every operation as it is written.
@@ -112,11 +112,15 @@ impl Graph {
     pub fn reachable(&self, roots: impl IntoIterator<Item = ExprId>) -> Vec<ExprId> {
         let mut seen = vec![false; self.nodes.len()];
         let mut stack: Vec<ExprId> = roots.into_iter().collect();
+        // Only what is found is walked over, so that many small questions to a large graph stay cheap.
+        let mut found = Vec::new();
         while let Some(id) = stack.pop() {
             if !std::mem::replace(&mut seen[id.index()], true) {
+                found.push(id);
                 self.node(id).for_each_operand(|operand| stack.push(operand));
             }
         }
-        (0..).zip(seen).filter(|(_, seen)| *seen).map(|(index, _)| ExprId(index)).collect()
+        found.sort_unstable();
+        found
     }
 }

@@ -7,8 +7,8 @@ use super::gather::gather;
 use super::signs::{self, Signs};
 use super::{Instruction, Program, Slot, Value};
 use crate::expr::{Bits, ExprId, Graph, Node, Rotation};
+use crate::hash::FastMap;
 use crate::mechanism::Function;
-use std::collections::HashMap;
 
 /// A value with a sign: the expression is the value, or its opposite.
 #[derive(Clone, Copy)]
@@ -20,7 +20,8 @@ struct Signed {
 /// Lowers `outputs`.
 pub fn lower(graph: &Graph, outputs: &[(Slot, ExprId)]) -> Program {
     let signs = signs::choose(graph, outputs.iter().map(|(_, id)| *id));
-    let mut lowering = Lowering { graph, signs, known: HashMap::new(), values: HashMap::new(), out: Vec::new() };
+    let mut lowering =
+        Lowering { graph, signs, known: FastMap::default(), values: FastMap::default(), out: Vec::new() };
     let mut written = Vec::with_capacity(outputs.len());
     for (slot, id) in outputs {
         lowering.reach(*id);
@@ -33,8 +34,8 @@ pub fn lower(graph: &Graph, outputs: &[(Slot, ExprId)]) -> Program {
 struct Lowering<'g> {
     graph: &'g Graph,
     signs: Signs,
-    known: HashMap<ExprId, Signed>,
-    values: HashMap<Instruction, Value>,
+    known: FastMap<ExprId, Signed>,
+    values: FastMap<Instruction, Value>,
     out: Vec<Instruction>,
 }
 

@@ -6,7 +6,8 @@
 //! votes for the signs of the atoms and differences that decide its own.
 
 use crate::expr::{ExprId, Graph, Node, Rotation};
-use std::collections::{HashMap, HashSet};
+use crate::hash::FastMap;
+use std::collections::HashSet;
 
 /// Choices of sign.
 #[derive(Debug, Default)]
@@ -46,8 +47,8 @@ pub(super) fn is_free(graph: &Graph, id: ExprId) -> bool {
 /// Votes on the signs of vectors and of differences.
 #[derive(Debug, Default)]
 struct Votes {
-    vectors: HashMap<Rotation, i32>,
-    differences: HashMap<ExprId, i32>,
+    vectors: FastMap<Rotation, i32>,
+    differences: FastMap<ExprId, i32>,
 }
 
 impl Votes {

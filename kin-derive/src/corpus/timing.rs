@@ -49,6 +49,59 @@ fn times() {
     }
 }
 
+/// Where the time goes in a chain of four-bars: as many rows per loop as a user's mechanism has.
+#[test]
+#[ignore = "a measurement, not a test"]
+fn stages() {
+    for (name, tokens) in [("with a range", ranged(100)), ("written out", written_out(100))] {
+        let of = |work: &mut dyn FnMut()| ms(shortest(1, work));
+        let analysed = of(&mut || drop(crate::analyse::analyse(TokenStream::new(), tokens.clone())));
+        let (_, Ok(lowered)) = crate::analyse::analyse(TokenStream::new(), tokens.clone()) else { continue };
+        let equations = of(&mut || drop(kin_core::assemble(&lowered.mechanism).and_then(kin_core::differentiate)));
+        let system = kin_core::assemble(&lowered.mechanism).and_then(kin_core::differentiate).unwrap();
+        let structure = of(&mut || drop(kin_core::diagnose(&system)));
+        let planned = of(&mut || drop(kin_core::plan::plan(&system)));
+        let whole = of(&mut || drop(crate::derive(TokenStream::new(), tokens.clone())));
+        println!(
+            "a hundred four-bars {name}: parsed {analysed:.0} ms, equations {equations:.0} ms, \
+             structure {structure:.0} ms, plan {planned:.0} ms, all {whole:.0} ms"
+        );
+    }
+}
+
+const FIELDS: &str = "l1: [f64; 100], l2: [f64; 100], l3: [f64; 100], d1: [f64; 100], d2: [f64; 100], omega: f64";
+
+fn ranged(n: usize) -> TokenStream {
+    let source = format!(
+        "#[bodies(crank[{n}], coupler[{n}], rocker[{n}])] \
+         #[revolute(C[i in 0..{n}]: ground @ (0, 0), crank[i] @ (-l1[i]/2, 0))] \
+         #[revolute(A[i in 0..{n}]: crank[i] @ (l1[i]/2, 0), coupler[i] @ (-l2[i]/2, 0))] \
+         #[revolute(B[i in 0..{n}]: coupler[i] @ (l2[i]/2, 0), rocker[i] @ (-l3[i]/2, 0))] \
+         #[revolute(D[i in 0..{n}]: rocker[i] @ (l3[i]/2, 0), ground @ (d1[i], d2[i]))] \
+         #[gear(mesh[i in 1..{n}]: rocker[i - 1], crank[i], radii = (0.1, 0.1))] \
+         #[driver(drive: crank[0].phi = omega * t)] struct Chain {{ {FIELDS} }}"
+    );
+    source.parse().unwrap()
+}
+
+fn written_out(n: usize) -> TokenStream {
+    let members = (0..n).map(|k| {
+        let turn = match k {
+            0 => "#[driver(drive: crank0.phi = omega * t)]".to_owned(),
+            _ => format!("#[gear(mesh{k}: rocker{}, crank{k}, radii = (0.1, 0.1))]", k - 1),
+        };
+        format!(
+            "#[bodies(crank{k}, coupler{k}, rocker{k})] \
+             #[revolute(C{k}: ground @ (0, 0), crank{k} @ (-l1[{k}]/2, 0))] \
+             #[revolute(A{k}: crank{k} @ (l1[{k}]/2, 0), coupler{k} @ (-l2[{k}]/2, 0))] \
+             #[revolute(B{k}: coupler{k} @ (l2[{k}]/2, 0), rocker{k} @ (-l3[{k}]/2, 0))] \
+             #[revolute(D{k}: rocker{k} @ (l3[{k}]/2, 0), ground @ (d1[{k}], d2[{k}]))] {turn} "
+        )
+    });
+    let members: String = members.collect();
+    format!("{members} struct Chain {{ {FIELDS} }}").parse().unwrap()
+}
+
 fn chain(links: usize) -> TokenStream {
     let source = format!(
         "#[bodies(link[{links}])] #[revolute(root: ground @ (0, 0), link[0] @ (0, 0))] \

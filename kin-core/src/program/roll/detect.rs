@@ -26,8 +26,6 @@ impl Span {
 
 /// Periods that are tried at every item.
 const CANDIDATES: usize = 40;
-/// Items that must be of the same kinds for a distance to be a candidate.
-const SURROUNDINGS: usize = 3;
 
 /// The loops of a stream, in order.
 pub(super) fn loops(stream: &Stream, fewest: usize) -> Vec<Span> {
@@ -48,13 +46,13 @@ pub(super) fn loops(stream: &Stream, fewest: usize) -> Vec<Span> {
     search.loops
 }
 
-/// For every item the next one whose surroundings are of the same kinds.
+/// For every item the next one that is of the same kind and is followed by two of the same kinds.
 fn next_alike(stream: &Stream) -> Vec<Option<usize>> {
-    let mut latest = std::collections::HashMap::new();
+    let mut latest = crate::hash::FastMap::default();
     let mut next = vec![None; stream.len()];
     for at in (0..stream.len()).rev() {
-        let end = stream.len().min(at + SURROUNDINGS);
-        next[at] = latest.insert(&stream.kinds[at..end], at);
+        let kind = |k: usize| stream.kinds.get(at + k).copied();
+        next[at] = latest.insert([kind(0), kind(1), kind(2)], at);
     }
     next
 }
@@ -73,10 +71,17 @@ impl Search<'_> {
     fn best(&self, start: usize) -> Option<Span> {
         let mut found: Vec<Span> = Vec::new();
         let mut other = self.next[start];
-        for _ in 0..CANDIDATES {
-            let Some(at) = other else { break };
+        let mut candidates = 0;
+        while let Some(at) = other
+            && candidates < CANDIDATES
+        {
             other = self.next[at];
             let period = at - start;
+            // A multiple of a period breaks off where that one did.
+            if found.iter().any(|span| period % span.period == 0 && at < span.end()) {
+                continue;
+            }
+            candidates += 1;
             if start + self.fewest * period > self.stream.len() {
                 break;
             }
@@ -92,15 +97,20 @@ impl Search<'_> {
 
     /// How many items from `start` on are repeated `period` later with the steps of the iteration before.
     fn run(&self, start: usize, period: usize) -> usize {
-        let stream = self.stream;
-        let same = |at: usize| {
-            stream.kinds[at] == stream.kinds[at + period]
-                && (at < start + period || {
-                    let [before, here, after] = [at - period, at, at + period].map(|item| stream.addresses(item));
-                    (0..here.len()).all(|k| here[k] - before[k] == after[k] - here[k])
-                })
-        };
-        (start..stream.len() - period).take_while(|at| same(*at)).count()
+        let Stream { kinds, starts, addresses, .. } = self.stream;
+        let mut at = start;
+        while at + period < kinds.len() && kinds[at] == kinds[at + period] {
+            if at >= start + period {
+                let [before, here, after] = [starts[at - period], starts[at], starts[at + period]];
+                for k in 0..starts[at + 1] - here {
+                    if addresses[before + k] + addresses[after + k] != 2 * addresses[here + k] {
+                        return at - start;
+                    }
+                }
+            }
+            at += 1;
+        }
+        at - start
     }
 
     /// The same loop begun at another item of its first iteration, so that iterations pass on the fewest values.

@@ -6,8 +6,8 @@
 
 use super::Part;
 use crate::expr::{Bits, Symbol};
+use crate::hash::FastMap;
 use crate::program::{Instruction, Program, Slot, Value};
-use std::collections::HashMap;
 
 /// What an item does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,9 +50,9 @@ pub(super) struct Stream {
     /// Equal numbers: items of one kind.
     pub(super) kinds: Vec<u32>,
     /// The operands of item k are those from `starts[k]` to `starts[k + 1]`.
-    starts: Vec<usize>,
+    pub(super) starts: Vec<usize>,
     operands: Vec<Operand>,
-    addresses: Vec<i64>,
+    pub(super) addresses: Vec<i64>,
 }
 
 impl Stream {
@@ -69,7 +69,7 @@ impl Stream {
         let mut builder = Builder {
             program,
             positions: vec![usize::MAX; program.instructions.len()],
-            kinds: HashMap::new(),
+            kinds: FastMap::default(),
             stream: Self {
                 actions: Vec::new(),
                 kinds: Vec::new(),
@@ -135,7 +135,7 @@ struct Builder<'p> {
     program: &'p Program,
     /// The item that computes each value.
     positions: Vec<usize>,
-    kinds: HashMap<Kind, u32>,
+    kinds: FastMap<Kind, u32>,
     stream: Stream,
 }
 
