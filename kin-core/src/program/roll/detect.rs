@@ -78,7 +78,7 @@ impl Search<'_> {
             other = self.next[at];
             let period = at - start;
             // A multiple of a period breaks off where that one did.
-            if found.iter().any(|span| period % span.period == 0 && at < span.end()) {
+            if found.iter().any(|span| period.is_multiple_of(span.period) && at < span.end()) {
                 continue;
             }
             candidates += 1;
