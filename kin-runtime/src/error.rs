@@ -178,6 +178,45 @@ pub enum SolveError {
         /// Rank of all rows.
         rank: usize,
     },
+    /// No derivative of this order satisfies all rows.
+    InconsistentDerivative {
+        /// Time.
+        t: f64,
+        /// The order.
+        order: usize,
+        /// Largest scaled residual, relative to the right-hand side.
+        residual: f64,
+        /// The row with that residual.
+        row_name: &'static str,
+        /// Its joint.
+        joint: &'static str,
+        /// Rank of all rows.
+        rank: usize,
+    },
+    /// A derivative needs a higher one of an input or a supplied function than is known.
+    UnknownDerivative {
+        /// Time.
+        t: f64,
+        /// The order that is asked for.
+        order: usize,
+        /// `input` or `function`.
+        what: &'static str,
+        /// Its name.
+        name: &'static str,
+        /// The highest of its derivatives that is known; 0 for the value alone.
+        known: usize,
+    },
+    /// A row has no derivative of this order here: a root, a divisor or an absolute value is 0.
+    NotSmooth {
+        /// Time.
+        t: f64,
+        /// The order.
+        order: usize,
+        /// The row.
+        row_name: &'static str,
+        /// Its joint.
+        joint: &'static str,
+    },
     /// A sweep cannot go on without leaving its branch.
     StepRefused {
         /// Time of the last good configuration.
@@ -297,6 +336,22 @@ impl fmt::Display for SolveError {
                 f,
                 "no acceleration satisfies all rows at t = {t}: row `{row_name}` of joint `{joint}` is off by \
                  {residual:.3e} (scaled; rank {rank})"
+            ),
+            Self::InconsistentDerivative { t, order, residual, row_name, joint, rank } => write!(
+                f,
+                "no derivative of order {order} satisfies all rows at t = {t}: row `{row_name}` of joint `{joint}` is \
+                 off by {residual:.3e} (scaled; rank {rank})"
+            ),
+            Self::UnknownDerivative { t, order, what, name, known } => write!(
+                f,
+                "the derivative of order {order} at t = {t} needs more of the {what} `{name}` than its value and \
+                 {known} {}",
+                if *known == 1 { "derivative" } else { "derivatives" }
+            ),
+            Self::NotSmooth { t, order, row_name, joint } => write!(
+                f,
+                "row `{row_name}` of joint `{joint}` has no derivative of order {order} at t = {t}: a root, a divisor \
+                 or an absolute value in it is 0"
             ),
             Self::StepRefused { t, t_refused, reason: reason @ Refusal::TooManySteps, .. } => {
                 write!(f, "{reason} on the way from t = {t} to t = {t_refused}; ask for instants in between")

@@ -5,6 +5,7 @@ use crate::error::{SolveError, SweepError};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::mobility::Mobility;
 use crate::model::Pattern;
+use crate::series::{Derivatives, PowerSeries};
 use crate::solver::Solver;
 use crate::state::State;
 use crate::trajectory::Trajectory;
@@ -40,6 +41,17 @@ pub trait Kinematics: Mechanism {
     /// As [`Solver::acceleration`].
     fn acceleration_analysis(&self, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<Vec<f64>, SolveError> {
         self.solver().acceleration(at, q, q_dot)
+    }
+
+    /// q, q̇, q̈, jerk q⃛ and so on up to `order`, at a solved state.
+    ///
+    /// # Errors
+    /// As [`Solver::derivatives`].
+    fn derivatives(&self, state: &State, order: usize) -> Result<Derivatives, SolveError>
+    where
+        Self: PowerSeries,
+    {
+        self.solver().derivatives(state, order)
     }
 
     /// Position, velocity and acceleration at every instant of `times`, on the branch of the first.

@@ -16,6 +16,7 @@ pub mod plan;
 #[doc(hidden)]
 pub mod private;
 pub mod scalar;
+pub mod series;
 pub mod signal;
 #[cfg(feature = "simd")]
 mod trig;
@@ -105,6 +106,7 @@ pub use kin_derive::mechanism;
 pub use lanes::Lanes;
 pub use mechanism::{LengthError, Mechanism, Observations, Workspace};
 pub use scalar::Scalar;
+pub use series::PowerSeries;
 pub use signal::{Instant, Signal};
 pub use workspace::{Array, Evaluation, Subset};
 
@@ -128,6 +130,8 @@ pub use motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates};
 pub use options::Options;
 #[cfg(feature = "std")]
 pub use ratios::{InputRatio, VelocityRatio, VelocityRatios};
+#[cfg(feature = "std")]
+pub use series::{Derivatives, MotionDerivatives};
 #[cfg(feature = "std")]
 pub use solver::{Position, Solver};
 #[cfg(feature = "std")]

@@ -215,7 +215,7 @@ pub(crate) fn motion(equations: &mut Equations<'_>, state: &State) -> Result<Mot
 }
 
 /// The body, point, define or joint that an observable belongs to.
-fn name(model: &Model, observable: usize) -> &'static str {
+pub(crate) fn name(model: &Model, observable: usize) -> &'static str {
     match model.observables.get(observable) {
         Some(&Observable::Pose { body, .. }) => model.bodies.get(body).map_or("", |body| body.name),
         Some(&Observable::Point { point, .. }) => model.points.get(point).map_or("", |point| point.name),

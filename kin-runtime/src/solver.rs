@@ -290,7 +290,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     }
 
     /// Hands the equations at `at` to an analysis.
-    fn analyse<R>(
+    pub(crate) fn analyse<R>(
         &self,
         at: &Instant<'_>,
         analysis: impl FnOnce(&mut Equations<'_>) -> Result<R, SolveError>,

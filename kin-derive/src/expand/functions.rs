@@ -31,6 +31,22 @@ fn helper(number: usize) -> Ident {
     format_ident!("function_{number}")
 }
 
+fn series_helper(number: usize) -> Ident {
+    format_ident!("derivatives_{number}")
+}
+
+/// The supplied functions as closures over `self` that write f, f′, f″, … as far as they are known.
+pub(super) fn series_closures(lowered: &Lowered) -> Vec<TokenStream> {
+    let elements = fields(lowered).enumerate().flat_map(|(number, field)| {
+        let helper = series_helper(number);
+        (0..field.len.unwrap_or(1)).map(move |k| match field.len {
+            None => quote! { |x: f64, out: &mut [f64]| __Functions::#helper(self, x, out) },
+            Some(_) => quote! { |x: f64, out: &mut [f64]| __Functions::#helper(self, #k, x, out) },
+        })
+    });
+    elements.collect()
+}
+
 /// One method for every field with functions, in a trait that nobody sees.
 ///
 /// Whatever evaluates a function goes through it, so that a type that is no function is used, and told so, once.
@@ -38,16 +54,21 @@ pub(crate) fn helpers(lowered: &Lowered) -> TokenStream {
     let (mut heads, mut bodies) = (Vec::new(), Vec::new());
     for (number, field) in fields(lowered).enumerate().filter(|(_, field)| field.len != Some(0)) {
         let (helper, ident, ty) = (helper(number), &field.ident, function_type(field));
-        let (head, function) = match field.len {
-            None => (quote! { fn #helper(&self, x: f64) -> [f64; 3] }, quote! { &self.#ident }),
+        let series = series_helper(number);
+        let (place, function) = match field.len {
+            None => (None, quote! { &self.#ident }),
             Some(len) => {
                 let others = (0..len - 1).map(Literal::usize_unsuffixed);
                 let last = Literal::usize_unsuffixed(len - 1);
                 let function = quote! { match k { #(#others => &self.#ident[#others],)* _ => &self.#ident[#last] } };
-                (quote! { fn #helper(&self, k: usize, x: f64) -> [f64; 3] }, function)
+                (Some(quote! { k: usize, }), function)
             }
         };
+        let head = quote! { fn #helper(&self, #place x: f64) -> [f64; 3] };
         bodies.push(quote! { #[inline] #head { <#ty as __kin::ScalarFunction>::evaluate(#function, x) } });
+        heads.push(head);
+        let head = quote! { fn #series(&self, #place x: f64, out: &mut [f64]) -> usize };
+        bodies.push(quote! { #[inline] #head { <#ty as __kin::ScalarFunction>::derivatives(#function, x, out) } });
         heads.push(head);
     }
     if heads.is_empty() {

@@ -10,6 +10,7 @@ mod parameters;
 mod plan;
 mod program;
 mod rolled;
+mod series;
 mod statements;
 mod tables;
 
@@ -97,6 +98,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
     let geometry = list(lowered, system, set.geometry.iter().copied());
     let curves = curves(lowered, system);
     let guesses = list(lowered, system, set.guesses.iter().map(|(_, value)| *value));
+    let series = series::implementation(lowered, system, &constraints, &observables);
     quote! {
         type __Parameters<__T> = [__T; #p];
         type __Inputs<__T> = [__kin::Signal<__T>; #u];
@@ -205,6 +207,8 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
 
             #curves
         }
+
+        #series
     }
 }
 

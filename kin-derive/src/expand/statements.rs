@@ -9,7 +9,7 @@ use quote::quote;
 use std::collections::HashMap;
 
 /// Statements in one block.
-const BLOCK: usize = 500;
+pub(super) const BLOCK: usize = 500;
 
 /// A statement: the values that it defines, with their names, those that it reads, and its tokens.
 #[derive(Default)]

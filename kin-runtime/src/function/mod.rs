@@ -54,12 +54,26 @@ pub trait ScalarFunction {
     ///
     /// Where the function has no value it gives NaN, which every analysis refuses as an error.
     fn evaluate(&self, x: f64) -> [f64; 3];
+
+    /// Writes f, f′, f″, f⃛, … at `x` to `out`, as many as are known and have room; gives their number.
+    ///
+    /// Derivatives of the motion above the second ([`PowerSeries`](crate::PowerSeries)) use it. Without an
+    /// implementation of its own a function is known to its second derivative.
+    fn derivatives(&self, x: f64, out: &mut [f64]) -> usize {
+        let known = self.evaluate(x);
+        out.iter_mut().zip(known).map(|(place, value)| *place = value).count()
+    }
 }
 
 impl<F: ScalarFunction + ?Sized> ScalarFunction for &F {
     #[inline]
     fn evaluate(&self, x: f64) -> [f64; 3] {
         (**self).evaluate(x)
+    }
+
+    #[inline]
+    fn derivatives(&self, x: f64, out: &mut [f64]) -> usize {
+        (**self).derivatives(x, out)
     }
 }
 
@@ -71,6 +85,11 @@ macro_rules! behind {
             #[inline]
             fn evaluate(&self, x: f64) -> [f64; 3] {
                 (**self).evaluate(x)
+            }
+
+            #[inline]
+            fn derivatives(&self, x: f64, out: &mut [f64]) -> usize {
+                (**self).derivatives(x, out)
             }
         }
     )* };

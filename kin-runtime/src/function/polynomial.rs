@@ -11,6 +11,10 @@ impl ScalarFunction for Constant {
     fn evaluate(&self, _: f64) -> [f64; 3] {
         [self.0, 0.0, 0.0]
     }
+
+    fn derivatives(&self, x: f64, out: &mut [f64]) -> usize {
+        all_derivatives(&[self.0], x, out)
+    }
 }
 
 /// f(x) = Σ c_k x^k, coefficients from the constant term on: `Polynomial([c0, c1, c2])`, `Polynomial(vec![…])`.
@@ -22,6 +26,10 @@ impl<C: AsRef<[f64]>> ScalarFunction for Polynomial<C> {
     fn evaluate(&self, x: f64) -> [f64; 3] {
         horner(self.0.as_ref(), x)
     }
+
+    fn derivatives(&self, x: f64, out: &mut [f64]) -> usize {
+        all_derivatives(self.0.as_ref(), x, out)
+    }
 }
 
 /// Σ c_k x^k with two derivatives, by Horner's scheme.
@@ -30,6 +38,25 @@ pub(super) fn horner(coefficients: &[f64], x: f64) -> [f64; 3] {
     let step = |[f, f1, half]: [f64; 3], c: &f64| [f * x + c, f1 * x + f, half * x + f1];
     let [f, f1, half] = coefficients.iter().rev().fold([0.0; 3], step);
     [f, f1, 2.0 * half]
+}
+
+/// f, f′, f″, … of Σ c_k x^k, as many as there is room for, by Horner's scheme on the scaled derivatives f⁽ʲ⁾/j!.
+pub(super) fn all_derivatives(coefficients: &[f64], x: f64, out: &mut [f64]) -> usize {
+    out.fill(0.0);
+    for c in coefficients.iter().rev() {
+        let mut lower = *c;
+        for place in out.iter_mut() {
+            let before = *place;
+            *place = before * x + lower;
+            lower = before;
+        }
+    }
+    let mut factorial = 1.0;
+    for (j, place) in out.iter_mut().enumerate() {
+        factorial *= j.max(1) as f64;
+        *place *= factorial;
+    }
+    out.len()
 }
 
 #[cfg(test)]
@@ -41,6 +68,10 @@ mod tests {
         let f = Polynomial([1.0, -2.0, 0.0, 4.0]);
         assert_eq!(f.evaluate(0.5), [1.0 - 1.0 + 0.5, -2.0 + 3.0, 12.0]);
         assert_eq!(Polynomial::<[f64; 0]>([]).evaluate(2.0), [0.0; 3]);
+        let mut all = [f64::NAN; 6];
+        assert_eq!(f.derivatives(0.5, &mut all), 6);
+        assert_eq!(all, [1.0 - 1.0 + 0.5, -2.0 + 3.0, 12.0, 24.0, 0.0, 0.0]);
+        assert_eq!(f.derivatives(0.5, &mut all[..2]), 2);
         assert_eq!(Constant(3.0).evaluate(7.0), [3.0, 0.0, 0.0]);
     }
 }

@@ -5,6 +5,7 @@ mod finite;
 mod four_bars;
 mod motion;
 mod observables;
+mod orders;
 mod plan;
 mod structure;
 
@@ -76,6 +77,21 @@ macro_rules! motion_laws {
         #[test]
         fn point_jacobians_give_velocities() {
             observables::point_jacobians_give_velocities::<$Mechanism>($from, $to);
+        }
+
+        #[test]
+        fn third_and_fourth_are_derivatives() {
+            orders::third_and_fourth_are_derivatives::<$Mechanism>($from, $to);
+        }
+
+        #[test]
+        fn reported_orders_are_derivatives() {
+            orders::reported_orders_are_derivatives::<$Mechanism>($from, $to);
+        }
+
+        #[test]
+        fn low_orders_are_the_motion() {
+            orders::low_orders_are_the_motion::<$Mechanism>($from, $to);
         }
 
         #[test]

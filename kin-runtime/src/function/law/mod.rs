@@ -8,6 +8,8 @@ mod polynomials;
 #[cfg(test)]
 mod tests;
 
+use super::polynomial::all_derivatives;
+
 /// A normalised motion law s(τ) with s(0) = 0 and s(1) = 1 for τ in [0, 1].
 ///
 /// A rise h that takes β has s = h s(τ), velocity h s′(τ)/β and acceleration h s″(τ)/β² with τ = x/β. The peaks of s′ and
@@ -71,5 +73,54 @@ impl MotionLaw {
             Self::ModifiedSine => modified_sine::law(tau),
             Self::ModifiedTrapezoidal => modified_trapezoidal::law(tau),
         }
+    }
+
+    /// s, s′, s″, s‴, … at τ, as many as there is room for. Where one of them jumps, in a law made of pieces, it is that
+    /// of the piece that begins there.
+    pub fn derivatives(self, tau: f64, out: &mut [f64]) {
+        let waves = match self {
+            // Before and after, the motion rests.
+            _ if !(0.0..=1.0).contains(&tau) => Wave::default(),
+            Self::ConstantVelocity => Wave::default(),
+            Self::Harmonic => harmonic::wave(tau),
+            Self::Cycloidal => cycloidal::wave(tau),
+            Self::ModifiedSine => modified_sine::wave(tau),
+            Self::ModifiedTrapezoidal => modified_trapezoidal::wave(tau),
+            Self::Polynomial345 => {
+                all_derivatives(&polynomials::LAW_345, tau, out);
+                return;
+            }
+            Self::Polynomial4567 => {
+                all_derivatives(&polynomials::LAW_4567, tau, out);
+                return;
+            }
+        };
+        let [s, s_1, s_2] = self.normalised(tau);
+        let Wave { mut sine, mut cosine, omega } = waves;
+        for (order, place) in out.iter_mut().enumerate() {
+            *place = match order {
+                0 => s,
+                1 => s_1,
+                2 => s_2,
+                _ => {
+                    (sine, cosine) = (omega * cosine, -omega * sine);
+                    sine
+                }
+            };
+        }
+    }
+}
+
+/// s″ = a sin θ as a piece of a wave: a sin θ, a cos θ, and θ′.
+#[derive(Clone, Copy, Default)]
+struct Wave {
+    sine: f64,
+    cosine: f64,
+    omega: f64,
+}
+
+impl Wave {
+    fn new(amplitude: f64, (sin, cos): (f64, f64), omega: f64) -> Self {
+        Self { sine: amplitude * sin, cosine: amplitude * cos, omega }
     }
 }

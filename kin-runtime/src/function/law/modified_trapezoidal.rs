@@ -1,6 +1,7 @@
 //! Modified trapezoidal: the acceleration rises over a quarter sine to its peak C = 8π/(2 + π), stays there for a
 //! quarter of the duration, and falls over a quarter sine to 0 at τ = 1/2; the second half mirrors the first.
 
+use super::Wave;
 use crate::scalar::Scalar;
 use core::f64::consts::PI;
 
@@ -30,4 +31,17 @@ fn first_half(tau: f64) -> [f64; 3] {
         let x = tau - 0.375;
         [s_b + v_b * x + PEAK / (OMEGA * OMEGA) * (1.0 + sin), v_b + PEAK / OMEGA * cos, -PEAK * sin]
     }
+}
+
+pub(super) fn wave(tau: f64) -> Wave {
+    // The second half mirrors the first: s″(τ) = −s″(1 − τ), s‴(τ) = s‴(1 − τ). A piece begins with its first instant.
+    let (from_start, sign) = if tau >= 0.5 { (1.0 - tau, -1.0) } else { (tau, 1.0) };
+    let constant = if tau >= 0.5 { from_start > 0.125 && from_start <= 0.375 } else { (0.125..0.375).contains(&tau) };
+    if constant {
+        return Wave::new(sign * PEAK, (1.0, 0.0), 0.0);
+    }
+    let (sin, cos) = Scalar::sin_cos(OMEGA * from_start);
+    let rises = if tau >= 0.5 { from_start <= 0.125 } else { tau < 0.125 };
+    let amplitude = if rises { PEAK } else { -PEAK };
+    Wave::new(amplitude, (sign * sin, cos), OMEGA)
 }

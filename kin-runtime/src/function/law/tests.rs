@@ -76,3 +76,29 @@ fn beyond_its_interval_a_law_rests() {
         assert_eq!(law.normalised(1.1), [1.0, 0.0, 0.0]);
     }
 }
+
+/// Every derivative is the derivative of the one before, and the first three are those of `normalised`.
+#[test]
+fn higher_derivatives_are_derivatives() {
+    for law in MotionLaw::ALL {
+        for k in 0..50 {
+            // Away from the places where pieces meet.
+            let (tau, h) = (0.0051 + 0.0199 * f64::from(k), 1e-4);
+            let at = |tau: f64| {
+                let mut all = [0.0; 7];
+                law.derivatives(tau, &mut all);
+                all
+            };
+            let [before, here, after] = [at(tau - h), at(tau), at(tau + h)];
+            assert_eq!(law.normalised(tau)[..], here[..3], "{law:?}");
+            for order in 0..6 {
+                let slope = (after[order] - before[order]) / (2.0 * h);
+                let size = 1.0 + here[order + 1].abs() + 13.0_f64.powi(order as i32);
+                assert!((slope - here[order + 1]).abs() < 1e-5 * size, "{law:?} {tau} {order}: {slope} {here:?}");
+            }
+        }
+    }
+    let mut resting = [f64::NAN; 5];
+    MotionLaw::Cycloidal.derivatives(1.5, &mut resting);
+    assert_eq!(resting, [1.0, 0.0, 0.0, 0.0, 0.0]);
+}

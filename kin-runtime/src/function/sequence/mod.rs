@@ -79,7 +79,32 @@ impl Sequence {
     }
 }
 
+impl Sequence {
+    /// The segment that is valid at `x`, and `x` in its period; `None` on the straight continuations.
+    fn segment_at(&self, x: f64) -> Option<(&Segment, f64)> {
+        let (start, end) = self.domain;
+        if x.is_nan() || !self.periodic && !(start..=end).contains(&x) {
+            return None;
+        }
+        let x = if self.periodic { super::wrapped(x, start, end) } else { x };
+        let place = self.segments[1..].partition_point(|segment| segment.start <= x);
+        Some((&self.segments[place], x))
+    }
+}
+
 impl ScalarFunction for Sequence {
+    /// All of them. Where a law has a jump in one of its derivatives, it is that of the piece that begins there.
+    fn derivatives(&self, x: f64, out: &mut [f64]) -> usize {
+        match self.segment_at(x) {
+            Some((segment, x)) => segment.derivatives(x, out),
+            None => {
+                out.fill(0.0);
+                out.iter_mut().zip(self.evaluate(x)).for_each(|(place, value)| *place = value);
+            }
+        }
+        out.len()
+    }
+
     fn evaluate(&self, x: f64) -> [f64; 3] {
         let (start, end) = self.domain;
         let straight = |[s, velocity, _]: [f64; 3], from: f64| [s + velocity * (x - from), velocity, 0.0];

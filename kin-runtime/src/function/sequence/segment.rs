@@ -1,7 +1,7 @@
 //! One segment of a sequence.
 
 use crate::function::law::MotionLaw;
-use crate::function::polynomial::horner;
+use crate::function::polynomial::{all_derivatives, horner};
 use alloc::vec::Vec;
 
 /// A piece of a motion over [start, start + duration].
@@ -34,6 +34,18 @@ impl Course {
         }
     }
 
+    /// All derivatives of the displacement by τ.
+    fn derivatives(&self, tau: f64, out: &mut [f64]) {
+        match self {
+            Self::Dwell => out.fill(0.0),
+            Self::Law(law, rise) => {
+                law.derivatives(tau, out);
+                out.iter_mut().for_each(|s| *s *= rise);
+            }
+            Self::Polynomial(coefficients) => _ = all_derivatives(coefficients, tau, out),
+        }
+    }
+
     /// Displacement over the whole segment.
     pub(super) fn rise(&self) -> f64 {
         match self {
@@ -48,6 +60,16 @@ impl Segment {
     pub(super) fn evaluate(&self, x: f64) -> [f64; 3] {
         // Rounding must not lead out of a law: beyond its end it rests.
         self.at(((x - self.start) / self.duration).clamp(0.0, 1.0))
+    }
+
+    /// f, f′, f″, … at x.
+    pub(super) fn derivatives(&self, x: f64, out: &mut [f64]) {
+        self.course.derivatives(((x - self.start) / self.duration).clamp(0.0, 1.0), out);
+        let mut scale = 1.0;
+        for (order, place) in out.iter_mut().enumerate() {
+            *place = if order == 0 { self.position + *place } else { *place / scale };
+            scale *= self.duration;
+        }
     }
 
     pub(super) fn at_start(&self) -> [f64; 3] {

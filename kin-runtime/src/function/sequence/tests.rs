@@ -96,3 +96,28 @@ fn unsound_sequences_are_refused() {
     assert!(matches!(nearly(1e-9), Err(NotPeriodic { .. })));
     assert!(open.unwrap_err().to_string().contains("begins at 0 and ends at 0.1"));
 }
+
+/// The third derivative of a cycloidal rise is 4π² h/β³ cos 2πτ; a dwell has none, and a polynomial its own.
+#[test]
+fn higher_derivatives_by_hand() {
+    let cam = cam();
+    let at = |x: f64| {
+        let mut all = [f64::NAN; 6];
+        assert_eq!(cam.derivatives(x, &mut all), 6);
+        assert_eq!(cam.evaluate(x)[..], all[..3], "{x}");
+        all
+    };
+    let scale = core::f64::consts::TAU.powi(2) * 0.03 / 8.0;
+    assert!((at(1.5)[3] - scale).abs() < 1e-14 && (at(26.5)[3] - scale).abs() < 1e-14);
+    assert!((at(2.5)[3] + scale).abs() < 1e-14 && at(2.5)[4].abs() < 1e-14);
+    assert_eq!(at(1.2), [0.2, 0.0, 0.0, 0.0, 0.0, 0.0]);
+    let middle = at(4.75);
+    let expected = [-0.1 * 6.0 + 0.15 * 12.0 - 0.06 * 15.0, 0.15 * 24.0 - 0.06 * 60.0, -0.06 * 120.0];
+    for (order, expected) in (3..6).zip(expected) {
+        assert!((middle[order] - expected * 2.0_f64.powi(order as i32)).abs() < 1e-11, "{order}: {middle:?}");
+    }
+    let straight = Sequence::starting_at(0.0, 0.0).rise(MotionLaw::ConstantVelocity, 1.0, 2.0).build().unwrap();
+    let mut beyond = [f64::NAN; 4];
+    assert_eq!(straight.derivatives(4.0, &mut beyond), 4);
+    assert_eq!(beyond, [2.0, 0.5, 0.0, 0.0]);
+}

@@ -150,13 +150,36 @@ impl CubicSpline {
 
     /// The piece that is valid at `x`.
     fn at(&self, x: f64) -> [f64; 3] {
-        let last = self.pieces.len() - 1;
-        let i = self.knots[1..=last].partition_point(|knot| *knot <= x);
+        let i = self.piece_at(x);
         super::polynomial::horner(&self.pieces[i], x - self.knots[i])
+    }
+
+    /// The number of the piece that is valid at `x`.
+    fn piece_at(&self, x: f64) -> usize {
+        let last = self.pieces.len() - 1;
+        self.knots[1..=last].partition_point(|knot| *knot <= x)
     }
 }
 
 impl ScalarFunction for CubicSpline {
+    /// All of them, f‴ constant between the points of the table and 0 from f⁗ on; at a point, where f‴ jumps, that of the
+    /// piece that begins there.
+    fn derivatives(&self, x: f64, out: &mut [f64]) -> usize {
+        let (start, end) = self.domain();
+        let inside = match self.outside {
+            Outside::Cubic => x,
+            Outside::Straight if x < start || x > end => {
+                out.fill(0.0);
+                out.iter_mut().zip(self.evaluate(x)).for_each(|(place, value)| *place = value);
+                return out.len();
+            }
+            Outside::Straight => x,
+            Outside::Periodic => super::wrapped(x, start, end),
+        };
+        let i = self.piece_at(inside);
+        super::polynomial::all_derivatives(&self.pieces[i], inside - self.knots[i], out)
+    }
+
     fn evaluate(&self, x: f64) -> [f64; 3] {
         let (start, end) = self.domain();
         match self.outside {

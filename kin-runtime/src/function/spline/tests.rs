@@ -156,3 +156,23 @@ fn not_a_number_has_no_value() {
         assert!(spline.evaluate(f64::NAN)[0].is_nan());
     }
 }
+
+/// The third derivative is that of the cubic, higher ones vanish, and outside it is what the ends say.
+#[test]
+fn higher_derivatives_by_hand() {
+    let at = |spline: &CubicSpline, x: f64| {
+        let mut all = [f64::NAN; 5];
+        assert_eq!(spline.derivatives(x, &mut all), 5);
+        assert!(close([all[0], all[1], all[2]], spline.evaluate(x), 1e-15), "{x}");
+        [all[3], all[4]]
+    };
+    let natural = CubicSpline::natural(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0]).unwrap();
+    assert_eq!(at(&natural, 0.5), [-3.0, 0.0]);
+    assert_eq!(at(&natural, 1.0), [3.0, 0.0]);
+    assert_eq!(at(&natural, 2.5), [0.0, 0.0]);
+    let y = X.map(|x| cubic(x)[0]);
+    let clamped = CubicSpline::clamped(&X, &y, cubic(X[0])[1], cubic(X[5])[1]).unwrap();
+    assert!((at(&clamped, 5.0)[0] + 12.0).abs() < 1e-9);
+    let periodic = CubicSpline::periodic(&[0.0, 1.0, 3.0], &[0.0, 1.0, 0.0]).unwrap();
+    assert!((at(&periodic, 0.5)[0] - at(&periodic, 30.5)[0]).abs() < 1e-12);
+}

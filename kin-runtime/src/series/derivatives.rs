@@ -1,0 +1,173 @@
+//! The analysis of higher order: order after order with the factorisation of velocity and acceleration analysis.
+
+use super::arithmetic::PowerSeries;
+use super::orders::{HigherOrders, Orders};
+use super::tape::Missing;
+use crate::equations::Equations;
+use crate::error::SolveError;
+use crate::linear::Factorization;
+use crate::mechanism::LengthError;
+use crate::scale::Scale;
+use crate::solver::Solver;
+use crate::state::State;
+use crate::velocity::{factorize, inconsistency, scaled};
+use crate::workspace::{Instant, Signal};
+use nalgebra::DVector;
+
+/// Derivatives of q with respect to time at one instant: position, velocity, acceleration, jerk, snap, ….
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Derivatives {
+    /// Time.
+    pub t: f64,
+    /// The inputs, in the order of declaration.
+    pub inputs: Vec<Signal>,
+    /// Their derivatives from the third on, as far as they were given.
+    pub further: Vec<Vec<f64>>,
+    /// q, q̇, q̈, q⃛, …: n numbers for every order, in the user's unit over the unit of time to that power.
+    pub q: Vec<Vec<f64>>,
+}
+
+impl Derivatives {
+    /// The highest order.
+    pub fn order(&self) -> usize {
+        self.q.len() - 1
+    }
+
+    /// The instant, to hand to other analyses.
+    pub fn instant(&self) -> Instant<'_> {
+        Instant { t: self.t, inputs: &self.inputs }
+    }
+
+    /// The inputs' derivatives from the third on.
+    pub(super) fn further(&self) -> Vec<&[f64]> {
+        self.further.iter().map(Vec::as_slice).collect()
+    }
+}
+
+impl<M: PowerSeries> Solver<'_, M> {
+    /// All derivatives of q up to `order` at a solved state: the third is jerk.
+    ///
+    /// Order after order is one more right-hand side for Φ_q q⁽ᵏ⁾ = …, with the factorisation that gives q̇ and q̈; see
+    /// [`series`](crate::series). Orders 0, 1, 2 are those of the state. Where degrees of freedom are left, every order
+    /// is the one of least norm, as q̇ and q̈ are.
+    ///
+    /// Inputs are known with value, rate and acceleration, supplied functions as far as they say
+    /// ([`ScalarFunction::derivatives`](crate::ScalarFunction::derivatives)): a higher order that needs more of them is
+    /// an error that names them, and [`derivatives_with`](Self::derivatives_with) takes more of the inputs. Prescribed
+    /// coordinates go on with constant acceleration.
+    ///
+    /// ```
+    /// use kin_runtime::{Kinematics, mechanism};
+    ///
+    /// /// A crank of length 2 that turns once in 2π.
+    /// #[mechanism]
+    /// #[bodies(crank)]
+    /// #[revolute(pin: ground @ (0, 0), crank @ (-2, 0))]
+    /// #[driver(drive: crank.phi = t)]
+    /// struct Crank;
+    ///
+    /// let solver = Crank.solver();
+    /// let state = solver.state(&0.0.into())?;
+    /// let derivatives = solver.derivatives(&state, 4)?;
+    /// // x = 2 cos t, y = 2 sin t, φ = t.
+    /// let expected = [[2.0, 0.0, 0.0], [0.0, 2.0, 1.0], [-2.0, 0.0, 0.0], [0.0, -2.0, 0.0], [2.0, 0.0, 0.0]];
+    /// for (found, expected) in derivatives.q.iter().zip(expected) {
+    ///     assert!(found.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-14));
+    /// }
+    /// # Ok::<(), kin_runtime::SolveError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`velocity`](Self::velocity); [`UnknownDerivative`](SolveError::UnknownDerivative) where an input or a
+    /// supplied function is not known far enough, [`NotSmooth`](SolveError::NotSmooth) where a row has no such
+    /// derivative, [`InconsistentDerivative`](SolveError::InconsistentDerivative) where redundant rows disagree.
+    pub fn derivatives(&self, state: &State, order: usize) -> Result<Derivatives, SolveError> {
+        self.derivatives_with(state, order, &[])
+    }
+
+    /// [`derivatives`](Self::derivatives) with, for every input in the order of declaration, its derivatives from the
+    /// third on as far as they are known: `&[&[u⃛, u⁗]]`.
+    ///
+    /// # Errors
+    /// As [`derivatives`](Self::derivatives), and [`Length`](SolveError::Length) for more lists than inputs.
+    pub fn derivatives_with(&self, state: &State, order: usize, further: &[&[f64]]) -> Result<Derivatives, SolveError> {
+        if further.len() > M::INPUTS {
+            let (what, expected, found) = ("inputs", M::INPUTS, further.len());
+            return Err(SolveError::Length(LengthError { what, expected, found }));
+        }
+        let finite = further.iter().enumerate().flat_map(|(k, list)| list.iter().map(move |value| (k, value)));
+        if let Some((index, _)) = finite.into_iter().find(|(_, value)| !value.is_finite()) {
+            return Err(SolveError::NonFinite { what: "inputs", index, name: M::model().inputs[index], t: None });
+        }
+        let mut orders = HigherOrders::new(self.mechanism, order);
+        self.analyse(&state.instant(), |equations| derivatives(equations, &mut orders, state, order, further))
+    }
+}
+
+/// All orders at a state.
+fn derivatives(
+    equations: &mut Equations<'_>,
+    orders: &mut dyn Orders,
+    state: &State,
+    order: usize,
+    further: &[&[f64]],
+) -> Result<Derivatives, SolveError> {
+    let known = [&state.q, &state.q_dot, &state.q_ddot];
+    for (what, vector) in ["q", "q_dot", "q_ddot"].into_iter().zip(known) {
+        equations.check(what, vector)?;
+    }
+    let mut q: Vec<Vec<f64>> = known.into_iter().take(order + 1).cloned().collect();
+    if order > 2 {
+        equations.scale = Scale::around(equations, &state.q);
+        let factor = factorize(equations, &state.q, None)?;
+        orders.begin_with(&state.instant(), further, known.map(Vec::as_slice))?;
+        for k in 3..=order {
+            if k > 3 {
+                orders.advance(&q[k - 1])?;
+            }
+            if let Some(error) = undefined(equations, orders, k) {
+                return Err(error);
+            }
+            q.push(solve(equations, &factor, orders.right(), k)?);
+        }
+    }
+    let further = further.iter().map(|list| list.to_vec()).collect();
+    Ok(Derivatives { t: state.t, inputs: state.inputs.clone(), further, q })
+}
+
+/// q⁽ᵏ⁾ with Φ_q q⁽ᵏ⁾ = b, given b of the mechanism's own rows. That of prescribed coordinates is 0.
+fn solve(equations: &Equations<'_>, factor: &Factorization, own: &[f64], k: usize) -> Result<Vec<f64>, SolveError> {
+    let right = DVector::from_fn(equations.rows(), |row, _| own.get(row).copied().unwrap_or(0.0));
+    let right = scaled(equations, &right);
+    let solution = factor.solve(&right);
+    if let Some((row, residual)) = inconsistency(equations, &solution, &right) {
+        let (row_name, joint) = (equations.row_name(row), equations.joint_name(row));
+        let (t, rank) = (equations.t, factor.rank);
+        return Err(SolveError::InconsistentDerivative { t, order: k, residual, row_name, joint, rank });
+    }
+    equations.check("derivative", solution.as_slice()).map_err(|error| error.at(equations.t))?;
+    Ok(solution.as_slice().to_vec())
+}
+
+/// Why the k-th derivatives of the rows are no numbers, where they are none.
+fn undefined(equations: &Equations<'_>, orders: &dyn Orders, k: usize) -> Option<SolveError> {
+    let row = orders.right().iter().position(|b| !b.is_finite())?;
+    let (row_name, joint, t) = (equations.row_name(row), equations.joint_name(row), equations.t);
+    Some(unknown(equations, orders.missing(), k).unwrap_or(SolveError::NotSmooth { t, order: k, row_name, joint }))
+}
+
+/// What is not known far enough for order k.
+pub(super) fn unknown(equations: &Equations<'_>, missing: Option<Missing>, order: usize) -> Option<SolveError> {
+    let (model, t) = (equations.model, equations.t);
+    Some(match missing? {
+        Missing::Input { index, known } => {
+            let name = model.inputs.get(index).copied().unwrap_or_default();
+            SolveError::UnknownDerivative { t, order, what: "input", name, known }
+        }
+        Missing::Function { number, known } => {
+            let name = model.functions.get(number).copied().unwrap_or_default();
+            SolveError::UnknownDerivative { t, order, what: "function", name, known }
+        }
+    })
+}

@@ -1,0 +1,115 @@
+//! Higher derivatives of everything that a mechanism reports.
+
+use super::arithmetic::PowerSeries;
+use super::course::factorial;
+use super::derivatives::{Derivatives, unknown};
+use super::orders::{HigherOrders, Orders};
+use crate::equations::{Equations, length};
+use crate::error::SolveError;
+use crate::model::{Body, Model, Point};
+use crate::motion::name;
+use crate::solver::Solver;
+use core::fmt;
+use core::ops::Index;
+
+/// Derivatives of bodies, points, defines, joints and conditions at one instant, order by order.
+///
+/// Indexed by the handles of the mechanism: `motion[FourBar::tip][3]` is the jerk of the point `tip`, (x, y) in the
+/// inertial frame.
+#[derive(Clone, PartialEq)]
+pub struct MotionDerivatives {
+    /// The mechanism's names.
+    pub model: &'static Model,
+    /// Bodies, in the order of [`Model::bodies`]: (x, y, φ) for every order.
+    pub bodies: Vec<Vec<[f64; 3]>>,
+    /// Points, in the order of [`Model::points`]: (x, y) for every order.
+    pub points: Vec<Vec<[f64; 2]>>,
+    /// Defines, in the order of [`Model::defines`].
+    pub defines: Vec<Vec<f64>>,
+    /// Per joint of [`Model::joints`], its quantities in the order of
+    /// [`JointInfo::quantities`](crate::model::JointInfo::quantities).
+    pub joints: Vec<Vec<Vec<f64>>>,
+    /// Unilateral conditions, in the order of [`Model::conditions`].
+    pub conditions: Vec<Vec<f64>>,
+}
+
+impl fmt::Debug for MotionDerivatives {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("MotionDerivatives")
+            .field("model", &self.model.name)
+            .field("bodies", &self.bodies)
+            .field("points", &self.points)
+            .field("defines", &self.defines)
+            .field("joints", &self.joints)
+            .field("conditions", &self.conditions)
+            .finish()
+    }
+}
+
+impl Index<Body> for MotionDerivatives {
+    type Output = [[f64; 3]];
+
+    fn index(&self, body: Body) -> &[[f64; 3]] {
+        &self.bodies[body.0]
+    }
+}
+
+impl Index<Point> for MotionDerivatives {
+    type Output = [[f64; 2]];
+
+    fn index(&self, point: Point) -> &[[f64; 2]] {
+        &self.points[point.0]
+    }
+}
+
+impl<M: PowerSeries> Solver<'_, M> {
+    /// Derivatives of bodies, points, defines and joints, to the order of those of q.
+    ///
+    /// # Errors
+    /// [`UnknownDerivative`](SolveError::UnknownDerivative) where an input or a supplied function is not known far
+    /// enough; [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
+    pub fn motion_derivatives(&self, derivatives: &Derivatives) -> Result<MotionDerivatives, SolveError> {
+        let mut orders = HigherOrders::new(self.mechanism, derivatives.order());
+        self.analyse(&derivatives.instant(), |equations| motion(equations, &mut orders, derivatives))
+    }
+}
+
+fn motion(
+    equations: &mut Equations<'_>,
+    orders: &mut dyn Orders,
+    derivatives: &Derivatives,
+) -> Result<MotionDerivatives, SolveError> {
+    length("derivatives of inputs", equations.inputs.len().min(derivatives.further.len()), derivatives.further.len())?;
+    for vector in &derivatives.q {
+        equations.check("q", vector)?;
+    }
+    let rows = orders.observe(&derivatives.instant(), &derivatives.further(), &derivatives.q)?;
+    let model = equations.model;
+    let count = model.observables.len();
+    if let Some((place, value)) = rows.iter().enumerate().find(|(_, value)| !value.is_finite()) {
+        let (order, index) = (place / count, place % count);
+        let error = SolveError::NonFinite { what: "observables", index, name: name(model, index), t: None };
+        let error = unknown(equations, orders.missing(), order).filter(|_| value.is_nan()).unwrap_or(error);
+        return Err(error.at(equations.t));
+    }
+    let at = |observable: usize, order: usize| rows[order * count + observable] * factorial(order);
+    let all = |observable: usize| -> Vec<f64> { (0..=derivatives.order()).map(|k| at(observable, k)).collect() };
+    let bodies = model.bodies.iter().map(|body| {
+        let orders = 0..=derivatives.order();
+        orders.map(|order| body.observables.map(|observable| at(observable, order))).collect()
+    });
+    let points = model.points.iter().map(|point| {
+        let orders = 0..=derivatives.order();
+        orders.map(|order| point.observables.map(|observable| at(observable, order))).collect()
+    });
+    let joints =
+        model.joints.iter().map(|joint| joint.quantities.iter().map(|quantity| all(quantity.observable)).collect());
+    Ok(MotionDerivatives {
+        model,
+        bodies: bodies.collect(),
+        points: points.collect(),
+        defines: model.defines.iter().map(|define| all(define.observable)).collect(),
+        joints: joints.collect(),
+        conditions: model.conditions.iter().map(|condition| all(condition.observable)).collect(),
+    })
+}

@@ -1,0 +1,256 @@
+//! Right-hand sides order by order, and what is known of q so far.
+
+use super::arithmetic::PowerSeries;
+use super::course::{Course, factorial};
+use super::next::{News, Next};
+use super::start::Start;
+use super::tape::{Missing, Tape};
+use crate::mechanism::LengthError;
+use crate::model::Level;
+use crate::workspace::Instant;
+
+/// The equations of derivatives of order 3 and higher, for a caller with a linear solver of its own.
+///
+/// [`begin`](Self::begin) at an instant with q, q̇, q̈; then [`right`](Self::right) is the right-hand side b of
+///
+/// ```text
+/// Φ_q q⁽ᵏ⁾ = b
+/// ```
+///
+/// for [`order`](Self::order) k = 3, with Φ_q of that q; [`advance`](Self::advance) takes the solution and goes on to
+/// k + 1. After the first instant nothing is allocated. [`Solver::derivatives`](crate::Solver::derivatives) does all of
+/// this, with its own factorisation and its errors; here a b that cannot be computed is not finite.
+///
+/// ```
+/// use kin_runtime::series::HigherOrders;
+/// use kin_runtime::{Instant, mechanism};
+///
+/// /// A wheel that speeds up: φ = t³, so that the third derivative of its angle is 6.
+/// #[mechanism]
+/// #[coordinates(phi)]
+/// #[driver(drive: phi = t.powi(3))]
+/// struct Wheel;
+///
+/// let mut orders = HigherOrders::new(&Wheel, 3);
+/// orders.begin(&Instant::at(2.0), &[8.0], &[12.0], &[12.0])?;
+/// assert_eq!((orders.order(), orders.right()), (3, &[6.0][..]));
+/// # Ok::<(), kin_runtime::LengthError>(())
+/// ```
+pub struct HigherOrders<'m, M: PowerSeries> {
+    mechanism: &'m M,
+    parameters: M::Parameters<f64>,
+    pub(super) course: Course,
+    constraints: Tape,
+    velocities: Tape,
+    observables: Tape,
+    /// Coefficients of Φ or η, and what they make.
+    phi: Vec<f64>,
+    eta: Vec<f64>,
+    right: Vec<f64>,
+    missing: Option<Missing>,
+    /// The order of `right`.
+    order: usize,
+    highest: usize,
+    /// Rows of velocity level.
+    of_velocity: Vec<usize>,
+}
+
+impl<'m, M: PowerSeries> HigherOrders<'m, M> {
+    /// Room for derivatives up to `highest`.
+    pub fn new(mechanism: &'m M, highest: usize) -> Self {
+        let rows = M::model().rows;
+        let is_of_velocity = |row: &usize| rows.get(*row).is_some_and(|info| info.level == Level::Velocity);
+        Self {
+            mechanism,
+            parameters: mechanism.parameters(),
+            course: Course::new(highest, M::COORDINATES, M::INPUTS),
+            constraints: Tape::new(highest.max(3)),
+            velocities: Tape::new(highest.max(3)),
+            observables: Tape::new(highest.max(3)),
+            phi: vec![0.0; M::ROWS],
+            eta: vec![0.0; M::ROWS],
+            right: vec![0.0; M::ROWS],
+            missing: None,
+            order: 0,
+            highest,
+            of_velocity: (0..M::ROWS).filter(is_of_velocity).collect(),
+        }
+    }
+
+    /// Begins with q, q̇, q̈ at an instant; inputs are known with value, rate and acceleration.
+    ///
+    /// # Errors
+    /// When an argument has the wrong length.
+    pub fn begin(&mut self, at: &Instant<'_>, q: &[f64], q_dot: &[f64], q_ddot: &[f64]) -> Result<(), LengthError> {
+        self.begin_with(at, &[], [q, q_dot, q_ddot])
+    }
+
+    /// [`begin`](Self::begin) with q, q̇, q̈ and, for every input, its derivatives from the third on as far as they are
+    /// known.
+    ///
+    /// # Errors
+    /// When an argument has the wrong length.
+    pub fn begin_with(&mut self, at: &Instant<'_>, further: &[&[f64]], known: [&[f64]; 3]) -> Result<(), LengthError> {
+        let length = |what, expected, found| {
+            if expected == found { Ok(()) } else { Err(LengthError { what, expected, found }) }
+        };
+        length("inputs", M::INPUTS, at.inputs.len())?;
+        for (what, vector) in ["q", "q_dot", "q_ddot"].into_iter().zip(known) {
+            length(what, M::COORDINATES, vector.len())?;
+        }
+        self.course.begin(at, further);
+        known.into_iter().enumerate().for_each(|(order, vector)| self.course.take(order, vector));
+        (self.order, self.missing) = (3, None);
+        let keep = self.highest > 3;
+        let mut start = Start::<4, false> {
+            course: &self.course,
+            tape: &mut self.constraints,
+            keep,
+            place: 0,
+            rows: &mut self.phi,
+            count: M::ROWS,
+            missing: &mut self.missing,
+        };
+        self.mechanism.constraint_series(self.parameters.as_ref(), &mut start)?;
+        if !self.of_velocity.is_empty() {
+            let mut start = Start::<3, false> {
+                course: &self.course,
+                tape: &mut self.velocities,
+                keep,
+                place: 0,
+                rows: &mut self.eta,
+                count: M::ROWS,
+                missing: &mut self.missing,
+            };
+            self.mechanism.velocity_series(self.parameters.as_ref(), &mut start)?;
+        }
+        self.write_right();
+        Ok(())
+    }
+
+    /// The order k of [`right`](Self::right).
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// b, s numbers, with Φ_q q⁽ᵏ⁾ = b.
+    pub fn right(&self) -> &[f64] {
+        &self.right
+    }
+
+    /// Takes q⁽ᵏ⁾, n numbers, and goes on to the next order, where one was asked for.
+    ///
+    /// # Errors
+    /// When the vector has the wrong length.
+    pub fn advance(&mut self, derivative: &[f64]) -> Result<(), LengthError> {
+        if derivative.len() != M::COORDINATES {
+            let (expected, found) = (M::COORDINATES, derivative.len());
+            return Err(LengthError { what: "derivative", expected, found });
+        }
+        if self.order < 3 || self.order > self.highest {
+            return Ok(());
+        }
+        self.course.take(self.order, derivative);
+        self.order += 1;
+        if self.order > self.highest {
+            return Ok(());
+        }
+        let mut next = Next {
+            course: &self.course,
+            tape: &mut self.constraints,
+            place: 0,
+            order: self.order,
+            news: News::Coordinates,
+            rows: &mut self.phi,
+            missing: &mut self.missing,
+        };
+        self.mechanism.constraint_series(self.parameters.as_ref(), &mut next)?;
+        if !self.of_velocity.is_empty() {
+            let mut next = Next {
+                course: &self.course,
+                tape: &mut self.velocities,
+                place: 0,
+                order: self.order - 1,
+                news: News::Rates,
+                rows: &mut self.eta,
+                missing: &mut self.missing,
+            };
+            self.mechanism.velocity_series(self.parameters.as_ref(), &mut next)?;
+        }
+        self.write_right();
+        Ok(())
+    }
+
+    /// b = −k! [τᵏ] Φ, and −(k − 1)! [τ^{k−1}] η.
+    fn write_right(&mut self) {
+        let factor = -factorial(self.order);
+        self.right.iter_mut().zip(&self.phi).for_each(|(right, phi)| *right = factor * phi);
+        for &row in &self.of_velocity {
+            self.right[row] = factor / self.order as f64 * self.eta[row];
+        }
+    }
+}
+
+/// The same without the type of the mechanism, for analyses that are compiled once.
+pub(super) trait Orders {
+    /// [`HigherOrders::begin_with`].
+    fn begin_with(&mut self, at: &Instant<'_>, further: &[&[f64]], known: [&[f64]; 3]) -> Result<(), LengthError>;
+    /// [`HigherOrders::right`].
+    fn right(&self) -> &[f64];
+    /// [`HigherOrders::advance`].
+    fn advance(&mut self, derivative: &[f64]) -> Result<(), LengthError>;
+    /// What some coefficient would have needed.
+    fn missing(&self) -> Option<Missing>;
+    /// The coefficients of all observables, order by order, where q is known with `q` to the highest order.
+    fn observe(&mut self, at: &Instant<'_>, further: &[&[f64]], q: &[Vec<f64>]) -> Result<Vec<f64>, LengthError>;
+}
+
+impl<M: PowerSeries> Orders for HigherOrders<'_, M> {
+    fn begin_with(&mut self, at: &Instant<'_>, further: &[&[f64]], known: [&[f64]; 3]) -> Result<(), LengthError> {
+        HigherOrders::begin_with(self, at, further, known)
+    }
+
+    fn right(&self) -> &[f64] {
+        HigherOrders::right(self)
+    }
+
+    fn advance(&mut self, derivative: &[f64]) -> Result<(), LengthError> {
+        HigherOrders::advance(self, derivative)
+    }
+
+    fn missing(&self) -> Option<Missing> {
+        self.missing
+    }
+
+    fn observe(&mut self, at: &Instant<'_>, further: &[&[f64]], q: &[Vec<f64>]) -> Result<Vec<f64>, LengthError> {
+        self.course.begin(at, further);
+        q.iter().enumerate().for_each(|(order, vector)| self.course.take(order, vector));
+        self.missing = None;
+        let count = M::model().observables.len();
+        let mut rows = vec![0.0; count * (self.highest.max(3) + 1)];
+        let mut start = Start::<4, true> {
+            course: &self.course,
+            tape: &mut self.observables,
+            keep: self.highest > 3,
+            place: 0,
+            rows: &mut rows,
+            count,
+            missing: &mut self.missing,
+        };
+        self.mechanism.observable_series(self.parameters.as_ref(), &mut start)?;
+        for order in 4..=self.highest {
+            let mut next = Next {
+                course: &self.course,
+                tape: &mut self.observables,
+                place: 0,
+                order,
+                news: News::Nothing,
+                rows: &mut rows[order * count..],
+                missing: &mut self.missing,
+            };
+            self.mechanism.observable_series(self.parameters.as_ref(), &mut next)?;
+        }
+        rows.truncate(count * (self.highest + 1));
+        Ok(rows)
+    }
+}

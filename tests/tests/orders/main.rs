@@ -1,0 +1,35 @@
+//! Derivatives above the second: closed forms, functions, what is refused, and that nothing is allocated.
+
+mod closed_forms;
+mod functions;
+mod long;
+mod refusals;
+mod scaling;
+
+use kin_runtime::{Kinematics, PowerSeries, Solver};
+
+/// q at t + h by Taylor's formula from the derivatives at t.
+fn expanded(derivatives: &[Vec<f64>], h: f64) -> Vec<f64> {
+    let n = derivatives[0].len();
+    let mut sum = vec![0.0; n];
+    for (order, derivative) in derivatives.iter().enumerate().rev() {
+        // Horner's scheme: the next order is divided by one number more.
+        for (sum, value) in sum.iter_mut().zip(derivative) {
+            *sum = *sum * h / (order + 1) as f64 + value;
+        }
+    }
+    sum
+}
+
+/// The series at `t` gives the positions at t ± h.
+fn expands<M: Kinematics + PowerSeries>(solver: &Solver<'_, M>, t: f64, h: f64, order: usize, tolerance: f64) {
+    let state = solver.state(&t.into()).unwrap();
+    let derivatives = solver.derivatives(&state, order).unwrap();
+    for h in [h, -h] {
+        let reached = solver.position(&(t + h).into(), &state.q).unwrap().q;
+        let expanded = expanded(&derivatives.q, h);
+        for ((found, expected), name) in expanded.iter().zip(&reached).zip(M::model().coordinates) {
+            assert!((found - expected).abs() < tolerance, "{} at {}: {found} {expected}", name.name, t + h);
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! What has no derivative of an order, or is not known far enough, is refused by name.
+
+use kin_runtime::function::FromFn;
+use kin_runtime::{Instant, Kinematics, Signal, SolveError, mechanism};
+
+/// A row whose argument passes 0 at t = 1.
+#[mechanism]
+#[coordinates(u, v)]
+#[driver(drive: u = t - 1)]
+#[constraint(kink: v = abs(u) + abs(t - 1))]
+struct Kink;
+
+#[mechanism]
+#[coordinates(u, v)]
+#[driver(drive: u = pow(t - 1, 2))]
+#[constraint(branch: v * v * v + v = sqrt(u))]
+struct Branch;
+
+#[mechanism]
+#[coordinates(u, v)]
+#[driver(drive: u = t - 1)]
+#[constraint(pole: v = (1 - cos(u)) / u)]
+struct Pole;
+
+/// The error of order 3 at t = 1, where q, q̇, q̈ are made up.
+fn refused<M: Kinematics + kin_runtime::PowerSeries>(mechanism: &M) -> SolveError {
+    let mut state = mechanism.state_at(&1.5.into()).unwrap();
+    state.t = 1.0;
+    state.q = vec![0.0; M::COORDINATES];
+    mechanism.solver().derivatives(&state, 3).unwrap_err()
+}
+
+#[test]
+fn where_nothing_is_smooth_the_row_is_named() {
+    let error = refused(&Kink);
+    assert_eq!(SolveError::NotSmooth { t: 1.0, order: 3, row_name: "kink", joint: "kink" }, error);
+    let said = "row `kink` of joint `kink` has no derivative of order 3 at t = 1: a root, a divisor or an absolute \
+                value in it is 0";
+    assert_eq!(said, error.to_string());
+    // What velocity analysis cannot compute it says itself.
+    assert!(matches!(refused(&Branch), SolveError::NonFinite { .. } | SolveError::NotSmooth { .. }));
+    assert!(matches!(refused(&Pole), SolveError::NonFinite { .. } | SolveError::NotSmooth { .. }));
+}
+
+/// An input that drives, one that drives a rate, and one of which only a define speaks.
+#[mechanism]
+#[input(lift, pace, note)]
+#[coordinates(u, v, w)]
+#[driver(raise: u = sin(lift))]
+#[nonholonomic(go: dot(v) = pace)]
+#[driver(plain: w = t)]
+#[define(said = u * note)]
+struct Told;
+
+#[test]
+fn inputs_are_known_as_far_as_they_are_given() {
+    let inputs = [Signal::new(0.3, 0.7, -0.2), Signal::new(0.1, 0.2, 0.4), Signal::new(1.0, 2.0, 3.0)];
+    let at = Instant { t: 0.5, inputs: &inputs };
+    let solver = Told.solver();
+    let state = solver.state(&at).unwrap();
+    let unknown = |order, name, known| SolveError::UnknownDerivative { t: 0.5, order, what: "input", name, known };
+    let error = solver.derivatives(&state, 3).unwrap_err();
+    assert_eq!(unknown(3, "lift", 2), error);
+    let said = "the derivative of order 3 at t = 0.5 needs more of the input `lift` than its value and 2 derivatives";
+    assert_eq!(said, error.to_string());
+
+    // With the third derivative of `lift`, and the acceleration of `pace`, v has a third derivative.
+    let third = solver.derivatives_with(&state, 3, &[&[0.9]]).unwrap();
+    let (sin, cos) = 0.3_f64.sin_cos();
+    let expected = cos * (0.9 - 0.7_f64.powi(3)) - sin * 3.0 * 0.7 * -0.2;
+    assert!((third.q[3][0] - expected).abs() < 1e-14 && (third.q[3][1] - 0.4).abs() < 1e-15, "{third:?}");
+    assert_eq!(unknown(4, "lift", 3), solver.derivatives_with(&state, 4, &[&[0.9]]).unwrap_err());
+    assert_eq!(unknown(4, "pace", 2), solver.derivatives_with(&state, 4, &[&[0.9, 0.1]]).unwrap_err());
+    let fourth = solver.derivatives_with(&state, 4, &[&[0.9, 0.1], &[0.25]]).unwrap();
+    assert!((fourth.q[4][1] - 0.25).abs() < 1e-15);
+
+    // The define alone needs `note`.
+    assert_eq!(unknown(3, "note", 2), solver.motion_derivatives(&third).unwrap_err());
+    let known = solver.derivatives_with(&state, 3, &[&[0.9], &[], &[4.0]]).unwrap();
+    let motion = solver.motion_derivatives(&known).unwrap();
+    let leibniz = known.q[3][0] * 1.0 + 3.0 * known.q[2][0] * 2.0 + 3.0 * known.q[1][0] * 3.0 + known.q[0][0] * 4.0;
+    assert!((motion.defines[0][3] - leibniz).abs() < 1e-14);
+
+    // To the second order nothing is missing.
+    assert_eq!(3, solver.derivatives(&state, 2).unwrap().q.len());
+    solver.motion_derivatives(&solver.derivatives(&state, 2).unwrap()).unwrap();
+    assert!(matches!(solver.derivatives_with(&state, 3, &[&[], &[], &[], &[]]), Err(SolveError::Length(_))));
+    let bad = solver.derivatives_with(&state, 3, &[&[f64::NAN]]).unwrap_err();
+    assert_eq!(SolveError::NonFinite { what: "inputs", index: 0, name: "lift", t: None }, bad);
+}
+
+/// A supplied function that is known to its second derivative.
+#[mechanism]
+#[function(cam)]
+#[coordinates(u, v)]
+#[driver(drive: u = 1 + 0.5 * t)]
+#[constraint(follow: v = cam(u))]
+struct Followed<F> {
+    cam: FromFn<F>,
+}
+
+#[test]
+fn functions_are_known_as_far_as_they_say() {
+    let followed = Followed { cam: FromFn(|x: f64| [x.exp(), x.exp(), x.exp()]) };
+    let solver = followed.solver();
+    let state = solver.state(&0.2.into()).unwrap();
+    assert_eq!(3, solver.derivatives(&state, 2).unwrap().q.len());
+    let error = solver.derivatives(&state, 5).unwrap_err();
+    let right = SolveError::UnknownDerivative { t: 0.2, order: 3, what: "function", name: "cam", known: 2 };
+    assert_eq!(right, error);
+    let said = "the derivative of order 3 at t = 0.2 needs more of the function `cam` than its value and 2 derivatives";
+    assert_eq!(said, error.to_string());
+}
+
+/// A link that is free, and one that is prescribed; two rows that say the same until t enters one of them.
+#[mechanism]
+#[coordinates(u, v)]
+#[constraint(sum: u + v = sin(t))]
+struct Free;
+
+#[test]
+fn prescribed_coordinates_go_on_with_constant_acceleration() {
+    let solver = Free.solver().with_given(0, Signal::new(0.3, 0.2, 0.1));
+    let state = solver.state(&0.4.into()).unwrap();
+    let found = solver.derivatives(&state, 5).unwrap();
+    let sine = [0.4_f64.sin(), 0.4_f64.cos(), -0.4_f64.sin(), -0.4_f64.cos(), 0.4_f64.sin(), 0.4_f64.cos()];
+    for (q, sine) in found.q.iter().zip(&sine).skip(3) {
+        assert!(q[0].abs() < 1e-15 && (q[1] - sine).abs() < 1e-15, "{found:?}");
+    }
+    // Without it the smallest derivatives are the answer, as they are for q̇ and q̈.
+    let found = Free.solver().derivatives(&Free.state_at(&0.4.into()).unwrap(), 4).unwrap();
+    assert!(found.q[1..].iter().zip(&sine[1..]).all(|(q, s)| q.iter().all(|value| (value - 0.5 * s).abs() < 1e-15)));
+}
+
+/// Two drivers of one coordinate that agree to the second derivative at t = 0 alone.
+#[mechanism(allow_redundant)]
+#[coordinates(u)]
+#[driver(first: u = t)]
+#[driver(second: u = t + pow(t, 3))]
+struct Parting;
+
+#[test]
+fn redundant_rows_must_agree_in_every_order() {
+    let solver = Parting.solver();
+    let state = solver.state(&0.0.into()).unwrap();
+    let error = solver.derivatives(&state, 3).unwrap_err();
+    assert!(matches!(error, SolveError::InconsistentDerivative { t: 0.0, order: 3, rank: 1, .. }), "{error}");
+    assert!(error.to_string().starts_with("no derivative of order 3 satisfies all rows at t = 0: row "), "{error}");
+}
+
+/// A state that is none is refused as in every other analysis.
+#[test]
+fn states_are_checked() {
+    let state = Free.state_at(&0.4.into()).unwrap();
+    let mut short = state.clone();
+    short.q_ddot.pop();
+    assert!(matches!(Free.solver().derivatives(&short, 3), Err(SolveError::Length(_))));
+    let mut bad = state;
+    bad.q_dot[1] = f64::NAN;
+    assert!(matches!(Free.solver().derivatives(&bad, 3), Err(SolveError::NonFinite { what: "q_dot", .. })));
+}

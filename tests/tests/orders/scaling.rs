@@ -1,0 +1,125 @@
+//! Exact laws: faster time, agreement with γ, and no memory taken.
+
+use allocation_counter::measure;
+use kin_runtime::series::HigherOrders;
+use kin_runtime::{Instant, Kinematics, Mechanism, PowerSeries, mechanism};
+use kin_tests::mechanisms::{Excavator, SleighKnifeEdge};
+
+/// Four bars with a crank that turns `omega` per unit of time.
+#[mechanism]
+#[bodies(crank, coupler, rocker)]
+#[revolute(A: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(B: crank @ (0.1, 0), coupler @ (0, 0))]
+#[revolute(C: coupler @ (0.4, 0), rocker @ (0.3, 0))]
+#[revolute(D: ground @ (0.4, 0.1), rocker @ (0, 0))]
+#[driver(drive: crank.phi = 0.3 + omega * t + 0.2 * sin(omega * t))]
+#[guess(coupler.phi = 0.9, rocker.phi = 2.2)]
+struct FourBar {
+    #[param(1.0)]
+    omega: f64,
+}
+
+/// t → 2t multiplies order k by 2^k, to the last bit.
+#[test]
+fn faster_time_multiplies_every_order() {
+    let (slow, fast) = (FourBar { omega: 1.0 }, FourBar { omega: 2.0 });
+    let state = slow.solver().state(&0.5.into()).unwrap();
+    let found = slow.solver().derivatives(&state, 10).unwrap();
+    let mut doubled = state.clone();
+    doubled.t = 0.25;
+    doubled.q_dot.iter_mut().for_each(|rate| *rate *= 2.0);
+    doubled.q_ddot.iter_mut().for_each(|acceleration| *acceleration *= 4.0);
+    let twice = fast.solver().derivatives(&doubled, 10).unwrap();
+    for (order, (slow, fast)) in found.q.iter().zip(&twice.q).enumerate() {
+        let expected: Vec<f64> = slow.iter().map(|value| value * 2.0_f64.powi(order as i32)).collect();
+        assert_eq!(&expected, fast, "{order}");
+    }
+    assert!(found.q[10].iter().any(|value| *value != 0.0));
+}
+
+/// One right-hand side before, the recursion gives γ: with t³ for time, the third derivative at t = 0 is 6 q̇.
+#[mechanism]
+#[bodies(crank, coupler, rocker)]
+#[revolute(A: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(B: crank @ (0.1, 0), coupler @ (0, 0))]
+#[revolute(C: coupler @ (0.4, 0), rocker @ (0.3, 0))]
+#[revolute(D: ground @ (0.4, 0.1), rocker @ (0, 0))]
+#[driver(drive: crank.phi = 0.3 + 1.7 * pow(t, 3))]
+#[guess(coupler.phi = 0.9, rocker.phi = 2.2)]
+struct Cubed;
+
+/// The same with t instead of t³.
+#[mechanism]
+#[bodies(crank, coupler, rocker)]
+#[revolute(A: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(B: crank @ (0.1, 0), coupler @ (0, 0))]
+#[revolute(C: coupler @ (0.4, 0), rocker @ (0.3, 0))]
+#[revolute(D: ground @ (0.4, 0.1), rocker @ (0, 0))]
+#[driver(drive: crank.phi = 0.3 + 1.7 * t)]
+#[guess(coupler.phi = 0.9, rocker.phi = 2.2)]
+struct Uniform;
+
+/// With τ³ for time order 3k of the one is (3k)!/k! times order k of the other: orders 3, 6, 9 are q̇, q̈, q⃛ again.
+#[test]
+fn low_orders_come_back_as_high_ones() {
+    let uniform = Uniform.solver();
+    let state = uniform.state(&0.0.into()).unwrap();
+    let low = uniform.derivatives(&state, 3).unwrap();
+    let cubed = Cubed.solver();
+    let high = cubed.derivatives(&cubed.state(&0.0.into()).unwrap(), 9).unwrap();
+    for (k, factor) in [(1, 6.0), (2, 360.0), (3, 60480.0)] {
+        for (low, high) in low.q[k].iter().zip(&high.q[3 * k]) {
+            assert!((factor * low - high).abs() <= 1e-13 * factor * (1.0 + low.abs()), "{k}: {low} {high}");
+        }
+    }
+    for (order, derivative) in high.q.iter().enumerate().filter(|(order, _)| order % 3 != 0) {
+        assert!(derivative.iter().all(|value| value.abs() < 1e-9), "{order}: {derivative:?}");
+    }
+}
+
+fn allocates_nothing<M: Kinematics + PowerSeries + Default>() {
+    let mechanism = M::default();
+    let states = [0.2, 0.5, 0.9].map(|t| mechanism.state_at(&t.into()).unwrap());
+    let mut orders = HigherOrders::new(&mechanism, 8);
+    let mut run = |t: f64, known: [&[f64]; 3]| {
+        orders.begin(&Instant::at(t), known[0], known[1], known[2]).unwrap();
+        while orders.order() < 8 {
+            orders.advance(known[1]).unwrap();
+        }
+        assert!(orders.right().iter().all(|b| b.is_finite()));
+    };
+    run(states[0].t, [&states[0].q, &states[0].q_dot, &states[0].q_ddot]);
+    let counted = measure(|| {
+        for state in &states {
+            run(state.t, [&state.q, &state.q_dot, &state.q_ddot]);
+        }
+    });
+    assert_eq!(0, counted.count_total, "{}", M::model().name);
+}
+
+#[test]
+fn instants_after_the_first_allocate_nothing() {
+    allocates_nothing::<FourBar>();
+    allocates_nothing::<Excavator>();
+    allocates_nothing::<SleighKnifeEdge>();
+}
+
+/// Right-hand sides wait for the solution of the order before, and lengths are checked.
+#[test]
+fn orders_go_one_by_one() {
+    let four_bar = FourBar::default();
+    let state = four_bar.state_at(&0.1.into()).unwrap();
+    let mut orders = HigherOrders::new(&four_bar, 4);
+    let at = Instant::at(state.t);
+    orders.begin(&at, &state.q, &state.q_dot, &state.q_ddot).unwrap();
+    assert_eq!((3, FourBar::ROWS), (orders.order(), orders.right().len()));
+    assert!(orders.advance(&[0.0]).is_err());
+    assert!(orders.begin(&at, &state.q, &[], &state.q_ddot).is_err());
+    orders.begin(&at, &state.q, &state.q_dot, &state.q_ddot).unwrap();
+    orders.advance(&state.q_dot).unwrap();
+    assert_eq!(4, orders.order());
+    let before = orders.right().to_vec();
+    orders.advance(&state.q_dot).unwrap();
+    orders.advance(&state.q_dot).unwrap();
+    assert_eq!(before, orders.right());
+}
