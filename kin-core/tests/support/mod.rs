@@ -3,6 +3,7 @@
 
 #![allow(dead_code, missing_docs, unreachable_pub, unused_imports)]
 
+pub mod chains;
 mod direct;
 mod linkage;
 mod number;
