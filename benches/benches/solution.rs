@@ -81,6 +81,35 @@ fn dyad_by_hand(m: &FourBar, t: f64, q: &mut [f64; 9], v: &mut [f64; 9], a: &mut
     *a = [a1x, a1y, 0.0, 2.0 * a1x + a2x, 2.0 * a1y + a2y, e2, -a3x, -a3y, e3];
 }
 
+/// The plan for four instants at once, a quarter of a turn apart.
+#[cfg(feature = "simd")]
+fn in_lanes<'a>(four_bar: &'a FourBar, q: &[f64], mode: f64) -> Contender<'a> {
+    use kin_runtime::Lanes;
+    let parameters = four_bar.parameters::<Lanes>();
+    let mut start: [Lanes; 9] = core::array::from_fn(|k| Lanes::from(q[k]));
+    let (mut q, mut q_dot, mut q_ddot) = (start, start, start);
+    let (modes, mut margins) = ([Lanes::from(mode)], [Lanes::from(0.0)]);
+    let times: Vec<Lanes> = (0..STEPS / 4)
+        .map(|k| {
+            Lanes::new(
+                [0.0, 0.25, 0.5, 0.75].map(|part| (k as f64 + part * STEPS as f64).to_radians() / four_bar.omega),
+            )
+        })
+        .collect();
+    let work = move || {
+        for &t in &times {
+            let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
+            let at = Instant::at(black_box(t));
+            four_bar
+                .solve_with(black_box(&parameters), &at, &modes, &start, Depth::Acceleration, solved)
+                .expect("nine coordinates");
+            black_box((&q, &q_dot, &q_ddot, &margins));
+            start = q;
+        }
+    };
+    Contender { name: "kin, the plan in four lanes", work: Box::new(work) }
+}
+
 fn main() {
     let four_bar = FourBar::default();
     let state = four_bar.solver().state(&Instant::at(0.0)).expect("it closes at t = 0");
@@ -99,7 +128,7 @@ fn main() {
     let (mut q, mut q_dot, mut q_ddot, mut margins) = (array(&state.q), [0.0; 9], [0.0; 9], [0.0; 1]);
     let (mut p, mut v, mut a) = (array(&state.q), [0.0; 9], [0.0; 9]);
     let times: Vec<f64> = (0..STEPS).map(|k| (k as f64).to_radians() / four_bar.omega).collect();
-    let mut contenders = [
+    let contenders = [
         Contender {
             name: "evaluation by hand, Newton with dense LU 9×9",
             work: Box::new(|| {
@@ -138,6 +167,10 @@ fn main() {
             }),
         },
     ];
+    #[allow(unused_mut, reason = "only lanes are added")]
+    let mut contenders: Vec<Contender<'_>> = contenders.into_iter().collect();
+    #[cfg(feature = "simd")]
+    contenders.push(in_lanes(&four_bar, &state.q, modes[0]));
     compare("q, q̇, q̈ of the 9×9 four-bar at steps of one degree", STEPS, &mut contenders);
     drop(contenders);
     let worst = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);

@@ -195,16 +195,20 @@ impl<'a> Build<'a> {
                 let value = self.known_value(*value);
                 self.know(pair.coordinate, value, None);
             }
-            PairValue::Angle { turn, cos, sin, .. } => {
+            PairValue::Angle { turn, cos, sin, size, .. } => {
                 let found = [*cos, *sin].map(|e| self.known_value(e)).map(|e| self.graph.whole(e));
-                self.angle(pair.coordinate, turn, found);
+                let size = self.known_value(*size);
+                let inverse = inverse(&mut self.graph, size);
+                self.angle(pair.coordinate, turn, found, inverse);
             }
         }
     }
 
-    /// An angle from the cosine and sine of a sum of multiples of angles.
-    fn angle(&mut self, k: u32, turn: &[(u32, i32)], [cos, sin]: [ExprId; 2]) {
+    /// An angle from the cosine and sine of a sum of multiples of angles; both times something positive, whose inverse
+    /// is `scale`.
+    fn angle(&mut self, k: u32, turn: &[(u32, i32)], [x, y]: [ExprId; 2], scale: ExprId) {
         let graph = &mut self.graph;
+        let [cos, sin] = [x, y].map(|e| graph.mul(e, scale)).map(|e| graph.whole(e));
         let (mut start, mut others) = (graph.zero(), graph.zero());
         let (mut pair, mut own) = ([cos, sin], 1);
         for &(other, n) in turn {
@@ -228,7 +232,7 @@ impl<'a> Build<'a> {
                 }
             }
         }
-        let angle = graph.atan2(sin, cos);
+        let angle = graph.atan2(y, x);
         let angle = graph.nearest(angle, start);
         let rest = graph.sub(angle, others);
         let value = if own < 0 { graph.neg(rest) } else { rest };
@@ -261,17 +265,14 @@ impl<'a> Build<'a> {
                 let [a, b, c] = [*a, *b, *c].map(|e| self.known_value(e)).map(|e| self.graph.whole(e));
                 let graph = &mut self.graph;
                 // w = ±√(a² + b² − c²): cos φ = (a c − b w)/(a² + b²), sin φ = (b c + a w)/(a² + b²).
-                let (one, d, square) = (graph.number(1.0), graph.plain_dot([a, b], [a, b]), graph.square(c));
+                let (d, square) = (graph.plain_dot([a, b], [a, b]), graph.square(c));
                 let inside = graph.sub(d, square);
-                let inverse = graph.div(one, d);
-                let inverse = graph.whole(inverse);
+                let inverse = inverse(graph, d);
                 let w = signed_root(graph, mode, inside);
                 let (cos, sin) = (graph.plain_cross([a, b], [w, c]), graph.plain_dot([b, a], [c, w]));
-                let [cos, sin] = [cos, sin].map(|e| graph.mul(e, inverse));
-                let [cos, sin] = [cos, sin].map(|e| graph.whole(e));
                 let margin = graph.mul(inside, inverse);
                 self.write(Slot::Margin(place), margin);
-                self.angle(k, &[(k, 1)], [cos, sin]);
+                self.angle(k, &[(k, 1)], [cos, sin], inverse);
             }
             Way::Quadratic { a, b, c } => {
                 let k = core.coordinates[0];
@@ -394,6 +395,13 @@ fn squares(block: &Block) -> Vec<(u32, ExprId)> {
         }
     }
     out
+}
+
+/// 1/a, as one thing that all products share.
+fn inverse(graph: &mut Graph, a: ExprId) -> ExprId {
+    let one = graph.number(1.0);
+    let inverse = graph.div(one, a);
+    graph.whole(inverse)
 }
 
 /// ±√|inside|.

@@ -136,7 +136,11 @@ impl<'g> Rates<'g> {
             *right = self.right[row];
         }
         let top = self.graph.plain_dot([p, q], rights);
-        self.solution[pair.coordinate as usize] = Some(self.graph.div(top, square));
+        let one = self.graph.number(1.0);
+        let inverse = self.graph.div(one, square);
+        let inverse = self.graph.whole(inverse);
+        let value = self.graph.mul(top, inverse);
+        self.solution[pair.coordinate as usize] = Some(self.graph.whole(value));
     }
 }
 

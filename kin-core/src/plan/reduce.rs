@@ -116,8 +116,10 @@ impl Reduction<'_> {
         let [first, second] = pair_rows;
         let value = match value {
             // What replaced a row says the same on another scale.
-            PairValue::Angle { turn, cos, sin, .. } if pair_rows.iter().any(|row| self.replaced.contains(row)) => {
-                PairValue::Angle { turn, cos, sin, square: None }
+            PairValue::Angle { turn, cos, sin, size, .. }
+                if pair_rows.iter().any(|row| self.replaced.contains(row)) =>
+            {
+                PairValue::Angle { turn, cos, sin, size, square: None }
             }
             other => other,
         };
@@ -296,13 +298,12 @@ impl Reduction<'_> {
             }
             let (a, b) = (graph.plain_cross([s1, c1], [f, g]), graph.plain_dot([s1, c1], [f, g]));
             // cos = −(C f − S g)/|s|², sin = −(S f + C g)/|s|².
-            let (cos, sin) = (graph.div(a, square), graph.div(b, square));
-            let sin = graph.neg(sin);
+            let (cos, sin) = (a, graph.neg(b));
             // Half of it: what appears twice is not doubled.
             let (norm, half) = (graph.plain_dot([f, g], [f, g]), graph.number(0.5));
             let row = graph.sub(norm, square);
             let row = graph.mul(half, row);
-            return Some((PairValue::Angle { turn, cos, sin, square: Some(square) }, row));
+            return Some((PairValue::Angle { turn, cos, sin, size: square, square: Some(square) }, row));
         }
         let det = graph.plain_cross([c1, s1], [c2, s2]);
         if probe.is_zero(graph, det) {
@@ -310,11 +311,12 @@ impl Reduction<'_> {
         }
         // cos = −(S₂ f − S₁ g)/det, sin = −(C₁ g − C₂ f)/det.
         let (a, b) = (graph.plain_cross([s1, s2], [f, g]), graph.plain_cross([f, g], [c1, c2]));
-        let (cos, sin) = (graph.div(a, det), graph.div(b, det));
         let norm = graph.plain_dot([a, b], [a, b]);
         let square = graph.square(det);
         let row = graph.sub(norm, square);
-        Some((PairValue::Angle { turn, cos, sin, square: None }, row))
+        let square = graph.whole(square);
+        let (cos, sin) = (graph.mul(a, det), graph.mul(b, det));
+        Some((PairValue::Angle { turn, cos, sin, size: square, square: None }, row))
     }
 }
 

@@ -50,8 +50,9 @@ pub(super) struct Pair {
 #[derive(Clone, Debug)]
 pub(super) enum PairValue {
     /// The cosine and sine of a sum of multiples of angles, among which the coordinate is.
-    /// `square` is the squared length of the vector that it turns, where both rows see the same one.
-    Angle { turn: Vec<(u32, i32)>, cos: ExprId, sin: ExprId, square: Option<ExprId> },
+    /// Both are given times `size`, which is positive where `square` is there: the squared length of the vector that is
+    /// turned, where both rows see the same one.
+    Angle { turn: Vec<(u32, i32)>, cos: ExprId, sin: ExprId, size: ExprId, square: Option<ExprId> },
     /// The value.
     Linear(ExprId),
 }

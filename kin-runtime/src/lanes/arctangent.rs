@@ -13,7 +13,7 @@
 
 use crate::scalar::Scalar;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
-use wide::f64x4;
+use wide::{f64x2, f64x4};
 
 /// P, lowest power first; by the Remez exchange.
 const P: [f64; 12] = [
@@ -37,30 +37,52 @@ const PI_REST: f64 = 3.898_171_832_519_375_5e-17;
 /// Beyond it num + den may overflow.
 const LONG: f64 = f64::MAX / 8.0;
 
+macro_rules! arctangent {
+    ($($name:ident $polynomial:ident $float:ident),*) => { $(
+        /// atan2(y, x) of the lanes, in [−π, π], and whether a vector was too long for that.
+        #[inline(always)]
+        fn $name(y: $float, x: $float) -> ($float, bool) {
+            let k = $float::splat;
+            let (across, up) = (x.abs(), y.abs());
+            let steep = up.simd_gt(across);
+            let den = steep.select(up, across);
+            let num = steep.select(across, up);
+            let long = den.simd_gt(k(LONG)).any();
+            let diagonal = (num + num).simd_gt(den);
+            // The zero vector has the angle of the axis that its signs are on.
+            let den = den.simd_eq(k(0.0)).select(k(1.0), den);
+            let z = diagonal.select(num - den, num) / ((diagonal & num) + den);
+
+            // Each reflection turns the sign of what is added to the constant.
+            let left = x & k(-0.0);
+            let sign = left ^ (steep & k(-0.0));
+            let octant = diagonal & k(FRAC_PI_4);
+            let from_vertical = steep.select(octant, k(FRAC_PI_2) - octant);
+            let constant = k(FRAC_PI_2) - (from_vertical ^ left);
+            let z = z ^ sign;
+            let square = z * z;
+            let small = (z * square).mul_add($polynomial(square), constant * k(PI_REST));
+            ((constant + (z + small)) ^ (y & k(-0.0)), long)
+        }
+
+        /// P(z), in pairs of pairs: the chain of dependent operations is a third as long as Horner's.
+        #[inline(always)]
+        fn $polynomial(z: $float) -> $float {
+            let pair = |at: usize| $float::splat(P[at + 1]).mul_add(z, $float::splat(P[at]));
+            let z2 = z * z;
+            let z4 = z2 * z2;
+            let four = |at: usize| pair(at + 2).mul_add(z2, pair(at));
+            four(8).mul_add(z4, four(4)).mul_add(z4, four(0))
+        }
+    )* };
+}
+
+arctangent!(two polynomial_of_two f64x2, four polynomial_of_four f64x4);
+
 /// atan2(y, x) of the lanes, in [−π, π].
 #[inline(always)]
 pub(super) fn atan2(y: f64x4, x: f64x4) -> f64x4 {
-    let k = f64x4::splat;
-    let (across, up) = (x.abs(), y.abs());
-    let steep = up.simd_gt(across);
-    let den = steep.select(up, across);
-    let num = steep.select(across, up);
-    let long = den.simd_gt(k(LONG)).any();
-    let diagonal = (num + num).simd_gt(den);
-    // The zero vector has the angle of the axis that its signs are on.
-    let den = den.simd_eq(k(0.0)).select(k(1.0), den);
-    let z = diagonal.select(num - den, num) / ((diagonal & num) + den);
-
-    // Each reflection turns the sign of what is added to the constant.
-    let left = x & k(-0.0);
-    let sign = left ^ (steep & k(-0.0));
-    let octant = diagonal & k(FRAC_PI_4);
-    let from_vertical = steep.select(octant, k(FRAC_PI_2) - octant);
-    let constant = k(FRAC_PI_2) - (from_vertical ^ left);
-    let z = z ^ sign;
-    let square = z * z;
-    let small = (z * square).mul_add(polynomial(square), constant * k(PI_REST));
-    let angle = (constant + (z + small)) ^ (y & k(-0.0));
+    let (angle, long) = four(y, x);
     if long { of_long(y, x, angle) } else { angle }
 }
 
@@ -68,30 +90,47 @@ pub(super) fn atan2(y: f64x4, x: f64x4) -> f64x4 {
 #[inline(always)]
 pub(crate) fn atan2_all<const N: usize>(vectors: [(f64, f64); N]) -> [f64; N] {
     let mut out = [0.0; N];
+    let mut beyond = false;
     let mut first = 0;
     while first < N {
         // Lanes to spare look along x.
-        let lane = |k: usize| if first + k < N { vectors[first + k] } else { (0.0, 1.0) };
-        let lanes: [(f64, f64); 4] = core::array::from_fn(lane);
-        let angles = atan2(f64x4::new(lanes.map(|v| v.0)), f64x4::new(lanes.map(|v| v.1))).to_array();
-        for (k, angle) in angles.into_iter().enumerate() {
-            if first + k < N {
-                out[first + k] = angle;
-            }
+        let y = |k: usize| if first + k < N { vectors[first + k].0 } else { 0.0 };
+        let x = |k: usize| if first + k < N { vectors[first + k].1 } else { 1.0 };
+        if N - first > 2 {
+            let vectors = [f64x4::new([y(0), y(1), y(2), y(3)]), f64x4::new([x(0), x(1), x(2), x(3)])];
+            let (angles, long) = four(vectors[0], vectors[1]);
+            put(&mut out, first, angles.to_array());
+            beyond |= long;
+            first += 4;
+        } else {
+            let (angles, long) = two(f64x2::new([y(0), y(1)]), f64x2::new([x(0), x(1)]));
+            put(&mut out, first, angles.to_array());
+            beyond |= long;
+            first += 2;
         }
-        first += 4;
+    }
+    if beyond {
+        // One by one: copied as a whole, the good case would go through the memory of this one.
+        let exact = one_by_one(vectors);
+        return core::array::from_fn(|k| exact[k]);
     }
     out
 }
 
-/// P(z), in pairs of pairs: the chain of dependent operations is a third as long as Horner's.
 #[inline(always)]
-fn polynomial(z: f64x4) -> f64x4 {
-    let pair = |at: usize| f64x4::splat(P[at + 1]).mul_add(z, f64x4::splat(P[at]));
-    let z2 = z * z;
-    let z4 = z2 * z2;
-    let four = |at: usize| pair(at + 2).mul_add(z2, pair(at));
-    four(8).mul_add(z4, four(4)).mul_add(z4, four(0))
+fn put<const N: usize, const L: usize>(out: &mut [f64; N], first: usize, angles: [f64; L]) {
+    for (k, angle) in angles.into_iter().enumerate() {
+        if first + k < N {
+            out[first + k] = angle;
+        }
+    }
+}
+
+/// With the standard library.
+#[cold]
+#[inline(never)]
+fn one_by_one<const N: usize>(vectors: [(f64, f64); N]) -> [f64; N] {
+    vectors.map(|(y, x)| Scalar::atan2(y, x))
 }
 
 /// With the standard library in the lanes whose vectors are long or infinite; the others keep their angles.
