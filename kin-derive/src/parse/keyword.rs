@@ -115,20 +115,19 @@ pub(super) fn near_miss(name: &str) -> Option<(String, bool)> {
     if FOREIGN.contains(&name) {
         return None;
     }
-    if let Some((_, meant)) = SYNONYMS.iter().find(|(word, _)| *word == name) {
-        return Some((
-            format!("no attribute `{name}` in kin; it is called `{meant}`"),
-            matches!(*meant, "bodies" | "input"),
-        ));
-    }
+    let synonym = SYNONYMS.iter().find(|(word, _)| *word == name).map(|(_, meant)| *meant);
     // `x` and `y` are too short for a slip.
-    let candidates = near(name, words().map(|(word, _)| word).filter(|word| word.len() > 2));
-    if candidates.is_empty() {
-        return None;
-    }
-    let declares = candidates.iter().any(|word| find(word).is_some_and(Keyword::declares));
-    let meant = listed(candidates, "or");
-    Some((format!("no attribute `{name}` in kin; did you mean {meant}?"), declares))
+    let meant = match synonym {
+        Some(meant) => vec![meant],
+        None => near(name, words().map(|(word, _)| word).filter(|word| word.len() > 2)),
+    };
+    let declares = meant.iter().any(|word| find(word).is_some_and(Keyword::declares));
+    let right = match synonym {
+        Some(meant) => format!("it is called `{meant}`"),
+        None if meant.is_empty() => return None,
+        None => format!("did you mean {}?", listed(meant, "or")),
+    };
+    Some((format!("no attribute `{name}` in kin; {right}"), declares))
 }
 
 /// True for `keyword` and for a slip of it.
@@ -148,6 +147,8 @@ mod tests {
         }
         assert!(near_miss("bodys").unwrap().1);
         assert!(!near_miss("revolut").unwrap().1);
+        assert_eq!(near_miss("links").map(|(_, declares)| declares), Some(true));
+        assert_eq!(near_miss("hinge").map(|(_, declares)| declares), Some(false));
     }
 
     #[test]
