@@ -50,8 +50,7 @@ pub(crate) fn analyse(args: TokenStream, item: TokenStream) -> (Option<ItemStruc
 fn check_model(lowered: &Lowered, report: &Report) {
     let rules = if report.count() == 0 { check } else { check_parts };
     for error in rules(&lowered.mechanism) {
-        let span = lowered.spans.get(error.origin.0 as usize).copied().unwrap_or_else(Span::call_site);
-        report.error(span, error.message);
+        report.error(lowered.span(error.origin), error.message);
     }
     if lowered.flags.check_units && report.count() == 0 {
         check_units(lowered, report);
@@ -68,8 +67,7 @@ fn check_units(lowered: &Lowered, report: &Report) {
         }
     }
     for error in units::check(&lowered.mechanism) {
-        let span = lowered.spans.get(error.origin.0 as usize).copied().unwrap_or_else(Span::call_site);
-        report.error(span, error.message);
+        report.error(lowered.span(error.origin), error.message);
     }
 }
 

@@ -21,10 +21,7 @@ pub(crate) fn derive(args: TokenStream, item: TokenStream) -> TokenStream {
 /// The differentiated equations and what their structure says; errors where the rules of the model were not enough.
 pub(crate) fn system(lowered: &Lowered) -> syn::Result<(kin_core::KinematicSystem, kin_core::Structure)> {
     let spanned = |errors: Vec<kin_core::ModelError>| {
-        let spanned = errors.into_iter().map(|error| {
-            let span = lowered.spans.get(error.origin.0 as usize).copied().unwrap_or_else(Span::call_site);
-            syn::Error::new(span, error)
-        });
+        let spanned = errors.into_iter().map(|error| syn::Error::new(lowered.span(error.origin), error));
         spanned.reduce(|mut all, error| {
             all.combine(error);
             all

@@ -63,7 +63,7 @@ pub(crate) fn placeholders(lowered: &Lowered) -> TokenStream {
     (bodies.chain(scalars).chain(inputs).chain(points).chain(defines))
         .filter(|(name, ..)| seen.insert(name.as_str()))
         .map(|(name, origin, len, ty)| {
-            let span = lowered.spans.get(origin.0 as usize).copied().unwrap_or_else(Span::call_site);
+            let span = lowered.span(origin);
             let (handle, ty) = (handle_name(name, span, lowered), Ident::new(ty, Span::call_site()));
             // A family of unknown length has every member that a family can have.
             let len = if lowered.boundless.contains(name) { Some(MAX_MEMBERS) } else { len };
@@ -91,7 +91,7 @@ fn constant(
     places: &[usize],
 ) -> TokenStream {
     let visibility = &lowered.item.vis;
-    let span = lowered.spans.get(origin.0 as usize).copied().unwrap_or_else(Span::call_site);
+    let span = lowered.span(origin);
     let handle = handle_name(name, span, lowered);
     let ty = Ident::new(ty, Span::call_site());
     let kind = match ty.to_string().as_str() {

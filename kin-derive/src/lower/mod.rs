@@ -42,6 +42,13 @@ pub(crate) struct Lowered {
     pub(crate) boundless: BTreeSet<String>,
 }
 
+impl Lowered {
+    /// The tokens that an [`Origin`] stands for.
+    pub(crate) fn span(&self, origin: Origin) -> Span {
+        self.spans.get(origin.0 as usize).copied().unwrap_or_else(Span::call_site)
+    }
+}
+
 /// A user's name, as written: emitted with its own span it keeps go-to-definition, hover and rename alive.
 #[derive(Clone, Debug)]
 pub(crate) struct Mention {
