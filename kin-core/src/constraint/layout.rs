@@ -4,7 +4,7 @@ use super::assembly::Assembly;
 use super::placed::Pose;
 use super::set::{BodyInstance, ConstraintSet, Coordinate, CoordinateKind, Family};
 use crate::expr::{ExprId, Graph};
-use crate::mechanism::{BodyOrigin, Component, Mechanism};
+use crate::mechanism::{Component, Mechanism};
 use std::collections::HashMap;
 
 /// `name` or `name[index]`.
@@ -40,16 +40,11 @@ impl<'m> Assembly<'m> {
                 let first = coordinates_of.len();
                 set.body_families.push(Family { name: body.name.clone(), first, members, stride: 1 });
             }
-            let held = match &body.origin_at {
-                BodyOrigin::Free { x, y } => [x.is_some(), y.is_some(), body.phi.is_some()],
-                BodyOrigin::Carried(_) => [true, true, body.phi.is_some()],
-            };
             for index in 0..body.len.unwrap_or(1) {
                 let name = indexed(&body.name, body.len.is_some(), index);
                 let place = coordinates_of.len();
-                let coordinates = std::array::from_fn(|c| {
-                    (!held[c]).then(|| {
-                        let component = Component::ALL[c];
+                let coordinates = Component::ALL.map(|component| {
+                    body.is_free(component).then(|| {
                         set.coordinates.push(Coordinate {
                             name: format!("{name}.{component}"),
                             kind: CoordinateKind::Pose(place, component),

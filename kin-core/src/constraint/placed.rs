@@ -3,7 +3,7 @@
 use super::assembly::Assembly;
 use super::set::Frame;
 use crate::expr::{ExprId, Symbol};
-use crate::mechanism::{Axis, Body, BodyOrigin, BodyRef, Formula, Function, Place};
+use crate::mechanism::{Axis, Body, BodyOrigin, BodyRef, Component, Function, Place, Source};
 
 /// A point in the inertial frame: r = r_i + A_i s.
 #[derive(Clone, Copy, Debug)]
@@ -126,23 +126,16 @@ impl<'m> Assembly<'m> {
     fn build_pose(&mut self, place: usize) -> [ExprId; 3] {
         let (body, index) = self.family_of(place);
         let outer = std::mem::replace(&mut self.index, index);
-        let [x, y] = match &body.origin_at {
-            BodyOrigin::Free { x, y } => {
-                [self.held_or_free(x.as_ref(), place, 0), self.held_or_free(y.as_ref(), place, 1)]
-            }
-            BodyOrigin::Carried(carrier) => self.place(carrier).r,
-        };
-        let phi = self.held_or_free(body.phi.as_ref(), place, 2);
+        let pose = Component::ALL.map(|component| match body.source(component) {
+            Source::Free => match self.coordinates_of[place][component as usize] {
+                Some(k) => self.graph.symbol(Symbol::Coordinate(k)),
+                None => self.graph.zero(),
+            },
+            Source::Held(formula) => self.formula(formula),
+            Source::Carried(carrier) => self.place(carrier).r[component as usize],
+        });
         self.index = outer;
-        [x, y, phi]
-    }
-
-    fn held_or_free(&mut self, held: Option<&Formula>, place: usize, component: usize) -> ExprId {
-        match (held, self.coordinates_of[place][component]) {
-            (Some(formula), _) => self.formula(formula),
-            (None, Some(k)) => self.graph.symbol(Symbol::Coordinate(k)),
-            (None, None) => self.graph.zero(),
-        }
+        pose
     }
 
     /// A body-fixed point in the inertial frame.

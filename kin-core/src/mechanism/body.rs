@@ -1,6 +1,6 @@
 //! Bodies, scalar coordinates, points and the other named parts of a mechanism.
 
-use super::{Formula, Index};
+use super::{Component, Formula, Index};
 use crate::error::Origin;
 
 /// A body: the ground or a member of a family of bodies.
@@ -60,6 +60,35 @@ pub struct Body {
     pub phi: Option<Formula>,
     /// The token that declared it.
     pub origin: Origin,
+}
+
+/// Where a component of a body's pose comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Source<'m> {
+    /// It is a generalized coordinate.
+    Free,
+    /// It is held at a value.
+    Held(&'m Formula),
+    /// It is that of a point of another body.
+    Carried(&'m Place),
+}
+
+impl Body {
+    /// Where a component of the pose comes from.
+    pub fn source(&self, component: Component) -> Source<'_> {
+        let held = match (component, &self.origin_at) {
+            (Component::Phi, _) => &self.phi,
+            (_, BodyOrigin::Carried(place)) => return Source::Carried(place),
+            (Component::X, BodyOrigin::Free { x, .. }) => x,
+            (Component::Y, BodyOrigin::Free { y, .. }) => y,
+        };
+        held.as_ref().map_or(Source::Free, Source::Held)
+    }
+
+    /// True for a component that is a generalized coordinate.
+    pub fn is_free(&self, component: Component) -> bool {
+        matches!(self.source(component), Source::Free)
+    }
 }
 
 /// Scalar generalized coordinates (global method, curve parameters).

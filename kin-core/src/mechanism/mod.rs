@@ -12,7 +12,7 @@ mod formula;
 mod joint;
 
 pub use body::{
-    Body, BodyOrigin, BodyRef, Define, Input, NamedPoint, Parameter, Place, Range, Scalar, SuppliedFunction,
+    Body, BodyOrigin, BodyRef, Define, Input, NamedPoint, Parameter, Place, Range, Scalar, Source, SuppliedFunction,
 };
 pub use condition::{Condition, Relation};
 pub use curve::{Curve, CurveVariable};

@@ -1,8 +1,8 @@
 //! The rule on guesses.
 
-use super::mention::{Coordinate, free_of};
+use super::mention::Coordinate;
 use crate::error::ModelError;
-use crate::mechanism::{BodyOrigin, BodyRef, GuessTarget, Mechanism, Range};
+use crate::mechanism::{BodyRef, GuessTarget, Mechanism, Range, Source};
 use std::collections::BTreeSet;
 
 /// A guess is for a coordinate, and there is one for each at most.
@@ -29,16 +29,16 @@ fn wrong(mechanism: &Mechanism, target: &GuessTarget, i: i64, given: &mut BTreeS
                 None => format!("{}.{component}", body.name),
             };
             let coordinate = Coordinate::Pose(family, member, component);
-            if free_of(mechanism, family, member).contains(&coordinate) {
-                return twice(given, coordinate, &name);
+            match body.source(component) {
+                Source::Free => twice(given, coordinate, &name),
+                Source::Held(_) => {
+                    Some(format!("`{name}` is held at a value; a guess is for a coordinate that is not"))
+                }
+                Source::Carried(_) => Some(format!(
+                    "`{name}` follows from the body that carries `{}`; guess that body and the angle",
+                    body.name
+                )),
             }
-            let carried =
-                matches!(body.origin_at, BodyOrigin::Carried(_)) && component != crate::mechanism::Component::Phi;
-            Some(if carried {
-                format!("`{name}` follows from the body that carries `{}`; guess that body and the angle", body.name)
-            } else {
-                format!("`{name}` is held at a value; a guess is for a coordinate that is not")
-            })
         }
         GuessTarget::Scalar(member) => {
             let (scalar, index) = (mechanism.scalars.get(member.family)?, member.index.at(i)?);

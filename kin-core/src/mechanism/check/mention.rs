@@ -3,7 +3,7 @@
 //! The answer may hold too much, never too little: a rule may only speak of what is certainly not mentioned.
 
 use super::scope::nodes;
-use crate::mechanism::{BodyOrigin, BodyRef, Component, Curve, Formula, Joint, JointKind, Mechanism, Member, Place};
+use crate::mechanism::{BodyRef, Component, Curve, Formula, Joint, JointKind, Mechanism, Member, Place, Source};
 use std::collections::BTreeSet;
 
 /// A generalized coordinate: of a member of a family.
@@ -37,6 +37,14 @@ pub(super) fn mentioned_at(mechanism: &Mechanism, joint: &Joint, i: i64) -> BTre
     all.follow()
 }
 
+/// False only for what certainly stays as it is at step `i` of its range: no coordinate, no t and no input is in it.
+pub(super) fn changes(mechanism: &Mechanism, formulas: &[&Formula], i: i64) -> bool {
+    let mut all = Mentions::new(mechanism);
+    formulas.iter().for_each(|formula| all.formula(formula, i));
+    all.close();
+    all.rheonomic || !all.follow().is_empty()
+}
+
 /// True if the formula mentions a free coordinate at step `i` of its range.
 pub(super) fn moves(mechanism: &Mechanism, formula: &Formula, i: i64) -> bool {
     let mut all = Mentions::new(mechanism);
@@ -51,46 +59,29 @@ pub(crate) fn meets_held(mechanism: &Mechanism, joint: &Joint) -> bool {
     indices.for_each(|i| all.joint(joint, i));
     all.close();
     all.seen.iter().any(|mention| match *mention {
-        Mention::Coordinate(Coordinate::Pose(family, _, component)) => is_held(mechanism, family, component),
+        Mention::Coordinate(Coordinate::Pose(family, _, component)) => {
+            matches!(source(mechanism, family, component), Some(Source::Held(_)))
+        }
         Mention::Coordinate(Coordinate::Scalar(..)) | Mention::Define(..) => false,
     })
 }
 
-/// The coordinates of its own that a body has.
-pub(super) fn free_of(mechanism: &Mechanism, family: usize, member: usize) -> Vec<Coordinate> {
-    let free = |component| is_free(mechanism, family, component);
-    Component::ALL.into_iter().filter(|&c| free(c)).map(|c| Coordinate::Pose(family, member, c)).collect()
-}
-
-fn is_free(mechanism: &Mechanism, family: usize, component: Component) -> bool {
-    let Some(body) = mechanism.bodies.get(family) else { return false };
-    match (component, &body.origin_at) {
-        (Component::Phi, _) => body.phi.is_none(),
-        (_, BodyOrigin::Carried(_)) => false,
-        (Component::X, BodyOrigin::Free { x, .. }) => x.is_none(),
-        (Component::Y, BodyOrigin::Free { y, .. }) => y.is_none(),
-    }
-}
-
-fn is_held(mechanism: &Mechanism, family: usize, component: Component) -> bool {
-    let Some(body) = mechanism.bodies.get(family) else { return false };
-    match (component, &body.origin_at) {
-        (Component::Phi, _) => body.phi.is_some(),
-        (_, BodyOrigin::Carried(_)) => false,
-        (Component::X, BodyOrigin::Free { x, .. }) => x.is_some(),
-        (Component::Y, BodyOrigin::Free { y, .. }) => y.is_some(),
-    }
+/// Where a component of a member of a family comes from.
+fn source(mechanism: &Mechanism, family: usize, component: Component) -> Option<Source<'_>> {
+    mechanism.bodies.get(family).map(|body| body.source(component))
 }
 
 struct Mentions<'a> {
     mechanism: &'a Mechanism,
     seen: BTreeSet<Mention>,
     open: Vec<Mention>,
+    /// t or an input was met.
+    rheonomic: bool,
 }
 
 impl<'a> Mentions<'a> {
     fn new(mechanism: &'a Mechanism) -> Self {
-        Self { mechanism, seen: BTreeSet::new(), open: Vec::new() }
+        Self { mechanism, seen: BTreeSet::new(), open: Vec::new(), rheonomic: false }
     }
 
     fn note(&mut self, mention: Mention) {
@@ -109,12 +100,14 @@ impl<'a> Mentions<'a> {
                         self.formula(&define.formula, index(member));
                     }
                 }
-                Mention::Coordinate(Coordinate::Pose(family, member, component @ (Component::X | Component::Y))) => {
-                    if let Some(BodyOrigin::Carried(place)) = mechanism.bodies.get(family).map(|b| &b.origin_at) {
-                        self.place(place, &[component], index(member));
+                Mention::Coordinate(Coordinate::Pose(family, member, component)) => {
+                    match source(mechanism, family, component) {
+                        Some(Source::Carried(place)) => self.place(place, &[component], index(member)),
+                        Some(Source::Held(formula)) => self.formula(formula, index(member)),
+                        Some(Source::Free) | None => {}
                     }
                 }
-                Mention::Coordinate(_) => {}
+                Mention::Coordinate(Coordinate::Scalar(..)) => {}
             }
         }
     }
@@ -129,7 +122,9 @@ impl<'a> Mentions<'a> {
         });
         coordinates
             .filter(|coordinate| match *coordinate {
-                Coordinate::Pose(family, _, component) => is_free(mechanism, family, component),
+                Coordinate::Pose(family, _, component) => {
+                    matches!(source(mechanism, family, component), Some(Source::Free))
+                }
                 Coordinate::Scalar(..) => true,
             })
             .collect()
@@ -232,6 +227,7 @@ impl<'a> Mentions<'a> {
                     self.place(p, &[Component::X, Component::Y], i);
                     self.place(q, &[Component::X, Component::Y], i);
                 }
+                Formula::Time | Formula::Input(_) => self.rheonomic = true,
                 Formula::Scalar(member) => self.scalar(member, i),
                 Formula::Define(member) => {
                     if let Some(index) = member.index.at(i) {

@@ -1,9 +1,9 @@
 //! Rules on what takes part: rows mention coordinates, and everything that can move is mentioned.
 
 use super::geometry::is_within_ground;
-use super::mention::{Coordinate, free_of, mentioned, mentioned_at};
+use super::mention::{Coordinate, mentioned, mentioned_at};
 use crate::error::ModelError;
-use crate::mechanism::{Body, BodyOrigin, Mechanism};
+use crate::mechanism::{Body, Component, Mechanism};
 use std::collections::BTreeSet;
 
 /// A row that mentions no coordinate cannot be satisfied by moving anything.
@@ -25,12 +25,14 @@ pub(super) fn rows_hold_coordinates(mechanism: &Mechanism, errors: &mut Vec<Mode
     }
 }
 
+/// True for a body with a coordinate of its own.
+fn has_free(body: &Body) -> bool {
+    Component::ALL.into_iter().any(|component| body.is_free(component))
+}
+
 /// A mechanism has at least one coordinate.
 pub(super) fn has_coordinates(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
-    let free = |body: &Body| {
-        body.phi.is_none() || matches!(&body.origin_at, BodyOrigin::Free { x, y } if x.is_none() || y.is_none())
-    };
-    if !mechanism.scalars.is_empty() || mechanism.bodies.iter().any(free) {
+    if !mechanism.scalars.is_empty() || mechanism.bodies.iter().any(has_free) {
         return;
     }
     let name = &mechanism.name;
@@ -58,8 +60,8 @@ pub(super) fn bodies_are_touched(mechanism: &Mechanism, errors: &mut Vec<ModelEr
         })
         .collect();
     for (family, body) in mechanism.bodies.iter().enumerate() {
-        let has_free = |member| !free_of(mechanism, family, member).is_empty();
-        let untouched = (0..body.len.unwrap_or(1)).filter(|&m| has_free(m) && !touched.contains(&(family, m)));
+        let members = if has_free(body) { body.len.unwrap_or(1) } else { 0 };
+        let untouched = (0..members).filter(|&m| !touched.contains(&(family, m)));
         if let Some(names) = missing(&body.name, body.len, untouched.collect()) {
             let message = format!("no row touches {names}; join it, hold all of its pose with `body`, or leave it out");
             errors.push(ModelError::new(body.origin, message));

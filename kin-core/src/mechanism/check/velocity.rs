@@ -3,8 +3,7 @@
 //! A formula is walked with its degree in q̇: 0 without a rate, 1 for `dot(…)` of something that moves, and more than
 //! that nowhere.
 
-use super::condition::changes;
-use super::mention::moves;
+use super::mention::{changes, moves};
 use crate::error::{ModelError, Origin};
 use crate::mechanism::{Formula, JointKind, Mechanism};
 
@@ -80,7 +79,7 @@ impl Walk<'_> {
         match formula {
             Formula::Dot(a, origin) => {
                 self.dots += 1;
-                if !changes(self.mechanism, &[a]) {
+                if !changes(self.mechanism, &[a], self.i) {
                     let message = "what stands in this `dot(…)` does not change; its rate is 0";
                     self.errors.push(ModelError::new(*origin, message));
                 }

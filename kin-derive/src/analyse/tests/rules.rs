@@ -62,3 +62,21 @@ fn everything_takes_part() {
         .is_empty()
     );
 }
+
+#[test]
+fn conditions_hold_what_changes() {
+    // Of a body that turns about a held origin, the origin stays where it is.
+    let held = |condition: &str| {
+        pendulum(&format!(
+            "#[body(w, x = 1, y = 2)] #[body(v, x = t, y = 0)] #[angle(B: w = t)] #[angle(C: v = 0)] \
+             #[point(hub = w @ (0, 0), rim = w @ (l, 0), gone = v @ (0, 0))] #[define(far = hub.x)] \
+             #[unilateral(limit: {condition})]"
+        ))
+    };
+    for still in ["hub.x > 0", "distance(hub, ground @ (0, 0)) > l", "far > 0", "w.y > 0", "gone.y > 0"] {
+        one_error(&held(still), &["`limit` holds no coordinate, no input and no `t`"]);
+    }
+    for moving in ["rim.x > 0", "distance(rim, hub) > distance(gone, hub)", "far > t", "w.phi > 0", "gone.x > 0"] {
+        assert!(errors(&held(moving)).is_empty(), "{moving}");
+    }
+}
