@@ -14,6 +14,7 @@
 
 mod check;
 mod parse;
+mod quantity;
 
 pub use check::check;
 pub use parse::{UnknownUnit, parse};
