@@ -19,6 +19,7 @@ mod dormand_prince;
 mod follow;
 mod integrate;
 mod kinematic;
+mod refusal;
 mod step;
 
 pub(crate) use follow::Follower;
