@@ -168,13 +168,8 @@ pub(crate) fn motion(equations: &mut Equations<'_>, state: &State) -> Result<Mot
     let at = Instant { t: equations.t, inputs: &equations.inputs };
     equations.system.observe(&at, &state.q, &state.q_dot)?;
     let parts = equations.system.observables();
-    let mut rates: Vec<Rates> = (0..model.observables.len())
-        .map(|k| Rates { value: parts.phi[k], rate: parts.phi_t[k], acceleration: -parts.gamma[k] })
-        .collect();
-    for (&(row, column), &entry) in model.observable_pattern.entries.iter().zip(parts.phi_q) {
-        rates[row].rate += entry * state.q_dot[column];
-        rates[row].acceleration += entry * state.q_ddot[column];
-    }
+    let pattern = &model.observable_pattern;
+    let rates: Vec<Rates> = (0..model.observables.len()).map(|k| parts.rates(pattern, k, state)).collect();
     for (index, rate) in rates.iter().enumerate() {
         for value in [rate.value, rate.rate, rate.acceleration] {
             finite("observables", index, name(model, index), value).map_err(|error| error.at(state.t))?;
@@ -245,8 +240,8 @@ pub(crate) fn point_jacobian(
     equations.system.observe(&at, q, &vec![0.0; q.len()])?;
     let parts = equations.system.observables();
     let mut jacobian = DMatrix::zeros(2, q.len());
-    for (&(row, column), &entry) in model.observable_pattern.entries.iter().zip(parts.phi_q) {
-        if let Some(component) = info.observables.iter().position(|&k| k == row) {
+    for (component, &row) in info.observables.iter().enumerate() {
+        for (column, entry) in parts.gradient(&model.observable_pattern, row) {
             finite("observables", row, info.name, entry).map_err(|error| error.at(at.t))?;
             jacobian[(component, column)] = entry;
         }

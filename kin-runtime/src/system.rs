@@ -5,7 +5,9 @@
 
 use crate::curve::CurvePoint;
 use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
-use crate::model::Model;
+use crate::model::{Model, Pattern};
+use crate::motion::Rates;
+use crate::state::State;
 use crate::workspace::{Instant, Subset};
 use core::borrow::Borrow;
 
@@ -19,6 +21,26 @@ pub(crate) struct Parts<'a> {
     pub(crate) phi_t: &'a [f64],
     /// −(e_q q̇)_q q̇ − 2 e_qt q̇ − e_tt.
     pub(crate) gamma: &'a [f64],
+}
+
+impl<'a> Parts<'a> {
+    /// The entries of a row of e_q, with their places in q; `pattern` is sorted by rows.
+    pub(crate) fn gradient(&self, pattern: &Pattern, row: usize) -> impl Iterator<Item = (usize, f64)> + use<'a> {
+        let entries = pattern.entries;
+        let first = entries.partition_point(|&(r, _)| r < row);
+        let of_row = entries.iter().zip(self.phi_q).skip(first).take_while(move |((r, _), _)| *r == row);
+        of_row.map(|(&(_, column), &entry)| (column, entry))
+    }
+
+    /// e, ė = e_q q̇ + e_t and ë = e_q q̈ − γ of a row, evaluated at q and q̇ of the state.
+    pub(crate) fn rates(&self, pattern: &Pattern, row: usize, state: &State) -> Rates {
+        let still = Rates { value: self.phi[row], rate: self.phi_t[row], acceleration: -self.gamma[row] };
+        self.gradient(pattern, row).fold(still, |sum, (k, entry)| Rates {
+            rate: sum.rate + entry * state.q_dot[k],
+            acceleration: sum.acceleration + entry * state.q_ddot[k],
+            ..sum
+        })
+    }
 }
 
 /// A mechanism with its parameters and workspaces.

@@ -2,6 +2,7 @@
 
 use crate::equations::{Equations, finite};
 use crate::error::SolveError;
+use crate::motion::Rates;
 use crate::state::State;
 use crate::workspace::Instant;
 
@@ -67,19 +68,13 @@ pub(crate) fn samples(equations: &mut Equations<'_>, state: &State) -> Result<Ve
     let mut all = Vec::with_capacity(model.conditions.len());
     for (index, condition) in model.conditions.iter().enumerate() {
         let row = condition.observable;
-        let (value, mut rate, mut acceleration) = (parts.phi[row], parts.phi_t[row], -parts.gamma[row]);
+        let pattern = &model.observable_pattern;
+        let Rates { value, rate, acceleration } = parts.rates(pattern, row, state);
         finite("conditions", index, condition.name, value).map_err(|error| error.at(state.t))?;
         // Sizes of what g, ġ and g̈ are sums of: rounding is relative to these.
-        let mut sizes = [value.abs() + (rate * state.t).abs(), rate.abs(), acceleration.abs()];
-        // The pattern is sorted by rows.
-        let entries = model.observable_pattern.entries;
-        let first = entries.partition_point(|&(r, _)| r < row);
-        for (&(r, k), &entry) in entries.iter().zip(parts.phi_q).skip(first) {
-            if r != row {
-                break;
-            }
-            rate += entry * state.q_dot[k];
-            acceleration += entry * state.q_ddot[k];
+        let (by_time, rest) = (parts.phi_t[row], parts.gamma[row]);
+        let mut sizes = [value.abs() + (by_time * state.t).abs(), by_time.abs(), rest.abs()];
+        for (k, entry) in parts.gradient(pattern, row) {
             let turned = (entry * columns[k]).abs();
             sizes[0] += (entry * state.q[k]).abs() + turned;
             sizes[1] += turned * velocity;
