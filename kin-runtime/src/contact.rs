@@ -6,7 +6,8 @@
 
 use crate::equations::Equations;
 use crate::error::{Degeneracy, SolveError};
-use crate::model::{Component, CoordinateKind, Frame, JointInfo, JointKind, Role};
+use crate::model::{CoordinateKind, JointInfo, JointKind, Role};
+use crate::placement::Placement;
 use crate::workspace::Instant;
 
 /// Squares of lengths below this are 0.
@@ -55,25 +56,12 @@ fn degenerate(equations: &Equations<'_>, row: usize, what: Degeneracy) -> SolveE
 
 /// Q stands at the centre of the curve.
 fn at_centre(equations: &mut Equations<'_>, joint: &JointInfo, q: &[f64]) -> Option<Degeneracy> {
-    let [p, q] = [Role::P, Role::Q].map(|role| place(equations, joint, role, q));
-    let ([px, py], [qx, qy]) = (p?, q?);
-    let distance = (qx - px).hypot(qy - py);
     let nothing = (AT_CENTRE * equations.scale.length).max(NOTHING);
+    let placement = Placement::at(equations, q).ok()?;
+    let place = |role: Role| placement.point(joint.geometry.iter().find(|geometry| geometry.role == role)?);
+    let ([px, py], [qx, qy]) = (place(Role::P)?, place(Role::Q)?);
+    let distance = (qx - px).hypot(qy - py);
     (distance <= nothing).then_some(Degeneracy::Centre { distance })
-}
-
-/// A joint's point in the inertial frame.
-fn place(equations: &mut Equations<'_>, joint: &JointInfo, role: Role, q: &[f64]) -> Option<[f64; 2]> {
-    let geometry = joint.geometry.iter().find(|geometry| geometry.role == role)?;
-    let at = Instant { t: equations.t, inputs: &equations.inputs };
-    let numbers = equations.system.geometry(&at).ok()?;
-    let (u, v) = (*numbers.get(geometry.offset)?, *numbers.get(geometry.offset + 1)?);
-    let Frame::Body(body) = geometry.frame else { return Some([u, v]) };
-    equations.system.observe(&at, q, &vec![0.0; q.len()]).ok()?;
-    let values = equations.system.observables().phi;
-    let pose = |component: Component| values[equations.model.bodies[body].observables[component as usize]];
-    let (sin, cos) = pose(Component::Phi).sin_cos();
-    Some([pose(Component::X) + cos * u - sin * v, pose(Component::Y) + sin * u + cos * v])
 }
 
 /// The first roller whose curve stands still at q, on the common scale.

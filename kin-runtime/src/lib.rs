@@ -77,6 +77,8 @@ mod linear;
 #[cfg(feature = "std")]
 mod newton;
 #[cfg(feature = "std")]
+mod placement;
+#[cfg(feature = "std")]
 mod position;
 #[cfg(feature = "std")]
 mod radii;

@@ -8,7 +8,7 @@
 use crate::equations::{Equations, finite};
 use crate::error::SolveError;
 use crate::model::{Component, CoordinateKind, Frame, Geometry, JointInfo, JointKind, Model, Role};
-use crate::workspace::Instant;
+use crate::placement::Placement;
 use core::fmt;
 
 /// The angle at a revolute joint between the lines to the next joints of its two bodies.
@@ -99,22 +99,15 @@ fn sorted(i: usize, j: usize) -> Vec<usize> {
 
 /// The points of all point-like joints on moving bodies, in the inertial frame.
 fn places(equations: &mut Equations<'_>, q: &[f64]) -> Result<Vec<Place>, SolveError> {
-    let model = equations.model;
-    let at = Instant { t: equations.t, inputs: &equations.inputs };
-    let numbers = equations.system.geometry(&at)?;
-    equations.system.observe(&at, q, &vec![0.0; q.len()])?;
-    let values = equations.system.observables().phi;
+    let (model, t) = (equations.model, equations.t);
+    let placement = Placement::at(equations, q)?;
     let mut places = Vec::new();
     for (joint, info) in model.joints.iter().enumerate().filter(|(_, info)| is_point_like(info)) {
         for geometry in info.geometry.iter().filter(|g| matches!(g.role, Role::P | Role::Q)) {
             let (Frame::Body(body), true) = (geometry.frame, stands_still(info, geometry)) else { continue };
-            let [x, y, phi] = model.bodies[body].observables.map(|k| values[k]);
-            let (sin, cos) = phi.sin_cos();
-            let part = |k: usize| numbers.get(geometry.offset + k).copied().unwrap_or(0.0);
-            let (u, v) = (part(0), part(1));
-            let r = [x + cos * u - sin * v, y + sin * u + cos * v];
+            let Some(r) = placement.point(geometry) else { continue };
             for value in r {
-                finite("geometry", joint, info.name, value).map_err(|error| error.at(equations.t))?;
+                finite("geometry", joint, info.name, value).map_err(|error| error.at(t))?;
             }
             places.push(Place { joint, body, r });
         }

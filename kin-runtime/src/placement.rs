@@ -1,0 +1,32 @@
+//! Where the points of joints stand: their geometry, carried by the bodies.
+
+use crate::equations::Equations;
+use crate::error::SolveError;
+use crate::model::{Frame, Geometry, Model};
+use crate::workspace::Instant;
+
+/// Geometry and poses at one configuration.
+pub(crate) struct Placement<'e> {
+    model: &'static Model,
+    numbers: Vec<f64>,
+    observables: &'e [f64],
+}
+
+impl<'e> Placement<'e> {
+    /// The placement at q.
+    pub(crate) fn at(equations: &'e mut Equations<'_>, q: &[f64]) -> Result<Self, SolveError> {
+        let at = Instant { t: equations.t, inputs: &equations.inputs };
+        let numbers = equations.system.geometry(&at)?;
+        equations.system.observe(&at, q, &vec![0.0; q.len()])?;
+        Ok(Self { model: equations.model, numbers, observables: equations.system.observables().phi })
+    }
+
+    /// A point in the inertial frame.
+    pub(crate) fn point(&self, geometry: &Geometry) -> Option<[f64; 2]> {
+        let &[u, v] = self.numbers.get(geometry.offset..geometry.offset + 2)? else { return None };
+        let Frame::Body(body) = geometry.frame else { return Some([u, v]) };
+        let [x, y, phi] = self.model.bodies[body].observables.map(|k| self.observables[k]);
+        let (sin, cos) = phi.sin_cos();
+        Some([x + cos * u - sin * v, y + sin * u + cos * v])
+    }
+}
