@@ -50,6 +50,11 @@ impl Way {
         Self { kind: Kind::Smooth, t: [at.t; 2], from: at.inputs.to_vec(), to: at.inputs.to_vec() }
     }
 
+    /// A way without time that leads nowhere.
+    pub(crate) const fn frozen() -> Self {
+        Self { kind: Kind::Frozen, t: [0.0; 2], from: Vec::new(), to: Vec::new() }
+    }
+
     /// Makes it the way between two instants with equally many inputs: smooth where t goes on and the rates at both
     /// ends agree with the change between them, straight where not, frozen where t stands still.
     pub(crate) fn lead(&mut self, from: &Instant<'_>, to: &Instant<'_>) {

@@ -210,6 +210,15 @@ impl<'a> Equations<'a> {
         result
     }
 
+    /// Evaluates with derivatives along the rates of the inputs alone, as on a frozen way: Φ_t is Φ_u u′, γ is
+    /// −(Φ_q q′)_q q′ − 2 Φ_qu u′ q′ − (Φ_u u′)_u u′.
+    pub(crate) fn by_inputs<R>(&mut self, evaluate: impl FnOnce(&mut Self) -> R) -> R {
+        let way = self.way.replace(Way::frozen());
+        let result = evaluate(self);
+        self.way = way;
+        result
+    }
+
     /// True where derivatives are along the way and not by time.
     fn is_frozen(&self) -> bool {
         self.way.as_ref().is_some_and(|way| way.kind == Kind::Frozen)

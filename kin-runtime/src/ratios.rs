@@ -100,9 +100,8 @@ pub(crate) fn velocity_ratios(equations: &mut Equations<'_>, state: &State) -> R
         let mut unit = DVector::zeros(equations.rows());
         unit[row] = 1.0;
         let first = respond(equations, &factor, &unit)?;
-        let forward = gamma(equations, &state.q, first.as_slice())?;
-        let backward = gamma(equations, &state.q, (-&first).as_slice())?;
-        let second = respond(equations, &factor, &(0.5 * (forward + backward) - &at_rest))?;
+        let bend = along(equations, None, |equations| gamma(equations, &state.q, first.as_slice()))?;
+        let second = respond(equations, &factor, &bend)?;
         let distance = distances.iter().find(|(of, _)| *of == row).map(|&(_, f)| f);
         drivers.push(VelocityRatio {
             row,
@@ -117,40 +116,25 @@ pub(crate) fn velocity_ratios(equations: &mut Equations<'_>, state: &State) -> R
             first: (distance.map_or(1.0, |f| 2.0 * f) * first).as_slice().to_vec(),
         });
     }
-    let inputs = core::mem::take(&mut equations.inputs);
-    let ratios: Result<_, SolveError> =
-        (0..inputs.len()).map(|k| input_ratio(equations, &factor, &state.q, &inputs, k)).collect();
-    equations.inputs = inputs;
-    Ok(VelocityRatios { drivers, inputs: ratios? })
+    let inputs = (0..equations.inputs.len()).map(|k| input_ratio(equations, &factor, &state.q, k));
+    Ok(VelocityRatios { drivers, inputs: inputs.collect::<Result<_, _>>()? })
 }
 
-/// The ratios of input k; the inputs are `inputs`, and those of the equations are written to.
+/// The ratios of input k.
 fn input_ratio(
     equations: &mut Equations<'_>,
     factor: &Factorization,
     q: &[f64],
-    inputs: &[Signal],
     k: usize,
 ) -> Result<InputRatio, SolveError> {
-    let moving = |equations: &mut Equations<'_>, rate: f64| {
-        equations.inputs.clear();
-        equations.inputs.extend(inputs.iter().map(|u| Signal::constant(u.value)));
-        equations.inputs[k].rate = rate;
-    };
-    let phi_t = |equations: &mut Equations<'_>, rate: f64| -> Result<DVector<f64>, SolveError> {
-        moving(equations, rate);
+    let phi_u = along(equations, Some(k), |equations| {
         equations.evaluate(Subset::TIME_DERIVATIVE, q, None)?;
         Ok(equations.phi_t.clone())
-    };
-    let phi_u = phi_t(equations, 1.0)? - phi_t(equations, 0.0)?;
+    })?;
     let first = respond(equations, factor, &-phi_u)?;
-    let at_rest = gamma(equations, q, &vec![0.0; q.len()])?;
-    moving(equations, 1.0);
-    let forward = gamma(equations, q, first.as_slice())?;
-    moving(equations, -1.0);
-    let backward = gamma(equations, q, (-&first).as_slice())?;
-    let second = respond(equations, factor, &(0.5 * (forward + backward) - at_rest))?;
-    let Signal { rate, acceleration, .. } = inputs[k];
+    let bend = along(equations, Some(k), |equations| gamma(equations, q, first.as_slice()))?;
+    let second = respond(equations, factor, &bend)?;
+    let Signal { rate, acceleration, .. } = equations.inputs[k];
     Ok(InputRatio {
         name: equations.model.inputs.get(k).copied().unwrap_or(""),
         q_dot: (rate * &first).as_slice().to_vec(),
@@ -158,6 +142,21 @@ fn input_ratio(
         first: first.as_slice().to_vec(),
         second: second.as_slice().to_vec(),
     })
+}
+
+/// Evaluates with time standing still, and all inputs but one, whose rate is 1.
+fn along<R>(
+    equations: &mut Equations<'_>,
+    input: Option<usize>,
+    evaluate: impl FnOnce(&mut Equations<'_>) -> Result<R, SolveError>,
+) -> Result<R, SolveError> {
+    let inputs = equations.inputs.clone();
+    for (k, u) in equations.inputs.iter_mut().enumerate() {
+        *u = Signal::new(u.value, if Some(k) == input { 1.0 } else { 0.0 }, 0.0);
+    }
+    let result = equations.by_inputs(evaluate);
+    equations.inputs = inputs;
+    result
 }
 
 /// Rows |d|² − f² with their f.
