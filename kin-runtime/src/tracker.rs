@@ -41,6 +41,9 @@ use crate::workspace::Instant;
 /// dimensions make another one with [`Solver::tracker_from`] and [`State::q`]. States, workspaces and buffers are used
 /// again by every update; the dense factorisations of Φ_q, and their solutions, still allocate.
 ///
+/// A tracker stays on its thread: it is not `Send`, because the functions of a mechanism need not be. The mechanism is,
+/// where its fields are; send that, and make the tracker where it is updated.
+///
 /// ```
 /// use kin_runtime::{Instant, Kinematics, Mechanism, Signal, mechanism};
 ///
