@@ -71,6 +71,12 @@ fn attempts(equations: &mut Equations<'_>, guesses: &[Option<f64>]) -> Result<Po
     }
 }
 
+/// The guesses, with what rows say of the other coordinates; 0 for the rest.
+pub(crate) fn propagated(equations: &mut Equations<'_>, guesses: &[Option<f64>]) -> Vec<f64> {
+    let start: Vec<f64> = guesses.iter().map(|g| g.unwrap_or(0.0)).collect();
+    propagate(equations, guesses, &start).0
+}
+
 /// One attempt, reported as it ends.
 fn close_and_finish(equations: &mut Equations<'_>, mut q: Vec<f64>) -> Result<Position, SolveError> {
     let outcome = close_all(equations, &mut q);

@@ -219,8 +219,13 @@ impl<'a> Equations<'a> {
         result
     }
 
+    /// The current instant.
+    pub(crate) fn instant(&self) -> Instant<'_> {
+        Instant { t: self.t, inputs: &self.inputs }
+    }
+
     /// True where derivatives are along the way and not by time.
-    fn is_frozen(&self) -> bool {
+    pub(crate) fn is_frozen(&self) -> bool {
         self.way.as_ref().is_some_and(|way| way.kind == Kind::Frozen)
     }
 

@@ -1,6 +1,7 @@
 //! What can go wrong in an analysis, with numbers.
 
 use crate::mechanism::LengthError;
+use crate::planned::{Limit, PlanError, Sign};
 use crate::trajectory::Trajectory;
 use core::fmt;
 
@@ -138,6 +139,9 @@ pub enum SolveError {
         iterations: usize,
         /// Whether assembly had nothing to vary, since every coordinate had a guess.
         all_guessed: bool,
+        /// The group of the plan that cannot close, in the modes of the best attempt; none where all can or where there is
+        /// no plan.
+        limit: Option<Limit>,
     },
     /// Φ_q loses rank in this configuration, though not in its neighbourhood.
     Singular {
@@ -151,6 +155,8 @@ pub enum SolveError {
         rows: Vec<&'static str>,
         /// Estimated condition number of the scaled Φ_q; infinite where it is exactly singular.
         condition: f64,
+        /// The group of the plan that is at its limit, or cannot close beyond; none where all can or where there is no plan.
+        limit: Option<Limit>,
     },
     /// No q̇ satisfies Φ_q q̇ = −Φ_t.
     InconsistentVelocity {
@@ -229,6 +235,8 @@ pub enum SolveError {
         joint: &'static str,
         /// Why.
         reason: Refusal,
+        /// The group of the plan that cannot close at `t_refused`; none where all can or where there is no plan.
+        limit: Option<Limit>,
     },
     /// Bodies touch where their contact says nothing.
     DegenerateContact {
@@ -292,11 +300,35 @@ pub enum SolveError {
         /// Number of prescribed coordinates.
         given: usize,
     },
+    /// The plan has no answer.
+    Plan(PlanError),
+    /// No mode has the name or the place that was asked for.
+    UnknownMode {
+        /// What was asked for.
+        mode: String,
+        /// The modes that there are.
+        modes: Vec<&'static str>,
+    },
+    /// The mechanism has no configuration in the modes asked for, all others being as the guesses have them.
+    ModeNotAssembled {
+        /// Time.
+        t: f64,
+        /// The modes asked for.
+        modes: Vec<(&'static str, Sign)>,
+        /// The group that cannot close; none where the plan closes and the mechanism does not.
+        limit: Option<Limit>,
+    },
     /// Not one configuration could be compared.
     NothingCompared {
         /// Configurations skipped because Φ is not finite there.
         skipped: usize,
     },
+}
+
+impl From<PlanError> for SolveError {
+    fn from(error: PlanError) -> Self {
+        Self::Plan(error)
+    }
 }
 
 impl From<LengthError> for SolveError {
@@ -308,24 +340,28 @@ impl From<LengthError> for SolveError {
 impl fmt::Display for SolveError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotAssembled { t, gap, residual, row_name, joint, iterations, all_guessed, .. } => {
+            Self::NotAssembled { t, gap, residual, row_name, joint, iterations, all_guessed, limit, .. } => {
                 write!(
                     f,
                     "not assembled at t = {t}: joint `{joint}` stays open, row `{row_name}` at {residual:.3e} \
                      (scaled {gap:.3e}) after {iterations} iterations"
                 )?;
+                write_limit(f, limit)?;
                 if !all_guessed {
                     return Ok(());
                 }
                 f.write_str("; every coordinate has a guess and none is varied: other guesses, or fewer, may close")
             }
-            Self::Singular { t, rank, expected_rank, rows, condition } => {
+            Self::Singular { t, rank, expected_rank, rows, condition, limit } => {
                 write!(
                     f,
                     "singular configuration at t = {t}: rank {rank} instead of {expected_rank} \
                      (condition {condition:.1e})"
                 )?;
-                if rows.is_empty() { Ok(()) } else { write!(f, "; dependent rows: {}", rows.join(", ")) }
+                if !rows.is_empty() {
+                    write!(f, "; dependent rows: {}", rows.join(", "))?;
+                }
+                write_limit(f, limit)
             }
             Self::InconsistentVelocity { t, residual, row_name, joint, rank } => write!(
                 f,
@@ -359,10 +395,13 @@ impl fmt::Display for SolveError {
             Self::StepRefused { t, t_refused, reason: reason @ Refusal::StepTooSmall, .. } => {
                 write!(f, "the velocities cannot be integrated beyond t = {t} to t = {t_refused}: {reason}")
             }
-            Self::StepRefused { t, t_refused, row_name, joint, reason } => write!(
-                f,
-                "the branch ends after t = {t}: at t = {t_refused} {reason} (joint `{joint}`, row `{row_name}`)"
-            ),
+            Self::StepRefused { t, t_refused, row_name, joint, reason, limit } => {
+                write!(
+                    f,
+                    "the branch ends after t = {t}: at t = {t_refused} {reason} (joint `{joint}`, row `{row_name}`)"
+                )?;
+                write_limit(f, limit)
+            }
             Self::DegenerateGeometry { t, joint, fault } => write!(f, "joint `{joint}` at t = {t}: {fault}"),
             Self::DegenerateContact { t, joint, what, .. } => {
                 write!(f, "degenerate contact of joint `{joint}` at t = {t}: {what}")
@@ -388,6 +427,18 @@ impl fmt::Display for SolveError {
                 "`{coordinate}` = {value} cannot be given at t = {t}: it repeats or contradicts the other rows \
                  ({given} given, {open} open)"
             ),
+            Self::Plan(error) => error.fmt(f),
+            Self::UnknownMode { mode, modes } if modes.is_empty() => {
+                write!(f, "there is no mode {mode}; the mechanism closes in one way only")
+            }
+            Self::UnknownMode { mode, modes } => {
+                write!(f, "there is no mode {mode}; there are `{}`", modes.join("`, `"))
+            }
+            Self::ModeNotAssembled { t, modes, limit } => {
+                let modes: Vec<String> = modes.iter().map(|(name, sign)| format!("{name} = {sign}")).collect();
+                write!(f, "not assembled at t = {t} in the mode {}", modes.join(", "))?;
+                write_limit(f, limit)
+            }
             Self::NothingCompared { skipped } => {
                 write!(f, "nothing was compared: Φ is not finite at any of {skipped} configurations")
             }
@@ -395,7 +446,24 @@ impl fmt::Display for SolveError {
     }
 }
 
+/// The group that cannot close, behind what else there is to say.
+fn write_limit(f: &mut fmt::Formatter<'_>, limit: &Option<Limit>) -> fmt::Result {
+    limit.as_ref().map_or(Ok(()), |limit| write!(f, "; {limit}"))
+}
+
 impl SolveError {
+    /// The group of the plan that is at its limit or cannot close, where that is why there is no answer.
+    pub const fn limit(&self) -> Option<&Limit> {
+        match self {
+            Self::NotAssembled { limit, .. }
+            | Self::Singular { limit, .. }
+            | Self::StepRefused { limit, .. }
+            | Self::ModeNotAssembled { limit, .. } => limit.as_ref(),
+            Self::Plan(error) => error.limit(),
+            _ => None,
+        }
+    }
+
     /// The error with the time of the instant that it was computed for.
     pub(crate) fn at(mut self, now: f64) -> Self {
         if let Self::NonFinite { t, .. } = &mut self {

@@ -5,6 +5,7 @@ use crate::error::{SolveError, SweepError};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::mobility::Mobility;
 use crate::model::Pattern;
+use crate::plan::ModeInfo;
 use crate::series::{Derivatives, PowerSeries};
 use crate::solver::Solver;
 use crate::state::State;
@@ -17,6 +18,12 @@ pub trait Kinematics: Mechanism {
     /// A solver with default options and the mechanism's own guesses.
     fn solver(&self) -> Solver<'_, Self> {
         Solver::new(self)
+    }
+
+    /// The assembly modes: groups that close in two ways, told apart by a sign. [`Solver::modes`] has those of a
+    /// configuration, [`Solver::with_mode`] asks for one.
+    fn modes() -> &'static [ModeInfo] {
+        Self::model().plan.modes
     }
 
     /// q with Φ(q, t) = 0 near `guess`, which has n numbers.

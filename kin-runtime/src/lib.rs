@@ -13,6 +13,7 @@ mod lanes;
 pub mod mechanism;
 pub mod model;
 pub mod plan;
+pub mod planned;
 #[doc(hidden)]
 pub mod private;
 pub mod scalar;
@@ -33,6 +34,8 @@ pub mod events;
 pub mod kinematics;
 #[cfg(feature = "std")]
 pub mod mobility;
+#[cfg(feature = "std")]
+pub mod modes;
 #[cfg(feature = "std")]
 pub mod motion;
 #[cfg(feature = "std")]
@@ -56,6 +59,8 @@ mod acceleration;
 mod analysis;
 #[cfg(feature = "std")]
 mod assemble;
+#[cfg(feature = "std")]
+mod by_plan;
 #[cfg(feature = "std")]
 mod closure;
 #[cfg(feature = "std")]
@@ -107,6 +112,7 @@ pub use kin_derive::mechanism;
 #[cfg(feature = "simd")]
 pub use lanes::Lanes;
 pub use mechanism::{LengthError, Mechanism, Observations, Workspace};
+pub use planned::{Limit, ModeKey, PlanError, Planned, Sign};
 pub use scalar::Scalar;
 pub use series::PowerSeries;
 pub use signal::{Instant, Signal};
@@ -117,7 +123,9 @@ pub use workspace::{Array, Evaluation, Subset};
 pub use nalgebra;
 
 #[cfg(feature = "std")]
-pub use cross_check::{Configuration, CrossCheck, CrossCheckOptions, FunctionCheck, WorstEntry};
+pub use cross_check::{
+    Configuration, CrossCheck, CrossCheckOptions, FunctionCheck, PlanCheck, WorstEntry, WorstPlanned,
+};
 #[cfg(feature = "std")]
 pub use error::{Degeneracy, GeometryFault, Refusal, SolveError, SweepError};
 #[cfg(feature = "std")]
@@ -126,6 +134,8 @@ pub use events::{Crossing, Event};
 pub use kinematics::Kinematics;
 #[cfg(feature = "std")]
 pub use mobility::{Cause, Mobility, RedundantRow};
+#[cfg(feature = "std")]
+pub use modes::Mode;
 #[cfg(feature = "std")]
 pub use motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates};
 #[cfg(feature = "std")]
@@ -141,6 +151,6 @@ pub use state::State;
 #[cfg(feature = "std")]
 pub use tracker::Tracker;
 #[cfg(feature = "std")]
-pub use trajectory::Trajectory;
+pub use trajectory::{Fallback, Trajectory};
 #[cfg(feature = "std")]
 pub use transmission::TransmissionAngle;

@@ -47,6 +47,9 @@ pub struct Options {
     pub max_steps: usize,
     /// True to end a sweep at the first event of a unilateral condition.
     pub stop_at_events: bool,
+    /// False to correct every step of a sweep or a tracker by full Newton, also where the mechanism has a plan. Answers are
+    /// the same to rounding; errors then say nothing of groups and margins.
+    pub use_plan: bool,
 }
 
 impl Default for Options {
@@ -64,6 +67,7 @@ impl Default for Options {
             min_step: 1e-13,
             max_steps: 200_000,
             stop_at_events: false,
+            use_plan: true,
         }
     }
 }

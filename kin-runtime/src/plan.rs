@@ -89,6 +89,10 @@ pub struct ModeInfo {
 }
 
 impl Plan {
+    /// The margin that every step of a solution must exceed. The error of a closure grows with the inverse root of its
+    /// margin: at this one about ten digits are left, and the sign of its mode is still certain.
+    pub const SMALLEST_MARGIN: f64 = 1e-12;
+
     /// No plan, and why.
     pub const fn absent(why: &'static str) -> Self {
         Self { steps: &[], modes: &[], margins: 0, absent: Some(why) }

@@ -3,6 +3,7 @@
 //! All rows of position level are closed at once by the globalised iteration of [`newton`](crate::newton). Where rows
 //! are fewer than coordinates each correction has the least Euclidean norm; where they are more, they must agree.
 
+use crate::by_plan;
 use crate::closure::close;
 use crate::equations::Equations;
 use crate::error::SolveError;
@@ -68,6 +69,7 @@ pub(crate) fn finish(equations: &mut Equations<'_>, q: Vec<f64>, outcome: Outcom
         joint: equations.joint_name(outcome.worst),
         iterations: outcome.iterations,
         all_guessed: false,
+        limit: by_plan::limit(equations, &q),
     })
 }
 

@@ -8,6 +8,7 @@
 //! Rows of velocity level may lose rank by inputs or time alone, at every configuration. Where that leaves no velocity,
 //! the rank at other inputs and times shows that this instant is special.
 
+use crate::by_plan;
 use crate::closure::close;
 use crate::equations::Equations;
 use crate::error::SolveError;
@@ -38,7 +39,8 @@ pub(crate) fn diagnose(equations: &mut Equations<'_>, q: &[f64], here: &Factoriz
     let tolerance = equations.options.rank_tolerance;
     let rows = dependent_rows(equations, &null_space(&scaled.transpose(), tolerance));
     let (t, rank, condition) = (equations.t, here.rank, here.full_condition);
-    Some(SolveError::Singular { t, rank, expected_rank, rows, condition })
+    let limit = by_plan::limit(equations, q);
+    Some(SolveError::Singular { t, rank, expected_rank, rows, condition, limit })
 }
 
 /// What an inconsistency at `q` is: singular, where the rows that drive have more rank at other inputs or times.
@@ -58,7 +60,8 @@ pub(crate) fn explain(equations: &mut Equations<'_>, q: &[f64], here: &Factoriza
         return error;
     }
     let rows = dependent_rows(equations, &left);
-    SolveError::Singular { t: equations.t, rank: here.rank, expected_rank, rows, condition: here.full_condition }
+    let (t, rank, condition) = (equations.t, here.rank, here.full_condition);
+    SolveError::Singular { t, rank, expected_rank, rows, condition, limit: by_plan::limit(equations, q) }
 }
 
 /// Largest rank of `rows` at q with other inputs and times. The rows that do not drive depend on neither.

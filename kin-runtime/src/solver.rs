@@ -2,17 +2,18 @@
 
 use crate::acceleration::acceleration;
 use crate::analysis;
-use crate::assemble::assemble;
 use crate::continuation::kinematic;
 use crate::course::InputFunction;
-use crate::cross_check::{CrossCheck, CrossCheckOptions, cross_check};
+use crate::cross_check::{CrossCheck, CrossCheckOptions, PlanCheck, cross_check, plan_check};
 use crate::equations::{Equations, finite};
 use crate::error::{SolveError, SweepError};
 use crate::mechanism::Mechanism;
 use crate::mobility::{Mobility, mobility};
 use crate::model::Point;
+use crate::modes::{Mode, Wanted, assemble_in, modes};
 use crate::motion::{Motion, motion, point_jacobian};
 use crate::options::Options;
+use crate::planned::{ModeKey, PlanError, Planned, Sign};
 use crate::position::position;
 use crate::ratios::{VelocityRatios, velocity_ratios};
 use crate::scale::Scale;
@@ -51,6 +52,8 @@ pub struct Solver<'m, M: Mechanism> {
     pub(crate) options: Options,
     pub(crate) guesses: Vec<(usize, f64)>,
     pub(crate) given: Vec<(usize, Signal)>,
+    /// Modes asked for, by what they are called, and their signs.
+    modes: Vec<(String, Option<usize>, Sign)>,
     pub(crate) inputs: InputFunction<'m>,
 }
 
@@ -61,6 +64,7 @@ impl<M: Mechanism> Clone for Solver<'_, M> {
             options: self.options,
             guesses: self.guesses.clone(),
             given: self.given.clone(),
+            modes: self.modes.clone(),
             inputs: self.inputs,
         }
     }
@@ -69,7 +73,8 @@ impl<M: Mechanism> Clone for Solver<'_, M> {
 impl<'m, M: Mechanism> Solver<'m, M> {
     /// A solver with default options and the mechanism's own guesses.
     pub fn new(mechanism: &'m M) -> Self {
-        Self { mechanism, options: Options::default(), guesses: Vec::new(), given: Vec::new(), inputs: None }
+        let (guesses, given, modes) = (Vec::new(), Vec::new(), Vec::new());
+        Self { mechanism, options: Options::default(), guesses, given, modes, inputs: None }
     }
 
     /// Replaces tolerances and limits.
@@ -91,6 +96,18 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     #[must_use]
     pub fn with_guess(mut self, coordinate: usize, value: f64) -> Self {
         self.guesses.push((coordinate, value));
+        self
+    }
+
+    /// Asks for an assembly mode, by its name or its place in [`Kinematics::modes`](crate::Kinematics::modes).
+    ///
+    /// Wherever the solver assembles from guesses, it does so as without; then the plan closes in the modes asked for, all
+    /// others being as the guesses have them, and full Newton closes what the plan gives. Analyses from a complete start
+    /// have the modes of that start.
+    #[must_use]
+    pub fn with_mode<'k>(mut self, mode: impl Into<ModeKey<'k>>, sign: Sign) -> Self {
+        let key = mode.into();
+        self.modes.push((key.to_string(), key.place(M::model().plan.modes), sign));
         self
     }
 
@@ -131,11 +148,34 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     ///
     /// # Errors
     /// [`NotAssembled`](SolveError::NotAssembled) with the best attempt's gap, [`GivenConflict`](SolveError::GivenConflict),
-    /// [`UnknownCoordinate`](SolveError::UnknownCoordinate); [`NonFinite`](SolveError::NonFinite) and
-    /// [`Length`](SolveError::Length) for arguments and parameters, here and in every other analysis.
+    /// [`UnknownCoordinate`](SolveError::UnknownCoordinate); [`UnknownMode`](SolveError::UnknownMode),
+    /// [`ModeNotAssembled`](SolveError::ModeNotAssembled) and [`Plan`](SolveError::Plan) where a mode is asked for;
+    /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length) for arguments and parameters, here and in
+    /// every other analysis.
     pub fn assemble(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError> {
-        let guess = self.checked_guess()?;
-        self.analyse(at, |equations| Ok(assemble(equations, &guess)?.q))
+        let wanted = self.wanted()?;
+        self.analyse(at, |equations| Ok(assemble_in(equations, &wanted)?.q))
+    }
+
+    /// The modes of a configuration: the sign of each, and how far it is from its limit.
+    ///
+    /// # Errors
+    /// [`Plan`](SolveError::Plan) where there is no plan; [`NonFinite`](SolveError::NonFinite) and
+    /// [`Length`](SolveError::Length).
+    pub fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Result<Vec<Mode>, SolveError> {
+        self.analyse(at, |equations| modes(equations, q))
+    }
+
+    /// Assembles the mechanism from the guesses, to be solved by its plan from there; prescribed coordinates have no part
+    /// in it.
+    ///
+    /// # Errors
+    /// As [`assemble`](Self::assemble), and [`Plan`](SolveError::Plan).
+    pub fn planned(&self, at: &Instant<'_>) -> Result<Planned<'m, M>, SolveError> {
+        if !self.given.is_empty() {
+            return Err(SolveError::Plan(PlanError::NoPlan { why: "coordinates are prescribed" }));
+        }
+        Ok(Planned::new(self.mechanism, at, &self.assemble(at)?)?)
     }
 
     /// Position analysis from a complete start, n numbers: the configuration near it.
@@ -179,9 +219,9 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`assemble`](Self::assemble), [`velocity`](Self::velocity) and [`acceleration`](Self::acceleration).
     pub fn state(&self, at: &Instant<'_>) -> Result<State, SolveError> {
-        let guess = self.checked_guess()?;
+        let wanted = self.wanted()?;
         self.analyse(at, |equations| {
-            let position = assemble(equations, &guess)?;
+            let position = assemble_in(equations, &wanted)?;
             Ok(analysis::state(equations, position)?.0)
         })
     }
@@ -204,7 +244,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// As [`state`](Self::state) for the first instant; then [`Singular`](SolveError::Singular) or
     /// [`StepRefused`](SolveError::StepRefused) where the branch ends, with the states before it.
     pub fn sweep(&self, times: &[f64]) -> Result<Trajectory, SweepError> {
-        self.follow(times, |equations| assemble(equations, &self.checked_guess()?))
+        self.follow(times, |equations| assemble_in(equations, &self.wanted()?))
     }
 
     /// [`sweep`](Self::sweep) from a complete start, n numbers.
@@ -267,6 +307,24 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// [`NothingCompared`](SolveError::NothingCompared) where Φ is not finite at any of them;
     /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn cross_check(&self, options: &CrossCheckOptions) -> Result<CrossCheck, SolveError> {
+        let (centre, length) = self.around(options)?;
+        cross_check(self.mechanism, options, &centre, length)
+    }
+
+    /// The plan against the equations, from the configurations given and from random ones around the guess; and against
+    /// full Newton from those given. Parameters stay what they are.
+    ///
+    /// # Errors
+    /// [`Plan`](SolveError::Plan) where there is no plan; as [`state_from`](Self::state_from) for the configurations given.
+    pub fn plan_check(&self, options: &CrossCheckOptions) -> Result<PlanCheck, SolveError> {
+        let (centre, length) = self.around(options)?;
+        plan_check(self.mechanism, options, &centre, length, |at, start| {
+            Self::new(self.mechanism).state_from(at, start)
+        })
+    }
+
+    /// The guess as centre of random configurations, and their width in x and y; those of the caller are checked.
+    fn around(&self, options: &CrossCheckOptions) -> Result<(Vec<f64>, f64), SolveError> {
         let centre: Vec<f64> = self.checked_guess()?.into_iter().map(|g| g.unwrap_or(0.0)).collect();
         let inputs = vec![Signal::default(); M::INPUTS];
         let length = self.analyse(&Instant { t: 0.0, inputs: &inputs }, |equations| {
@@ -277,7 +335,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
             }
             Ok(Scale::around(equations, &centre).length)
         })?;
-        cross_check(self.mechanism, options, &centre, length)
+        Ok((centre, length))
     }
 
     /// The guesses, unless one of them is for a coordinate that does not exist.
@@ -287,6 +345,23 @@ impl<'m, M: Mechanism> Solver<'m, M> {
             Some(&(index, _)) => Err(SolveError::UnknownCoordinate { index, coordinates }),
             None => Ok(self.guess()),
         }
+    }
+
+    /// The guesses, and the places of the modes that are asked for.
+    pub(crate) fn wanted(&self) -> Result<Wanted, SolveError> {
+        let guess = self.checked_guess()?;
+        let place = |(mode, place, sign): &(String, Option<usize>, Sign)| match place {
+            Some(place) => Ok((*place, *sign)),
+            None => {
+                let plan = &M::model().plan;
+                if let Some(why) = plan.absent {
+                    return Err(SolveError::Plan(PlanError::NoPlan { why }));
+                }
+                let modes = plan.modes.iter().map(|mode| mode.name).collect();
+                Err(SolveError::UnknownMode { mode: mode.clone(), modes })
+            }
+        };
+        Ok(Wanted { guess, modes: self.modes.iter().map(place).collect::<Result<_, _>>()? })
     }
 
     /// Hands the equations at `at` to an analysis.

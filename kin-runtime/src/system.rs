@@ -7,6 +7,7 @@ use crate::curve::CurvePoint;
 use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 use crate::model::{Model, Pattern};
 use crate::motion::Rates;
+use crate::plan::{Depth, Solved};
 use crate::state::State;
 use crate::workspace::{Instant, Subset};
 use core::borrow::Borrow;
@@ -59,6 +60,24 @@ pub(crate) trait System {
     fn observables(&self) -> Parts<'_>;
     /// A point of the curve of a joint.
     fn curve(&self, at: &Instant<'_>, joint: usize, s: f64) -> Option<CurvePoint>;
+    /// q, q̇ and q̈ by the plan.
+    fn solve(
+        &mut self,
+        at: &Instant<'_>,
+        modes: &[f64],
+        start: &[f64],
+        depth: Depth,
+        solved: Solved<'_, f64>,
+    ) -> Result<(), LengthError> {
+        // Without a plan there is nothing to solve.
+        let _ = (at, modes, start, depth, solved);
+        Ok(())
+    }
+    /// How far apart the closures of each mode are at q, with the sign of the mode.
+    fn closures(&self, at: &Instant<'_>, q: &[f64], closures: &mut [f64]) -> Result<(), LengthError> {
+        let _ = (at, q, closures);
+        Ok(())
+    }
     /// Local points, axes and values.
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, LengthError>;
 }
@@ -108,6 +127,21 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
 
     fn curve(&self, at: &Instant<'_>, joint: usize, s: f64) -> Option<CurvePoint> {
         self.mechanism.borrow().curve_with(self.parameters.as_ref(), at, joint, s).ok().flatten()
+    }
+
+    fn solve(
+        &mut self,
+        at: &Instant<'_>,
+        modes: &[f64],
+        start: &[f64],
+        depth: Depth,
+        solved: Solved<'_, f64>,
+    ) -> Result<(), LengthError> {
+        self.mechanism.borrow().solve_with(self.parameters.as_ref(), at, modes, start, depth, solved)
+    }
+
+    fn closures(&self, at: &Instant<'_>, q: &[f64], closures: &mut [f64]) -> Result<(), LengthError> {
+        self.mechanism.borrow().closures_with(self.parameters.as_ref(), at, q, closures)
     }
 
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, LengthError> {

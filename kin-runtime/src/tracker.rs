@@ -1,18 +1,19 @@
 //! Following a mechanism whose inputs come one instant at a time: what a controller calls in its loop.
 
 use crate::analysis;
-use crate::assemble::assemble;
 use crate::continuation::Follower;
 use crate::course::{Kind, Way};
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
+use crate::modes::{Wanted, assemble_in};
 use crate::motion::{Motion, motion};
 use crate::position::position;
 use crate::ratios::{VelocityRatios, velocity_ratios};
 use crate::solver::{Position, Solver};
 use crate::state::State;
 use crate::system::{Evaluator, System};
+use crate::trajectory::Fallback;
 use crate::workspace::Instant;
 
 /// A mechanism that is followed from instant to instant, as its inputs come in.
@@ -77,7 +78,7 @@ use crate::workspace::Instant;
 pub struct Tracker<'m> {
     equations: Equations<'m>,
     follower: Follower,
-    guess: Vec<Option<f64>>,
+    wanted: Wanted,
 }
 
 impl<'m> Tracker<'m> {
@@ -85,17 +86,22 @@ impl<'m> Tracker<'m> {
         solver: &Solver<'_, M>,
         system: Box<dyn System + 'm>,
         at: &Instant<'_>,
-        first: impl FnOnce(&mut Equations<'_>, &[Option<f64>]) -> Result<Position, SolveError>,
+        first: impl FnOnce(&mut Equations<'_>, &Wanted) -> Result<Position, SolveError>,
     ) -> Result<Self, SolveError> {
-        let guess = solver.checked_guess()?;
+        let wanted = solver.wanted()?;
         let mut equations = Equations::new(system, solver.options, &solver.given, None, at)?;
-        let follower = begin(&mut equations, &guess, first)?;
-        Ok(Self { equations, follower, guess })
+        let follower = begin(&mut equations, &wanted, first)?;
+        Ok(Self { equations, follower, wanted })
     }
 
     /// The last good instant.
     pub const fn state(&self) -> &State {
         self.follower.state()
+    }
+
+    /// The internal steps of the last update that full Newton had to take although there is a plan.
+    pub fn fallbacks(&self) -> &[Fallback] {
+        &self.follower.fallbacks
     }
 
     /// Follows the branch to another instant.
@@ -108,6 +114,7 @@ impl<'m> Tracker<'m> {
     pub fn update(&mut self, at: &Instant<'_>) -> Result<&State, SolveError> {
         let Self { equations, follower, .. } = self;
         equations.check_instant(at)?;
+        follower.fallbacks.clear();
         let from = follower.state().instant();
         let way = equations.way.get_or_insert_with(|| Way::resting(at));
         way.lead(&from, at);
@@ -134,7 +141,7 @@ impl<'m> Tracker<'m> {
     /// # Errors
     /// As [`Solver::state`]; the last good instant stays then.
     pub fn restart(&mut self, at: &Instant<'_>) -> Result<&State, SolveError> {
-        self.anew(at, assemble)
+        self.anew(at, assemble_in)
     }
 
     /// Begins anew from a complete start, n numbers.
@@ -148,13 +155,13 @@ impl<'m> Tracker<'m> {
     fn anew(
         &mut self,
         at: &Instant<'_>,
-        first: impl FnOnce(&mut Equations<'_>, &[Option<f64>]) -> Result<Position, SolveError>,
+        first: impl FnOnce(&mut Equations<'_>, &Wanted) -> Result<Position, SolveError>,
     ) -> Result<&State, SolveError> {
         self.equations.check_instant(at)?;
         let scale = self.equations.scale.clone();
         let begun = self.equations.begin_at(at.t);
         self.equations.set_instant(at)?;
-        match self.equations.by_time(|equations| begin(equations, &self.guess, first)) {
+        match self.equations.by_time(|equations| begin(equations, &self.wanted, first)) {
             Ok(follower) => self.follower = follower,
             Err(error) => {
                 self.equations.scale = scale;
@@ -206,7 +213,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`state`](Self::state).
     pub fn tracker(&self, at: &Instant<'_>) -> Result<Tracker<'m>, SolveError> {
-        Tracker::new(self, Box::new(Evaluator::<_, M>::new(self.mechanism)), at, assemble)
+        Tracker::new(self, Box::new(Evaluator::<_, M>::new(self.mechanism)), at, assemble_in)
     }
 
     /// [`tracker`](Self::tracker) from a complete start, n numbers.
@@ -226,17 +233,17 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     where
         M: Clone + 'static,
     {
-        Tracker::new(self, Box::new(Evaluator::<M, M>::new(self.mechanism.clone())), at, assemble)
+        Tracker::new(self, Box::new(Evaluator::<M, M>::new(self.mechanism.clone())), at, assemble_in)
     }
 }
 
 /// The first position, its state, and its branch.
 fn begin(
     equations: &mut Equations<'_>,
-    guess: &[Option<f64>],
-    first: impl FnOnce(&mut Equations<'_>, &[Option<f64>]) -> Result<Position, SolveError>,
+    wanted: &Wanted,
+    first: impl FnOnce(&mut Equations<'_>, &Wanted) -> Result<Position, SolveError>,
 ) -> Result<Follower, SolveError> {
-    let position = first(equations, guess)?;
+    let position = first(equations, wanted)?;
     let (state, factor) = analysis::state(equations, position)?;
     Follower::new(equations, state, factor)
 }

@@ -2,8 +2,28 @@
 
 use crate::events::Event;
 use crate::model::{ConditionInfo, Model};
+use crate::planned::Limit;
 use crate::state::State;
 use core::fmt;
+
+/// An internal step on which the plan had no good answer and full Newton took over, with the same claims to its result.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Fallback {
+    /// Time of the step's end.
+    pub t: f64,
+    /// The step of the plan that said nothing there; none where it was its answer that did not fit the motion.
+    pub limit: Option<Limit>,
+}
+
+impl fmt::Display for Fallback {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.limit {
+            Some(limit) => write!(f, "at t = {}: {limit}", self.t),
+            None => write!(f, "at t = {}: its answer does not fit the motion", self.t),
+        }
+    }
+}
 
 /// The states of one motion, in the order of the instants asked for.
 #[derive(Clone, PartialEq)]
@@ -18,12 +38,15 @@ pub struct Trajectory {
     pub violated_at_start: Vec<usize>,
     /// True when the sweep ended at its first event, as it was asked to; the last state is the one at the event.
     pub stopped: bool,
+    /// Internal steps that full Newton had to take although there is a plan.
+    pub fallbacks: Vec<Fallback>,
 }
 
 impl Trajectory {
     /// A trajectory without states.
     pub(crate) fn new(model: &'static Model) -> Self {
-        Self { model, states: Vec::new(), events: Vec::new(), violated_at_start: Vec::new(), stopped: false }
+        let (states, events, violated_at_start, fallbacks) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self { model, states, events, violated_at_start, stopped: false, fallbacks }
     }
 
     /// Number of states.
@@ -90,6 +113,7 @@ impl fmt::Debug for Trajectory {
             .field("events", &self.events)
             .field("violated_at_start", &self.violated_at_start)
             .field("stopped", &self.stopped)
+            .field("fallbacks", &self.fallbacks)
             .finish()
     }
 }
@@ -118,13 +142,14 @@ impl serde::Serialize for Trajectory {
         use serde::ser::SerializeStruct;
         let names: Vec<&str> = self.model.coordinates.iter().map(|c| c.name).collect();
         let violated: Vec<&str> = self.violated_at_start().map(|condition| condition.name).collect();
-        let mut s = serializer.serialize_struct("Trajectory", 6)?;
+        let mut s = serializer.serialize_struct("Trajectory", 7)?;
         s.serialize_field("mechanism", self.model.name)?;
         s.serialize_field("coordinates", &names)?;
         s.serialize_field("states", &self.states)?;
         s.serialize_field("events", &self.events)?;
         s.serialize_field("violated_at_start", &violated)?;
         s.serialize_field("stopped", &self.stopped)?;
+        s.serialize_field("fallbacks", &self.fallbacks)?;
         s.end()
     }
 }

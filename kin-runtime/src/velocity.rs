@@ -79,3 +79,18 @@ pub(crate) fn inconsistency(equations: &Equations<'_>, x: &DVector<f64>, right: 
         .fold((0, 0.0), |best: (usize, f64), (k, r)| if r.abs() > best.1 { (k, r.abs()) } else { best });
     (worst > equations.options.consistency_tolerance * size).then(|| (row, worst / size))
 }
+
+/// True if Φ_q x = `sign` · `right` to rounding, row by row, where there are no prescribed coordinates.
+pub(crate) fn consistent(equations: &Equations<'_>, x: &[f64], right: &DVector<f64>, sign: f64) -> bool {
+    let scale = &equations.scale.rows;
+    let largest = right.iter().zip(scale).map(|(r, s)| (r * s).abs()).fold(0.0, f64::max);
+    let most = equations.options.consistency_tolerance * largest.max(equations.scale.size(x));
+    let mut entries = equations.model.constraint_pattern.entries.iter().peekable();
+    right.iter().zip(scale).enumerate().all(|(row, (right, scale))| {
+        let mut rest = -sign * right;
+        while let Some(&(_, column)) = entries.next_if(|entry| entry.0 == row) {
+            rest += equations.jacobian[(row, column)] * x[column];
+        }
+        (rest * scale).abs() <= most
+    })
+}

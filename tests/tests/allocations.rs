@@ -1,7 +1,7 @@
-//! Evaluation takes no memory: neither the equations nor the observables, in `f64` and `f32`.
+//! Evaluation takes no memory: neither the equations nor the observables, in `f64` and `f32`; nor does a loop by the plan.
 
 use allocation_counter::measure;
-use kin_runtime::{Instant, Mechanism, Scalar, Subset};
+use kin_runtime::{Instant, Kinematics, Mechanism, Planned, Scalar, Subset};
 use kin_tests::every_mechanism;
 use kin_tests::mechanisms::{signals, *};
 use kin_tests::random::Random;
@@ -15,6 +15,7 @@ macro_rules! allocation_tests {
         fn $moving() {
             allocates_nothing::<$Moving, f64>();
             allocates_nothing::<$Moving, f32>();
+            loops_without_memory::<$Moving>($from, $to);
         })*
         $(#[test]
         fn $other() {
@@ -45,4 +46,28 @@ fn allocates_nothing<M: Mechanism + Default, T: Scalar>() {
         mechanism.write_geometry(parameters.as_ref(), &at, &mut geometry).expect("lengths agree");
     });
     assert_eq!(0, counted.count_total, "{}", M::model().name);
+}
+
+/// Making a `Planned`, its loop, its errors and another mode.
+fn loops_without_memory<M: Kinematics + Default>(from: f64, to: f64) {
+    if !M::model().plan.exists() {
+        return;
+    }
+    let mechanism = M::default();
+    let inputs: Vec<Vec<_>> = (0..=20).map(|k| signals::<M>(from + (to - from) * f64::from(k) / 20.0)).collect();
+    let at = |k: usize| Instant { t: from + (to - from) * k as f64 / 20.0, inputs: &inputs[k] };
+    let start = mechanism.solver().assemble(&at(0)).unwrap();
+    let mut found = Vec::with_capacity(21);
+    let counted = measure(|| {
+        let mut planned = Planned::new(&mechanism, &at(0), &start).unwrap();
+        for k in 0..=20 {
+            found.push(planned.at(&at(k)).unwrap().q()[0]);
+        }
+        let error = planned.at(&Instant { t: f64::NAN, ..at(20) }).is_err();
+        if error && !M::model().plan.modes.is_empty() {
+            planned.flip(0).unwrap();
+            let _ = planned.at(&at(20));
+        }
+    });
+    assert_eq!((0, 21), (counted.count_total, found.len()), "{}", M::model().name);
 }

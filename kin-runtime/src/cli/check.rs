@@ -7,7 +7,7 @@ use super::failure::Failure;
 use super::options::{Format, FreedomArgs, InstantArgs, OutputArgs, SetupArgs};
 use super::session::Session;
 use super::solved::{analysis, driven_state, note_freedom};
-use crate::cross_check::{Configuration, CrossCheck, CrossCheckOptions};
+use crate::cross_check::{Configuration, CrossCheck, CrossCheckOptions, PlanCheck};
 use crate::present::json::to_json;
 use crate::present::number::{magnitude, plain};
 use crate::present::text::{Facts, count};
@@ -49,6 +49,8 @@ pub(super) struct Findings {
     mechanism: &'static str,
     passed: bool,
     cross_check: CrossCheck,
+    /// None where there is no plan.
+    plan: Option<PlanCheck>,
     /// None where the mechanism could not be solved, or inputs have no value.
     closure: Option<Closure>,
 }
@@ -113,6 +115,7 @@ pub(super) fn find(
     let given = state.map(here).into_iter().collect();
     let options = CrossCheckOptions { configurations, given, ..CrossCheckOptions::default() };
     let cross_check = engine.cross_check(&options).map_err(say)?;
+    let plan = engine.plan_check(&options).map_err(say)?;
     let closure = match state {
         None => None,
         Some(state) => {
@@ -122,8 +125,9 @@ pub(super) fn find(
     };
     let close = |m: &Option<Miss>| m.is_none_or(|m| m.error <= CLOSURE_TOLERANCE);
     let closed = closure.as_ref().is_none_or(|c| close(&c.velocity) && close(&c.acceleration));
-    let passed = closed && cross_check.passes(CLOSED_FORM_TOLERANCE);
-    Ok(Findings { t, mechanism: engine.model().name, passed, cross_check, closure })
+    let planned = plan.as_ref().is_none_or(|plan| plan.max_error <= CLOSURE_TOLERANCE);
+    let passed = closed && planned && cross_check.passes(CLOSED_FORM_TOLERANCE);
+    Ok(Findings { t, mechanism: engine.model().name, passed, cross_check, plan, closure })
 }
 
 /// The findings, line by line.
@@ -146,6 +150,16 @@ pub(super) fn facts(findings: &Findings) -> Facts {
             place,
         );
     }
+    if let Some(plan) = &findings.plan {
+        let skipped = (plan.skipped > 0).then(|| format!("{} skipped beside or beyond limits", plan.skipped));
+        let solved = format!("of the plan's q, q̇, q̈ at {}", count(plan.configurations, "configuration"));
+        let place = (!plan.worst.name.is_empty()).then(|| format!("{} of {}", plan.worst.what, plan.worst.name));
+        facts.add("compared with full Newton", plan.entries, std::iter::once(solved).chain(skipped)).add(
+            "  worst error",
+            magnitude(plan.max_error),
+            place,
+        );
+    }
     if let Some(closure) = &findings.closure {
         let row = |miss: &Option<Miss>| miss.map(|m| format!("row {}", m.row));
         let size = |miss: &Option<Miss>| magnitude(miss.map_or(0.0, |m| m.error));
@@ -160,6 +174,9 @@ pub(super) fn facts(findings: &Findings) -> Facts {
 
 fn complaint(findings: &Findings) -> String {
     let check = &findings.cross_check;
+    if let Some(plan) = findings.plan.as_ref().filter(|plan| plan.max_error > CLOSURE_TOLERANCE) {
+        return format!("the plan's answer differs by more than {CLOSURE_TOLERANCE:e}: {plan}");
+    }
     if check.passes(CLOSED_FORM_TOLERANCE) {
         return format!("the solution misses the equations by more than {CLOSURE_TOLERANCE:e}");
     }

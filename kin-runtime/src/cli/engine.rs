@@ -2,12 +2,14 @@
 
 use super::failure::Failure;
 use super::names::listing;
-use crate::cross_check::{CrossCheck, CrossCheckOptions};
+use crate::cross_check::{CrossCheck, CrossCheckOptions, PlanCheck};
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::mobility::Mobility;
 use crate::model::Model;
+use crate::modes::Mode;
 use crate::motion::Motion;
+use crate::planned::Sign;
 use crate::ratios::VelocityRatios;
 use crate::solver::Solver;
 use crate::state::State;
@@ -24,6 +26,8 @@ pub(super) struct Setup {
     pub(super) given: Vec<(usize, Signal)>,
     /// All inputs, at the first instant.
     pub(super) inputs: Vec<Signal>,
+    /// Modes asked for, by their places.
+    pub(super) modes: Vec<(usize, Sign)>,
     /// Names of inputs that the user gave no value for.
     pub(super) missing_inputs: Vec<&'static str>,
 }
@@ -68,6 +72,10 @@ pub(super) trait Engine {
     fn velocity_ratios(&self, setup: &Setup, state: &State) -> Result<VelocityRatios, SolveError>;
     fn transmission_angles(&self, state: &State) -> Result<Vec<TransmissionAngle>, SolveError>;
     fn cross_check(&self, options: &CrossCheckOptions) -> Result<CrossCheck, SolveError>;
+    /// The plan against the equations and against full Newton; none where there is no plan.
+    fn plan_check(&self, options: &CrossCheckOptions) -> Result<Option<PlanCheck>, SolveError>;
+    /// The modes of a configuration; none where there is no plan.
+    fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Vec<Mode>;
     /// The worst rows of Φ_q q̇ = −Φ_t and of Φ_q q̈ = γ.
     fn misses(&self, state: &State) -> Result<[Option<Miss>; 2], SolveError>;
 }
@@ -85,7 +93,8 @@ impl<M: Mechanism> Bound<M> {
     fn solver(&self, setup: &Setup) -> Solver<'_, M> {
         let start = Solver::new(&self.mechanism);
         let guessed = setup.guesses.iter().fold(start, |solver, &(place, value)| solver.with_guess(place, value));
-        setup.given.iter().fold(guessed, |solver, &(place, signal)| solver.with_given(place, signal))
+        let given = setup.given.iter().fold(guessed, |solver, &(place, signal)| solver.with_given(place, signal));
+        setup.modes.iter().fold(given, |solver, &(place, sign)| solver.with_mode(place, sign))
     }
 }
 
@@ -138,6 +147,15 @@ impl<M: Mechanism> Engine for Bound<M> {
 
     fn cross_check(&self, options: &CrossCheckOptions) -> Result<CrossCheck, SolveError> {
         Solver::new(&self.mechanism).cross_check(options)
+    }
+
+    fn plan_check(&self, options: &CrossCheckOptions) -> Result<Option<PlanCheck>, SolveError> {
+        let exists = M::model().plan.exists();
+        exists.then(|| Solver::new(&self.mechanism).plan_check(options)).transpose()
+    }
+
+    fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Vec<Mode> {
+        Solver::new(&self.mechanism).modes(at, q).unwrap_or_default()
     }
 
     fn misses(&self, state: &State) -> Result<[Option<Miss>; 2], SolveError> {

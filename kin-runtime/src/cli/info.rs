@@ -9,11 +9,12 @@ use crate::mobility::RedundantRow;
 use crate::model::Model;
 use crate::present::condition;
 use crate::present::json::to_json;
+use crate::present::plan;
 use crate::present::structure::{Known, StructureRecord, drivers};
 use crate::present::text::{self, Facts, classes, coordinate_names};
 use crate::workspace::Instant;
 
-/// Counts, rows and their classes, degrees of freedom
+/// Counts, rows and their classes, degrees of freedom, the solution plan
 #[derive(Clone, Debug, clap::Args)]
 #[command(after_help = "\
 Examples, after the program's name:
@@ -44,10 +45,11 @@ pub(super) fn run(args: &InfoArgs, engine: &mut dyn Engine, session: &mut Sessio
     }
     let at = Instant { t, inputs: &setup.inputs };
     let solved = engine.assemble(&setup, t).and_then(|q| engine.mobility(&setup, &at, &q).map(|m| (q, m)));
-    let known = solved.as_ref().ok().map(|(q, mobility)| Known { t, q, mobility });
+    let modes = solved.as_ref().map_or_else(|_| Vec::new(), |(q, _)| engine.modes(&at, q));
+    let known = solved.as_ref().ok().map(|(q, mobility)| Known { t, q, mobility, modes: &modes });
     let text = match args.output.format() {
         Format::Json => to_json(&record(engine, known)).map_err(Failure::Output)?,
-        _ => text(engine, known),
+        _ => text(engine, known) + &plan::modes(&plan::records(engine.model(), known.map(|k| k.modes))),
     };
     session.deliver(&args.output, &text)?;
     match solved {
@@ -113,7 +115,8 @@ pub(super) fn text(engine: &dyn Engine, known: Option<Known<'_>>) -> String {
     facts.add("operations", total, [format!("{} for Φ, Φ_q, Φ_t, γ together", each.join(", "))]);
     let doc = text::title(model);
     let parameters = text::parameters(model, &engine.parameters());
-    format!("{doc}\n{}{parameters}{}{}", facts.render(), text::rows(model), condition::declared(model))
+    let (rows, conditions) = (text::rows(model), condition::declared(model));
+    format!("{doc}\n{}{parameters}{rows}{conditions}{}", facts.render(), plan::plan(model))
 }
 
 fn redundancy(row: &RedundantRow) -> String {

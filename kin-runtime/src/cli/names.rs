@@ -12,6 +12,7 @@ pub(super) enum Kind {
     Parameter,
     Coordinate,
     Input,
+    Mode,
 }
 
 impl Kind {
@@ -20,6 +21,7 @@ impl Kind {
             Self::Parameter => "parameter",
             Self::Coordinate => "coordinate",
             Self::Input => "input",
+            Self::Mode => "mode",
         }
     }
 }

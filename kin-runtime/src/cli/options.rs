@@ -22,6 +22,9 @@ pub(super) struct SetupArgs {
     /// Inputs of the mechanism: u=value,rate,acceleration
     #[arg(long, value_name = "NAME=VALUE")]
     input: Vec<String>,
+    /// Assembly modes, `info` lists them: A-B-D=+ or A-B-D=-
+    #[arg(long, value_name = "NAME=SIGN")]
+    mode: Vec<String>,
 }
 
 impl SetupArgs {
@@ -46,6 +49,14 @@ impl SetupArgs {
             let place = find("--given", Kind::Coordinate, &name, &coordinates)?;
             let parts: Vec<&str> = value.split(':').collect();
             setup.given.push((place, values::signal(&format!("--given {name}"), &name, &parts)?));
+        }
+        let modes: Vec<&str> = model.plan.modes.iter().map(|mode| mode.name).collect();
+        for (name, sign) in values::assignments("--mode", "A-B-D=+", &self.mode)? {
+            if let Some(why) = model.plan.absent {
+                return Err(Failure::option("--mode", format!("there are no modes, because there is no plan: {why}")));
+            }
+            let place = find("--mode", Kind::Mode, &name, &modes)?;
+            setup.modes.push((place, values::sign(&format!("--mode {name}"), &sign)?));
         }
         let mut inputs = vec![None; model.inputs.len()];
         for (name, signal) in values::inputs("--input", &self.input)? {

@@ -60,7 +60,7 @@ pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Sess
     };
     note_freedom(session, solved.state.degrees_of_freedom_left);
     note_start(session, &solved.mobility);
-    let known = Known { t, q: &solved.state.q, mobility: &solved.mobility };
+    let known = Known { t, q: &solved.state.q, mobility: &solved.mobility, modes: &solved.modes };
     let findings = find(engine, t, Some(&solved.state), CONFIGURATIONS)?;
     let model = engine.model();
     let text = match format {

@@ -9,6 +9,7 @@ use crate::model::Model;
 use crate::present::condition;
 use crate::present::json::to_json;
 use crate::present::number::plain;
+use crate::present::plan::{self, ModeRecord};
 use crate::present::record::{Parameters, StateRecord};
 use crate::present::{grid, text};
 
@@ -20,6 +21,7 @@ Examples, after the program's name:
   solve --at 0.5 --set l1=0.12,l2=0.4 --guess coupler.phi=0.9
   solve --at -0.5 --format json
   solve --given crank.phi=0.3:2 --format csv --out state.csv   a coordinate in place of a driver
+  solve --mode A-B-D=-                                         the other closure of a dyad
   solve --input u=0.1,2,0                                      an input with its rate and acceleration
 
 csv has one row: t, then every coordinate, its rate (name_dot) and acceleration (name_ddot).")]
@@ -66,6 +68,7 @@ pub(super) fn body(model: &'static Model, solved: &Solved) -> String {
         text::joints(model, &solved.motion),
         condition::values(model, &solved.motion),
         text::transmission(&solved.angles),
+        plan::modes(&ModeRecord::of(&solved.modes)),
     ]
     .concat()
 }
@@ -82,6 +85,7 @@ pub(super) fn record<'a>(engine: &dyn Engine, solved: &'a Solved) -> StateRecord
         &solved.ratios,
         &solved.angles,
     )
+    .with_modes(&solved.modes)
 }
 
 fn json(engine: &dyn Engine, solved: &Solved) -> Result<String, Failure> {

@@ -7,6 +7,7 @@ use super::session::Session;
 use crate::error::SolveError;
 use crate::mobility::Mobility;
 use crate::model::Level;
+use crate::modes::Mode;
 use crate::motion::Motion;
 use crate::present::text;
 use crate::ratios::VelocityRatios;
@@ -22,6 +23,7 @@ pub(super) struct Solved {
     pub(super) mobility: Mobility,
     pub(super) ratios: VelocityRatios,
     pub(super) angles: Vec<TransmissionAngle>,
+    pub(super) modes: Vec<Mode>,
 }
 
 /// Solves at `t` and refuses motions that the drivers leave open.
@@ -33,7 +35,8 @@ pub(super) fn solve(engine: &dyn Engine, setup: &Setup, t: f64, least_norm: bool
     let ratios =
         engine.velocity_ratios(setup, &state).unwrap_or(VelocityRatios { drivers: Vec::new(), inputs: Vec::new() });
     let angles = engine.transmission_angles(&state).unwrap_or_default();
-    Ok(Solved { state, motion, mobility, ratios, angles })
+    let modes = engine.modes(&state.instant(), &state.q);
+    Ok(Solved { state, motion, mobility, ratios, angles, modes })
 }
 
 /// A solved instant without what is reported about it.
@@ -124,6 +127,9 @@ pub(super) fn analysis(engine: &dyn Engine, error: &SolveError) -> Failure {
         | SolveError::DegenerateContact { .. }
         | SolveError::DegenerateGeometry { .. } => {
             "the equations have no value there: other parameters (--set) or guesses (--guess) may have"
+        }
+        SolveError::ModeNotAssembled { .. } => {
+            "`info` has the modes that the guesses lead to; other dimensions (--set) or other signs (--mode) may close"
         }
         _ => return Failure::Analysis(format!("{}: {error}", engine.model().name)),
     };

@@ -27,6 +27,7 @@ Examples, after the program's name:
   sweep --from 0 --to 1 --steps 100 --format csv --out motion.csv
   sweep --from 1 --to -1 --steps 50 --set omega=3
   sweep --times -1,0,0.5,10 --format json
+  sweep --to 1 --mode A-B-D=-                           in the other closure of a dyad
   sweep --to 2 --stop-at-events                         up to the first limit that is met
   sweep --to 2 --given crank.phi=0:3                    crank.phi starts at 0 and turns at 3 rad/s
 
@@ -106,6 +107,7 @@ pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Sessi
     let motions = if args.points { motions(engine, &trajectory.states)? } else { Vec::new() };
     let text = render(args, engine, &trajectory, &motions, ended.is_none())?;
     note_events(session, &trajectory);
+    note_fallbacks(session, &trajectory);
     match ended {
         None => {
             note_freedom(session, start.degrees_of_freedom_left);
@@ -134,6 +136,14 @@ fn note_events(session: &mut Session<'_>, trajectory: &Trajectory) {
     }
     if trajectory.stopped {
         session.note("note: the sweep stopped there; the last row is the event");
+    }
+}
+
+/// Where full Newton took over from the plan.
+fn note_fallbacks(session: &mut Session<'_>, trajectory: &Trajectory) {
+    if let Some(first) = trajectory.fallbacks.first() {
+        let steps = count(trajectory.fallbacks.len(), "internal step");
+        session.note(&format!("note: full Newton took over from the plan on {steps}, first {first}"));
     }
 }
 

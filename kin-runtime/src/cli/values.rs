@@ -1,6 +1,7 @@
 //! The values of options: numbers, `name=value` lists, times, signals.
 
 use super::failure::Failure;
+use crate::planned::Sign;
 use crate::workspace::Signal;
 
 /// The most instants that one sweep computes.
@@ -52,6 +53,15 @@ pub(super) fn assignments(option: &str, example: &str, texts: &[String]) -> Resu
         pairs.push((name.to_owned(), value.to_owned()));
     }
     Ok(pairs)
+}
+
+/// `+` or `-`.
+pub(super) fn sign(option: &str, text: &str) -> Result<Sign, Failure> {
+    match text {
+        "+" | "+1" | "1" => Ok(Sign::Plus),
+        "-" | "-1" | "−" => Ok(Sign::Minus),
+        _ => Err(Failure::option(option, format!("`{text}` is no sign; write + or -"))),
+    }
 }
 
 /// `value`, `value:rate` or `value:rate:acceleration`; what is missing is zero.

@@ -5,11 +5,13 @@ use super::integrate::integrate;
 use super::refusal::refusal;
 use super::step::{Fault, Node, Scratch, Start, step};
 use crate::acceleration::acceleration;
+use crate::by_plan;
 use crate::equations::Equations;
 use crate::error::{Refusal, SolveError};
 use crate::events::Watch;
 use crate::linear::Factorization;
 use crate::state::State;
+use crate::trajectory::Fallback;
 use crate::velocity;
 use crate::workspace::{Instant, Subset};
 
@@ -35,6 +37,8 @@ pub(crate) struct Follower {
     scratch: Scratch,
     /// The unilateral conditions, where they are watched.
     pub(crate) watch: Option<Watch>,
+    /// Internal steps that the plan had no answer for.
+    pub(crate) fallbacks: Vec<Fallback>,
 }
 
 impl Follower {
@@ -47,9 +51,15 @@ impl Follower {
             expected_rank: rank,
             rows: Vec::new(),
             condition: f64::INFINITY,
+            limit: None,
         };
         let orientation = Orientation::here(equations, rank).ok_or_else(singular)?;
-        let node = Node { s: t, state, orientation, factor };
+        let scratch = Scratch::new(equations);
+        let mut modes = Vec::new();
+        if scratch.answer.is_some() {
+            by_plan::modes(equations, &state.q, &mut modes);
+        }
+        let node = Node { s: t, state, orientation, factor, modes, fallback: None };
         let step = if equations.rows_where(|e, row| !e.holonomic(row)).is_empty() { step } else { integrate };
         Ok(Self {
             s: t,
@@ -59,8 +69,9 @@ impl Follower {
             next: node.clone(),
             step,
             proposed: f64::INFINITY,
-            scratch: Scratch::new(equations),
+            scratch,
             watch: None,
+            fallbacks: Vec::new(),
             node,
         })
     }
@@ -174,6 +185,7 @@ impl Follower {
             match (self.step)(equations, &mut self.scratch, start, &mut self.next, s, s == target) {
                 Ok(growth) => {
                     iterations += self.next.state.iterations;
+                    self.fallbacks.extend(self.next.fallback.take());
                     if let Some(watch) = &mut self.watch {
                         let (state, scratch, step) = (&self.next.state, &mut self.scratch, self.step);
                         let mut between =
@@ -209,6 +221,7 @@ impl Follower {
             row_name: "",
             joint: "",
             reason: Refusal::TooManySteps,
+            limit: None,
         })
     }
 }

@@ -46,6 +46,7 @@ fn follow(
         trajectory.states.push(event.unwrap_or(follower.state()).clone());
         Ok(())
     });
+    trajectory.fallbacks = follower.fallbacks;
     if let Some(watch) = follower.watch {
         (trajectory.events, trajectory.violated_at_start) = watch.finish();
     }

@@ -1,11 +1,13 @@
 //! Why a motion does not go on.
 
-use super::step::{Fault, Start};
+use super::step::{Fault, Node, Start};
+use crate::by_plan;
 use crate::contact;
 use crate::equations::Equations;
 use crate::error::{Refusal, SolveError};
 use crate::linear::{Factorization, null_space};
 use crate::singular::dependent_rows;
+use crate::state::State;
 use crate::workspace::Subset;
 
 /// Pivots below this, at the last configuration before a refused step, say that the motion ends in a singular one.
@@ -20,7 +22,8 @@ pub(super) fn refusal(equations: &mut Equations<'_>, start: &Start<'_>, refused:
         Fault::Coarse(_) => (None, Refusal::StepTooSmall),
     };
     let t_refused = equations.time_at(refused);
-    let q = &start.node.state.q;
+    let Node { state: State { q, .. }, modes, .. } = start.node;
+    let limit = equations.move_to(refused).ok().and_then(|()| by_plan::limit_in(equations, modes, q));
     let evaluated = equations.move_to(start.s).and_then(|()| equations.evaluate(Subset::VELOCITY, q, None));
     if let Err(error) = evaluated {
         return error;
@@ -35,9 +38,10 @@ pub(super) fn refusal(equations: &mut Equations<'_>, start: &Start<'_>, refused:
     if factor.rank < expected_rank {
         let left = null_space(&equations.scaled(&all).transpose(), NEARLY_SINGULAR);
         let rows = dependent_rows(equations, &left);
-        return SolveError::Singular { t, rank: factor.rank, expected_rank, rows, condition: factor.full_condition };
+        let (rank, condition) = (factor.rank, factor.full_condition);
+        return SolveError::Singular { t, rank, expected_rank, rows, condition, limit };
     }
     let names = |row| (equations.row_name(row), equations.joint_name(row));
     let (row_name, joint) = row.map_or(("", ""), names);
-    SolveError::StepRefused { t, t_refused, row_name, joint, reason }
+    SolveError::StepRefused { t, t_refused, row_name, joint, reason, limit }
 }

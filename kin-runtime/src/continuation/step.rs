@@ -2,13 +2,17 @@
 
 use super::branch::Orientation;
 use crate::acceleration::acceleration;
+use crate::by_plan::{self, Answer};
 use crate::contact;
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::newton::rounding;
+use crate::plan::Depth;
+use crate::planned::Limit;
 use crate::state::State;
-use crate::velocity::{inconsistency, scaled};
+use crate::trajectory::Fallback;
+use crate::velocity::{consistent, inconsistency, scaled};
 use crate::workspace::Subset;
 use nalgebra::DVector;
 
@@ -32,6 +36,10 @@ pub(crate) struct Node {
     pub(crate) orientation: Orientation,
     /// Φ_q here.
     pub(crate) factor: Factorization,
+    /// The sign of every mode of the plan, 0 where it is not decided; empty where no plan is used.
+    pub(crate) modes: Vec<f64>,
+    /// Why full Newton had to find this node, where there is a plan.
+    pub(crate) fallback: Option<Fallback>,
 }
 
 /// Where a step begins: a node, its place on the course, and its rates along it.
@@ -72,12 +80,16 @@ pub(crate) struct Scratch {
     closing: Vec<usize>,
     /// All rows.
     pub(super) all: Vec<usize>,
+    /// What the plan says, where it is used.
+    pub(super) answer: Option<Answer>,
 }
 
 impl Scratch {
     pub(crate) fn new(equations: &Equations<'_>) -> Self {
         let closing = equations.rows_where(Equations::holonomic);
-        Self { closing, all: (0..equations.rows()).collect(), ..Self::default() }
+        let planned = equations.options.use_plan && by_plan::exists(equations);
+        let answer = planned.then(|| Answer::new(equations));
+        Self { closing, all: (0..equations.rows()).collect(), answer, ..Self::default() }
     }
 }
 
@@ -98,14 +110,76 @@ pub(crate) fn step(
     fill(motion, from.q_dot.iter().zip(from.q_ddot).map(|(v, a)| h * (v + 0.5 * h * a)));
     fill(predicted, from.node.state.q.iter().zip(motion.iter()).map(|(q, d)| q + d));
     let allowed = equations.options.prediction_tolerance * equations.scale.size(motion) + NEGLIGIBLE;
+    let mut fallback = None;
+    if scratch.answer.is_some() {
+        match planned(equations, scratch, &from, &mut to.state.q, allowed) {
+            Ok(corrected) => match finish(equations, scratch, from, to, corrected, (s, allowed, last)) {
+                Ok(growth) => {
+                    to.modes.clone_from(&from.node.modes);
+                    to.fallback = None;
+                    return Ok(growth);
+                }
+                Err(_) => fallback = Some(Fallback { t: equations.t, limit: None }),
+            },
+            Err(limit) => fallback = Some(Fallback { t: equations.t, limit }),
+        }
+    }
     let corrected = correct(equations, scratch, &mut to.state.q, allowed, if last { 1e-9 } else { 1e-6 })?;
+    let growth = finish(equations, scratch, from, to, corrected, (s, allowed, last))?;
+    if fallback.is_some() {
+        by_plan::modes(equations, &to.state.q, &mut to.modes);
+    }
+    to.fallback = fallback;
+    Ok(growth)
+}
+
+/// Completes and judges a step whose q was found; gives by how much the next one may be longer.
+fn finish(
+    equations: &mut Equations<'_>,
+    scratch: &mut Scratch,
+    from: Start<'_>,
+    to: &mut Node,
+    corrected: Corrected,
+    (s, allowed, last): (f64, f64, bool),
+) -> Result<f64, Fault> {
     let effort = corrected.correction / allowed;
     let worst = corrected.worst;
     settle(equations, scratch, from, to, corrected, s, last)?;
-    if !expected(equations, &mut scratch.difference, &from, h, &to.state.q_dot) {
+    if !expected(equations, &mut scratch.difference, &from, s - from.s, &to.state.q_dot) {
         return Err(Fault::Jump(worst));
     }
     Ok((0.3 / effort.max(1e-3)).cbrt().clamp(0.5, 4.0))
+}
+
+/// q by the plan from the prediction in `scratch`, in the modes of the node.
+///
+/// The prediction must be in the same modes: where it is not, the motion may pass a configuration in which two branches
+/// cross, and a sign that is kept there would leave the branch.
+///
+/// # Errors
+/// The group that is no good, where one is to blame.
+fn planned(
+    equations: &mut Equations<'_>,
+    scratch: &mut Scratch,
+    from: &Start<'_>,
+    q: &mut Vec<f64>,
+    allowed: f64,
+) -> Result<Corrected, Option<Limit>> {
+    let Scratch { predicted, difference: travel, answer, .. } = scratch;
+    let answer = answer.as_mut().ok_or(None)?;
+    let modes = &from.node.modes;
+    if modes.contains(&0.0) {
+        return Err(None);
+    }
+    let rated = !equations.is_frozen() && equations.rows() == equations.coordinates();
+    answer.solve(equations, modes, predicted, if rated { Depth::Acceleration } else { Depth::Position })?;
+    q.clone_from(&answer.q);
+    fill(travel, q.iter().zip(predicted.iter()).map(|(a, b)| a - b));
+    let correction = equations.scale.size(travel);
+    if correction > allowed || !answer.is_in(equations, modes, predicted) {
+        return Err(None);
+    }
+    Ok(Corrected { iterations: 1, worst: 0, correction, rated })
 }
 
 /// Completes the node at the place `s`, whose q was found, if it is on the branch of `from`.
@@ -118,9 +192,13 @@ pub(super) fn settle(
     s: f64,
     last: bool,
 ) -> Result<(), Fault> {
-    let Corrected { iterations, worst, .. } = corrected;
+    let Corrected { iterations, worst, rated, .. } = corrected;
     let (closing, state) = (&scratch.closing, &mut to.state);
-    equations.evaluate(Subset { phi: true, ..Subset::VELOCITY }, &state.q, None)?;
+    let rates = scratch.answer.as_ref().filter(|_| rated);
+    match rates {
+        Some(answer) => equations.evaluate(Subset::ALL, &state.q, Some(&answer.q_dot))?,
+        None => equations.evaluate(Subset { phi: true, ..Subset::VELOCITY }, &state.q, None)?,
+    }
     let gap = closing.iter().map(|&row| (equations.phi[row] * equations.scale.rows[row]).abs()).fold(0.0, f64::max);
     if gap > closed(equations, &state.q) {
         return Err(Fault::Open(worst));
@@ -141,14 +219,23 @@ pub(super) fn settle(
         return Err(Fault::Jump(worst));
     }
     to.orientation = Orientation::here(equations, rank).ok_or(Fault::Jump(worst))?;
-    let right = -scaled(equations, &equations.phi_t);
-    let q_dot = to.factor.solve(&right);
-    if inconsistency(equations, &q_dot, &right).is_some() {
-        return Err(Fault::Open(worst));
+    if let Some(answer) = rates {
+        let velocity = consistent(equations, &answer.q_dot, &equations.phi_t, -1.0);
+        if !velocity || !consistent(equations, &answer.q_ddot, &equations.gamma, 1.0) {
+            return Err(Fault::Open(worst));
+        }
+        state.q_dot.clone_from(&answer.q_dot);
+        state.q_ddot.clone_from(&answer.q_ddot);
+    } else {
+        let right = -scaled(equations, &equations.phi_t);
+        let q_dot = to.factor.solve(&right);
+        if inconsistency(equations, &q_dot, &right).is_some() {
+            return Err(Fault::Open(worst));
+        }
+        equations.check("q_dot", q_dot.as_slice())?;
+        fill(&mut state.q_dot, q_dot.iter().copied());
+        state.q_ddot = acceleration(equations, &state.q, &state.q_dot, &to.factor)?;
     }
-    equations.check("q_dot", q_dot.as_slice())?;
-    fill(&mut state.q_dot, q_dot.iter().copied());
-    state.q_ddot = acceleration(equations, &state.q, &state.q_dot, &to.factor)?;
     to.s = s;
     state.t = equations.t;
     state.inputs.clone_from(&equations.inputs);
@@ -172,6 +259,8 @@ pub(super) struct Corrected {
     worst: usize,
     /// Distance from the prediction, on the common scale.
     correction: f64,
+    /// Whether the plan gave rates too.
+    rated: bool,
 }
 
 /// Full Newton steps from the prediction in `scratch` until one is below `last_step`; q is written.
@@ -206,7 +295,7 @@ pub(super) fn correct(
             }
         }
         if length <= last_step {
-            return Ok(Corrected { iterations, worst, correction });
+            return Ok(Corrected { iterations, worst, correction, rated: false });
         }
         before = length;
     }

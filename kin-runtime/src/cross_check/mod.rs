@@ -11,6 +11,7 @@
 mod automatic;
 mod comparison;
 mod functions;
+mod plan;
 
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
@@ -20,6 +21,8 @@ use crate::workspace::Signal;
 use comparison::Comparison;
 use core::fmt;
 pub use functions::FunctionCheck;
+pub(crate) use plan::plan_check;
+pub use plan::{PlanCheck, WorstPlanned};
 
 /// How a cross-check chooses its configurations.
 #[derive(Clone, Debug, PartialEq)]

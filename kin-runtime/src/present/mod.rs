@@ -9,6 +9,7 @@ pub mod table;
 pub(crate) mod condition;
 pub(crate) mod grid;
 pub(crate) mod json;
+pub(crate) mod plan;
 pub(crate) mod record;
 pub(crate) mod structure;
 pub(crate) mod text;

@@ -3,13 +3,15 @@
 use serde::{Serialize, Serializer};
 
 use super::condition::EventRecord;
+use super::plan::ModeRecord;
 use super::text::coordinate_names;
 use crate::mobility::Mobility;
 use crate::model::Model;
+use crate::modes::Mode;
 use crate::motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates};
 use crate::ratios::{InputRatio, VelocityRatio, VelocityRatios};
 use crate::state::State;
-use crate::trajectory::Trajectory;
+use crate::trajectory::{Fallback, Trajectory};
 use crate::transmission::TransmissionAngle;
 
 /// Named values in order, written as one JSON object.
@@ -60,6 +62,7 @@ pub(crate) struct StateRecord<'a> {
     transmission_angles: &'a [TransmissionAngle],
     velocity_ratios: Named<&'a VelocityRatio>,
     input_ratios: Named<&'a InputRatio>,
+    modes: Vec<ModeRecord>,
 }
 
 impl<'a> StateRecord<'a> {
@@ -92,7 +95,13 @@ impl<'a> StateRecord<'a> {
             transmission_angles,
             velocity_ratios: ratios.drivers.iter().map(|d| (d.row_name, d)).collect(),
             input_ratios: ratios.inputs.iter().map(|u| (u.name, u)).collect(),
+            modes: Vec::new(),
         }
+    }
+
+    /// Adds the assembly modes.
+    pub(crate) fn with_modes(self, modes: &[Mode]) -> Self {
+        Self { modes: ModeRecord::of(modes), ..self }
     }
 }
 
@@ -133,6 +142,8 @@ pub(crate) struct SweepRecord<'a> {
     stopped: bool,
     violated_at_start: Vec<&'static str>,
     events: Vec<EventRecord<'a>>,
+    /// Internal steps of full Newton although there is a plan.
+    fallbacks: &'a [Fallback],
     states: Vec<SweepState<'a>>,
 }
 
@@ -179,6 +190,7 @@ impl<'a> SweepRecord<'a> {
             stopped: trajectory.stopped,
             violated_at_start: trajectory.violated_at_start().map(|condition| condition.name).collect(),
             events: trajectory.events.iter().map(EventRecord::new).collect(),
+            fallbacks: &trajectory.fallbacks,
             states: trajectory.states.iter().enumerate().map(state).collect(),
         }
     }

@@ -3,9 +3,11 @@
 use serde::Serialize;
 
 use super::condition::{self, ConditionRecord};
+use super::plan::PlanRecord;
 use super::text::{classes, coordinate_names, frame_name, third_body};
 use crate::mobility::{Mobility, RedundantRow};
 use crate::model::{BodyInfo, Level, Model, OperationCount, OriginKind};
+use crate::modes::Mode;
 
 /// A configuration, and what can move in it.
 #[derive(Clone, Copy, Debug)]
@@ -13,6 +15,7 @@ pub(crate) struct Known<'a> {
     pub(crate) t: f64,
     pub(crate) q: &'a [f64],
     pub(crate) mobility: &'a Mobility,
+    pub(crate) modes: &'a [Mode],
 }
 
 /// The structure; what needs a configuration is null without one.
@@ -51,6 +54,7 @@ pub(crate) struct StructureRecord<'a> {
     singular_values: Option<&'a [f64]>,
     /// Where ranks and degrees of freedom were found.
     configuration: Option<ConfigurationRecord<'a>>,
+    plan: PlanRecord,
 }
 
 impl<'a> StructureRecord<'a> {
@@ -89,6 +93,7 @@ impl<'a> StructureRecord<'a> {
             condition: mobility.map(|m| m.condition),
             singular_values: mobility.map(|m| m.singular_values.as_slice()),
             configuration: known.map(|k| ConfigurationRecord { t: k.t, q: k.q }),
+            plan: PlanRecord::new(model, known.map(|k| k.modes).filter(|modes| !modes.is_empty())),
         }
     }
 }

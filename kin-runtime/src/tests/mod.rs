@@ -1,9 +1,11 @@
 //! Tests of the analyses on mechanisms written by hand; expected numbers are from `tests/data/` of the workspace.
 
 mod accuracy;
+mod by_plan;
 mod errors;
 mod freedom;
 mod iteration;
+mod planned;
 mod sweeps;
 
 /// Asserts that two vectors agree to `tolerance`, scaled by the largest expected entry.

@@ -3,7 +3,7 @@
 #![no_std]
 
 use kin_runtime::function::{FromFn, MotionLaw, Polynomial};
-use kin_runtime::{GenericMechanism, Instant, Mechanism, Subset, mechanism};
+use kin_runtime::{GenericMechanism, Instant, Mechanism, Planned, Subset, mechanism};
 
 /// The lecture's four-bar.
 #[mechanism]
@@ -28,6 +28,14 @@ pub struct FourBar {
 #[unsafe(no_mangle)]
 pub extern "C" fn step(t: f64) -> f64 {
     sum(t) + f64::from(sum(t as f32))
+}
+
+/// One step by the plan.
+#[unsafe(no_mangle)]
+pub extern "C" fn follow(t: f64) -> f64 {
+    let four_bar = FourBar::default();
+    let Ok(mut planned) = Planned::new(&four_bar, &Instant::at(0.0), &[t; FourBar::COORDINATES]) else { return 0.0 };
+    planned.at(&Instant::at(t)).map_or(0.0, |state| state.q_dot().iter().sum())
 }
 
 fn sum<T: kin_runtime::Scalar>(t: T) -> T {

@@ -60,6 +60,16 @@ macro_rules! motion_laws {
         }
 
         #[test]
+        fn sweeps_by_plan_equal_newton() {
+            plan::sweeps_by_plan_equal_newton::<$Mechanism>($from, $to);
+        }
+
+        #[test]
+        fn planned_instants_equal_newton() {
+            plan::planned_instants_equal_newton::<$Mechanism>($from, $to);
+        }
+
+        #[test]
         fn far_instants_equal_close_ones() {
             motion::far_instants_equal_close_ones::<$Mechanism>($from, $to);
         }

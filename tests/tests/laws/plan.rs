@@ -1,9 +1,17 @@
 //! Laws of solution plans: generated closed forms against Newton's iteration on all coordinates.
 
+use crate::When;
 use crate::motion::{grid, swept};
-use kin_runtime::Kinematics;
 use kin_runtime::plan::{Depth, Solved};
+use kin_runtime::{Kinematics, Options, Planned, Solver};
 use kin_tests::compare::{Differences, largest};
+use kin_tests::mechanisms::write_signals;
+
+/// Full Newton, whatever the plan says.
+fn newton<M: Kinematics>(mechanism: &M) -> Solver<'_, M> {
+    let options = Options { use_plan: false, ..Options::default() };
+    mechanism.solver().with_options(options).with_inputs(&write_signals::<M>)
+}
 
 /// q, q̇, q̈ and margins by the plan.
 struct ByPlan {
@@ -31,7 +39,7 @@ pub(crate) fn plans_equal_newton<M: Kinematics + Default>(from: f64, to: f64) {
         return;
     }
     let (mut differences, mut compared) = (Differences::new(), 0);
-    for state in &swept(&mechanism, &grid(from, to, 12)) {
+    for state in &newton(&mechanism).sweep(&grid(from, to, 12)).unwrap() {
         let mut modes = vec![f64::NAN; plan.modes.len()];
         let parameters = mechanism.parameters::<f64>();
         mechanism.closures_with(parameters.as_ref(), &state.instant(), &state.q, &mut modes).unwrap();
@@ -57,5 +65,77 @@ pub(crate) fn plans_equal_newton<M: Kinematics + Default>(from: f64, to: f64) {
         }
     }
     assert!(compared > 0, "singular everywhere");
+    differences.finish();
+}
+
+/// A sweep corrected by the plan reports what one corrected by full Newton does, and needs no Newton away from limits.
+pub(crate) fn sweeps_by_plan_equal_newton<M: Kinematics + Default>(from: f64, to: f64) {
+    let mechanism = M::default();
+    let times = grid(from, to, 60);
+    let (found, expected) = (swept(&mechanism, &times), newton(&mechanism).sweep(&times).unwrap());
+    assert!(expected.fallbacks.is_empty());
+    let mut differences = Differences::new();
+    let name = |place: usize| M::model().coordinates[place].name;
+    for (found, expected) in found.iter().zip(&expected) {
+        differences.at(format_args!("t = {}", found.t));
+        differences.equal("degrees of freedom", expected.degrees_of_freedom_left, found.degrees_of_freedom_left);
+        let pairs = [
+            ("q", &expected.q, &found.q),
+            ("q_dot", &expected.q_dot, &found.q_dot),
+            ("q_ddot", &expected.q_ddot, &found.q_ddot),
+        ];
+        for (what, expected, found) in pairs {
+            let room = 1e-12 * largest(expected).max(1.0);
+            differences.vector(what, name, expected, found, room);
+        }
+        differences.number("residual", 0.0, found.residual, 1e-12);
+    }
+    differences.equal("events", expected.events.len(), found.events.len());
+    if !M::model().plan.exists() {
+        differences.equal("fallbacks without a plan", 0, found.fallbacks.len());
+    }
+    for fallback in &found.fallbacks {
+        differences.report(format_args!("full Newton {fallback}"));
+    }
+    differences.finish();
+}
+
+/// `Planned`, from instant to instant, is a sweep by full Newton; its modes keep their signs and its margins are positive.
+pub(crate) fn planned_instants_equal_newton<M: Kinematics + Default>(from: f64, to: f64) {
+    let (mechanism, plan) = (M::default(), &M::model().plan);
+    let start = When::of::<M>(from);
+    if !plan.exists() {
+        let error = mechanism.solver().planned(&start.at()).unwrap_err();
+        assert!(error.to_string().starts_with("no plan because "), "{error}");
+        return;
+    }
+    let mut planned = mechanism.solver().planned(&start.at()).unwrap();
+    let signs: Vec<_> = planned.modes().collect();
+    let mut differences = Differences::new();
+    let name = |place: usize| M::model().coordinates[place].name;
+    for expected in &newton(&mechanism).sweep(&grid(from, to, 120)).unwrap() {
+        let found: &Planned<'_, M> = match planned.at(&expected.instant()) {
+            Ok(found) => found,
+            Err(error) => panic!("{error}"),
+        };
+        differences.at(format_args!("t = {}", expected.t));
+        let modes = mechanism.solver().modes(&expected.instant(), &expected.q).unwrap();
+        differences.equal("modes", signs.clone(), modes.iter().filter_map(|mode| mode.sign).collect());
+        for (place, &margin) in found.margins().iter().enumerate() {
+            if margin.is_nan() || margin <= 0.0 || margin > 1.0 {
+                differences.report(format_args!("margin {place}: {margin}"));
+            }
+        }
+        let pairs = [
+            ("q", &expected.q, found.q()),
+            ("q_dot", &expected.q_dot, found.q_dot()),
+            ("q_ddot", &expected.q_ddot, found.q_ddot()),
+        ];
+        for (what, expected, found) in pairs {
+            let room = 1e-12 * largest(expected).max(1.0);
+            differences.vector(what, name, expected, found, room);
+        }
+    }
+    assert_eq!(signs.len(), plan.modes.len());
     differences.finish();
 }

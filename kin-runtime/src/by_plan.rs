@@ -1,0 +1,100 @@
+//! What the plan says of the equations at hand, for analyses that hold it against Φ.
+
+use crate::equations::Equations;
+use crate::plan::{Depth, Plan, Solved, StepKind};
+use crate::planned::{Limit, Step};
+use crate::workspace::Instant;
+
+/// Closures nearer to one another than this do not say which of them a configuration is.
+const UNDECIDED: f64 = 1e-6;
+
+/// What a plan gave; its buffers are used again.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Answer {
+    pub(crate) q: Vec<f64>,
+    pub(crate) q_dot: Vec<f64>,
+    pub(crate) q_ddot: Vec<f64>,
+    margins: Vec<f64>,
+    closures: Vec<f64>,
+}
+
+/// True where the mechanism has a plan and its rows are all there are.
+pub(crate) fn exists(equations: &Equations<'_>) -> bool {
+    equations.model.plan.exists() && equations.given() == 0
+}
+
+/// Writes the sign of every mode of q; 0 where it is not decided.
+pub(crate) fn modes(equations: &Equations<'_>, q: &[f64], modes: &mut Vec<f64>) {
+    modes.clear();
+    modes.resize(equations.model.plan.modes.len(), 0.0);
+    let at = equations.instant();
+    if equations.system.closures(&at, q, modes).is_err() {
+        modes.fill(0.0);
+    }
+    for mode in modes {
+        *mode = if mode.abs() > UNDECIDED { mode.signum() } else { 0.0 };
+    }
+}
+
+impl Answer {
+    /// Room for the answers of these equations.
+    pub(crate) fn new(equations: &Equations<'_>) -> Self {
+        let n = vec![0.0; equations.coordinates()];
+        let plan = &equations.model.plan;
+        let (margins, closures) = (vec![0.0; plan.margins], vec![0.0; plan.modes.len()]);
+        Self { q: n.clone(), q_dot: n.clone(), q_ddot: n, margins, closures }
+    }
+
+    /// Solves at the current instant in the given modes, from `start`.
+    ///
+    /// # Errors
+    /// The first step that is no good; none where numbers are not finite.
+    pub(crate) fn solve(
+        &mut self,
+        equations: &mut Equations<'_>,
+        modes: &[f64],
+        start: &[f64],
+        depth: Depth,
+    ) -> Result<(), Option<Limit>> {
+        let Self { q, q_dot, q_ddot, margins, .. } = self;
+        let at = Instant { t: equations.t, inputs: &equations.inputs };
+        let solved = Solved { q, q_dot, q_ddot, margins };
+        equations.system.solve(&at, modes, start, depth, solved).map_err(|_| None)?;
+        if let Some(place) = self.margins.iter().position(|margin| *margin <= Plan::SMALLEST_MARGIN) {
+            return Err(self.limit(equations, place));
+        }
+        let mut parts = [&self.margins, &self.q, &self.q_dot, &self.q_ddot].into_iter().take(2 + depth as usize);
+        if parts.all(|part| part.iter().all(|x| x.is_finite())) { Ok(()) } else { Err(None) }
+    }
+
+    fn limit(&self, equations: &Equations<'_>, margin: usize) -> Option<Limit> {
+        Step::of_margin(equations.model, margin).map(|step| Limit { step, margin: self.margins[margin] })
+    }
+
+    /// True if q is in these modes for sure.
+    pub(crate) fn is_in(&mut self, equations: &Equations<'_>, modes: &[f64], q: &[f64]) -> bool {
+        let at = equations.instant();
+        equations.system.closures(&at, q, &mut self.closures).is_ok()
+            && modes.iter().zip(&self.closures).all(|(mode, closure)| mode * closure > UNDECIDED)
+    }
+}
+
+/// The first group that is at its limit or cannot close at the current instant, in the modes of q.
+pub(crate) fn limit(equations: &mut Equations<'_>, q: &[f64]) -> Option<Limit> {
+    if !equations.options.use_plan || !exists(equations) {
+        return None;
+    }
+    let mut signs = Vec::new();
+    modes(equations, q, &mut signs);
+    limit_in(equations, &signs, q)
+}
+
+/// [`limit`] in given modes; where one is not decided it is taken as +.
+pub(crate) fn limit_in(equations: &mut Equations<'_>, modes: &[f64], q: &[f64]) -> Option<Limit> {
+    if !equations.options.use_plan || !exists(equations) {
+        return None;
+    }
+    let modes: Vec<f64> = modes.iter().map(|&mode| if mode == 0.0 { 1.0 } else { mode }).collect();
+    let answer = Answer::new(equations).solve(equations, &modes, q, Depth::Position);
+    answer.err().flatten().filter(|limit| limit.step.info().kind == StepKind::Closure)
+}

@@ -1,0 +1,174 @@
+//! The plan held against the equations, and against full Newton.
+//!
+//! From every configuration the plan solves in the modes that it finds there. What it gives must close Φ and satisfy
+//! Φ_q q̇ = −Φ_t and Φ_q q̈ = γ, row by row; from configurations of the caller full Newton solves as well, and q, q̇ and q̈
+//! are compared number by number.
+
+use super::{Configuration, CrossCheckOptions, random_configuration};
+use crate::error::SolveError;
+use crate::mechanism::Mechanism;
+use crate::model::Model;
+use crate::plan::{Depth, Solved};
+use crate::planned::PlanError;
+use crate::random::Random;
+use crate::state::State;
+use crate::workspace::{Instant, Subset};
+use core::fmt;
+
+/// Margins below this are beside a limit, where rounding says more than the plan.
+const AWAY: f64 = 1e-3;
+
+/// Where the plan is farthest off.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct WorstPlanned {
+    /// `Φ`, `Φ_q q̇ = −Φ_t` or `Φ_q q̈ = γ` of a row, or `q`, `q̇`, `q̈` of a coordinate against full Newton.
+    pub what: &'static str,
+    /// The row or the coordinate.
+    pub name: &'static str,
+    /// The error, see [`PlanCheck::max_error`].
+    pub error: f64,
+    /// Time of that configuration.
+    pub t: f64,
+    /// q of that configuration by the plan.
+    pub q: Vec<f64>,
+}
+
+/// Result of a check of the plan.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct PlanCheck {
+    /// Configurations solved and compared.
+    pub configurations: usize,
+    /// Configurations from which the plan has no answer, or only one beside a limit.
+    pub skipped: usize,
+    /// Numbers compared.
+    pub entries: usize,
+    /// The largest error; without names where nothing was compared.
+    pub worst: WorstPlanned,
+    /// Largest error: of a row relative to the largest of its terms, of a number relative to the largest of its vector,
+    /// but to no less than one. Whatever is not a number has an infinite error.
+    pub max_error: f64,
+}
+
+impl fmt::Display for PlanCheck {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} numbers at {} configurations", self.entries, self.configurations)?;
+        if self.skipped > 0 {
+            write!(f, " ({} skipped)", self.skipped)?;
+        }
+        let WorstPlanned { what, name, error, t, .. } = &self.worst;
+        write!(f, ": worst error {error:.1e} in {what} of {name} at t = {t}")
+    }
+}
+
+impl PlanCheck {
+    fn note(&mut self, what: &'static str, name: &'static str, error: f64, (t, q): (f64, &[f64])) {
+        self.entries += 1;
+        let error = if error.is_nan() { f64::INFINITY } else { error };
+        if error > self.max_error || self.worst.name.is_empty() {
+            self.max_error = error;
+            self.worst = WorstPlanned { what, name, error, t, q: q.to_vec() };
+        }
+    }
+}
+
+/// Checks the plan of `mechanism` at the configurations that `options` ask for; `newton` solves from a start.
+pub(crate) fn plan_check<M: Mechanism>(
+    mechanism: &M,
+    options: &CrossCheckOptions,
+    centre: &[f64],
+    length: f64,
+    newton: impl Fn(&Instant<'_>, &[f64]) -> Result<State, SolveError>,
+) -> Result<PlanCheck, SolveError> {
+    let model = M::model();
+    if let Some(why) = model.plan.absent {
+        return Err(SolveError::Plan(PlanError::NoPlan { why }));
+    }
+    let worst = WorstPlanned { what: "", name: "", error: 0.0, t: 0.0, q: Vec::new() };
+    let mut check = PlanCheck { configurations: 0, skipped: 0, entries: 0, worst, max_error: 0.0 };
+    let mut random = Random::new(options.seed);
+    let parameters = mechanism.parameters::<f64>();
+    let own = options.given.len();
+    for number in 0..own + options.configurations {
+        let drawn;
+        let configuration = match options.given.get(number) {
+            Some(given) => given,
+            None => {
+                drawn = random_configuration(model, &mut random, number - own, centre, length);
+                &drawn
+            }
+        };
+        let at = Instant { t: configuration.t, inputs: &configuration.inputs };
+        let Some(planned) = solve(mechanism, parameters.as_ref(), &at, configuration)? else {
+            check.skipped += 1;
+            continue;
+        };
+        check.configurations += 1;
+        rows(&mut check, mechanism, &at, &planned)?;
+        if number < own {
+            let state = newton(&at, &planned[0])?;
+            for (what, found, expected) in
+                [("q", &planned[0], state.q), ("q̇", &planned[1], state.q_dot), ("q̈", &planned[2], state.q_ddot)]
+            {
+                let size = expected.iter().fold(1.0_f64, |most, x| most.max(x.abs()));
+                for ((found, expected), coordinate) in found.iter().zip(&expected).zip(model.coordinates) {
+                    let error = (found - expected).abs() / size;
+                    check.note(what, coordinate.name, error, (at.t, &planned[0]));
+                }
+            }
+        }
+    }
+    Ok(check)
+}
+
+/// q, q̇ and q̈ by the plan; none where it has no answer away from limits.
+fn solve<M: Mechanism>(
+    mechanism: &M,
+    parameters: &[f64],
+    at: &Instant<'_>,
+    configuration: &Configuration,
+) -> Result<Option<[Vec<f64>; 3]>, SolveError> {
+    let plan = &M::model().plan;
+    let mut modes = vec![0.0; plan.modes.len()];
+    mechanism.closures_with(parameters, at, &configuration.q, &mut modes)?;
+    modes.iter_mut().for_each(|mode| *mode = if *mode < 0.0 { -1.0 } else { 1.0 });
+    let mut found = [vec![0.0; M::COORDINATES], vec![0.0; M::COORDINATES], vec![0.0; M::COORDINATES]];
+    let mut margins = vec![0.0; plan.margins];
+    let [q, q_dot, q_ddot] = &mut found;
+    let solved = Solved { q, q_dot, q_ddot, margins: &mut margins };
+    mechanism.solve_with(parameters, at, &modes, &configuration.q, Depth::Acceleration, solved)?;
+    Ok(margins.iter().all(|margin| *margin > AWAY).then_some(found))
+}
+
+/// Every row of Φ, of the velocity and of the acceleration equations.
+fn rows<M: Mechanism>(
+    check: &mut PlanCheck,
+    mechanism: &M,
+    at: &Instant<'_>,
+    [q, q_dot, q_ddot]: &[Vec<f64>; 3],
+) -> Result<(), SolveError> {
+    let model: &'static Model = M::model();
+    let mut workspace = M::workspace::<f64>();
+    mechanism.evaluate(Subset::ALL, at, q, q_dot, &mut workspace)?;
+    let largest = |x: &[f64]| x.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+    let sizes = [largest(q), largest(q_dot), largest(q_ddot)];
+    let mut sums = [workspace.phi().to_vec(), workspace.phi_t().to_vec(), workspace.gamma().to_vec()];
+    sums[2].iter_mut().for_each(|gamma| *gamma = -*gamma);
+    let mut terms = vec![[0.0_f64; 3]; model.rows.len()];
+    for (row, terms) in terms.iter_mut().enumerate() {
+        *terms = [0.0, sums[1][row].abs(), sums[2][row].abs()];
+    }
+    for (&(row, column), &entry) in model.constraint_pattern.entries.iter().zip(workspace.phi_q()) {
+        sums[1][row] += entry * q_dot[column];
+        sums[2][row] += entry * q_ddot[column];
+        terms[row].iter_mut().zip(sizes).for_each(|(most, size)| *most = most.max(entry.abs() * size));
+    }
+    for (sums, (k, what)) in sums.iter().zip([(0, "Φ"), (1, "Φ_q q̇ = −Φ_t"), (2, "Φ_q q̈ = γ")]) {
+        for (row, info) in model.rows.iter().enumerate() {
+            let error = if sums[row] == 0.0 { 0.0 } else { sums[row].abs() / terms[row][k] };
+            check.note(what, info.name, error, (at.t, q));
+        }
+    }
+    Ok(())
+}

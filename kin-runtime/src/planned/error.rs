@@ -1,0 +1,115 @@
+//! Why a plan gives no answer.
+
+use super::step::Step;
+use crate::mechanism::LengthError;
+use crate::plan::ModeInfo;
+use core::fmt;
+
+/// Where a group of a plan stands beside its limit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Limit {
+    /// The group, with the names of its joints.
+    pub step: Step,
+    /// Its margin: 0 at the limit, negative where it cannot close. It is 1 − (m/r)², where the group closes as long as
+    /// |m| ≤ r; far beyond the limit it may be any negative number.
+    pub margin: f64,
+}
+
+impl fmt::Display for Limit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { step, margin } = self;
+        let what = match (step.closes(), *margin < 0.0) {
+            (true, true) => "cannot close",
+            (true, false) => "is at its limit",
+            (false, _) => "says nothing",
+        };
+        write!(f, "{step} {what}: margin {margin:.3e}")
+    }
+}
+
+/// Why the plan gives no answer at an instant, with numbers and names.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum PlanError {
+    /// The mechanism has no plan.
+    NoPlan {
+        /// Why.
+        why: &'static str,
+    },
+    /// A group is at its limit or cannot close.
+    Limit {
+        /// Time.
+        t: f64,
+        /// The group and its margin.
+        limit: Limit,
+    },
+    /// A step that has one answer is singular here, or an iteration does not converge. The mechanism itself may be
+    /// regular: full Newton has the answer then.
+    Singular {
+        /// Time.
+        t: f64,
+        /// The step and its margin.
+        limit: Limit,
+    },
+    /// NaN or infinity in an argument, a parameter or a result.
+    NonFinite {
+        /// Where: `q`, `t`, `parameters`, `inputs`, `margins`, ….
+        what: &'static str,
+        /// Place in it.
+        index: usize,
+        /// Name of the coordinate, parameter or input.
+        name: &'static str,
+        /// Time.
+        t: f64,
+    },
+    /// An argument of the wrong length.
+    Length(LengthError),
+    /// No mode has this name or place.
+    UnknownMode {
+        /// The modes that there are.
+        modes: &'static [ModeInfo],
+    },
+}
+
+impl PlanError {
+    /// The step that stands in the way, with its margin.
+    pub const fn limit(&self) -> Option<&Limit> {
+        match self {
+            Self::Limit { limit, .. } | Self::Singular { limit, .. } => Some(limit),
+            _ => None,
+        }
+    }
+}
+
+impl From<LengthError> for PlanError {
+    fn from(error: LengthError) -> Self {
+        Self::Length(error)
+    }
+}
+
+impl fmt::Display for PlanError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoPlan { why } => write!(f, "no plan because {why}"),
+            Self::Limit { t, limit } | Self::Singular { t, limit } => write!(f, "at t = {t}, {limit}"),
+            Self::NonFinite { what, index, name, t } => {
+                write!(f, "{what}[{index}]")?;
+                if !name.is_empty() {
+                    write!(f, " ({name})")?;
+                }
+                write!(f, " is not a finite number at t = {t}")
+            }
+            Self::Length(error) => error.fmt(f),
+            Self::UnknownMode { modes } => {
+                f.write_str("no such mode")?;
+                for (k, mode) in modes.iter().enumerate() {
+                    write!(f, "{}`{}`", if k == 0 { "; there are " } else { ", " }, mode.name)?;
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+impl core::error::Error for PlanError {}

@@ -1,0 +1,338 @@
+//! A mechanism solved by its plan, instant by instant, without an allocator: for controllers and fast loops.
+
+mod error;
+mod mode;
+mod step;
+
+pub use error::{Limit, PlanError};
+pub use mode::{ModeKey, Sign};
+pub use step::Step;
+
+use crate::mechanism::{LengthError, Mechanism};
+use crate::model::Model;
+use crate::plan::{Depth, Plan, Solved};
+use crate::signal::Instant;
+use crate::workspace::Array;
+
+/// A mechanism that is solved by its plan ([`Model::plan`]) at one instant after the other: q, q̇ and q̈ in closed form
+/// wherever there is one, without Φ, without an allocator and without `std`.
+///
+/// It is made from a complete configuration, which decides the assembly modes, and keeps them by their signs: where
+/// [`at`](Self::at) has an answer, it is never one in another mode. From the last good state it predicts
+///
+/// ```text
+/// q(t + h) ≈ q + h q̇ + ½ h² q̈
+/// ```
+///
+/// and the plan starts there: angles come out within half a turn of the prediction, so that they go on counting as long
+/// as no body turns by more than that away from it between two instants; where the plan has Newton iterations, they
+/// converge to the closure near the prediction, so that instants lie near one another (a few degrees of the fastest body
+/// for one correction or two). Plans without such iterations may go as far as angles allow, in either direction of time.
+/// Beside a limit, where q̈ grows without bounds, the prediction is worth less, and instants are to lie closer together.
+///
+/// A solution counts when all margins exceed [`Plan::SMALLEST_MARGIN`] and every number is finite. After an error the
+/// last good state stays, and the next instant is predicted from there.
+///
+/// Nothing else is checked: [`Tracker`](crate::Tracker) and [`Solver::sweep`](crate::Solver::sweep) hold every answer
+/// against Φ, walk long ways in steps and change over to full Newton where a plan is singular. Redundant rows
+/// (`allow_redundant`) that contradict one another go unseen here.
+///
+/// ```
+/// use kin_runtime::{Instant, Kinematics, mechanism};
+///
+/// #[mechanism]
+/// #[bodies(crank, coupler, rocker)]
+/// #[revolute(C: ground @ (0, 0), crank @ (0, 0))]
+/// #[revolute(A: crank @ (0.1, 0), coupler @ (0, 0))]
+/// #[revolute(B: coupler @ (0.4, 0), rocker @ (0, 0))]
+/// #[revolute(D: rocker @ (0.3, 0), ground @ (0.4, 0.1))]
+/// #[driver(drive: crank.phi = 2.3 * t)]
+/// #[guess(coupler.phi = 0.9, rocker.phi = 5.0)]
+/// struct FourBar;
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let mut planned = FourBar.solver().planned(&Instant::at(0.0))?;
+/// for tick in 1..=1000 {
+///     let state = planned.at(&Instant::at(0.001 * f64::from(tick)))?;
+///     assert!(state.q_dot()[2] == 2.3);
+/// }
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone)]
+pub struct Planned<'m, M: Mechanism> {
+    mechanism: Held<'m, M>,
+    parameters: M::Parameters<f64>,
+    /// A sign for every mode.
+    modes: M::Coordinates<f64>,
+    t: f64,
+    /// The last good state, and one that is being tried.
+    states: [Poses<M>; 2],
+    /// Which of them is the good one.
+    good: usize,
+    predicted: M::Coordinates<f64>,
+}
+
+#[derive(Clone, Copy)]
+enum Held<'m, M> {
+    Borrowed(&'m M),
+    Owned(M),
+}
+
+struct Poses<M: Mechanism> {
+    q: M::Coordinates<f64>,
+    q_dot: M::Coordinates<f64>,
+    q_ddot: M::Coordinates<f64>,
+    /// There are never more margins than coordinates.
+    margins: M::Coordinates<f64>,
+}
+
+impl<M: Mechanism> Clone for Poses<M> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<M: Mechanism> Copy for Poses<M> {}
+
+impl<'m, M: Mechanism> Planned<'m, M> {
+    /// A mechanism in a configuration q, n numbers, which decides the modes; it need not be closed to the last digit.
+    /// Parameters are those that the mechanism has now.
+    ///
+    /// # Errors
+    /// [`PlanError`]: there is no plan, or it has no answer at this instant in these modes.
+    pub fn new(mechanism: &'m M, at: &Instant<'_>, q: &[f64]) -> Result<Self, PlanError> {
+        Self::begin(Held::Borrowed(mechanism), at, q)
+    }
+
+    /// [`new`](Self::new) with a mechanism of its own, so that a controller can keep it.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn owned(mechanism: M, at: &Instant<'_>, q: &[f64]) -> Result<Planned<'static, M>, PlanError> {
+        Planned::begin(Held::Owned(mechanism), at, q)
+    }
+
+    fn begin(mechanism: Held<'m, M>, at: &Instant<'_>, q: &[f64]) -> Result<Self, PlanError> {
+        if let Some(why) = M::model().plan.absent {
+            return Err(PlanError::NoPlan { why });
+        }
+        let zeros = M::Coordinates::<f64>::generate(|_| 0.0);
+        let nothing = Poses { q: zeros, q_dot: zeros, q_ddot: zeros, margins: zeros };
+        let parameters = mechanism.get().parameters();
+        let mut planned =
+            Self { mechanism, parameters, modes: zeros, t: at.t, states: [nothing; 2], good: 0, predicted: zeros };
+        planned.restart(at, q)?;
+        Ok(planned)
+    }
+
+    /// Begins anew from a configuration q, n numbers, in the modes that it has.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); state and modes stay what they were then.
+    pub fn restart(&mut self, at: &Instant<'_>, q: &[f64]) -> Result<&Self, PlanError> {
+        if q.len() != M::COORDINATES {
+            return Err(LengthError { what: "q", expected: M::COORDINATES, found: q.len() }.into());
+        }
+        let count = M::model().plan.modes.len();
+        let mut modes = M::Coordinates::<f64>::generate(|_| 0.0);
+        let closures = &mut modes.as_mut()[..count];
+        self.mechanism.get().closures_with(self.parameters.as_ref(), at, q, closures)?;
+        for mode in closures {
+            // Where the closures meet, either sign is right, and the margin says that there is no answer.
+            *mode = if *mode < 0.0 { -1.0 } else { 1.0 };
+        }
+        let before = core::mem::replace(&mut self.modes, modes);
+        self.predicted.as_mut().copy_from_slice(q);
+        if let Err(error) = self.solve(at) {
+            self.modes = before;
+            return Err(error);
+        }
+        Ok(self)
+    }
+
+    /// q, q̇ and q̈ at another instant.
+    ///
+    /// # Errors
+    /// [`PlanError::Limit`] where a group is at its limit or cannot close, [`PlanError::Singular`] where a step says
+    /// nothing; [`PlanError::NonFinite`] and [`PlanError::Length`]. The last good state stays then.
+    #[inline]
+    pub fn at(&mut self, at: &Instant<'_>) -> Result<&Self, PlanError> {
+        let h = at.t - self.t;
+        let half = 0.5 * h;
+        let Poses { q, q_dot, q_ddot, .. } = &self.states[self.good];
+        let rates = q_dot.as_ref().iter().zip(q_ddot.as_ref());
+        for ((to, q), (v, a)) in self.predicted.as_mut().iter_mut().zip(q.as_ref()).zip(rates) {
+            *to = q + h * (v + half * a);
+        }
+        self.solve(at)?;
+        Ok(self)
+    }
+
+    /// Solves from the prediction.
+    #[inline]
+    fn solve(&mut self, at: &Instant<'_>) -> Result<(), PlanError> {
+        let plan = &M::model().plan;
+        let Self { mechanism, parameters, modes, states, good, predicted, .. } = self;
+        let Poses { q, q_dot, q_ddot, margins } = &mut states[1 - *good];
+        let margins = &mut margins.as_mut()[..plan.margins];
+        let solved = Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins };
+        let modes = &modes.as_ref()[..plan.modes.len()];
+        let depth = Depth::Acceleration;
+        mechanism.get().solve_with(parameters.as_ref(), at, modes, predicted.as_ref(), depth, solved)?;
+        let Poses { q, q_dot, q_ddot, margins } = &states[1 - *good];
+        // Without early ends, so that the loops run in lanes.
+        let finite = |numbers: &[f64]| numbers.iter().fold(true, |all, x| all & x.is_finite());
+        let good_margins =
+            margins.as_ref()[..plan.margins].iter().fold(true, |all, m| all & (*m > Plan::SMALLEST_MARGIN));
+        let all = good_margins & finite(q.as_ref()) & finite(q_dot.as_ref()) & finite(q_ddot.as_ref());
+        if !all || !at.t.is_finite() {
+            return Err(self.explain(at));
+        }
+        self.good = 1 - self.good;
+        self.t = at.t;
+        Ok(())
+    }
+
+    /// Why what was tried is not good.
+    #[cold]
+    #[inline(never)]
+    fn explain(&self, at: &Instant<'_>) -> PlanError {
+        let model = M::model();
+        let tried = &self.states[1 - self.good];
+        let t = at.t;
+        let error = |what, index, name| PlanError::NonFinite { what, index, name, t };
+        if !t.is_finite() {
+            return error("t", 0, "t");
+        }
+        for (index, u) in at.inputs.iter().enumerate() {
+            if ![u.value, u.rate, u.acceleration].iter().all(|x| x.is_finite()) {
+                return error("inputs", index, model.inputs.get(index).copied().unwrap_or(""));
+            }
+        }
+        let place = |numbers: &[f64]| numbers.iter().position(|x| !x.is_finite());
+        if let Some(index) = place(self.parameters.as_ref()) {
+            return error("parameters", index, model.parameters.get(index).map_or("", |p| p.name));
+        }
+        for (index, &margin) in tried.margins.as_ref()[..model.plan.margins].iter().enumerate() {
+            match Step::of_margin(model, index) {
+                Some(step) if margin <= Plan::SMALLEST_MARGIN => {
+                    let limit = Limit { step, margin };
+                    let closes = step.closes();
+                    return if closes { PlanError::Limit { t, limit } } else { PlanError::Singular { t, limit } };
+                }
+                _ if margin.is_nan() => return error("margins", index, ""),
+                _ => {}
+            }
+        }
+        for (what, numbers) in [("q", &tried.q), ("q_dot", &tried.q_dot), ("q_ddot", &tried.q_ddot)] {
+            if let Some(index) = place(numbers.as_ref()) {
+                return error(what, index, model.coordinates.get(index).map_or("", |c| c.name));
+            }
+        }
+        error("margins", 0, "")
+    }
+
+    /// Asks for a mode from the next instant on.
+    ///
+    /// The mechanism is there at once, as if it had been taken apart and put together again; angles still come out within
+    /// half a turn of the prediction. Where a Newton iteration follows in the plan, it starts at the old mode and may not
+    /// find the new one: [`restart`](Self::restart) with a configuration that
+    /// [`Solver::with_mode`](crate::Solver::with_mode) assembles then.
+    ///
+    /// # Errors
+    /// [`PlanError::UnknownMode`].
+    pub fn set_mode<'k>(&mut self, mode: impl Into<ModeKey<'k>>, sign: Sign) -> Result<(), PlanError> {
+        *self.mode_mut(mode.into())? = sign.value();
+        Ok(())
+    }
+
+    /// Asks for the other closure of a mode from the next instant on, as [`set_mode`](Self::set_mode) does.
+    ///
+    /// # Errors
+    /// [`PlanError::UnknownMode`].
+    pub fn flip<'k>(&mut self, mode: impl Into<ModeKey<'k>>) -> Result<(), PlanError> {
+        let sign = self.mode_mut(mode.into())?;
+        *sign = -*sign;
+        Ok(())
+    }
+
+    fn mode_mut(&mut self, mode: ModeKey<'_>) -> Result<&mut f64, PlanError> {
+        let modes = M::model().plan.modes;
+        let place = mode.place(modes).ok_or(PlanError::UnknownMode { modes })?;
+        self.modes.as_mut().get_mut(place).ok_or(PlanError::UnknownMode { modes })
+    }
+
+    /// The sign of a mode: that of the last good state, or what was asked for since.
+    pub fn mode<'k>(&self, mode: impl Into<ModeKey<'k>>) -> Option<Sign> {
+        let place = mode.into().place(M::model().plan.modes)?;
+        self.modes.as_ref().get(place).copied().and_then(Sign::of)
+    }
+
+    /// The signs of all modes, in the order of [`Plan::modes`].
+    pub fn modes(&self) -> impl Iterator<Item = Sign> + '_ {
+        self.modes.as_ref()[..M::model().plan.modes.len()].iter().copied().filter_map(Sign::of)
+    }
+
+    /// Time of the last good state.
+    pub const fn t(&self) -> f64 {
+        self.t
+    }
+
+    /// q of the last good state, n numbers.
+    #[inline]
+    pub fn q(&self) -> &[f64] {
+        self.states[self.good].q.as_ref()
+    }
+
+    /// q̇ of the last good state, n numbers.
+    #[inline]
+    pub fn q_dot(&self) -> &[f64] {
+        self.states[self.good].q_dot.as_ref()
+    }
+
+    /// q̈ of the last good state, n numbers.
+    #[inline]
+    pub fn q_ddot(&self) -> &[f64] {
+        self.states[self.good].q_ddot.as_ref()
+    }
+
+    /// The margins of the last good state, [`Plan::margins`] numbers: how far each step is from where it says nothing.
+    #[inline]
+    pub fn margins(&self) -> &[f64] {
+        &self.states[self.good].margins.as_ref()[..M::model().plan.margins]
+    }
+
+    /// The mechanism.
+    pub const fn mechanism(&self) -> &M {
+        self.mechanism.get()
+    }
+
+    /// Names, rows and the plan.
+    pub fn model(&self) -> &'static Model {
+        M::model()
+    }
+}
+
+impl<M: Mechanism> core::fmt::Debug for Planned<'_, M> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Planned")
+            .field("mechanism", &M::model().name)
+            .field("t", &self.t)
+            .field("q", &self.q())
+            .field("q_dot", &self.q_dot())
+            .field("q_ddot", &self.q_ddot())
+            .field("margins", &self.margins())
+            .finish_non_exhaustive()
+    }
+}
+
+impl<M> Held<'_, M> {
+    #[inline]
+    const fn get(&self) -> &M {
+        match self {
+            Self::Borrowed(mechanism) => mechanism,
+            Self::Owned(mechanism) => mechanism,
+        }
+    }
+}

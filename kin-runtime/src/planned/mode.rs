@@ -1,0 +1,96 @@
+//! Assembly modes by name and sign.
+
+use crate::plan::ModeInfo;
+use core::fmt;
+
+/// Which of its two closures a group takes.
+///
+/// The sign is that of the root in its closed form; of itself it means neither up nor down. What it means in a mechanism,
+/// the modes of a configuration say.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub enum Sign {
+    /// +1.
+    #[cfg_attr(feature = "serde", serde(rename = "+"))]
+    Plus,
+    /// −1.
+    #[cfg_attr(feature = "serde", serde(rename = "-"))]
+    Minus,
+}
+
+impl Sign {
+    /// The sign of a closure ([`Mechanism::closures_with`](crate::Mechanism::closures_with)); none of 0 and of what is
+    /// not a number.
+    pub fn of(closure: f64) -> Option<Self> {
+        if closure > 0.0 {
+            Some(Self::Plus)
+        } else if closure < 0.0 {
+            Some(Self::Minus)
+        } else {
+            None
+        }
+    }
+
+    /// +1 or −1.
+    pub const fn value(self) -> f64 {
+        match self {
+            Self::Plus => 1.0,
+            Self::Minus => -1.0,
+        }
+    }
+
+    /// The other one.
+    #[must_use]
+    pub const fn flipped(self) -> Self {
+        match self {
+            Self::Plus => Self::Minus,
+            Self::Minus => Self::Plus,
+        }
+    }
+}
+
+impl fmt::Display for Sign {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if *self == Self::Plus { "+" } else { "-" })
+    }
+}
+
+/// A mode by its name or by its place in [`Plan::modes`](crate::plan::Plan::modes).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModeKey<'a> {
+    /// By name.
+    Name(&'a str),
+    /// By place.
+    Index(usize),
+}
+
+impl ModeKey<'_> {
+    /// Its place among `modes`.
+    pub fn place(self, modes: &[ModeInfo]) -> Option<usize> {
+        match self {
+            Self::Name(name) => modes.iter().position(|mode| mode.name == name),
+            Self::Index(place) => (place < modes.len()).then_some(place),
+        }
+    }
+}
+
+impl<'a> From<&'a str> for ModeKey<'a> {
+    fn from(name: &'a str) -> Self {
+        Self::Name(name)
+    }
+}
+
+impl From<usize> for ModeKey<'_> {
+    fn from(place: usize) -> Self {
+        Self::Index(place)
+    }
+}
+
+impl fmt::Display for ModeKey<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Name(name) => write!(f, "`{name}`"),
+            Self::Index(place) => write!(f, "{place}"),
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! A step of a plan with the names of its joints, for messages.
+
+use crate::model::Model;
+use crate::plan::{PlanStep, StepKind};
+use core::fmt;
+
+/// A step of a mechanism's plan.
+#[derive(Clone, Copy)]
+pub struct Step {
+    model: &'static Model,
+    place: usize,
+}
+
+impl Step {
+    /// The step at `place` of [`Plan::steps`](crate::plan::Plan::steps); none where there is none.
+    pub fn new(model: &'static Model, place: usize) -> Option<Self> {
+        (place < model.plan.steps.len()).then_some(Self { model, place })
+    }
+
+    /// The step that a margin belongs to.
+    pub fn of_margin(model: &'static Model, margin: usize) -> Option<Self> {
+        model.plan.step_of_margin(margin).map(|place| Self { model, place })
+    }
+
+    /// Its place in [`Plan::steps`](crate::plan::Plan::steps).
+    pub const fn place(&self) -> usize {
+        self.place
+    }
+
+    /// What it is.
+    pub fn info(&self) -> &'static PlanStep {
+        &self.model.plan.steps[self.place]
+    }
+
+    /// The names of its joints, in order of declaration.
+    pub fn joints(&self) -> impl Iterator<Item = &'static str> + use<> {
+        let joints = self.model.joints;
+        self.info().joints.iter().filter_map(|&joint| joints.get(joint)).map(|joint| joint.name)
+    }
+
+    /// True for a group that closes in two ways.
+    pub fn closes(&self) -> bool {
+        self.info().kind == StepKind::Closure
+    }
+}
+
+impl PartialEq for Step {
+    fn eq(&self, other: &Self) -> bool {
+        core::ptr::eq(self.model, other.model) && self.place == other.place
+    }
+}
+
+/// `dyad RRR of A, B, D`.
+impl fmt::Display for Step {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let step = self.info();
+        match (step.group, step.kind) {
+            ("", StepKind::Explicit) => f.write_str("formula")?,
+            ("", StepKind::Linear(1)) => f.write_str("linear equation")?,
+            ("", StepKind::Linear(n)) => write!(f, "{n}×{n} linear system")?,
+            ("", StepKind::Closure) => f.write_str("closure")?,
+            ("", StepKind::Newton(n)) => write!(f, "{n}×{n} Newton iteration")?,
+            (group, StepKind::Newton(n)) => write!(f, "group {group} by a {n}×{n} Newton iteration")?,
+            (group, _) => write!(f, "dyad {group}")?,
+        }
+        for (k, joint) in self.joints().enumerate() {
+            f.write_str(if k == 0 { " of " } else { ", " })?;
+            f.write_str(joint)?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Debug for Step {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Step({}: {self})", self.place)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Step {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}

@@ -1,0 +1,181 @@
+//! The solution plan and the assembly modes: in words, and as records for JSON.
+
+use serde::Serialize;
+
+use super::table::{Table, wrapped};
+use super::text::section;
+use crate::model::Model;
+use crate::modes::Mode;
+use crate::plan::{PlanStep, StepKind};
+use crate::planned::{Sign, Step};
+
+/// Columns on the screen that a text may take.
+const COLUMNS: usize = 96;
+
+/// A plan; without steps where there is none.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct PlanRecord {
+    /// Why there is no plan.
+    absent: Option<&'static str>,
+    steps: Vec<StepRecord>,
+    modes: Vec<ModeRecord>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct StepRecord {
+    /// `explicit`, `linear`, `closure` or `newton`.
+    kind: &'static str,
+    /// Unknowns of a linear system or of an iteration.
+    unknowns: Option<usize>,
+    group: Option<&'static str>,
+    joints: Vec<&'static str>,
+    coordinates: Vec<GivenRecord>,
+    modes: Vec<&'static str>,
+    singular: &'static str,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct GivenRecord {
+    name: &'static str,
+    joint: &'static str,
+}
+
+/// A mode; sign and closure are null without a configuration.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct ModeRecord {
+    name: &'static str,
+    group: &'static str,
+    joints: Vec<&'static str>,
+    sign: Option<Sign>,
+    closure: Option<f64>,
+}
+
+impl ModeRecord {
+    /// The modes of a configuration.
+    pub(crate) fn of(modes: &[Mode]) -> Vec<Self> {
+        let record = |mode: &Mode| Self {
+            name: mode.name,
+            group: mode.group,
+            joints: mode.joints.clone(),
+            sign: mode.sign,
+            closure: Some(mode.closure),
+        };
+        modes.iter().map(record).collect()
+    }
+}
+
+impl PlanRecord {
+    /// The plan, with the modes of a configuration where there is one.
+    pub(crate) fn new(model: &'static Model, modes: Option<&[Mode]>) -> Self {
+        let modes = records(model, modes);
+        Self { absent: model.plan.absent, steps: steps(model).map(|step| record(model, step)).collect(), modes }
+    }
+}
+
+fn steps(model: &'static Model) -> impl Iterator<Item = Step> {
+    (0..model.plan.steps.len()).filter_map(move |place| Step::new(model, place))
+}
+
+/// The modes that there are, without a configuration.
+fn unknown(model: &'static Model) -> Vec<ModeRecord> {
+    let record = |mode: &crate::plan::ModeInfo| {
+        let step = Step::new(model, mode.step);
+        let group = step.map_or("", |step| step.info().group);
+        let joints = step.map_or_else(Vec::new, |step| step.joints().collect());
+        ModeRecord { name: mode.name, group, joints, sign: None, closure: None }
+    };
+    model.plan.modes.iter().map(record).collect()
+}
+
+fn record(model: &'static Model, step: Step) -> StepRecord {
+    let info = step.info();
+    let (kind, unknowns) = match info.kind {
+        StepKind::Explicit => ("explicit", None),
+        StepKind::Linear(n) => ("linear", Some(n)),
+        StepKind::Closure => ("closure", None),
+        StepKind::Newton(n) => ("newton", Some(n)),
+    };
+    let given = |&(coordinate, joint): &(usize, usize)| GivenRecord {
+        name: model.coordinates.get(coordinate).map_or("", |c| c.name),
+        joint: model.joints.get(joint).map_or("", |j| j.name),
+    };
+    StepRecord {
+        kind,
+        unknowns,
+        group: (!info.group.is_empty()).then_some(info.group),
+        joints: step.joints().collect(),
+        coordinates: info.coordinates.iter().map(given).collect(),
+        modes: mode_names(model, info),
+        singular: info.singular,
+    }
+}
+
+fn mode_names(model: &Model, step: &PlanStep) -> Vec<&'static str> {
+    let (first, end) = step.modes;
+    model.plan.modes.get(first..end).unwrap_or_default().iter().map(|mode| mode.name).collect()
+}
+
+/// The plan step by step: how, which joint gives which coordinate, and when it is singular.
+pub(crate) fn plan(model: &'static Model) -> String {
+    let mut out = "\nSolution plan\n".to_owned();
+    if let Some(why) = model.plan.absent {
+        out.push_str(&wrapped("  none: ", [why, "full Newton on all coordinates"], COLUMNS));
+        return out;
+    }
+    let digits = model.plan.steps.len().to_string().len();
+    for step in steps(model) {
+        let info = step.info();
+        let mut words = vec![how(model, &step)];
+        words.extend(given(model, info));
+        if !info.singular.is_empty() && info.singular != "never" {
+            words.push(format!("singular with {}", info.singular));
+        }
+        out.push_str(&wrapped(&format!("  {:>digits$}  ", step.place() + 1), words, COLUMNS));
+    }
+    out
+}
+
+/// What a step does.
+fn how(model: &Model, step: &Step) -> String {
+    let info = step.info();
+    match info.kind {
+        StepKind::Explicit if info.group.is_empty() => "by formula".to_owned(),
+        StepKind::Explicit => format!("{step} by formula"),
+        StepKind::Linear(_) => format!("{step} in closed form"),
+        StepKind::Closure => format!("{step} in closed form, mode {}", mode_names(model, info).join(", ")),
+        StepKind::Newton(_) => step.to_string(),
+    }
+}
+
+/// `C gives crank.x and crank.y`, joint by joint in the order of the coordinates.
+fn given(model: &Model, step: &PlanStep) -> Vec<String> {
+    let joint = |pair: &(usize, usize)| model.joints.get(pair.1).map_or("", |joint| joint.name);
+    let name = |pair: &(usize, usize)| model.coordinates.get(pair.0).map_or("", |c| c.name);
+    let groups = step.coordinates.chunk_by(|a, b| a.1 == b.1);
+    let sentence = |group: &[(usize, usize)]| {
+        let names: Vec<&str> = group.iter().map(name).collect();
+        let (last, before) = names.split_last().map_or(("", &[][..]), |(last, before)| (*last, before));
+        let names = if before.is_empty() { last.to_owned() } else { format!("{} and {last}", before.join(", ")) };
+        match group.first().map(joint) {
+            None | Some("") => format!("gives {names}"),
+            Some(joint) => format!("{joint} gives {names}"),
+        }
+    };
+    groups.map(sentence).collect()
+}
+
+/// The modes, with signs where they are known.
+pub(crate) fn modes(records: &[ModeRecord]) -> String {
+    let table = Table::new()
+        .words("mode", records.iter().map(|mode| mode.name))
+        .words("group", records.iter().map(|mode| mode.group))
+        .words("joints", records.iter().map(|mode| mode.joints.join(", ")))
+        .words("sign", records.iter().map(|mode| mode.sign.map_or_else(String::new, |sign| sign.to_string())))
+        .right("closure", records.iter().map(|mode| mode.closure.map_or_else(String::new, |w| format!("{w:.6}"))));
+    section("Assembly modes (0 is the limit where both closures meet)", &table)
+}
+
+/// The modes, with signs where there is a configuration.
+pub(crate) fn records(model: &'static Model, modes: Option<&[Mode]>) -> Vec<ModeRecord> {
+    modes.map_or_else(|| unknown(model), ModeRecord::of)
+}
