@@ -4,6 +4,7 @@
 mod support;
 
 use kin_core::mechanism::check::check;
+use std::f64::consts::FRAC_PI_2;
 use support::chains::*;
 
 /// 2⁻⁵².
@@ -120,5 +121,43 @@ fn parallel_guides_leave_no_margin() {
             let margin = without_modes(&near).0;
             assert!(margin.is_some_and(|m| m < 0.1), "{margin:?} of {limit:?} {writing}: {}", near.mechanism);
         }
+    }
+}
+
+/// A dyad whose outer pins are `apart`, its links of one length or its guide without offset: where they meet it may turn
+/// as it likes.
+fn met(kind: Kind, writing: usize, apart: f64) -> Draft {
+    let (a, c) = ([1.0, 0.0], [1.0, apart]);
+    let height = (4.0 - apart * apart / 4.0).sqrt();
+    let b = if kind == Kind::Rrr { [1.0 + height, apart / 2.0] } else { c };
+    let shape = Shape { a, b, c, beside: b, psi: FRAC_PI_2, across: 0.0 };
+    let mut draft = Draft::new(5);
+    draft.plain = true;
+    let crank = draft.link(&[[0.0; 2]]);
+    draft.pin(FIXED, crank, [0.0; 2]);
+    draft.drive(FIXED, crank, 1.0);
+    close(&mut draft, kind, writing, [crank, FIXED], &shape);
+    draft
+}
+
+#[test]
+#[ignore = "margins stay at 1 until the pins meet, and are not a number there"]
+fn pins_that_meet_leave_no_margin() {
+    for (kind, writing) in [(Kind::Rrr, 0), (Kind::Rrr, 1), (Kind::Rpr, 0), (Kind::Rpr, 1)] {
+        let mut last = f64::INFINITY;
+        for apart in [1e-1, 1e-3, 1e-6, 1e-9, 0.0] {
+            let draft = met(kind, writing, apart);
+            let (oracle, planned) = planned(&draft);
+            let q = draft.q();
+            let modes: Vec<f64> = planned.closures(&oracle, 0.0, &q).iter().map(|w| w.signum()).collect();
+            let margin = planned
+                .run(&oracle, 0.0, &modes, &q)
+                .margins
+                .into_iter()
+                .fold(1.0, |a, b: f64| if a < b { a } else { b });
+            assert!(margin < last && margin.is_finite(), "{margin:e} of {kind:?} {writing}, {apart:e} apart");
+            last = margin;
+        }
+        assert!(last <= 0.0, "{last:e} of {kind:?} {writing}");
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{Draft, Instant, Oracle, Planned, difference};
 use kin_core::mechanism::check::check;
+use std::f64::consts::TAU;
 
 /// Agreement, relative to the largest entry of q, q̇ or q̈ and to 1.
 pub const AGREEMENT: f64 = 1e-12;
@@ -84,9 +85,31 @@ impl Subject {
             *worst = worst.max(off);
         }
         tally.compared += 1;
+        // Any right side, of size 1.
+        let b: Vec<f64> = (0..expected.q.len()).map(|k| (k as f64 + 7.0 * t).sin()).collect();
+        let x = self.oracle.resolve(t, &expected.q, &b).expect("a regular Φ_q");
+        let off = difference(&x, &self.planned.resolve(&self.oracle, t, &expected.q, &b));
+        assert!(off <= AGREEMENT, "t = {t}: Φ_q x = b is off by {off:e} of {}", self.name);
         let closures = self.planned.closures(&self.oracle, t, &expected.q);
         let kept = closures.iter().zip(&self.modes).all(|(w, mode)| w * mode > 0.0);
         assert!(kept, "t = {t}: {closures:?} in modes {:?} of {}", self.modes, self.name);
+    }
+
+    /// Angles come out within half a turn of those of the start, and nothing else of it matters: the start is moved by
+    /// whole turns of the bodies `turning`, and all else of it by anything. For plans without iterations.
+    pub fn start_elsewhere(&self, turning: &[usize]) {
+        let mut start = self.start.q.clone();
+        start.iter_mut().enumerate().for_each(|(k, q)| *q += 1.5 * (k as f64).sin());
+        let mut expected = self.start.q.clone();
+        for (k, body) in turning.iter().enumerate() {
+            let turns = TAU * [2.0, -1.0, 1.0][k % 3];
+            let phi = 3 * (body - 1) + 2;
+            start[phi] += turns;
+            expected[phi] += turns;
+        }
+        let found = self.planned.run(&self.oracle, 0.0, &self.modes, &start);
+        let off = difference(&expected, &found.q);
+        assert!(off <= AGREEMENT, "off by {off:e}: {:?} of {}", found.q, self.name);
     }
 
     /// Turns each mode around, with all others as they are: another assembly of those modes, or no margin. Gives the

@@ -111,6 +111,12 @@ impl Oracle {
         None
     }
 
+    /// x with Φ_q x = b at the configuration q; `None` where Φ_q is singular.
+    pub fn resolve(&self, t: f64, q: &[f64], b: &[f64]) -> Option<Vec<f64>> {
+        let phi_q = self.values(t, q, &vec![0.0; q.len()]).phi_q;
+        Some(Lu::new(phi_q.clone())?.refined(&phi_q, b))
+    }
+
     fn rates(&self, t: f64, q: Vec<f64>, start: Vec<f64>) -> Option<Instant> {
         let still = vec![0.0; q.len()];
         let values = self.values(t, &q, &still);

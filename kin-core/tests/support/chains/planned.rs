@@ -1,7 +1,8 @@
 //! A solution plan with the mechanism that it belongs to.
 
 use super::{Oracle, environment};
-use kin_core::plan::{Kind as StepKind, Solution, SolutionPlan, closures, plan, run};
+use kin_core::expr::Symbol;
+use kin_core::plan::{Kind as StepKind, Solution, SolutionPlan, closures, plan, resolve, run};
 
 pub struct Planned(pub SolutionPlan);
 
@@ -31,6 +32,12 @@ impl Planned {
     /// What tells the modes of the configuration q.
     pub fn closures(&self, oracle: &Oracle, t: f64, q: &[f64]) -> Vec<f64> {
         closures(&self.0, &environment(&oracle.parameters, t, q, &[]))
+    }
+
+    /// x with Φ_q x = b at the configuration q.
+    pub fn resolve(&self, oracle: &Oracle, t: f64, q: &[f64], b: &[f64]) -> Vec<f64> {
+        let at = environment(&oracle.parameters, t, q, &[]);
+        resolve(&self.0, &|symbol| if let Symbol::Right(k) = symbol { b[k as usize] } else { at(symbol) })
     }
 
     /// What it gives; it is not told q.

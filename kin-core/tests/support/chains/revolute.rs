@@ -1,6 +1,7 @@
 //! A mechanism from a chain with ground and driven link: random pins, and links between them.
 
 use super::{Case, Draft, FIXED, Pose, SHORTEST, Vector, length, minus, plus, turned};
+use std::f64::consts::TAU;
 
 /// A mechanism made of a chain.
 pub struct Linkage {
@@ -13,6 +14,11 @@ pub struct Linkage {
 
 /// The mechanism of `case` with random dimensions.
 pub fn linkage(case: &Case, seed: u64) -> Linkage {
+    driven_at(case, [case.ground, case.driven], 0, seed)
+}
+
+/// The same with another joint driven, that of two links, and `sliding` of a hundred of the others translational.
+pub fn driven_at(case: &Case, driver: [usize; 2], sliding: usize, seed: u64) -> Linkage {
     let mut draft = Draft::new(seed);
     let pins = spread(case, &mut draft);
     let mut number = vec![FIXED; case.chain.links];
@@ -29,11 +35,17 @@ pub fn linkage(case: &Case, seed: u64) -> Linkage {
         own.swap(0, first);
         number[link] = draft.link(&own);
     }
-    for ([a, b], pin) in case.chain.joints.iter().zip(&pins) {
-        draft.pin(number[*a], number[*b], *pin);
+    let [from, to] = driver;
+    for (&[a, b], pin) in case.chain.joints.iter().zip(&pins) {
+        if [[from, to], [to, from]].contains(&[a, b]) || !draft.random.chance(sliding) {
+            draft.pin(number[a], number[b], *pin);
+        } else {
+            let psi = draft.random.between(0.0, TAU);
+            draft.slide(number[a], number[b], *pin, psi);
+        }
     }
     let omega = if draft.random.chance(50) { 1.0 } else { -1.0 } * draft.random.between(0.5, 1.5);
-    draft.drive(FIXED, number[case.driven], omega);
+    draft.drive(number[from], number[to], omega);
     draft.shuffle();
     Linkage { draft, pins, number }
 }
@@ -59,6 +71,12 @@ fn spread(case: &Case, draft: &mut Draft) -> Vec<Vector> {
 }
 
 impl Linkage {
+    /// The bodies that are not driven.
+    pub fn carried_along(&self, case: &Case) -> Vec<usize> {
+        let links = (0..case.chain.links).filter(|link| ![case.ground, case.driven].contains(link));
+        links.map(|link| self.number[link]).collect()
+    }
+
     /// The joint of two links, by its place in the chain.
     fn joint(&self, case: &Case, a: usize, b: usize) -> usize {
         let joins = |joint: &[usize; 2]| *joint == [a, b] || *joint == [b, a];
