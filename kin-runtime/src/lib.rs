@@ -19,6 +19,8 @@ pub mod private;
 pub mod scalar;
 pub mod series;
 pub mod signal;
+#[doc(hidden)]
+pub mod tables;
 #[cfg(feature = "simd")]
 mod trig;
 pub mod vocabulary;

@@ -55,3 +55,91 @@ fn every_subset_of_a_long_kernel_agrees_with_the_whole() {
     assert!(close(evaluate(Subset::VELOCITY).phi_t(), whole.phi_t()));
     assert!(close(evaluate(Subset::GAMMA).gamma(), whole.gamma()));
 }
+
+/// Long tables are packed while the macro runs and unpacked while the crate compiles; nothing of that is seen.
+#[test]
+fn long_tables_say_what_short_ones_would() {
+    use kin_runtime::model::{
+        Component, CoordinateKind, Frame, JointKind, Level, Observable, OriginKind, ParameterInfo, Role, RowInfo,
+    };
+    let model = Chain::model();
+    let body = |k: usize| if k < 40 { format!("link[{k}]") } else { "slider".to_owned() };
+    assert_eq!((model.coordinates.len(), model.bodies.len(), model.joints.len()), (123, 41, 82));
+    for (place, coordinate) in model.coordinates.iter().enumerate() {
+        let component = [Component::X, Component::Y, Component::Phi][place % 3];
+        assert_eq!(coordinate.name, format!("{}.{}", body(place / 3), ["x", "y", "phi"][place % 3]));
+        assert_eq!(coordinate.kind, CoordinateKind::Pose { body: place / 3, component });
+    }
+    for (k, found) in model.bodies.iter().enumerate() {
+        assert_eq!((found.name.to_owned(), found.origin), (body(k), OriginKind::Free));
+        assert_eq!(found.coordinates, [Some(3 * k), Some(3 * k + 1), Some(3 * k + 2)]);
+        for (c, observable) in found.observables.into_iter().enumerate() {
+            let component = [Component::X, Component::Y, Component::Phi][c];
+            assert_eq!(model.observables[observable], Observable::Pose { body: k, component });
+        }
+    }
+    for (k, parameter) in model.parameters.iter().enumerate() {
+        assert_eq!(parameter.name, format!("l[{k}]"));
+        assert_eq!(*parameter, ParameterInfo { name: parameter.name, unit: None, default: Some(0.1), doc: "" });
+    }
+    // Rows and joints refer to one another; every joint has its name, its kind and its frames.
+    let mut row = 0;
+    for (number, joint) in model.joints.iter().enumerate() {
+        let (name, kind, frames) = match number {
+            0 => ("root".to_owned(), JointKind::Revolute, [Some(Frame::Ground), Some(Frame::Body(0))]),
+            1..40 => {
+                let k = number - 1;
+                (format!("pin[{k}]"), JointKind::Revolute, [Some(Frame::Body(k)), Some(Frame::Body(k + 1))])
+            }
+            40 => ("first".to_owned(), JointKind::Driver, [None, None]),
+            41..80 => {
+                let k = number - 41;
+                (format!("bend[{k}]"), JointKind::RelativeAngle, [Some(Frame::Body(k)), Some(Frame::Body(k + 1))])
+            }
+            80 => ("end".to_owned(), JointKind::Revolute, [Some(Frame::Body(39)), Some(Frame::Body(40))]),
+            81 => ("level".to_owned(), JointKind::RelativeAngle, [Some(Frame::Body(39)), Some(Frame::Body(40))]),
+            _ => unreachable!("82 joints"),
+        };
+        assert_eq!((joint.name.to_owned(), joint.kind, joint.frames, joint.first_row), (name, kind, frames, row));
+        for (part, own) in model.rows[row..row + joint.rows].iter().enumerate() {
+            let name =
+                if joint.rows == 1 { joint.name.to_owned() } else { format!("{}.{}", joint.name, ["x", "y"][part]) };
+            let driving = joint.name.starts_with("first") || joint.name.starts_with("bend");
+            assert_eq!(own.name, name);
+            let expected = RowInfo {
+                name: own.name,
+                joint: number,
+                level: Level::Position,
+                rheonomic: driving,
+                driving,
+                bilateral: true,
+            };
+            assert_eq!(*own, expected);
+        }
+        row += joint.rows;
+        for quantity in joint.quantities {
+            let observable = model.observables[quantity.observable];
+            let place = joint.quantities.iter().position(|other| other == quantity).unwrap();
+            assert_eq!(observable, Observable::Joint { joint: number, quantity: place }, "{}", quantity.name);
+        }
+    }
+    assert_eq!(row, model.rows.len());
+    // Points stand in the geometry one after another, with their bodies.
+    let pin = &model.joints[7];
+    let places: Vec<_> = pin.geometry.iter().map(|entry| (entry.role, entry.frame)).collect();
+    assert_eq!(places, [(Role::P, Frame::Body(6)), (Role::Q, Frame::Body(7))]);
+    let offsets: Vec<usize> = model.joints.iter().flat_map(|joint| joint.geometry).map(|entry| entry.offset).collect();
+    assert!(offsets.windows(2).all(|two| two[0] < two[1]), "{offsets:?}");
+    // Entries of Φ_q: ordered, with the constants that an evaluation leaves as they are.
+    let pattern = model.constraint_pattern;
+    assert!(pattern.entries.windows(2).all(|two| two[0] < two[1]) && pattern.entries.len() > 400);
+    let workspace = Chain::workspace::<f64>();
+    let mut evaluated = workspace;
+    let q = vec![0.3; Chain::COORDINATES];
+    Chain::default().evaluate(Subset::ALL, &Instant::at(0.2), &q, &q, &mut evaluated).unwrap();
+    for &(place, value) in pattern.constants {
+        assert_eq!((workspace.phi_q()[place], evaluated.phi_q()[place]), (value, value));
+    }
+    let revolute = pattern.entries.iter().position(|entry| *entry == (2, 0)).expect("a pin holds both bodies");
+    assert!(pattern.constants.contains(&(revolute, -1.0)));
+}

@@ -5,7 +5,9 @@
 mod functions;
 mod generics;
 mod handles;
+mod joints;
 mod kernel;
+mod packed;
 mod parameters;
 mod plan;
 mod program;
@@ -104,7 +106,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
         type __Inputs<__T> = [__kin::Signal<__T>; #u];
         type __Coordinates<__T> = [__T; #n];
 
-        static __MODEL: __kin::Model = #tables;
+        #tables
 
         #helpers
 

@@ -1,12 +1,14 @@
 //! The static [`Model`] of a mechanism: names, rows, patterns, geometry.
 
+use super::joints::joints;
 use super::kernel::Layout;
+use super::packed::{Packed, is_long};
 use super::program::literal;
-use kin_core::constraint::{CoordinateKind, Family, Frame, JointTag, ObservableKind, Role};
+use kin_core::constraint::{CoordinateKind, Family, Frame, ObservableKind};
 use kin_core::mechanism::{Component, Mechanism};
 use kin_core::program::OperationCount;
 use kin_core::structure::Structure;
-use kin_core::system::KinematicSystem;
+use kin_core::system::{KinematicSystem, RowClass};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
@@ -23,42 +25,16 @@ pub(crate) struct Tables<'a> {
     pub(crate) plan: &'a TokenStream,
 }
 
-/// The `Model` expression.
+/// The static model and what it refers to.
 pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     let set = &tables.system.set;
     let (name, doc, allow_redundant) = (&set.name, tables.doc, tables.allow_redundant);
-    let coordinates = set.coordinates.iter().map(|c| {
-        let name = &c.name;
-        let kind = match c.kind {
-            CoordinateKind::Pose(body, c) => {
-                let c = component(c);
-                quote! { __kin::CoordinateKind::Pose { body: #body, component: #c } }
-            }
-            CoordinateKind::Scalar => quote! { __kin::CoordinateKind::Scalar },
-        };
-        quote! { __kin::CoordinateInfo { name: #name, kind: #kind } }
-    });
+    let coordinates = coordinates(tables.system);
     let parameters = parameters(tables.mechanism);
     let inputs = set.inputs.iter();
     let functions = set.functions.iter();
     let arguments = super::functions::arguments(tables.system).into_iter().map(|(function, _)| function as usize);
-    let bodies = set.bodies.iter().map(|body| {
-        let name = &body.name;
-        let coordinates = body.coordinates.map(|k| optional(k.map(|k| k as usize)));
-        let observables = body.observables;
-        let origin = match body.carried_by {
-            None => quote! { __kin::OriginKind::Free },
-            Some(frame) => {
-                let frame = self::frame(frame);
-                quote! { __kin::OriginKind::Carried(#frame) }
-            }
-        };
-        quote! {
-            __kin::BodyInfo {
-                name: #name, coordinates: [#(#coordinates),*], origin: #origin, observables: [#(#observables),*],
-            }
-        }
-    });
+    let bodies = bodies(tables.system);
     let points = set.points.iter().map(|point| {
         let (name, frame, local, observables) = (&point.name, frame(point.frame), point.local, point.observables);
         quote! {
@@ -69,22 +45,9 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
         let (name, observable, varies) = (&define.name, define.observable, define.varies);
         quote! { __kin::DefineInfo { name: #name, observable: #observable, varies: #varies } }
     });
-    let (joints, rows) = (joints(tables.system), rows(tables.system));
-    let observables = set.observables.iter().map(|observable| match observable.kind {
-        ObservableKind::Pose(body, c) => {
-            let c = component(c);
-            quote! { __kin::Observable::Pose { body: #body, component: #c } }
-        }
-        ObservableKind::Point(point, c) => {
-            let c = component(c);
-            quote! { __kin::Observable::Point { point: #point, component: #c } }
-        }
-        ObservableKind::Define(k) => quote! { __kin::Observable::Define(#k) },
-        ObservableKind::Joint(joint, quantity) => {
-            quote! { __kin::Observable::Joint { joint: #joint, quantity: #quantity } }
-        }
-        ObservableKind::Condition(k) => quote! { __kin::Observable::Condition(#k) },
-    });
+    let (joint_items, joints) = joints(tables.system);
+    let rows = rows(tables.system);
+    let observables = observables(tables.system);
     let conditions = set.conditions.iter().map(|condition| {
         let (name, text, rheonomic) = (&condition.name, &condition.text, condition.rheonomic);
         let observable = condition.observable;
@@ -101,22 +64,23 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     let equations = equations(tables.system);
     let (structure, plan) = (structure(tables.system, tables.structure), tables.plan);
     quote! {
-        __kin::Model {
+        #joint_items
+        static __MODEL: __kin::Model = __kin::Model {
             name: #name,
             doc: #doc,
-            coordinates: &[#(#coordinates),*],
-            parameters: &[#(#parameters),*],
+            coordinates: &#coordinates,
+            parameters: &#parameters,
             inputs: &[#(#inputs),*],
             functions: &[#(#functions),*],
             arguments: &[#(#arguments),*],
-            bodies: &[#(#bodies),*],
+            bodies: &#bodies,
             points: &[#(#points),*],
             defines: &[#(#defines),*],
-            joints: &[#(#joints),*],
-            rows: &[#(#rows),*],
+            joints: &#joints,
+            rows: &#rows,
             conditions: &[#(#conditions),*],
             constraint_pattern: #constraint_pattern,
-            observables: &[#(#observables),*],
+            observables: &#observables,
             observable_pattern: #observable_pattern,
             families: &[#(#families),*],
             guesses: &[#(#guesses),*],
@@ -126,11 +90,11 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
             plan: #plan,
             operations: #operations,
             equations: &[#(#equations),*],
-        }
+        };
     }
 }
 
-fn variant(path: &str, name: &str) -> TokenStream {
+pub(super) fn variant(path: &str, name: &str) -> TokenStream {
     let (path, name) = (Ident::new(path, Span::call_site()), Ident::new(name, Span::call_site()));
     quote! { __kin::#path::#name }
 }
@@ -139,107 +103,171 @@ fn component(component: Component) -> TokenStream {
     variant("Component", ["X", "Y", "Phi"][component as usize])
 }
 
-fn frame(frame: Frame) -> TokenStream {
+pub(super) fn frame(frame: Frame) -> TokenStream {
     match frame {
         Frame::Ground => quote! { __kin::Frame::Ground },
         Frame::Body(body) => quote! { __kin::Frame::Body(#body) },
     }
 }
 
-fn optional(value: Option<impl quote::ToTokens>) -> TokenStream {
+pub(super) fn optional(value: Option<impl quote::ToTokens>) -> TokenStream {
     match value {
         Some(value) => quote! { __kin::Some(#value) },
         None => quote! { __kin::None },
     }
 }
 
-fn parameters(mechanism: &Mechanism) -> Vec<TokenStream> {
-    let mut out = Vec::new();
-    for parameter in &mechanism.parameters {
-        let unit = optional(parameter.unit.as_ref());
-        let doc = &parameter.doc;
+fn coordinates(system: &KinematicSystem) -> TokenStream {
+    let coordinates = &system.set.coordinates;
+    let kind = |body: usize, component: Option<Component>| match component {
+        Some(c) => {
+            let c = self::component(c);
+            quote! { __kin::CoordinateKind::Pose { body: #body, component: #c } }
+        }
+        None => quote! { __kin::CoordinateKind::Scalar },
+    };
+    let parts = |c: &kin_core::constraint::Coordinate| match c.kind {
+        CoordinateKind::Pose(body, c) => (body, Some(c)),
+        CoordinateKind::Scalar => (0, None),
+    };
+    if is_long(coordinates.len()) {
+        let mut packed = Packed::new(coordinates.len());
+        for coordinate in coordinates {
+            let (body, component) = parts(coordinate);
+            packed.name(&coordinate.name);
+            packed.word(body);
+            packed.kind(component);
+        }
+        return packed.with_kinds("coordinates", |component| kind(0, *component));
+    }
+    let coordinates = coordinates.iter().map(|coordinate| {
+        let (name, (body, component)) = (&coordinate.name, parts(coordinate));
+        let kind = kind(body, component);
+        quote! { __kin::CoordinateInfo { name: #name, kind: #kind } }
+    });
+    quote! { [#(#coordinates),*] }
+}
+
+fn bodies(system: &KinematicSystem) -> TokenStream {
+    let bodies = &system.set.bodies;
+    let places = |body: &kin_core::constraint::BodyInstance| body.coordinates.map(|k| k.map(|k| k as usize));
+    if is_long(bodies.len()) {
+        let mut packed = Packed::<()>::new(bodies.len());
+        for body in bodies {
+            packed.name(&body.name);
+            places(body).into_iter().for_each(|place| packed.place(place));
+            packed.frame(body.carried_by);
+            body.observables.into_iter().for_each(|observable| packed.word(observable));
+        }
+        return packed.unpacked("bodies", &TokenStream::new());
+    }
+    let bodies = bodies.iter().map(|body| {
+        let (name, observables) = (&body.name, body.observables);
+        let coordinates = places(body).map(optional);
+        let origin = match body.carried_by {
+            None => quote! { __kin::OriginKind::Free },
+            Some(frame) => {
+                let frame = self::frame(frame);
+                quote! { __kin::OriginKind::Carried(#frame) }
+            }
+        };
+        quote! {
+            __kin::BodyInfo {
+                name: #name, coordinates: [#(#coordinates),*], origin: #origin, observables: [#(#observables),*],
+            }
+        }
+    });
+    quote! { [#(#bodies),*] }
+}
+
+fn observables(system: &KinematicSystem) -> TokenStream {
+    let observables = &system.set.observables;
+    let tokens = |kind: &ObservableKind| match *kind {
+        ObservableKind::Pose(body, c) => {
+            let c = component(c);
+            quote! { __kin::Observable::Pose { body: #body, component: #c } }
+        }
+        ObservableKind::Point(point, c) => {
+            let c = component(c);
+            quote! { __kin::Observable::Point { point: #point, component: #c } }
+        }
+        ObservableKind::Define(k) => quote! { __kin::Observable::Define(#k) },
+        ObservableKind::Joint(joint, quantity) => {
+            quote! { __kin::Observable::Joint { joint: #joint, quantity: #quantity } }
+        }
+        ObservableKind::Condition(k) => quote! { __kin::Observable::Condition(#k) },
+    };
+    if is_long(observables.len()) {
+        let mut packed = Packed::new(observables.len());
+        for observable in observables {
+            let (kind, a, b) = match observable.kind {
+                ObservableKind::Pose(body, c) => (ObservableKind::Pose(0, c), body, 0),
+                ObservableKind::Point(point, c) => (ObservableKind::Point(0, c), point, 0),
+                ObservableKind::Define(k) => (ObservableKind::Define(0), k, 0),
+                ObservableKind::Joint(joint, quantity) => (ObservableKind::Joint(0, 0), joint, quantity),
+                ObservableKind::Condition(k) => (ObservableKind::Condition(0), k, 0),
+            };
+            packed.kind(kind);
+            packed.word(a);
+            packed.word(b);
+        }
+        return packed.with_kinds("observables", tokens);
+    }
+    let observables = observables.iter().map(|observable| tokens(&observable.kind));
+    quote! { [#(#observables),*] }
+}
+
+fn parameters(mechanism: &Mechanism) -> TokenStream {
+    let mut all = Vec::new();
+    for (number, parameter) in mechanism.parameters.iter().enumerate() {
         for index in 0..parameter.len.unwrap_or(1) {
             let name = match parameter.len {
                 Some(_) => format!("{}[{index}]", parameter.name),
                 None => parameter.name.clone(),
             };
-            let default = parameter.default.as_ref().and_then(|values| values.get(index));
-            let default = optional(default.map(|value| literal(*value)));
-            out.push(quote! {
-                __kin::ParameterInfo { name: #name, unit: #unit, default: #default, doc: #doc }
-            });
+            let default = parameter.default.as_ref().and_then(|values| values.get(index)).copied();
+            all.push((name, number, default));
         }
     }
-    out
-}
-
-fn joints(system: &KinematicSystem) -> impl Iterator<Item = TokenStream> {
-    system.set.joints.iter().map(|joint| {
-        let (name, first_row, rows) = (&joint.name, joint.first_row, joint.rows);
-        let kind = variant("JointKind", kind(joint.tag));
-        let frames = joint.frames.map(|f| optional(f.map(frame)));
-        let geometry = joint.geometry.iter().map(|geometry| {
-            let (frame, offset) = (frame(geometry.frame), geometry.offset);
-            let role = match geometry.role {
-                Role::P => variant("Role", "P"),
-                Role::Q => variant("Role", "Q"),
-                Role::Axis => variant("Role", "Axis"),
-                Role::Value => variant("Role", "Value"),
-                Role::Radius => variant("Role", "Radius"),
-            };
-            quote! { __kin::Geometry { role: #role, frame: #frame, offset: #offset } }
-        });
-        let quantities = joint.quantities.iter().map(|quantity| {
-            let (name, observable) = (quantity.name, quantity.observable);
-            quote! { __kin::JointQuantity { name: #name, observable: #observable } }
-        });
-        quote! {
-            __kin::JointInfo {
-                name: #name, kind: #kind, frames: [#(#frames),*], first_row: #first_row, rows: #rows,
-                geometry: &[#(#geometry),*], quantities: &[#(#quantities),*],
-            }
+    let tokens = |name: &str, number: usize, default: Option<f64>| {
+        let parameter = &mechanism.parameters[number];
+        let (unit, doc, default) = (optional(parameter.unit.as_ref()), &parameter.doc, optional(default.map(literal)));
+        quote! { __kin::ParameterInfo { name: #name, unit: #unit, default: #default, doc: #doc } }
+    };
+    if is_long(all.len()) {
+        let mut packed = Packed::new(all.len());
+        for (name, number, default) in &all {
+            packed.name(name);
+            packed.kind((*number, *default));
         }
-    })
-}
-
-fn kind(tag: JointTag) -> &'static str {
-    match tag {
-        JointTag::Revolute => "Revolute",
-        JointTag::Translational => "Translational",
-        JointTag::Fixed => "Fixed",
-        JointTag::PointOnLine => "PointOnLine",
-        JointTag::Distance => "Distance",
-        JointTag::X => "X",
-        JointTag::Y => "Y",
-        JointTag::Angle => "Angle",
-        JointTag::RelativeAngle => "RelativeAngle",
-        JointTag::OnPolarCurve => "OnPolarCurve",
-        JointTag::OnImplicitCurve => "OnImplicitCurve",
-        JointTag::OnParametricCurve => "OnParametricCurve",
-        JointTag::FlatFollower => "FlatFollower",
-        JointTag::Gear => "Gear",
-        JointTag::Belt => "Belt",
-        JointTag::RackPinion => "RackPinion",
-        JointTag::RollingOnLine => "RollingOnLine",
-        JointTag::RollingOnDisc => "RollingOnDisc",
-        JointTag::Constraint => "Constraint",
-        JointTag::KnifeEdge => "KnifeEdge",
-        JointTag::Speed => "Speed",
-        JointTag::Nonholonomic => "Nonholonomic",
-        JointTag::Driver => "Driver",
+        return packed.with_kinds("parameters", |(number, default)| tokens("", *number, *default));
     }
+    let all = all.iter().map(|(name, number, default)| tokens(name, *number, *default));
+    quote! { [#(#all),*] }
 }
 
-fn rows(system: &KinematicSystem) -> impl Iterator<Item = TokenStream> {
-    system.set.rows.iter().zip(&system.classes).map(|(row, class)| {
-        let (name, joint, rheonomic, driving) = (&row.name, row.joint, class.rheonomic, class.driving);
+fn rows(system: &KinematicSystem) -> TokenStream {
+    let rows = system.set.rows.iter().zip(&system.classes);
+    let tokens = |name: &str, joint: usize, class: &RowClass| {
+        let (rheonomic, driving) = (class.rheonomic, class.driving);
         let level = variant("Level", if class.holonomic { "Position" } else { "Velocity" });
         quote! {
             __kin::RowInfo {
                 name: #name, joint: #joint, level: #level, rheonomic: #rheonomic, driving: #driving, bilateral: true,
             }
         }
-    })
+    };
+    if is_long(rows.len()) {
+        let mut packed = Packed::new(rows.len());
+        for (row, class) in rows {
+            packed.name(&row.name);
+            packed.word(row.joint);
+            packed.kind(*class);
+        }
+        return packed.with_kinds("rows", |class| tokens("", 0, class));
+    }
+    let rows = rows.map(|(row, class)| tokens(&row.name, row.joint, class));
+    quote! { [#(#rows),*] }
 }
 
 fn families(system: &KinematicSystem) -> impl Iterator<Item = TokenStream> {
@@ -258,12 +286,32 @@ fn families(system: &KinematicSystem) -> impl Iterator<Item = TokenStream> {
 }
 
 fn pattern(layout: &Layout, rows: usize) -> TokenStream {
-    let entries = layout.entries.iter().map(|(row, column)| quote! { (#row, #column) });
-    let constants = layout.constants.iter().map(|(place, value)| {
-        let value = literal(*value);
-        quote! { (#place, #value) }
-    });
-    quote! { __kin::Pattern { rows: #rows, entries: &[#(#entries),*], constants: &[#(#constants),*] } }
+    let entries = if is_long(layout.entries.len()) {
+        let mut packed = Packed::<()>::new(layout.entries.len());
+        for (row, column) in &layout.entries {
+            packed.word(*row);
+            packed.word(*column);
+        }
+        packed.unpacked("entries", &TokenStream::new())
+    } else {
+        let entries = layout.entries.iter().map(|(row, column)| quote! { (#row, #column) });
+        quote! { [#(#entries),*] }
+    };
+    let constants = if is_long(layout.constants.len()) {
+        let mut packed = Packed::new(layout.constants.len());
+        for (place, value) in &layout.constants {
+            packed.word(*place);
+            packed.kind(*value);
+        }
+        packed.with_kinds("constants", |value| literal(*value))
+    } else {
+        let constants = layout.constants.iter().map(|(place, value)| {
+            let value = literal(*value);
+            quote! { (#place, #value) }
+        });
+        quote! { [#(#constants),*] }
+    };
+    quote! { __kin::Pattern { rows: #rows, entries: &#entries, constants: &#constants } }
 }
 
 fn operations(count: OperationCount) -> TokenStream {

@@ -1,0 +1,101 @@
+//! The joints in the static model: kinds, frames, geometry and quantities.
+
+use super::packed::{Packed, is_long};
+use super::tables::{frame, optional, variant};
+use kin_core::constraint::{Frame, JointTag, Role};
+use kin_core::system::KinematicSystem;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The joints, and the statics that they refer to where they are many.
+pub(super) fn joints(system: &KinematicSystem) -> (TokenStream, TokenStream) {
+    let joints = &system.set.joints;
+    let role = |role: Role| match role {
+        Role::P => variant("Role", "P"),
+        Role::Q => variant("Role", "Q"),
+        Role::Axis => variant("Role", "Axis"),
+        Role::Value => variant("Role", "Value"),
+        Role::Radius => variant("Role", "Radius"),
+    };
+    let geometry = |of: Role, frame: Frame, offset: usize| {
+        let (role, frame) = (role(of), super::tables::frame(frame));
+        quote! { __kin::Geometry { role: #role, frame: #frame, offset: #offset } }
+    };
+    let quantity = |name: &str, observable: usize| {
+        quote! { __kin::JointQuantity { name: #name, observable: #observable } }
+    };
+    if is_long(joints.len()) {
+        let mut packed = Packed::new(joints.len());
+        let mut all_geometry = Packed::new(joints.iter().map(|joint| joint.geometry.len()).sum());
+        let mut all_quantities = Packed::new(joints.iter().map(|joint| joint.quantities.len()).sum());
+        for joint in joints {
+            packed.name(&joint.name);
+            packed.kind(joint.tag);
+            joint.frames.into_iter().for_each(|frame| packed.frame(frame));
+            for word in [joint.first_row, joint.rows, joint.geometry.len(), joint.quantities.len()] {
+                packed.word(word);
+            }
+            for entry in &joint.geometry {
+                all_geometry.kind(entry.role);
+                all_geometry.frame(Some(entry.frame));
+                all_geometry.word(entry.offset);
+            }
+            for entry in &joint.quantities {
+                all_quantities.kind(entry.name);
+                all_quantities.word(entry.observable);
+            }
+        }
+        let kinds = packed.kinds(|tag| variant("JointKind", kind(*tag)));
+        let table = packed.unpacked("joints", &quote! { , #kinds, &__GEOMETRY, &__QUANTITIES });
+        let (geometries, quantities) = (all_geometry.entries(), all_quantities.entries());
+        let all_geometry = all_geometry.with_kinds("geometry", |role| geometry(*role, Frame::Ground, 0));
+        let all_quantities = all_quantities.with_kinds("quantities", |name| quantity(name, 0));
+        let items = quote! {
+            static __GEOMETRY: [__kin::Geometry; #geometries] = #all_geometry;
+            static __QUANTITIES: [__kin::JointQuantity; #quantities] = #all_quantities;
+        };
+        return (items, table);
+    }
+    let joints = joints.iter().map(|joint| {
+        let (name, first_row, rows) = (&joint.name, joint.first_row, joint.rows);
+        let kind = variant("JointKind", kind(joint.tag));
+        let frames = joint.frames.map(|f| optional(f.map(frame)));
+        let geometry = joint.geometry.iter().map(|entry| geometry(entry.role, entry.frame, entry.offset));
+        let quantities = joint.quantities.iter().map(|entry| quantity(entry.name, entry.observable));
+        quote! {
+            __kin::JointInfo {
+                name: #name, kind: #kind, frames: [#(#frames),*], first_row: #first_row, rows: #rows,
+                geometry: &[#(#geometry),*], quantities: &[#(#quantities),*],
+            }
+        }
+    });
+    (TokenStream::new(), quote! { [#(#joints),*] })
+}
+
+fn kind(tag: JointTag) -> &'static str {
+    match tag {
+        JointTag::Revolute => "Revolute",
+        JointTag::Translational => "Translational",
+        JointTag::Fixed => "Fixed",
+        JointTag::PointOnLine => "PointOnLine",
+        JointTag::Distance => "Distance",
+        JointTag::X => "X",
+        JointTag::Y => "Y",
+        JointTag::Angle => "Angle",
+        JointTag::RelativeAngle => "RelativeAngle",
+        JointTag::OnPolarCurve => "OnPolarCurve",
+        JointTag::OnImplicitCurve => "OnImplicitCurve",
+        JointTag::OnParametricCurve => "OnParametricCurve",
+        JointTag::FlatFollower => "FlatFollower",
+        JointTag::Gear => "Gear",
+        JointTag::Belt => "Belt",
+        JointTag::RackPinion => "RackPinion",
+        JointTag::RollingOnLine => "RollingOnLine",
+        JointTag::RollingOnDisc => "RollingOnDisc",
+        JointTag::Constraint => "Constraint",
+        JointTag::KnifeEdge => "KnifeEdge",
+        JointTag::Speed => "Speed",
+        JointTag::Nonholonomic => "Nonholonomic",
+        JointTag::Driver => "Driver",
+    }
+}
