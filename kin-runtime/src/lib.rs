@@ -4,6 +4,8 @@
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
+#[cfg(all(feature = "simd", feature = "alloc"))]
+pub mod batch;
 mod curve;
 pub mod function;
 pub mod generic;

@@ -129,8 +129,27 @@ impl Scalar for Lanes {
 
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
-        let (sin, cos) = trig::sin_cos_lanes(self.0);
+        let ([sin], [cos]) = trig::sin_cos_lanes([self.0]);
         (Self(sin), Self(cos))
+    }
+
+    #[inline(always)]
+    fn sin_cos_all<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
+        // Loops over places rather than `map` and iterators, which would put vectors into memory.
+        let mut out = [(Self::default(), Self::default()); N];
+        let mut k = 0;
+        while k < N {
+            if N - k > 2 {
+                let (sin, cos) = trig::sin_cos_lanes([angles[k].0, angles[k + 1].0, angles[k + 2].0]);
+                (out[k], out[k + 1]) = ((Self(sin[0]), Self(cos[0])), (Self(sin[1]), Self(cos[1])));
+                out[k + 2] = (Self(sin[2]), Self(cos[2]));
+                k += 3;
+            } else {
+                out[k] = angles[k].sin_cos();
+                k += 1;
+            }
+        }
+        out
     }
 
     #[inline(always)]

@@ -7,15 +7,22 @@ mod vector;
 
 use crate::scalar::sin_cos_of_std;
 use cody_waite::{RANGE, sin_cos};
+use vector::Group;
 use wide::{f64x2, f64x4};
 
-/// Sine and cosine of the lanes; what is infinite or not a number gives what is not a number.
+/// Sine and cosine of the lanes of `K` vectors; what is infinite or not a number gives what is not a number.
 #[inline(always)]
-pub(crate) fn sin_cos_lanes(x: f64x4) -> (f64x4, f64x4) {
-    let (sin, cos) = sin_cos(x);
-    if x.abs().simd_gt(f64x4::splat(RANGE)).any() {
-        let (sin, cos) = beyond(x.to_array(), sin.to_array(), cos.to_array());
-        return (f64x4::new(sin), f64x4::new(cos));
+pub(crate) fn sin_cos_lanes<const K: usize>(x: [f64x4; K]) -> ([f64x4; K], [f64x4; K]) {
+    let (Group(mut sin), Group(mut cos)) = sin_cos(Group(x));
+    let mut far = f64x4::splat(0.0);
+    for x in &x {
+        far |= x.abs().simd_gt(f64x4::splat(RANGE));
+    }
+    if far.any() {
+        for k in 0..K {
+            let (s, c) = beyond(x[k].to_array(), sin[k].to_array(), cos[k].to_array());
+            (sin[k], cos[k]) = (f64x4::new(s), f64x4::new(c));
+        }
     }
     (sin, cos)
 }

@@ -72,3 +72,73 @@ macro_rules! vector {
 }
 
 vector!(f64x2 i64x2, f64x4 i64x4);
+
+/// Several vectors that go through every step together, so that a constant is loaded once for all of them.
+#[derive(Clone, Copy)]
+pub(super) struct Group<const K: usize>(pub(super) [f64x4; K]);
+
+macro_rules! operators {
+    ($($Operator:ident $operator:ident),*) => { $(
+        impl<const K: usize> $Operator for Group<K> {
+            type Output = Self;
+            #[inline(always)]
+            fn $operator(mut self, other: Self) -> Self {
+                for k in 0..K {
+                    self.0[k] = $Operator::$operator(self.0[k], other.0[k]);
+                }
+                self
+            }
+        }
+    )* };
+}
+
+operators!(Add add, Sub sub, Mul mul, BitAnd bitand, BitXor bitxor);
+
+impl<const K: usize> Vector for Group<K> {
+    const FUSED: bool = f64x4::FUSED;
+
+    #[inline(always)]
+    fn splat(value: f64) -> Self {
+        Self([f64x4::splat(value); K])
+    }
+
+    #[inline(always)]
+    fn mul_add(mut self, a: Self, b: Self) -> Self {
+        for k in 0..K {
+            self.0[k] = self.0[k].mul_add(a.0[k], b.0[k]);
+        }
+        self
+    }
+
+    #[inline(always)]
+    fn mul_neg_add(mut self, a: Self, b: Self) -> Self {
+        for k in 0..K {
+            self.0[k] = self.0[k].mul_neg_add(a.0[k], b.0[k]);
+        }
+        self
+    }
+
+    #[inline(always)]
+    fn exchange_if_odd(quadrant: Self, mut a: Self, mut b: Self) -> (Self, Self) {
+        for k in 0..K {
+            (a.0[k], b.0[k]) = f64x4::exchange_if_odd(quadrant.0[k], a.0[k], b.0[k]);
+        }
+        (a, b)
+    }
+
+    #[inline(always)]
+    fn second_bit(mut self) -> Self {
+        for k in 0..K {
+            self.0[k] = self.0[k].second_bit();
+        }
+        self
+    }
+
+    #[inline(always)]
+    fn second_bit_of_next(mut self) -> Self {
+        for k in 0..K {
+            self.0[k] = self.0[k].second_bit_of_next();
+        }
+        self
+    }
+}

@@ -1,0 +1,106 @@
+//! Φ, Φ_q, Φ_t and γ of many configurations.
+
+use super::BatchError;
+use super::column::{Arguments, Block, Configurations};
+use super::run::{Watch, Work, blocks, run};
+use crate::lanes::Lanes;
+use crate::mechanism::{Mechanism, Workspace};
+use crate::workspace::Subset;
+use alloc::vec::Vec;
+
+/// The results of a batch of evaluations: a workspace of [`Lanes`] for every block of four configurations.
+pub struct Evaluations<M: Mechanism> {
+    count: usize,
+    blocks: Vec<Workspace<M, Lanes>>,
+}
+
+impl<M: Mechanism> Evaluations<M> {
+    /// Room for `count` configurations, constants of Φ_q in place and everything else zero.
+    pub fn new(count: usize) -> Self {
+        Self { count, blocks: alloc::vec![M::workspace::<Lanes>(); blocks(count)] }
+    }
+
+    /// How many configurations there are.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// The blocks as they are; behind the last configuration the lanes mean nothing.
+    pub fn blocks(&self) -> &[Workspace<M, Lanes>] {
+        &self.blocks
+    }
+
+    /// Row number `row` of Φ, a number for every configuration.
+    ///
+    /// # Panics
+    /// This and its sisters, while it is read, where there is no such row or entry.
+    pub fn phi(&self, row: usize) -> impl Iterator<Item = f64> {
+        self.column(move |block| block.phi()[row])
+    }
+
+    /// A non-zero of Φ_q, by its place among the entries of the pattern.
+    pub fn phi_q(&self, entry: usize) -> impl Iterator<Item = f64> {
+        self.column(move |block| block.phi_q()[entry])
+    }
+
+    /// Row number `row` of Φ_t.
+    pub fn phi_t(&self, row: usize) -> impl Iterator<Item = f64> {
+        self.column(move |block| block.phi_t()[row])
+    }
+
+    /// Row number `row` of γ.
+    pub fn gamma(&self, row: usize) -> impl Iterator<Item = f64> {
+        self.column(move |block| block.gamma()[row])
+    }
+
+    fn column(&self, of: impl Fn(&Workspace<M, Lanes>) -> Lanes) -> impl Iterator<Item = f64> {
+        self.blocks.iter().flat_map(move |block| of(block).to_array()).take(self.count)
+    }
+}
+
+/// The work of [`evaluate`].
+struct Evaluate<'a, M> {
+    mechanism: &'a M,
+    subset: Subset,
+    configurations: &'a Configurations<'a>,
+}
+
+impl<'a, M: Mechanism + Sync> Work for Evaluate<'a, M>
+where
+    Workspace<M, Lanes>: Send,
+{
+    type Block = Workspace<M, Lanes>;
+    type Scratch = Arguments<'a, M>;
+
+    fn scratch(&self) -> Arguments<'a, M> {
+        Arguments::new(self.configurations)
+    }
+
+    #[inline]
+    fn block(&self, first: usize, arguments: &mut Arguments<'a, M>, out: &mut Self::Block) {
+        let Block { parameters, at, q, q_dot } = arguments.block(first);
+        let lengths = self.mechanism.evaluate_with(parameters, self.subset, &at, q, q_dot, out);
+        debug_assert!(lengths.is_ok(), "the columns have been counted");
+    }
+}
+
+/// Φ, Φ_q, Φ_t, γ, or any subset of them, of all configurations; `out` says how many there are.
+///
+/// Parts that `subset` does not ask for may be overwritten or left alone. `watch` is told how far it is and may stop it;
+/// [`always`](super::always) goes on.
+///
+/// # Errors
+/// When a list or a column has the wrong length, and when `watch` stops it.
+pub fn evaluate<M: Mechanism + Sync>(
+    mechanism: &M,
+    subset: Subset,
+    configurations: &Configurations<'_>,
+    out: &mut Evaluations<M>,
+    watch: Watch<'_>,
+) -> Result<(), BatchError>
+where
+    Workspace<M, Lanes>: Send,
+{
+    configurations.check::<M>(out.count)?;
+    run(&Evaluate { mechanism, subset, configurations }, out.count, &mut out.blocks, watch)
+}

@@ -1,0 +1,89 @@
+//! Many configurations of one mechanism at once: columns of numbers in, blocks of lanes out.
+//!
+//! Four configurations go through every operation together ([`Lanes`](crate::Lanes)); with the feature `parallel` large batches go
+//! across the cores. Parameters, time, inputs, q and q̇ come as [`Column`]s, each either a number per configuration or
+//! one for all. Results come in blocks, a workspace of lanes for every four configurations, which the equations write
+//! directly, and are read as columns. What is found is the same to the last bit wherever a configuration stands.
+//!
+//! ```
+//! use kin_runtime::batch::{Column, Configurations, Evaluations, Progress, evaluate};
+//! use kin_runtime::{Mechanism, Subset, mechanism};
+//! use std::ops::ControlFlow;
+//!
+//! #[mechanism]
+//! #[bodies(arm)]
+//! #[revolute(O: ground @ (0, 0), arm @ (-l, 0))]
+//! #[driver(drive: arm.phi = omega * t)]
+//! struct Arm {
+//!     #[param(0.5)]
+//!     l: f64,
+//!     #[param(2)]
+//!     omega: f64,
+//! }
+//!
+//! // Six arms with different lengths, all at x = 0.5, y = 0, φ = 0.
+//! let arm = Arm::default();
+//! let lengths = [0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
+//! let configurations = Configurations {
+//!     parameters: &[Column::Each(&lengths), Column::Shared(arm.omega)],
+//!     t: Column::Shared(0.0),
+//!     inputs: &[],
+//!     q: &[Column::Shared(0.5), Column::Shared(0.0), Column::Shared(0.0)],
+//!     q_dot: &[Column::Shared(0.0); 3],
+//! };
+//! let mut out = Evaluations::<Arm>::new(lengths.len());
+//! let watch = |progress: Progress| match progress.done {
+//!     _ if progress.total > 1_000_000_000 => ControlFlow::Break(()),
+//!     _ => ControlFlow::Continue(()),
+//! };
+//! evaluate(&arm, Subset::ALL, &configurations, &mut out, &watch)?;
+//! // Φ of the row O.x is x − l cos φ.
+//! for (phi, l) in out.phi(0).zip(lengths) {
+//!     assert_eq!(0.5 - l, phi);
+//! }
+//! // ∂Φ/∂φ of the row O.y, an entry of the pattern: −l.
+//! let entry = Arm::model().constraint_pattern.entries.iter().position(|entry| *entry == (1, 2));
+//! let column: Vec<f64> = out.phi_q(entry.expect("φ is in the row y")).collect();
+//! assert_eq!([-0.5, -0.6, -0.7, -0.8, -0.9, -1.0], *column);
+//! # Ok::<(), kin_runtime::batch::BatchError>(())
+//! ```
+//!
+//! [`run`] is the driver below it: any [`Work`] over blocks of lanes, with progress and cancellation.
+
+mod column;
+mod evaluation;
+mod run;
+#[cfg(all(test, feature = "std"))]
+mod tests;
+
+pub use column::{Column, Configurations};
+pub use evaluation::{Evaluations, evaluate};
+pub use run::{Progress, Watch, Work, always, blocks, run};
+
+use crate::mechanism::LengthError;
+
+/// Why a batch has no results.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BatchError {
+    /// A list of columns, or a column, has the wrong length.
+    Length(LengthError),
+    /// It was told to stop; results are incomplete.
+    Stopped(Progress),
+}
+
+impl core::fmt::Display for BatchError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Length(error) => error.fmt(f),
+            Self::Stopped(Progress { done, total }) => write!(f, "stopped after {done} of {total} configurations"),
+        }
+    }
+}
+
+impl core::error::Error for BatchError {}
+
+impl From<LengthError> for BatchError {
+    fn from(error: LengthError) -> Self {
+        Self::Length(error)
+    }
+}

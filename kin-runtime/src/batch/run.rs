@@ -1,0 +1,92 @@
+//! The driver of all batches: work over blocks of lanes, one after another or across the cores.
+
+use super::BatchError;
+use crate::lanes::Lanes;
+use core::ops::ControlFlow;
+use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+/// Blocks between two looks at the watch, and in one piece of work of a core.
+const CHUNK: usize = 512;
+
+/// What is done with a block of [`Lanes::COUNT`] configurations.
+pub trait Work: Sync {
+    /// The results of a block.
+    type Block: Send;
+    /// What one thread needs besides; made once and used for many blocks.
+    type Scratch;
+
+    /// Scratch of a thread.
+    fn scratch(&self) -> Self::Scratch;
+
+    /// The configurations `first`, `first + 1`, … one in each lane. In the last block of a batch some of them may not
+    /// exist; what their lanes hold is nobody's concern.
+    fn block(&self, first: usize, scratch: &mut Self::Scratch, out: &mut Self::Block);
+}
+
+/// How far a batch is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Progress {
+    /// Configurations done.
+    pub done: usize,
+    /// All of them.
+    pub total: usize,
+}
+
+/// Is told every few thousand configurations how far the batch is, from any of the threads, and says whether to go on.
+pub type Watch<'a> = &'a (dyn Fn(Progress) -> ControlFlow<()> + Sync);
+
+/// Goes on.
+pub fn always(_: Progress) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+/// How many blocks `count` configurations take.
+pub const fn blocks(count: usize) -> usize {
+    count.div_ceil(Lanes::COUNT)
+}
+
+/// Does `work` for `count` configurations, with results in the first [`blocks`]`(count)` of `out`.
+///
+/// # Errors
+/// [`BatchError::Length`] when `out` is too short, and [`BatchError::Stopped`] when `watch` said so.
+pub fn run<W: Work>(work: &W, count: usize, out: &mut [W::Block], watch: Watch<'_>) -> Result<(), BatchError> {
+    let found = out.len();
+    let Some(out) = out.get_mut(..blocks(count)) else {
+        return Err(crate::LengthError { what: "the list of blocks", expected: blocks(count), found }.into());
+    };
+    let (done, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
+    let each = |scratch: &mut W::Scratch, chunk: usize, out: &mut [W::Block]| {
+        if stopped.load(Ordering::Relaxed) {
+            return;
+        }
+        let start = chunk * CHUNK * Lanes::COUNT;
+        for (place, block) in out.iter_mut().enumerate() {
+            work.block(start + place * Lanes::COUNT, scratch, block);
+        }
+        let own = (out.len() * Lanes::COUNT).min(count - start);
+        let done = done.fetch_add(own, Ordering::Relaxed) + own;
+        if watch(Progress { done, total: count }).is_break() {
+            stopped.store(true, Ordering::Relaxed);
+        }
+    };
+    in_chunks(work, out, each);
+    let done = done.into_inner();
+    // Whoever stops it with the last configuration has all of them.
+    if done < count { Err(BatchError::Stopped(Progress { done, total: count })) } else { Ok(()) }
+}
+
+/// `each` chunk with its number: across the cores where there is more than one.
+fn in_chunks<W: Work>(work: &W, out: &mut [W::Block], each: impl Fn(&mut W::Scratch, usize, &mut [W::Block]) + Sync) {
+    #[cfg(feature = "parallel")]
+    if out.len() > CHUNK {
+        use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+        use rayon::slice::ParallelSliceMut;
+        let chunks = out.par_chunks_mut(CHUNK).enumerate();
+        chunks.for_each_init(|| work.scratch(), |scratch, (chunk, out)| each(scratch, chunk, out));
+        return;
+    }
+    let mut scratch = work.scratch();
+    for (chunk, out) in out.chunks_mut(CHUNK).enumerate() {
+        each(&mut scratch, chunk, out);
+    }
+}

@@ -1,0 +1,196 @@
+//! Batches and lanes against one evaluation after another, for every mechanism.
+#![cfg(feature = "simd")]
+
+use allocation_counter::measure;
+use kin_runtime::batch::{BatchError, Column, Configurations, Evaluations, always, evaluate};
+use kin_runtime::{Instant, Lanes, LengthError, Mechanism, Signal, Subset, Workspace};
+use kin_tests::every_mechanism;
+use kin_tests::mechanisms::*;
+use kin_tests::random::Random;
+
+/// So many that a tile of blocks and a ragged end are among them.
+const COUNT: usize = 42;
+
+macro_rules! batch_tests {
+    (
+        moving { $($moving:ident: $Moving:ident, $from:literal, $to:literal;)* }
+        unassembled { $($other:ident: $Other:ident;)* }
+    ) => {
+        $(#[test]
+        fn $moving() {
+            agrees::<$Moving>();
+        })*
+        $(#[test]
+        fn $other() {
+            agrees::<$Other>();
+        })*
+    };
+}
+
+every_mechanism!(batch_tests);
+
+/// The arguments of `COUNT` configurations, a list for every column: parameters, t, inputs, q, q̇.
+struct Drawn {
+    parameters: Vec<Vec<f64>>,
+    t: Vec<f64>,
+    inputs: Vec<Signal<Vec<f64>>>,
+    q: Vec<Vec<f64>>,
+    q_dot: Vec<Vec<f64>>,
+}
+
+impl Drawn {
+    fn new<M: Mechanism>(mechanism: &M) -> Self {
+        let mut random = Random::new(17);
+        let mut list = |middle: f64, size: f64| (0..COUNT).map(|_| middle + size * random.between(-1.0, 1.0)).collect();
+        let own = mechanism.parameters::<f64>();
+        Self {
+            // Every other parameter differs from configuration to configuration.
+            parameters: own.as_ref().iter().map(|p| list(*p, 0.01 * p.abs())).collect(),
+            t: list(0.3, 0.3),
+            inputs: (0..M::INPUTS).map(|_| Signal::new(list(0.2, 0.2), list(0.0, 1.0), list(0.0, 1.0))).collect(),
+            q: (0..M::COORDINATES).map(|_| list(0.0, 1.5)).collect(),
+            q_dot: (0..M::COORDINATES).map(|_| list(0.0, 1.0)).collect(),
+        }
+    }
+
+    /// The configurations in `range`.
+    fn batch<M>(&self, mechanism: &M, range: core::ops::Range<usize>) -> Evaluations<M>
+    where
+        M: Mechanism + Sync,
+        Workspace<M, Lanes>: Send,
+    {
+        let [q, q_dot] = [&self.q, &self.q_dot].map(|lists| columns(lists, range.clone()));
+        let own = mechanism.parameters::<f64>();
+        let parameters: Vec<_> = (own.as_ref().iter().zip(&self.parameters).enumerate())
+            .map(|(k, (own, list))| if k % 2 == 0 { Column::Each(&list[range.clone()]) } else { Column::Shared(*own) })
+            .collect();
+        let each = |list: &'_ Vec<f64>| -> Vec<f64> { list[range.clone()].to_vec() };
+        let signals: Vec<Signal<Vec<f64>>> =
+            self.inputs.iter().map(|u| Signal::new(each(&u.value), each(&u.rate), each(&u.acceleration))).collect();
+        let inputs: Vec<_> = (signals.iter())
+            .map(|u| Signal::new(Column::Each(&u.value), Column::Each(&u.rate), Column::Each(&u.acceleration)))
+            .collect();
+        let configurations = Configurations {
+            parameters: &parameters,
+            t: Column::Each(&self.t[range.clone()]),
+            inputs: &inputs,
+            q: &q,
+            q_dot: &q_dot,
+        };
+        let mut out = Evaluations::new(range.len());
+        evaluate(mechanism, Subset::ALL, &configurations, &mut out, &always).expect("as many columns as there must be");
+        out
+    }
+
+    /// One configuration, as it is evaluated without lanes.
+    fn one<M: Mechanism>(&self, mechanism: &M, place: usize) -> Vec<f64> {
+        let of = |lists: &[Vec<f64>]| lists.iter().map(|list| list[place]).collect::<Vec<_>>();
+        let own = mechanism.parameters::<f64>();
+        let parameters: Vec<_> = (own.as_ref().iter().zip(of(&self.parameters)).enumerate())
+            .map(|(k, (own, drawn))| if k % 2 == 0 { drawn } else { *own })
+            .collect();
+        let inputs: Vec<_> =
+            (self.inputs.iter()).map(|u| Signal::new(u.value[place], u.rate[place], u.acceleration[place])).collect();
+        let at = Instant { t: self.t[place], inputs: &inputs };
+        let mut workspace = M::workspace::<f64>();
+        mechanism
+            .evaluate_with(&parameters, Subset::ALL, &at, &of(&self.q), &of(&self.q_dot), &mut workspace)
+            .expect("lengths agree");
+        [workspace.phi(), workspace.phi_q(), workspace.phi_t(), workspace.gamma()].concat()
+    }
+}
+
+fn columns(lists: &[Vec<f64>], range: core::ops::Range<usize>) -> Vec<Column<'_>> {
+    lists.iter().map(|list| Column::Each(&list[range.clone()])).collect()
+}
+
+/// All results of one configuration of a batch.
+fn results<M: Mechanism>(out: &Evaluations<M>, place: usize) -> Vec<f64> {
+    let entries = M::model().constraint_pattern.entries.len();
+    let pick =
+        |mut column: Box<dyn Iterator<Item = f64> + '_>| column.nth(place).expect("a configuration of the batch");
+    (0..M::ROWS)
+        .map(|row| pick(Box::new(out.phi(row))))
+        .chain((0..entries).map(|entry| pick(Box::new(out.phi_q(entry)))))
+        .chain((0..M::ROWS).map(|row| pick(Box::new(out.phi_t(row)))))
+        .chain((0..M::ROWS).map(|row| pick(Box::new(out.gamma(row)))))
+        .collect()
+}
+
+fn bits(numbers: Vec<f64>) -> Vec<u64> {
+    numbers.into_iter().map(f64::to_bits).collect()
+}
+
+fn agrees<M>()
+where
+    M: Mechanism + Default + Sync,
+    Workspace<M, Lanes>: Send,
+{
+    let mechanism = M::default();
+    let drawn = Drawn::new(&mechanism);
+    let whole = drawn.batch(&mechanism, 0..COUNT);
+    for place in 0..COUNT {
+        let (found, expected) = (results(&whole, place), drawn.one(&mechanism, place));
+        assert_eq!(expected.len(), found.len());
+        for (found, expected) in found.into_iter().zip(expected) {
+            // Within some ulp of the largest number on the way to it.
+            let same =
+                (found - expected).abs() <= 2e-13 * (1.0 + expected.abs()) || found.is_nan() && expected.is_nan();
+            assert!(same, "{} {place}: {found:e} and {expected:e}", M::model().name);
+        }
+    }
+    // Wherever a configuration stands, and however many there are, its results are the same to the last bit.
+    for count in 0..=9 {
+        let part = drawn.batch(&mechanism, COUNT - count..COUNT);
+        assert_eq!(count, part.count());
+        for place in 0..count {
+            let (own, other) = (results(&part, place), results(&whole, COUNT - count + place));
+            assert_eq!(bits(own), bits(other), "{} {count} {place}", M::model().name);
+        }
+    }
+    allocates_nothing_inside(&mechanism);
+}
+
+/// A batch of thousands takes memory as often as one of eight.
+fn allocates_nothing_inside<M>(mechanism: &M)
+where
+    M: Mechanism + Sync,
+    Workspace<M, Lanes>: Send,
+{
+    let inputs = vec![Signal::new(Column::Shared(0.1), Column::Shared(0.2), Column::Shared(0.3)); M::INPUTS];
+    let [small, large] = [8, 3_000].map(|count| {
+        let list = vec![0.3; count];
+        let columns = vec![Column::Each(&list); M::COORDINATES];
+        let parameters: Vec<_> = mechanism.parameters::<f64>().as_ref().iter().map(|p| Column::Shared(*p)).collect();
+        let (q, q_dot) = (&columns, &columns);
+        let configurations =
+            Configurations { parameters: &parameters, t: Column::Each(&list), inputs: &inputs, q, q_dot };
+        let mut out = Evaluations::new(count);
+        let counted = measure(|| {
+            evaluate(mechanism, Subset::ALL, &configurations, &mut out, &always).expect("lengths agree");
+        });
+        counted.count_total
+    });
+    assert_eq!(small, large, "{}", M::model().name);
+}
+
+#[test]
+fn columns_are_counted() {
+    let numbers = [0.0; 3];
+    let mechanism = FourbarLectureMid::default();
+    let parameters = mechanism.parameters::<f64>().map(Column::Shared);
+    let q = [Column::Each(&numbers); FourbarLectureMid::COORDINATES];
+    let good = Configurations { parameters: &parameters, t: Column::Shared(0.0), inputs: &[], q: &q, q_dot: &q };
+    let refused = |configurations: Configurations<'_>, count: usize| {
+        let mut out = Evaluations::<FourbarLectureMid>::new(count);
+        evaluate(&mechanism, Subset::ALL, &configurations, &mut out, &always).map_err(|error| match error {
+            BatchError::Length(error) => error,
+            BatchError::Stopped(_) => panic!("nobody stopped it"),
+        })
+    };
+    assert_eq!(Ok(()), refused(good, 3));
+    let column = LengthError { what: "a column of q", expected: 4, found: 3 };
+    assert_eq!(Err(column), refused(good, 4));
+    let list = LengthError { what: "q_dot", expected: 9, found: 1 };
+    assert_eq!(Err(list), refused(Configurations { q_dot: &q[..1], ..good }, 3));
+}
