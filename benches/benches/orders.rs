@@ -7,6 +7,7 @@
 use kin_benches::four_bar::FourBar;
 use kin_benches::paired::{Contender, compare};
 use kin_runtime::nalgebra::{Const, LU, SMatrix, SVector};
+use kin_runtime::plan::{Depth, Solved};
 use kin_runtime::series::HigherOrders;
 use kin_runtime::{Instant, Kinematics, Mechanism, Subset, Workspace};
 use std::hint::black_box;
@@ -92,6 +93,56 @@ impl<'m> Sweep<'m> {
     }
 }
 
+/// The same by the plan: closed forms, and its blocks for every linear system.
+struct Planned<'m> {
+    parameters: [f64; 7],
+    modes: [f64; 1],
+    orders: HigherOrders<'m, FourBar>,
+    q: [f64; 9],
+    q_dot: [f64; 9],
+    q_ddot: [f64; 9],
+    derivative: [f64; 9],
+}
+
+impl<'m> Planned<'m> {
+    fn new(four_bar: &'m FourBar, highest: usize) -> Self {
+        let start = four_bar.solver().with_guess(5, 0.9).with_guess(8, 5.0).state(&0.0.into()).expect("it closes");
+        let array = |v: &[f64]| -> [f64; 9] { v.try_into().expect("nine coordinates") };
+        let (parameters, mut modes) = (four_bar.parameters::<f64>(), [0.0]);
+        four_bar.closures_with(&parameters, &Instant::at(0.0), &start.q, &mut modes).expect("one mode");
+        Self {
+            parameters,
+            modes: modes.map(f64::signum),
+            orders: HigherOrders::new(four_bar, highest),
+            q: array(&start.q),
+            q_dot: array(&start.q_dot),
+            q_ddot: array(&start.q_ddot),
+            derivative: [0.0; 9],
+        }
+    }
+
+    fn step(&mut self, four_bar: &FourBar, t: f64, highest: usize) {
+        let (at, start, mut margins) = (Instant::at(t), self.q, [0.0]);
+        let solved = Solved { q: &mut self.q, q_dot: &mut self.q_dot, q_ddot: &mut self.q_ddot, margins: &mut margins };
+        four_bar
+            .solve_with(&self.parameters, &at, &self.modes, &start, Depth::Acceleration, solved)
+            .expect("nine coordinates");
+        black_box(&margins);
+        if highest < 3 {
+            return;
+        }
+        self.orders.begin(&at, &self.q, &self.q_dot, &self.q_ddot).expect("nine coordinates");
+        for order in 3..=highest {
+            four_bar
+                .resolve_with(&self.parameters, &at, &self.q, self.orders.right(), &mut self.derivative)
+                .expect("nine coordinates");
+            if order < highest {
+                self.orders.advance(&self.derivative).expect("nine coordinates");
+            }
+        }
+    }
+}
+
 fn main() {
     let four_bar = FourBar::default();
     let dt = std::f64::consts::TAU / STEPS as f64 / four_bar.omega;
@@ -115,6 +166,24 @@ fn main() {
         Contender { name: "and all to the tenth", work: Box::new(sweep(10)) },
     ];
     compare("Higher derivatives of the 9×9 four-bar, by the same LU", STEPS, &mut contenders);
+
+    let closed_form = |highest: usize| {
+        let (four_bar, mut planned, mut t) = (&four_bar, Planned::new(&four_bar, highest), 0.0);
+        move || {
+            for _ in 0..STEPS {
+                t += dt;
+                planned.step(four_bar, black_box(t), highest);
+                black_box((&planned.q, &planned.q_dot, &planned.q_ddot, &planned.derivative));
+            }
+        }
+    };
+    let mut contenders = [
+        Contender { name: "q, q̇, q̈", work: Box::new(closed_form(2)) },
+        Contender { name: "and the third derivative", work: Box::new(closed_form(3)) },
+        Contender { name: "and all to the fourth", work: Box::new(closed_form(4)) },
+        Contender { name: "and all to the tenth", work: Box::new(closed_form(10)) },
+    ];
+    compare("Higher derivatives of the 9×9 four-bar, by its plan", STEPS, &mut contenders);
 
     let four_bar = &four_bar;
     let solver = four_bar.solver().with_guess(5, 0.9).with_guess(8, 5.0);

@@ -1,15 +1,14 @@
 //! What a kernel of series reads: the coefficients of q that are known, time and the inputs.
 
 use super::tape::Missing;
-use crate::workspace::{Instant, Signal};
+use crate::workspace::{Array, Instant, Signal};
 
-/// Coefficients of q and of the inputs in powers of τ; q_k = q⁽ᵏ⁾/k!, 0 until it is known.
-#[derive(Default)]
-pub(super) struct Course {
+/// Coefficients of q and of the inputs in powers of τ; q_k = q⁽ᵏ⁾/k!, 0 until it is known. `C` is an array of n numbers,
+/// so that the compiler can see that a kernel's places in it are in bounds.
+pub(super) struct Course<C> {
     pub(super) t: f64,
-    coordinates: usize,
     /// Order by order.
-    q: Vec<f64>,
+    q: Vec<C>,
     /// Input by input; NaN where the derivative is not known.
     inputs: Vec<f64>,
     /// Coefficients of one input.
@@ -21,24 +20,18 @@ pub(super) fn factorial(k: usize) -> f64 {
     (1..=k).map(|i| i as f64).product()
 }
 
-impl Course {
+impl<C: Array<f64>> Course<C> {
     /// Room for series up to this order.
-    pub(super) fn new(order: usize, coordinates: usize, inputs: usize) -> Self {
+    pub(super) fn new(order: usize, inputs: usize) -> Self {
         // The first run looks at order 3 whatever is asked for, rates one further, and derivatives of inputs two.
         let stride = order.max(3) + 3;
-        Self {
-            t: 0.0,
-            coordinates,
-            q: vec![0.0; coordinates * stride],
-            inputs: vec![f64::NAN; inputs * stride],
-            stride,
-        }
+        Self { t: 0.0, q: vec![C::generate(|_| 0.0); stride], inputs: vec![f64::NAN; inputs * stride], stride }
     }
 
     /// Begins at an instant. `further` has the derivatives of the inputs from the third on, as far as they are known.
     pub(super) fn begin(&mut self, at: &Instant<'_>, further: &[&[f64]]) {
         self.t = at.t;
-        self.q.fill(0.0);
+        self.q.fill(C::generate(|_| 0.0));
         for (k, series) in self.inputs.chunks_exact_mut(self.stride).enumerate() {
             let Signal { value, rate, acceleration } = at.inputs.get(k).copied().unwrap_or_default();
             let higher = further.get(k).copied().unwrap_or_default();
@@ -52,18 +45,18 @@ impl Course {
         }
     }
 
-    /// The coefficients of this order.
+    /// The coefficients of this order and the next ones.
     #[inline(always)]
-    pub(super) fn q(&self, order: usize) -> &[f64] {
-        &self.q[order * self.coordinates..][..self.coordinates]
+    pub(super) fn from<const N: usize>(&self, order: usize) -> [&C; N] {
+        core::array::from_fn(|k| &self.q[order + k])
     }
 
-    /// Takes the derivative of this order.
-    pub(super) fn take(&mut self, order: usize, derivative: &[f64]) {
-        let factorial = factorial(order);
-        let place = order * self.coordinates;
-        for (coefficient, value) in self.q[place..place + self.coordinates].iter_mut().zip(derivative) {
-            *coefficient = value / factorial;
+    /// Takes the derivative of this order, given the factorial of the order.
+    #[inline(always)]
+    pub(super) fn take(&mut self, order: usize, factorial: f64, derivative: &[f64]) {
+        let part = 1.0 / factorial;
+        for (coefficient, value) in self.q[order].as_mut().iter_mut().zip(derivative) {
+            *coefficient = part * value;
         }
     }
 

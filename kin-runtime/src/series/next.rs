@@ -11,6 +11,7 @@ use super::recurrence::{
 };
 use super::supplied::Supplied;
 use super::tape::{Missing, Tape};
+use crate::workspace::Array;
 
 /// What of q and q̇ has become known since the last run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,36 +25,38 @@ pub(super) enum News {
 }
 
 /// Coefficient `order` of everything.
-pub(super) struct Next<'a> {
-    pub(super) course: &'a Course,
+pub(super) struct Next<'a, C, R> {
+    pub(super) course: &'a Course<C>,
+    /// The coefficients of q before this one, this one, and the next.
+    pub(super) q: [&'a C; 3],
     pub(super) tape: &'a mut Tape,
     pub(super) place: usize,
     pub(super) order: usize,
     pub(super) news: News,
-    pub(super) rows: &'a mut [f64],
+    pub(super) rows: &'a mut R,
     pub(super) missing: &'a mut Option<Missing>,
 }
 
-impl Next<'_> {
+impl<C, R> Next<'_, C, R> {
     #[inline(always)]
-    fn apply<const I: usize, const O: usize, R: Recurrence<I, O>>(
+    fn apply<const I: usize, const O: usize, F: Recurrence<I, O>>(
         &mut self,
-        function: &R,
+        function: &F,
         x: [[f64; 2]; I],
     ) -> [[f64; 2]; O] {
-        let mut region = self.tape.room(&mut self.place, R::KEPT * self.tape.stride);
+        let mut region = self.tape.room(&mut self.place, F::KEPT * self.tape.stride);
         let changes = function.correct(self.order - 1, x.map(|x| x[0]), &mut region);
         let coefficients = function.step(self.order, x.map(|x| x[1]), &mut region);
         core::array::from_fn(|k| [changes[k], coefficients[k]])
     }
 }
 
-impl Arithmetic for Next<'_> {
+impl<C: Array<f64>, R: Array<f64>> Arithmetic for Next<'_, C, R> {
     type Value = [f64; 2];
 
     #[inline(always)]
-    fn constants<const C: usize>(&mut self, _: impl FnOnce() -> [f64; C]) -> [f64; C] {
-        let kept = self.tape.room(&mut self.place, C);
+    fn constants<const K: usize>(&mut self, _: impl FnOnce() -> [f64; K]) -> [f64; K] {
+        let kept = self.tape.room(&mut self.place, K);
         core::array::from_fn(|k| kept.numbers[k])
     }
 
@@ -69,14 +72,14 @@ impl Arithmetic for Next<'_> {
 
     #[inline(always)]
     fn coordinate(&mut self, k: usize) -> [f64; 2] {
-        let before = if self.news == News::Coordinates { self.course.q(self.order - 1)[k] } else { 0.0 };
-        [before, self.course.q(self.order)[k]]
+        let before = if self.news == News::Coordinates { self.q[0].as_ref()[k] } else { 0.0 };
+        [before, self.q[1].as_ref()[k]]
     }
 
     #[inline(always)]
     fn rate(&mut self, k: usize) -> [f64; 2] {
-        let rate = |order: usize| (order + 1) as f64 * self.course.q(order + 1)[k];
-        [if self.news == News::Rates { rate(self.order - 1) } else { 0.0 }, rate(self.order)]
+        let before = if self.news == News::Rates { self.order as f64 * self.q[1].as_ref()[k] } else { 0.0 };
+        [before, (self.order + 1) as f64 * self.q[2].as_ref()[k]]
     }
 
     #[inline(always)]
@@ -90,7 +93,7 @@ impl Arithmetic for Next<'_> {
 
     #[inline(always)]
     fn row(&mut self, row: usize, value: [f64; 2]) {
-        self.rows[row] = value[1];
+        self.rows.as_mut()[row] = value[1];
     }
 
     #[inline(always)]
@@ -130,10 +133,12 @@ impl Arithmetic for Next<'_> {
 
     #[inline(always)]
     fn sin_cos<const A: usize>(&mut self, angles: [[f64; 2]; A]) -> [([f64; 2], [f64; 2]); A] {
-        angles.map(|angle| {
+        let mut out = [([0.0; 2], [0.0; 2]); A];
+        for (out, angle) in out.iter_mut().zip(angles) {
             let [sin, cos] = self.apply(&SineCosine { at_zero: (0.0, 0.0) }, [angle]);
-            (sin, cos)
-        })
+            *out = (sin, cos);
+        }
+        out
     }
 
     #[inline(always)]

@@ -7,7 +7,7 @@ use super::start::Start;
 use super::tape::{Missing, Tape};
 use crate::mechanism::LengthError;
 use crate::model::Level;
-use crate::workspace::Instant;
+use crate::workspace::{Array, Instant};
 
 /// The equations of derivatives of order 3 and higher, for a caller with a linear solver of its own.
 ///
@@ -39,17 +39,18 @@ use crate::workspace::Instant;
 pub struct HigherOrders<'m, M: PowerSeries> {
     mechanism: &'m M,
     parameters: M::Parameters<f64>,
-    pub(super) course: Course,
+    course: Course<M::Coordinates<f64>>,
     constraints: Tape,
     velocities: Tape,
     observables: Tape,
     /// Coefficients of Φ or η, and what they make.
-    phi: Vec<f64>,
-    eta: Vec<f64>,
-    right: Vec<f64>,
+    phi: M::Rows<f64>,
+    eta: M::Rows<f64>,
+    right: M::Rows<f64>,
     missing: Option<Missing>,
-    /// The order of `right`.
+    /// The order of `right`, and its factorial.
     order: usize,
+    factorial: f64,
     highest: usize,
     /// Rows of velocity level.
     of_velocity: Vec<usize>,
@@ -63,15 +64,16 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
         Self {
             mechanism,
             parameters: mechanism.parameters(),
-            course: Course::new(highest, M::COORDINATES, M::INPUTS),
+            course: Course::new(highest, M::INPUTS),
             constraints: Tape::new(highest.max(3)),
             velocities: Tape::new(highest.max(3)),
             observables: Tape::new(highest.max(3)),
-            phi: vec![0.0; M::ROWS],
-            eta: vec![0.0; M::ROWS],
-            right: vec![0.0; M::ROWS],
+            phi: Array::generate(|_| 0.0),
+            eta: Array::generate(|_| 0.0),
+            right: Array::generate(|_| 0.0),
             missing: None,
             order: 0,
+            factorial: 1.0,
             highest,
             of_velocity: (0..M::ROWS).filter(is_of_velocity).collect(),
         }
@@ -99,27 +101,29 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
             length(what, M::COORDINATES, vector.len())?;
         }
         self.course.begin(at, further);
-        known.into_iter().enumerate().for_each(|(order, vector)| self.course.take(order, vector));
-        (self.order, self.missing) = (3, None);
+        for (order, (factorial, vector)) in [1.0, 1.0, 2.0].into_iter().zip(known).enumerate() {
+            self.course.take(order, factorial, vector);
+        }
+        (self.order, self.factorial, self.missing) = (3, 6.0, None);
         let keep = self.highest > 3;
-        let mut start = Start::<4, false> {
+        let mut start = Start::<_, _, 4, false> {
             course: &self.course,
+            q: self.course.from(0),
             tape: &mut self.constraints,
             keep,
             place: 0,
-            rows: &mut self.phi,
-            count: M::ROWS,
+            rows: core::slice::from_mut(&mut self.phi),
             missing: &mut self.missing,
         };
         self.mechanism.constraint_series(self.parameters.as_ref(), &mut start)?;
         if !self.of_velocity.is_empty() {
-            let mut start = Start::<3, false> {
+            let mut start = Start::<_, _, 3, false> {
                 course: &self.course,
+                q: self.course.from(0),
                 tape: &mut self.velocities,
                 keep,
                 place: 0,
-                rows: &mut self.eta,
-                count: M::ROWS,
+                rows: core::slice::from_mut(&mut self.eta),
                 missing: &mut self.missing,
             };
             self.mechanism.velocity_series(self.parameters.as_ref(), &mut start)?;
@@ -135,7 +139,7 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
 
     /// b, s numbers, with Φ_q q⁽ᵏ⁾ = b.
     pub fn right(&self) -> &[f64] {
-        &self.right
+        self.right.as_ref()
     }
 
     /// Takes q⁽ᵏ⁾, n numbers, and goes on to the next order, where one was asked for.
@@ -150,13 +154,15 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
         if self.order < 3 || self.order > self.highest {
             return Ok(());
         }
-        self.course.take(self.order, derivative);
+        self.course.take(self.order, self.factorial, derivative);
         self.order += 1;
+        self.factorial *= self.order as f64;
         if self.order > self.highest {
             return Ok(());
         }
         let mut next = Next {
             course: &self.course,
+            q: self.course.from(self.order - 1),
             tape: &mut self.constraints,
             place: 0,
             order: self.order,
@@ -168,6 +174,7 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
         if !self.of_velocity.is_empty() {
             let mut next = Next {
                 course: &self.course,
+                q: self.course.from(self.order - 2),
                 tape: &mut self.velocities,
                 place: 0,
                 order: self.order - 1,
@@ -183,10 +190,10 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
 
     /// b = −k! [τᵏ] Φ, and −(k − 1)! [τ^{k−1}] η.
     fn write_right(&mut self) {
-        let factor = -factorial(self.order);
-        self.right.iter_mut().zip(&self.phi).for_each(|(right, phi)| *right = factor * phi);
+        let (right, phi) = (self.right.as_mut(), self.phi.as_ref());
+        right.iter_mut().zip(phi).for_each(|(right, phi)| *right = -self.factorial * phi);
         for &row in &self.of_velocity {
-            self.right[row] = factor / self.order as f64 * self.eta[row];
+            right[row] = -self.factorial / self.order as f64 * self.eta.as_ref()[row];
         }
     }
 }
@@ -224,33 +231,32 @@ impl<M: PowerSeries> Orders for HigherOrders<'_, M> {
 
     fn observe(&mut self, at: &Instant<'_>, further: &[&[f64]], q: &[Vec<f64>]) -> Result<Vec<f64>, LengthError> {
         self.course.begin(at, further);
-        q.iter().enumerate().for_each(|(order, vector)| self.course.take(order, vector));
+        q.iter().enumerate().for_each(|(order, vector)| self.course.take(order, factorial(order), vector));
         self.missing = None;
-        let count = M::model().observables.len();
-        let mut rows = vec![0.0; count * (self.highest.max(3) + 1)];
-        let mut start = Start::<4, true> {
+        let mut rows = vec![<M::Observables<f64> as Array<f64>>::generate(|_| 0.0); self.highest.max(3) + 1];
+        let mut start = Start::<_, _, 4, true> {
             course: &self.course,
+            q: self.course.from(0),
             tape: &mut self.observables,
             keep: self.highest > 3,
             place: 0,
             rows: &mut rows,
-            count,
             missing: &mut self.missing,
         };
         self.mechanism.observable_series(self.parameters.as_ref(), &mut start)?;
-        for order in 4..=self.highest {
+        for (order, rows) in rows.iter_mut().enumerate().skip(4) {
             let mut next = Next {
                 course: &self.course,
+                q: self.course.from(order - 1),
                 tape: &mut self.observables,
                 place: 0,
                 order,
                 news: News::Nothing,
-                rows: &mut rows[order * count..],
+                rows,
                 missing: &mut self.missing,
             };
             self.mechanism.observable_series(self.parameters.as_ref(), &mut next)?;
         }
-        rows.truncate(count * (self.highest + 1));
-        Ok(rows)
+        Ok(rows.iter().take(self.highest + 1).flat_map(|order| order.as_ref()).copied().collect())
     }
 }

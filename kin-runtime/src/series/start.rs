@@ -12,18 +12,19 @@ use super::recurrence::{
 use super::supplied::Supplied;
 use super::tape::{Missing, Tape};
 use crate::scalar::Scalar;
+use crate::workspace::Array;
 
 /// Coefficients 0 … N − 1 of everything; `ALL` says whether rows are wanted with all of them or with the last alone.
-pub(super) struct Start<'a, const N: usize, const ALL: bool> {
-    pub(super) course: &'a Course,
+pub(super) struct Start<'a, C, R, const N: usize, const ALL: bool> {
+    pub(super) course: &'a Course<C>,
+    /// The first coefficients of q, one more than N at most.
+    pub(super) q: [&'a C; 5],
     pub(super) tape: &'a mut Tape,
     /// Whether a next run will come.
     pub(super) keep: bool,
     pub(super) place: usize,
-    /// Order by order.
-    pub(super) rows: &'a mut [f64],
-    /// Number of rows.
-    pub(super) count: usize,
+    /// Order by order; the last alone, where no other is wanted.
+    pub(super) rows: &'a mut [R],
     pub(super) missing: &'a mut Option<Missing>,
 }
 
@@ -53,11 +54,11 @@ impl<const N: usize> Sequences for Local<N> {
     }
 }
 
-impl<const N: usize, const ALL: bool> Start<'_, N, ALL> {
+impl<C, R, const N: usize, const ALL: bool> Start<'_, C, R, N, ALL> {
     #[inline(always)]
-    fn apply<const I: usize, const O: usize, R: Recurrence<I, O>>(
+    fn apply<const I: usize, const O: usize, F: Recurrence<I, O>>(
         &mut self,
-        function: &R,
+        function: &F,
         x: [[f64; N]; I],
     ) -> [[f64; N]; O] {
         let mut local = Local([[0.0; N]; SEQUENCES]);
@@ -73,7 +74,7 @@ impl<const N: usize, const ALL: bool> Start<'_, N, ALL> {
             }
         }
         if self.keep {
-            let region = self.tape.room(&mut self.place, R::KEPT * self.tape.stride);
+            let region = self.tape.room(&mut self.place, F::KEPT * self.tape.stride);
             let sequences = region.numbers.chunks_exact_mut(region.stride);
             for (kept, computed) in sequences.zip(&local.0) {
                 kept[..N].copy_from_slice(computed);
@@ -93,14 +94,14 @@ impl<const N: usize, const ALL: bool> Start<'_, N, ALL> {
     }
 }
 
-impl<const N: usize, const ALL: bool> Arithmetic for Start<'_, N, ALL> {
+impl<C: Array<f64>, R: Array<f64>, const N: usize, const ALL: bool> Arithmetic for Start<'_, C, R, N, ALL> {
     type Value = [f64; N];
 
     #[inline(always)]
-    fn constants<const C: usize>(&mut self, compute: impl FnOnce() -> [f64; C]) -> [f64; C] {
+    fn constants<const K: usize>(&mut self, compute: impl FnOnce() -> [f64; K]) -> [f64; K] {
         let numbers = compute();
         if self.keep {
-            self.tape.room(&mut self.place, C).numbers.copy_from_slice(&numbers);
+            self.tape.room(&mut self.place, K).numbers.copy_from_slice(&numbers);
         }
         numbers
     }
@@ -121,12 +122,12 @@ impl<const N: usize, const ALL: bool> Arithmetic for Start<'_, N, ALL> {
 
     #[inline(always)]
     fn coordinate(&mut self, k: usize) -> [f64; N] {
-        core::array::from_fn(|order| self.course.q(order)[k])
+        core::array::from_fn(|order| self.q[order].as_ref()[k])
     }
 
     #[inline(always)]
     fn rate(&mut self, k: usize) -> [f64; N] {
-        core::array::from_fn(|order| (order + 1) as f64 * self.course.q(order + 1)[k])
+        core::array::from_fn(|order| (order + 1) as f64 * self.q[order + 1].as_ref()[k])
     }
 
     #[inline(always)]
@@ -142,10 +143,10 @@ impl<const N: usize, const ALL: bool> Arithmetic for Start<'_, N, ALL> {
     fn row(&mut self, row: usize, value: [f64; N]) {
         if ALL {
             for (order, coefficient) in value.into_iter().enumerate() {
-                self.rows[order * self.count + row] = coefficient;
+                self.rows[order].as_mut()[row] = coefficient;
             }
         } else {
-            self.rows[row] = value[N - 1];
+            self.rows[0].as_mut()[row] = value[N - 1];
         }
     }
 
@@ -190,10 +191,13 @@ impl<const N: usize, const ALL: bool> Arithmetic for Start<'_, N, ALL> {
     #[inline(always)]
     fn sin_cos<const A: usize>(&mut self, angles: [[f64; N]; A]) -> [([f64; N], [f64; N]); A] {
         let values = <f64 as Scalar>::sin_cos_all(angles.map(|angle| angle[0]));
-        core::array::from_fn(|i| {
-            let [sin, cos] = self.apply(&SineCosine { at_zero: values[i] }, [angles[i]]);
-            (sin, cos)
-        })
+        // A loop and no closure, which would not be inlined.
+        let mut out = [([0.0; N], [0.0; N]); A];
+        for ((out, angle), at_zero) in out.iter_mut().zip(angles).zip(values) {
+            let [sin, cos] = self.apply(&SineCosine { at_zero }, [angle]);
+            *out = (sin, cos);
+        }
+        out
     }
 
     #[inline(always)]

@@ -45,9 +45,10 @@ fn where_nothing_is_smooth_the_row_is_named() {
 /// An input that drives, one that drives a rate, and one of which only a define speaks.
 #[mechanism]
 #[input(lift, pace, note)]
-#[coordinates(u, v, w)]
+#[coordinates(u, v, w, z)]
 #[driver(raise: u = sin(lift))]
 #[nonholonomic(go: dot(v) = pace)]
+#[nonholonomic(along: dot(z) = 2 * dot(lift))]
 #[driver(plain: w = t)]
 #[define(said = u * note)]
 struct Told;
@@ -69,6 +70,7 @@ fn inputs_are_known_as_far_as_they_are_given() {
     let (sin, cos) = 0.3_f64.sin_cos();
     let expected = cos * (0.9 - 0.7_f64.powi(3)) - sin * 3.0 * 0.7 * -0.2;
     assert!((third.q[3][0] - expected).abs() < 1e-14 && (third.q[3][1] - 0.4).abs() < 1e-15, "{third:?}");
+    assert!((third.q[3][3] - 1.8).abs() < 1e-15, "{third:?}");
     assert_eq!(unknown(4, "lift", 3), solver.derivatives_with(&state, 4, &[&[0.9]]).unwrap_err());
     assert_eq!(unknown(4, "pace", 2), solver.derivatives_with(&state, 4, &[&[0.9, 0.1]]).unwrap_err());
     let fourth = solver.derivatives_with(&state, 4, &[&[0.9, 0.1], &[0.25]]).unwrap();
