@@ -5,8 +5,8 @@
 //! with it.
 
 use crate::equations::Equations;
-use crate::linear::{independent_rows, null_space};
-use nalgebra::{DMatrix, LU};
+use crate::linear::{independent_rows, null_space, positive_determinant};
+use nalgebra::DMatrix;
 
 /// Smallest relative LU pivot of a determinant whose sign means something.
 const SIGN_TRUST: f64 = 1e-12;
@@ -37,9 +37,14 @@ impl Orientation {
         Some(orientation)
     }
 
-    /// True if the configuration whose Φ_q was evaluated last, a little further on, is oriented alike.
-    pub(crate) fn kept(&self, equations: &Equations<'_>) -> bool {
-        self.sign(equations) == Some(self.positive)
+    /// The orientation at the configuration whose Φ_q was evaluated last, a little further on, if it is oriented alike.
+    pub(crate) fn kept(&self, equations: &Equations<'_>, rank: usize) -> Option<Self> {
+        if self.sign(equations) != Some(self.positive) {
+            return None;
+        }
+        // All rows and no border: there is nothing to choose anew.
+        let n = equations.coordinates();
+        if rank == n && equations.rows() == n { Some(self.clone()) } else { Self::here(equations, rank) }
     }
 
     /// True for a positive determinant; none for a vanishing one or one that is not square.
@@ -51,15 +56,12 @@ impl Orientation {
         if self.rows.len() + self.border.nrows() != n {
             return None;
         }
+        if self.border.nrows() == 0 {
+            return positive_determinant(&mut equations.scaled(&self.rows), SIGN_TRUST);
+        }
         let mut matrix = DMatrix::zeros(n, n);
         matrix.rows_mut(0, self.rows.len()).copy_from(&equations.scaled(&self.rows));
         matrix.rows_mut(self.rows.len(), self.border.nrows()).copy_from(&self.border);
-        let lu = LU::new(matrix);
-        let pivots = lu.u().diagonal();
-        if pivots.iter().any(|p| p.abs() <= SIGN_TRUST * pivots.amax()) {
-            return None;
-        }
-        let negative = pivots.iter().filter(|p| **p < 0.0).count();
-        Some((lu.p().determinant::<f64>() > 0.0) == negative.is_multiple_of(2))
+        positive_determinant(&mut matrix, SIGN_TRUST)
     }
 }

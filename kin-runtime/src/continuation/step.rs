@@ -215,10 +215,10 @@ pub(super) fn settle(
         Factorization::quick(&matrix, columns, tolerance)
     };
     let rank = to.factor.rank;
-    if rank != from.node.factor.rank || !from.node.orientation.kept(equations) {
+    if rank != from.node.factor.rank {
         return Err(Fault::Jump(worst));
     }
-    to.orientation = Orientation::here(equations, rank).ok_or(Fault::Jump(worst))?;
+    to.orientation = from.node.orientation.kept(equations, rank).ok_or(Fault::Jump(worst))?;
     if let Some(answer) = rates {
         let velocity = consistent(equations, &answer.q_dot, &equations.phi_t, -1.0);
         if !velocity || !consistent(equations, &answer.q_ddot, &equations.gamma, 1.0) {

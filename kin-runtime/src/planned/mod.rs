@@ -28,7 +28,8 @@ use crate::workspace::Array;
 /// as no body turns by more than that away from it between two instants; where the plan has Newton iterations, they
 /// converge to the closure near the prediction, so that instants lie near one another (a few degrees of the fastest body
 /// for one correction or two). Plans without such iterations may go as far as angles allow, in either direction of time.
-/// Beside a limit, where q̈ grows without bounds, the prediction is worth less, and instants are to lie closer together.
+/// Beside a limit, where q̈ grows without bounds, a prediction far ahead means nothing: where ½ h² q̈ of a coordinate is more
+/// than 1 and more than h q̇, the prediction is the last good q itself.
 ///
 /// A solution counts when all margins exceed [`Plan::SMALLEST_MARGIN`] and every number is finite. After an error the
 /// last good state stays, and the next instant is predicted from there.
@@ -162,8 +163,14 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         let half = 0.5 * h;
         let Poses { q, q_dot, q_ddot, .. } = &self.states[self.good];
         let rates = q_dot.as_ref().iter().zip(q_ddot.as_ref());
+        let mut wild = false;
         for ((to, q), (v, a)) in self.predicted.as_mut().iter_mut().zip(q.as_ref()).zip(rates) {
+            let bend = (half * a).abs();
+            wild |= bend > v.abs() && h.abs() * bend > 1.0;
             *to = q + h * (v + half * a);
+        }
+        if wild {
+            self.predicted = *q;
         }
         self.solve(at)?;
         Ok(self)

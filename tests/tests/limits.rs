@@ -1,0 +1,176 @@
+//! Beside, at and beyond the limits of dyads of every kind: rounding grows as conditioning says, the mode is kept, and what
+//! cannot close is named.
+
+use kin_runtime::{Instant, Kinematics, PlanError, Planned, Sign, SolveError, mechanism};
+use kin_tests::compare::largest;
+use kin_tests::random::Random;
+
+/// Coupler and rocker are stretched where cos φ = 0.1375 / 0.3.
+#[mechanism]
+#[bodies(crank, coupler, rocker)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (0.3, 0), coupler @ (-0.125, 0))]
+#[revolute(B: coupler @ (0.125, 0), rocker @ (0.1, 0))]
+#[revolute(D: ground @ (0.5, 0), rocker @ (-0.1, 0))]
+#[driver(drive: crank.phi = t)]
+#[guess(coupler.phi = 0.9, rocker.phi = 2.2)]
+#[derive(Default)]
+struct Rockers;
+
+/// The rod is upright where sin φ = 2/3.
+#[mechanism]
+#[bodies(crank, rod, slider)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (0.3, 0), rod @ (-0.1, 0))]
+#[revolute(B: rod @ (0.1, 0), slider @ (0, 0))]
+#[translational(guide: ground @ (0, 0), slider @ (0, 0), axis = (1, 0))]
+#[driver(drive: crank.phi = t)]
+#[guess(rod.phi = -0.4, slider.x = 0.5)]
+#[derive(Default)]
+struct Slider;
+
+/// The crank's pin comes so near to the rocker's pivot that no line with this offset passes through it.
+#[mechanism]
+#[bodies(crank, rocker)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(D: ground @ (0.5, 0), rocker @ (0, 0))]
+#[point_on_line(slot: rocker @ (0, 0), crank @ (0.3, 0), axis = (1, 0), offset = 0.25)]
+#[driver(drive: crank.phi = 1.5 - t)]
+#[guess(rocker.phi = 1.0)]
+#[derive(Default)]
+struct Guide;
+
+/// A cylinder that is longer than both arms together.
+#[mechanism]
+#[bodies(boom)]
+#[revolute(pin: ground @ (0, 0), boom @ (0, 0))]
+#[distance(ram: ground @ (1, 0), boom @ (1.2, 0), length = 0.9 + t)]
+#[guess(boom.phi = 0.8)]
+#[derive(Default)]
+struct Crane;
+
+/// At which t the limit is.
+fn limits() -> [f64; 4] {
+    [(0.1375 / 0.3_f64).acos(), (2.0 / 3.0_f64).asin(), 1.5 - (0.2775 / 0.3_f64).acos(), 1.3]
+}
+
+/// Instants ever nearer to the limit, then at it and beyond.
+fn approaches<M: Kinematics + Default>(limit: f64, joints: &[&str]) {
+    let mechanism = M::default();
+    let mut planned = mechanism.solver().planned(&Instant::at(0.0)).unwrap();
+    let sign = planned.mode(0);
+    for k in 1..=30 {
+        let t = limit - 0.5_f64.powi(k);
+        let found = planned.at(&Instant::at(t)).unwrap_or_else(|error| panic!("{error}"));
+        let phi = mechanism.constraints(&Instant::at(t), found.q()).unwrap();
+        assert!(largest(phi.as_ref()) < 1e-14, "2^-{k}: {:e}", largest(phi.as_ref()));
+        let modes = mechanism.solver().modes(&Instant::at(t), found.q()).unwrap();
+        assert_eq!(modes[0].sign, sign, "2^-{k}");
+        // Both say how far the limit is: w² is the margin.
+        let (margin, closure) = (found.margins()[0], modes[0].closure);
+        assert!((closure * closure / margin - 1.0).abs() < 1e-14 / margin, "2^-{k}: {margin} {closure}");
+    }
+    let last = (planned.t(), planned.q().to_vec());
+    for beyond in [0.0, 1e-13, 1e-9, 1e-3, 0.05] {
+        let error = planned.at(&Instant::at(limit + beyond)).unwrap_err();
+        let PlanError::Limit { t, limit: found } = error else { panic!("{error}") };
+        assert_eq!((t, found.step.joints().collect::<Vec<_>>()), (limit + beyond, joints.to_vec()));
+        assert!(found.margin < 1e-12 && (found.margin < 0.0 || beyond < 1e-12), "{error}");
+        assert!(error.to_string().contains(&format!("of {}", joints.join(", "))), "{error}");
+        assert_eq!((planned.t(), planned.q()), (last.0, &last.1[..]));
+    }
+    // In whatever order: the mode is the same, or there is no answer.
+    let mut random = Random::new(11);
+    for _ in 0..2000 {
+        let t = limit + random.between(-1.0, 0.01) * random.between(0.0, 1.0).powi(8);
+        match planned.at(&Instant::at(t)) {
+            Ok(found) => {
+                assert!(t < limit);
+                assert!(largest(found.q()) < 10.0, "turns count on: {:?}", found.q());
+                let modes = mechanism.solver().modes(&Instant::at(t), found.q()).unwrap();
+                assert_eq!(modes[0].sign, sign, "{t}");
+            }
+            Err(PlanError::Limit { .. }) => assert!(t > limit - 1e-11, "{t}"),
+            Err(error) => panic!("{error}"),
+        }
+    }
+}
+
+#[test]
+fn modes_are_kept_up_to_the_limit_and_beyond_it_is_an_error() {
+    let [rockers, slider, guide, crane] = limits();
+    approaches::<Rockers>(rockers, &["A", "B", "D"]);
+    approaches::<Slider>(slider, &["A", "B"]);
+    approaches::<Guide>(guide, &["slot"]);
+    approaches::<Crane>(crane, &["ram"]);
+}
+
+/// x = r cos φ ± √((l − r sin φ)(l + r sin φ)), as far as rounding of t lets it be known.
+#[test]
+fn errors_grow_as_conditioning_says() {
+    let limit = limits()[1];
+    let mut planned = Slider.solver().planned(&Instant::at(0.0)).unwrap();
+    for k in 1..=36 {
+        let t = limit - 0.5_f64.powi(k);
+        let x = planned.at(&Instant::at(t)).unwrap().q()[6];
+        let (sin, cos) = t.sin_cos();
+        let expected = 0.3 * cos + ((0.2 - 0.3 * sin) * (0.2 + 0.3 * sin)).sqrt();
+        let known = 2e-16 / 0.5_f64.powi(k).sqrt();
+        assert!((x - expected).abs() < known, "2^-{k}: {:e} and {known:e}", x - expected);
+    }
+}
+
+fn sweep_ends<M: Kinematics + Default>(limit: f64, joints: &[&str]) {
+    let mechanism = M::default();
+    let error = mechanism.solver().sweep(&[0.0, 0.2, limit + 0.05]).unwrap_err();
+    assert_eq!(error.trajectory.len(), 2);
+    let (SolveError::Singular { t, .. } | SolveError::StepRefused { t, .. }) = error.source else { panic!("{error}") };
+    assert!((t - limit).abs() < 1e-9, "{t} and {limit}");
+    let found = error.source.limit().unwrap_or_else(|| panic!("{error}"));
+    assert_eq!(found.step.joints().collect::<Vec<_>>(), joints);
+    assert!(found.margin < 1e-9, "{error}");
+    let beyond = mechanism.solver().state(&Instant::at(limit + 0.05)).unwrap_err();
+    assert!(matches!(beyond, SolveError::NotAssembled { .. }), "{beyond}");
+    let found = beyond.limit().unwrap_or_else(|| panic!("{beyond}"));
+    assert_eq!(found.step.joints().collect::<Vec<_>>(), joints);
+    assert!(found.margin < -1e-2, "{beyond}");
+}
+
+#[test]
+fn sweeps_and_states_name_the_dyad() {
+    let [rockers, slider, guide, crane] = limits();
+    sweep_ends::<Rockers>(rockers, &["A", "B", "D"]);
+    sweep_ends::<Slider>(slider, &["A", "B"]);
+    sweep_ends::<Guide>(guide, &["slot"]);
+    sweep_ends::<Crane>(crane, &["ram"]);
+}
+
+/// Either sign is a configuration of its own, and a sweep stays in it.
+fn both_modes<M: Kinematics + Default>(name: &str, until: f64) {
+    let mechanism = M::default();
+    let at = Instant::at(0.0);
+    assert_eq!(M::modes().iter().map(|mode| mode.name).collect::<Vec<_>>(), [name]);
+    let found = [Sign::Plus, Sign::Minus].map(|sign| {
+        let solver = mechanism.solver().with_mode(name, sign);
+        let sweep = solver.sweep(&[0.0, until]).unwrap();
+        for state in &sweep {
+            assert_eq!(solver.modes(&state.instant(), &state.q).unwrap()[0].sign, Some(sign));
+        }
+        let mut planned = Planned::new(&mechanism, &at, &sweep.states[0].q).unwrap();
+        assert_eq!(planned.mode(name), Some(sign));
+        planned.flip(name).unwrap();
+        (sweep.states[0].q.clone(), planned.at(&at).unwrap().q().to_vec())
+    });
+    let [(plus, flipped_plus), (minus, flipped_minus)] = found;
+    let far = |a: &[f64], b: &[f64]| largest(&a.iter().zip(b).map(|(a, b)| (a - b).sin()).collect::<Vec<_>>());
+    assert!(far(&plus, &minus) > 0.1);
+    assert!(far(&plus, &flipped_minus) < 1e-14 && far(&minus, &flipped_plus) < 1e-14);
+}
+
+#[test]
+fn either_mode_can_be_asked_for() {
+    both_modes::<Rockers>("A-B-D", 1.0);
+    both_modes::<Slider>("A-B", 0.7);
+    both_modes::<Guide>("slot", 1.0);
+    both_modes::<Crane>("ram", 0.3);
+}
