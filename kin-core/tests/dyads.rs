@@ -61,7 +61,6 @@ fn rpp() {
 }
 
 #[test]
-#[ignore = "a dyad has no letters where a row of it is explicit: an origin on a known pin, an axis along the ground's"]
 fn every_dyad_has_its_letters() {
     for kind in Kind::ALL {
         for (subject, dyads) in drawn(kind) {
@@ -71,6 +70,14 @@ fn every_dyad_has_its_letters() {
                 let mut found = subject.planned.groups();
                 expected.sort_unstable();
                 found.sort_unstable();
+                // A dyad without two closures may be explicit row by row, and then it is no step of its own.
+                for letters in ["PRP", "RPP"] {
+                    let of = |list: &[&str]| list.iter().filter(|own| **own == letters).count();
+                    assert!(of(&found) <= of(&expected), "{letters}: {}{}", subject.planned.0, subject.name);
+                }
+                let has_mode = |letters: &&str| !matches!(*letters, "PRP" | "RPP");
+                found.retain(has_mode);
+                expected.retain(has_mode);
                 assert_eq!(found, expected, "{}{}", subject.planned.0, subject.name);
             }
         }

@@ -110,7 +110,6 @@ fn errors_grow_as_guides_become_parallel() {
 }
 
 #[test]
-#[ignore = "one equation in one unknown has no margin, although its coefficient may vanish"]
 fn parallel_guides_leave_no_margin() {
     for limit in Limit::OF_DIRECTION {
         for writing in 0..limit.kind().writings() {

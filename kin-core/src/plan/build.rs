@@ -9,8 +9,9 @@ use super::rates::Rates;
 use super::rewrite::{Substitution, Turned, rewrite};
 use super::steps::Listed;
 use super::tree::{Block, Core, Pair, PairValue, Part, Pivot, Way};
+use crate::constraint::CoordinateKind;
 use crate::expr::{ExprId, Graph, Node, Symbol, total_derivatives};
-use crate::mechanism::Function;
+use crate::mechanism::{Component, Function};
 use crate::program::Slot;
 use crate::structure::turn::terms;
 use crate::system::KinematicSystem;
@@ -142,9 +143,8 @@ impl<'a> Build<'a> {
             let row: Vec<(u32, ExprId)> = equation.phi_q.clone();
             entries.push(row.into_iter().map(|(k, e)| (k, self.known_value(e))).collect());
         }
-        let squares: Vec<(u32, ExprId)> = squares(tree);
-        let squares = squares.into_iter().map(|(k, square)| (k, self.known_value(square))).collect();
-        let mut rates = Rates::new(&mut self.graph, entries, right, n, squares);
+        let known = constants(tree).into_iter().map(|e| (e, self.known_value(e))).collect();
+        let mut rates = Rates::new(&mut self.graph, entries, right, n, known);
         rates.block(tree);
         let zero = rates.graph.zero();
         (rates.solution.iter().map(|value| value.unwrap_or(zero)).collect(), rates.margins)
@@ -249,6 +249,10 @@ impl<'a> Build<'a> {
                 let right: Vec<ExprId> = constant.iter().map(|&e| self.known_value(e)).collect();
                 let right = right.into_iter().map(|e| self.graph.neg(e)).collect();
                 let (solutions, margin) = dense::solve(&mut self.graph, &matrix, &[right]);
+                let margin = match matrix.as_slice() {
+                    [row] => self.share_of_row(step, core.coordinates[0], row[0]),
+                    _ => margin,
+                };
                 if let Some(margin) = margin {
                     let place = self.listed.margin(step);
                     self.write(Slot::Margin(place), margin);
@@ -317,6 +321,35 @@ impl<'a> Build<'a> {
         }
     }
 
+    /// The squared coefficient of a single unknown over the squared gradient of its rows in coordinates of its kind: 0
+    /// where the row says nothing of it. None where the coefficient does not move, and where there is nothing else.
+    fn share_of_row(&mut self, step: usize, unknown: u32, coefficient: ExprId) -> Option<ExprId> {
+        if self.graph.depends(coefficient).is_static() {
+            // A direction that is known and wrong.
+            return Some(coefficient).filter(|&coefficient| self.graph.is_zero(coefficient));
+        }
+        let coordinates = &self.system.set.coordinates;
+        let is_length = |k: u32| match coordinates[k as usize].kind {
+            CoordinateKind::Pose(_, component) => Some(component != Component::Phi),
+            CoordinateKind::Scalar => None,
+        };
+        let kind = is_length(unknown)?;
+        let rows = self.listed.steps[step].rows.iter().map(|&row| &self.system.equations[row].phi_q);
+        let entries: Vec<(u32, ExprId)> =
+            rows.flatten().copied().filter(|(k, _)| is_length(*k) == Some(kind)).collect();
+        if entries.iter().all(|(k, _)| *k == unknown) {
+            return None;
+        }
+        let mut sum = self.graph.zero();
+        for (_, entry) in entries {
+            let entry = self.known_value(entry);
+            let square = self.graph.square(entry);
+            sum = self.graph.add(sum, square);
+        }
+        let square = self.graph.square(coefficient);
+        Some(self.graph.div(square, sum))
+    }
+
     /// A new mode and its margin, given what tells the mode of a configuration.
     fn closure(&mut self, step: usize, indicator: ExprId) -> (ExprId, usize) {
         self.closures.push(indicator);
@@ -370,15 +403,15 @@ impl<'a> Build<'a> {
         let n = self.system.set.coordinates.len();
         let right = (0..self.system.equations.len()).map(|row| self.graph.symbol(Symbol::Right(row as u32))).collect();
         let entries = self.system.equations.iter().map(|equation| equation.phi_q.iter().copied().collect()).collect();
-        let mut rates = Rates::new(&mut self.graph, entries, right, n, squares(tree).into_iter().collect());
+        let mut rates = Rates::new(&mut self.graph, entries, right, n, HashMap::new());
         rates.block(tree);
         let zero = rates.graph.zero();
         rates.solution.iter().enumerate().map(|(k, value)| (Slot::Entry(k), value.unwrap_or(zero))).collect()
     }
 }
 
-/// The squared lengths of the vectors that angles of pairs turn, by coordinate.
-fn squares(block: &Block) -> Vec<(u32, ExprId)> {
+/// What the linear level takes from the tree: squared lengths of vectors that turn, factors of exchanges.
+fn constants(block: &Block) -> Vec<ExprId> {
     let (mut out, mut open) = (Vec::new(), vec![block]);
     while let Some(block) = open.pop() {
         for part in &block.parts {
@@ -387,8 +420,9 @@ fn squares(block: &Block) -> Vec<(u32, ExprId)> {
                 Part::Block(block) => open.push(block),
                 Part::Pair(pair) => {
                     if let PairValue::Angle { square: Some(square), .. } = pair.value {
-                        out.push((pair.coordinate, square));
+                        out.push(square);
                     }
+                    out.extend(pair.exchanges.iter().flat_map(|exchange| exchange.factors));
                     open.push(&pair.inner);
                 }
             }

@@ -12,6 +12,7 @@
 //!
 //! Velocities and accelerations, and every other Φ_q x = b, go along the same tree (see `rates`).
 
+mod angles;
 mod build;
 mod dense;
 mod display;

@@ -7,7 +7,7 @@
 //! for every b, so that all orders share it.
 
 use super::dense;
-use super::tree::{Block, Core, Pair, Part};
+use super::tree::{Block, Core, Pair, PairValue, Part};
 use crate::expr::{ExprId, Graph};
 use std::collections::{BTreeMap, HashMap};
 
@@ -21,8 +21,8 @@ pub(super) struct Rates<'g> {
     pub(super) solution: Vec<Option<ExprId>>,
     /// The margins of cores, by their first row.
     pub(super) margins: BTreeMap<usize, ExprId>,
-    /// p² + q² of pairs, by coordinate, where it is known to be the squared length of a vector.
-    squares: HashMap<u32, ExprId>,
+    /// What stands for expressions of the tree; those that are missing stand for themselves.
+    known: HashMap<ExprId, ExprId>,
 }
 
 impl<'g> Rates<'g> {
@@ -31,9 +31,9 @@ impl<'g> Rates<'g> {
         entries: Vec<BTreeMap<u32, ExprId>>,
         right: Vec<ExprId>,
         n: usize,
-        squares: HashMap<u32, ExprId>,
+        known: HashMap<ExprId, ExprId>,
     ) -> Self {
-        Self { graph, entries, right, solution: vec![None; n], margins: BTreeMap::new(), squares }
+        Self { graph, entries, right, solution: vec![None; n], margins: BTreeMap::new(), known }
     }
 
     /// Solves a block.
@@ -95,6 +95,11 @@ impl<'g> Rates<'g> {
         self.right[row] = self.graph.whole(right);
     }
 
+    /// What stands for an expression of the tree.
+    fn value(&self, id: ExprId) -> ExprId {
+        self.known.get(&id).copied().unwrap_or(id)
+    }
+
     fn core(&mut self, core: &Core) {
         core.rows.iter().for_each(|&row| self.fold(row));
         let zero = self.graph.zero();
@@ -115,6 +120,16 @@ impl<'g> Rates<'g> {
         pair.rows.iter().for_each(|&row| self.fold(row));
         let zero = self.graph.zero();
         let [first, second] = pair.rows;
+        for exchange in &pair.exchanges {
+            self.fold(exchange.row);
+            for (factor, row) in exchange.factors.into_iter().zip(pair.rows) {
+                let factor = self.value(factor);
+                if !self.graph.is_zero(factor) {
+                    self.subtract(exchange.row, factor, row, pair.coordinate);
+                }
+            }
+            self.entries[exchange.row].remove(&pair.coordinate);
+        }
         let before = pair.rows.map(|row| (self.entries[row].clone(), self.right[row]));
         let [p, q] = pair.rows.map(|row| self.entries[row].remove(&pair.coordinate).unwrap_or(zero));
         let scaled = |graph: &mut Graph, row: &mut BTreeMap<u32, ExprId>, factor: ExprId| {
@@ -124,9 +139,9 @@ impl<'g> Rates<'g> {
         self.right[first] = self.graph.mul(q, self.right[first]);
         self.subtract(first, p, second, pair.coordinate);
         self.block(&pair.inner);
-        let square = match self.squares.get(&pair.coordinate) {
-            Some(square) => *square,
-            None => self.graph.plain_dot([p, q], [p, q]),
+        let square = match &pair.value {
+            PairValue::Angle { square: Some(square), .. } => self.value(*square),
+            _ => self.graph.plain_dot([p, q], [p, q]),
         };
         let mut rights = [zero; 2];
         for ((right, row), (mut entries, own)) in rights.iter_mut().zip(pair.rows).zip(before) {

@@ -7,7 +7,8 @@
 //! - *ratio*: an unknown x that is linear in two rows f₁x + f₀ and g₁x + g₀ and in no other: f₁g₀ − g₁f₀ = 0 holds
 //!   without it, and x = −(f₁f₀ + g₁g₀)/(f₁² + g₁²) (a stroke along a turning guide);
 //! - *norm*: an angle θ that turns a known vector in two rows and stands in no other, F + A(θ)s = 0: |F|² = |s|² holds
-//!   without it, and A(θ)s = −F gives it without a choice (a link between two pins is a distance).
+//!   without it, and A(θ)s = −F gives it without a choice (a link between two pins is a distance). An angle of several
+//!   loops is first left to one of them: the others are replaced by loops around it (see `angles`).
 //!
 //! After each the rest falls into blocks again. A block of one row in one angle, a cos φ + b sin φ = c, closes in two
 //! ways, which a sign tells apart; so do a quadratic equation and a circle that meets a line or a circle. What is left
@@ -18,7 +19,7 @@ use super::matching::blocks;
 use super::probe::Probe;
 use super::recognise::recognise;
 use super::rewrite::{Substitution, rewrite};
-use super::tree::{Block, Core, Pair, PairValue, Part, Pivot, Way};
+use super::tree::{Block, Core, Exchange, Pair, PairValue, Part, Pivot, Way};
 use crate::expr::{ExprId, Graph, Node, Symbol};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -35,11 +36,13 @@ pub(super) struct Reduction<'a> {
 }
 
 /// An unknown that two rows had, what it is, and the row that holds without it.
-struct Eliminated {
-    rows: [usize; 2],
-    coordinate: u32,
-    value: PairValue,
-    row: ExprId,
+pub(super) struct Eliminated {
+    pub(super) rows: [usize; 2],
+    pub(super) coordinate: u32,
+    pub(super) value: PairValue,
+    pub(super) row: ExprId,
+    /// What other rows had to give up for it.
+    pub(super) exchanges: Vec<Exchange>,
 }
 
 /// A coordinate's value in its place.
@@ -102,9 +105,11 @@ impl Reduction<'_> {
         let way = recognise(&mut Reader::new(self.graph, self.probe, unknowns), rows, &forms);
         let pair = match &way {
             Some(_) => None,
-            None => self.ratio(rows, unknowns, &forms).or_else(|| self.norm(rows, unknowns, &forms)),
+            None => (self.ratio(rows, unknowns, &forms))
+                .or_else(|| self.norm(rows, unknowns, &forms))
+                .or_else(|| self.norm_of_loops(rows, unknowns, &forms)),
         };
-        let Some(Eliminated { rows: pair_rows, coordinate, value, row }) = pair else {
+        let Some(Eliminated { rows: pair_rows, coordinate, value, row, exchanges }) = pair else {
             let way =
                 way.unwrap_or_else(|| Way::Newton { residuals: rows.iter().map(|&row| self.rows[row]).collect() });
             return Some(Part::Core(Core {
@@ -114,6 +119,10 @@ impl Reduction<'_> {
             }));
         };
         let [first, second] = pair_rows;
+        for exchange in &exchanges {
+            let own: Vec<usize> = pair_rows.iter().flat_map(|&row| self.made_of[row].iter().copied()).collect();
+            self.made_of[exchange.row].extend(own);
+        }
         let value = match value {
             // What replaced a row says the same on another scale.
             PairValue::Angle { turn, cos, sin, size, .. }
@@ -131,15 +140,15 @@ impl Reduction<'_> {
         let mut unknowns = unknowns.clone();
         unknowns.remove(&coordinate);
         let inner = self.block(&rest, &unknowns)?;
-        Some(Part::Pair(Box::new(Pair { rows: pair_rows, coordinate, value, inner })))
+        Some(Part::Pair(Box::new(Pair { rows: pair_rows, coordinate, value, exchanges, inner })))
     }
 
-    fn form(&mut self, row: usize, unknowns: &BTreeSet<u32>) -> Form {
+    pub(super) fn form(&mut self, row: usize, unknowns: &BTreeSet<u32>) -> Form {
         Reader::new(self.graph, self.probe, unknowns).read(self.rows[row])
     }
 
     /// The unknowns of a form.
-    fn unknowns(&self, form: &Form, unknowns: &BTreeSet<u32>) -> BTreeSet<u32> {
+    pub(super) fn unknowns(&self, form: &Form, unknowns: &BTreeSet<u32>) -> BTreeSet<u32> {
         form.unknowns(|rest| {
             let nodes = self.graph.reachable([rest]).into_iter().map(|id| self.graph.node(id));
             let found = nodes.filter_map(|node| match node {
@@ -198,7 +207,11 @@ impl Reduction<'_> {
     }
 
     /// The two rows of an unknown that stands in no other.
-    fn only_two(rows: &[usize], forms: &BTreeMap<usize, Form>, found: impl Fn(&Form) -> bool) -> Option<[usize; 2]> {
+    pub(super) fn only_two(
+        rows: &[usize],
+        forms: &BTreeMap<usize, Form>,
+        found: impl Fn(&Form) -> bool,
+    ) -> Option<[usize; 2]> {
         let mut with = rows.iter().copied().filter(|row| found(&forms[row]));
         let two = [with.next()?, with.next()?];
         with.next().is_none().then_some(two)
@@ -233,90 +246,9 @@ impl Reduction<'_> {
             let (top, bottom) = (self.graph.plain_dot([f1, g1], [f0, g0]), self.graph.plain_dot([f1, g1], [f1, g1]));
             let quotient = self.graph.div(top, bottom);
             let value = PairValue::Linear(self.graph.neg(quotient));
-            return Some(Eliminated { rows: two, coordinate: k, value, row });
+            return Some(Eliminated { rows: two, coordinate: k, value, row, exchanges: Vec::new() });
         }
         None
-    }
-
-    /// An angle that turns a known vector in two rows and stands in no other; the one of the shortest rows.
-    fn norm(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, forms: &BTreeMap<usize, Form>) -> Option<Eliminated> {
-        let mut candidates = Vec::new();
-        for &k in unknowns {
-            let held = |form: &Form| self.unknowns(form, unknowns).contains(&k);
-            let Some(two) = Self::only_two(rows, forms, held) else { continue };
-            let of_rest = two.iter().any(|row| {
-                let rest = forms[row].rest.map(|rest| Form { rest: Some(rest), ..Form::default() });
-                rest.is_some_and(|rest| self.unknowns(&rest, unknowns).contains(&k))
-            });
-            let keys: BTreeSet<&Key> =
-                two.iter().flat_map(|row| forms[row].terms.keys()).filter(|key| key.holds(k)).collect();
-            let mut keys = keys.into_iter();
-            if let (Some(key), None, false) = (keys.next(), keys.next(), of_rest)
-                && key.powers.is_empty()
-                && key.turn.iter().any(|&(other, n)| other == k && n.abs() == 1)
-            {
-                let size: usize = two.iter().map(|row| forms[row].terms.len()).sum();
-                candidates.push((size, std::cmp::Reverse(k), two, key.clone()));
-            }
-        }
-        candidates.sort();
-        candidates.into_iter().find_map(|(_, std::cmp::Reverse(k), two, key)| {
-            let (value, row) = self.without_angle(two.map(|row| &forms[&row]), &key, unknowns)?;
-            Some(Eliminated { rows: two, coordinate: k, value, row })
-        })
-    }
-
-    /// F + M (cos θ, sin θ) = 0: the row without θ, and θ.
-    fn without_angle(
-        &mut self,
-        [f, g]: [&Form; 2],
-        key: &Key,
-        unknowns: &BTreeSet<u32>,
-    ) -> Option<(PairValue, ExprId)> {
-        let zero = self.graph.zero();
-        let of = |form: &Form| form.terms.get(key).copied().unwrap_or([zero; 2]);
-        let ([c1, s1], [c2, s2]) = (of(f), of(g));
-        let without = |form: &Form| {
-            let mut form = form.clone();
-            form.terms.remove(key);
-            form
-        };
-        let mut reader = Reader::new(self.graph, self.probe, unknowns);
-        let [f, g] = [without(f), without(g)].map(|form| reader.written(&form));
-        let (graph, probe) = (&mut *self.graph, &mut *self.probe);
-        let minus_c2 = graph.neg(c2);
-        let minus_s1 = graph.neg(s1);
-        let turn = key.turn.clone();
-        let direct = probe.equal(graph, s2, c1) && probe.equal(graph, c2, minus_s1);
-        let reflected = probe.opposite(graph, s2, c1) && probe.equal(graph, minus_c2, minus_s1);
-        if direct || reflected {
-            // The second row, with its sign, is what the first is a quarter turn on.
-            let g = if reflected { graph.neg(g) } else { g };
-            let square = graph.plain_dot([c1, s1], [c1, s1]);
-            if probe.is_zero(graph, square) {
-                return None;
-            }
-            let (a, b) = (graph.plain_cross([s1, c1], [f, g]), graph.plain_dot([s1, c1], [f, g]));
-            // cos = −(C f − S g)/|s|², sin = −(S f + C g)/|s|².
-            let (cos, sin) = (a, graph.neg(b));
-            // Half of it: what appears twice is not doubled.
-            let (norm, half) = (graph.plain_dot([f, g], [f, g]), graph.number(0.5));
-            let row = graph.sub(norm, square);
-            let row = graph.mul(half, row);
-            return Some((PairValue::Angle { turn, cos, sin, size: square, square: Some(square) }, row));
-        }
-        let det = graph.plain_cross([c1, s1], [c2, s2]);
-        if probe.is_zero(graph, det) {
-            return None;
-        }
-        // cos = −(S₂ f − S₁ g)/det, sin = −(C₁ g − C₂ f)/det.
-        let (a, b) = (graph.plain_cross([s1, s2], [f, g]), graph.plain_cross([f, g], [c1, c2]));
-        let norm = graph.plain_dot([a, b], [a, b]);
-        let square = graph.square(det);
-        let row = graph.sub(norm, square);
-        let square = graph.whole(square);
-        let (cos, sin) = (graph.mul(a, det), graph.mul(b, det));
-        Some((PairValue::Angle { turn, cos, sin, size: square, square: None }, row))
     }
 }
 

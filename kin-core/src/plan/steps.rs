@@ -35,7 +35,9 @@ pub struct Step {
     pub margins: core::ops::Range<usize>,
     /// When it is singular.
     pub singular: String,
-    rows: BTreeSet<usize>,
+    pub(super) rows: BTreeSet<usize>,
+    /// The bodies of its group, while it is being named.
+    bodies: BTreeSet<usize>,
 }
 
 /// An assembly mode: a group that closes in two ways, told apart by a sign.
@@ -65,10 +67,40 @@ impl Listed {
     pub(super) fn new(system: &KinematicSystem, tree: &Block, made_of: &[BTreeSet<usize>]) -> Self {
         let mut listed = Self::default();
         listed.block(system, tree, made_of);
+        listed.take_in_explicit(&system.set);
         for step in &mut listed.steps {
             name_group(&system.set, step);
         }
         listed
+    }
+
+    /// A joint whose rows are explicit (an origin on a known pin, an axis along a known one) is a joint of the group
+    /// that its body belongs to all the same.
+    fn take_in_explicit(&mut self, set: &ConstraintSet) {
+        let explicit = self.steps.iter().filter(|step| step.kind == Kind::Explicit);
+        let given: Vec<(usize, usize)> = explicit
+            .flat_map(|step| &step.coordinates)
+            .filter_map(|&(k, joint)| Some((body_of(set, k)?, joint)))
+            .collect();
+        for step in self.steps.iter_mut().filter(|step| step.kind != Kind::Explicit) {
+            let mut bodies = bodies(set, step);
+            loop {
+                let before = (bodies.len(), step.joints.len());
+                for &(body, joint) in &given {
+                    // A body that one of the group's joints turns belongs to it even where nothing else is left of it.
+                    match (bodies.contains(&body), step.joints.contains(&joint)) {
+                        (true, false) => step.joints.push(joint),
+                        (false, true) => _ = bodies.insert(body),
+                        _ => {}
+                    }
+                }
+                if before == (bodies.len(), step.joints.len()) {
+                    break;
+                }
+            }
+            step.joints.sort_unstable();
+            step.bodies = bodies;
+        }
     }
 
     fn block(&mut self, system: &KinematicSystem, block: &Block, made_of: &[BTreeSet<usize>]) {
@@ -155,19 +187,34 @@ impl Listed {
 fn new_step(system: &KinematicSystem, kind: Kind, rows: BTreeSet<usize>, coordinates: Vec<(u32, usize)>) -> Step {
     let mut joints: Vec<usize> = rows.iter().map(|&row| system.set.rows[row].joint).collect();
     joints.dedup();
-    Step { kind, group: String::new(), joints, coordinates, modes: 0..0, margins: 0..0, singular: String::new(), rows }
+    Step {
+        kind,
+        group: String::new(),
+        joints,
+        coordinates,
+        modes: 0..0,
+        margins: 0..0,
+        singular: String::new(),
+        rows,
+        bodies: BTreeSet::new(),
+    }
+}
+
+fn body_of(set: &ConstraintSet, k: u32) -> Option<usize> {
+    match set.coordinates[k as usize].kind {
+        CoordinateKind::Pose(body, _) => Some(body),
+        CoordinateKind::Scalar => None,
+    }
+}
+
+/// The bodies that a step places.
+fn bodies(set: &ConstraintSet, step: &Step) -> BTreeSet<usize> {
+    step.coordinates.iter().filter_map(|&(k, _)| body_of(set, k)).collect()
 }
 
 /// Orders the joints of a dyad along it, and says what it is and when it is singular.
 fn name_group(set: &ConstraintSet, step: &mut Step) {
-    let bodies: BTreeSet<usize> = step
-        .coordinates
-        .iter()
-        .filter_map(|&(k, _)| match set.coordinates[k as usize].kind {
-            CoordinateKind::Pose(body, _) => Some(body),
-            CoordinateKind::Scalar => None,
-        })
-        .collect();
+    let bodies = std::mem::take(&mut step.bodies);
     if step.kind != Kind::Explicit
         && let Some((joints, letters)) = walk(set, &step.joints, &bodies)
     {
@@ -222,6 +269,8 @@ fn walk(set: &ConstraintSet, joints: &[usize], bodies: &BTreeSet<usize>) -> Opti
             (JointTag::Revolute, _) => "R",
             (JointTag::Translational, _) => "P",
             (JointTag::Distance, _) => "RR",
+            // A driven distance is a link whose length changes.
+            (JointTag::Driver, _) if set.joints[joint].frames.iter().all(Option::is_some) => "RR",
             (JointTag::PointOnLine, true) => "PR",
             (JointTag::PointOnLine, false) => "RP",
             _ => return None,

@@ -42,8 +42,18 @@ pub(super) struct Pair {
     pub(super) rows: [usize; 2],
     pub(super) coordinate: u32,
     pub(super) value: PairValue,
+    /// Rows that had the unknown, too, before they gave it up.
+    pub(super) exchanges: Vec<Exchange>,
     /// The block without it.
     pub(super) inner: Block,
+}
+
+/// A row h that becomes h − α f − β g with the rows f and g of a pair.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Exchange {
+    pub(super) row: usize,
+    /// α and β.
+    pub(super) factors: [ExprId; 2],
 }
 
 /// How a pair gives its unknown, once the others are known.

@@ -1,0 +1,198 @@
+//! Elimination of angles: a vector that turns is as long as it was.
+
+use super::form::{Form, Key, Reader};
+use super::reduce::{Eliminated, Reduction};
+use super::tree::{Exchange, PairValue};
+use crate::expr::ExprId;
+use std::collections::{BTreeMap, BTreeSet};
+
+impl Reduction<'_> {
+    /// An angle that turns a known vector in two rows and stands in no other; the one of the shortest rows.
+    pub(super) fn norm(
+        &mut self,
+        rows: &[usize],
+        unknowns: &BTreeSet<u32>,
+        forms: &BTreeMap<usize, Form>,
+    ) -> Option<Eliminated> {
+        let mut candidates = Vec::new();
+        for &k in unknowns {
+            let held = |form: &Form| self.unknowns(form, unknowns).contains(&k);
+            let Some(two) = Self::only_two(rows, forms, held) else { continue };
+            let of_rest = two.iter().any(|row| {
+                let rest = forms[row].rest.map(|rest| Form { rest: Some(rest), ..Form::default() });
+                rest.is_some_and(|rest| self.unknowns(&rest, unknowns).contains(&k))
+            });
+            let keys: BTreeSet<&Key> =
+                two.iter().flat_map(|row| forms[row].terms.keys()).filter(|key| key.holds(k)).collect();
+            let mut keys = keys.into_iter();
+            if let (Some(key), None, false) = (keys.next(), keys.next(), of_rest)
+                && key.powers.is_empty()
+                && key.turn.iter().any(|&(other, n)| other == k && n.abs() == 1)
+            {
+                let size: usize = two.iter().map(|row| forms[row].terms.len()).sum();
+                candidates.push((size, std::cmp::Reverse(k), two, key.clone()));
+            }
+        }
+        candidates.sort();
+        candidates.into_iter().find_map(|(_, std::cmp::Reverse(k), two, key)| {
+            let (value, row) = self.without_angle(two.map(|row| &forms[&row]), &key, unknowns)?;
+            Some(Eliminated { rows: two, coordinate: k, value, row, exchanges: Vec::new() })
+        })
+    }
+
+    /// F + M (cos θ, sin θ) = 0: the row without θ, and θ.
+    fn without_angle(
+        &mut self,
+        [f, g]: [&Form; 2],
+        key: &Key,
+        unknowns: &BTreeSet<u32>,
+    ) -> Option<(PairValue, ExprId)> {
+        let zero = self.graph.zero();
+        let of = |form: &Form| form.terms.get(key).copied().unwrap_or([zero; 2]);
+        let ([c1, s1], [c2, s2]) = (of(f), of(g));
+        let without = |form: &Form| {
+            let mut form = form.clone();
+            form.terms.remove(key);
+            form
+        };
+        let mut reader = Reader::new(self.graph, self.probe, unknowns);
+        let [f, g] = [without(f), without(g)].map(|form| reader.written(&form));
+        let (graph, probe) = (&mut *self.graph, &mut *self.probe);
+        let minus_c2 = graph.neg(c2);
+        let minus_s1 = graph.neg(s1);
+        let turn = key.turn.clone();
+        let direct = probe.equal(graph, s2, c1) && probe.equal(graph, c2, minus_s1);
+        let reflected = probe.opposite(graph, s2, c1) && probe.equal(graph, minus_c2, minus_s1);
+        if direct || reflected {
+            // The second row, with its sign, is what the first is a quarter turn on.
+            let g = if reflected { graph.neg(g) } else { g };
+            let square = graph.plain_dot([c1, s1], [c1, s1]);
+            if probe.is_zero(graph, square) {
+                return None;
+            }
+            let (a, b) = (graph.plain_cross([s1, c1], [f, g]), graph.plain_dot([s1, c1], [f, g]));
+            // cos = −(C f − S g)/|s|², sin = −(S f + C g)/|s|².
+            let (cos, sin) = (a, graph.neg(b));
+            // Half of it: what appears twice is not doubled.
+            let (norm, half) = (graph.plain_dot([f, g], [f, g]), graph.number(0.5));
+            let row = graph.sub(norm, square);
+            let row = graph.mul(half, row);
+            return Some((PairValue::Angle { turn, cos, sin, size: square, square: Some(square) }, row));
+        }
+        let det = graph.plain_cross([c1, s1], [c2, s2]);
+        if probe.is_zero(graph, det) {
+            return None;
+        }
+        // cos = −(S₂ f − S₁ g)/det, sin = −(C₁ g − C₂ f)/det.
+        let (a, b) = (graph.plain_cross([s1, s2], [f, g]), graph.plain_cross([f, g], [c1, c2]));
+        let norm = graph.plain_dot([a, b], [a, b]);
+        let square = graph.square(det);
+        let row = graph.sub(norm, square);
+        let square = graph.whole(square);
+        let (cos, sin) = (graph.mul(a, det), graph.mul(b, det));
+        Some((PairValue::Angle { turn, cos, sin, size: square, square: None }, row))
+    }
+
+    /// An angle of several loops, left to one of them: what the others have of it is taken from that one, which makes
+    /// loops around it of them. Then it is in two rows only.
+    pub(super) fn norm_of_loops(
+        &mut self,
+        rows: &[usize],
+        unknowns: &BTreeSet<u32>,
+        forms: &BTreeMap<usize, Form>,
+    ) -> Option<Eliminated> {
+        let mut candidates: Vec<(usize, u32, Key, Vec<usize>)> = Vec::new();
+        for &k in unknowns {
+            let with: Vec<usize> =
+                rows.iter().copied().filter(|row| self.unknowns(&forms[row], unknowns).contains(&k)).collect();
+            let keys: BTreeSet<&Key> =
+                with.iter().flat_map(|row| forms[row].terms.keys()).filter(|key| key.holds(k)).collect();
+            let mut keys = keys.into_iter();
+            // A row that is a norm has another scale than its rates, and one with a rest cannot be taken apart.
+            let plain = with.iter().all(|row| forms[row].rest.is_none() && !self.replaced.contains(row));
+            if let (Some(key), None, true) = (keys.next(), keys.next(), plain)
+                && key.powers.is_empty()
+                && key.turn.iter().any(|&(other, n)| other == k && n.abs() == 1)
+            {
+                candidates.push((with.len(), k, key.clone(), with));
+            }
+        }
+        candidates.sort_by_key(|(count, k, ..)| (*count, std::cmp::Reverse(*k)));
+        candidates.into_iter().find_map(|(_, k, key, with)| {
+            let two = self.shortest_loop(&with, forms, &key)?;
+            let (value, row) = self.without_angle(two.map(|row| &forms[&row]), &key, unknowns)?;
+            let others = with.into_iter().filter(|row| !two.contains(row));
+            let mut exchanges = Vec::new();
+            let mut replaced = Vec::new();
+            for other in others {
+                let (exchange, row) = self.exchange(other, two, forms, &key, unknowns)?;
+                replaced.push((other, row));
+                exchanges.push(exchange);
+            }
+            replaced.into_iter().for_each(|(other, row)| self.rows[other] = row);
+            Some(Eliminated { rows: two, coordinate: k, value, row, exchanges })
+        })
+    }
+
+    /// The two rows with the fewest terms in which a vector turns freely.
+    fn shortest_loop(&mut self, rows: &[usize], forms: &BTreeMap<usize, Form>, key: &Key) -> Option<[usize; 2]> {
+        let pairs = rows.iter().enumerate().flat_map(|(place, &f)| rows[place + 1..].iter().map(move |&g| [f, g]));
+        let mut pairs: Vec<(usize, [usize; 2])> =
+            pairs.map(|two| (two.iter().map(|row| forms[row].terms.len()).sum(), two)).collect();
+        pairs.sort_unstable();
+        pairs.into_iter().map(|(_, two)| two).find(|two| {
+            let [a, b] = two.map(|row| forms[&row].terms.get(key).copied());
+            let (Some(a), Some(b)) = (a, b) else { return false };
+            let det = self.graph.plain_cross(a, b);
+            !self.probe.is_zero(self.graph, det)
+        })
+    }
+
+    /// h − α f − β g, in which `key` is missing.
+    fn exchange(
+        &mut self,
+        other: usize,
+        two: [usize; 2],
+        forms: &BTreeMap<usize, Form>,
+        key: &Key,
+        unknowns: &BTreeSet<u32>,
+    ) -> Option<(Exchange, ExprId)> {
+        let zero = self.graph.zero();
+        let [h, f, g] = [other, two[0], two[1]].map(|row| &forms[&row]);
+        let [ch, c1, c2] = [h, f, g].map(|form| form.terms.get(key).copied().unwrap_or([zero; 2]));
+        let factors = self.factors(ch, [c1, c2]);
+        let mut reader = Reader::new(self.graph, self.probe, unknowns);
+        let mut row = h.clone();
+        for (factor, form) in factors.into_iter().zip([f, g]) {
+            let factor = reader.constant(factor);
+            let product = reader.product(&factor, form)?;
+            row = reader.sum(&row, &product, -1.0)?;
+        }
+        row.terms.remove(key);
+        let row = reader.clean(row);
+        let row = reader.written(&row);
+        Some((Exchange { row: other, factors }, row))
+    }
+
+    /// α and β with α a + β b = h.
+    fn factors(&mut self, h: [ExprId; 2], [a, b]: [[ExprId; 2]; 2]) -> [ExprId; 2] {
+        let (graph, probe) = (&mut *self.graph, &mut *self.probe);
+        let (zero, one) = (graph.zero(), graph.number(1.0));
+        let minus_one = graph.number(-1.0);
+        // The same joint in another loop, as a rule.
+        for (factor, test) in [(one, true), (minus_one, false)] {
+            for (place, own) in [a, b].into_iter().enumerate() {
+                let same = (0..2).all(|k| match test {
+                    true => probe.equal(graph, h[k], own[k]),
+                    false => probe.opposite(graph, h[k], own[k]),
+                });
+                if same {
+                    return if place == 0 { [factor, zero] } else { [zero, factor] };
+                }
+            }
+        }
+        let det = graph.plain_cross(a, b);
+        let (alpha, beta) = (graph.plain_cross(h, b), graph.plain_cross(a, h));
+        [graph.div(alpha, det), graph.div(beta, det)]
+    }
+}
