@@ -140,7 +140,6 @@ fn met(kind: Kind, writing: usize, apart: f64) -> Draft {
 }
 
 #[test]
-#[ignore = "margins stay at 1 until the pins meet, and are not a number there"]
 fn pins_that_meet_leave_no_margin() {
     for (kind, writing) in [(Kind::Rrr, 0), (Kind::Rrr, 1), (Kind::Rpr, 0), (Kind::Rpr, 1)] {
         let mut last = f64::INFINITY;

@@ -274,7 +274,11 @@ impl<'a> Build<'a> {
                 let inverse = inverse(graph, d);
                 let w = signed_root(graph, mode, inside);
                 let (cos, sin) = (graph.plain_cross([a, b], [w, c]), graph.plain_dot([b, a], [c, w]));
-                let margin = graph.mul(inside, inverse);
+                // What a and b are small differences of counts a little: pins that meet leave no direction.
+                let (share, size) = (graph.number(SHARE), terms_of([a, b], graph));
+                let share = graph.mul(share, size);
+                let whole = graph.add(d, share);
+                let margin = graph.div(inside, whole);
                 self.write(Slot::Margin(place), margin);
                 self.angle(k, &[(k, 1)], [cos, sin], inverse);
             }
@@ -429,6 +433,38 @@ fn constants(block: &Block) -> Vec<ExprId> {
         }
     }
     out
+}
+
+/// How much the terms of a difference count beside the difference: it is far smaller where digits are lost.
+const SHARE: f64 = 1e-6;
+
+/// The sum of the squares of all terms of which `parts` are sums.
+fn terms_of(parts: [ExprId; 2], graph: &mut Graph) -> ExprId {
+    let mut sum = graph.zero();
+    for part in parts {
+        let size = squared_terms(graph, part, 8);
+        sum = graph.add(sum, size);
+    }
+    sum
+}
+
+/// Σ tᵢ² of a sum, Σ tᵢ² Σ uⱼ² of a product; deeper than `depth` the square.
+fn squared_terms(graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {
+    if depth == 0 {
+        return graph.square(id);
+    }
+    match graph.node(id) {
+        Node::Neg(a) | Node::Whole(a) => squared_terms(graph, a, depth - 1),
+        Node::Add(a, b) | Node::Sub(a, b) => {
+            let (a, b) = (squared_terms(graph, a, depth - 1), squared_terms(graph, b, depth - 1));
+            graph.add(a, b)
+        }
+        Node::Mul(a, b) => {
+            let (a, b) = (squared_terms(graph, a, depth - 1), squared_terms(graph, b, depth - 1));
+            graph.mul(a, b)
+        }
+        _ => graph.square(id),
+    }
 }
 
 /// 1/a, as one thing that all products share.

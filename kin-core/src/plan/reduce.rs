@@ -143,7 +143,18 @@ impl Reduction<'_> {
         Some(Part::Pair(Box::new(Pair { rows: pair_rows, coordinate, value, exchanges, inner })))
     }
 
+    /// The form of a row, and the row without unknowns that cancel out of it: they may be solved for later only.
     pub(super) fn form(&mut self, row: usize, unknowns: &BTreeSet<u32>) -> Form {
+        let form = Reader::new(self.graph, self.probe, unknowns).read(self.rows[row]);
+        let left = self.unknowns(&form, unknowns);
+        let written = self.unknowns(&Form { rest: Some(self.rows[row]), ..Form::default() }, unknowns);
+        if written.is_subset(&left) {
+            return form;
+        }
+        for &coordinate in written.difference(&left) {
+            let mut replaced = Replaced { coordinate, value: self.graph.zero() };
+            self.rows[row] = rewrite(self.graph, self.rows[row], &mut HashMap::new(), &mut replaced);
+        }
         Reader::new(self.graph, self.probe, unknowns).read(self.rows[row])
     }
 
