@@ -14,13 +14,14 @@ use crate::model::{
 struct Rest<'w> {
     text: &'static str,
     words: &'w [u32],
+    /// The next word. The compiler counts by one faster than it shortens slices.
+    at: usize,
 }
 
 impl Rest<'_> {
     const fn word(&mut self) -> usize {
-        let (first, rest) = self.words.split_at(1);
-        self.words = rest;
-        first[0] as usize
+        self.at += 1;
+        self.words[self.at - 1] as usize
     }
 
     const fn name(&mut self) -> &'static str {
@@ -58,7 +59,7 @@ macro_rules! unpack {
             $(mut $argument: $ty),*
         ) -> [$entry; N] {
             let mut out = [$empty; N];
-            let mut $rest = Rest { text, words };
+            let mut $rest = Rest { text, words, at: 0 };
             let mut k = 0;
             while k < N {
                 out[k] = $unpack;

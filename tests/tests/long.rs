@@ -143,3 +143,20 @@ fn long_tables_say_what_short_ones_would() {
     let revolute = pattern.entries.iter().position(|entry| *entry == (2, 0)).expect("a pin holds both bodies");
     assert!(pattern.constants.contains(&(revolute, -1.0)));
 }
+
+/// Third derivatives of links of different lengths, which loops read from their arrays, against differences of q̈.
+#[test]
+fn the_jerk_of_a_long_chain_is_the_slope_of_its_acceleration() {
+    let mut chain = Chain::default();
+    (0..40).for_each(|k| chain.l[k] = 0.1 + 0.01 * (k * k % 7) as f64);
+    let solver = chain.solver();
+    let state = |t: f64| chain.state_at(&Instant::at(t)).unwrap();
+    let h = 1e-4;
+    let (before, after) = (state(0.7 - h), state(0.7 + h));
+    let derivatives = solver.derivatives(&state(0.7), 3).unwrap();
+    for (k, jerk) in derivatives.q[3].iter().enumerate() {
+        let slope = (after.q_ddot[k] - before.q_ddot[k]) / (2.0 * h);
+        assert!((jerk - slope).abs() < 1e-5 * (1.0 + slope.abs()), "{k}: {jerk} and {slope}");
+    }
+    assert!(derivatives.q[3].iter().any(|jerk| jerk.abs() > 1e-2));
+}

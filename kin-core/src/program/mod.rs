@@ -95,7 +95,8 @@ impl Instruction {
         }
     }
 
-    fn map_operands(self, f: impl Fn(Value) -> Value) -> Self {
+    /// The same instruction of other operands.
+    pub fn map_operands(self, f: impl Fn(Value) -> Value) -> Self {
         match self {
             Self::Number(_) | Self::Load(_) => self,
             Self::Neg(a) => Self::Neg(f(a)),

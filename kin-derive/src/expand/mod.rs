@@ -12,6 +12,7 @@ mod parameters;
 mod plan;
 mod program;
 mod rolled;
+mod rolled_series;
 mod series;
 mod statements;
 mod tables;

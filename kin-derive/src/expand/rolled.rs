@@ -34,11 +34,11 @@ pub(super) fn body(rolled: &Rolled) -> TokenStream {
     quote! { #(#tables)* #(#lengths)* #statements }
 }
 
-fn array(number: usize) -> Ident {
+pub(super) fn array(number: usize) -> Ident {
     format_ident!("__a{number}")
 }
 
-fn table(number: usize) -> Ident {
+pub(super) fn table(number: usize) -> Ident {
     format_ident!("__TABLE{number}")
 }
 
@@ -103,12 +103,12 @@ fn gathered(rolled: &Rolled, count: usize, body: &[Step]) -> Statement {
     Statement { uses, tokens, ..Statement::default() }
 }
 
-fn uses(statements: &[Statement]) -> Vec<Value> {
+pub(super) fn uses(statements: &[Statement]) -> Vec<Value> {
     statements.iter().flat_map(|statement| &statement.uses).copied().collect()
 }
 
 /// The values that a step reads under their names.
-fn step_uses(rolled: &Rolled, step: &Step) -> Vec<Value> {
+pub(super) fn step_uses(rolled: &Rolled, step: &Step) -> Vec<Value> {
     let mut uses = Vec::new();
     let mut read = |operand: Value| {
         if let Source::Local(value, _) = rolled.sources[operand.index()] {
@@ -124,19 +124,19 @@ fn step_uses(rolled: &Rolled, step: &Step) -> Vec<Value> {
 
 /// The member of a loop that is written: iteration `each`·k + `offset`.
 #[derive(Clone, Copy)]
-struct Member {
-    each: usize,
-    offset: usize,
+pub(super) struct Member {
+    pub(super) each: usize,
+    pub(super) offset: usize,
     /// False where k is 0.
-    varies: bool,
+    pub(super) varies: bool,
 }
 
 impl Member {
     /// Straight code.
-    const ONE: Self = Self { each: 1, offset: 0, varies: false };
+    pub(super) const ONE: Self = Self { each: 1, offset: 0, varies: false };
 
     /// The index `first` + `step`·iteration.
-    fn index(self, first: usize, step: i64) -> TokenStream {
+    pub(super) fn index(self, first: usize, step: i64) -> TokenStream {
         let start_is = (first as i64 + step * self.offset as i64) as usize;
         let start = Literal::usize_unsuffixed(start_is);
         let advance = step * self.each as i64;
@@ -253,7 +253,7 @@ impl Emitter<'_> {
 }
 
 /// The name of a part of a value.
-fn local(value: Value, part: Part) -> Ident {
+pub(super) fn local(value: Value, part: Part) -> Ident {
     let prefix = match part {
         Part::Whole => 'v',
         Part::Sin => 's',

@@ -83,6 +83,9 @@ struct Statement {
 
 /// The statements of `program`: constants, then everything else, in blocks that hand out what later ones need.
 fn body(program: &Program) -> TokenStream {
+    if let Some(tokens) = super::rolled_series::body(program) {
+        return tokens;
+    }
     let emitter = Emitter::new(program);
     let (constants, mut others) = emitter.statements();
     emitter.place_outputs(&mut others);
@@ -137,22 +140,27 @@ fn name(prefix: char, value: Value) -> Ident {
     Ident::new(&format!("__{prefix}{}", value.0), Span::call_site())
 }
 
+/// For every value whether it depends on parameters alone.
+pub(super) fn constants(program: &Program) -> Vec<bool> {
+    let mut constant = vec![false; program.instructions.len()];
+    for (place, instruction) in program.instructions.iter().enumerate() {
+        constant[place] = match instruction {
+            Instruction::Load(symbol) => matches!(symbol, Symbol::Parameter(_)),
+            // Its derivatives count as the arithmetic's.
+            Instruction::Supplied(..) => false,
+            _ => {
+                let mut all = true;
+                instruction.for_each_operand(|operand| all &= constant[operand.index()]);
+                all
+            }
+        };
+    }
+    constant
+}
+
 impl<'p> Emitter<'p> {
     fn new(program: &'p Program) -> Self {
-        let mut constant = vec![false; program.instructions.len()];
-        for (place, instruction) in program.instructions.iter().enumerate() {
-            constant[place] = match instruction {
-                Instruction::Load(symbol) => matches!(symbol, Symbol::Parameter(_)),
-                // Its derivatives count as the arithmetic's.
-                Instruction::Supplied(..) => false,
-                _ => {
-                    let mut all = true;
-                    instruction.for_each_operand(|operand| all &= constant[operand.index()]);
-                    all
-                }
-            };
-        }
-        Self { program, constant }
+        Self { program, constant: constants(program) }
     }
 
     fn instruction(&self, value: Value) -> Instruction {
