@@ -1,7 +1,7 @@
 //! Beside, at and beyond the limits of dyads of every kind: rounding grows as conditioning says, the mode is kept, and what
 //! cannot close is named.
 
-use kin_runtime::{Instant, Kinematics, PlanError, Planned, Sign, SolveError, mechanism};
+use kin_runtime::{Instant, Kinematics, Options, PlanError, Planned, Sign, SolveError, mechanism};
 use kin_tests::compare::largest;
 use kin_tests::random::Random;
 
@@ -48,6 +48,21 @@ struct Guide;
 #[guess(boom.phi = 0.8)]
 #[derive(Default)]
 struct Crane;
+
+/// A parallelogram, which is flat at t = 0.3 where another branch crosses, beside a wheel that turns so fast that no jump of
+/// the other velocities shows.
+#[mechanism]
+#[bodies(crank, coupler, rocker, wheel)]
+#[revolute(O: ground @ (0, 0), crank @ (-0.1, 0))]
+#[revolute(A: crank @ (0.1, 0), coupler @ (-0.25, 0))]
+#[revolute(B: coupler @ (0.25, 0), rocker @ (0.1, 0))]
+#[revolute(D: ground @ (0.5, 0), rocker @ (-0.1, 0))]
+#[revolute(W: ground @ (0, 1), wheel @ (0, 0))]
+#[driver(turn: crank.phi = t - 0.3)]
+#[driver(spin: wheel.phi = 60 * t)]
+#[guess(coupler.phi = 0, rocker.phi = -0.3)]
+#[derive(Default)]
+struct Flat;
 
 /// At which t the limit is.
 fn limits() -> [f64; 4] {
@@ -173,4 +188,17 @@ fn either_mode_can_be_asked_for() {
     both_modes::<Slider>("A-B", 0.7);
     both_modes::<Guide>("slot", 1.0);
     both_modes::<Crane>("ram", 0.3);
+}
+
+#[test]
+fn a_sign_that_is_kept_leads_across_no_crossing() {
+    for times in [&[0.0, 0.6][..], &[0.0, 0.2, 0.299, 0.301, 0.4]] {
+        for use_plan in [true, false] {
+            let options = Options { use_plan, ..Options::default() };
+            let error = Flat.solver().with_options(options).sweep(times).unwrap_err();
+            let SolveError::Singular { t, .. } = error.source else { panic!("{error}") };
+            assert!((t - 0.3).abs() < 2e-3, "{error}");
+            assert_eq!(error.trajectory.len(), times.iter().filter(|t| **t < 0.3).count());
+        }
+    }
 }

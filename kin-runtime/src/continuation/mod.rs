@@ -11,6 +11,12 @@
 //! determinant of Φ_q) the same; otherwise it is halved. So a motion is followed to where it ends or crosses another,
 //! and never jumps there: what cannot be followed is an error with the time and the joint.
 //!
+//! Where the mechanism has a plan it is asked first, from the prediction and in the modes of the node, and its q, q̇ and q̈
+//! are held against all rows and judged alike. A sign that is kept is no branch that is kept: where two branches cross, the
+//! motion goes on with the other sign. So the prediction, which follows the motion smoothly, must have the signs of the
+//! node; where it has not, and wherever the plan has no good answer, full Newton decides as if there were no plan, and
+//! reads the modes anew.
+//!
 //! Where there are rows of velocity level, Φ does not determine the position. Then the velocities are integrated from
 //! the first instant on, and every step is projected onto Φ; see `integrate`.
 
