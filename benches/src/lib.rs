@@ -3,3 +3,4 @@
 pub mod chain;
 pub mod four_bar;
 pub mod paired;
+pub mod robot;
