@@ -11,11 +11,12 @@ use super::steps::Listed;
 use super::tree::{Block, Core, Pair, PairValue, Part, Pivot, Way};
 use crate::constraint::CoordinateKind;
 use crate::expr::{ExprId, Graph, Node, Symbol, total_derivatives};
+use crate::hash::FastMap;
 use crate::mechanism::{Component, Function};
 use crate::program::Slot;
 use crate::structure::turn::terms;
 use crate::system::KinematicSystem;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 /// A stretch of the solution: expressions to compute, or an iteration.
 pub(super) enum Stage {
@@ -29,18 +30,18 @@ pub(super) enum Stage {
 /// What is known of the coordinates so far.
 #[derive(Default)]
 struct Known {
-    values: HashMap<u32, ExprId>,
-    turns: HashMap<u32, Turned>,
-    rates: HashMap<u32, ExprId>,
+    values: FastMap<u32, ExprId>,
+    turns: FastMap<u32, Turned>,
+    rates: FastMap<u32, ExprId>,
     /// Expressions of the description, rewritten.
-    rewritten: HashMap<ExprId, ExprId>,
+    rewritten: FastMap<ExprId, ExprId>,
 }
 
 /// A view of [`Known`] that takes part in a rewriting.
 struct InTermsOf<'k> {
-    values: &'k HashMap<u32, ExprId>,
-    turns: &'k HashMap<u32, Turned>,
-    rates: &'k HashMap<u32, ExprId>,
+    values: &'k FastMap<u32, ExprId>,
+    turns: &'k FastMap<u32, Turned>,
+    rates: &'k FastMap<u32, ExprId>,
 }
 
 impl Substitution for InTermsOf<'_> {
@@ -52,13 +53,13 @@ impl Substitution for InTermsOf<'_> {
         }
     }
 
-    fn turn(&mut self, graph: &mut Graph, known: &HashMap<ExprId, ExprId>, angle: ExprId) -> Option<Turned> {
+    fn turn(&mut self, graph: &mut Graph, known: &FastMap<ExprId, ExprId>, angle: ExprId) -> Option<Turned> {
         Some(turned(graph, self.turns, known, angle))
     }
 }
 
 /// The rotation by an angle: products of known cosines and sines where there are any, and the rest as an angle.
-fn turned(graph: &mut Graph, turns: &HashMap<u32, Turned>, known: &HashMap<ExprId, ExprId>, angle: ExprId) -> Turned {
+fn turned(graph: &mut Graph, turns: &FastMap<u32, Turned>, known: &FastMap<ExprId, ExprId>, angle: ExprId) -> Turned {
     let mut pair: Option<[ExprId; 2]> = None;
     let mut rest = graph.zero();
     for (times, id) in terms(graph, angle) {
@@ -407,7 +408,7 @@ impl<'a> Build<'a> {
         let n = self.system.set.coordinates.len();
         let right = (0..self.system.equations.len()).map(|row| self.graph.symbol(Symbol::Right(row as u32))).collect();
         let entries = self.system.equations.iter().map(|equation| equation.phi_q.iter().copied().collect()).collect();
-        let mut rates = Rates::new(&mut self.graph, entries, right, n, HashMap::new());
+        let mut rates = Rates::new(&mut self.graph, entries, right, n, FastMap::default());
         rates.block(tree);
         let zero = rates.graph.zero();
         rates.solution.iter().enumerate().map(|(k, value)| (Slot::Entry(k), value.unwrap_or(zero))).collect()

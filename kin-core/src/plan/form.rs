@@ -10,9 +10,10 @@
 
 use super::probe::Probe;
 use crate::expr::{ExprId, Graph, Node, Symbol};
+use crate::hash::FastMap;
 use crate::mechanism::Function;
 use crate::structure::turn::terms;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Terms of a form beyond which it is left as it is.
 const MAX_TERMS: usize = 64;
@@ -48,13 +49,13 @@ pub(super) struct Reader<'a> {
     pub(super) graph: &'a mut Graph,
     pub(super) probe: &'a mut Probe,
     unknowns: &'a BTreeSet<u32>,
-    holds: HashMap<ExprId, bool>,
-    read: HashMap<ExprId, Form>,
+    holds: FastMap<ExprId, bool>,
+    read: FastMap<ExprId, Form>,
 }
 
 impl<'a> Reader<'a> {
     pub(super) fn new(graph: &'a mut Graph, probe: &'a mut Probe, unknowns: &'a BTreeSet<u32>) -> Self {
-        Self { graph, probe, unknowns, holds: HashMap::new(), read: HashMap::new() }
+        Self { graph, probe, unknowns, holds: FastMap::default(), read: FastMap::default() }
     }
 
     /// What is sought.

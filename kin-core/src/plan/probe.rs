@@ -5,10 +5,10 @@
 //! with a probability of its degree over 2⁶¹.
 
 use crate::expr::{ExprId, Graph, Node};
+use crate::hash::FastMap;
 use crate::mechanism::Function;
 use crate::structure::field::{Draw, Residue};
 use crate::structure::turn::Turns;
-use std::collections::HashMap;
 
 const SORT_SYMBOL: u64 = 20;
 const SORT_FUNCTION: u64 = 21;
@@ -17,14 +17,14 @@ const SORT_FUNCTION: u64 = 21;
 pub(super) struct Probe {
     turns: Turns,
     draw: Draw,
-    known: HashMap<ExprId, Residue>,
+    known: FastMap<ExprId, Residue>,
 }
 
 impl Probe {
     /// A probe for expressions over so many coordinates.
     pub(super) fn new(coordinates: usize) -> Self {
         let draw = Draw(0x6b69_6e00_706c_616e);
-        Self { turns: Turns::free(coordinates, draw), draw, known: HashMap::new() }
+        Self { turns: Turns::free(coordinates, draw), draw, known: FastMap::default() }
     }
 
     /// True when `id` is zero for all values of its symbols.

@@ -9,7 +9,8 @@
 use super::dense;
 use super::tree::{Block, Core, Pair, PairValue, Part};
 use crate::expr::{ExprId, Graph};
-use std::collections::{BTreeMap, HashMap};
+use crate::hash::FastMap;
+use std::collections::BTreeMap;
 
 /// A linear system along a tree.
 pub(super) struct Rates<'g> {
@@ -22,7 +23,7 @@ pub(super) struct Rates<'g> {
     /// The margins of cores, by their first row.
     pub(super) margins: BTreeMap<usize, ExprId>,
     /// What stands for expressions of the tree; those that are missing stand for themselves.
-    known: HashMap<ExprId, ExprId>,
+    known: FastMap<ExprId, ExprId>,
 }
 
 impl<'g> Rates<'g> {
@@ -31,7 +32,7 @@ impl<'g> Rates<'g> {
         entries: Vec<BTreeMap<u32, ExprId>>,
         right: Vec<ExprId>,
         n: usize,
-        known: HashMap<ExprId, ExprId>,
+        known: FastMap<ExprId, ExprId>,
     ) -> Self {
         Self { graph, entries, right, solution: vec![None; n], margins: BTreeMap::new(), known }
     }

@@ -21,7 +21,8 @@ use super::recognise::recognise;
 use super::rewrite::{Substitution, rewrite};
 use super::tree::{Block, Core, Exchange, Pair, PairValue, Part, Pivot, Way};
 use crate::expr::{ExprId, Graph, Node, Symbol};
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use crate::hash::FastMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Rows while they are being reduced.
 pub(super) struct Reduction<'a> {
@@ -68,7 +69,7 @@ impl Reduction<'_> {
             let value = self.solved_for(&form, coordinate);
             rows.retain(|&other| other != row);
             unknowns.remove(&coordinate);
-            let mut known = HashMap::new();
+            let mut known = FastMap::default();
             for &other in &rows {
                 let holds = self.graph.reachable([self.rows[other]]).into_iter();
                 let symbol = Node::Symbol(Symbol::Coordinate(coordinate));
@@ -153,7 +154,7 @@ impl Reduction<'_> {
         }
         for &coordinate in written.difference(&left) {
             let mut replaced = Replaced { coordinate, value: self.graph.zero() };
-            self.rows[row] = rewrite(self.graph, self.rows[row], &mut HashMap::new(), &mut replaced);
+            self.rows[row] = rewrite(self.graph, self.rows[row], &mut FastMap::default(), &mut replaced);
         }
         Reader::new(self.graph, self.probe, unknowns).read(self.rows[row])
     }

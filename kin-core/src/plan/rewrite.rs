@@ -1,8 +1,8 @@
 //! Expressions with other things in the place of their symbols.
 
 use crate::expr::{ExprId, Graph, Node, Symbol};
+use crate::hash::FastMap;
 use crate::mechanism::Function;
-use std::collections::HashMap;
 
 /// What stands for symbols and for sines and cosines; `None` leaves them as they are.
 pub(super) trait Substitution {
@@ -13,7 +13,7 @@ pub(super) trait Substitution {
         None
     }
     /// The cosine and sine of an angle, given as it was before, and what its parts have become.
-    fn turn(&mut self, _graph: &mut Graph, _known: &HashMap<ExprId, ExprId>, _angle: ExprId) -> Option<Turned> {
+    fn turn(&mut self, _graph: &mut Graph, _known: &FastMap<ExprId, ExprId>, _angle: ExprId) -> Option<Turned> {
         None
     }
 }
@@ -57,7 +57,7 @@ impl Turned {
 pub(super) fn rewrite(
     graph: &mut Graph,
     root: ExprId,
-    known: &mut HashMap<ExprId, ExprId>,
+    known: &mut FastMap<ExprId, ExprId>,
     substitution: &mut impl Substitution,
 ) -> ExprId {
     let mut open = vec![(root, false)];
@@ -83,7 +83,7 @@ pub(super) fn rewrite(
 fn node(
     graph: &mut Graph,
     id: ExprId,
-    known: &HashMap<ExprId, ExprId>,
+    known: &FastMap<ExprId, ExprId>,
     substitution: &mut impl Substitution,
 ) -> ExprId {
     let v = |id: ExprId| known.get(&id).copied().unwrap_or(id);

@@ -3,8 +3,9 @@
 use super::build::Stage;
 use super::rewrite::{Substitution, rewrite};
 use crate::expr::{ExprId, Graph, Node, Symbol};
+use crate::hash::FastMap;
 use crate::program::{Program, Slot, lower};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
 /// A stretch of a solution.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,8 +26,8 @@ pub enum Section {
 /// Where the value of an expression is found.
 struct Places {
     /// The section that computes it.
-    owner: HashMap<ExprId, usize>,
-    held: HashMap<ExprId, u32>,
+    owner: FastMap<ExprId, usize>,
+    held: FastMap<ExprId, u32>,
     /// (section, place, expression) of everything that is held.
     wanted: Vec<(usize, u32, ExprId)>,
     next: u32,
@@ -60,7 +61,7 @@ impl Substitution for Done<'_> {
 
 /// The sections of `stages`, of which the last may be empty, and how many values they hold; `first` are taken.
 pub(super) fn sections(graph: &mut Graph, stages: Vec<Stage>, first: u32) -> (Vec<Section>, u32) {
-    let mut places = Places { owner: HashMap::new(), held: HashMap::new(), wanted: Vec::new(), next: first };
+    let mut places = Places { owner: FastMap::default(), held: FastMap::default(), wanted: Vec::new(), next: first };
     for (number, stage) in stages.iter().enumerate() {
         match stage {
             Stage::Closed(outputs) => {
@@ -73,7 +74,7 @@ pub(super) fn sections(graph: &mut Graph, stages: Vec<Stage>, first: u32) -> (Ve
             }
         }
     }
-    let mut rewritten: Vec<HashMap<ExprId, ExprId>> = stages.iter().map(|_| HashMap::new()).collect();
+    let mut rewritten: Vec<FastMap<ExprId, ExprId>> = stages.iter().map(|_| FastMap::default()).collect();
     let mut roots: Vec<Vec<(Slot, ExprId)>> = stages
         .iter()
         .map(|stage| match stage {
