@@ -5,6 +5,8 @@ use crate::planned::{Limit, PlanError, Sign};
 use crate::trajectory::Trajectory;
 use core::fmt;
 
+mod text;
+
 /// Why a step of a sweep was refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -335,120 +337,6 @@ impl From<LengthError> for SolveError {
     fn from(error: LengthError) -> Self {
         Self::Length(error)
     }
-}
-
-impl fmt::Display for SolveError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotAssembled { t, gap, residual, row_name, joint, iterations, all_guessed, limit, .. } => {
-                write!(
-                    f,
-                    "not assembled at t = {t}: joint `{joint}` stays open, row `{row_name}` at {residual:.3e} \
-                     (scaled {gap:.3e}) after {iterations} iterations"
-                )?;
-                write_limit(f, limit)?;
-                if !all_guessed {
-                    return Ok(());
-                }
-                f.write_str("; every coordinate has a guess and none is varied: other guesses, or fewer, may close")
-            }
-            Self::Singular { t, rank, expected_rank, rows, condition, limit } => {
-                write!(
-                    f,
-                    "singular configuration at t = {t}: rank {rank} instead of {expected_rank} \
-                     (condition {condition:.1e})"
-                )?;
-                if !rows.is_empty() {
-                    write!(f, "; dependent rows: {}", rows.join(", "))?;
-                }
-                write_limit(f, limit)
-            }
-            Self::InconsistentVelocity { t, residual, row_name, joint, rank } => write!(
-                f,
-                "no velocity satisfies all rows at t = {t}: row `{row_name}` of joint `{joint}` is off by \
-                 {residual:.3e} (scaled; rank {rank})"
-            ),
-            Self::InconsistentAcceleration { t, residual, row_name, joint, rank } => write!(
-                f,
-                "no acceleration satisfies all rows at t = {t}: row `{row_name}` of joint `{joint}` is off by \
-                 {residual:.3e} (scaled; rank {rank})"
-            ),
-            Self::InconsistentDerivative { t, order, residual, row_name, joint, rank } => write!(
-                f,
-                "no derivative of order {order} satisfies all rows at t = {t}: row `{row_name}` of joint `{joint}` is \
-                 off by {residual:.3e} (scaled; rank {rank})"
-            ),
-            Self::UnknownDerivative { t, order, what, name, known } => write!(
-                f,
-                "the derivative of order {order} at t = {t} needs more of the {what} `{name}` than its value and \
-                 {known} {}",
-                if *known == 1 { "derivative" } else { "derivatives" }
-            ),
-            Self::NotSmooth { t, order, row_name, joint } => write!(
-                f,
-                "row `{row_name}` of joint `{joint}` has no derivative of order {order} at t = {t}: a root, a divisor \
-                 or an absolute value in it is 0"
-            ),
-            Self::StepRefused { t, t_refused, reason: reason @ Refusal::TooManySteps, .. } => {
-                write!(f, "{reason} on the way from t = {t} to t = {t_refused}; ask for instants in between")
-            }
-            Self::StepRefused { t, t_refused, reason: reason @ Refusal::StepTooSmall, .. } => {
-                write!(f, "the velocities cannot be integrated beyond t = {t} to t = {t_refused}: {reason}")
-            }
-            Self::StepRefused { t, t_refused, row_name, joint, reason, limit } => {
-                write!(
-                    f,
-                    "the branch ends after t = {t}: at t = {t_refused} {reason} (joint `{joint}`, row `{row_name}`)"
-                )?;
-                write_limit(f, limit)
-            }
-            Self::DegenerateGeometry { t, joint, fault } => write!(f, "joint `{joint}` at t = {t}: {fault}"),
-            Self::DegenerateContact { t, joint, what, .. } => {
-                write!(f, "degenerate contact of joint `{joint}` at t = {t}: {what}")
-            }
-            Self::NonFinite { what, index, name, t } => {
-                write!(f, "{what}[{index}]")?;
-                if !name.is_empty() {
-                    write!(f, " ({name})")?;
-                }
-                f.write_str(" is not a finite number")?;
-                t.map_or(Ok(()), |t| write!(f, " at t = {t}"))
-            }
-            Self::Length(error) => error.fmt(f),
-            Self::Option { name, value, most } => {
-                write!(f, "the option `{name}` is {value}; it is above 0")?;
-                if *most < f64::MAX { write!(f, " and at most {most}") } else { Ok(()) }
-            }
-            Self::UnknownCoordinate { index, coordinates } => {
-                write!(f, "there is no coordinate {index}; the mechanism has {coordinates}, counted from 0")
-            }
-            Self::GivenConflict { t, coordinate, value, open, given } => write!(
-                f,
-                "`{coordinate}` = {value} cannot be given at t = {t}: it repeats or contradicts the other rows \
-                 ({given} given, {open} open)"
-            ),
-            Self::Plan(error) => error.fmt(f),
-            Self::UnknownMode { mode, modes } if modes.is_empty() => {
-                write!(f, "there is no mode {mode}; the mechanism closes in one way only")
-            }
-            Self::UnknownMode { mode, modes } => {
-                write!(f, "there is no mode {mode}; there are `{}`", modes.join("`, `"))
-            }
-            Self::ModeNotAssembled { t, modes, limit } => {
-                let modes: Vec<String> = modes.iter().map(|(name, sign)| format!("{name} = {sign}")).collect();
-                write!(f, "not assembled at t = {t} in the mode {}", modes.join(", "))?;
-                write_limit(f, limit)
-            }
-            Self::NothingCompared { skipped } => {
-                write!(f, "nothing was compared: Φ is not finite at any of {skipped} configurations")
-            }
-        }
-    }
-}
-
-/// The group that cannot close, behind what else there is to say.
-fn write_limit(f: &mut fmt::Formatter<'_>, limit: &Option<Limit>) -> fmt::Result {
-    limit.as_ref().map_or(Ok(()), |limit| write!(f, "; {limit}"))
 }
 
 impl SolveError {

@@ -8,6 +8,7 @@ mod graph;
 mod jet;
 mod node;
 mod simplify;
+mod vectors;
 mod velocity;
 
 pub(crate) use display::suffix;

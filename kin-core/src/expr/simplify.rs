@@ -6,9 +6,8 @@
 //! (x/x stays).
 
 use super::graph::Graph;
-use super::node::{Bits, ExprId, Node, Rotation, Turning};
+use super::node::{Bits, ExprId, Node};
 use crate::mechanism::Function;
-use core::f64::consts::FRAC_PI_2;
 
 /// Products of more factors than this stay as they were built. Flattening them would cost the square of their number,
 /// and a power of a power of a power … has exponentially many.
@@ -28,7 +27,7 @@ impl Graph {
     }
 
     /// a and its sign: −a gives (true, a), a negative literal likewise.
-    fn unsigned(&mut self, a: ExprId) -> (bool, ExprId) {
+    pub(super) fn unsigned(&mut self, a: ExprId) -> (bool, ExprId) {
         match self.node(a) {
             Node::Neg(inner) => (true, inner),
             Node::Number(bits) if bits.value() < 0.0 => (true, self.number(-bits.value())),
@@ -36,7 +35,7 @@ impl Graph {
         }
     }
 
-    fn signed(&mut self, negative: bool, a: ExprId) -> ExprId {
+    pub(super) fn signed(&mut self, negative: bool, a: ExprId) -> ExprId {
         if negative { self.neg(a) } else { a }
     }
 
@@ -352,64 +351,5 @@ impl Graph {
     /// A supplied function (`order` 0) or its first or second derivative at `a`.
     pub fn supplied(&mut self, function: u32, order: u8, a: ExprId) -> ExprId {
         self.intern(Node::Supplied(function, order, a))
-    }
-
-    /// Quarter turns (0 to 3) of an angle that is literally a multiple of π/2, a few turns at most. Whoever writes
-    /// `pi/2` means a right angle, and not the number next to it whose cosine is 6e-17.
-    fn quarters(&self, angle: ExprId) -> Option<usize> {
-        let value = self.literal(angle)?;
-        let quarters = (value / FRAC_PI_2).round();
-        let is_multiple = quarters.abs() <= 16.0 && quarters * FRAC_PI_2 == value;
-        is_multiple.then(|| quarters.rem_euclid(4.0) as usize)
-    }
-
-    /// ρ = A(φ)·(x, y). ρ and −ρ share one atom and differ by a sign.
-    pub fn rotate(&mut self, angle: ExprId, [x, y]: [ExprId; 2]) -> [ExprId; 2] {
-        if !self.simplify {
-            let rotation = Rotation { angle, x, y };
-            return [self.intern(Node::RotX(rotation)), self.intern(Node::RotY(rotation))];
-        }
-        if let Some(quarters) = self.quarters(angle) {
-            let (minus_x, minus_y) = (self.neg(x), self.neg(y));
-            return [[x, y], [minus_y, x], [minus_x, minus_y], [y, minus_x]][quarters];
-        }
-        if self.is_zero(x) && self.is_zero(y) {
-            return [x, y];
-        }
-        let ((negative_x, positive_x), (negative_y, positive_y)) = (self.unsigned(x), self.unsigned(y));
-        // A vector with x ≥ 0 (or x = 0 and y ≥ 0) is the base; its opposite is written with a sign.
-        let negative = if self.is_zero(x) { negative_y } else { negative_x };
-        let base = if negative { [positive_x, if negative_y { positive_y } else { self.neg(y) }] } else { [x, y] };
-        let rotation = Rotation { angle, x: base[0], y: base[1] };
-        let (rx, ry) = (self.intern(Node::RotX(rotation)), self.intern(Node::RotY(rotation)));
-        [self.signed(negative, rx), self.signed(negative, ry)]
-    }
-
-    /// u·d of a unit vector `u` that turns with `angle`.
-    pub fn dot(&mut self, angle: ExprId, u: [ExprId; 2], d: [ExprId; 2]) -> ExprId {
-        if self.simplify && self.depends(angle).is_static() {
-            return self.plain_dot(u, d);
-        }
-        self.intern(Node::Dot(Turning { angle, u, d }))
-    }
-
-    /// u×d = perp(u)·d of a unit vector `u` that turns with `angle`.
-    pub fn cross(&mut self, angle: ExprId, u: [ExprId; 2], d: [ExprId; 2]) -> ExprId {
-        if self.simplify && self.depends(angle).is_static() {
-            return self.plain_cross(u, d);
-        }
-        self.intern(Node::Cross(Turning { angle, u, d }))
-    }
-
-    /// a_x b_x + a_y b_y as products and a sum.
-    pub fn plain_dot(&mut self, a: [ExprId; 2], b: [ExprId; 2]) -> ExprId {
-        let (x, y) = (self.mul(a[0], b[0]), self.mul(a[1], b[1]));
-        self.add(x, y)
-    }
-
-    /// a_x b_y − a_y b_x as products and a difference.
-    pub fn plain_cross(&mut self, a: [ExprId; 2], b: [ExprId; 2]) -> ExprId {
-        let (x, y) = (self.mul(a[0], b[1]), self.mul(a[1], b[0]));
-        self.sub(x, y)
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! Nothing iterates a hash map on the way here: the same description gives the same tokens.
 
+mod curves;
 mod functions;
 mod generics;
 mod handles;
@@ -16,6 +17,7 @@ mod rolled_series;
 mod series;
 mod statements;
 mod tables;
+mod test;
 
 pub(crate) use generics::placeholder;
 pub(crate) use handles::{mentions, placeholders};
@@ -27,7 +29,7 @@ use kin_core::program::{Program, Slot, lower};
 use kin_core::structure::Structure;
 use kin_core::system::KinematicSystem;
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 /// All items of a mechanism: the struct, its handles, the trait, and what the flags ask for.
 pub(crate) fn expand(
@@ -40,7 +42,7 @@ pub(crate) fn expand(
     let handles = handles::handles(lowered, system);
     let mechanism = mechanism(lowered, system, structure, plan);
     let default = parameters::default(lowered);
-    let cross_check = cross_check(lowered);
+    let cross_check = test::cross_check(lowered);
     quote! {
         #item
         // Numbers of the user's that look like a rounded π are the user's business.
@@ -99,7 +101,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
     let [values, evaluate, observe] = [&values.call, &evaluate.call, &observe.call];
     let velocity_constraints = velocity_constraints(lowered, system, &lengths);
     let geometry = list(lowered, system, set.geometry.iter().copied());
-    let curves = curves(lowered, system);
+    let curves = curves::curves(lowered, system);
     let guesses = list(lowered, system, set.guesses.iter().map(|(_, value)| *value));
     let series = series::implementation(lowered, system, &constraints, &observables);
     quote! {
@@ -349,71 +351,4 @@ pub(crate) fn list(
         let _ = &out;
         #call
     }
-}
-
-/// The curves of joints, one kernel for each; nothing for a mechanism without.
-fn curves(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
-    let set = &system.set;
-    if set.curves.is_empty() {
-        return TokenStream::new();
-    }
-    let arms = set.curves.iter().map(|curve| {
-        let outputs: Vec<_> = curve.point.iter().enumerate().map(|(place, e)| (Slot::Entry(place), *e)).collect();
-        let program = lower(&set.graph, &outputs);
-        let Kernel { item, call } = kernel("write", lowered, &program, &[("out", quote! { [__T; 4] })]);
-        let joint = curve.joint;
-        quote! { #joint => { #item #call } }
-    });
-    quote! {
-        fn curve_with<__T: __kin::Scalar>(
-            &self,
-            parameters: &[__T],
-            at: &__kin::Instant<'_, __T>,
-            joint: usize,
-            s: __T,
-        ) -> __kin::Result<__kin::Option<__kin::CurvePoint<__T>>, __kin::LengthError> {
-            let p: &__Parameters<__T> = __kin::fixed("parameters", parameters)?;
-            let u: &__Inputs<__T> = __kin::fixed("inputs", at.inputs)?;
-            let out: &mut [__T; 4] = &mut [<__T as __kin::Scalar>::from_f64(0.0); 4];
-            let _ = (p, u, s);
-            match joint {
-                #(#arms)*
-                _ => return __kin::Ok(__kin::None),
-            }
-            __kin::Ok(__kin::Some(__kin::CurvePoint { r: [out[0], out[1]], tangent: [out[2], out[3]] }))
-        }
-    }
-}
-
-/// The test that `#[mechanism(cross_check)]` writes; a generic scalar is `f64` in it.
-fn cross_check(lowered: &Lowered) -> TokenStream {
-    if !lowered.flags.cross_check {
-        return TokenStream::new();
-    }
-    let name = &lowered.item.ident;
-    let test = format_ident!("cross_check_of_{}", snake_case(&name.to_string()));
-    let failure = "the closed forms and the dual numbers disagree";
-    let arguments = generics::in_numbers(lowered);
-    quote! {
-        #[cfg(test)]
-        #[test]
-        fn #test() {
-            let __checked =
-                ::kin_runtime::private::cross_check(&<#name #arguments as ::core::default::Default>::default());
-            if let ::core::result::Result::Err(__difference) = __checked {
-                ::core::panic!("{}: {}", #failure, __difference);
-            }
-        }
-    }
-}
-
-fn snake_case(name: &str) -> String {
-    let mut out = String::new();
-    for (place, c) in name.trim_start_matches("r#").char_indices() {
-        if c.is_uppercase() && place > 0 && !out.ends_with('_') {
-            out.push('_');
-        }
-        out.extend(c.to_lowercase());
-    }
-    out
 }
