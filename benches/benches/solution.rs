@@ -110,6 +110,60 @@ fn in_lanes<'a>(four_bar: &'a FourBar, q: &[f64], mode: f64) -> Contender<'a> {
     Contender { name: "kin, the plan in four lanes", work: Box::new(work) }
 }
 
+/// Random crank angles and random lengths, as many as steps, by `solve`; and a part of a turn of 24 sets, by `sweep`.
+#[cfg(feature = "simd")]
+fn in_batches<'a>(four_bar: &'a FourBar, q: &[f64], mode: f64) -> Vec<Contender<'a>> {
+    use kin_runtime::batch::{Column, Modes, Motions, Problems, Solutions, Sweeps, always, solve, sweep};
+    use kin_runtime::{Lanes, Scalar};
+    /// As many as the steps of the others.
+    const CONFIGURATIONS: usize = STEPS;
+    const SETS: usize = 24;
+    let mut state = 1_u64;
+    let mut drawn = |middle: f64, size: f64, count: usize| -> Vec<f64> {
+        let mut next = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            middle + 2.0 * size * ((state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5)
+        };
+        (0..count).map(|_| next()).collect()
+    };
+    let own = four_bar.parameters::<f64>();
+    let parameters: Vec<Vec<f64>> = own.iter().map(|p| drawn(*p, 0.01 * p.abs(), CONFIGURATIONS)).collect();
+    let t = drawn(0.0, core::f64::consts::TAU / four_bar.omega, CONFIGURATIONS);
+    let start: Vec<f64> = q.to_vec();
+    let mut out = Solutions::<FourBar>::new(CONFIGURATIONS);
+    let solve_all = {
+        let start = start.clone();
+        move || {
+            let parameters: Vec<_> = parameters.iter().map(|p| Column::Each(p)).collect();
+            let start: Vec<_> = start.iter().map(|q| Column::Shared(*q)).collect();
+            let modes = Modes::Signs(&[Column::Shared(mode)]);
+            let problems = Problems { parameters: &parameters, t: Column::Each(&t), inputs: &[], modes, start: &start };
+            solve(four_bar, Depth::Acceleration, black_box(&problems), &mut out, &always).expect("nine columns");
+            black_box(&out);
+        }
+    };
+    let parameters: Vec<Vec<f64>> = own.iter().map(|p| drawn(*p, 0.01 * p.abs(), SETS)).collect();
+    // Fifteen steps for each set: as many solutions as the others have.
+    let times: Vec<f64> = (0..STEPS / SETS).map(|k| (k as f64).to_radians() / four_bar.omega).collect();
+    let sweep_all = move || {
+        let parameters: Vec<_> = parameters.iter().map(|p| Column::Each(p)).collect();
+        let start: Vec<_> = start.iter().map(|q| Column::Shared(*q)).collect();
+        let modes = Modes::Signs(&[Column::Shared(mode)]);
+        let sweeps = Sweeps { parameters: &parameters, times: black_box(&times), inputs: &[], modes, start: &start };
+        let mut out = Motions::new(SETS, Lanes::from(0.0));
+        let score = |sum: &mut Lanes, moment: &kin_runtime::batch::Moment<'_>| {
+            black_box((moment.q, moment.q_dot, moment.q_ddot));
+            *sum = moment.keep(*sum, *sum + moment.q_ddot[8].abs());
+        };
+        sweep(four_bar, &sweeps, &mut out, &always, score).expect("nine columns");
+        black_box(&out);
+    };
+    vec![
+        Contender { name: "kin, `solve` of a batch, random lengths and angles", work: Box::new(solve_all) },
+        Contender { name: "kin, `sweep` of 24 sets, 15 instants each", work: Box::new(sweep_all) },
+    ]
+}
+
 fn main() {
     let four_bar = FourBar::default();
     let state = four_bar.solver().state(&Instant::at(0.0)).expect("it closes at t = 0");
@@ -170,7 +224,10 @@ fn main() {
     #[allow(unused_mut, reason = "only lanes are added")]
     let mut contenders: Vec<Contender<'_>> = contenders.into_iter().collect();
     #[cfg(feature = "simd")]
-    contenders.push(in_lanes(&four_bar, &state.q, modes[0]));
+    {
+        contenders.push(in_lanes(&four_bar, &state.q, modes[0]));
+        contenders.extend(in_batches(&four_bar, &state.q, modes[0]));
+    }
     compare("q, q̇, q̈ of the 9×9 four-bar at steps of one degree", STEPS, &mut contenders);
     drop(contenders);
     let worst = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);

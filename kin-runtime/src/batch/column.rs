@@ -34,32 +34,43 @@ impl Configurations<'_> {
     /// Whether the columns are those of `M`, each with `count` numbers.
     pub(super) fn check<M: Mechanism>(&self, count: usize) -> Result<(), LengthError> {
         let lists = [
-            ("parameters", M::PARAMETERS, self.parameters.len()),
-            ("inputs", M::INPUTS, self.inputs.len()),
-            ("q", M::COORDINATES, self.q.len()),
-            ("q_dot", M::COORDINATES, self.q_dot.len()),
+            ("parameters", M::PARAMETERS, self.parameters),
+            ("q", M::COORDINATES, self.q),
+            ("q_dot", M::COORDINATES, self.q_dot),
         ];
-        for (what, expected, found) in lists {
-            if expected != found {
-                return Err(LengthError { what, expected, found });
-            }
-        }
-        let signals = self.inputs.iter().flat_map(|u| [u.value, u.rate, u.acceleration]);
-        let columns = (self.parameters.iter().map(|c| ("a column of the parameters", *c)))
-            .chain([("the column of t", self.t)])
-            .chain(signals.map(|c| ("a column of the inputs", c)))
-            .chain(self.q.iter().map(|c| ("a column of q", *c)))
-            .chain(self.q_dot.iter().map(|c| ("a column of q_dot", *c)));
-        for (what, column) in columns {
-            match column {
-                Column::Each(numbers) if numbers.len() != count => {
-                    return Err(LengthError { what, expected: count, found: numbers.len() });
-                }
-                _ => {}
-            }
-        }
-        Ok(())
+        check_signals::<M>(self.inputs, count)?;
+        self.t.check("the column of t", count)?;
+        lists.into_iter().try_for_each(|(what, expected, list)| check_list(what, expected, list, count))
     }
+}
+
+/// Whether a list has as many columns as it must, each with `count` numbers.
+pub(super) fn check_list(
+    what: &'static str,
+    expected: usize,
+    list: &[Column<'_>],
+    count: usize,
+) -> Result<(), LengthError> {
+    if list.len() != expected {
+        return Err(LengthError { what, expected, found: list.len() });
+    }
+    let column = match what {
+        "parameters" => "a column of the parameters",
+        "q" => "a column of q",
+        "q_dot" => "a column of q_dot",
+        "modes" => "a column of the modes",
+        _ => "a column of the start",
+    };
+    list.iter().try_for_each(|numbers| numbers.check(column, count))
+}
+
+/// The same for inputs.
+pub(super) fn check_signals<M: Mechanism>(inputs: &[Signal<Column<'_>>], count: usize) -> Result<(), LengthError> {
+    if inputs.len() != M::INPUTS {
+        return Err(LengthError { what: "inputs", expected: M::INPUTS, found: inputs.len() });
+    }
+    let numbers = inputs.iter().flat_map(|u| [u.value, u.rate, u.acceleration]);
+    numbers.into_iter().try_for_each(|column| column.check("a column of the inputs", count))
 }
 
 /// Blocks that are read together: what a column is, is then looked at once for all of them.
@@ -69,7 +80,7 @@ const TILE: usize = 8;
 pub(super) struct Arguments<'a, M: Mechanism> {
     parameters: [M::Parameters<Lanes>; TILE],
     t: [Lanes; TILE],
-    /// Those of one block after those of another.
+    /// Those of one block after those of another; none where the configurations have none.
     inputs: Vec<Signal<Lanes>>,
     q: [M::Coordinates<Lanes>; TILE],
     q_dot: [M::Coordinates<Lanes>; TILE],
@@ -107,13 +118,14 @@ impl<'a, M: Mechanism> Arguments<'a, M> {
     pub(super) fn block(&mut self, first: usize) -> Block<'_> {
         let block = first / Lanes::COUNT;
         let (tile, k) = (block / TILE, block % TILE);
+        let inputs = self.configurations.inputs.len();
         if self.tile != Some(tile) {
             self.read(tile * TILE * Lanes::COUNT);
             self.tile = Some(tile);
         }
         Block {
             parameters: self.parameters[k].as_ref(),
-            at: Instant { t: self.t[k], inputs: &self.inputs[k * M::INPUTS..][..M::INPUTS] },
+            at: Instant { t: self.t[k], inputs: &self.inputs[k * inputs..][..inputs] },
             q: self.q[k].as_ref(),
             q_dot: self.q_dot[k].as_ref(),
         }
@@ -134,7 +146,7 @@ impl<'a, M: Mechanism> Arguments<'a, M> {
         }
         t.read(first, |k, lanes| self.t[k] = lanes);
         for (place, column) in inputs.iter().enumerate() {
-            let at = |k: usize| k * M::INPUTS + place;
+            let at = |k: usize| k * inputs.len() + place;
             column.value.read(first, |k, lanes| self.inputs[at(k)].value = lanes);
             column.rate.read(first, |k, lanes| self.inputs[at(k)].rate = lanes);
             column.acceleration.read(first, |k, lanes| self.inputs[at(k)].acceleration = lanes);
@@ -143,6 +155,24 @@ impl<'a, M: Mechanism> Arguments<'a, M> {
 }
 
 impl Column<'_> {
+    /// The number of one configuration.
+    #[inline]
+    pub(super) fn at(&self, place: usize) -> f64 {
+        match self {
+            Self::Shared(value) => *value,
+            Self::Each(numbers) => numbers[place],
+        }
+    }
+
+    pub(super) fn check(&self, what: &'static str, count: usize) -> Result<(), LengthError> {
+        match self {
+            Self::Each(numbers) if numbers.len() != count => {
+                Err(LengthError { what, expected: count, found: numbers.len() })
+            }
+            _ => Ok(()),
+        }
+    }
+
     fn shared(&self) -> Lanes {
         match self {
             Self::Shared(value) => (*value).into(),

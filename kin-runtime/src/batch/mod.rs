@@ -48,17 +48,27 @@
 //! # Ok::<(), kin_runtime::batch::BatchError>(())
 //! ```
 //!
+//! [`solve`] gives q, q̇ and q̈ by the plan ([`crate::plan`]), and [`sweep`] the whole motion of many sets of parameters over one
+//! time grid, handed to a closure as it goes, so that millions of motions take no memory for their states.
+//!
 //! [`run`] is the driver below it: any [`Work`] over blocks of lanes, with progress and cancellation.
 
 mod column;
 mod evaluation;
+mod modes;
+mod poses;
 mod run;
+mod solution;
+mod sweep;
 #[cfg(all(test, feature = "std"))]
 mod tests;
 
 pub use column::{Column, Configurations};
 pub use evaluation::{Evaluations, evaluate};
+pub use modes::Modes;
 pub use run::{Progress, Watch, Work, always, blocks, run};
+pub use solution::{Problems, Solutions, solve};
+pub use sweep::{End, Moment, Motions, Sweeps, sweep};
 
 use crate::mechanism::LengthError;
 
@@ -67,6 +77,8 @@ use crate::mechanism::LengthError;
 pub enum BatchError {
     /// A list of columns, or a column, has the wrong length.
     Length(LengthError),
+    /// The mechanism has no plan, and why: only evaluation is there.
+    NoPlan(&'static str),
     /// It was told to stop; results are incomplete.
     Stopped(Progress),
 }
@@ -75,6 +87,7 @@ impl core::fmt::Display for BatchError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             Self::Length(error) => error.fmt(f),
+            Self::NoPlan(why) => write!(f, "no plan because {why}"),
             Self::Stopped(Progress { done, total }) => write!(f, "stopped after {done} of {total} configurations"),
         }
     }

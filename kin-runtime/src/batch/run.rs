@@ -5,7 +5,7 @@ use crate::lanes::Lanes;
 use core::ops::ControlFlow;
 use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-/// Blocks between two looks at the watch, and in one piece of work of a core.
+/// Blocks between two looks at the watch, and in one piece of work of a core, where a block takes a moment.
 const CHUNK: usize = 512;
 
 /// What is done with a block of [`Lanes::COUNT`] configurations.
@@ -21,6 +21,11 @@ pub trait Work: Sync {
     /// The configurations `first`, `first + 1`, … one in each lane. In the last block of a batch some of them may not
     /// exist; what their lanes hold is nobody's concern.
     fn block(&self, first: usize, scratch: &mut Self::Scratch, out: &mut Self::Block);
+
+    /// Blocks between two looks at the watch, at least one: fewer where a block takes long.
+    fn chunk(&self) -> usize {
+        CHUNK
+    }
 }
 
 /// How far a batch is.
@@ -32,7 +37,7 @@ pub struct Progress {
     pub total: usize,
 }
 
-/// Is told every few thousand configurations how far the batch is, from any of the threads, and says whether to go on.
+/// Is told every few thousand configurations (every few motions in a sweep) how far the batch is, from any of the threads, and says whether to go on.
 pub type Watch<'a> = &'a (dyn Fn(Progress) -> ControlFlow<()> + Sync);
 
 /// Goes on.
@@ -55,11 +60,12 @@ pub fn run<W: Work>(work: &W, count: usize, out: &mut [W::Block], watch: Watch<'
         return Err(crate::LengthError { what: "the list of blocks", expected: blocks(count), found }.into());
     };
     let (done, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
+    let size = work.chunk().max(1);
     let each = |scratch: &mut W::Scratch, chunk: usize, out: &mut [W::Block]| {
         if stopped.load(Ordering::Relaxed) {
             return;
         }
-        let start = chunk * CHUNK * Lanes::COUNT;
+        let start = chunk * size * Lanes::COUNT;
         for (place, block) in out.iter_mut().enumerate() {
             work.block(start + place * Lanes::COUNT, scratch, block);
         }
@@ -69,24 +75,29 @@ pub fn run<W: Work>(work: &W, count: usize, out: &mut [W::Block], watch: Watch<'
             stopped.store(true, Ordering::Relaxed);
         }
     };
-    in_chunks(work, out, each);
+    in_chunks(work, size, out, each);
     let done = done.into_inner();
     // Whoever stops it with the last configuration has all of them.
     if done < count { Err(BatchError::Stopped(Progress { done, total: count })) } else { Ok(()) }
 }
 
 /// `each` chunk with its number: across the cores where there is more than one.
-fn in_chunks<W: Work>(work: &W, out: &mut [W::Block], each: impl Fn(&mut W::Scratch, usize, &mut [W::Block]) + Sync) {
+fn in_chunks<W: Work>(
+    work: &W,
+    size: usize,
+    out: &mut [W::Block],
+    each: impl Fn(&mut W::Scratch, usize, &mut [W::Block]) + Sync,
+) {
     #[cfg(feature = "parallel")]
-    if out.len() > CHUNK {
+    if out.len() > size {
         use rayon::iter::{IndexedParallelIterator, ParallelIterator};
         use rayon::slice::ParallelSliceMut;
-        let chunks = out.par_chunks_mut(CHUNK).enumerate();
+        let chunks = out.par_chunks_mut(size).enumerate();
         chunks.for_each_init(|| work.scratch(), |scratch, (chunk, out)| each(scratch, chunk, out));
         return;
     }
     let mut scratch = work.scratch();
-    for (chunk, out) in out.chunks_mut(CHUNK).enumerate() {
+    for (chunk, out) in out.chunks_mut(size).enumerate() {
         each(&mut scratch, chunk, out);
     }
 }

@@ -75,6 +75,12 @@ impl Lanes {
         self.0.to_array()
     }
 
+    /// The smaller number in every lane; of what is not a number, nothing is known.
+    #[inline(always)]
+    pub(crate) fn least(self, other: Self) -> Self {
+        Self(self.0.fast_min(other.0))
+    }
+
     /// `f` of every lane, one by one.
     #[inline]
     pub fn map(self, f: impl FnMut(f64) -> f64) -> Self {

@@ -1,0 +1,60 @@
+//! The assembly modes of the configurations of a batch.
+
+use super::column::{Column, check_list};
+use crate::lanes::Lanes;
+use crate::mechanism::{LengthError, Mechanism};
+use crate::scalar::Scalar;
+use crate::signal::Instant;
+use crate::workspace::Array;
+
+/// Where the assembly modes of a batch come from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Modes<'a> {
+    /// A column of signs, +1 or −1, for every mode of the plan, in the order of
+    /// [`Plan::modes`](crate::plan::Plan::modes); of any other number the sign counts.
+    Signs(&'a [Column<'a>]),
+    /// Those that the start has, by [`Mechanism::closures_with`] at the parameters and the instant of the configuration
+    /// itself.
+    OfStart,
+}
+
+impl<'a> Modes<'a> {
+    /// The columns that there are.
+    pub(super) fn columns(&self) -> &'a [Column<'a>] {
+        match self {
+            Self::Signs(columns) => columns,
+            Self::OfStart => &[],
+        }
+    }
+
+    pub(super) fn check<M: Mechanism>(&self, count: usize) -> Result<(), LengthError> {
+        match self {
+            Self::Signs(columns) => check_list("modes", M::model().plan.modes.len(), columns, count),
+            Self::OfStart => Ok(()),
+        }
+    }
+
+    /// The signs for a block whose columns of signs, if there are such, hold `given`.
+    #[inline(always)]
+    pub(super) fn of_block<M: Mechanism>(
+        &self,
+        mechanism: &M,
+        parameters: &[Lanes],
+        at: &Instant<'_, Lanes>,
+        start: &[Lanes],
+        given: &[Lanes],
+    ) -> M::Coordinates<Lanes> {
+        // There are never more modes than coordinates.
+        let mut signs = M::Coordinates::<Lanes>::generate(|_| Lanes::default());
+        let modes = &mut signs.as_mut()[..M::model().plan.modes.len()];
+        match self {
+            Self::Signs(_) => modes.iter_mut().zip(given).for_each(|(mode, given)| *mode = *given),
+            Self::OfStart => {
+                let lengths = mechanism.closures_with(parameters, at, start, modes);
+                debug_assert!(lengths.is_ok(), "the columns have been counted");
+            }
+        }
+        modes.iter_mut().for_each(|mode| *mode = mode.signum());
+        signs
+    }
+}

@@ -1,0 +1,408 @@
+//! Batches of solutions by the plan, and of whole motions, against one after another, for every mechanism with a plan.
+#![cfg(feature = "simd")]
+
+use allocation_counter::measure;
+use kin_runtime::batch::{
+    BatchError, Column, End, Modes, Moment, Motions, Problems, Progress, Solutions, Sweeps, always, solve, sweep,
+};
+use kin_runtime::plan::{Depth, Plan, Solved, StepKind};
+use kin_runtime::{Instant, Kinematics, Lanes, Mechanism, Planned, Signal};
+use kin_tests::every_mechanism;
+use kin_tests::mechanisms::{signals, *};
+use kin_tests::random::Random;
+use std::ops::{ControlFlow, Range};
+
+/// Several tiles of blocks and a ragged end.
+const COUNT: usize = 42;
+/// Instants of a motion.
+const INSTANTS: usize = 61;
+/// Sets of parameters that move: a block and a ragged end.
+const SETS: usize = 6;
+
+macro_rules! plan_tests {
+    (
+        moving { $($moving:ident: $Moving:ident, $from:literal, $to:literal;)* }
+        unassembled { $($other:ident: $Other:ident;)* }
+    ) => {
+        $(#[test]
+        fn $moving() {
+            if $Moving::model().plan.exists() {
+                solves::<$Moving>($from, $to);
+                moves::<$Moving>($from, $to);
+            } else {
+                refuses::<$Moving>();
+            }
+        })*
+    };
+}
+
+every_mechanism!(plan_tests);
+
+/// A state with the smallest margin, or none.
+type State = Option<[Vec<f64>; 3]>;
+
+/// Parameters near those of the mechanism, a list for every set.
+fn drawn_parameters<M: Mechanism>(mechanism: &M, count: usize) -> Vec<Vec<f64>> {
+    let mut random = Random::new(23);
+    let own = mechanism.parameters::<f64>();
+    let lists = own.as_ref().iter().map(|p| (0..count).map(|_| p * (1.0 + random.between(-1e-4, 1e-4))).collect());
+    lists.collect()
+}
+
+/// `COUNT` configurations along the motion, with parameters of their own.
+struct Drawn {
+    parameters: Vec<Vec<f64>>,
+    t: Vec<f64>,
+    inputs: Vec<Signal<Vec<f64>>>,
+    start: Vec<Vec<f64>>,
+    modes: Vec<Vec<f64>>,
+}
+
+impl Drawn {
+    fn new<M: Kinematics + Default>(from: f64, to: f64) -> Self {
+        let mechanism = M::default();
+        let t: Vec<f64> = (0..COUNT).map(|k| from + 0.1 * (to - from) * k as f64 / COUNT as f64).collect();
+        let inputs: Vec<Vec<Signal>> = t.iter().map(|t| signals::<M>(*t)).collect();
+        let at = |k: usize| Instant { t: t[k], inputs: &inputs[k] };
+        let assembled = mechanism.solver().assemble(&at(0)).unwrap();
+        let mut planned = Planned::new(&mechanism, &at(0), &assembled).unwrap();
+        let parameters = mechanism.parameters::<f64>();
+        let (mut start, mut modes) = (vec![vec![]; M::COORDINATES], vec![vec![]; M::model().plan.modes.len()]);
+        for k in 0..COUNT {
+            let q = planned.at(&at(k)).unwrap().q();
+            let mut closures = vec![0.0; modes.len()];
+            mechanism.closures_with(parameters.as_ref(), &at(k), q, &mut closures).unwrap();
+            start.iter_mut().zip(q).for_each(|(list, q)| list.push(*q));
+            modes.iter_mut().zip(closures).for_each(|(list, mode)| list.push(mode.signum()));
+        }
+        let column = |of: fn(&Signal) -> f64, u: usize| inputs.iter().map(|list| of(&list[u])).collect();
+        let columns = (0..M::INPUTS)
+            .map(|u| Signal::new(column(|u| u.value, u), column(|u| u.rate, u), column(|u| u.acceleration, u)));
+        let columns = columns.collect();
+        Self { parameters: drawn_parameters(&mechanism, COUNT), inputs: columns, t, start, modes }
+    }
+
+    fn batch<M>(&self, range: Range<usize>, of_start: bool) -> Solutions<M>
+    where
+        M: Mechanism + Default + Sync,
+        M::Coordinates<Lanes>: Send,
+    {
+        let columns = |lists: &'_ [Vec<f64>]| -> Vec<Vec<f64>> {
+            lists.iter().map(|list| list[range.clone()].to_vec()).collect()
+        };
+        let [parameters, start, modes] = [&self.parameters, &self.start, &self.modes].map(|lists| columns(lists));
+        let [parameters, start, modes] =
+            [&parameters, &start, &modes].map(|lists| lists.iter().map(|x| Column::Each(x)).collect::<Vec<_>>());
+        let inputs: Vec<_> = (self.inputs.iter())
+            .map(|u| {
+                let part = |list: &'_ Vec<f64>| list[range.clone()].to_vec();
+                Signal::new(part(&u.value), part(&u.rate), part(&u.acceleration))
+            })
+            .collect();
+        let inputs: Vec<_> = (inputs.iter())
+            .map(|u| Signal::new(Column::Each(&u.value), Column::Each(&u.rate), Column::Each(&u.acceleration)))
+            .collect();
+        let problems = Problems {
+            parameters: &parameters,
+            t: Column::Each(&self.t[range.clone()]),
+            inputs: &inputs,
+            modes: if of_start { Modes::OfStart } else { Modes::Signs(&modes) },
+            start: &start,
+        };
+        let mut out = Solutions::new(range.len());
+        solve(&M::default(), Depth::Acceleration, &problems, &mut out, &always).unwrap();
+        out
+    }
+
+    /// One configuration in `f64`.
+    fn one<M: Mechanism + Default>(&self, place: usize) -> State {
+        let of = |lists: &[Vec<f64>]| lists.iter().map(|list| list[place]).collect::<Vec<_>>();
+        let inputs: Vec<_> =
+            (self.inputs.iter()).map(|u| Signal::new(u.value[place], u.rate[place], u.acceleration[place])).collect();
+        let at = Instant { t: self.t[place], inputs: &inputs };
+        let [mut q, mut q_dot, mut q_ddot] = [(); 3].map(|()| vec![0.0; M::COORDINATES]);
+        let mut margins = vec![0.0; M::model().plan.margins];
+        let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
+        let (parameters, modes, start) = (of(&self.parameters), of(&self.modes), of(&self.start));
+        M::default().solve_with(&parameters, &at, &modes, &start, Depth::Acceleration, solved).unwrap();
+        margins.iter().all(|margin| *margin > Plan::SMALLEST_MARGIN).then_some([q, q_dot, q_ddot])
+    }
+}
+
+/// All results of one configuration of a batch.
+fn results<M: Mechanism>(out: &Solutions<M>, place: usize) -> [Vec<f64>; 3] {
+    let list = |of: &dyn Fn(usize) -> f64| (0..M::COORDINATES).map(of).collect();
+    [
+        list(&|k| out.q(k).nth(place).unwrap()),
+        list(&|k| out.q_dot(k).nth(place).unwrap()),
+        list(&|k| out.q_ddot(k).nth(place).unwrap()),
+    ]
+}
+
+fn close(name: &str, found: &[f64], expected: &[f64], tolerance: f64) {
+    let size = expected.iter().fold(1.0_f64, |size, x| size.max(x.abs()));
+    for (k, (a, b)) in found.iter().zip(expected).enumerate() {
+        assert!((a - b).abs() <= tolerance * size, "{name} {k}: {a:e} instead of {b:e}");
+    }
+}
+
+fn iterates<M: Mechanism>() -> bool {
+    M::model().plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)))
+}
+
+fn solves<M>(from: f64, to: f64)
+where
+    M: Kinematics + Default + Sync,
+    M::Coordinates<Lanes>: Send,
+{
+    let name = M::model().name;
+    let mut drawn = Drawn::new::<M>(from, to);
+    let whole = drawn.batch::<M>(0..COUNT, false);
+    let margins: Vec<f64> = whole.margin().collect();
+    let mut solved = 0;
+    for (place, good) in whole.solved().enumerate() {
+        let found = results(&whole, place);
+        let Some(expected) = drawn.one::<M>(place) else {
+            assert!(!good, "{name} {place}");
+            continue;
+        };
+        assert!(good, "{name} {place}: {}", margins[place]);
+        solved += 1;
+        // Each derivative loses what the margin says.
+        for (order, (found, expected)) in found.iter().zip(&expected).enumerate() {
+            close(name, found, expected, 1e-12 / margins[place].powi(order as i32 + 1));
+        }
+    }
+    assert!(2 * solved > COUNT, "{name}: {solved} of {COUNT} are solved");
+    // The modes that the start has are those that it was given.
+    let of_start = drawn.batch::<M>(0..COUNT, true);
+    assert!(of_start.solved().eq(whole.solved()), "{name}");
+    assert!(of_start.q(M::COORDINATES - 1).eq(whole.q(M::COORDINATES - 1)), "{name}");
+    // Wherever a configuration stands, and however many there are.
+    for count in 0..=9 {
+        let part = drawn.batch::<M>(COUNT - count..COUNT, false);
+        assert_eq!(count, part.count());
+        assert_eq!(count, part.solved().count());
+        for place in 0..count {
+            same::<M>(results(&part, place), results(&whole, COUNT - count + place));
+        }
+    }
+    // One that has no answer leaves the others alone, and has no number that is not one.
+    drawn.t[2] = f64::NAN;
+    let with_one = drawn.batch::<M>(0..COUNT, false);
+    assert!(!with_one.solved().nth(2).unwrap());
+    assert!(with_one.margin().all(f64::is_finite), "{name}");
+    assert_eq!([0.0; 3].map(|zero| vec![zero; M::COORDINATES]), results(&with_one, 2), "{name}");
+    for place in [0, 1, 3, 4] {
+        assert_eq!(whole.solved().nth(place), with_one.solved().nth(place), "{name} {place}");
+        same::<M>(results(&with_one, place), results(&whole, place));
+    }
+}
+
+/// The same to the last bit, or within the tolerance of an iteration.
+fn same<M: Mechanism>(found: [Vec<f64>; 3], expected: [Vec<f64>; 3]) {
+    if iterates::<M>() {
+        found.iter().zip(&expected).for_each(|(a, b)| close(M::model().name, a, b, 1e-10));
+    } else {
+        let bits = |lists: [Vec<f64>; 3]| lists.map(|list| list.into_iter().map(f64::to_bits).collect::<Vec<_>>());
+        assert_eq!(bits(found), bits(expected), "{}", M::model().name);
+    }
+}
+
+/// What a batch of motions has seen, state by state: for four sets, a list of the three for every instant.
+type Seen = Vec<[Vec<Lanes>; 3]>;
+
+fn moves<M: Kinematics + Default + Sync>(from: f64, to: f64) {
+    let name = M::model().name;
+    let mechanism = M::default();
+    let times: Vec<f64> = (0..INSTANTS).map(|k| from + (to - from) * k as f64 / (INSTANTS - 1) as f64).collect();
+    let inputs: Vec<Vec<Signal>> = times.iter().map(|t| signals::<M>(*t)).collect();
+    let at = |k: usize| Instant { t: times[k], inputs: &inputs[k] };
+    let q = mechanism.solver().assemble(&at(0)).unwrap();
+    let parameters = drawn_parameters(&mechanism, SETS);
+    let list = |of: fn(&Signal) -> f64, u: usize| inputs.iter().map(|list| of(&list[u])).collect::<Vec<_>>();
+    let lists: Vec<_> = (0..M::INPUTS)
+        .map(|u| Signal::new(list(|u| u.value, u), list(|u| u.rate, u), list(|u| u.acceleration, u)))
+        .collect();
+    let signals: Vec<_> = (lists.iter())
+        .map(|u| Signal::new(Column::Each(&u.value), Column::Each(&u.rate), Column::Each(&u.acceleration)))
+        .collect();
+    let columns: Vec<_> = parameters.iter().map(|list| Column::Each(list)).collect();
+    let start: Vec<_> = q.iter().map(|q| Column::Shared(*q)).collect();
+    let sweeps = Sweeps { parameters: &columns, times: &times, inputs: &signals, modes: Modes::OfStart, start: &start };
+    let mut out = Motions::new(SETS, Seen::new());
+    let see = |seen: &mut Seen, moment: &Moment<'_>| {
+        assert_eq!(seen.len(), moment.instant);
+        seen.push([moment.q, moment.q_dot, moment.q_ddot].map(<[Lanes]>::to_vec));
+    };
+    sweep(&mechanism, &sweeps, &mut out, &always, see).unwrap();
+    let ends: Vec<Option<End>> = out.ends().collect();
+    let blocks: Vec<&Seen> = out.blocks().collect();
+    for set in 0..SETS {
+        let mut own = M::default();
+        (0..M::PARAMETERS).for_each(|k| assert!(own.set_parameter(k, parameters[k][set])));
+        let seen = |instant: usize| {
+            let state = &blocks[set / Lanes::COUNT][instant];
+            state.each_ref().map(|list| list.iter().map(|x| x.to_array()[set % Lanes::COUNT]).collect::<Vec<_>>())
+        };
+        let mut planned = match Planned::new(&own, &at(0), &q) {
+            Ok(planned) => planned,
+            Err(_) => {
+                assert_eq!(Some(0), ends[set].map(|end| end.instant), "{name} {set}");
+                continue;
+            }
+        };
+        for instant in 0..INSTANTS {
+            if instant > 0 && planned.at(&at(instant)).is_err() {
+                assert_eq!(Some(instant), ends[set].map(|end| end.instant), "{name} {set}");
+                break;
+            }
+            assert!(ends[set].is_none_or(|end| end.instant > instant), "{name} {set}: {:?}", ends[set]);
+            let margin = planned.margins().iter().fold(1.0_f64, |least, margin| least.min(*margin));
+            let expected = [planned.q(), planned.q_dot(), planned.q_ddot()];
+            for (order, (found, expected)) in seen(instant).iter().zip(expected).enumerate() {
+                close(name, found, expected, 1e-11 / margin.powi(order as i32 + 1));
+            }
+        }
+    }
+}
+
+fn refuses<M>()
+where
+    M: Mechanism + Default + Sync,
+    M::Coordinates<Lanes>: Send,
+{
+    let why = BatchError::NoPlan(M::model().plan.absent.expect("it has none"));
+    let (modes, start) = (Modes::OfStart, &[]);
+    let problems = Problems { parameters: &[], t: Column::Shared(0.0), inputs: &[], modes, start };
+    let mut out = Solutions::<M>::new(1);
+    assert_eq!(Err(why), solve(&M::default(), Depth::Position, &problems, &mut out, &always));
+    let sweeps = Sweeps { parameters: &[], times: &[0.0], inputs: &[], modes, start };
+    let mut out = Motions::new(1, ());
+    assert_eq!(Err(why), sweep(&M::default(), &sweeps, &mut out, &always, |(), _| ()));
+    assert!(why.to_string().starts_with("no plan because "));
+}
+
+/// The lecture's four-bar with its coupler as long as `lengths` say, a turn in steps of three degrees.
+fn couplers<S: Clone + Send>(
+    lengths: &[f64],
+    score: S,
+    watch: &(dyn Fn(Progress) -> ControlFlow<()> + Sync),
+    visit: impl Fn(&mut S, &Moment<'_>) + Sync,
+) -> (Result<(), BatchError>, Motions<S>) {
+    let mechanism = FourbarLectureMid::default();
+    let own = mechanism.parameters::<f64>();
+    let coupler = FourbarLectureMid::model().parameters.iter().position(|p| p.name == "l2").expect("a coupler");
+    let parameters: Vec<_> = (own.iter().enumerate())
+        .map(|(k, p)| if k == coupler { Column::Each(lengths) } else { Column::Shared(*p) })
+        .collect();
+    let q = mechanism.solver().assemble(&Instant::at(0.0)).unwrap();
+    let start: Vec<_> = q.iter().map(|q| Column::Shared(*q)).collect();
+    let omega = mechanism.solver().state(&Instant::at(0.0)).unwrap().q_dot[2];
+    let times: Vec<f64> = (0..=120).map(|k| (3.0 * f64::from(k)).to_radians() / omega).collect();
+    let sweeps = Sweeps { parameters: &parameters, times: &times, inputs: &[], modes: Modes::OfStart, start: &start };
+    let mut out = Motions::new(lengths.len(), score);
+    let result = sweep(&mechanism, &sweeps, &mut out, watch, visit);
+    (result, out)
+}
+
+/// How often a set is seen, and the sum of the angles of its last body.
+fn count(seen: &mut [Lanes; 2], moment: &Moment<'_>) {
+    let [number, sum] = *seen;
+    seen[0] = moment.keep(number, number + 1.0.into());
+    seen[1] = moment.keep(sum, sum + moment.q[8]);
+}
+
+#[test]
+fn sets_at_their_limits_are_masked_and_leave_the_others_alone() {
+    let mechanism = FourbarLectureMid::default();
+    let own = mechanism.parameters::<f64>();
+    let coupler = FourbarLectureMid::model().parameters.iter().position(|p| p.name == "l2").expect("a coupler");
+    let good = own[coupler];
+    let run = |lengths: &[f64]| {
+        let (result, out) = couplers(lengths, [Lanes::default(); 2], &always, count);
+        assert_eq!(Ok(()), result);
+        let part = |k: usize| out.scores(move |score| score[k]).collect::<Vec<_>>();
+        (part(0), part(1), out.ends().collect::<Vec<_>>())
+    };
+    let (all, sums, ends) = run(&[good; 5]);
+    assert_eq!((vec![121.0; 5], vec![None; 5]), (all, ends));
+    // One that never closes, one that is no number, and those that close for a while.
+    let lengths: Vec<f64> = (0..40).map(|k| good * (0.3 + 0.05 * f64::from(k))).collect();
+    let (seen, _, ends) = run(&lengths);
+    assert!(ends.iter().any(|end| end.is_some_and(|end| end.instant == 0)), "{ends:?}");
+    assert!(ends.iter().any(|end| end.is_some_and(|end| end.instant > 0)), "{ends:?}");
+    assert!(ends.iter().any(Option::is_none), "{ends:?}");
+    for (seen, end) in seen.iter().zip(&ends) {
+        assert_eq!(*seen, end.map_or(121.0, |end| end.instant as f64));
+        assert!(end.is_none_or(|end| end.margin <= Plan::SMALLEST_MARGIN));
+    }
+    for bad in [
+        f64::NAN,
+        f64::INFINITY,
+        100.0 * good,
+        lengths[ends.iter().position(|end| end.is_some_and(|end| end.instant > 0)).unwrap()],
+    ] {
+        let (seen, found, ends) = run(&[good, bad, good, good, good]);
+        for place in [0, 2, 3, 4] {
+            assert_eq!((None, 121.0), (ends[place], seen[place]));
+            assert_eq!(sums[place].to_bits(), found[place].to_bits());
+        }
+        assert!(ends[1].is_some_and(|end| end.margin.is_finite() && end.instant as f64 == seen[1]), "{bad}: {ends:?}");
+    }
+    // All of a block.
+    let (seen, sums, ends) = run(&[100.0; 4]);
+    assert_eq!((vec![0.0; 4], vec![0.0; 4]), (seen, sums));
+    assert!(ends.iter().all(|end| end.is_some_and(|end| end.instant == 0 && end.margin < 0.0)), "{ends:?}");
+}
+
+#[test]
+fn motions_stop_when_told_to_and_take_no_memory_inside() {
+    let good = vec![1.0; 400];
+    let stop =
+        |progress: Progress| if progress.done >= 40 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+    let (result, _) = couplers(&good, (), &stop, |(), _| ());
+    assert!(
+        matches!(result, Err(BatchError::Stopped(p)) if p.total == 400 && (40..400).contains(&p.done)),
+        "{result:?}"
+    );
+    let [small, large] = [8, 400]
+        .map(|count| measure(|| drop(couplers(&good[..count], Lanes::default(), &always, |_, _| ()))).count_total);
+    assert_eq!(small, large);
+}
+
+#[test]
+fn a_batch_of_solutions_takes_no_memory_inside_and_counts_its_columns() {
+    let drawn = Drawn::new::<FourbarLectureMid>(0.0, 1.0);
+    let mechanism = FourbarLectureMid::default();
+    let parameters = mechanism.parameters::<f64>().map(Column::Shared);
+    let start: Vec<_> = drawn.start.iter().map(|list| Column::Shared(list[0])).collect();
+    let [small, large] = [8, 3_000].map(|count| {
+        let t = vec![0.01; count];
+        let problems = Problems {
+            parameters: &parameters,
+            t: Column::Each(&t),
+            inputs: &[],
+            modes: Modes::OfStart,
+            start: &start,
+        };
+        let mut out = Solutions::<FourbarLectureMid>::new(count);
+        let counted =
+            measure(|| solve(&mechanism, Depth::Acceleration, &problems, &mut out, &always).expect("good columns"));
+        assert!(out.solved().all(|good| good));
+        // What is not asked for is 0, whatever was there.
+        solve(&mechanism, Depth::Position, &problems, &mut out, &always).expect("good columns");
+        assert!(out.solved().all(|good| good) && out.q_ddot(8).chain(out.q_dot(8)).all(|x| x == 0.0));
+        for (bad, text) in [
+            (Problems { start: &start[1..], ..problems }, "start has 8 entries and must have 9"),
+            (Problems { parameters: &parameters[1..], ..problems }, "parameters has"),
+            (Problems { t: Column::Each(&t[1..]), ..problems }, "the column of t has"),
+            (Problems { modes: Modes::Signs(&[]), ..problems }, "modes has 0 entries and must have 1"),
+        ] {
+            let error = solve(&mechanism, Depth::Position, &bad, &mut out, &always).unwrap_err().to_string();
+            assert!(error.starts_with(text), "{error}");
+        }
+        counted.count_total
+    });
+    assert_eq!(small, large);
+}
