@@ -308,6 +308,13 @@ fn couplers<S: Clone + Send>(
 
 /// How often a set is seen, and the sum of the angles of its last body.
 fn count(seen: &mut [Lanes; 2], moment: &Moment<'_>) {
+    // Lanes that do not move repeat one that does.
+    let lane = |lane: usize| {
+        let lists = [moment.parameters, moment.q, moment.q_dot, moment.q_ddot];
+        lists.map(|list| list.iter().map(|x| x.to_array()[lane]).collect::<Vec<_>>())
+    };
+    let other = (0..Lanes::COUNT).find(|lane| moment.moves(*lane)).expect("one that moves");
+    (0..Lanes::COUNT).filter(|k| !moment.moves(*k)).for_each(|k| assert_eq!(lane(other), lane(k)));
     let [number, sum] = *seen;
     seen[0] = moment.keep(number, number + 1.0.into());
     seen[1] = moment.keep(sum, sum + moment.q[8]);
