@@ -132,10 +132,9 @@ impl<'m> Planned<'m> {
             return;
         }
         self.orders.begin(&at, &self.q, &self.q_dot, &self.q_ddot).expect("nine coordinates");
+        assert!(self.orders.factorise(&at).expect("no inputs"));
         for order in 3..=highest {
-            four_bar
-                .resolve_with(&self.parameters, &at, &self.q, self.orders.right(), &mut self.derivative)
-                .expect("nine coordinates");
+            self.orders.solve(&mut self.derivative).expect("nine coordinates");
             if order < highest {
                 self.orders.advance(&self.derivative).expect("nine coordinates");
             }

@@ -23,7 +23,8 @@ pub(crate) fn fallback(cleaned: Option<&ItemStruct>, item: TokenStream, broken: 
         let name = Ident::new(name, proc_macro2::Span::call_site());
         quote! { type #name<__T: __kin::Scalar> = [__T; 0]; }
     };
-    let types = ["Parameters", "Coordinates", "Rows", "NonZeros", "Observables", "ObservableNonZeros"].map(empty);
+    let types =
+        ["Parameters", "Coordinates", "Rows", "NonZeros", "Observables", "ObservableNonZeros", "Factors"].map(empty);
     let default = promises_default(item).then(|| {
         quote! {
             #[automatically_derived]

@@ -66,6 +66,8 @@ pub trait Mechanism: Sized {
     type Observables<T: Scalar>: Array<T>;
     /// One `T` for every entry of the pattern of the observables' Jacobian.
     type ObservableNonZeros<T: Scalar>: Array<T>;
+    /// What [`factorise_with`](Self::factorise_with) leaves for one right-hand side after another; without a plan empty.
+    type Factors<T: Scalar>: Array<T>;
 
     /// Names, rows, patterns and geometry.
     fn model() -> &'static Model;
@@ -190,8 +192,33 @@ pub trait Mechanism: Sized {
         Ok(())
     }
 
-    /// x with Φ_q x = b, s numbers b, by the blocks of the plan; nothing is written where there is no plan. Where Φ_q is
-    /// singular, x is not finite or far too large: whoever asks for it checks Φ_q x = b, or the margins of a solution.
+    /// What x with Φ_q x = b needs of Φ_q at q, by the blocks of the plan; nothing is written where there is no plan.
+    ///
+    /// # Errors
+    /// When an argument has the wrong length.
+    fn factorise_with<T: Scalar>(
+        &self,
+        parameters: &[T],
+        at: &Instant<'_, T>,
+        q: &[T],
+        factors: &mut Self::Factors<T>,
+    ) -> Result<(), LengthError> {
+        let _ = (parameters, at, q, factors);
+        Ok(())
+    }
+
+    /// x with Φ_q x = b, s numbers b, n numbers x, given the factors of Φ_q; nothing is written where there is no plan.
+    /// Where Φ_q is singular, x is not finite or far too large: whoever asks for it checks Φ_q x = b, or the margins of
+    /// a solution.
+    ///
+    /// # Errors
+    /// When an argument has the wrong length.
+    fn solve_factorised<T: Scalar>(factors: &Self::Factors<T>, b: &[T], x: &mut [T]) -> Result<(), LengthError> {
+        let _ = (factors, b, x);
+        Ok(())
+    }
+
+    /// [`factorise_with`](Self::factorise_with) and [`solve_factorised`](Self::solve_factorised) for a single b.
     ///
     /// # Errors
     /// When an argument has the wrong length.
@@ -203,8 +230,9 @@ pub trait Mechanism: Sized {
         b: &[T],
         x: &mut [T],
     ) -> Result<(), LengthError> {
-        let _ = (parameters, at, q, b, x);
-        Ok(())
+        let mut factors = Self::Factors::<T>::generate(|_| T::from_f64(0.0));
+        self.factorise_with(parameters, at, q, &mut factors)?;
+        Self::solve_factorised(&factors, b, x)
     }
 
     /// The observables with their Jacobian, time derivative and acceleration right-hand side.

@@ -403,7 +403,7 @@ impl<'a> Build<'a> {
         }
     }
 
-    /// x with Φ_q x = b at a given q, entries of b as symbols, and its margins.
+    /// x with Φ_q x = b at a given q, entries of b as symbols.
     pub(super) fn resolve(&mut self, tree: &Block) -> Vec<(Slot, ExprId)> {
         let n = self.system.set.coordinates.len();
         let right = (0..self.system.equations.len()).map(|row| self.graph.symbol(Symbol::Right(row as u32))).collect();

@@ -68,8 +68,10 @@ pub struct SolutionPlan {
     pub held: u32,
     /// What tells the modes of a configuration: one entry per mode.
     pub closures: Program,
-    /// x with Φ_q x = b at a configuration.
-    pub resolve: Program,
+    /// For x with Φ_q x = b at a configuration: what depends on Φ_q alone, `factors` values held; then x from these and b.
+    pub resolve: [Program; 2],
+    /// How many values the first holds for the second.
+    pub factors: u32,
 }
 
 /// The plan of a mechanism whose rows determine its coordinates; for others, why there is none.
@@ -114,7 +116,7 @@ fn planned(system: &KinematicSystem) -> Result<SolutionPlan, String> {
     let [velocity, acceleration] = build.all(&tree);
     let resolve = build.resolve(&tree);
     let Build { mut graph, stages, listed, iterations, closures, .. } = build;
-    let resolve = lower(&graph, &resolve);
+    let (resolve, factors) = sections::split(&mut graph, resolve);
     let indicators: Vec<_> = closures.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let closures = lower(&graph, &indicators);
     let (sections, held) = sections::sections(&mut graph, stages, iterations);
@@ -125,5 +127,5 @@ fn planned(system: &KinematicSystem) -> Result<SolutionPlan, String> {
     };
     let sections = sections.into_iter().enumerate().map(|(place, section)| (section, depth(place))).collect();
     let Listed { steps, modes, margins, .. } = listed;
-    Ok(SolutionPlan { steps, modes, margins, absent: None, sections, held, closures, resolve })
+    Ok(SolutionPlan { steps, modes, margins, absent: None, sections, held, closures, resolve, factors })
 }

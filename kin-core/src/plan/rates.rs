@@ -61,7 +61,11 @@ impl<'g> Rates<'g> {
         for pivot in block.pivots.iter().rev() {
             let Some(coefficient) = self.entries[pivot.row].remove(&pivot.coordinate) else { continue };
             self.fold(pivot.row);
-            let value = self.graph.div(self.right[pivot.row], coefficient);
+            // The inverse is the same for every b.
+            let one = self.graph.number(1.0);
+            let inverse = self.graph.div(one, coefficient);
+            let inverse = self.graph.whole(inverse);
+            let value = self.graph.mul(self.right[pivot.row], inverse);
             let value = self.graph.whole(value);
             self.solution[pivot.coordinate as usize] = Some(value);
         }

@@ -104,7 +104,18 @@ pub fn closures(plan: &SolutionPlan, environment: &impl Environment) -> Vec<f64>
 
 /// x with Φ_q x = b at a configuration; the entries of b are [`Symbol::Right`].
 pub fn resolve(plan: &SolutionPlan, environment: &impl Environment) -> Vec<f64> {
-    entries(&plan.resolve, environment)
+    let [factorise, solve] = &plan.resolve;
+    let mut held = vec![f64::NAN; plan.factors as usize];
+    for (slot, value) in interpret(factorise, environment) {
+        held[slot.index()] = value;
+    }
+    // The second step knows what is held and b, and nothing else.
+    let right = |symbol| match symbol {
+        Symbol::Right(_) => environment.symbol(symbol),
+        Symbol::Held(k) => held[k as usize],
+        _ => f64::NAN,
+    };
+    entries(solve, &right)
 }
 
 fn entries(program: &Program, environment: &impl Environment) -> Vec<f64> {

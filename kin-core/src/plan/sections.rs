@@ -37,6 +37,8 @@ struct Places {
 struct Done<'p> {
     places: &'p mut Places,
     section: usize,
+    /// Whether symbols are held, too: whoever comes later does not know them.
+    symbols: bool,
 }
 
 impl Substitution for Done<'_> {
@@ -46,7 +48,13 @@ impl Substitution for Done<'_> {
 
     fn whole(&mut self, graph: &mut Graph, id: ExprId) -> Option<ExprId> {
         let owner = *self.places.owner.get(&id)?;
-        if owner >= self.section || matches!(graph.node(id), Node::Number(_) | Node::Symbol(_)) {
+        let known = match graph.node(id) {
+            // The other sign is as good.
+            Node::Number(_) | Node::Neg(_) => true,
+            Node::Symbol(_) => !self.symbols,
+            _ => false,
+        };
+        if owner >= self.section || known {
             return None;
         }
         let place = *self.places.held.entry(id).or_insert_with(|| {
@@ -74,8 +82,7 @@ pub(super) fn sections(graph: &mut Graph, stages: Vec<Stage>, first: u32) -> (Ve
             }
         }
     }
-    let mut rewritten: Vec<FastMap<ExprId, ExprId>> = stages.iter().map(|_| FastMap::default()).collect();
-    let mut roots: Vec<Vec<(Slot, ExprId)>> = stages
+    let roots: Vec<Vec<(Slot, ExprId)>> = stages
         .iter()
         .map(|stage| match stage {
             Stage::Closed(outputs) => outputs.clone(),
@@ -84,17 +91,7 @@ pub(super) fn sections(graph: &mut Graph, stages: Vec<Stage>, first: u32) -> (Ve
             }
         })
         .collect();
-    // From the last to the first: what is wanted of a section is known when it is written.
-    for section in (0..stages.len()).rev() {
-        let wanted = places.wanted.iter().filter(|(owner, ..)| *owner == section);
-        let wanted: Vec<_> = wanted.map(|&(_, place, id)| (Slot::Held(place as usize), id)).collect();
-        roots[section].extend(wanted);
-        for (_, id) in &mut roots[section] {
-            let mut done = Done { places: &mut places, section };
-            *id = rewrite(graph, *id, &mut rewritten[section], &mut done);
-        }
-    }
-    let programs = roots.into_iter().map(|outputs| lower(graph, &outputs));
+    let programs = programs(graph, &mut places, roots, false);
     let sections = stages.into_iter().zip(programs).map(|(stage, program)| match stage {
         Stage::Closed(_) => Section::Closed(program),
         Stage::Newton { unknowns, converged, .. } => Section::Newton { unknowns, correction: program, converged },
@@ -115,4 +112,39 @@ fn own_constants(graph: &Graph, places: &mut Places, number: usize, unknowns: &[
             places.owner.entry(id).or_insert(number.saturating_sub(1));
         }
     }
+}
+
+/// The same outputs in two programs: what does not depend on right sides, held, and the rest, which reads what is held
+/// and right sides alone; how many values are held.
+pub(super) fn split(graph: &mut Graph, outputs: Vec<(Slot, ExprId)>) -> ([Program; 2], u32) {
+    let mut places = Places { owner: FastMap::default(), held: FastMap::default(), wanted: Vec::new(), next: 0 };
+    for id in graph.reachable(outputs.iter().map(|(_, id)| *id)) {
+        let node = graph.node(id);
+        let mut owner = usize::from(matches!(node, Node::Symbol(Symbol::Right(_))));
+        node.for_each_operand(|operand| owner = owner.max(places.owner.get(&operand).copied().unwrap_or(0)));
+        places.owner.insert(id, owner);
+    }
+    let mut programs = programs(graph, &mut places, vec![Vec::new(), outputs], true).into_iter();
+    ([(); 2].map(|()| programs.next().unwrap_or_default()), places.next)
+}
+
+/// A program for the outputs of every section, and for what later ones want of it.
+fn programs(
+    graph: &mut Graph,
+    places: &mut Places,
+    mut roots: Vec<Vec<(Slot, ExprId)>>,
+    symbols: bool,
+) -> Vec<Program> {
+    let mut rewritten: Vec<FastMap<ExprId, ExprId>> = roots.iter().map(|_| FastMap::default()).collect();
+    // From the last to the first: what is wanted of a section is known when it is written.
+    for section in (0..roots.len()).rev() {
+        let wanted = places.wanted.iter().filter(|(owner, ..)| *owner == section);
+        let wanted: Vec<_> = wanted.map(|&(_, place, id)| (Slot::Held(place as usize), id)).collect();
+        roots[section].extend(wanted);
+        for (_, id) in &mut roots[section] {
+            let mut done = Done { places: &mut *places, section, symbols };
+            *id = rewrite(graph, *id, &mut rewritten[section], &mut done);
+        }
+    }
+    roots.into_iter().map(|outputs| lower(graph, &outputs)).collect()
 }

@@ -81,6 +81,18 @@ pub(crate) struct Kernel {
 ///
 /// A kernel stands outside of the struct's generics, so that it takes supplied functions as arguments of any type.
 pub(crate) fn kernel(name: &str, lowered: &Lowered, program: &Program, targets: &[(&str, TokenStream)]) -> Kernel {
+    kernel_after(name, lowered, program, targets, "__Held")
+}
+
+/// A kernel that reads values held in an array of the type `held`.
+pub(crate) fn kernel_after(
+    name: &str,
+    lowered: &Lowered,
+    program: &Program,
+    targets: &[(&str, TokenStream)],
+    held: &str,
+) -> Kernel {
+    let held = Ident::new(held, Span::call_site());
     let name = Ident::new(name, Span::call_site());
     let reads = Reads::of(program);
     let writes = |target: &str| program.outputs.iter().any(|(slot, _)| target_name(*slot) == target);
@@ -95,7 +107,7 @@ pub(crate) fn kernel(name: &str, lowered: &Lowered, program: &Program, targets: 
         (reads.start, "start", quote! { &__Coordinates<__T> }, quote! { start }),
         (reads.unknowns, "unknowns", quote! { &__Coordinates<__T> }, quote! { unknowns }),
         // What a kernel both reads and leaves is one array.
-        (reads.held && !writes("held"), "held", quote! { &__Held<__T> }, quote! { held }),
+        (reads.held && !writes("held"), "held", quote! { &#held<__T> }, quote! { held }),
         (reads.right, "right", quote! { &__Rows<__T> }, quote! { right }),
     ];
     let (mut arguments, mut values) = (Vec::new(), Vec::new());

@@ -96,6 +96,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
     let scalar = Ident::new("__T", Span::call_site());
     let [position_lengths, lengths] = [position_lengths(&scalar, "q"), lengths(&scalar)];
     let Evaluations { evaluate, observe, .. } = &evaluations;
+    let factors = plan.factors as usize;
     let (plan_items, plan_methods) = (&planned.items, &planned.methods);
     let kernels = [&values.item, &evaluate.item, &observe.item];
     let [values, evaluate, observe] = [&values.call, &evaluate.call, &observe.call];
@@ -131,6 +132,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
             type NonZeros<__T: __kin::Scalar> = [__T; #entries];
             type Observables<__T: __kin::Scalar> = [__T; #seen];
             type ObservableNonZeros<__T: __kin::Scalar> = [__T; #seen_entries];
+            type Factors<__T: __kin::Scalar> = [__T; #factors];
 
             fn model() -> &'static __kin::Model {
                 &__MODEL

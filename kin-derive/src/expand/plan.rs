@@ -1,6 +1,6 @@
 //! The solution plan: its sections as kernels, the methods that run them, and its static table.
 
-use super::kernel::{Kernel, kernel};
+use super::kernel::{Kernel, kernel, kernel_after};
 use super::position_lengths;
 use crate::lower::Lowered;
 use kin_core::plan::{Depth, Kind, Section, SolutionPlan};
@@ -31,15 +31,19 @@ pub(super) fn planned(lowered: &Lowered, system: &KinematicSystem, plan: &Soluti
         kernel(name, lowered, program, &[("out", quote! { [__T; #outputs] })])
     };
     let closures = at_q("tell_modes", &plan.closures, modes);
-    let resolve = at_q("solve_rows", &plan.resolve, system.set.coordinates.len());
-    let kernels = solve.kernels.iter().chain([&closures.item, &resolve.item]);
+    let factors = plan.factors as usize;
+    let factorise = kernel("factorise_rows", lowered, &plan.resolve[0], &[("held", quote! { __Factors<__T> })]);
+    let n = system.set.coordinates.len();
+    let resolve = kernel_after("solve_rows", lowered, &plan.resolve[1], &[("out", quote! { [__T; #n] })], "__Factors");
+    let kernels = solve.kernels.iter().chain([&closures.item, &factorise.item, &resolve.item]);
     let items = quote! {
         type __Modes<__T> = [__T; #modes];
         type __Held<__T> = [__T; #held];
         type __Rows<__T> = [__T; #rows];
+        type __Factors<__T> = [__T; #factors];
         #(#kernels)*
     };
-    let methods = [solve.method, closures_method(&closures), resolve_method(&resolve)];
+    let methods = [solve.method, closures_method(&closures), resolve_methods(&factorise, &resolve)];
     Planned { items, methods: quote! { #(#methods)* }, table }
 }
 
@@ -147,23 +151,35 @@ fn closures_method(kernel: &Kernel) -> TokenStream {
     }
 }
 
-fn resolve_method(kernel: &Kernel) -> TokenStream {
+/// The factors of Φ_q, and x for one right side after another.
+fn resolve_methods(factorise: &Kernel, solve: &Kernel) -> TokenStream {
     let lengths = position_lengths(&Ident::new("__T", Span::call_site()), "q");
-    let call = &kernel.call;
+    let (factorise, solve) = (&factorise.call, &solve.call);
     quote! {
-        fn resolve_with<__T: __kin::Scalar>(
+        fn factorise_with<__T: __kin::Scalar>(
             &self,
             parameters: &[__T],
             at: &__kin::Instant<'_, __T>,
             q: &[__T],
+            factors: &mut Self::Factors<__T>,
+        ) -> __kin::Result<(), __kin::LengthError> {
+            #lengths
+            let held: &mut __Factors<__T> = factors;
+            let _ = (p, u, q, &held);
+            #factorise
+            __kin::Ok(())
+        }
+
+        fn solve_factorised<__T: __kin::Scalar>(
+            factors: &Self::Factors<__T>,
             b: &[__T],
             x: &mut [__T],
         ) -> __kin::Result<(), __kin::LengthError> {
-            #lengths
+            let held: &__Factors<__T> = factors;
             let right: &__Rows<__T> = __kin::fixed("b", b)?;
             let out: &mut __Coordinates<__T> = __kin::fixed_mut("x", x)?;
-            let _ = (p, u, q, right, &out);
-            #call
+            let _ = (held, right, &out);
+            #solve
             __kin::Ok(())
         }
     }

@@ -248,7 +248,12 @@ fn expression(instruction: &Instruction, operands: &[Operand]) -> TokenStream {
         Instruction::Div(..) => apply("div", &[&dynamic(0), &v(1)]),
         Instruction::SinCos(_) => {
             let angle = v(0);
-            quote! { __kin::Arithmetic::sin_cos(x, [#angle]) }
+            quote! {
+                {
+                    let [turn] = __kin::Arithmetic::turns(x, [#angle]);
+                    [__kin::Arithmetic::sin_cos(x, #angle, turn)]
+                }
+            }
         }
         Instruction::Call(f, _) => apply(f.name(), &[&v(0)]),
         Instruction::Sign(_) => apply("signum", &[&v(0)]),

@@ -262,8 +262,15 @@ impl<'p> Emitter<'p> {
             let (s, c) = (name('s', *pair), name('c', *pair));
             quote! { (#s, #c) }
         });
-        let operands = angles.iter().map(|(_, angle)| self.operand(*angle));
-        let tokens = quote! { let [#(#names),*] = __kin::Arithmetic::sin_cos(x, [#(#operands),*]); };
+        // All at once as far as τ = 0; the series one by one, in registers.
+        let operands: Vec<TokenStream> = angles.iter().map(|(_, angle)| self.operand(*angle)).collect();
+        let starts: Vec<Ident> = angles.iter().map(|(pair, _)| name('t', *pair)).collect();
+        let tokens = quote! {
+            let [#(#names),*] = {
+                let [#(#starts),*] = __kin::Arithmetic::turns(x, [#(#operands),*]);
+                [#(__kin::Arithmetic::sin_cos(x, #operands, #starts)),*]
+            };
+        };
         Statement { defines: angles.iter().map(|(pair, _)| *pair).collect(), tokens }
     }
 

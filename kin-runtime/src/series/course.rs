@@ -31,7 +31,7 @@ impl<C: Array<f64>> Course<C> {
     /// Begins at an instant. `further` has the derivatives of the inputs from the third on, as far as they are known.
     pub(super) fn begin(&mut self, at: &Instant<'_>, further: &[&[f64]]) {
         self.t = at.t;
-        self.q.fill(C::generate(|_| 0.0));
+        self.q[..5].fill(C::generate(|_| 0.0));
         for (k, series) in self.inputs.chunks_exact_mut(self.stride).enumerate() {
             let Signal { value, rate, acceleration } = at.inputs.get(k).copied().unwrap_or_default();
             let higher = further.get(k).copied().unwrap_or_default();
@@ -51,12 +51,18 @@ impl<C: Array<f64>> Course<C> {
         core::array::from_fn(|k| &self.q[order + k])
     }
 
-    /// Takes the derivative of this order, given the factorial of the order.
+    /// Takes the derivative of this order, one further than the last, given the factorial of the order. Later ones
+    /// are 0 as far as the next run looks.
     #[inline(always)]
     pub(super) fn take(&mut self, order: usize, factorial: f64, derivative: &[f64]) {
         let part = 1.0 / factorial;
         for (coefficient, value) in self.q[order].as_mut().iter_mut().zip(derivative) {
             *coefficient = part * value;
+        }
+        if order > 2
+            && let Some(later) = self.q.get_mut(order + 2)
+        {
+            *later = C::generate(|_| 0.0);
         }
     }
 

@@ -132,13 +132,14 @@ impl<C: Array<f64>, R: Array<f64>> Arithmetic for Next<'_, C, R> {
     }
 
     #[inline(always)]
-    fn sin_cos<const A: usize>(&mut self, angles: [[f64; 2]; A]) -> [([f64; 2], [f64; 2]); A] {
-        let mut out = [([0.0; 2], [0.0; 2]); A];
-        for (out, angle) in out.iter_mut().zip(angles) {
-            let [sin, cos] = self.apply(&SineCosine { at_zero: (0.0, 0.0) }, [angle]);
-            *out = (sin, cos);
-        }
-        out
+    fn turns<const A: usize>(&mut self, _: [[f64; 2]; A]) -> [(f64, f64); A] {
+        [(0.0, 0.0); A]
+    }
+
+    #[inline(always)]
+    fn sin_cos(&mut self, angle: [f64; 2], at_zero: (f64, f64)) -> ([f64; 2], [f64; 2]) {
+        let [sin, cos] = self.apply(&SineCosine { at_zero }, [angle]);
+        (sin, cos)
     }
 
     #[inline(always)]

@@ -47,6 +47,7 @@ pub struct HigherOrders<'m, M: PowerSeries> {
     phi: M::Rows<f64>,
     eta: M::Rows<f64>,
     right: M::Rows<f64>,
+    factors: M::Factors<f64>,
     missing: Option<Missing>,
     /// The order of `right`, and its factorial.
     order: usize,
@@ -71,6 +72,7 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
             phi: Array::generate(|_| 0.0),
             eta: Array::generate(|_| 0.0),
             right: Array::generate(|_| 0.0),
+            factors: Array::generate(|_| 0.0),
             missing: None,
             order: 0,
             factorial: 1.0,
@@ -140,6 +142,29 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
     /// b, s numbers, with Φ_q q⁽ᵏ⁾ = b.
     pub fn right(&self) -> &[f64] {
         self.right.as_ref()
+    }
+
+    /// Takes the factors of Φ_q by the blocks of the plan, at the instant and the q that it began with, for
+    /// [`solve`](Self::solve); false where there is no plan.
+    ///
+    /// # Errors
+    /// When the inputs have the wrong length.
+    pub fn factorise(&mut self, at: &Instant<'_>) -> Result<bool, LengthError> {
+        let [q] = self.course.from(0);
+        self.mechanism.factorise_with(self.parameters.as_ref(), at, q.as_ref(), &mut self.factors)?;
+        Ok(M::model().plan.absent.is_none())
+    }
+
+    /// q⁽ᵏ⁾ with the factors of [`factorise`](Self::factorise), n numbers, to hand to [`advance`](Self::advance). As in
+    /// [`Mechanism::solve_factorised`] it is only good where Φ_q is not singular: where the margins of a solution by
+    /// the plan are positive.
+    ///
+    /// # Errors
+    /// When the vector has the wrong length.
+    ///
+    /// [`Mechanism::solve_factorised`]: crate::Mechanism::solve_factorised
+    pub fn solve(&self, derivative: &mut [f64]) -> Result<(), LengthError> {
+        M::solve_factorised(&self.factors, self.right.as_ref(), derivative)
     }
 
     /// Takes q⁽ᵏ⁾, n numbers, and goes on to the next order, where one was asked for.

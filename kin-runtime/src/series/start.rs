@@ -189,15 +189,14 @@ impl<C: Array<f64>, R: Array<f64>, const N: usize, const ALL: bool> Arithmetic f
     }
 
     #[inline(always)]
-    fn sin_cos<const A: usize>(&mut self, angles: [[f64; N]; A]) -> [([f64; N], [f64; N]); A] {
-        let values = <f64 as Scalar>::sin_cos_all(angles.map(|angle| angle[0]));
-        // A loop and no closure, which would not be inlined.
-        let mut out = [([0.0; N], [0.0; N]); A];
-        for ((out, angle), at_zero) in out.iter_mut().zip(angles).zip(values) {
-            let [sin, cos] = self.apply(&SineCosine { at_zero }, [angle]);
-            *out = (sin, cos);
-        }
-        out
+    fn turns<const A: usize>(&mut self, angles: [[f64; N]; A]) -> [(f64, f64); A] {
+        <f64 as Scalar>::sin_cos_all(angles.map(|angle| angle[0]))
+    }
+
+    #[inline(always)]
+    fn sin_cos(&mut self, angle: [f64; N], at_zero: (f64, f64)) -> ([f64; N], [f64; N]) {
+        let [sin, cos] = self.apply(&SineCosine { at_zero }, [angle]);
+        (sin, cos)
     }
 
     #[inline(always)]

@@ -104,6 +104,48 @@ fn instants_after_the_first_allocate_nothing() {
     allocates_nothing::<SleighKnifeEdge>();
 }
 
+/// All orders by the blocks of the plan, against those of the dense factorisation; nothing is allocated for them.
+fn plan_gives_the_same<M: Kinematics + PowerSeries + Default>() {
+    let mechanism = M::default();
+    let mut orders = HigherOrders::new(&mechanism, 10);
+    let mut x = vec![0.0; M::COORDINATES];
+    for (number, t) in [0.2, 0.5, 0.9].into_iter().enumerate() {
+        let state = mechanism.state_at(&t.into()).unwrap();
+        let expected = mechanism.derivatives(&state, 10).unwrap();
+        let counted = measure(|| {
+            let at = Instant::at(t);
+            orders.begin(&at, &state.q, &state.q_dot, &state.q_ddot).unwrap();
+            assert!(orders.factorise(&at).unwrap());
+            for expected in &expected.q[3..] {
+                orders.solve(&mut x).unwrap();
+                let size = expected.iter().fold(1.0_f64, |size, value| size.max(value.abs()));
+                let off = x.iter().zip(expected).map(|(x, e)| (x - e).abs()).fold(0.0, f64::max);
+                assert!(off <= 1e-11 * size, "{}, order {}: {off:e} of {size:e}", M::model().name, orders.order());
+                orders.advance(&x).unwrap();
+            }
+        });
+        assert!(number == 0 || counted.count_total == 0, "{}: {counted:?}", M::model().name);
+    }
+    assert!(orders.solve(&mut x[1..]).is_err());
+}
+
+#[test]
+fn the_plan_solves_every_order() {
+    plan_gives_the_same::<FourBar>();
+    plan_gives_the_same::<Excavator>();
+}
+
+/// Where there is no plan nothing is solved.
+#[test]
+fn without_a_plan_nothing_is_solved() {
+    let sleigh = SleighKnifeEdge::default();
+    let state = sleigh.state_at(&0.2.into()).unwrap();
+    let mut orders = HigherOrders::new(&sleigh, 3);
+    let at = Instant::at(state.t);
+    orders.begin(&at, &state.q, &state.q_dot, &state.q_ddot).unwrap();
+    assert!(!orders.factorise(&at).unwrap());
+}
+
 /// Right-hand sides wait for the solution of the order before, and lengths are checked.
 #[test]
 fn orders_go_one_by_one() {
