@@ -114,28 +114,42 @@ const CORRECTIONS: usize = 12;
 /// A correction this small, for an unknown of size 1, is the last: the next one is its square.
 const LAST: f64 = 3e-9;
 
+/// A correction this small, for an unknown of size 1, is rounding.
+const ROUNDING: f64 = 1e-13;
+
 /// Newton's iteration over the unknowns `places` of `x`: `correction` gives, for the current values, what is to be
-/// subtracted. `sizes` says of each unknown whether it is a length, whose size is that of the largest such. Gives 1 where
-/// it has converged and 0 where not.
+/// subtracted. `lengths` says of each unknown whether it is a length: lengths are as large as all of them together, so
+/// that a mechanism of micrometres is solved to the same digits in metres. Gives 1 where it has converged and 0 where not.
 #[doc(hidden)]
 #[inline]
 pub fn iterate<T: Scalar, const N: usize, const M: usize>(
     x: &mut [T; N],
     places: [usize; M],
+    lengths: [bool; M],
     mut correction: impl FnMut(&[T; N]) -> [T; M],
 ) -> T {
+    let mut rounding = false;
     for _ in 0..CORRECTIONS {
         let steps = correction(x);
-        let mut last = true;
-        for (place, step) in places.into_iter().zip(steps) {
+        // Never 0, so that lengths that are all 0 are found, too.
+        let mut length = T::from_f64(f64::from(f32::MIN_POSITIVE));
+        for ((place, step), is_length) in places.into_iter().zip(steps).zip(lengths) {
             x[place] = x[place] - step;
-            // Relative to 1 + |x|: angles are of size 1, and a length far below 1 is found again to the same digits.
-            let size = T::from_f64(1.0) + x[place].abs();
-            last &= (step / size).is_within(LAST);
+            if is_length {
+                length = length + x[place].abs();
+            }
+        }
+        let mut last = true;
+        rounding = true;
+        for ((place, step), is_length) in places.into_iter().zip(steps).zip(lengths) {
+            let relative = step / (T::from_f64(1.0) + x[place].abs());
+            last &= relative.is_within(LAST) && (!is_length || (step / length).is_within(LAST));
+            rounding &= relative.is_within(ROUNDING);
         }
         if last {
             return T::from_f64(1.0);
         }
     }
-    T::from_f64(0.0)
+    // A length that passes through 0 alone has no size of its own to be held against.
+    T::from_f64(if rounding { 1.0 } else { 0.0 })
 }

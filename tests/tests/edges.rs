@@ -1,6 +1,6 @@
 //! Configurations at the edge of what has an answer: far guesses, late instants, rows that vanish altogether.
 
-use kin_runtime::{Instant, Kinematics, Mechanism, Signal, SolveError, mechanism};
+use kin_runtime::{Instant, Kinematics, Mechanism, Planned, Signal, SolveError, mechanism};
 
 #[mechanism]
 #[bodies(crank, rod, slider)]
@@ -143,4 +143,66 @@ fn a_sweep_without_inputs_names_where_they_come_from() {
     let ends = |t: f64, u: &mut [Signal]| u[0] = Signal::constant(if t > 0.5 { f64::NAN } else { 1.0 });
     let error = Measured.solver().with_inputs(&ends).sweep(&[0.0, 1.0]).unwrap_err().to_string();
     assert!(error.ends_with("(after 1 good instant)"), "{error}");
+}
+
+/// A plate on three links: an iteration over two lengths and an angle.
+#[mechanism]
+#[bodies(crank, plate)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[driver(drive: crank.phi = 0.2 + t)]
+#[distance(first: crank @ (0.2 * u, 0), plate @ (0, 0), length = 0.5 * u)]
+#[distance(second: ground @ (0.8 * u, 0), plate @ (0.1 * u, 0.3 * u), length = 0.6 * u)]
+#[distance(third: ground @ (0, 0.9 * u), plate @ (0.3 * u, 0), length = 0.6 * u)]
+#[guess(plate.x = 0.4 * u, plate.y = 0.4 * u, plate.phi = 0.1)]
+struct Plate {
+    u: f64,
+}
+
+/// A follower that the iteration finds by its height alone; it passes through 0.
+#[mechanism]
+#[body(cam, x = 0, y = -u)]
+#[body(follower, x = 0, phi = 0)]
+#[on_curve(contact: cam @ (0, 0), follower @ (0, 0), polar(theta) = u * (1 + 0.3 * cos(theta)))]
+#[driver(turn: cam.phi = t)]
+#[guess(follower.y = 0.1 * u)]
+struct Follower {
+    u: f64,
+}
+
+/// The plan knows no unit: margins are the same in all, and so are the digits of what iterations give.
+#[test]
+fn iterations_of_a_plan_are_the_same_in_all_units() {
+    let steps = |q: &[f64], k: usize, unit: f64| q[k] / unit;
+    let mut plates = Vec::new();
+    for u in [1.0, 1e-9, 1e-6, 1e-3, 1e3, 1e6, 1e9] {
+        let plate = Plate { u };
+        let at = Instant::at(0.0);
+        let mut planned = Planned::new(&plate, &at, &plate.state_at(&at).unwrap().q).unwrap();
+        let mut found = Vec::new();
+        for k in 1..=20 {
+            planned.at(&Instant::at(0.1 * f64::from(k))).unwrap();
+            let (q, margins) = (planned.q(), planned.margins());
+            found.extend([steps(q, 3, u), steps(q, 4, u), q[5], margins[0]]);
+        }
+        plates.push(found);
+
+        let follower = Follower { u };
+        let mut planned = Planned::new(&follower, &at, &follower.state_at(&at).unwrap().q).unwrap();
+        for k in 0..=63 {
+            let t = 0.1 * f64::from(k);
+            let lift = planned.at(&Instant::at(t)).unwrap().q()[1] / u;
+            assert!((lift - 0.3 * t.sin()).abs() < 1e-14, "u = {u}, t = {t}: {lift}");
+        }
+    }
+    let closest = plates[0].iter().skip(3).step_by(4).copied().fold(1.0, f64::min);
+    assert!(closest > 1e-4, "{closest}");
+    for plate in &plates[1..] {
+        assert_near(plate, &plates[0], 1e-11);
+    }
+}
+
+#[track_caller]
+fn assert_near(found: &[f64], expected: &[f64], bound: f64) {
+    let worst = found.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(found.len() == expected.len() && worst < bound, "{worst:e}");
 }

@@ -23,6 +23,13 @@ pub enum CoordinateKind {
     Scalar,
 }
 
+impl CoordinateKind {
+    /// True for x and y of a body: what counts in units of length. Scalars say nothing of what they are.
+    pub fn is_length(self) -> bool {
+        matches!(self, Self::Pose(_, Component::X | Component::Y))
+    }
+}
+
 /// An entry of q.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coordinate {

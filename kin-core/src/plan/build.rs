@@ -117,7 +117,6 @@ impl<'a> Build<'a> {
     /// All stages of q, q̇ and q̈; gives where those of q̇ and q̈ begin.
     pub(super) fn all(&mut self, tree: &Block) -> [usize; 2] {
         self.block(tree);
-        let n = self.system.set.coordinates.len();
         let mut starts = [0; 2];
         for (order, start) in starts.iter_mut().enumerate() {
             let right: Vec<ExprId> = (self.system.equations.iter())
@@ -125,7 +124,7 @@ impl<'a> Build<'a> {
                 .collect();
             let right: Vec<ExprId> = right.into_iter().map(|e| self.known_value(e)).collect();
             let right = if order == 0 { right.into_iter().map(|e| self.graph.neg(e)).collect() } else { right };
-            let (solution, margins) = self.rates(tree, right, n);
+            let (solution, margins) = self.rates(tree, right);
             if order == 0 {
                 self.iteration_margins(&margins);
             }
@@ -138,14 +137,14 @@ impl<'a> Build<'a> {
     }
 
     /// x with Φ_q x = right, all coordinates known.
-    fn rates(&mut self, tree: &Block, right: Vec<ExprId>, n: usize) -> (Vec<ExprId>, BTreeMap<usize, ExprId>) {
+    fn rates(&mut self, tree: &Block, right: Vec<ExprId>) -> (Vec<ExprId>, BTreeMap<usize, ExprId>) {
         let mut entries = Vec::new();
         for equation in &self.system.equations {
             let row: Vec<(u32, ExprId)> = equation.phi_q.clone();
             entries.push(row.into_iter().map(|(k, e)| (k, self.known_value(e))).collect());
         }
         let known = constants(tree).into_iter().map(|e| (e, self.known_value(e))).collect();
-        let mut rates = Rates::new(&mut self.graph, entries, right, n, known);
+        let mut rates = Rates::new(&mut self.graph, entries, right, &self.system.set.coordinates, known);
         rates.block(tree);
         let zero = rates.graph.zero();
         (rates.solution.iter().map(|value| value.unwrap_or(zero)).collect(), rates.margins)
@@ -249,7 +248,8 @@ impl<'a> Build<'a> {
                     matrix.iter().map(|row| row.iter().map(|&e| self.known_value(e)).collect()).collect();
                 let right: Vec<ExprId> = constant.iter().map(|&e| self.known_value(e)).collect();
                 let right = right.into_iter().map(|e| self.graph.neg(e)).collect();
-                let (solutions, margin) = dense::solve(&mut self.graph, &matrix, &[right]);
+                let lengths = super::lengths(&self.system.set.coordinates, &core.coordinates);
+                let (solutions, margin) = dense::solve(&mut self.graph, &matrix, &[right], &lengths);
                 let margin = match matrix.as_slice() {
                     [row] => self.share_of_row(step, core.coordinates[0], row[0]),
                     _ => margin,
@@ -382,7 +382,8 @@ impl<'a> Build<'a> {
             let row: Vec<ExprId> = core.coordinates.iter().map(|&k| entry(k)).collect();
             matrix.push(row.into_iter().map(|e| self.known_value(e)).collect::<Vec<_>>());
         }
-        let (corrections, _) = dense::solve(&mut self.graph, &matrix, &[right]);
+        let lengths = super::lengths(&self.system.set.coordinates, &core.coordinates);
+        let (corrections, _) = dense::solve(&mut self.graph, &matrix, &[right], &lengths);
         let (unknowns, converged) = (core.coordinates.clone(), self.iterations);
         let corrections = corrections.into_iter().flatten().collect();
         self.stages.push(Stage::Newton { unknowns, corrections, converged });
@@ -405,10 +406,9 @@ impl<'a> Build<'a> {
 
     /// x with Φ_q x = b at a given q, entries of b as symbols.
     pub(super) fn resolve(&mut self, tree: &Block) -> Vec<(Slot, ExprId)> {
-        let n = self.system.set.coordinates.len();
         let right = (0..self.system.equations.len()).map(|row| self.graph.symbol(Symbol::Right(row as u32))).collect();
         let entries = self.system.equations.iter().map(|equation| equation.phi_q.iter().copied().collect()).collect();
-        let mut rates = Rates::new(&mut self.graph, entries, right, n, FastMap::default());
+        let mut rates = Rates::new(&mut self.graph, entries, right, &self.system.set.coordinates, FastMap::default());
         rates.block(tree);
         let zero = rates.graph.zero();
         rates.solution.iter().enumerate().map(|(k, value)| (Slot::Entry(k), value.unwrap_or(zero))).collect()

@@ -1,13 +1,18 @@
 //! Small systems M x = b as expressions: by Cramer's rule up to three unknowns, beyond by elimination in a fixed order.
 
 use crate::expr::{ExprId, Graph};
+use crate::mechanism::Function;
 
 /// x for every b, and a margin that is 0 where M is singular: for up to three unknowns (det M)² over the product of the
 /// rows' squared norms, beyond the product of pivots over the sums of their rows. One unknown has none.
+///
+/// `lengths` says which unknowns are lengths. Beside angles they count as angles times the length that the rows hold
+/// between both, so that margins are the same in metres and in millimetres.
 pub(super) fn solve(
     graph: &mut Graph,
     matrix: &[Vec<ExprId>],
     rights: &[Vec<ExprId>],
+    lengths: &[bool],
 ) -> (Vec<Vec<ExprId>>, Option<ExprId>) {
     match matrix.len() {
         0 => (rights.iter().map(|_| Vec::new()).collect(), None),
@@ -17,12 +22,41 @@ pub(super) fn solve(
             let inverse = graph.whole(inverse);
             (rights.iter().map(|b| vec![graph.mul(b[0], inverse)]).collect(), None)
         }
-        2 | 3 => cramer(graph, matrix, rights),
-        _ => eliminate(graph, matrix, rights),
+        2 | 3 => cramer(graph, matrix, rights, lengths),
+        _ => eliminate(graph, matrix, rights, lengths),
     }
 }
 
-fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>]) -> (Vec<Vec<ExprId>>, Option<ExprId>) {
+/// The square of what a length's entries are multiplied by: the squared entries of angles over those of lengths, in the
+/// rows that hold both. None where no row does, and no unit has to be chosen.
+fn squared_length(graph: &mut Graph, matrix: &[Vec<ExprId>], lengths: &[bool]) -> Option<ExprId> {
+    let mut sums = [graph.zero(); 2];
+    for row in matrix {
+        let kinds: [Vec<ExprId>; 2] = [false, true].map(|kind| {
+            let entries = row.iter().zip(lengths).filter(|(_, is_length)| **is_length == kind);
+            entries.map(|(&entry, _)| entry).filter(|&entry| !graph.is_zero(entry)).collect()
+        });
+        if kinds.iter().all(|entries| !entries.is_empty()) {
+            for (total, entries) in sums.iter_mut().zip(kinds) {
+                let squares = sum(graph, entries.into_iter().map(|entry| (entry, entry)));
+                *total = graph.add(*total, squares);
+            }
+        }
+    }
+    let [angles, lengths] = sums;
+    if graph.is_zero(angles) {
+        return None;
+    }
+    let square = graph.div(angles, lengths);
+    Some(graph.whole(square))
+}
+
+fn cramer(
+    graph: &mut Graph,
+    matrix: &[Vec<ExprId>],
+    rights: &[Vec<ExprId>],
+    lengths: &[bool],
+) -> (Vec<Vec<ExprId>>, Option<ExprId>) {
     let n = matrix.len();
     let cofactors: Vec<Vec<ExprId>> = (0..n).map(|i| (0..n).map(|j| cofactor(graph, matrix, i, j)).collect()).collect();
     let det = sum(graph, (0..n).map(|j| (matrix[0][j], cofactors[0][j])));
@@ -40,11 +74,24 @@ fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>]) -> 
         })
         .collect();
     let mut product = one;
+    let unit = squared_length(graph, matrix, lengths);
     for row in matrix {
-        let norm = sum(graph, row.iter().map(|&e| (e, e)));
+        let mut norm = graph.zero();
+        for (&entry, is_length) in row.iter().zip(lengths) {
+            let mut square = graph.square(entry);
+            if let (Some(unit), true) = (unit, is_length) {
+                square = graph.mul(unit, square);
+            }
+            norm = graph.add(norm, square);
+        }
         product = graph.mul(product, norm);
     }
-    let square = graph.square(det);
+    let mut square = graph.square(det);
+    if let Some(unit) = unit {
+        let count = lengths.iter().filter(|is_length| **is_length).count();
+        let all = graph.powi(unit, i32::try_from(count).unwrap_or(0));
+        square = graph.mul(all, square);
+    }
     (solutions, Some(graph.div(square, product)))
 }
 
@@ -70,7 +117,20 @@ fn sum(graph: &mut Graph, products: impl Iterator<Item = (ExprId, ExprId)>) -> E
 }
 
 /// Gauss's elimination: numbers first as pivots, then the entry with the least fill (Markowitz 1957).
-fn eliminate(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>]) -> (Vec<Vec<ExprId>>, Option<ExprId>) {
+fn eliminate(
+    graph: &mut Graph,
+    matrix: &[Vec<ExprId>],
+    rights: &[Vec<ExprId>],
+    lengths: &[bool],
+) -> (Vec<Vec<ExprId>>, Option<ExprId>) {
+    let unit = squared_length(graph, matrix, lengths).map(|square| graph.call(Function::Sqrt, square));
+    let magnitude = |graph: &mut Graph, entry: ExprId, column: usize| {
+        let magnitude = graph.call(Function::Abs, entry);
+        match unit {
+            Some(unit) if lengths[column] => graph.mul(unit, magnitude),
+            _ => magnitude,
+        }
+    };
     let n = matrix.len();
     let mut m = matrix.to_vec();
     let mut b: Vec<Vec<ExprId>> = rights.to_vec();
@@ -93,10 +153,10 @@ fn eliminate(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>]) 
         if literal || columns.len() > 1 {
             let mut size = graph.zero();
             for &c in &columns {
-                let magnitude = graph.call(crate::mechanism::Function::Abs, m[i][c]);
+                let magnitude = magnitude(graph, m[i][c], c);
                 size = graph.add(size, magnitude);
             }
-            let pivot = graph.call(crate::mechanism::Function::Abs, m[i][j]);
+            let pivot = magnitude(graph, m[i][j], j);
             let share = graph.div(pivot, size);
             margin = graph.mul(margin, share);
         }

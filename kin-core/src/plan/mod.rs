@@ -32,6 +32,7 @@ pub use run::{Solution, closures, resolve, run};
 pub use sections::Section;
 pub use steps::{Kind, Mode, Step};
 
+use crate::constraint::Coordinate;
 use crate::program::{Program, Slot, lower};
 use crate::system::KinematicSystem;
 use build::Build;
@@ -128,4 +129,9 @@ fn planned(system: &KinematicSystem) -> Result<SolutionPlan, String> {
     let sections = sections.into_iter().enumerate().map(|(place, section)| (section, depth(place))).collect();
     let Listed { steps, modes, margins, .. } = listed;
     Ok(SolutionPlan { steps, modes, margins, absent: None, sections, held, closures, resolve, factors })
+}
+
+/// Which of `places` are lengths.
+fn lengths(coordinates: &[Coordinate], places: &[u32]) -> Vec<bool> {
+    places.iter().map(|&k| coordinates[k as usize].kind.is_length()).collect()
 }

@@ -8,6 +8,7 @@
 
 use super::dense;
 use super::tree::{Block, Core, Pair, PairValue, Part};
+use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
 use crate::hash::FastMap;
 use std::collections::BTreeMap;
@@ -18,6 +19,7 @@ pub(super) struct Rates<'g> {
     /// Φ_q row by row, by column.
     entries: Vec<BTreeMap<u32, ExprId>>,
     right: Vec<ExprId>,
+    coordinates: &'g [Coordinate],
     /// x, as far as it is known.
     pub(super) solution: Vec<Option<ExprId>>,
     /// The margins of cores, by their first row.
@@ -31,10 +33,18 @@ impl<'g> Rates<'g> {
         graph: &'g mut Graph,
         entries: Vec<BTreeMap<u32, ExprId>>,
         right: Vec<ExprId>,
-        n: usize,
+        coordinates: &'g [Coordinate],
         known: FastMap<ExprId, ExprId>,
     ) -> Self {
-        Self { graph, entries, right, solution: vec![None; n], margins: BTreeMap::new(), known }
+        Self {
+            graph,
+            entries,
+            right,
+            solution: vec![None; coordinates.len()],
+            coordinates,
+            margins: BTreeMap::new(),
+            known,
+        }
     }
 
     /// Solves a block.
@@ -112,7 +122,8 @@ impl<'g> Rates<'g> {
         let matrix: Vec<Vec<ExprId>> =
             core.rows.iter().map(|&row| core.coordinates.iter().map(|&k| entry(row, k)).collect()).collect();
         let right: Vec<ExprId> = core.rows.iter().map(|&row| self.right[row]).collect();
-        let (solutions, margin) = dense::solve(self.graph, &matrix, &[right]);
+        let lengths = super::lengths(self.coordinates, &core.coordinates);
+        let (solutions, margin) = dense::solve(self.graph, &matrix, &[right], &lengths);
         for (&k, value) in core.coordinates.iter().zip(solutions.into_iter().flatten()) {
             self.solution[k as usize] = Some(self.graph.whole(value));
         }

@@ -83,9 +83,10 @@ fn solve(lowered: &Lowered, system: &KinematicSystem, plan: &SolutionPlan) -> So
                     (unknowns.iter().map(|k| *k as usize), unknowns.len(), *converged as usize);
                 let kernel = kernel(&name, lowered, correction, &[("out", quote! { [__T; #count] })]);
                 let call = kernel.call;
+                let lengths = unknowns.iter().map(|&k| system.set.coordinates[k as usize].kind.is_length());
                 kernels.push(kernel.item);
                 statements.push(quote! {
-                    let value = __kin::iterate(unknowns, [#(#places),*], |unknowns| {
+                    let value = __kin::iterate(unknowns, [#(#places),*], [#(#lengths),*], |unknowns| {
                         let mut correction = [<__T as __kin::Scalar>::from_f64(0.0); #count];
                         let out = &mut correction;
                         #call
