@@ -150,6 +150,8 @@ pub fn iterate<T: Scalar, const N: usize, const M: usize>(
             return T::from_f64(1.0);
         }
     }
+    // A scalar that cannot tell has gone through all corrections, which is more than convergence takes.
+    let cannot_tell = !T::from_f64(0.0).is_within(1.0);
     // A length that passes through 0 alone has no size of its own to be held against.
-    T::from_f64(if rounding { 1.0 } else { 0.0 })
+    T::from_f64(if rounding || cannot_tell { 1.0 } else { 0.0 })
 }
