@@ -4,17 +4,21 @@
 //! whole turns so that it is near where it was). A sign that says which closure is meant stands before every root, and
 //! the root is taken of the magnitude, so that nothing is ever not a number: the margin says whether it counts.
 
+use super::closures::{
+    SHARE, angle_indicator, centre_and_square, circle_indicator, inverse, quadratic_indicator, signed_root,
+    size_of_quadratic, terms_of,
+};
 use super::dense;
+use super::known::{Known, turned};
 use super::rates::Rates;
-use super::rewrite::{Substitution, Turned, rewrite};
+use super::rewrite::Turned;
 use super::steps::Listed;
 use super::tree::{Block, Core, Pair, PairValue, Part, Pivot, Way};
 use crate::constraint::CoordinateKind;
-use crate::expr::{ExprId, Graph, Node, Symbol, total_derivatives};
+use crate::expr::{ExprId, Graph, Symbol, total_derivatives};
 use crate::hash::FastMap;
 use crate::mechanism::{Component, Function};
 use crate::program::Slot;
-use crate::structure::turn::terms;
 use crate::system::KinematicSystem;
 use std::collections::BTreeMap;
 
@@ -25,70 +29,6 @@ pub(super) enum Stage {
     /// Unknowns, and what is subtracted from each of them, for their current values; the place of what says whether the
     /// iteration has converged.
     Newton { unknowns: Vec<u32>, corrections: Vec<ExprId>, converged: u32 },
-}
-
-/// What is known of the coordinates so far.
-#[derive(Default)]
-struct Known {
-    values: FastMap<u32, ExprId>,
-    turns: FastMap<u32, Turned>,
-    rates: FastMap<u32, ExprId>,
-    /// Expressions of the description, rewritten.
-    rewritten: FastMap<ExprId, ExprId>,
-}
-
-/// A view of [`Known`] that takes part in a rewriting.
-struct InTermsOf<'k> {
-    values: &'k FastMap<u32, ExprId>,
-    turns: &'k FastMap<u32, Turned>,
-    rates: &'k FastMap<u32, ExprId>,
-}
-
-impl Substitution for InTermsOf<'_> {
-    fn symbol(&mut self, _graph: &mut Graph, symbol: Symbol) -> Option<ExprId> {
-        match symbol {
-            Symbol::Coordinate(k) => self.values.get(&k).copied(),
-            Symbol::Rate(k) => self.rates.get(&k).copied(),
-            _ => None,
-        }
-    }
-
-    fn turn(&mut self, graph: &mut Graph, known: &FastMap<ExprId, ExprId>, angle: ExprId) -> Option<Turned> {
-        Some(turned(graph, self.turns, known, angle))
-    }
-}
-
-/// The rotation by an angle: products of known cosines and sines where there are any, and the rest as an angle.
-fn turned(graph: &mut Graph, turns: &FastMap<u32, Turned>, known: &FastMap<ExprId, ExprId>, angle: ExprId) -> Turned {
-    let mut pair: Option<[ExprId; 2]> = None;
-    let mut rest = graph.zero();
-    for (times, id) in terms(graph, angle) {
-        let turn = match graph.node(id) {
-            Node::Symbol(Symbol::Coordinate(k)) => turns.get(&k).copied(),
-            _ => None,
-        };
-        match turn {
-            Some(Turned::Pair([cos, sin])) if times.unsigned_abs() <= 3 => {
-                let sin = if times < 0 { graph.neg(sin) } else { sin };
-                for _ in 0..times.unsigned_abs() {
-                    pair = Some(match pair {
-                        None => [cos, sin],
-                        Some([c, s]) => [graph.plain_cross([c, s], [sin, cos]), graph.plain_dot([s, c], [cos, sin])],
-                    });
-                }
-            }
-            _ => {
-                let (factor, value) = (graph.number(times as f64), known.get(&id).copied().unwrap_or(id));
-                let term = graph.mul(factor, value);
-                rest = graph.add(rest, term);
-            }
-        }
-    }
-    match pair {
-        None => Turned::Angle(known.get(&angle).copied().unwrap_or(rest)),
-        Some(pair) if graph.is_zero(rest) => Turned::Pair(pair),
-        Some(pair) => Turned::Pair(graph.rotate(rest, pair)),
-    }
 }
 
 /// Builds the solution of a plan.
@@ -152,8 +92,7 @@ impl<'a> Build<'a> {
 
     /// An expression of the description in terms of what is known.
     fn known_value(&mut self, id: ExprId) -> ExprId {
-        let Known { values, turns, rates, rewritten } = &mut self.known;
-        rewrite(&mut self.graph, id, rewritten, &mut InTermsOf { values, turns, rates })
+        self.known.value(&mut self.graph, id)
     }
 
     fn write(&mut self, slot: Slot, value: ExprId) {
@@ -434,99 +373,4 @@ fn constants(block: &Block) -> Vec<ExprId> {
         }
     }
     out
-}
-
-/// How much the terms of a difference count beside the difference: it is far smaller where digits are lost.
-const SHARE: f64 = 1e-6;
-
-/// The sum of the squares of all terms of which `parts` are sums.
-fn terms_of(parts: [ExprId; 2], graph: &mut Graph) -> ExprId {
-    let mut sum = graph.zero();
-    for part in parts {
-        let size = squared_terms(graph, part, 8);
-        sum = graph.add(sum, size);
-    }
-    sum
-}
-
-/// Σ tᵢ² of a sum, Σ tᵢ² Σ uⱼ² of a product; deeper than `depth` the square.
-fn squared_terms(graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {
-    if depth == 0 {
-        return graph.square(id);
-    }
-    match graph.node(id) {
-        Node::Neg(a) | Node::Whole(a) => squared_terms(graph, a, depth - 1),
-        Node::Add(a, b) | Node::Sub(a, b) => {
-            let (a, b) = (squared_terms(graph, a, depth - 1), squared_terms(graph, b, depth - 1));
-            graph.add(a, b)
-        }
-        Node::Mul(a, b) => {
-            let (a, b) = (squared_terms(graph, a, depth - 1), squared_terms(graph, b, depth - 1));
-            graph.mul(a, b)
-        }
-        _ => graph.square(id),
-    }
-}
-
-/// 1/a, as one thing that all products share.
-fn inverse(graph: &mut Graph, a: ExprId) -> ExprId {
-    let one = graph.number(1.0);
-    let inverse = graph.div(one, a);
-    graph.whole(inverse)
-}
-
-/// ±√|inside|.
-fn signed_root(graph: &mut Graph, mode: ExprId, inside: ExprId) -> ExprId {
-    let magnitude = graph.call(Function::Abs, inside);
-    let root = graph.call(Function::Sqrt, magnitude);
-    let w = graph.mul(mode, root);
-    graph.whole(w)
-}
-
-/// (a sin φ − b cos φ)/√(a² + b²), which is ±w/√(a² + b²).
-fn angle_indicator(graph: &mut Graph, k: u32, [a, b]: [ExprId; 2]) -> ExprId {
-    let phi = graph.symbol(Symbol::Coordinate(k));
-    // The second component of A(φ)(a, −b).
-    let minus_b = graph.neg(b);
-    let w = graph.rotate(phi, [a, minus_b])[1];
-    let d = graph.plain_dot([a, b], [a, b]);
-    let size = graph.call(Function::Sqrt, d);
-    graph.div(w, size)
-}
-
-/// (a x + b/2)/√(b²/4 + |a c|).
-fn quadratic_indicator(graph: &mut Graph, k: u32, [a, b, c]: [ExprId; 3]) -> ExprId {
-    let (x, half) = (graph.symbol(Symbol::Coordinate(k)), graph.number(0.5));
-    let (ax, half) = (graph.mul(a, x), graph.mul(half, b));
-    let (square, product) = (graph.square(half), graph.mul(a, c));
-    let size = size_of_quadratic(graph, square, product);
-    let (w, size) = (graph.add(ax, half), graph.call(Function::Sqrt, size));
-    graph.div(w, size)
-}
-
-fn size_of_quadratic(graph: &mut Graph, square: ExprId, product: ExprId) -> ExprId {
-    let magnitude = graph.call(Function::Abs, product);
-    graph.add(square, magnitude)
-}
-
-/// The centre and squared radius of e(x² + y²) + l·(x, y) + k = 0.
-fn centre_and_square(graph: &mut Graph, e: ExprId, l: [ExprId; 2], k: ExprId) -> ([ExprId; 2], ExprId) {
-    let (minus_half, one) = (graph.number(-0.5), graph.number(1.0));
-    let inverse = graph.div(one, e);
-    let factor = graph.mul(minus_half, inverse);
-    let centre = l.map(|l| graph.mul(factor, l));
-    let (square, k) = (graph.plain_dot(centre, centre), graph.mul(k, inverse));
-    (centre, graph.sub(square, k))
-}
-
-/// perp(n)·(p − centre)/(|n| r), with its sign.
-fn circle_indicator(graph: &mut Graph, at: [u32; 2], [e, lx, ly, k, nx, ny]: [ExprId; 6]) -> ExprId {
-    let ([x0, y0], radius) = centre_and_square(graph, e, [lx, ly], k);
-    let [x, y] = at.map(|k| graph.symbol(Symbol::Coordinate(k)));
-    let [dx, dy] = [graph.sub(x, x0), graph.sub(y, y0)];
-    let (w, n2) = (graph.plain_cross([nx, ny], [dx, dy]), graph.plain_dot([nx, ny], [nx, ny]));
-    let full = graph.mul(n2, radius);
-    let magnitude = graph.call(Function::Abs, full);
-    let size = graph.call(Function::Sqrt, magnitude);
-    graph.div(w, size)
 }

@@ -14,9 +14,11 @@
 
 mod angles;
 mod build;
+mod closures;
 mod dense;
 mod display;
 mod form;
+mod known;
 mod matching;
 mod probe;
 mod rates;

@@ -1,0 +1,83 @@
+//! Coordinates as far as they are solved: values, rotations and rates, and expressions in terms of them.
+
+use super::rewrite::{Substitution, Turned, rewrite};
+use crate::expr::{ExprId, Graph, Node, Symbol};
+use crate::hash::FastMap;
+use crate::structure::turn::terms;
+
+/// What is known of the coordinates so far.
+#[derive(Default)]
+pub(super) struct Known {
+    pub(super) values: FastMap<u32, ExprId>,
+    pub(super) turns: FastMap<u32, Turned>,
+    pub(super) rates: FastMap<u32, ExprId>,
+    /// Expressions of the description, rewritten.
+    pub(super) rewritten: FastMap<ExprId, ExprId>,
+}
+
+impl Known {
+    /// An expression of the description in terms of what is known.
+    pub(super) fn value(&mut self, graph: &mut Graph, id: ExprId) -> ExprId {
+        let Self { values, turns, rates, rewritten } = self;
+        rewrite(graph, id, rewritten, &mut InTermsOf { values, turns, rates })
+    }
+}
+
+/// A view of [`Known`] that takes part in a rewriting.
+struct InTermsOf<'k> {
+    values: &'k FastMap<u32, ExprId>,
+    turns: &'k FastMap<u32, Turned>,
+    rates: &'k FastMap<u32, ExprId>,
+}
+
+impl Substitution for InTermsOf<'_> {
+    fn symbol(&mut self, _graph: &mut Graph, symbol: Symbol) -> Option<ExprId> {
+        match symbol {
+            Symbol::Coordinate(k) => self.values.get(&k).copied(),
+            Symbol::Rate(k) => self.rates.get(&k).copied(),
+            _ => None,
+        }
+    }
+
+    fn turn(&mut self, graph: &mut Graph, known: &FastMap<ExprId, ExprId>, angle: ExprId) -> Option<Turned> {
+        Some(turned(graph, self.turns, known, angle))
+    }
+}
+
+/// The rotation by an angle: products of known cosines and sines where there are any, and the rest as an angle.
+pub(super) fn turned(
+    graph: &mut Graph,
+    turns: &FastMap<u32, Turned>,
+    known: &FastMap<ExprId, ExprId>,
+    angle: ExprId,
+) -> Turned {
+    let mut pair: Option<[ExprId; 2]> = None;
+    let mut rest = graph.zero();
+    for (times, id) in terms(graph, angle) {
+        let turn = match graph.node(id) {
+            Node::Symbol(Symbol::Coordinate(k)) => turns.get(&k).copied(),
+            _ => None,
+        };
+        match turn {
+            Some(Turned::Pair([cos, sin])) if times.unsigned_abs() <= 3 => {
+                let sin = if times < 0 { graph.neg(sin) } else { sin };
+                for _ in 0..times.unsigned_abs() {
+                    pair = Some(match pair {
+                        None => [cos, sin],
+                        Some([c, s]) => [graph.plain_cross([c, s], [sin, cos]), graph.plain_dot([s, c], [cos, sin])],
+                    });
+                }
+            }
+            _ => {
+                let (factor, value) = (graph.number(times as f64), known.get(&id).copied().unwrap_or(id));
+                let term = graph.mul(factor, value);
+                rest = graph.add(rest, term);
+            }
+        }
+    }
+    match pair {
+        None => Turned::Angle(known.get(&angle).copied().unwrap_or(rest)),
+        Some(pair) if graph.is_zero(rest) => Turned::Pair(pair),
+        Some(pair) => Turned::Pair(graph.rotate(rest, pair)),
+    }
+}
