@@ -15,6 +15,7 @@ mod program;
 mod rolled;
 mod rolled_series;
 mod series;
+mod series_statements;
 mod statements;
 mod tables;
 mod test;

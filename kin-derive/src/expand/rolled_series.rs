@@ -5,7 +5,7 @@
 
 use super::program::{literal, load_at, names_of};
 use super::rolled::{Member, array, local, step_uses, table, uses};
-use super::series::constants;
+use super::series_statements::constants;
 use super::statements::{Statement, blocks};
 use kin_core::expr::Symbol;
 use kin_core::program::{Instruction, Piece, Program, Rolled, Slot, Source, Step, Value, Worth, roll};
