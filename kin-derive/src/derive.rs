@@ -10,7 +10,7 @@ pub(crate) fn derive(args: TokenStream, item: TokenStream) -> TokenStream {
     let (cleaned, lowered) = analyse(args, item.clone());
     let derived = lowered.and_then(|lowered| match system(&lowered) {
         Ok((system, structure)) => {
-            let plan = kin_core::plan(&system);
+            let plan = kin_core::plan::plan_of_rank(&system, structure.rank);
             Ok(expand::expand(&lowered, &system, &structure, &plan))
         }
         Err(error) => Err(Broken { error, lowered: Some(Box::new(lowered)) }),

@@ -79,10 +79,16 @@ pub struct SolutionPlan {
 
 /// The plan of a mechanism whose rows determine its coordinates; for others, why there is none.
 pub fn plan(system: &KinematicSystem) -> SolutionPlan {
-    planned(system).unwrap_or_else(|why| SolutionPlan { absent: Some(why), ..SolutionPlan::default() })
+    plan_of_rank(system, system.set.coordinates.len())
 }
 
-fn planned(system: &KinematicSystem) -> Result<SolutionPlan, String> {
+/// [`plan`] where the generic rank of Φ_q is known: rows of less rank than coordinates say something twice and leave
+/// something open at every configuration, however many there are.
+pub fn plan_of_rank(system: &KinematicSystem, rank: usize) -> SolutionPlan {
+    planned(system, rank).unwrap_or_else(|why| SolutionPlan { absent: Some(why), ..SolutionPlan::default() })
+}
+
+fn planned(system: &KinematicSystem, rank: usize) -> Result<SolutionPlan, String> {
     let set = &system.set;
     let (n, s) = (set.coordinates.len(), set.rows.len());
     if system.classes.iter().any(|class| !class.holonomic) {
@@ -90,6 +96,9 @@ fn planned(system: &KinematicSystem) -> Result<SolutionPlan, String> {
     }
     if s < n {
         return Err(format!("{s} rows leave {} of {n} coordinates undetermined", n - s));
+    }
+    if rank < n {
+        return Err(format!("{s} rows of rank {rank} leave {} of {n} coordinates undetermined", n - rank));
     }
     if s > n {
         return Err(format!("{s} rows for {n} coordinates: some of them are redundant"));

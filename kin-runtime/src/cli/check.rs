@@ -151,14 +151,7 @@ pub(super) fn facts(findings: &Findings) -> Facts {
         );
     }
     if let Some(plan) = &findings.plan {
-        let skipped = (plan.skipped > 0).then(|| format!("{} skipped beside or beyond limits", plan.skipped));
-        let solved = format!("of the plan's q, q̇, q̈ at {}", count(plan.configurations, "configuration"));
-        let place = (!plan.worst.name.is_empty()).then(|| format!("{} of {}", plan.worst.what, plan.worst.name));
-        facts.add("compared with full Newton", plan.entries, std::iter::once(solved).chain(skipped)).add(
-            "  worst error",
-            magnitude(plan.max_error),
-            place,
-        );
+        add_plan(&mut facts, plan);
     }
     if let Some(closure) = &findings.closure {
         let row = |miss: &Option<Miss>| miss.map(|m| format!("row {}", m.row));
@@ -170,6 +163,24 @@ pub(super) fn facts(findings: &Findings) -> Facts {
             .add("  acceleration Φ_q q̈ = γ", size(&closure.acceleration), row(&closure.acceleration));
     }
     facts
+}
+
+/// What the plan's answers are worth; where it has none, that is said and not taken for an error of 0.
+fn add_plan(facts: &mut Facts, plan: &PlanCheck) {
+    let label = "compared with full Newton";
+    if plan.configurations == 0 {
+        let words = ["numbers: the plan has no answer away from limits here", "and full Newton takes over"];
+        facts.add(label, "no", words);
+        return;
+    }
+    let skipped = (plan.skipped > 0).then(|| format!("{} skipped beside or beyond limits", plan.skipped));
+    let solved = format!("of the plan's q, q̇, q̈ at {}", count(plan.configurations, "configuration"));
+    let place = (!plan.worst.name.is_empty()).then(|| format!("{} of {}", plan.worst.what, plan.worst.name));
+    facts.add(label, plan.entries, std::iter::once(solved).chain(skipped)).add(
+        "  worst error",
+        magnitude(plan.max_error),
+        place,
+    );
 }
 
 fn complaint(findings: &Findings) -> String {

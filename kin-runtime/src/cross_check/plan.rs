@@ -7,7 +7,7 @@
 use super::{Configuration, CrossCheckOptions, random_configuration};
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
-use crate::model::Model;
+use crate::model::{Component, CoordinateKind, Model};
 use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;
 use crate::random::Random;
@@ -46,7 +46,8 @@ pub struct PlanCheck {
     pub entries: usize,
     /// The largest error; without names where nothing was compared.
     pub worst: WorstPlanned,
-    /// Largest error: of a row relative to the largest of its terms, of a number relative to the largest of its vector,
+    /// Largest error: of a row relative to the largest of its terms, which of accelerations are coefficients times
+    /// accelerations or times two rates; of a number relative to the largest of its vector,
     /// but to no less than one. Whatever is not a number has an infinite error.
     pub max_error: f64,
 }
@@ -152,7 +153,13 @@ fn rows<M: Mechanism>(
     let mut workspace = M::workspace::<f64>();
     mechanism.evaluate(Subset::ALL, at, q, q_dot, &mut workspace)?;
     let largest = |x: &[f64]| x.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-    let sizes = [largest(q), largest(q_dot), largest(q_ddot)];
+    // The terms of γ are coefficients times two rates, one of which turns something. Where they cancel and nothing
+    // accelerates, rounding is still theirs.
+    let is_length = |kind| matches!(kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. });
+    let turning = (model.coordinates.iter().zip(q_dot))
+        .filter(|(coordinate, _)| !is_length(coordinate.kind))
+        .fold(0.0_f64, |most, (_, rate)| most.max(rate.abs()));
+    let sizes = [largest(q), largest(q_dot), largest(q_ddot).max(turning * largest(q_dot))];
     let mut sums = [workspace.phi().to_vec(), workspace.phi_t().to_vec(), workspace.gamma().to_vec()];
     sums[2].iter_mut().for_each(|gamma| *gamma = -*gamma);
     let mut terms = vec![[0.0_f64; 3]; model.rows.len()];
