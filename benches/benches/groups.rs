@@ -2,6 +2,7 @@
 //! coordinates. `cargo bench -p kin-benches --bench groups`.
 
 use kin_benches::paired::{Contender, compare};
+use kin_benches::placed::Placed;
 use kin_benches::robot::Robot;
 use kin_runtime::nalgebra::{SMatrix, SVector};
 use kin_runtime::plan::{Depth, Solved};
@@ -74,17 +75,19 @@ fn main() {
     let state = robot.solver().state(&Instant::at(0.0)).expect("it closes at t = 0");
     let array = |v: &[f64]| -> Vector { v.try_into().expect("21 coordinates") };
     let first = Place { q: array(&state.q), q_dot: array(&state.q_dot), q_ddot: array(&state.q_ddot), t: 0.0 };
-    let (mut dense, mut planned) = (first.clone(), first);
-    let (mut workspace, mut margins) = (Robot::workspace::<f64>(), vec![0.0; Robot::model().plan.margins]);
+    let [mut dense, mut planned] = [(); 2].map(|()| Placed::new(|| first.clone()));
+    let mut workspace = Placed::new(Robot::workspace::<f64>);
+    let mut margins = vec![0.0; Robot::model().plan.margins];
     let times: Vec<f64> = (0..STEPS).map(|k| (k as f64).to_radians()).collect();
     let back = -1_f64.to_radians();
     let mut contenders = [
         Contender {
             name: "Newton on all 21 coordinates, dense LU",
             work: Box::new(|| {
+                let (dense, workspace) = (dense.carried(), workspace.here());
                 for &t in &times {
-                    newton(&robot, &mut dense, &mut workspace, black_box(t));
-                    black_box(&dense);
+                    newton(&robot, dense, workspace, black_box(t));
+                    black_box(&*dense);
                 }
                 dense.t = back;
             }),
@@ -92,9 +95,10 @@ fn main() {
         Contender {
             name: "kin, the plan: Newton on two angles",
             work: Box::new(|| {
+                let planned = planned.carried();
                 for &t in &times {
-                    by_plan(&robot, &mut planned, &mut margins, black_box(t));
-                    black_box((&planned, &margins));
+                    by_plan(&robot, planned, &mut margins, black_box(t));
+                    black_box((&*planned, &margins));
                 }
                 planned.t = back;
             }),
@@ -103,7 +107,7 @@ fn main() {
     compare("q, q̇, q̈ of a 3-RRR robot at steps of one degree", STEPS, &mut contenders);
     drop(contenders);
     let worst = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    let (a, b) = (&dense, &planned);
+    let (a, b) = (dense.here(), planned.here());
     println!(
         "  dense less plan at the end: {:.1e} {:.1e} {:.1e}; margins {margins:?}",
         worst(&a.q, &b.q),

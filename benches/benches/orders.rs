@@ -1,11 +1,12 @@
 //! Derivatives of higher order of the lecture's four-bar, joint by joint, against q, q̇, q̈ by the same linear algebra:
-//! `cargo bench -p kin-benches --bench orders`, also with `--features simd` and `RUSTFLAGS="-C target-cpu=native"`.
+//! `cargo bench -p kin-benches --bench orders`, as in `benches/table.sh` for other instruction sets.
 //!
 //! q, q̇, q̈ at 1° steps: predicted from the last instant, corrected by Newton's method on all nine coordinates, LU by
 //! nalgebra with sizes known to the compiler, the last factorisation used for q̇, q̈ and every higher order.
 
 use kin_benches::four_bar::FourBar;
 use kin_benches::paired::{Contender, compare};
+use kin_benches::placed::Placed;
 use kin_runtime::nalgebra::{Const, LU, SMatrix, SVector};
 use kin_runtime::plan::{Depth, Solved};
 use kin_runtime::series::HigherOrders;
@@ -146,8 +147,9 @@ fn main() {
     let four_bar = FourBar::default();
     let dt = std::f64::consts::TAU / STEPS as f64 / four_bar.omega;
     let sweep = |highest: usize| {
-        let (mut sweep, mut t) = (Sweep::new(&four_bar, highest), 0.0);
+        let (mut sweep, mut t) = (Placed::new(|| Sweep::new(&four_bar, highest)), 0.0);
         move || {
+            let sweep = sweep.carried();
             for _ in 0..STEPS {
                 t += dt;
                 let factors = sweep.second(black_box(t), dt);
@@ -167,8 +169,10 @@ fn main() {
     compare("Higher derivatives of the 9×9 four-bar, by the same LU", STEPS, &mut contenders);
 
     let closed_form = |highest: usize| {
-        let (four_bar, mut planned, mut t) = (&four_bar, Planned::new(&four_bar, highest), 0.0);
+        let (four_bar, mut t) = (&four_bar, 0.0);
+        let mut planned = Placed::new(|| Planned::new(four_bar, highest));
         move || {
+            let planned = planned.carried();
             for _ in 0..STEPS {
                 t += dt;
                 planned.step(four_bar, black_box(t), highest);
@@ -188,9 +192,10 @@ fn main() {
     let solver = four_bar.solver().with_guess(5, 0.9).with_guess(8, 5.0);
     let state = solver.state(&0.0.into()).expect("it closes");
     let right_hand_sides = |highest: usize| {
-        let mut orders = HigherOrders::new(four_bar, highest);
+        let mut orders = Placed::new(|| HigherOrders::new(four_bar, highest));
         let state = state.clone();
         move || {
+            let orders = orders.here();
             for _ in 0..STEPS {
                 let at = Instant::at(black_box(state.t));
                 orders.begin(&at, black_box(&state.q), &state.q_dot, &state.q_ddot).expect("nine coordinates");
@@ -201,16 +206,17 @@ fn main() {
             }
         }
     };
-    let mut workspace = FourBar::workspace::<f64>();
+    let mut workspace = Placed::new(FourBar::workspace::<f64>);
     let mut contenders = [
         Contender {
             name: "Φ, Φ_q, Φ_t, γ",
             work: Box::new(|| {
+                let workspace = workspace.here();
                 for _ in 0..STEPS {
                     let at = Instant::at(black_box(state.t));
                     let (q, q_dot) = (black_box(&state.q), &state.q_dot);
-                    four_bar.evaluate(Subset::ALL, &at, q, q_dot, &mut workspace).expect("nine coordinates");
-                    black_box(&workspace);
+                    four_bar.evaluate(Subset::ALL, &at, q, q_dot, workspace).expect("nine coordinates");
+                    black_box(&*workspace);
                 }
             }),
         },

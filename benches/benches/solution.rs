@@ -3,6 +3,7 @@
 
 use kin_benches::four_bar::{ByHand, FourBar, by_hand};
 use kin_benches::paired::{Contender, compare};
+use kin_benches::placed::Placed;
 use kin_runtime::nalgebra::{SMatrix, SVector};
 use kin_runtime::plan::{Depth, Solved};
 use kin_runtime::{Instant, Kinematics, Mechanism};
@@ -87,8 +88,8 @@ fn in_lanes<'a>(four_bar: &'a FourBar, q: &[f64], mode: f64) -> Contender<'a> {
     use kin_runtime::Lanes;
     let parameters = four_bar.parameters::<Lanes>();
     let mut start: [Lanes; 9] = core::array::from_fn(|k| Lanes::from(q[k]));
-    let (mut q, mut q_dot, mut q_ddot) = (start, start, start);
-    let (modes, mut margins) = ([Lanes::from(mode)], [Lanes::from(0.0)]);
+    let modes = [Lanes::from(mode)];
+    let mut out = Placed::new(move || (start, start, start, [Lanes::from(0.0)]));
     let times: Vec<Lanes> = (0..STEPS / 4)
         .map(|k| {
             Lanes::new(
@@ -97,14 +98,15 @@ fn in_lanes<'a>(four_bar: &'a FourBar, q: &[f64], mode: f64) -> Contender<'a> {
         })
         .collect();
     let work = move || {
+        let (q, q_dot, q_ddot, margins) = out.here();
         for &t in &times {
-            let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
+            let solved = Solved { q, q_dot, q_ddot, margins };
             let at = Instant::at(black_box(t));
             four_bar
                 .solve_with(black_box(&parameters), &at, &modes, &start, Depth::Acceleration, solved)
                 .expect("nine coordinates");
-            black_box((&q, &q_dot, &q_ddot, &margins));
-            start = q;
+            black_box((&*q, &*q_dot, &*q_ddot, &*margins));
+            start = *q;
         }
     };
     Contender { name: "kin, the plan in four lanes", work: Box::new(work) }
@@ -113,24 +115,20 @@ fn in_lanes<'a>(four_bar: &'a FourBar, q: &[f64], mode: f64) -> Contender<'a> {
 /// Random crank angles and random lengths, as many as steps, by `solve`; and a part of a turn of 24 sets, by `sweep`.
 #[cfg(feature = "simd")]
 fn in_batches<'a>(four_bar: &'a FourBar, q: &[f64], mode: f64) -> Vec<Contender<'a>> {
+    use kin_benches::random::Draws;
     use kin_runtime::batch::{Column, Modes, Motions, Problems, Solutions, Sweeps, always, solve, sweep};
     use kin_runtime::{Lanes, Scalar};
     /// As many as the steps of the others.
     const CONFIGURATIONS: usize = STEPS;
     const SETS: usize = 24;
-    let mut state = 1_u64;
-    let mut drawn = |middle: f64, size: f64, count: usize| -> Vec<f64> {
-        let mut next = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            middle + 2.0 * size * ((state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5)
-        };
-        (0..count).map(|_| next()).collect()
-    };
+    let mut draws = Draws::new(1);
+    let mut drawn =
+        |middle: f64, size: f64, count: usize| -> Vec<f64> { (0..count).map(|_| draws.about(middle, size)).collect() };
     let own = four_bar.parameters::<f64>();
     let parameters: Vec<Vec<f64>> = own.iter().map(|p| drawn(*p, 0.01 * p.abs(), CONFIGURATIONS)).collect();
     let t = drawn(0.0, core::f64::consts::TAU / four_bar.omega, CONFIGURATIONS);
     let start: Vec<f64> = q.to_vec();
-    let mut out = Solutions::<FourBar>::new(CONFIGURATIONS);
+    let mut out = Placed::new(|| Solutions::<FourBar>::new(CONFIGURATIONS));
     let solve_all = {
         let start = start.clone();
         move || {
@@ -138,8 +136,9 @@ fn in_batches<'a>(four_bar: &'a FourBar, q: &[f64], mode: f64) -> Vec<Contender<
             let start: Vec<_> = start.iter().map(|q| Column::Shared(*q)).collect();
             let modes = Modes::Signs(&[Column::Shared(mode)]);
             let problems = Problems { parameters: &parameters, t: Column::Each(&t), inputs: &[], modes, start: &start };
-            solve(four_bar, Depth::Acceleration, black_box(&problems), &mut out, &always).expect("nine columns");
-            black_box(&out);
+            let out = out.here();
+            solve(four_bar, Depth::Acceleration, black_box(&problems), out, &always).expect("nine columns");
+            black_box(&*out);
         }
     };
     let parameters: Vec<Vec<f64>> = own.iter().map(|p| drawn(*p, 0.01 * p.abs(), SETS)).collect();
@@ -168,24 +167,25 @@ fn main() {
     let four_bar = FourBar::default();
     let state = four_bar.solver().state(&Instant::at(0.0)).expect("it closes at t = 0");
     let array = |v: &[f64]| -> [f64; 9] { v.try_into().expect("nine coordinates") };
-    let mut newton = Newton {
+    let mut newton = Placed::new(|| Newton {
         q: array(&state.q),
         q_dot: array(&state.q_dot),
         q_ddot: array(&state.q_ddot),
         t: 0.0,
         hand: ByHand::default(),
-    };
+    });
     let parameters = four_bar.parameters::<f64>();
     let mut modes = [0.0; 1];
     four_bar.closures_with(&parameters, &Instant::at(0.0), &state.q, &mut modes).expect("one mode");
     let modes = modes.map(f64::signum);
-    let (mut q, mut q_dot, mut q_ddot, mut margins) = (array(&state.q), [0.0; 9], [0.0; 9], [0.0; 1]);
-    let (mut p, mut v, mut a) = (array(&state.q), [0.0; 9], [0.0; 9]);
+    let mut planned = Placed::new(|| (array(&state.q), [0.0; 9], [0.0; 9], [0.0; 1]));
+    let mut dyad = Placed::new(|| (array(&state.q), [0.0; 9], [0.0; 9]));
     let times: Vec<f64> = (0..STEPS).map(|k| (k as f64).to_radians() / four_bar.omega).collect();
     let contenders = [
         Contender {
             name: "evaluation by hand, Newton with dense LU 9×9",
             work: Box::new(|| {
+                let newton = newton.carried();
                 for &t in &times {
                     newton.step(black_box(&four_bar), black_box(t));
                     black_box(&newton.q_ddot);
@@ -197,15 +197,16 @@ fn main() {
         Contender {
             name: "kin, the plan",
             work: Box::new(|| {
+                let (q, q_dot, q_ddot, margins) = planned.carried();
                 for &t in &times {
-                    let start = q;
-                    let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
+                    let start = *q;
+                    let solved = Solved { q, q_dot, q_ddot, margins };
                     let at = Instant::at(black_box(t));
                     let parameters = black_box(&four_bar).parameters::<f64>();
                     four_bar
                         .solve_with(&parameters, &at, &modes, &start, Depth::Acceleration, solved)
                         .expect("nine coordinates");
-                    black_box((&q, &q_dot, &q_ddot, &margins));
+                    black_box((&*q, &*q_dot, &*q_ddot, &*margins));
                 }
                 q[2] -= 360_f64.to_radians();
             }),
@@ -213,11 +214,13 @@ fn main() {
         Contender {
             name: "the dyad by hand",
             work: Box::new(|| {
+                let (q, q_dot, q_ddot) = dyad.carried();
                 for &t in &times {
-                    let start = p;
-                    dyad_by_hand(black_box(&four_bar), black_box(t), &mut p, &mut v, &mut a, &start);
-                    black_box((&p, &v, &a));
+                    let start = *q;
+                    dyad_by_hand(black_box(&four_bar), black_box(t), q, q_dot, q_ddot, &start);
+                    black_box((&*q, &*q_dot, &*q_ddot));
                 }
+                q[2] -= 360_f64.to_radians();
             }),
         },
     ];
@@ -231,10 +234,11 @@ fn main() {
     compare("q, q̇, q̈ of the 9×9 four-bar at steps of one degree", STEPS, &mut contenders);
     drop(contenders);
     let worst = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    let (by_hand, by_plan) = (dyad.here(), planned.here());
     println!(
         "  by hand less kin at the end: {:.1e} {:.1e} {:.1e}",
-        worst(&p[3..], &q[3..]),
-        worst(&v, &q_dot),
-        worst(&a, &q_ddot)
+        worst(&by_hand.0, &by_plan.0),
+        worst(&by_hand.1, &by_plan.1),
+        worst(&by_hand.2, &by_plan.2)
     );
 }

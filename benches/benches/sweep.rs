@@ -3,6 +3,7 @@
 
 use kin_benches::four_bar::FourBar;
 use kin_benches::paired::{Contender, compare};
+use kin_benches::placed::Placed;
 use kin_runtime::{Instant, Kinematics, Options};
 use std::hint::black_box;
 
@@ -14,8 +15,9 @@ fn main() {
     let by_plan = four_bar.solver();
     let newton = four_bar.solver().with_options(Options { use_plan: false, ..Options::default() });
     let at = Instant::at(0.0);
-    let mut planned = by_plan.planned(&at).expect("there is a plan");
-    let mut trackers = [&newton, &by_plan].map(|solver| solver.tracker(&at).expect("it closes at t = 0"));
+    let mut planned = Placed::new(|| by_plan.planned(&at).expect("there is a plan"));
+    let mut trackers = [&newton, &by_plan]
+        .map(|solver| Placed::new(move || solver.tracker(&Instant::at(0.0)).expect("it closes at t = 0")));
     let [tracker_newton, tracker_plan] = &mut trackers;
     let follow = |tracker: &mut kin_runtime::Tracker<'_>| {
         tracker.restart(&at).expect("it closes at t = 0");
@@ -32,11 +34,12 @@ fn main() {
         &mut [
             Contender { name: "a sweep by full Newton", work: Box::new(|| sweep(&newton)) },
             Contender { name: "a sweep by the plan", work: Box::new(|| sweep(&by_plan)) },
-            Contender { name: "a tracker by full Newton", work: Box::new(|| follow(tracker_newton)) },
-            Contender { name: "a tracker by the plan", work: Box::new(|| follow(tracker_plan)) },
+            Contender { name: "a tracker by full Newton", work: Box::new(|| follow(tracker_newton.here())) },
+            Contender { name: "a tracker by the plan", work: Box::new(|| follow(tracker_plan.here())) },
             Contender {
                 name: "Planned",
                 work: Box::new(|| {
+                    let planned = planned.here();
                     for &t in &times[1..] {
                         black_box(planned.at(&Instant::at(black_box(t))).expect("the crank turns"));
                     }
