@@ -4,10 +4,7 @@
 //! whole turns so that it is near where it was). A sign that says which closure is meant stands before every root, and
 //! the root is taken of the magnitude, so that nothing is ever not a number: the margin says whether it counts.
 
-use super::closures::{
-    SHARE, angle_indicator, centre_and_square, circle_indicator, inverse, quadratic_indicator, signed_root,
-    size_of_quadratic, terms_of,
-};
+use super::closures::{self, angle_indicator, circle_indicator, inverse, quadratic_indicator};
 use super::dense;
 use super::known::{Known, turned};
 use super::rates::Rates;
@@ -17,7 +14,7 @@ use super::tree::{Block, Core, Pair, PairValue, Part, Pivot, Way};
 use crate::constraint::CoordinateKind;
 use crate::expr::{ExprId, Graph, Symbol, total_derivatives};
 use crate::hash::FastMap;
-use crate::mechanism::{Component, Function};
+use crate::mechanism::Component;
 use crate::program::Slot;
 use crate::system::KinematicSystem;
 use std::collections::BTreeMap;
@@ -207,36 +204,16 @@ impl<'a> Build<'a> {
                 let indicator = angle_indicator(&mut self.graph, k, [*a, *b]);
                 let (mode, place) = self.closure(step, indicator);
                 let [a, b, c] = [*a, *b, *c].map(|e| self.known_value(e)).map(|e| self.graph.whole(e));
-                let graph = &mut self.graph;
-                // w = ±√(a² + b² − c²): cos φ = (a c − b w)/(a² + b²), sin φ = (b c + a w)/(a² + b²).
-                let (d, square) = (graph.plain_dot([a, b], [a, b]), graph.square(c));
-                let inside = graph.sub(d, square);
-                let inverse = inverse(graph, d);
-                let w = signed_root(graph, mode, inside);
-                let (cos, sin) = (graph.plain_cross([a, b], [w, c]), graph.plain_dot([b, a], [c, w]));
-                // What a and b are small differences of counts a little: pins that meet leave no direction.
-                let (share, size) = (graph.number(SHARE), terms_of([a, b], graph));
-                let share = graph.mul(share, size);
-                let whole = graph.add(d, share);
-                let margin = graph.div(inside, whole);
+                let (turned, inverse, margin) = closures::angle(&mut self.graph, mode, [a, b, c]);
                 self.write(Slot::Margin(place), margin);
-                self.angle(k, &[(k, 1)], [cos, sin], inverse);
+                self.angle(k, &[(k, 1)], turned, inverse);
             }
             Way::Quadratic { a, b, c } => {
                 let k = core.coordinates[0];
                 let indicator = quadratic_indicator(&mut self.graph, k, [*a, *b, *c]);
                 let (mode, place) = self.closure(step, indicator);
-                let [a, b, c] = [*a, *b, *c].map(|e| self.known_value(e));
-                let graph = &mut self.graph;
-                let half = graph.number(0.5);
-                let half = graph.mul(half, b);
-                let (square, product) = (graph.square(half), graph.mul(a, c));
-                let inside = graph.sub(square, product);
-                let size = size_of_quadratic(graph, square, product);
-                let w = signed_root(graph, mode, inside);
-                let top = graph.sub(w, half);
-                let value = graph.div(top, a);
-                let margin = graph.div(inside, size);
+                let known = [*a, *b, *c].map(|e| self.known_value(e));
+                let (value, margin) = closures::quadratic(&mut self.graph, mode, known);
                 self.write(Slot::Margin(place), margin);
                 self.know(k, value, None);
             }
@@ -244,20 +221,8 @@ impl<'a> Build<'a> {
                 let at = [core.coordinates[0], core.coordinates[1]];
                 let indicator = circle_indicator(&mut self.graph, at, [*e, l[0], l[1], *k, n[0], n[1]]);
                 let (mode, place) = self.closure(step, indicator);
-                let [e, lx, ly, k, nx, ny, m] = [*e, l[0], l[1], *k, n[0], n[1], *m].map(|e| self.known_value(e));
-                let graph = &mut self.graph;
-                let ([x0, y0], radius) = centre_and_square(graph, e, [lx, ly], k);
-                // The distance of the line from the centre, times |n|; half the chord, times |n|.
-                let (off, n2) = (graph.plain_dot([nx, ny], [x0, y0]), graph.plain_dot([nx, ny], [nx, ny]));
-                let off = graph.add(off, m);
-                let (full, square) = (graph.mul(radius, n2), graph.square(off));
-                let inside = graph.sub(full, square);
-                let w = signed_root(graph, mode, inside);
-                let (dx, dy) = (graph.plain_dot([off, w], [nx, ny]), graph.plain_cross([w, off], [ny, nx]));
-                let [dx, dy] = [dx, dy].map(|d| graph.div(d, n2));
-                let (x, y) = (graph.sub(x0, dx), graph.add(y0, dy));
-                let size = graph.call(Function::Abs, full);
-                let margin = graph.div(inside, size);
+                let known = [*e, l[0], l[1], *k, n[0], n[1], *m].map(|e| self.known_value(e));
+                let ([x, y], margin) = closures::circle(&mut self.graph, mode, known);
                 self.write(Slot::Margin(place), margin);
                 self.know(at[0], x, None);
                 self.know(at[1], y, None);

@@ -1,23 +1,19 @@
-//! What closures are made of: roots with their signs, sizes for their margins, and what tells the mode of a configuration.
+//! What closures are made of: roots with their signs, their margins, and what tells the mode of a configuration.
+//!
+//! A margin is 1 far from trouble, 0 where both roots meet, negative where there is none. It also falls to 0 where what
+//! the roots are divided by is a small difference of large terms.
 
 use crate::expr::{ExprId, Graph, Node, Symbol};
 use crate::mechanism::Function;
 
 /// How much the terms of a difference count beside the difference: it is far smaller where digits are lost.
-pub(super) const SHARE: f64 = 1e-6;
+const SHARE: f64 = 1e-6;
 
-/// The sum of the squares of all terms of which `parts` are sums.
-pub(super) fn terms_of(parts: [ExprId; 2], graph: &mut Graph) -> ExprId {
-    let mut sum = graph.zero();
-    for part in parts {
-        let size = squared_terms(graph, part, 8);
-        sum = graph.add(sum, size);
-    }
-    sum
-}
+/// Added to sizes, so that 0 of 0 is a margin of 0.
+const LEAST: f64 = 1e-300;
 
 /// Σ tᵢ² of a sum, Σ tᵢ² Σ uⱼ² of a product; deeper than `depth` the square.
-pub(super) fn squared_terms(graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {
+fn squared_terms(graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {
     if depth == 0 {
         return graph.square(id);
     }
@@ -43,11 +39,96 @@ pub(super) fn inverse(graph: &mut Graph, a: ExprId) -> ExprId {
 }
 
 /// ±√|inside|.
-pub(super) fn signed_root(graph: &mut Graph, mode: ExprId, inside: ExprId) -> ExprId {
+fn signed_root(graph: &mut Graph, mode: ExprId, inside: ExprId) -> ExprId {
     let magnitude = graph.call(Function::Abs, inside);
     let root = graph.call(Function::Sqrt, magnitude);
     let w = graph.mul(mode, root);
     graph.whole(w)
+}
+
+/// `size` and a little of the squared terms of which `parts` are sums; never 0.
+fn with_share(graph: &mut Graph, size: ExprId, parts: &[ExprId]) -> ExprId {
+    let (mut terms, share, least) = (graph.zero(), graph.number(SHARE), graph.number(LEAST));
+    for &part in parts {
+        let squares = squared_terms(graph, part, 8);
+        terms = graph.add(terms, squares);
+    }
+    let terms = graph.mul(share, terms);
+    let terms = graph.add(terms, least);
+    graph.add(size, terms)
+}
+
+/// a cos φ + b sin φ = c: cos φ and sin φ times a² + b², the inverse of that, and the margin.
+pub(super) fn angle(graph: &mut Graph, mode: ExprId, [a, b, c]: [ExprId; 3]) -> ([ExprId; 2], ExprId, ExprId) {
+    // w = ±√(a² + b² − c²): cos φ = (a c − b w)/(a² + b²), sin φ = (b c + a w)/(a² + b²).
+    let (d, square) = (graph.plain_dot([a, b], [a, b]), graph.square(c));
+    let inside = graph.sub(d, square);
+    let inverse = inverse(graph, d);
+    let w = signed_root(graph, mode, inside);
+    let turned = [graph.plain_cross([a, b], [w, c]), graph.plain_dot([b, a], [c, w])];
+    // Pins that meet leave no direction. Where they do not move, what is small beside c is so by its dimensions.
+    let still = [a, b].iter().all(|&e| graph.depends(e).is_static());
+    let parts = [a, b, c];
+    let whole = with_share(graph, d, if still { &parts } else { &parts[..2] });
+    (turned, inverse, graph.div(inside, whole))
+}
+
+/// a x² + b x + c = 0: x = (±√(h² − a c) − h)/a with h = b/2, and the margin.
+///
+/// With T = h + sgn(h) √(h² − a c), in which nothing cancels, the roots are −c/T and −T/a. As a goes to 0, the first
+/// goes to −c/b, and the second away.
+pub(super) fn quadratic(graph: &mut Graph, mode: ExprId, [a, b, c]: [ExprId; 3]) -> (ExprId, ExprId) {
+    let half = graph.number(0.5);
+    let h = graph.mul(half, b);
+    let (square, product) = (graph.square(h), graph.mul(a, c));
+    let inside = graph.sub(square, product);
+    let size = size_of_quadratic(graph, square, product);
+    let least = graph.number(LEAST);
+    let size = graph.add(size, least);
+    let margin = graph.div(inside, size);
+    if graph.is_zero(h) {
+        let w = signed_root(graph, mode, inside);
+        return (graph.div(w, a), margin);
+    }
+    let sign = graph.sign(h);
+    let w = signed_root(graph, sign, inside);
+    let t = graph.add(h, w);
+    let t = graph.whole(t);
+    // 1 for the first root, 0 for the second: a choice without a branch.
+    let same = graph.mul(mode, sign);
+    let same = graph.mul(half, same);
+    let (first, second) = (graph.add(half, same), graph.sub(half, same));
+    let [first, second] = [first, second].map(|e| graph.whole(e));
+    let (top, bottom) = (graph.plain_dot([first, second], [c, t]), graph.plain_dot([first, second], [t, a]));
+    let x = graph.div(top, bottom);
+    let x = graph.neg(x);
+    if graph.literal(a).is_some() {
+        return (x, margin);
+    }
+    let a2 = graph.square(a);
+    let whole = with_share(graph, a2, &[a]);
+    let share = graph.div(a2, whole);
+    let share = graph.mul(second, share);
+    let stays = graph.add(first, share);
+    (x, graph.mul(margin, stays))
+}
+
+/// A circle e(x² + y²) + l·(x, y) + k = 0 and a line n·(x, y) + m = 0: x and y, and the margin.
+pub(super) fn circle(graph: &mut Graph, mode: ExprId, [e, lx, ly, k, nx, ny, m]: [ExprId; 7]) -> ([ExprId; 2], ExprId) {
+    let ([x0, y0], radius) = centre_and_square(graph, e, [lx, ly], k);
+    // The distance of the line from the centre, times |n|; half the chord, times |n|.
+    let (off, n2) = (graph.plain_dot([nx, ny], [x0, y0]), graph.plain_dot([nx, ny], [nx, ny]));
+    let off = graph.add(off, m);
+    let (full, square) = (graph.mul(radius, n2), graph.square(off));
+    let inside = graph.sub(full, square);
+    let w = signed_root(graph, mode, inside);
+    let (dx, dy) = (graph.plain_dot([off, w], [nx, ny]), graph.plain_cross([w, off], [ny, nx]));
+    let [dx, dy] = [dx, dy].map(|d| graph.div(d, n2));
+    let at = [graph.sub(x0, dx), graph.add(y0, dy)];
+    // Circles around one centre leave no line.
+    let size = graph.call(Function::Abs, full);
+    let size = with_share(graph, size, &[off]);
+    (at, graph.div(inside, size))
 }
 
 /// (a sin φ − b cos φ)/√(a² + b²), which is ±w/√(a² + b²).
@@ -71,13 +152,13 @@ pub(super) fn quadratic_indicator(graph: &mut Graph, k: u32, [a, b, c]: [ExprId;
     graph.div(w, size)
 }
 
-pub(super) fn size_of_quadratic(graph: &mut Graph, square: ExprId, product: ExprId) -> ExprId {
+fn size_of_quadratic(graph: &mut Graph, square: ExprId, product: ExprId) -> ExprId {
     let magnitude = graph.call(Function::Abs, product);
     graph.add(square, magnitude)
 }
 
 /// The centre and squared radius of e(x² + y²) + l·(x, y) + k = 0.
-pub(super) fn centre_and_square(graph: &mut Graph, e: ExprId, l: [ExprId; 2], k: ExprId) -> ([ExprId; 2], ExprId) {
+fn centre_and_square(graph: &mut Graph, e: ExprId, l: [ExprId; 2], k: ExprId) -> ([ExprId; 2], ExprId) {
     let (minus_half, one) = (graph.number(-0.5), graph.number(1.0));
     let inverse = graph.div(one, e);
     let factor = graph.mul(minus_half, inverse);

@@ -5,6 +5,7 @@
 
 pub mod chains;
 mod direct;
+mod free;
 mod linkage;
 mod number;
 mod partial;
@@ -13,6 +14,7 @@ mod reader;
 mod tree;
 
 pub use direct::*;
+pub use free::*;
 pub use linkage::*;
 pub use number::*;
 pub use partial::*;

@@ -1,0 +1,154 @@
+//! Closures of single equations and of pairs, written freely: all digits of a root that stays where it is, and margins
+//! that see what the roots are divided by.
+
+mod support;
+
+use kin_core::mechanism::{Formula, Mechanism};
+use kin_core::plan::Kind as StepKind;
+use support::chains::*;
+use support::*;
+
+fn planned(mechanism: &Mechanism, values: &[f64]) -> (Oracle, Planned) {
+    let oracle = Oracle::new(mechanism, values);
+    let planned = Planned::new(&oracle);
+    assert_eq!(planned.newton(), [], "{}", planned.0);
+    (oracle, planned)
+}
+
+/// p0 x² + p1 x + p2 = 0.
+fn polynomial() -> Mechanism {
+    let x = || scalar(0);
+    let rows = vec![sum([mul(parameter(0), square(x())), mul(parameter(1), x()), parameter(2)])];
+    equations(1, 3, rows)
+}
+
+#[test]
+fn both_roots_of_a_quadratic_have_all_digits() {
+    for exponent in 0..=15 {
+        for [small, sign] in [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] {
+            let roots = [0.25 * small * 2_f64.powi(-2 * exponent), 1.25 * sign * 2_f64.powi(2 * exponent)];
+            for a in [1.0, -1.0, 0.125, roots[1].recip() / 4.0] {
+                let values = [a, -a * (roots[0] + roots[1]), a * roots[0] * roots[1]];
+                let (oracle, planned) = planned(&polynomial(), &values);
+                let mut found: Vec<f64> = Vec::new();
+                for mode in [1.0, -1.0] {
+                    let solution = planned.run(&oracle, 0.0, &[mode], &[0.0]);
+                    assert!(solution.margins[0] > 0.1, "{:?} of {values:?}", solution.margins);
+                    let closure = planned.closures(&oracle, 0.0, &solution.q)[0];
+                    assert!(closure * mode > 0.1, "{closure} of {:?}, {values:?}", solution.q);
+                    found.push(solution.q[0]);
+                }
+                found.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+                for (root, found) in roots.into_iter().zip(found) {
+                    let off = (found / root - 1.0).abs();
+                    assert!(off <= 1e-15, "{found:e} for {root:e}, off by {off:e} of it: {values:?}");
+                }
+            }
+        }
+    }
+}
+
+/// (p0 cos q0 − p1) q1² + p2 q1 + p3 = 0, and q0 = t.
+fn vanishing() -> Mechanism {
+    let (angle, x) = (|| scalar(0), || scalar(1));
+    let leading = sub(mul(parameter(0), cos(angle())), parameter(1));
+    let row = sum([mul(leading, square(x())), mul(parameter(2), x()), parameter(3)]);
+    equations(2, 4, vec![sub(angle(), Formula::Time), row])
+}
+
+#[test]
+fn the_root_that_runs_away_is_at_a_limit_and_the_other_is_not() {
+    for h in [1.0, -1.0] {
+        let values = [2.0, 1.0, 2.0 * h, 0.75];
+        let (oracle, planned) = planned(&vanishing(), &values);
+        // cos 60° is ½ to the last bit or two, so that the coefficient is 0 or all but.
+        let limit = 0.5_f64.acos();
+        let mut last = 1.0;
+        for exponent in 1..=16 {
+            let (t, start) = (limit - 10_f64.powi(-exponent), [0.0; 2]);
+            let stays = planned.run(&oracle, t, &[h], &start);
+            let expected = oracle.solve(t, &stays.q).expect("a regular root");
+            let off = difference(&expected.q, &stays.q);
+            assert!(stays.margins[0] > 0.4 && off < 1e-15, "{:?} off by {off:e}", stays.margins);
+            assert!((stays.q[1] * h + 0.375).abs() < 0.1, "{:?}", stays.q);
+            let away = planned.run(&oracle, t, &[-h], &start);
+            let margin = away.margins[0];
+            assert!(margin >= 0.0 && (margin < last || exponent < 4), "{margin:e} at {exponent}, {last:e} before");
+            last = margin;
+        }
+        assert!(last < 1e-12, "{last:e}");
+    }
+}
+
+#[test]
+fn a_leading_coefficient_of_zero_is_a_limit_of_one_root_only() {
+    for (b, c) in [(2.0, 0.75), (-2.0, 0.75), (2.0, -0.75), (2.0, 0.0), (0.0, 0.0)] {
+        let (oracle, planned) = planned(&polynomial(), &[0.0, b, c]);
+        let [stays, away] = [1.0, -1.0].map(|sign: f64| {
+            let mode = if b < 0.0 { -sign } else { sign };
+            planned.run(&oracle, 0.0, &[mode], &[0.0])
+        });
+        assert_eq!(away.margins, [0.0], "{b} x + {c} = 0");
+        if b == 0.0 {
+            assert_eq!(stays.margins, [0.0]);
+        } else {
+            assert_eq!((stays.q, stays.margins), (vec![-c / b], vec![1.0]), "{b} x + {c} = 0");
+        }
+    }
+}
+
+/// Circles around (0, 0) with radius p0 and around (p1, p2) with radius p3.
+fn circles() -> Mechanism {
+    let (x, y) = (|| scalar(0), || scalar(1));
+    let rows = vec![
+        sub(add(square(x()), square(y())), square(parameter(0))),
+        sub(add(square(sub(x(), parameter(1))), square(sub(y(), parameter(2)))), square(parameter(3))),
+    ];
+    equations(2, 4, rows)
+}
+
+#[test]
+fn circles_around_almost_one_centre_have_no_margin() {
+    let mut last = 2.0;
+    for apart in [1e-2, 1e-3, 1e-4, 1e-7, 1e-10, 1e-13, 0.0] {
+        let centre = [0.6 * apart, 0.8 * apart];
+        // Both go through a point square to the line of the centres, or almost.
+        let (oracle, planned) = planned(&circles(), &[2.0, centre[0], centre[1], 2.0]);
+        assert_eq!(planned.0.steps[0].kind, StepKind::Closure);
+        for mode in [1.0, -1.0] {
+            let found = planned.run(&oracle, 0.0, &[mode], &[0.0; 2]);
+            let margin = found.margins[0];
+            assert!(!margin.is_nan() && margin <= last, "{margin:e} after {last:e}, {apart:e} apart");
+            if margin > 1e-12 {
+                let residual = oracle.residual(0.0, &found.q);
+                assert!(residual < 4e-15 / margin.sqrt(), "{residual:e}, {apart:e} apart, margin {margin:e}");
+            }
+            if mode < 0.0 {
+                last = margin;
+            }
+        }
+    }
+    assert!(last <= 0.0, "{last:e}");
+}
+
+/// Links of lengths p0 and p3 from (0, 0) and (p1, p2), by their angles.
+fn links() -> Mechanism {
+    let [a, b] = [0, 1].map(|k| move || scalar(k));
+    let rows = vec![
+        sum([mul(parameter(0), cos(a())), neg(mul(parameter(3), cos(b()))), neg(parameter(1))]),
+        sum([mul(parameter(0), sin(a())), neg(mul(parameter(3), sin(b()))), neg(parameter(2))]),
+    ];
+    equations(2, 4, rows)
+}
+
+#[test]
+fn links_around_almost_one_pin_have_no_margin() {
+    let mut last = 2.0;
+    for apart in [1e-2, 1e-3, 1e-4, 1e-7, 1e-10, 1e-13, 0.0] {
+        let (oracle, planned) = planned(&links(), &[2.0, 0.6 * apart, 0.8 * apart, 2.0]);
+        let margin = planned.run(&oracle, 0.0, &[1.0], &[0.0; 2]).margins[0];
+        assert!(!margin.is_nan() && margin <= last, "{margin:e} after {last:e}, {apart:e} apart");
+        last = margin;
+    }
+    assert!(last <= 0.0, "{last:e}");
+}
