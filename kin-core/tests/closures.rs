@@ -152,3 +152,44 @@ fn links_around_almost_one_pin_have_no_margin() {
     }
     assert!(last <= 0.0, "{last:e}");
 }
+
+/// A link from (0, 0) whose end is on a line through (p1, p2), at the stroke q1; the line turns with the link, or with
+/// time.
+fn stroke(with_link: bool) -> Mechanism {
+    let [link, stroke] = [0, 1].map(|k| move || scalar(k));
+    let line = || if with_link { link() } else { Formula::Time };
+    let rows = vec![
+        sum([mul(stroke(), cos(line())), mul(parameter(0), sin(link())), neg(parameter(1))]),
+        sum([mul(stroke(), sin(line())), neg(mul(parameter(0), cos(link()))), neg(parameter(2))]),
+    ];
+    equations(2, 3, rows)
+}
+
+/// A circle of radius p0 around (p1, p2), and a line.
+fn circle_and_line() -> Mechanism {
+    let (x, y) = (|| scalar(0), || scalar(1));
+    let rows = vec![
+        sub(add(square(sub(x(), parameter(1))), square(sub(y(), parameter(2)))), square(parameter(0))),
+        sum([mul(sin(Formula::Time), x()), mul(cos(Formula::Time), y()), neg(parameter(1))]),
+    ];
+    equations(2, 3, rows)
+}
+
+#[test]
+fn free_equations_have_the_letters_of_what_closes_in_them() {
+    let values = [2.0, 1.5, 0.5, 1.0];
+    let cases = [
+        ("RRR", circles(), 4),
+        ("RRP", circle_and_line(), 3),
+        ("RRR", links(), 4),
+        ("RPR", stroke(true), 3),
+        ("RRP", stroke(false), 3),
+    ];
+    for (letters, mechanism, parameters) in cases {
+        let (_, planned) = planned(&mechanism, &values[..parameters]);
+        assert_eq!(planned.groups(), [letters], "{}", planned.0);
+        assert_eq!(planned.0.modes[0].name, "N0-N1", "{}", planned.0);
+    }
+    // One angle, or one length, is no dyad.
+    assert!(planned(&polynomial(), &values[..3]).1.groups().is_empty());
+}

@@ -3,7 +3,6 @@
 
 mod support;
 
-use kin_core::mechanism::BodyOrigin;
 use support::chains::*;
 
 /// Thirty mechanisms or more that begin with a dyad of the kind, in every way of writing it.
@@ -64,22 +63,19 @@ fn rpp() {
 fn every_dyad_has_its_letters() {
     for kind in Kind::ALL {
         for (subject, dyads) in drawn(kind) {
-            // A carried origin is no joint.
-            if dyads.draft.mechanism.bodies.iter().all(|body| matches!(body.origin_at, BodyOrigin::Free { .. })) {
-                let mut expected: Vec<&str> = dyads.kinds.iter().map(|kind| kind.letters()).collect();
-                let mut found = subject.planned.groups();
-                expected.sort_unstable();
-                found.sort_unstable();
-                // A dyad without two closures may be explicit row by row, and then it is no step of its own.
-                for letters in ["PRP", "RPP"] {
-                    let of = |list: &[&str]| list.iter().filter(|own| **own == letters).count();
-                    assert!(of(&found) <= of(&expected), "{letters}: {}{}", subject.planned.0, subject.name);
-                }
-                let has_mode = |letters: &&str| !matches!(*letters, "PRP" | "RPP");
-                found.retain(has_mode);
-                expected.retain(has_mode);
-                assert_eq!(found, expected, "{}{}", subject.planned.0, subject.name);
+            let mut expected: Vec<&str> = dyads.kinds.iter().map(|kind| kind.letters()).collect();
+            let mut found = subject.planned.groups();
+            expected.sort_unstable();
+            found.sort_unstable();
+            // A dyad without two closures may be explicit row by row, and then it is no step of its own.
+            for letters in ["PRP", "RPP"] {
+                let of = |list: &[&str]| list.iter().filter(|own| **own == letters).count();
+                assert!(of(&found) <= of(&expected), "{letters}: {}{}", subject.planned.0, subject.name);
             }
+            let has_mode = |letters: &&str| !matches!(*letters, "PRP" | "RPP");
+            found.retain(has_mode);
+            expected.retain(has_mode);
+            assert_eq!(found, expected, "{}{}", subject.planned.0, subject.name);
         }
     }
 }

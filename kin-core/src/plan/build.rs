@@ -127,7 +127,7 @@ impl<'a> Build<'a> {
 
     fn pair(&mut self, pair: &Pair) {
         match &pair.value {
-            PairValue::Linear(value) => {
+            PairValue::Linear { value, .. } => {
                 let value = self.known_value(*value);
                 self.know(pair.coordinate, value, None);
             }
@@ -217,7 +217,7 @@ impl<'a> Build<'a> {
                 self.write(Slot::Margin(place), margin);
                 self.know(k, value, None);
             }
-            Way::Circle { e, l, k, n, m } => {
+            Way::Circle { e, l, k, n, m, .. } => {
                 let at = [core.coordinates[0], core.coordinates[1]];
                 let indicator = circle_indicator(&mut self.graph, at, [*e, l[0], l[1], *k, n[0], n[1]]);
                 let (mode, place) = self.closure(step, indicator);

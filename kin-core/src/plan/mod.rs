@@ -18,6 +18,7 @@ mod closures;
 mod dense;
 mod display;
 mod form;
+mod groups;
 mod known;
 mod matching;
 mod probe;
@@ -123,7 +124,7 @@ fn planned(system: &KinematicSystem, rank: usize) -> Result<SolutionPlan, String
         tree.parts.push(tree::Part::Block(block));
     }
     let made_of = std::mem::take(&mut reduction.made_of);
-    let listed = Listed::new(system, &tree, &made_of);
+    let listed = Listed::new(system, &graph, &tree, &made_of);
     let mut build = Build::new(system, graph, listed);
     let [velocity, acceleration] = build.all(&tree);
     let resolve = build.resolve(&tree);

@@ -84,7 +84,7 @@ fn circle(reader: &mut Reader<'_>, forms: [&Form; 2], [x, y]: [u32; 2]) -> Optio
     let zero = reader.graph.zero();
     let ((e, l, k), (f, n, m)) = if first.0 == zero { (second, first) } else { (first, second) };
     if f == zero {
-        return Some(Way::Circle { e, l, k, n, m });
+        return Some(Way::Circle { e, l, k, n, m, of_two: false });
     }
     // The line through both points where two circles meet: e times the second less f times the first.
     let graph = &mut *reader.graph;
@@ -93,5 +93,5 @@ fn circle(reader: &mut Reader<'_>, forms: [&Form; 2], [x, y]: [u32; 2]) -> Optio
         graph.sub(a, b)
     };
     let (n, m) = ([less(n[0], l[0]), less(n[1], l[1])], less(m, k));
-    Some(Way::Circle { e, l, k, n, m })
+    Some(Way::Circle { e, l, k, n, m, of_two: true })
 }

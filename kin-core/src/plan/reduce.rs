@@ -257,7 +257,7 @@ impl Reduction<'_> {
             let row = reader.written(&row);
             let (top, bottom) = (self.graph.plain_dot([f1, g1], [f0, g0]), self.graph.plain_dot([f1, g1], [f1, g1]));
             let quotient = self.graph.div(top, bottom);
-            let value = PairValue::Linear(self.graph.neg(quotient));
+            let value = PairValue::Linear { value: self.graph.neg(quotient), by: [f1, g1] };
             return Some(Eliminated { rows: two, coordinate: k, value, row, exchanges: Vec::new() });
         }
         None

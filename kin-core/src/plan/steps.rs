@@ -1,7 +1,9 @@
-//! The steps of a plan in words: which joint gives which coordinate, in which order, how, and when that is singular.
+//! The steps of a plan in words: which joint gives which coordinate, in which order, and how.
 
+use super::groups::{letters_of_pair, letters_of_way, name_group};
 use super::tree::{Block, Core, Part, Way};
-use crate::constraint::{ConstraintSet, CoordinateKind, Frame, JointTag};
+use crate::constraint::{ConstraintSet, CoordinateKind};
+use crate::expr::Graph;
 use crate::system::KinematicSystem;
 use std::collections::BTreeSet;
 
@@ -37,7 +39,9 @@ pub struct Step {
     pub singular: String,
     pub(super) rows: BTreeSet<usize>,
     /// The bodies of its group, while it is being named.
-    bodies: BTreeSet<usize>,
+    pub(super) bodies: BTreeSet<usize>,
+    /// What its equations are, whatever they were written as.
+    pub(super) closed_as: Option<&'static str>,
 }
 
 /// An assembly mode: a group that closes in two ways, told apart by a sign.
@@ -64,9 +68,9 @@ pub(super) struct Listed {
 
 impl Listed {
     /// Lists the steps of a tree in the order in which it is solved.
-    pub(super) fn new(system: &KinematicSystem, tree: &Block, made_of: &[BTreeSet<usize>]) -> Self {
+    pub(super) fn new(system: &KinematicSystem, graph: &Graph, tree: &Block, made_of: &[BTreeSet<usize>]) -> Self {
         let mut listed = Self::default();
-        listed.block(system, tree, made_of);
+        listed.block((system, graph), tree, made_of);
         listed.take_in_explicit(&system.set);
         for step in &mut listed.steps {
             name_group(&system.set, step);
@@ -103,13 +107,17 @@ impl Listed {
         }
     }
 
-    fn block(&mut self, system: &KinematicSystem, block: &Block, made_of: &[BTreeSet<usize>]) {
+    fn block(&mut self, of: (&KinematicSystem, &Graph), block: &Block, made_of: &[BTreeSet<usize>]) {
+        let (system, graph) = of;
         for part in &block.parts {
             match part {
                 Part::Core(core) => self.add(system, core, made_of),
-                Part::Block(block) => self.block(system, block, made_of),
+                Part::Block(block) => self.block(of, block, made_of),
                 Part::Pair(pair) => {
-                    self.block(system, &pair.inner, made_of);
+                    self.block(of, &pair.inner, made_of);
+                    if let (Some(letters), Some(step)) = (letters_of_pair(graph, pair), self.steps.last_mut()) {
+                        step.closed_as = Some(letters);
+                    }
                     self.attach(system, pair.rows[0], pair.coordinate);
                 }
             }
@@ -133,7 +141,8 @@ impl Listed {
         };
         let coordinates = core.coordinates.iter().enumerate().map(|(place, &k)| (k, joint(place))).collect();
         self.of_cores.push(self.steps.len());
-        self.steps.push(new_step(system, kind, rows, coordinates));
+        let step = new_step(system, kind, rows, coordinates);
+        self.steps.push(Step { closed_as: letters_of_way(&core.way), ..step });
     }
 
     /// A coordinate that a row gives once the rest of its group is known.
@@ -197,6 +206,7 @@ fn new_step(system: &KinematicSystem, kind: Kind, rows: BTreeSet<usize>, coordin
         singular: String::new(),
         rows,
         bodies: BTreeSet::new(),
+        closed_as: None,
     }
 }
 
@@ -210,82 +220,4 @@ fn body_of(set: &ConstraintSet, k: u32) -> Option<usize> {
 /// The bodies that a step places.
 fn bodies(set: &ConstraintSet, step: &Step) -> BTreeSet<usize> {
     step.coordinates.iter().filter_map(|&(k, _)| body_of(set, k)).collect()
-}
-
-/// Orders the joints of a dyad along it, and says what it is and when it is singular.
-fn name_group(set: &ConstraintSet, step: &mut Step) {
-    let bodies = std::mem::take(&mut step.bodies);
-    if step.kind != Kind::Explicit
-        && let Some((joints, letters)) = walk(set, &step.joints, &bodies)
-    {
-        step.joints = joints;
-        step.group = letters;
-    }
-    let names = |joints: &[usize]| {
-        let names: Vec<&str> = joints.iter().map(|&joint| set.joints[joint].name.as_str()).collect();
-        match names.as_slice() {
-            [] => String::new(),
-            [one] => (*one).to_owned(),
-            [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
-        }
-    };
-    let joints = names(&step.joints);
-    step.singular = match (step.kind, step.group.as_str()) {
-        (Kind::Explicit, _) => String::new(),
-        (Kind::Closure, "RRR") => format!("{joints} on one line"),
-        (Kind::Closure, "RRP") => "the link square to the guide".to_owned(),
-        (Kind::Closure, _) => format!("both closures of {joints} in one place"),
-        (Kind::Linear(_), "PRP") => "both guides parallel".to_owned(),
-        (Kind::Linear(n), _) => format!("determinant {n}×{n} of {joints} zero"),
-        (Kind::Newton(n), _) => format!("Jacobian {n}×{n} of {joints} singular"),
-    };
-}
-
-/// The joints of a dyad from one side to the other, and its letters; `None` where it is none.
-fn walk(set: &ConstraintSet, joints: &[usize], bodies: &BTreeSet<usize>) -> Option<(Vec<usize>, String)> {
-    let inside = |frame: Option<Frame>| match frame {
-        Some(Frame::Body(body)) => bodies.contains(&body).then_some(body),
-        _ => None,
-    };
-    let ends = |joint: usize| set.joints[joint].frames.map(inside);
-    let outer: Vec<usize> = joints.iter().copied().filter(|&j| ends(j).iter().flatten().count() == 1).collect();
-    let inner: Vec<usize> = joints.iter().copied().filter(|&j| ends(j).iter().flatten().count() == 2).collect();
-    let (&[first, last], true) = (outer.as_slice(), inner.len() <= 1 && outer.len() + inner.len() == joints.len())
-    else {
-        return None;
-    };
-    if inner.len() + 1 != bodies.len() {
-        return None;
-    }
-    let mut letters = String::new();
-    // Entered from outside, crossed from the first body, left to the outside: forwards is from body i to body j.
-    let entered = ends(first);
-    let start = entered.iter().flatten().next().copied();
-    for &joint in [first].iter().chain(&inner).chain(&[last]) {
-        let own = ends(joint);
-        let forwards =
-            if joint == first { own[1].is_some() } else { joint == last && own[0].is_some() || own[0] == start };
-        letters.push_str(match (set.joints[joint].tag, forwards) {
-            (JointTag::Revolute, _) => "R",
-            (JointTag::Translational, _) => "P",
-            (JointTag::Distance, _) => "RR",
-            // A driven distance is a link whose length changes.
-            (JointTag::Driver, _) if set.joints[joint].frames.iter().all(Option::is_some) => "RR",
-            (JointTag::PointOnLine, true) => "PR",
-            (JointTag::PointOnLine, false) => "RP",
-            _ => return None,
-        });
-    }
-    let mut ordered = vec![first];
-    ordered.extend(inner);
-    ordered.push(last);
-    if letters.len() != 3 {
-        return None;
-    }
-    let reversed: String = letters.chars().rev().collect();
-    let letters = match reversed.as_str() {
-        "RRP" | "RPP" => reversed,
-        _ => letters,
-    };
-    Some((ordered, letters))
 }

@@ -63,8 +63,8 @@ pub(super) enum PairValue {
     /// Both are given times `size`, which is positive where `square` is there: the squared length of the vector that is
     /// turned, where both rows see the same one.
     Angle { turn: Vec<(u32, i32)>, cos: ExprId, sin: ExprId, size: ExprId, square: Option<ExprId> },
-    /// The value.
-    Linear(ExprId),
+    /// The value, and f₁ and g₁ by which it is linear in both rows.
+    Linear { value: ExprId, by: [ExprId; 2] },
 }
 
 /// What closes a part.
@@ -86,8 +86,8 @@ pub(super) enum Way {
     Angle { a: ExprId, b: ExprId, c: ExprId },
     /// a x² + b x + c = 0.
     Quadratic { a: ExprId, b: ExprId, c: ExprId },
-    /// A circle e(x² + y²) + l·(x, y) + k = 0 that a line n·(x, y) + m = 0 meets.
-    Circle { e: ExprId, l: [ExprId; 2], k: ExprId, n: [ExprId; 2], m: ExprId },
+    /// A circle e(x² + y²) + l·(x, y) + k = 0 that a line n·(x, y) + m = 0 meets; the line may be that of two circles.
+    Circle { e: ExprId, l: [ExprId; 2], k: ExprId, n: [ExprId; 2], m: ExprId, of_two: bool },
     /// Residuals that an iteration brings to zero.
     Newton { residuals: Vec<ExprId> },
 }

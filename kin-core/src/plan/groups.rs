@@ -1,0 +1,130 @@
+//! Dyads by their letters: along their joints, carried origins being pins; in free equations by what closes there.
+
+use super::steps::{Kind, Step};
+use super::tree::{Core, Pair, PairValue, Part, Way};
+use crate::constraint::{ConstraintSet, Frame, JointTag};
+use crate::expr::{Graph, Node, Symbol};
+use std::collections::BTreeSet;
+
+/// What a closure of two rows at once is: where two circles meet, or a circle and a line.
+pub(super) fn letters_of_way(way: &Way) -> Option<&'static str> {
+    match way {
+        Way::Circle { of_two: true, .. } => Some("RRR"),
+        Way::Circle { of_two: false, .. } => Some("RRP"),
+        _ => None,
+    }
+}
+
+/// What a pair around a single closure is: a link that turns freely at its end, a guide that turns with its link, or one
+/// that does not.
+pub(super) fn letters_of_pair(graph: &Graph, pair: &Pair) -> Option<&'static str> {
+    let [Part::Core(Core { coordinates, way, .. })] = pair.inner.parts.as_slice() else { return None };
+    let &[k] = coordinates.as_slice() else { return None };
+    match (&pair.value, way) {
+        (PairValue::Angle { square: Some(_), .. }, Way::Angle { .. }) => Some("RRR"),
+        (PairValue::Angle { square: Some(_), .. }, Way::Quadratic { .. }) => Some("RRP"),
+        (PairValue::Linear { by, .. }, Way::Angle { .. }) => {
+            let symbol = Node::Symbol(Symbol::Coordinate(k));
+            let turns = graph.reachable(*by).into_iter().any(|id| graph.node(id) == symbol);
+            Some(if turns { "RPR" } else { "RRP" })
+        }
+        _ => None,
+    }
+}
+
+/// Orders the joints of a dyad along it, and says what it is and when it is singular.
+pub(super) fn name_group(set: &ConstraintSet, step: &mut Step) {
+    let bodies = std::mem::take(&mut step.bodies);
+    let free = step.joints.iter().all(|&joint| set.joints[joint].tag == JointTag::Constraint);
+    let along = if step.kind == Kind::Explicit { None } else { walk(set, &step.joints, &bodies) };
+    let walked = along.is_some();
+    if let Some((joints, letters)) = along {
+        (step.joints, step.group) = (joints, letters);
+    } else if let (true, Some(letters)) = (free, step.closed_as) {
+        letters.clone_into(&mut step.group);
+    }
+    let names = |joints: &[usize]| {
+        let names: Vec<&str> = joints.iter().map(|&joint| set.joints[joint].name.as_str()).collect();
+        match names.as_slice() {
+            [] => String::new(),
+            [one] => (*one).to_owned(),
+            [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
+        }
+    };
+    let joints = names(&step.joints);
+    let carried = bodies.iter().any(|&body| set.bodies[body].carried_by.is_some());
+    step.singular = match (step.kind, step.group.as_str()) {
+        (Kind::Explicit, _) => String::new(),
+        (Kind::Closure, "RRR") if walked && carried => format!("{joints} and the pins that carry origins on one line"),
+        (Kind::Closure, "RRR") if walked => format!("{joints} on one line"),
+        (Kind::Closure, "RRP") => "the link square to the guide".to_owned(),
+        (Kind::Closure, _) => format!("both closures of {joints} in one place"),
+        (Kind::Linear(_), "PRP") => "both guides parallel".to_owned(),
+        (Kind::Linear(n), _) => format!("determinant {n}×{n} of {joints} zero"),
+        (Kind::Newton(n), _) => format!("Jacobian {n}×{n} of {joints} singular"),
+    };
+}
+
+/// A joint of a dyad; an origin that another body carries is one without a name.
+struct Hinge {
+    joint: Option<usize>,
+    frames: [Option<Frame>; 2],
+}
+
+/// The joints of a dyad from one side to the other, and its letters; `None` where it is none.
+fn walk(set: &ConstraintSet, joints: &[usize], bodies: &BTreeSet<usize>) -> Option<(Vec<usize>, String)> {
+    let inside = |frame: Option<Frame>| match frame {
+        Some(Frame::Body(body)) => bodies.contains(&body).then_some(body),
+        _ => None,
+    };
+    let named = joints.iter().map(|&joint| Hinge { joint: Some(joint), frames: set.joints[joint].frames });
+    let carried = bodies.iter().filter_map(|&body| {
+        let carrier = set.bodies[body].carried_by?;
+        Some(Hinge { joint: None, frames: [Some(carrier), Some(Frame::Body(body))] })
+    });
+    let hinges: Vec<Hinge> = named.chain(carried).collect();
+    let ends = |hinge: &Hinge| hinge.frames.map(inside);
+    let with = |count: usize| hinges.iter().filter(move |hinge| ends(hinge).iter().flatten().count() == count);
+    let (outer, inner): (Vec<&Hinge>, Vec<&Hinge>) = (with(1).collect(), with(2).collect());
+    let (&[first, last], true) = (outer.as_slice(), inner.len() <= 1 && outer.len() + inner.len() == hinges.len())
+    else {
+        return None;
+    };
+    if inner.len() + 1 != bodies.len() {
+        return None;
+    }
+    let mut letters = String::new();
+    // Entered from outside, crossed from the first body, left to the outside: forwards is from body i to body j.
+    let entered = ends(first);
+    let start = entered.iter().flatten().next().copied();
+    let along = || std::iter::once(first).chain(inner.iter().copied()).chain(std::iter::once(last));
+    for (place, hinge) in along().enumerate() {
+        let own = ends(hinge);
+        let is_last = place == inner.len() + 1;
+        let forwards = if place == 0 { own[1].is_some() } else { is_last && own[0].is_some() || own[0] == start };
+        let Some(joint) = hinge.joint else {
+            letters.push('R');
+            continue;
+        };
+        letters.push_str(match (set.joints[joint].tag, forwards) {
+            (JointTag::Revolute, _) => "R",
+            (JointTag::Translational, _) => "P",
+            (JointTag::Distance, _) => "RR",
+            // A driven distance is a link whose length changes.
+            (JointTag::Driver, _) if set.joints[joint].frames.iter().all(Option::is_some) => "RR",
+            (JointTag::PointOnLine, true) => "PR",
+            (JointTag::PointOnLine, false) => "RP",
+            _ => return None,
+        });
+    }
+    if letters.len() != 3 {
+        return None;
+    }
+    let ordered = along().filter_map(|hinge| hinge.joint).collect();
+    let reversed: String = letters.chars().rev().collect();
+    let letters = match reversed.as_str() {
+        "RRP" | "RPP" => reversed,
+        _ => letters,
+    };
+    Some((ordered, letters))
+}
