@@ -1,27 +1,113 @@
-//! The tables of large mechanisms, unpacked while the user's crate is compiled.
+//! The tables of large mechanisms, unpacked when the model is first asked for.
 //!
-//! A struct literal for every row of a thousand takes the compiler as long as the code of the mechanism. So generated
-//! code writes long tables as names in one text, a few kinds of entries, and numbers; what is left is a constant like any
-//! other. Words are the numbers of one entry after another; the first is the length of its name where it has one.
+//! A struct literal for every row of a thousand takes the compiler as long as the code of the mechanism, and so does a
+//! constant that it has to work out entry by entry. So generated code writes long tables as names in one text, a few kinds
+//! of entries, and numbers in one string of bytes, which a program unpacks once. Without `std` nothing can be made at run
+//! time; there the same bytes are unpacked while the user's crate is compiled.
+//!
+//! The numbers are those of one entry after another, seven bits in a byte and the lowest first, the last byte of each below
+//! 128. The first number of an entry is the length of its name where it has one.
 
 use crate::model::{
-    BodyInfo, CoordinateInfo, CoordinateKind, Frame, Geometry, JointInfo, JointQuantity, Observable, OriginKind,
+    BodyInfo, CoordinateInfo, CoordinateKind, Frame, Geometry, JointInfo, JointQuantity, Model, Observable, OriginKind,
     ParameterInfo, RowInfo,
 };
+use crate::plan::{ModeInfo, PlanStep, StepKind};
 
-/// What is left of a text and of words.
-#[derive(Clone, Copy)]
-struct Rest<'w> {
+/// A model with packed tables.
+#[derive(Debug)]
+pub struct Unpacked {
+    /// Unpacks it.
+    #[cfg(feature = "std")]
+    pub make: fn() -> Model,
+    /// Where it stays.
+    #[cfg(feature = "std")]
+    pub model: std::sync::OnceLock<Model>,
+    /// The model.
+    #[cfg(not(feature = "std"))]
+    pub model: Model,
+}
+
+impl core::ops::Deref for Unpacked {
+    type Target = Model;
+
+    fn deref(&self) -> &Model {
+        #[cfg(feature = "std")]
+        return self.model.get_or_init(self.make);
+        #[cfg(not(feature = "std"))]
+        return &self.model;
+    }
+}
+
+/// A model, unpacked at its first use.
+#[cfg(feature = "std")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __unpacked {
+    ($model:expr) => {
+        $crate::tables::Unpacked { make: || $model, model: $crate::tables::OnceLock::new() }
+    };
+}
+
+/// A model, unpacked by the compiler.
+#[cfg(not(feature = "std"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __unpacked {
+    ($model:expr) => {
+        $crate::tables::Unpacked { model: $model }
+    };
+}
+
+/// A table of so many entries.
+#[cfg(feature = "std")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __unpack {
+    ($table:ident, $entries:literal, $($argument:expr),*) => {
+        $crate::tables::$table::leaked($entries, $($argument),*)
+    };
+}
+
+/// A table of so many entries.
+#[cfg(not(feature = "std"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __unpack {
+    ($table:ident, $entries:literal, $($argument:expr),*) => {
+        &$crate::tables::$table::array::<$entries>($($argument),*)
+    };
+}
+
+#[cfg(feature = "std")]
+pub use std::sync::OnceLock;
+pub use {__unpack as unpack, __unpacked as unpacked};
+
+/// What is left of a text and of packed numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct Rest<'w> {
     text: &'static str,
-    words: &'w [u32],
-    /// The next word. The compiler counts by one faster than it shortens slices.
+    bytes: &'w [u8],
+    /// The next byte. The compiler counts by one faster than it shortens slices.
     at: usize,
 }
 
-impl Rest<'_> {
+impl<'w> Rest<'w> {
+    const fn new(text: &'static str, bytes: &'w [u8]) -> Self {
+        Self { text, bytes, at: 0 }
+    }
+
     const fn word(&mut self) -> usize {
-        self.at += 1;
-        self.words[self.at - 1] as usize
+        let (mut word, mut shift) = (0, 0);
+        loop {
+            let byte = self.bytes[self.at] as usize;
+            self.at += 1;
+            word |= (byte & 127) << shift;
+            if byte < 128 {
+                return word;
+            }
+            shift += 7;
+        }
     }
 
     const fn name(&mut self) -> &'static str {
@@ -48,24 +134,43 @@ impl Rest<'_> {
     }
 }
 
-/// Defines a function that unpacks a table, entry by entry.
+/// Defines how a table is unpacked: entry by entry, as a whole by the compiler, and as a whole by a program.
 macro_rules! unpack {
     ($(#[$doc:meta])* $name:ident -> $entry:ty, $empty:expr, ($($argument:ident: $ty:ty),*), |$rest:ident| $unpack:expr) => {
         $(#[$doc])*
-        #[allow(unused_mut)]
-        pub const fn $name<const N: usize>(
-            text: &'static str,
-            words: &[u32],
-            $(mut $argument: $ty),*
-        ) -> [$entry; N] {
-            let mut out = [$empty; N];
-            let mut $rest = Rest { text, words, at: 0 };
-            let mut k = 0;
-            while k < N {
-                out[k] = $unpack;
-                k += 1;
+        pub mod $name {
+            use super::*;
+
+            /// All entries, by the compiler.
+            #[allow(unused_mut)]
+            pub const fn array<const N: usize>(
+                text: &'static str,
+                bytes: &[u8],
+                $(mut $argument: $ty),*
+            ) -> [$entry; N] {
+                let mut out = [$empty; N];
+                let mut $rest = Rest::new(text, bytes);
+                let mut k = 0;
+                while k < N {
+                    out[k] = $unpack;
+                    k += 1;
+                }
+                out
             }
-            out
+
+            /// All entries, by a program; they stay as long as it runs.
+            #[cfg(feature = "std")]
+            #[allow(unused_mut)]
+            pub fn leaked(
+                entries: usize,
+                text: &'static str,
+                bytes: &[u8],
+                $(mut $argument: $ty),*
+            ) -> &'static [$entry] {
+                let mut $rest = Rest::new(text, bytes);
+                let out: std::vec::Vec<$entry> = (0..entries).map(|_| $unpack).collect();
+                out.leak()
+            }
         }
     };
 }
@@ -216,3 +321,91 @@ unpack!(
     (values: &[f64]),
     |rest| (rest.word(), values[rest.word()])
 );
+
+unpack!(
+    /// Words: the number.
+    numbers -> usize,
+    0,
+    (),
+    |rest| rest.word()
+);
+
+unpack!(
+    /// Words: kind, how many entries of `joints` and `coordinates`, the ends of its modes and margins; of the kinds only
+    /// kind, group and the words on singularity count.
+    steps -> PlanStep,
+    NO_STEP,
+    (kinds: &[PlanStep], joints: &'static [usize], coordinates: &'static [(usize, usize)]),
+    |rest| {
+        let kind = kinds[rest.word()];
+        let (own_joints, other_joints) = joints.split_at(rest.word());
+        let (own_coordinates, other_coordinates) = coordinates.split_at(rest.word());
+        (joints, coordinates) = (other_joints, other_coordinates);
+        PlanStep {
+            joints: own_joints,
+            coordinates: own_coordinates,
+            modes: (rest.word(), rest.word()),
+            margins: (rest.word(), rest.word()),
+            ..kind
+        }
+    }
+);
+
+const NO_STEP: PlanStep = PlanStep {
+    kind: StepKind::Explicit,
+    group: "",
+    joints: &[],
+    coordinates: &[],
+    modes: (0, 0),
+    margins: (0, 0),
+    singular: "",
+};
+
+unpack!(
+    /// Words: length of the name, step, margin.
+    modes -> ModeInfo,
+    ModeInfo { name: "", step: 0, margin: 0 },
+    (),
+    |rest| ModeInfo { name: rest.name(), step: rest.word(), margin: rest.word() }
+);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Component;
+
+    /// What the compiler unpacks and what a program unpacks, of one and the same bytes.
+    macro_rules! both {
+        ($table:ident, $entries:literal, $($argument:expr),*) => {{
+            let constant = $table::array::<$entries>($($argument),*);
+            #[cfg(feature = "std")]
+            assert_eq!($table::leaked($entries, $($argument),*), constant);
+            constant
+        }};
+    }
+
+    #[test]
+    fn numbers_of_any_length_come_back() {
+        assert_eq!(both!(numbers, 5, "", b"\x00\x7f\x80\x01\xac\x02\xff\xff\x03"), [0, 127, 128, 300, 65535]);
+    }
+
+    #[test]
+    fn names_and_kinds_are_handed_out_in_order() {
+        let kinds = &[CoordinateKind::Scalar, CoordinateKind::Pose { body: 0, component: Component::Phi }];
+        let coordinates = both!(coordinates, 2, "us\u{e4}ge.phi", b"\x01\x00\x00\x09\x05\x01", kinds);
+        assert_eq!(coordinates[0], CoordinateInfo { name: "u", kind: CoordinateKind::Scalar });
+        let kind = CoordinateKind::Pose { body: 5, component: Component::Phi };
+        assert_eq!(coordinates[1], CoordinateInfo { name: "s\u{e4}ge.phi", kind });
+    }
+
+    #[test]
+    fn steps_have_their_own_joints_and_coordinates() {
+        let kind = PlanStep { kind: StepKind::Closure, group: "RRR", singular: "never", ..NO_STEP };
+        let (joints, coordinates): (&[usize], &[(usize, usize)]) = (&[7, 8, 9], &[(1, 7), (2, 8), (3, 9)]);
+        let bytes = b"\x00\x02\x01\x00\x01\x00\x01\x01\x01\x02\x01\x01\x01\x02";
+        let steps = both!(steps, 2, "", bytes, &[NO_STEP, kind], joints, coordinates);
+        let explicit = PlanStep { joints: &[7, 8], coordinates: &[(1, 7)], modes: (0, 1), margins: (0, 1), ..NO_STEP };
+        let closure = PlanStep { joints: &[9], coordinates: &[(2, 8), (3, 9)], modes: (1, 1), margins: (1, 2), ..kind };
+        assert_eq!(steps, [explicit, closure]);
+    }
+}

@@ -56,7 +56,7 @@ fn every_subset_of_a_long_kernel_agrees_with_the_whole() {
     assert!(close(evaluate(Subset::GAMMA).gamma(), whole.gamma()));
 }
 
-/// Long tables are packed while the macro runs and unpacked while the crate compiles; nothing of that is seen.
+/// Long tables are packed while the macro runs and unpacked when the model is first asked for; nothing of that is seen.
 #[test]
 fn long_tables_say_what_short_ones_would() {
     use kin_runtime::model::{

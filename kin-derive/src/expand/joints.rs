@@ -1,14 +1,14 @@
 //! The joints in the static model: kinds, frames, geometry and quantities.
 
-use super::packed::{Packed, is_long};
+use super::packed::Packed;
 use super::tables::{frame, optional, variant};
 use kin_core::constraint::{Frame, JointTag, Role};
 use kin_core::system::KinematicSystem;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The joints, and the statics that they refer to where they are many.
-pub(super) fn joints(system: &KinematicSystem) -> (TokenStream, TokenStream) {
+/// The joints.
+pub(super) fn joints(system: &KinematicSystem, packed: bool) -> TokenStream {
     let joints = &system.set.joints;
     let role = |role: Role| match role {
         Role::P => variant("Role", "P"),
@@ -24,7 +24,7 @@ pub(super) fn joints(system: &KinematicSystem) -> (TokenStream, TokenStream) {
     let quantity = |name: &str, observable: usize| {
         quote! { __kin::JointQuantity { name: #name, observable: #observable } }
     };
-    if is_long(joints.len()) {
+    if packed {
         let mut packed = Packed::new(joints.len());
         let mut all_geometry = Packed::new(joints.iter().map(|joint| joint.geometry.len()).sum());
         let mut all_quantities = Packed::new(joints.iter().map(|joint| joint.quantities.len()).sum());
@@ -46,15 +46,9 @@ pub(super) fn joints(system: &KinematicSystem) -> (TokenStream, TokenStream) {
             }
         }
         let kinds = packed.kinds(|tag| variant("JointKind", kind(*tag)));
-        let table = packed.unpacked("joints", &quote! { , #kinds, &__GEOMETRY, &__QUANTITIES });
-        let (geometries, quantities) = (all_geometry.entries(), all_quantities.entries());
         let all_geometry = all_geometry.with_kinds("geometry", |role| geometry(*role, Frame::Ground, 0));
         let all_quantities = all_quantities.with_kinds("quantities", |name| quantity(name, 0));
-        let items = quote! {
-            static __GEOMETRY: [__kin::Geometry; #geometries] = #all_geometry;
-            static __QUANTITIES: [__kin::JointQuantity; #quantities] = #all_quantities;
-        };
-        return (items, table);
+        return packed.unpacked("joints", &quote! { , #kinds, #all_geometry, #all_quantities });
     }
     let joints = joints.iter().map(|joint| {
         let (name, first_row, rows) = (&joint.name, joint.first_row, joint.rows);
@@ -69,7 +63,7 @@ pub(super) fn joints(system: &KinematicSystem) -> (TokenStream, TokenStream) {
             }
         }
     });
-    (TokenStream::new(), quote! { [#(#joints),*] })
+    quote! { &[#(#joints),*] }
 }
 
 fn kind(tag: JointTag) -> &'static str {

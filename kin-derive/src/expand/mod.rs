@@ -17,6 +17,7 @@ mod rolled_series;
 mod series;
 mod series_statements;
 mod statements;
+mod steps;
 mod tables;
 mod test;
 
@@ -80,7 +81,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
         doc: &lowered.docs.mechanism,
         allow_redundant: lowered.flags.allow_redundant,
         structure,
-        plan: &planned.table,
+        plan,
     });
     let (n, s, p, u) = (set.coordinates.len(), set.rows.len(), set.parameters.len(), set.inputs.len());
     let (entries, seen, seen_entries) = (constraints.entries.len(), set.observables.len(), observables.entries.len());

@@ -1,42 +1,41 @@
-//! Long tables as one text, a few kinds, and numbers; `kin_runtime::tables` unpacks them.
+//! Long tables as one text, a few kinds, and numbers in bytes; `kin_runtime::tables` unpacks them.
 //!
-//! Short tables stay struct literals, which are easier to read.
+//! A text and a string of bytes are one token each, however much they hold. Short tables stay struct literals, which are
+//! easier to read.
 
 use kin_core::constraint::Frame;
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
-use std::fmt::Write;
 
-/// Entries from which on a table is packed.
+/// Entries from which on a table is packed, and every other table of its mechanism with it.
 const LONG: usize = 64;
 
-/// True for a table that is packed.
-pub(super) fn is_long(entries: usize) -> bool {
-    entries >= LONG
+/// True where tables of so many entries are packed.
+pub(super) fn any_is_long(entries: &[usize]) -> bool {
+    entries.iter().any(|count| *count >= LONG)
 }
 
 /// A table as it is packed, entry by entry.
 pub(super) struct Packed<K> {
     entries: usize,
     text: String,
-    words: String,
+    bytes: Vec<u8>,
     kinds: Vec<K>,
 }
 
 impl<K: PartialEq> Packed<K> {
     /// A table of so many entries.
     pub(super) fn new(entries: usize) -> Self {
-        Self { entries, text: String::new(), words: String::new(), kinds: Vec::new() }
+        Self { entries, text: String::new(), bytes: Vec::new(), kinds: Vec::new() }
     }
 
-    /// Number of entries.
-    pub(super) const fn entries(&self) -> usize {
-        self.entries
-    }
-
-    pub(super) fn word(&mut self, word: usize) {
-        // Writing to a string never fails.
-        let _ = write!(self.words, "{word},");
+    /// Seven bits in a byte, the lowest first; all but the last are above 127.
+    pub(super) fn word(&mut self, mut word: usize) {
+        while word > 127 {
+            self.bytes.push(word as u8 | 128);
+            word >>= 7;
+        }
+        self.bytes.push(word as u8);
     }
 
     pub(super) fn name(&mut self, name: &str) {
@@ -64,22 +63,20 @@ impl<K: PartialEq> Packed<K> {
         }
     }
 
-    /// The array, unpacked by `function`; kinds as `tokens` writes them.
-    pub(super) fn with_kinds(&self, function: &str, tokens: impl Fn(&K) -> TokenStream) -> TokenStream {
-        let kinds = self.kinds.iter().map(tokens);
-        self.unpacked(function, &quote! { , &[#(#kinds),*] })
+    /// The table, unpacked as `table`; kinds as `tokens` writes them.
+    pub(super) fn with_kinds(&self, table: &str, tokens: impl Fn(&K) -> TokenStream) -> TokenStream {
+        let kinds = self.kinds(tokens);
+        self.unpacked(table, &quote! { , #kinds })
     }
 
-    /// The array, unpacked by `function` with more arguments.
-    pub(super) fn unpacked(&self, function: &str, arguments: &TokenStream) -> TokenStream {
-        let (function, entries) = (Ident::new(function, Span::call_site()), self.entries);
-        let text = &self.text;
-        // Numbers and commas; from text, because that is one step and not one for each of them.
-        let words: TokenStream = self.words.parse().unwrap_or_default();
-        quote! { __kin::tables::#function::<#entries>(#text, &[#words] #arguments) }
+    /// The table, unpacked as `table` with more arguments.
+    pub(super) fn unpacked(&self, table: &str, arguments: &TokenStream) -> TokenStream {
+        let (table, entries) = (Ident::new(table, Span::call_site()), Literal::usize_unsuffixed(self.entries));
+        let (text, bytes) = (&self.text, Literal::byte_string(&self.bytes));
+        quote! { __kin::tables::unpack!(#table, #entries, #text, #bytes #arguments) }
     }
 
-    /// The kinds, for a table that is packed beside this one's words.
+    /// The kinds, for a table that has other arguments, too.
     pub(super) fn kinds(&self, tokens: impl Fn(&K) -> TokenStream) -> TokenStream {
         let kinds = self.kinds.iter().map(tokens);
         quote! { &[#(#kinds),*] }

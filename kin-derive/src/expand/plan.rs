@@ -1,9 +1,9 @@
-//! The solution plan: its sections as kernels, the methods that run them, and its static table.
+//! The solution plan: its sections as kernels, and the methods that run them.
 
 use super::kernel::{Kernel, kernel, kernel_after};
 use super::position_lengths;
 use crate::lower::Lowered;
-use kin_core::plan::{Depth, Kind, Section, SolutionPlan};
+use kin_core::plan::{Depth, Section, SolutionPlan};
 use kin_core::program::Program;
 use kin_core::system::KinematicSystem;
 use proc_macro2::{Ident, Span, TokenStream};
@@ -15,15 +15,12 @@ pub(super) struct Planned {
     pub(super) items: TokenStream,
     /// Methods of the trait.
     pub(super) methods: TokenStream,
-    /// The static table.
-    pub(super) table: TokenStream,
 }
 
-/// The code and the table of a plan.
+/// The code of a plan.
 pub(super) fn planned(lowered: &Lowered, system: &KinematicSystem, plan: &SolutionPlan) -> Planned {
-    let table = table(system, plan);
     if plan.absent.is_some() {
-        return Planned { items: TokenStream::new(), methods: TokenStream::new(), table };
+        return Planned { items: TokenStream::new(), methods: TokenStream::new() };
     }
     let (modes, held, rows) = (plan.modes.len(), plan.held as usize, system.set.rows.len());
     let solve = solve(lowered, system, plan);
@@ -44,7 +41,7 @@ pub(super) fn planned(lowered: &Lowered, system: &KinematicSystem, plan: &Soluti
         #(#kernels)*
     };
     let methods = [solve.method, closures_method(&closures), resolve_methods(&factorise, &resolve)];
-    Planned { items, methods: quote! { #(#methods)* }, table }
+    Planned { items, methods: quote! { #(#methods)* } }
 }
 
 /// Kernels, and the method that calls them.
@@ -183,43 +180,5 @@ fn resolve_methods(factorise: &Kernel, solve: &Kernel) -> TokenStream {
             #solve
             __kin::Ok(())
         }
-    }
-}
-
-fn table(system: &KinematicSystem, plan: &SolutionPlan) -> TokenStream {
-    if let Some(why) = &plan.absent {
-        return quote! { __kin::Plan::absent(#why) };
-    }
-    let steps = plan.steps.iter().map(|step| {
-        let kind = match step.kind {
-            Kind::Explicit => quote! { __kin::StepKind::Explicit },
-            Kind::Linear(n) => quote! { __kin::StepKind::Linear(#n) },
-            Kind::Closure => quote! { __kin::StepKind::Closure },
-            Kind::Newton(n) => quote! { __kin::StepKind::Newton(#n) },
-        };
-        let (group, singular, joints) = (&step.group, &step.singular, &step.joints);
-        let coordinates = step.coordinates.iter().map(|(k, joint)| {
-            let k = *k as usize;
-            quote! { (#k, #joint) }
-        });
-        let [modes, margins] = [&step.modes, &step.margins].map(|range| {
-            let (start, end) = (range.start, range.end);
-            quote! { (#start, #end) }
-        });
-        quote! {
-            __kin::PlanStep {
-                kind: #kind, group: #group, joints: &[#(#joints),*], coordinates: &[#(#coordinates),*],
-                modes: #modes, margins: #margins, singular: #singular,
-            }
-        }
-    });
-    let modes = plan.modes.iter().map(|mode| {
-        let (name, step, margin) = (&mode.name, mode.step, mode.margin);
-        quote! { __kin::ModeInfo { name: #name, step: #step, margin: #margin } }
-    });
-    let margins = plan.margins;
-    debug_assert!(system.set.rows.len() == system.set.coordinates.len());
-    quote! {
-        __kin::Plan { steps: &[#(#steps),*], modes: &[#(#modes),*], margins: #margins, absent: __kin::None }
     }
 }

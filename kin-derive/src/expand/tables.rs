@@ -2,10 +2,11 @@
 
 use super::joints::joints;
 use super::kernel::Layout;
-use super::packed::{Packed, is_long};
+use super::packed::{Packed, any_is_long};
 use super::program::literal;
 use kin_core::constraint::{CoordinateKind, Family, Frame, ObservableKind};
 use kin_core::mechanism::{Component, Mechanism};
+use kin_core::plan::SolutionPlan;
 use kin_core::program::OperationCount;
 use kin_core::structure::Structure;
 use kin_core::system::{KinematicSystem, RowClass};
@@ -22,19 +23,20 @@ pub(crate) struct Tables<'a> {
     pub(crate) doc: &'a str,
     pub(crate) allow_redundant: bool,
     pub(crate) structure: &'a Structure,
-    pub(crate) plan: &'a TokenStream,
+    pub(crate) plan: &'a SolutionPlan,
 }
 
 /// The static model and what it refers to.
 pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     let set = &tables.system.set;
     let (name, doc, allow_redundant) = (&set.name, tables.doc, tables.allow_redundant);
-    let coordinates = coordinates(tables.system);
-    let parameters = parameters(tables.mechanism);
+    let packed = is_packed(tables);
+    let coordinates = coordinates(tables.system, packed);
+    let parameters = parameters(tables.mechanism, packed);
     let inputs = set.inputs.iter();
     let functions = set.functions.iter();
     let arguments = super::functions::arguments(tables.system).into_iter().map(|(function, _)| function as usize);
-    let bodies = bodies(tables.system);
+    let bodies = bodies(tables.system, packed);
     let points = set.points.iter().map(|point| {
         let (name, frame, local, observables) = (&point.name, frame(point.frame), point.local, point.observables);
         quote! {
@@ -45,9 +47,9 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
         let (name, observable, varies) = (&define.name, define.observable, define.varies);
         quote! { __kin::DefineInfo { name: #name, observable: #observable, varies: #varies } }
     });
-    let (joint_items, joints) = joints(tables.system);
-    let rows = rows(tables.system);
-    let observables = observables(tables.system);
+    let joints = joints(tables.system, packed);
+    let rows = rows(tables.system, packed);
+    let observables = observables(tables.system, packed);
     let conditions = set.conditions.iter().map(|condition| {
         let (name, text, rheonomic) = (&condition.name, &condition.text, condition.rheonomic);
         let observable = condition.observable;
@@ -55,32 +57,32 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
             __kin::ConditionInfo { name: #name, text: #text, observable: #observable, rheonomic: #rheonomic }
         }
     });
-    let constraint_pattern = pattern(tables.constraints, set.rows.len());
-    let observable_pattern = pattern(tables.observables, set.observables.len());
+    let constraint_pattern = pattern(tables.constraints, set.rows.len(), packed);
+    let observable_pattern = pattern(tables.observables, set.observables.len(), packed);
     let families = families(tables.system);
     let guesses = set.guesses.iter().map(|(k, _)| *k as usize);
     let geometry = set.geometry.len();
     let operations = operations(tables.operations);
     let equations = equations(tables.system);
-    let (structure, plan) = (structure(tables.system, tables.structure), tables.plan);
-    quote! {
-        #joint_items
-        static __MODEL: __kin::Model = __kin::Model {
+    let structure = structure(tables.system, tables.structure);
+    let plan = super::steps::table(tables.plan, packed);
+    let model = quote! {
+        __kin::Model {
             name: #name,
             doc: #doc,
-            coordinates: &#coordinates,
-            parameters: &#parameters,
+            coordinates: #coordinates,
+            parameters: #parameters,
             inputs: &[#(#inputs),*],
             functions: &[#(#functions),*],
             arguments: &[#(#arguments),*],
-            bodies: &#bodies,
+            bodies: #bodies,
             points: &[#(#points),*],
             defines: &[#(#defines),*],
-            joints: &#joints,
-            rows: &#rows,
+            joints: #joints,
+            rows: #rows,
             conditions: &[#(#conditions),*],
             constraint_pattern: #constraint_pattern,
-            observables: &#observables,
+            observables: #observables,
             observable_pattern: #observable_pattern,
             families: &[#(#families),*],
             guesses: &[#(#guesses),*],
@@ -90,8 +92,31 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
             plan: #plan,
             operations: #operations,
             equations: &[#(#equations),*],
-        };
+        }
+    };
+    if packed {
+        quote! { static __MODEL: __kin::tables::Unpacked = __kin::tables::unpacked!(#model); }
+    } else {
+        quote! { static __MODEL: __kin::Model = #model; }
     }
+}
+
+/// Whether some table is so long that the compiler would take its time.
+fn is_packed(tables: &Tables<'_>) -> bool {
+    let set = &tables.system.set;
+    let parameters = tables.mechanism.parameters.iter().map(|parameter| parameter.len.unwrap_or(1)).sum();
+    let [constraints, observables] = [tables.constraints, tables.observables].map(|layout| layout.entries.len());
+    let (coordinates, rows, joints) = (set.coordinates.len(), set.rows.len(), set.joints.len());
+    any_is_long(&[
+        coordinates,
+        rows,
+        joints,
+        parameters,
+        set.bodies.len(),
+        set.observables.len(),
+        constraints,
+        observables,
+    ])
 }
 
 pub(super) fn variant(path: &str, name: &str) -> TokenStream {
@@ -117,7 +142,7 @@ pub(super) fn optional(value: Option<impl quote::ToTokens>) -> TokenStream {
     }
 }
 
-fn coordinates(system: &KinematicSystem) -> TokenStream {
+fn coordinates(system: &KinematicSystem, packed: bool) -> TokenStream {
     let coordinates = &system.set.coordinates;
     let kind = |body: usize, component: Option<Component>| match component {
         Some(c) => {
@@ -130,7 +155,7 @@ fn coordinates(system: &KinematicSystem) -> TokenStream {
         CoordinateKind::Pose(body, c) => (body, Some(c)),
         CoordinateKind::Scalar => (0, None),
     };
-    if is_long(coordinates.len()) {
+    if packed {
         let mut packed = Packed::new(coordinates.len());
         for coordinate in coordinates {
             let (body, component) = parts(coordinate);
@@ -145,13 +170,13 @@ fn coordinates(system: &KinematicSystem) -> TokenStream {
         let kind = kind(body, component);
         quote! { __kin::CoordinateInfo { name: #name, kind: #kind } }
     });
-    quote! { [#(#coordinates),*] }
+    quote! { &[#(#coordinates),*] }
 }
 
-fn bodies(system: &KinematicSystem) -> TokenStream {
+fn bodies(system: &KinematicSystem, packed: bool) -> TokenStream {
     let bodies = &system.set.bodies;
     let places = |body: &kin_core::constraint::BodyInstance| body.coordinates.map(|k| k.map(|k| k as usize));
-    if is_long(bodies.len()) {
+    if packed {
         let mut packed = Packed::<()>::new(bodies.len());
         for body in bodies {
             packed.name(&body.name);
@@ -177,10 +202,10 @@ fn bodies(system: &KinematicSystem) -> TokenStream {
             }
         }
     });
-    quote! { [#(#bodies),*] }
+    quote! { &[#(#bodies),*] }
 }
 
-fn observables(system: &KinematicSystem) -> TokenStream {
+fn observables(system: &KinematicSystem, packed: bool) -> TokenStream {
     let observables = &system.set.observables;
     let tokens = |kind: &ObservableKind| match *kind {
         ObservableKind::Pose(body, c) => {
@@ -197,7 +222,7 @@ fn observables(system: &KinematicSystem) -> TokenStream {
         }
         ObservableKind::Condition(k) => quote! { __kin::Observable::Condition(#k) },
     };
-    if is_long(observables.len()) {
+    if packed {
         let mut packed = Packed::new(observables.len());
         for observable in observables {
             let (kind, a, b) = match observable.kind {
@@ -214,10 +239,10 @@ fn observables(system: &KinematicSystem) -> TokenStream {
         return packed.with_kinds("observables", tokens);
     }
     let observables = observables.iter().map(|observable| tokens(&observable.kind));
-    quote! { [#(#observables),*] }
+    quote! { &[#(#observables),*] }
 }
 
-fn parameters(mechanism: &Mechanism) -> TokenStream {
+fn parameters(mechanism: &Mechanism, packed: bool) -> TokenStream {
     let mut all = Vec::new();
     for (number, parameter) in mechanism.parameters.iter().enumerate() {
         for index in 0..parameter.len.unwrap_or(1) {
@@ -234,7 +259,7 @@ fn parameters(mechanism: &Mechanism) -> TokenStream {
         let (unit, doc, default) = (optional(parameter.unit.as_ref()), &parameter.doc, optional(default.map(literal)));
         quote! { __kin::ParameterInfo { name: #name, unit: #unit, default: #default, doc: #doc } }
     };
-    if is_long(all.len()) {
+    if packed {
         let mut packed = Packed::new(all.len());
         for (name, number, default) in &all {
             packed.name(name);
@@ -243,10 +268,10 @@ fn parameters(mechanism: &Mechanism) -> TokenStream {
         return packed.with_kinds("parameters", |(number, default)| tokens("", *number, *default));
     }
     let all = all.iter().map(|(name, number, default)| tokens(name, *number, *default));
-    quote! { [#(#all),*] }
+    quote! { &[#(#all),*] }
 }
 
-fn rows(system: &KinematicSystem) -> TokenStream {
+fn rows(system: &KinematicSystem, packed: bool) -> TokenStream {
     let rows = system.set.rows.iter().zip(&system.classes);
     let tokens = |name: &str, joint: usize, class: &RowClass| {
         let (rheonomic, driving) = (class.rheonomic, class.driving);
@@ -257,7 +282,7 @@ fn rows(system: &KinematicSystem) -> TokenStream {
             }
         }
     };
-    if is_long(rows.len()) {
+    if packed {
         let mut packed = Packed::new(rows.len());
         for (row, class) in rows {
             packed.name(&row.name);
@@ -267,7 +292,7 @@ fn rows(system: &KinematicSystem) -> TokenStream {
         return packed.with_kinds("rows", |class| tokens("", 0, class));
     }
     let rows = rows.map(|(row, class)| tokens(&row.name, row.joint, class));
-    quote! { [#(#rows),*] }
+    quote! { &[#(#rows),*] }
 }
 
 fn families(system: &KinematicSystem) -> impl Iterator<Item = TokenStream> {
@@ -285,8 +310,8 @@ fn families(system: &KinematicSystem) -> impl Iterator<Item = TokenStream> {
     of(&set.body_families, "Bodies").into_iter().chain(of(&set.row_families, "Rows"))
 }
 
-fn pattern(layout: &Layout, rows: usize) -> TokenStream {
-    let entries = if is_long(layout.entries.len()) {
+fn pattern(layout: &Layout, rows: usize, packed: bool) -> TokenStream {
+    let entries = if packed {
         let mut packed = Packed::<()>::new(layout.entries.len());
         for (row, column) in &layout.entries {
             packed.word(*row);
@@ -295,9 +320,9 @@ fn pattern(layout: &Layout, rows: usize) -> TokenStream {
         packed.unpacked("entries", &TokenStream::new())
     } else {
         let entries = layout.entries.iter().map(|(row, column)| quote! { (#row, #column) });
-        quote! { [#(#entries),*] }
+        quote! { &[#(#entries),*] }
     };
-    let constants = if is_long(layout.constants.len()) {
+    let constants = if packed {
         let mut packed = Packed::new(layout.constants.len());
         for (place, value) in &layout.constants {
             packed.word(*place);
@@ -309,9 +334,9 @@ fn pattern(layout: &Layout, rows: usize) -> TokenStream {
             let value = literal(*value);
             quote! { (#place, #value) }
         });
-        quote! { [#(#constants),*] }
+        quote! { &[#(#constants),*] }
     };
-    quote! { __kin::Pattern { rows: #rows, entries: &#entries, constants: &#constants } }
+    quote! { __kin::Pattern { rows: #rows, entries: #entries, constants: #constants } }
 }
 
 fn operations(count: OperationCount) -> TokenStream {

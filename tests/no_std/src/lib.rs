@@ -104,3 +104,24 @@ pub extern "C" fn lift(t: f64) -> f64 {
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     loop {}
 }
+
+/// A chain so long that its tables are packed; here the compiler unpacks them.
+#[mechanism]
+#[bodies(link[24])]
+#[revolute(root: ground @ (0, 0), link[0] @ (0, 0))]
+#[revolute(pin[i in 0..23]: link[i] @ (l, 0), link[i + 1] @ (0, 0))]
+#[driver(turn[i in 0..24]: link[i].phi = t)]
+pub struct Chain {
+    #[param(0.1)]
+    l: f64,
+}
+
+/// How many names the chain has, and where it ends.
+#[unsafe(no_mangle)]
+pub extern "C" fn reach(t: f64) -> f64 {
+    let (chain, model) = (Chain::default(), Chain::model());
+    let names: usize = model.coordinates.iter().map(|coordinate| coordinate.name.len()).sum();
+    let Ok(mut planned) = Planned::new(&chain, &Instant::at(0.0), &[0.0; Chain::COORDINATES]) else { return 0.0 };
+    let end = planned.at(&Instant::at(t)).map_or(0.0, |state| state.q()[Chain::COORDINATES - 3]);
+    end + names as f64
+}

@@ -1,0 +1,102 @@
+//! The solution plan in the static model: its steps and its modes.
+
+use super::packed::Packed;
+use kin_core::plan::{Kind, SolutionPlan, Step};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The table of a plan.
+pub(super) fn table(plan: &SolutionPlan, packed: bool) -> TokenStream {
+    if let Some(why) = &plan.absent {
+        return quote! { __kin::Plan::absent(#why) };
+    }
+    let (steps, modes) = if packed { (packed_steps(plan), packed_modes(plan)) } else { (steps(plan), modes(plan)) };
+    let margins = plan.margins;
+    quote! { __kin::Plan { steps: #steps, modes: #modes, margins: #margins, absent: __kin::None } }
+}
+
+/// A step with these joints, coordinates, modes and margins.
+fn step(step: &Step, [joints, coordinates, modes, margins]: [&TokenStream; 4]) -> TokenStream {
+    let kind = match step.kind {
+        Kind::Explicit => quote! { __kin::StepKind::Explicit },
+        Kind::Linear(n) => quote! { __kin::StepKind::Linear(#n) },
+        Kind::Closure => quote! { __kin::StepKind::Closure },
+        Kind::Newton(n) => quote! { __kin::StepKind::Newton(#n) },
+    };
+    let (group, singular) = (&step.group, &step.singular);
+    quote! {
+        __kin::PlanStep {
+            kind: #kind, group: #group, joints: #joints, coordinates: #coordinates,
+            modes: #modes, margins: #margins, singular: #singular,
+        }
+    }
+}
+
+fn steps(plan: &SolutionPlan) -> TokenStream {
+    let steps = plan.steps.iter().map(|of| {
+        let joints = &of.joints;
+        let coordinates = of.coordinates.iter().map(|(k, joint)| {
+            let k = *k as usize;
+            quote! { (#k, #joint) }
+        });
+        let [modes, margins] = [&of.modes, &of.margins].map(|range| {
+            let (start, end) = (range.start, range.end);
+            quote! { (#start, #end) }
+        });
+        step(of, [&quote! { &[#(#joints),*] }, &quote! { &[#(#coordinates),*] }, &modes, &margins])
+    });
+    quote! { &[#(#steps),*] }
+}
+
+fn modes(plan: &SolutionPlan) -> TokenStream {
+    let modes = plan.modes.iter().map(|mode| {
+        let (name, step, margin) = (&mode.name, mode.step, mode.margin);
+        quote! { __kin::ModeInfo { name: #name, step: #step, margin: #margin } }
+    });
+    quote! { &[#(#modes),*] }
+}
+
+/// Steps that are alike but for their places.
+struct Alike<'p>(&'p Step);
+
+impl PartialEq for Alike<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        let (step, other) = (self.0, other.0);
+        step.kind == other.kind && step.group == other.group && step.singular == other.singular
+    }
+}
+
+fn packed_steps(plan: &SolutionPlan) -> TokenStream {
+    let mut packed = Packed::new(plan.steps.len());
+    let mut joints = Packed::<()>::new(plan.steps.iter().map(|step| step.joints.len()).sum());
+    let mut coordinates = Packed::<()>::new(plan.steps.iter().map(|step| step.coordinates.len()).sum());
+    for step in &plan.steps {
+        packed.kind(Alike(step));
+        packed.word(step.joints.len());
+        packed.word(step.coordinates.len());
+        for end in [step.modes.start, step.modes.end, step.margins.start, step.margins.end] {
+            packed.word(end);
+        }
+        step.joints.iter().for_each(|joint| joints.word(*joint));
+        for (k, joint) in &step.coordinates {
+            coordinates.word(*k as usize);
+            coordinates.word(*joint);
+        }
+    }
+    let nothing = quote! { &[] };
+    let nowhere = quote! { (0, 0) };
+    let kinds = packed.kinds(|alike| step(alike.0, [&nothing, &nothing, &nowhere, &nowhere]));
+    let joints = joints.unpacked("numbers", &TokenStream::new());
+    let coordinates = coordinates.unpacked("entries", &TokenStream::new());
+    packed.unpacked("steps", &quote! { , #kinds, #joints, #coordinates })
+}
+
+fn packed_modes(plan: &SolutionPlan) -> TokenStream {
+    let mut packed = Packed::<()>::new(plan.modes.len());
+    for mode in &plan.modes {
+        packed.name(&mode.name);
+        packed.word(mode.step);
+        packed.word(mode.margin);
+    }
+    packed.unpacked("modes", &TokenStream::new())
+}
