@@ -1,8 +1,8 @@
-//! A hash for small keys of our own making.
+//! A hash for small keys of our own making, and a table of what has been met.
 //!
-//! Macros are built without optimisation, where the standard library's keyed hash takes a good part of an expansion. Its
-//! protection against chosen keys is of no use here: keys are ids and instructions, and whoever writes a mechanism
-//! waits for it alone. Nothing iterates such a map.
+//! Macros are built without optimisation, where the standard library's keyed hash takes a good part of an expansion, and
+//! its tables, written for groups of keys at a time, another. Protection against chosen keys is of no use here: keys are
+//! ids and instructions, and whoever writes a mechanism waits for it alone. Nothing iterates such a map.
 
 use core::hash::{BuildHasherDefault, Hasher};
 use std::collections::HashMap;
@@ -56,10 +56,90 @@ impl Hasher for Fast {
     }
 }
 
+/// One more word in a hash; the upper half is the best mixed.
+pub(crate) const fn mixed(hash: u64, word: u64) -> u64 {
+    let product = (hash ^ word).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    product ^ (product >> 29)
+}
+
+/// Where things stand that are kept in order elsewhere, found by their hash: open addressing, one slot after the other.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Table {
+    /// The upper half of the hash, and the place plus one; 0 is free. As many as a power of two, half of them free.
+    slots: Vec<u64>,
+    len: usize,
+}
+
+impl Table {
+    /// The place that has this hash and is the `same`.
+    pub(crate) fn find(&self, hash: u64, same: impl Fn(usize) -> bool) -> Option<usize> {
+        if self.slots.is_empty() {
+            return None;
+        }
+        let mask = self.slots.len() - 1;
+        let mut at = (hash >> 32) as usize & mask;
+        loop {
+            let slot = self.slots[at];
+            if slot == 0 {
+                return None;
+            }
+            if (slot ^ hash) >> 32 == 0 {
+                let place = (slot & 0xFFFF_FFFF) as usize - 1;
+                if same(place) {
+                    return Some(place);
+                }
+            }
+            at = (at + 1) & mask;
+        }
+    }
+
+    /// Notes a place that was not found.
+    pub(crate) fn insert(&mut self, hash: u64, place: usize) {
+        self.len += 1;
+        if 2 * self.len > self.slots.len() {
+            let wider = vec![0; (2 * self.slots.len()).max(64)];
+            let slots = std::mem::replace(&mut self.slots, wider);
+            let mut k = 0;
+            while k < slots.len() {
+                if slots[k] != 0 {
+                    self.put(slots[k]);
+                }
+                k += 1;
+            }
+        }
+        self.put((hash >> 32 << 32) | (place as u64 + 1));
+    }
+
+    fn put(&mut self, slot: u64) {
+        let mask = self.slots.len() - 1;
+        let mut at = (slot >> 32) as usize & mask;
+        while self.slots[at] != 0 {
+            at = (at + 1) & mask;
+        }
+        self.slots[at] = slot;
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use core::hash::Hash;
+
+    #[test]
+    fn a_table_finds_what_was_put_in_and_nothing_else() {
+        let keys: Vec<u64> = (0..1000).map(|k| k * k % 1009 + 5000 * k).collect();
+        let mut table = Table::default();
+        for (place, key) in keys.iter().enumerate() {
+            // Some share all of their hash, most share the slot where the search begins.
+            let hash = mixed(7, *key % 400);
+            assert_eq!(table.find(hash, |other| keys[other] == *key), None);
+            table.insert(hash, place);
+        }
+        for (place, key) in keys.iter().enumerate() {
+            assert_eq!(table.find(mixed(7, *key % 400), |other| keys[other] == *key), Some(place));
+        }
+        assert_eq!(table.find(mixed(7, 401), |_| true), None);
+    }
 
     #[test]
     fn neighbours_are_told_apart_by_the_bits_that_a_map_looks_at() {

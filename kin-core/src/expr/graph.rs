@@ -1,7 +1,7 @@
 //! The hash-consed arena: every distinct expression once.
 
 use super::node::{Bits, Depends, ExprId, Node, Symbol};
-use crate::hash::FastMap;
+use crate::hash::Table;
 
 /// An arena of expressions. Operands always come before the expressions that use them.
 ///
@@ -11,7 +11,9 @@ use crate::hash::FastMap;
 pub struct Graph {
     nodes: Vec<Node>,
     depends: Vec<Depends>,
-    known: FastMap<Node, ExprId>,
+    known: Table,
+    /// The literal 0, which is asked for more often than anything else.
+    zero: Option<ExprId>,
     pub(super) simplify: bool,
 }
 
@@ -24,7 +26,7 @@ impl Default for Graph {
 impl Graph {
     /// An empty graph that simplifies at construction.
     pub fn new() -> Self {
-        Self { nodes: Vec::new(), depends: Vec::new(), known: FastMap::default(), simplify: true }
+        Self { nodes: Vec::new(), depends: Vec::new(), known: Table::default(), zero: None, simplify: true }
     }
 
     /// An empty graph that keeps every operation as it is written.
@@ -54,12 +56,17 @@ impl Graph {
 
     /// The id of `node` if it has been built.
     pub(super) fn find(&self, node: &Node) -> Option<ExprId> {
-        self.known.get(node).copied()
+        self.found(node, node.hashed())
+    }
+
+    fn found(&self, node: &Node, hash: u64) -> Option<ExprId> {
+        self.known.find(hash, |place| self.nodes[place] == *node).map(|place| ExprId(place as u32))
     }
 
     /// The id of `node`, built as it is when it is new.
     pub(super) fn intern(&mut self, node: Node) -> ExprId {
-        if let Some(&id) = self.known.get(&node) {
+        let hash = node.hashed();
+        if let Some(id) = self.found(&node, hash) {
             return id;
         }
         let mut depends = match node {
@@ -71,7 +78,7 @@ impl Graph {
         let id = ExprId(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX));
         self.nodes.push(node);
         self.depends.push(depends);
-        self.known.insert(node, id);
+        self.known.insert(hash, id.index());
         id
     }
 
@@ -82,7 +89,14 @@ impl Graph {
 
     /// The literal 0.
     pub fn zero(&mut self) -> ExprId {
-        self.number(0.0)
+        match self.zero {
+            Some(zero) => zero,
+            None => {
+                let zero = self.number(0.0);
+                self.zero = Some(zero);
+                zero
+            }
+        }
     }
 
     /// A symbol.
@@ -100,7 +114,7 @@ impl Graph {
 
     /// True for the literal 0.
     pub fn is_zero(&self, id: ExprId) -> bool {
-        self.literal(id) == Some(0.0)
+        matches!(self.node(id), Node::Number(bits) if bits.is_zero())
     }
 
     /// Every expression that was built, operands first.
@@ -120,7 +134,19 @@ impl Graph {
                 self.node(id).for_each_operand(|operand| stack.push(operand));
             }
         }
-        found.sort_unstable();
+        if found.len() < self.nodes.len() / 16 {
+            found.sort_unstable();
+            return found;
+        }
+        // Much of the graph: whoever is seen stands in order already.
+        found.clear();
+        let mut place = 0;
+        while place < seen.len() {
+            if seen[place] {
+                found.push(ExprId(place as u32));
+            }
+            place += 1;
+        }
         found
     }
 }

@@ -1,7 +1,7 @@
 //! Coordinates as far as they are solved: values, rotations and rates, and expressions in terms of them.
 
 use super::rewrite::{Substitution, Turned, rewrite};
-use crate::expr::{ExprId, Graph, Node, Symbol};
+use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
 use crate::hash::FastMap;
 use crate::structure::turn::terms;
 
@@ -12,7 +12,7 @@ pub(super) struct Known {
     pub(super) turns: FastMap<u32, Turned>,
     pub(super) rates: FastMap<u32, ExprId>,
     /// Expressions of the description, rewritten.
-    pub(super) rewritten: FastMap<ExprId, ExprId>,
+    pub(super) rewritten: IdMap<ExprId>,
 }
 
 impl Known {
@@ -39,18 +39,13 @@ impl Substitution for InTermsOf<'_> {
         }
     }
 
-    fn turn(&mut self, graph: &mut Graph, known: &FastMap<ExprId, ExprId>, angle: ExprId) -> Option<Turned> {
+    fn turn(&mut self, graph: &mut Graph, known: &IdMap<ExprId>, angle: ExprId) -> Option<Turned> {
         Some(turned(graph, self.turns, known, angle))
     }
 }
 
 /// The rotation by an angle: products of known cosines and sines where there are any, and the rest as an angle.
-pub(super) fn turned(
-    graph: &mut Graph,
-    turns: &FastMap<u32, Turned>,
-    known: &FastMap<ExprId, ExprId>,
-    angle: ExprId,
-) -> Turned {
+pub(super) fn turned(graph: &mut Graph, turns: &FastMap<u32, Turned>, known: &IdMap<ExprId>, angle: ExprId) -> Turned {
     let mut pair: Option<[ExprId; 2]> = None;
     let mut rest = graph.zero();
     for (times, id) in terms(graph, angle) {
@@ -69,14 +64,14 @@ pub(super) fn turned(
                 }
             }
             _ => {
-                let (factor, value) = (graph.number(times as f64), known.get(&id).copied().unwrap_or(id));
+                let (factor, value) = (graph.number(times as f64), known.or(id, id));
                 let term = graph.mul(factor, value);
                 rest = graph.add(rest, term);
             }
         }
     }
     match pair {
-        None => Turned::Angle(known.get(&angle).copied().unwrap_or(rest)),
+        None => Turned::Angle(known.or(angle, rest)),
         Some(pair) if graph.is_zero(rest) => Turned::Pair(pair),
         Some(pair) => Turned::Pair(graph.rotate(rest, pair)),
     }

@@ -36,6 +36,7 @@ pub use sections::Section;
 pub use steps::{Kind, Mode, Step};
 
 use crate::constraint::Coordinate;
+use crate::expr::IdMap;
 use crate::program::{Program, Slot, lower};
 use crate::system::KinematicSystem;
 use build::Build;
@@ -113,6 +114,7 @@ fn planned(system: &KinematicSystem, rank: usize) -> Result<SolutionPlan, String
         rows: set.rows.iter().map(|row| row.phi).collect(),
         made_of: all.iter().map(|&row| BTreeSet::from([row])).collect(),
         replaced: BTreeSet::new(),
+        rewritten: IdMap::default(),
     };
     let determined = || "the rows do not determine all coordinates".to_owned();
     let pattern = system.equations.iter().map(|equation| equation.phi_q.iter().map(|(k, _)| *k as usize).collect());

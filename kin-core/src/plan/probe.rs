@@ -4,8 +4,7 @@
 //! and other functions are drawn, the same expression always the same. An expression that is not zero passes for zero
 //! with a probability of its degree over 2⁶¹.
 
-use crate::expr::{ExprId, Graph, Node};
-use crate::hash::FastMap;
+use crate::expr::{ExprId, Graph, IdMap, Node};
 use crate::mechanism::Function;
 use crate::structure::field::{Draw, Residue};
 use crate::structure::turn::Turns;
@@ -17,14 +16,14 @@ const SORT_FUNCTION: u64 = 21;
 pub(super) struct Probe {
     turns: Turns,
     draw: Draw,
-    known: FastMap<ExprId, Residue>,
+    known: IdMap<Residue>,
 }
 
 impl Probe {
     /// A probe for expressions over so many coordinates.
     pub(super) fn new(coordinates: usize) -> Self {
         let draw = Draw(0x6b69_6e00_706c_616e);
-        Self { turns: Turns::free(coordinates, draw), draw, known: FastMap::default() }
+        Self { turns: Turns::free(coordinates, draw), draw, known: IdMap::default() }
     }
 
     /// True when `id` is zero for all values of its symbols.
@@ -43,15 +42,18 @@ impl Probe {
     }
 
     fn of(&mut self, graph: &Graph, id: ExprId) -> Residue {
+        if self.known.contains(id) {
+            return self.known.or(id, Residue::default());
+        }
         let mut open = vec![id];
         while let Some(&next) = open.last() {
-            if self.known.contains_key(&next) {
+            if self.known.contains(next) {
                 open.pop();
                 continue;
             }
             let before = open.len();
             graph.node(next).for_each_operand(|operand| {
-                if !self.known.contains_key(&operand) {
+                if !self.known.contains(operand) {
                     open.push(operand);
                 }
             });
@@ -61,11 +63,11 @@ impl Probe {
                 open.pop();
             }
         }
-        self.known.get(&id).copied().unwrap_or_default()
+        self.known.or(id, Residue::default())
     }
 
     fn node(&self, graph: &Graph, id: ExprId) -> Residue {
-        let v = |id: ExprId| self.known.get(&id).copied().unwrap_or_default();
+        let v = |id: ExprId| self.known.or(id, Residue::default());
         let drawn = || self.draw.residue(SORT_FUNCTION, id.index() as u64);
         match graph.node(id) {
             Node::Number(bits) => Residue::number(bits.value()),

@@ -20,8 +20,7 @@ use super::probe::Probe;
 use super::recognise::recognise;
 use super::rewrite::{Substitution, rewrite};
 use super::tree::{Block, Core, Exchange, Pair, PairValue, Part, Pivot, Way};
-use crate::expr::{ExprId, Graph, Node, Symbol};
-use crate::hash::FastMap;
+use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Rows while they are being reduced.
@@ -34,6 +33,8 @@ pub(super) struct Reduction<'a> {
     pub(super) made_of: Vec<BTreeSet<usize>>,
     /// Rows that a pair has replaced.
     pub(super) replaced: BTreeSet<usize>,
+    /// What the last substitution has rewritten.
+    pub(super) rewritten: IdMap<ExprId>,
 }
 
 /// An unknown that two rows had, what it is, and the row that holds without it.
@@ -69,13 +70,13 @@ impl Reduction<'_> {
             let value = self.solved_for(&form, coordinate);
             rows.retain(|&other| other != row);
             unknowns.remove(&coordinate);
-            let mut known = FastMap::default();
+            self.rewritten.clear();
             for &other in &rows {
                 let holds = self.graph.reachable([self.rows[other]]).into_iter();
                 let symbol = Node::Symbol(Symbol::Coordinate(coordinate));
                 if holds.map(|id| self.graph.node(id)).any(|node| node == symbol) {
                     let mut replaced = Replaced { coordinate, value };
-                    self.rows[other] = rewrite(self.graph, self.rows[other], &mut known, &mut replaced);
+                    self.rows[other] = rewrite(self.graph, self.rows[other], &mut self.rewritten, &mut replaced);
                     let own = self.made_of[row].clone();
                     self.made_of[other].extend(own);
                     let form = self.form(other, &unknowns);
@@ -154,7 +155,8 @@ impl Reduction<'_> {
         }
         for &coordinate in written.difference(&left) {
             let mut replaced = Replaced { coordinate, value: self.graph.zero() };
-            self.rows[row] = rewrite(self.graph, self.rows[row], &mut FastMap::default(), &mut replaced);
+            self.rewritten.clear();
+            self.rows[row] = rewrite(self.graph, self.rows[row], &mut self.rewritten, &mut replaced);
         }
         Reader::new(self.graph, self.probe, unknowns).read(self.rows[row])
     }

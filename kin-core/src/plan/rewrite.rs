@@ -1,7 +1,6 @@
 //! Expressions with other things in the place of their symbols.
 
-use crate::expr::{ExprId, Graph, Node, Symbol};
-use crate::hash::FastMap;
+use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
 use crate::mechanism::Function;
 
 /// What stands for symbols and for sines and cosines; `None` leaves them as they are.
@@ -13,7 +12,7 @@ pub(super) trait Substitution {
         None
     }
     /// The cosine and sine of an angle, given as it was before, and what its parts have become.
-    fn turn(&mut self, _graph: &mut Graph, _known: &FastMap<ExprId, ExprId>, _angle: ExprId) -> Option<Turned> {
+    fn turn(&mut self, _graph: &mut Graph, _known: &IdMap<ExprId>, _angle: ExprId) -> Option<Turned> {
         None
     }
 }
@@ -57,12 +56,15 @@ impl Turned {
 pub(super) fn rewrite(
     graph: &mut Graph,
     root: ExprId,
-    known: &mut FastMap<ExprId, ExprId>,
+    known: &mut IdMap<ExprId>,
     substitution: &mut impl Substitution,
 ) -> ExprId {
+    if known.contains(root) {
+        return known.or(root, root);
+    }
     let mut open = vec![(root, false)];
     while let Some((id, ready)) = open.pop() {
-        if known.contains_key(&id) {
+        if known.contains(id) {
             continue;
         }
         if let Some(other) = substitution.whole(graph, id) {
@@ -75,18 +77,17 @@ pub(super) fn rewrite(
             continue;
         }
         open.push((id, true));
-        graph.node(id).for_each_operand(|operand| open.push((operand, false)));
+        graph.node(id).for_each_operand(|operand| {
+            if !known.contains(operand) {
+                open.push((operand, false));
+            }
+        });
     }
-    known.get(&root).copied().unwrap_or(root)
+    known.or(root, root)
 }
 
-fn node(
-    graph: &mut Graph,
-    id: ExprId,
-    known: &FastMap<ExprId, ExprId>,
-    substitution: &mut impl Substitution,
-) -> ExprId {
-    let v = |id: ExprId| known.get(&id).copied().unwrap_or(id);
+fn node(graph: &mut Graph, id: ExprId, known: &IdMap<ExprId>, substitution: &mut impl Substitution) -> ExprId {
+    let v = |id: ExprId| known.or(id, id);
     match graph.node(id) {
         Node::Number(_) => id,
         Node::Symbol(symbol) => substitution.symbol(graph, symbol).unwrap_or(id),

@@ -2,10 +2,8 @@
 
 use super::build::Stage;
 use super::rewrite::{Substitution, rewrite};
-use crate::expr::{ExprId, Graph, Node, Symbol};
-use crate::hash::FastMap;
+use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
 use crate::program::{Program, Slot, lower};
-use std::collections::BTreeSet;
 
 /// A stretch of a solution.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -26,11 +24,20 @@ pub enum Section {
 /// Where the value of an expression is found.
 struct Places {
     /// The section that computes it.
-    owner: FastMap<ExprId, usize>,
-    held: FastMap<ExprId, u32>,
+    owner: IdMap<usize>,
+    held: IdMap<u32>,
     /// (section, place, expression) of everything that is held.
     wanted: Vec<(usize, u32, ExprId)>,
     next: u32,
+}
+
+impl Places {
+    /// The first section that has it computes it.
+    fn own(&mut self, id: ExprId, section: usize) {
+        if !self.owner.contains(id) {
+            self.owner.insert(id, section);
+        }
+    }
 }
 
 /// Everything that a section finds done.
@@ -47,7 +54,7 @@ impl Substitution for Done<'_> {
     }
 
     fn whole(&mut self, graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-        let owner = *self.places.owner.get(&id)?;
+        let owner = *self.places.owner.get(id)?;
         let known = match graph.node(id) {
             // The other sign is as good.
             Node::Number(_) | Node::Neg(_) => true,
@@ -57,24 +64,28 @@ impl Substitution for Done<'_> {
         if owner >= self.section || known {
             return None;
         }
-        let place = *self.places.held.entry(id).or_insert_with(|| {
-            let place = self.places.next;
-            self.places.next += 1;
-            self.places.wanted.push((owner, place, id));
-            place
-        });
+        let place = match self.places.held.get(id) {
+            Some(&place) => place,
+            None => {
+                let place = self.places.next;
+                self.places.next += 1;
+                self.places.wanted.push((owner, place, id));
+                self.places.held.insert(id, place);
+                place
+            }
+        };
         Some(graph.symbol(Symbol::Held(place)))
     }
 }
 
 /// The sections of `stages`, of which the last may be empty, and how many values they hold; `first` are taken.
 pub(super) fn sections(graph: &mut Graph, stages: Vec<Stage>, first: u32) -> (Vec<Section>, u32) {
-    let mut places = Places { owner: FastMap::default(), held: FastMap::default(), wanted: Vec::new(), next: first };
+    let mut places = Places { owner: IdMap::default(), held: IdMap::default(), wanted: Vec::new(), next: first };
     for (number, stage) in stages.iter().enumerate() {
         match stage {
             Stage::Closed(outputs) => {
                 for id in graph.reachable(outputs.iter().map(|(_, id)| *id)) {
-                    places.owner.entry(id).or_insert(number);
+                    places.own(id, number);
                 }
             }
             Stage::Newton { unknowns, corrections, .. } => {
@@ -101,15 +112,15 @@ pub(super) fn sections(graph: &mut Graph, stages: Vec<Stage>, first: u32) -> (Ve
 
 /// What an iteration needs and never changes belongs to the section before it.
 fn own_constants(graph: &Graph, places: &mut Places, number: usize, unknowns: &[u32], corrections: &[ExprId]) {
-    let mut moving: BTreeSet<ExprId> = BTreeSet::new();
+    let mut moving: IdMap<()> = IdMap::default();
     for id in graph.reachable(corrections.iter().copied()) {
         let node = graph.node(id);
         let mut moves = matches!(node, Node::Symbol(Symbol::Unknown(k)) if unknowns.contains(&k));
-        node.for_each_operand(|operand| moves |= moving.contains(&operand));
+        node.for_each_operand(|operand| moves |= moving.contains(operand));
         if moves {
-            moving.insert(id);
+            moving.insert(id, ());
         } else {
-            places.owner.entry(id).or_insert(number.saturating_sub(1));
+            places.own(id, number.saturating_sub(1));
         }
     }
 }
@@ -117,11 +128,11 @@ fn own_constants(graph: &Graph, places: &mut Places, number: usize, unknowns: &[
 /// The same outputs in two programs: what does not depend on right sides, held, and the rest, which reads what is held
 /// and right sides alone; how many values are held.
 pub(super) fn split(graph: &mut Graph, outputs: Vec<(Slot, ExprId)>) -> ([Program; 2], u32) {
-    let mut places = Places { owner: FastMap::default(), held: FastMap::default(), wanted: Vec::new(), next: 0 };
+    let mut places = Places { owner: IdMap::default(), held: IdMap::default(), wanted: Vec::new(), next: 0 };
     for id in graph.reachable(outputs.iter().map(|(_, id)| *id)) {
         let node = graph.node(id);
         let mut owner = usize::from(matches!(node, Node::Symbol(Symbol::Right(_))));
-        node.for_each_operand(|operand| owner = owner.max(places.owner.get(&operand).copied().unwrap_or(0)));
+        node.for_each_operand(|operand| owner = owner.max(places.owner.or(operand, 0)));
         places.owner.insert(id, owner);
     }
     let mut programs = programs(graph, &mut places, vec![Vec::new(), outputs], true).into_iter();
@@ -135,15 +146,16 @@ fn programs(
     mut roots: Vec<Vec<(Slot, ExprId)>>,
     symbols: bool,
 ) -> Vec<Program> {
-    let mut rewritten: Vec<FastMap<ExprId, ExprId>> = roots.iter().map(|_| FastMap::default()).collect();
+    let mut rewritten = IdMap::default();
     // From the last to the first: what is wanted of a section is known when it is written.
     for section in (0..roots.len()).rev() {
         let wanted = places.wanted.iter().filter(|(owner, ..)| *owner == section);
         let wanted: Vec<_> = wanted.map(|&(_, place, id)| (Slot::Held(place as usize), id)).collect();
         roots[section].extend(wanted);
+        rewritten.clear();
         for (_, id) in &mut roots[section] {
             let mut done = Done { places: &mut *places, section, symbols };
-            *id = rewrite(graph, *id, &mut rewritten[section], &mut done);
+            *id = rewrite(graph, *id, &mut rewritten, &mut done);
         }
     }
     roots.into_iter().map(|outputs| lower(graph, &outputs)).collect()

@@ -6,8 +6,8 @@
 use super::gather::gather;
 use super::signs::{self, Signs};
 use super::{Instruction, Program, Slot, Value};
-use crate::expr::{Bits, ExprId, Graph, Node, Rotation};
-use crate::hash::FastMap;
+use crate::expr::{Bits, ExprId, Graph, IdMap, Node, Rotation};
+use crate::hash::Table;
 use crate::mechanism::Function;
 
 /// A value with a sign: the expression is the value, or its opposite.
@@ -20,8 +20,7 @@ struct Signed {
 /// Lowers `outputs`.
 pub fn lower(graph: &Graph, outputs: &[(Slot, ExprId)]) -> Program {
     let signs = signs::choose(graph, outputs.iter().map(|(_, id)| *id));
-    let mut lowering =
-        Lowering { graph, signs, known: FastMap::default(), values: FastMap::default(), out: Vec::new() };
+    let mut lowering = Lowering { graph, signs, known: IdMap::default(), values: Table::default(), out: Vec::new() };
     let mut written = Vec::with_capacity(outputs.len());
     for (slot, id) in outputs {
         lowering.reach(*id);
@@ -34,8 +33,8 @@ pub fn lower(graph: &Graph, outputs: &[(Slot, ExprId)]) -> Program {
 struct Lowering<'g> {
     graph: &'g Graph,
     signs: Signs,
-    known: FastMap<ExprId, Signed>,
-    values: FastMap<Instruction, Value>,
+    known: IdMap<Signed>,
+    values: Table,
     out: Vec<Instruction>,
 }
 
@@ -44,7 +43,7 @@ impl Lowering<'_> {
     fn reach(&mut self, root: ExprId) {
         let mut stack = vec![(root, false)];
         while let Some((id, ready)) = stack.pop() {
-            if self.known.contains_key(&id) {
+            if self.known.contains(id) {
                 continue;
             }
             if ready {
@@ -53,9 +52,18 @@ impl Lowering<'_> {
                 continue;
             }
             stack.push((id, true));
-            let mut operands = Vec::new();
-            self.graph.node(id).for_each_operand(|operand| operands.push(operand));
-            stack.extend(operands.into_iter().rev().map(|operand| (operand, false)));
+            // The first operand on top.
+            let (mut operands, mut count) = ([id; 5], 0);
+            self.graph.node(id).for_each_operand(|operand| {
+                operands[count] = operand;
+                count += 1;
+            });
+            while count > 0 {
+                count -= 1;
+                if !self.known.contains(operands[count]) {
+                    stack.push((operands[count], false));
+                }
+            }
         }
     }
 
@@ -65,12 +73,13 @@ impl Lowering<'_> {
             Instruction::Mul(a, b) => Instruction::Mul(a.min(b), a.max(b)),
             other => other,
         };
-        if let Some(value) = self.values.get(&canonical) {
-            return *value;
+        let hash = canonical.hashed();
+        if let Some(place) = self.values.find(hash, |place| self.out[place] == canonical) {
+            return Value(place as u32);
         }
         let value = Value(self.out.len() as u32);
         self.out.push(canonical);
-        self.values.insert(canonical, value);
+        self.values.insert(hash, value.index());
         value
     }
 
@@ -79,7 +88,7 @@ impl Lowering<'_> {
     }
 
     fn signed(&self, id: ExprId) -> Signed {
-        self.known.get(&id).copied().unwrap_or(Signed { value: Value(0), negative: false })
+        self.known.or(id, Signed { value: Value(0), negative: false })
     }
 
     /// The value of `id` itself.
@@ -131,7 +140,7 @@ impl Lowering<'_> {
     }
 
     fn node(&mut self, id: ExprId) -> Signed {
-        let swap = self.signs.swapped.contains(&id);
+        let swap = self.signs.swapped.contains(id);
         let plain = |value| Signed { value, negative: false };
         match self.graph.node(id) {
             Node::Number(bits) if bits.value() < 0.0 => Signed { value: self.number(-bits.value()), negative: true },
@@ -204,7 +213,7 @@ impl Lowering<'_> {
     /// other is added or subtracted.
     fn rotation(&mut self, r: Rotation, is_x: bool) -> Signed {
         let (sin, cos) = self.sin_cos(r.angle);
-        let negated = self.signs.negated.contains(&r);
+        let negated = self.signs.negated.contains_key(&r);
         let (with_x, with_y) = if is_x { (cos, Self::opposite(sin)) } else { (sin, cos) };
         let x_is_zero = self.graph.is_zero(r.x);
         let terms = [(with_x, r.x, true), (with_y, r.y, x_is_zero)].map(|(factor, id, leads)| {

@@ -5,17 +5,16 @@
 //! literal factor (−l/2 costs no more than l/2), and the sign of a difference by swapping its operands. Each output
 //! votes for the signs of the atoms and differences that decide its own.
 
-use crate::expr::{ExprId, Graph, Node, Rotation};
+use crate::expr::{ExprId, Graph, IdMap, Node, Rotation};
 use crate::hash::FastMap;
-use std::collections::HashSet;
 
 /// Choices of sign.
 #[derive(Debug, Default)]
 pub(super) struct Signs {
     /// Rotated vectors that are computed as −ρ.
-    pub(super) negated: HashSet<Rotation>,
+    pub(super) negated: FastMap<Rotation, ()>,
     /// Differences that are computed the other way round.
-    pub(super) swapped: HashSet<ExprId>,
+    pub(super) swapped: IdMap<()>,
 }
 
 /// Chooses signs for these outputs.
@@ -28,10 +27,12 @@ pub(super) fn choose(graph: &Graph, outputs: impl Iterator<Item = ExprId>) -> Si
         let leading = if graph.is_zero(rotation.x) { rotation.y } else { rotation.x };
         let cost = i32::from(!is_free(graph, leading));
         if vote < -cost {
-            signs.negated.insert(rotation);
+            signs.negated.insert(rotation, ());
         }
     }
-    signs.swapped = votes.differences.into_iter().filter(|(_, vote)| *vote < 0).map(|(id, _)| id).collect();
+    for (id, _) in votes.differences.iter().filter(|(_, vote)| **vote < 0) {
+        signs.swapped.insert(id, ());
+    }
     signs
 }
 
@@ -48,7 +49,7 @@ pub(super) fn is_free(graph: &Graph, id: ExprId) -> bool {
 #[derive(Debug, Default)]
 struct Votes {
     vectors: FastMap<Rotation, i32>,
-    differences: FastMap<ExprId, i32>,
+    differences: IdMap<i32>,
 }
 
 impl Votes {

@@ -1,0 +1,102 @@
+//! A map from expressions: their places in the arena are the places of the map.
+
+use super::ExprId;
+
+/// What is known of expressions. Asking is an index into a list, which costs little also without optimisation.
+#[derive(Clone, Debug)]
+pub(crate) struct IdMap<V> {
+    /// For every expression 0, or the place of its value plus one.
+    slots: Vec<u32>,
+    ids: Vec<ExprId>,
+    values: Vec<V>,
+}
+
+impl<V> Default for IdMap<V> {
+    fn default() -> Self {
+        Self { slots: Vec::new(), ids: Vec::new(), values: Vec::new() }
+    }
+}
+
+impl<V> IdMap<V> {
+    fn slot(&self, id: ExprId) -> u32 {
+        let place = id.index();
+        if place < self.slots.len() { self.slots[place] } else { 0 }
+    }
+
+    /// What is known of `id`.
+    pub(crate) fn get(&self, id: ExprId) -> Option<&V> {
+        match self.slot(id) {
+            0 => None,
+            slot => Some(&self.values[slot as usize - 1]),
+        }
+    }
+
+    /// Whether something is known of `id`.
+    pub(crate) fn contains(&self, id: ExprId) -> bool {
+        self.slot(id) != 0
+    }
+
+    /// Remembers what is known of `id` now.
+    pub(crate) fn insert(&mut self, id: ExprId, value: V) {
+        let place = id.index();
+        if place >= self.slots.len() {
+            let mut longer = vec![0; (2 * self.slots.len()).max(place + 1).max(64)];
+            longer[..self.slots.len()].copy_from_slice(&self.slots);
+            self.slots = longer;
+        }
+        match self.slots[place] {
+            0 => {
+                self.ids.push(id);
+                self.values.push(value);
+                self.slots[place] = self.values.len() as u32;
+            }
+            slot => self.values[slot as usize - 1] = value,
+        }
+    }
+
+    /// Forgets everything, in as many steps as there is to forget.
+    pub(crate) fn clear(&mut self) {
+        let mut k = 0;
+        while k < self.ids.len() {
+            self.slots[self.ids[k].index()] = 0;
+            k += 1;
+        }
+        self.ids.clear();
+        self.values.clear();
+    }
+
+    /// Everything, in the order in which it was first remembered.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (ExprId, &V)> {
+        self.ids.iter().copied().zip(&self.values)
+    }
+}
+
+impl<V: Copy> IdMap<V> {
+    /// What is known of `id`, or `otherwise`.
+    pub(crate) fn or(&self, id: ExprId, otherwise: V) -> V {
+        match self.slot(id) {
+            0 => otherwise,
+            slot => self.values[slot as usize - 1],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_forgotten_is_not_known_and_what_is_told_twice_is_the_later() {
+        let mut map = IdMap::default();
+        for k in [900, 3, 70, 3] {
+            map.insert(ExprId(k), k + map.iter().count() as u32);
+        }
+        assert_eq!([900, 3, 70].map(|k| map.get(ExprId(k)).copied()), [Some(900), Some(6), Some(72)]);
+        assert!(!map.contains(ExprId(4)) && map.get(ExprId(5000)).is_none() && map.or(ExprId(71), 1) == 1);
+        assert_eq!(map.iter().map(|(id, _)| id.0).collect::<Vec<_>>(), [900, 3, 70]);
+        map.clear();
+        assert!((0..1000).all(|k| !map.contains(ExprId(k))));
+        map.insert(ExprId(70), 1);
+        assert_eq!(map.or(ExprId(70), 0), 1);
+    }
+}
