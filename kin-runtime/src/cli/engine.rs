@@ -3,6 +3,7 @@
 use super::failure::Failure;
 use super::names::listing;
 use crate::cross_check::{CrossCheck, CrossCheckOptions, PlanCheck};
+use crate::curve::CurvePoint;
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::mobility::Mobility;
@@ -76,6 +77,10 @@ pub(super) trait Engine {
     fn plan_check(&self, options: &CrossCheckOptions) -> Result<Option<PlanCheck>, SolveError>;
     /// The modes of a configuration; none where there is no plan.
     fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Vec<Mode>;
+    /// Local points, axes, values and radii at an instant.
+    fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError>;
+    /// A point of the curve of a joint.
+    fn curve(&self, at: &Instant<'_>, joint: usize, s: f64) -> Option<CurvePoint>;
     /// The worst rows of Φ_q q̇ = −Φ_t and of Φ_q q̈ = γ.
     fn misses(&self, state: &State) -> Result<[Option<Miss>; 2], SolveError>;
 }
@@ -156,6 +161,16 @@ impl<M: Mechanism> Engine for Bound<M> {
 
     fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Vec<Mode> {
         Solver::new(&self.mechanism).modes(at, q).unwrap_or_default()
+    }
+
+    fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError> {
+        let mut geometry = vec![0.0; M::model().geometry];
+        self.mechanism.write_geometry(self.mechanism.parameters::<f64>().as_ref(), at, &mut geometry)?;
+        Ok(geometry)
+    }
+
+    fn curve(&self, at: &Instant<'_>, joint: usize, s: f64) -> Option<CurvePoint> {
+        self.mechanism.curve_point(at, joint, s).ok().flatten()
     }
 
     fn misses(&self, state: &State) -> Result<[Option<Miss>; 2], SolveError> {

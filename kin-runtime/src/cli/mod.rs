@@ -7,7 +7,7 @@
 //! # }
 //! ```
 //!
-//! The commands are `info`, `solve`, `sweep` and `check`, one per file; without a command a report at t = 0 is printed.
+//! The commands are `info`, `solve`, `sweep`, `animate` and `check`, one per file; without a command a report at t = 0 is printed.
 //! Results go to stdout or to the file of `--out`, everything else to stderr. The exit status is 0 only when the
 //! answer is good, 2 when the options make no sense, and 1 when the mechanism has no good answer.
 //!
@@ -27,10 +27,12 @@ use engine::{Bound, Engine};
 use failure::Failure;
 use session::Session;
 
+mod animate;
 mod check;
 mod engine;
 mod failure;
 mod info;
+mod moving;
 mod names;
 mod options;
 mod report;
@@ -76,6 +78,7 @@ enum Command {
     Solve(solve::SolveArgs),
     Sweep(sweep::SweepArgs),
     Check(check::CheckArgs),
+    Animate(animate::AnimateArgs),
 }
 
 /// The whole program, with its streams as arguments; gives the exit status.
@@ -98,6 +101,7 @@ fn run(engine: &mut dyn Engine, args: Vec<OsString>, out: &mut dyn Write, err: &
         Some(Command::Solve(args)) => solve::run(args, engine, &mut session),
         Some(Command::Sweep(args)) => sweep::run(args, engine, &mut session),
         Some(Command::Check(args)) => check::run(args, engine, &mut session),
+        Some(Command::Animate(args)) => animate::run(args, engine, &mut session),
     };
     session.finish(done)
 }
@@ -154,6 +158,7 @@ Examples, after the program's name:
   info                                    counts, rows, degrees of freedom
   solve --at 0.5 --set l1=0.12            position, velocity, acceleration at one instant
   sweep --from 0 --to 1 --steps 100 --format csv --out motion.csv
+  animate --out motion.html               see it move, in a browser
   check                                   are the closed forms right?
 Every command has --help with examples of its own. --set, --guess, --given and --input may be repeated.
 Negative numbers are fine as values: --at -0.5.";

@@ -1,6 +1,7 @@
 //! The streams of one run: results to stdout or a file, everything else to stderr.
 
 use std::io::{self, Write};
+use std::path::Path;
 
 use super::failure::Failure;
 use super::options::OutputArgs;
@@ -19,11 +20,16 @@ impl<'a> Session<'a> {
 
     /// Writes a result where it was asked for.
     pub(super) fn deliver(&mut self, options: &OutputArgs, text: &str) -> Result<(), Failure> {
-        match options.file() {
-            Some(path) => write_atomically(path, text.as_bytes())
+        self.deliver_to(options.file(), text.as_bytes())
+    }
+
+    /// Writes a result to a file, or to stdout where there is none or it is called `-`.
+    pub(super) fn deliver_to(&mut self, file: Option<&Path>, bytes: &[u8]) -> Result<(), Failure> {
+        match file.filter(|path| *path != Path::new("-")) {
+            Some(path) => write_atomically(path, bytes)
                 .map_err(|e| Failure::Output(format!("--out: cannot write {}: {e}", path.display()))),
             None => {
-                let written = self.out.write_all(text.as_bytes()).and_then(|()| self.out.flush());
+                let written = self.out.write_all(bytes).and_then(|()| self.out.flush());
                 match written {
                     // Whoever reads has seen enough (`… | head`): no fault of the answer.
                     Err(e) if e.kind() == io::ErrorKind::BrokenPipe => Ok(()),

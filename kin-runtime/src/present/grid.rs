@@ -7,11 +7,11 @@ use crate::motion::Motion;
 use crate::state::State;
 
 /// One column: its name and its numbers.
-type Column = (String, Vec<f64>);
+pub(crate) type Column = (String, Vec<f64>);
 
 /// `t`, then every coordinate with its rate and acceleration; behind them, where `motions` are given (one per state),
 /// points, defines and joint quantities.
-fn columns(model: &Model, states: &[State], motions: &[Motion]) -> Vec<Column> {
+pub(crate) fn columns(model: &Model, states: &[State], motions: &[Motion]) -> Vec<Column> {
     let mut columns: Vec<Column> = vec![("t".to_owned(), states.iter().map(|s| s.t).collect())];
     for (k, coordinate) in model.coordinates.iter().enumerate() {
         let mut push = |suffix: &str, part: fn(&State) -> &[f64]| {

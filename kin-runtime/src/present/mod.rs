@@ -6,13 +6,16 @@ pub mod number;
 pub mod output;
 pub mod table;
 
+pub(crate) mod animation;
 pub(crate) mod condition;
+pub(crate) mod drawing;
 pub(crate) mod grid;
 pub(crate) mod json;
 pub(crate) mod plan;
 pub(crate) mod record;
 pub(crate) mod structure;
 pub(crate) mod text;
+pub(crate) mod units;
 
 pub use number::{Style, plain};
 pub use output::write_atomically;

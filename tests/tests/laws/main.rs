@@ -1,5 +1,6 @@
 //! Laws that every mechanism obeys, over all test mechanisms.
 
+mod drawing;
 mod equations;
 mod finite;
 mod four_bars;
@@ -67,6 +68,11 @@ macro_rules! motion_laws {
         #[test]
         fn planned_instants_equal_newton() {
             plan::planned_instants_equal_newton::<$Mechanism>($from, $to);
+        }
+
+        #[test]
+        fn drawings_show_the_poses() {
+            drawing::drawings_show_the_poses::<$Mechanism>($from, $to);
         }
 
         #[test]

@@ -1,0 +1,141 @@
+//! A motion as one page that needs nothing else: the drawing, plots that go with it, and the controls.
+//!
+//! The page holds numbers only; what moves is [drawn](super::drawing) here, and the script in it moves and turns groups
+//! of a picture.
+
+use super::drawing::{Scene, View, still};
+use super::drawing::{animated, escaped};
+use crate::model::Model;
+use serde::Serialize;
+
+/// A motion with what is plotted beside it.
+pub(crate) struct Run {
+    /// What distinguishes it from the others, an assembly mode for example.
+    pub(crate) name: String,
+    /// What there is to say of it.
+    pub(crate) note: Option<String>,
+    /// The drawing.
+    pub(crate) scene: Scene,
+    /// A list of numbers for every column.
+    pub(crate) columns: Vec<Vec<f64>>,
+}
+
+/// What a column is.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct ColumnInfo {
+    /// `crank.phi_dot`.
+    pub(crate) name: String,
+    /// Its unit, where one is known.
+    pub(crate) unit: Option<String>,
+}
+
+/// Everything that a page shows.
+pub(crate) struct Animation {
+    /// The mechanism.
+    pub(crate) model: &'static Model,
+    /// At least one motion.
+    pub(crate) runs: Vec<Run>,
+    /// What the columns of all of them are.
+    pub(crate) columns: Vec<ColumnInfo>,
+    /// The columns plotted at first.
+    pub(crate) shown: Vec<usize>,
+    /// The unit of time.
+    pub(crate) time: Option<String>,
+}
+
+#[derive(Serialize)]
+struct Data<'a> {
+    runs: Vec<RunData<'a>>,
+    columns: &'a [ColumnInfo],
+    shown: &'a [usize],
+    time: Option<&'a str>,
+    /// How long the whole motion takes to watch.
+    seconds: f64,
+}
+
+#[derive(Serialize)]
+struct RunData<'a> {
+    name: &'a str,
+    note: Option<&'a str>,
+    t: &'a [f64],
+    /// For every carrier, x, y in pixels and the angle in degrees, clockwise.
+    tracks: Vec<[Vec<f64>; 3]>,
+    columns: Vec<Vec<f32>>,
+}
+
+impl Animation {
+    /// The page.
+    ///
+    /// # Errors
+    /// When the numbers cannot be written, which they can.
+    pub(crate) fn page(&self) -> Result<String, String> {
+        let view = self.view();
+        let tracks = |scene: &Scene| -> Vec<[Vec<f64>; 3]> {
+            let track = |poses: &[[f64; 3]]| {
+                let mut out = [Vec::new(), Vec::new(), Vec::new()];
+                for pose in poses.iter().map(|&pose| view.pose(pose)) {
+                    for (list, number) in out.iter_mut().zip(pose) {
+                        list.push((number * 100.0).round() / 100.0);
+                    }
+                }
+                // What stands still is said once.
+                out.map(|list| if list.iter().all(|x| *x == list[0]) { list[..1].to_vec() } else { list })
+            };
+            scene.carriers.iter().map(|carrier| track(&carrier.poses)).collect()
+        };
+        let runs = self.runs.iter().map(|run| RunData {
+            name: &run.name,
+            note: run.note.as_deref(),
+            t: &run.scene.times,
+            tracks: tracks(&run.scene),
+            // Half the digits are more than a plot shows.
+            columns: run.columns.iter().map(|list| list.iter().map(|x| *x as f32).collect()).collect(),
+        });
+        let (columns, time) = (&self.columns, self.time.as_deref());
+        let data = Data { runs: runs.collect(), columns, shown: &self.shown, time, seconds: self.seconds() };
+        let data = serde_json::to_string(&data).map_err(|error| format!("cannot write the page: {error}"))?;
+        // Nothing in the data can end the element that holds it.
+        let data = data.replace('<', "\\u003c");
+        let drawings: String = self.runs.iter().map(|run| drawing(&run.scene, &view)).collect();
+        let [width, height] = view.size.map(|x| x.round());
+        let (name, doc) = (escaped(self.model.name), escaped(self.model.doc));
+        let picture = format!(
+            "<svg id=\"drawing\" class=\"without-names\" viewBox=\"0 0 {width} {height}\" role=\"img\" \
+             aria-label=\"{name} in motion\">{drawings}</svg>"
+        );
+        Ok(include_str!("page.html")
+            .replace("{{name}}", &name)
+            .replace("{{doc}}", &doc)
+            .replace("{{style}}", include_str!("page.css"))
+            .replace("{{script}}", include_str!("page.js"))
+            .replace("{{drawing}}", &picture)
+            .replace("{{data}}", &data))
+    }
+
+    /// The first motion as a picture that moves.
+    pub(crate) fn picture(&self) -> String {
+        let view = self.view();
+        let scene = &self.runs[0].scene;
+        animated(scene, &view, &format!("{}: {}", self.model.name, self.model.doc), self.seconds())
+    }
+
+    fn view(&self) -> View {
+        View::of(self.runs.iter().map(|run| &run.scene))
+    }
+
+    /// As long as the motion takes, where that can be watched.
+    fn seconds(&self) -> f64 {
+        let times = &self.runs[0].scene.times;
+        let span = (times.last().copied().unwrap_or(0.0) - times.first().copied().unwrap_or(0.0)).abs();
+        if (1.5..=12.0).contains(&span) { span } else { 5.0 }
+    }
+}
+
+fn drawing(scene: &Scene, view: &View) -> String {
+    let groups = still(scene, view).groups;
+    let groups = groups.into_iter().zip(&scene.carriers).map(|(group, carrier)| match carrier.body {
+        Some(body) => format!("<g data-body=\"{body}\">{group}</g>"),
+        None => format!("<g>{group}</g>"),
+    });
+    format!("<g class=\"run\">{}</g>", groups.collect::<String>())
+}

@@ -1,0 +1,116 @@
+//! What joints look like, kind by kind.
+
+use super::links::Links;
+use super::part::{Ink, Part, Stroke};
+use super::scene::Carrier;
+use super::subject::{Pose, Subject, distance};
+use super::{slides, wheels};
+use crate::model::{Frame, JointInfo, JointKind, Role};
+
+/// Draws a joint: on the bodies it holds, and on carriers of its own behind and before them.
+pub(super) fn draw(
+    subject: &Subject<'_>,
+    joint: &JointInfo,
+    links: &mut Links,
+    behind: &mut Vec<Carrier>,
+    front: &mut Vec<Carrier>,
+) {
+    match joint.kind {
+        JointKind::Revolute => pinned(subject, joint, links, front, Part::Pin([0.0; 2])),
+        JointKind::Fixed => pinned(subject, joint, links, front, Part::Weld([0.0; 2])),
+        JointKind::X | JointKind::Y => prescribed(subject, joint, links, front),
+        JointKind::Translational | JointKind::PointOnLine => slides::slide(subject, joint, links, front),
+        JointKind::Distance => massless(subject, joint, links, behind, front),
+        JointKind::Driver if super::subject::piece(joint, Role::Q).is_some() => {
+            massless(subject, joint, links, behind, front);
+        }
+        JointKind::Gear => wheels::gear(subject, joint, links),
+        JointKind::Belt => wheels::belt(subject, joint, links, behind),
+        JointKind::RackPinion => wheels::rack(subject, joint, links),
+        JointKind::RollingOnLine => wheels::rolling_on_line(subject, joint, links),
+        JointKind::RollingOnDisc => wheels::rolling_on_disc(subject, joint, links),
+        JointKind::KnifeEdge | JointKind::Speed => tread(subject, joint, links, front),
+        _ => {}
+    }
+}
+
+/// Two points in one place.
+fn pinned(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>, part: Part) {
+    let [first, second] = [Role::P, Role::Q].map(|role| subject.local(0, joint, role));
+    let (Some((i, p)), Some((j, q))) = (first, second) else { return };
+    links.attach(i, p);
+    links.attach(j, q);
+    let track = track(subject, joint, Role::P);
+    let on_ground = i == Frame::Ground || j == Frame::Ground;
+    links.pin(joint.name, track.clone());
+    front.push(upright(track, if on_ground { Part::Foot([0.0; 2]) } else { part }));
+}
+
+/// A point with a prescribed x or y: held where it never moves, guided where it does.
+fn prescribed(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>) {
+    let Some((frame, local)) = subject.local(0, joint, Role::P) else { return };
+    links.attach(frame, local);
+    let track = track(subject, joint, Role::P);
+    if is_still(&track, links.size()) {
+        front.push(upright(track, Part::Foot([0.0; 2])));
+    }
+}
+
+/// A massless link, or an actuator where its length changes.
+fn massless(
+    subject: &Subject<'_>,
+    joint: &JointInfo,
+    links: &mut Links,
+    behind: &mut Vec<Carrier>,
+    front: &mut Vec<Carrier>,
+) {
+    for role in [Role::P, Role::Q] {
+        let Some((frame, local)) = subject.local(0, joint, role) else { return };
+        links.attach(frame, local);
+        let part = if frame == Frame::Ground { Part::Foot([0.0; 2]) } else { Part::Pin([0.0; 2]) };
+        front.push(upright(track(subject, joint, role), part));
+    }
+    let (from, to) = (track(subject, joint, Role::P), track(subject, joint, Role::Q));
+    let along = |from: &[[f64; 2]], to: &[[f64; 2]]| -> Vec<Pose> {
+        from.iter().zip(to).map(|(&[x, y], &[u, v])| [x, y, (v - y).atan2(u - x)]).collect()
+    };
+    let lengths = from.iter().zip(&to).map(|(&a, &b)| distance(a, b));
+    let (least, most) = lengths.fold((f64::INFINITY, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
+    let bar = |length: f64| Part::Bar { points: vec![[0.0; 2], [length, 0.0]], ink: Ink::Ground };
+    if most - least <= 1e-6 * links.size() {
+        behind.push(Carrier { body: None, poses: along(&from, &to), parts: vec![bar(most)] });
+        return;
+    }
+    // The rod reaches into the barrel also where the actuator is longest, and does not reach through where it is shortest.
+    let barrel = (0.6 * most).min(0.9 * least);
+    let rod = (most - 0.8 * barrel).min(least);
+    let line = Part::Line { points: vec![[0.0; 2], [rod, 0.0]], ink: Ink::Ground, stroke: Stroke::Full, closed: false };
+    behind.push(Carrier { body: None, poses: along(&to, &from), parts: vec![line] });
+    behind.push(Carrier { body: None, poses: along(&from, &to), parts: vec![bar(barrel)] });
+}
+
+/// A wheel or blade that does not slip across its plane.
+fn tread(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>) {
+    let Some((frame, local)) = subject.local(0, joint, Role::P) else { return };
+    links.attach(frame, local);
+    let poses = subject.instants().filter_map(|k| {
+        let [x, y] = subject.point(k, joint, Role::P)?;
+        Some([x, y, subject.direction(k, joint)?])
+    });
+    front.push(Carrier { body: None, poses: poses.collect(), parts: vec![Part::Tread] });
+}
+
+/// Where a point of a joint is at every instant.
+pub(super) fn track(subject: &Subject<'_>, joint: &JointInfo, role: Role) -> Vec<[f64; 2]> {
+    subject.instants().filter_map(|k| subject.point(k, joint, role)).collect()
+}
+
+/// A part that stands upright along a track.
+pub(super) fn upright(track: Vec<[f64; 2]>, part: Part) -> Carrier {
+    Carrier { body: None, poses: track.into_iter().map(|[x, y]| [x, y, 0.0]).collect(), parts: vec![part] }
+}
+
+/// Whether a track never leaves its start.
+pub(super) fn is_still(track: &[[f64; 2]], size: f64) -> bool {
+    track.iter().all(|&p| distance(p, track[0]) <= 1e-6 * size)
+}

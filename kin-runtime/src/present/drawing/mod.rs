@@ -1,0 +1,29 @@
+//! A mechanism as a drawing that moves: links, pins, sliders, wheels, cams, the ground, and the paths of its points.
+//!
+//! A [`Scene`] is made of [`Carrier`]s. Each has a pose for every instant and parts that never change in its own frame,
+//! so that whoever shows the motion has only to move and turn: a body is a carrier, and so are the block of a slider,
+//! which stands on one body and is turned with another, the barrel and the rod of an actuator, and a belt.
+//!
+//! ```text
+//! subject     poses and geometry of every instant, and where points stand
+//! links       the shapes of bodies        slides, wheels, outlines, paths    what joints look like
+//! part        lines, bars, circles, …     view    from lengths to pixels     svg    the text
+//! ```
+
+mod joints;
+mod links;
+mod outlines;
+mod part;
+mod paths;
+mod scene;
+mod slides;
+mod subject;
+mod svg;
+mod view;
+mod wheels;
+
+
+pub(crate) use scene::Scene;
+pub(crate) use subject::{Snapshot, Subject};
+pub(crate) use svg::{animated, escaped, still};
+pub(crate) use view::View;

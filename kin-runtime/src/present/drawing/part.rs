@@ -1,0 +1,129 @@
+//! What a carrier shows: lengths in the mechanism's units, strokes and symbols in pixels.
+
+use crate::model::Frame;
+
+/// A colour: one for every body, the ground's, and that of what belongs to no body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Ink {
+    /// Of a body, by its place.
+    Body(usize),
+    /// Of the ground and of pins.
+    Ground,
+    /// Of a path, by the place of its point.
+    Path(usize),
+}
+
+impl Ink {
+    /// That of a frame.
+    pub(crate) fn of(frame: Frame) -> Self {
+        match frame {
+            Frame::Body(body) => Self::Body(body),
+            Frame::Ground => Self::Ground,
+        }
+    }
+}
+
+/// A piece of drawing in the frame of its carrier.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Part {
+    /// A bar along the points; filled where there are three or more, which then are its outline.
+    Bar {
+        /// Corners, at least two.
+        points: Vec<[f64; 2]>,
+        /// Its colour.
+        ink: Ink,
+    },
+    /// A line through the points.
+    Line {
+        /// At least two.
+        points: Vec<[f64; 2]>,
+        /// Its colour.
+        ink: Ink,
+        /// Thin, and for guides and pitch circles dashed.
+        stroke: Stroke,
+        /// Joined to its start, and filled where it is full.
+        closed: bool,
+    },
+    /// A pin between bodies.
+    Pin([f64; 2]),
+    /// A pin on the ground: the foot under it is hatched.
+    Foot([f64; 2]),
+    /// A weld between bodies.
+    Weld([f64; 2]),
+    /// A line of the ground with its hatching on the right of the way from `from` to `to`.
+    Hatching {
+        /// Where it begins.
+        from: [f64; 2],
+        /// Where it ends.
+        to: [f64; 2],
+    },
+    /// The block of a slider, along the x axis of its carrier.
+    Block(Ink),
+    /// A slot or a rail on a body.
+    Slot {
+        /// Where it begins.
+        from: [f64; 2],
+        /// Where it ends.
+        to: [f64; 2],
+        /// Its colour.
+        ink: Ink,
+    },
+    /// A disc with a spoke that shows how it turns.
+    Disc {
+        /// Its centre.
+        centre: [f64; 2],
+        /// Its radius.
+        radius: f64,
+        /// Its colour.
+        ink: Ink,
+    },
+    /// A named point.
+    Dot([f64; 2], Ink),
+    /// The wheel of a rolling contact without slip across its plane, seen from above, along the x axis of its carrier.
+    Tread,
+    /// A name, upright whatever the carrier does.
+    Name(String, Kind),
+}
+
+/// How a line is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Stroke {
+    /// As strong as the outline of a body.
+    Full,
+    /// Thin.
+    Thin,
+    /// Thin, in dashes.
+    Dashed,
+    /// The path of a point.
+    Path,
+}
+
+/// What a name belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// A body.
+    Body,
+    /// A joint.
+    Joint,
+    /// A named point.
+    Point,
+}
+
+impl Part {
+    /// Points that the view must hold, in the carrier's frame.
+    pub(crate) fn reach(&self, each: &mut dyn FnMut([f64; 2])) {
+        match self {
+            Self::Bar { points, .. } | Self::Line { points, .. } => points.iter().copied().for_each(each),
+            &Self::Pin(p) | &Self::Foot(p) | &Self::Weld(p) | &Self::Dot(p, _) => each(p),
+            &Self::Hatching { from, to } | &Self::Slot { from, to, .. } => {
+                each(from);
+                each(to);
+            }
+            &Self::Disc { centre: [x, y], radius, .. } => {
+                let r = radius.abs();
+                [[x - r, y], [x + r, y], [x, y - r], [x, y + r]].into_iter().for_each(each);
+            }
+            Self::Block(_) | Self::Tread | Self::Name(..) => each([0.0, 0.0]),
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! A motion as carriers and their parts.
+
+use super::links::Links;
+use super::part::{Kind, Part};
+use super::subject::{Pose, Subject};
+use super::{joints, outlines, paths};
+use crate::model::Frame;
+
+/// Something that moves as a rigid whole.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Carrier {
+    /// The body it is, where it is one.
+    pub(crate) body: Option<usize>,
+    /// A pose for every instant, or a single one where it never moves.
+    pub(crate) poses: Vec<Pose>,
+    /// What it shows.
+    pub(crate) parts: Vec<Part>,
+}
+
+/// A motion that can be drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Scene {
+    /// The times of the instants.
+    pub(crate) times: Vec<f64>,
+    /// What lies behind stands first.
+    pub(crate) carriers: Vec<Carrier>,
+}
+
+impl Scene {
+    /// The drawing of a motion.
+    pub(crate) fn new(subject: &Subject<'_>) -> Self {
+        let model = subject.model;
+        let (mut behind, mut front) = (Vec::new(), Vec::new());
+        let mut links = Links::new(subject, &mut front);
+        for (place, joint) in model.joints.iter().enumerate() {
+            joints::draw(subject, joint, &mut links, &mut behind, &mut front);
+            outlines::draw(subject, place, joint, &mut links);
+        }
+        let paths = paths::paths(subject, &mut links);
+        let names = names(subject, &links);
+        let mut carriers = vec![ground(links.take_ground(), paths)];
+        carriers.extend(behind);
+        carriers.extend(links.into_carriers(subject));
+        carriers.extend(front);
+        carriers.extend(names);
+        carriers.retain(|carrier| carrier.body.is_some() || !carrier.parts.is_empty());
+        Self { times: subject.snapshots.iter().map(|snapshot| snapshot.t).collect(), carriers }
+    }
+
+    /// The pose of a carrier at an instant.
+    pub(crate) fn pose(&self, carrier: &Carrier, instant: usize) -> Pose {
+        *carrier.poses.get(instant).or(carrier.poses.last()).unwrap_or(&[0.0; 3])
+    }
+}
+
+fn ground(parts: Vec<Part>, paths: Vec<Part>) -> Carrier {
+    Carrier { body: None, poses: vec![[0.0; 3]], parts: paths.into_iter().chain(parts).collect() }
+}
+
+/// Names of bodies, pins and points, each upright on a carrier of its own.
+fn names(subject: &Subject<'_>, links: &Links) -> Vec<Carrier> {
+    let model = subject.model;
+    let bodies = model.bodies.iter().enumerate().filter_map(|(body, info)| {
+        let place = links.middle(body)?;
+        let poses = subject.instants().map(|k| {
+            let [x, y] = super::subject::placed(subject.pose(k, Frame::Body(body)), place);
+            [x, y, 0.0]
+        });
+        Some(label(poses.collect(), info.name, Kind::Body))
+    });
+    let pins = links
+        .pins()
+        .iter()
+        .map(|(name, track)| label(track.iter().map(|&[x, y]| [x, y, 0.0]).collect(), name, Kind::Joint));
+    let points = model.points.iter().enumerate().map(|(place, info)| {
+        let at = |k: usize| subject.snapshots[k].points.get(place).copied().unwrap_or_default();
+        label(subject.instants().map(at).map(|[x, y]| [x, y, 0.0]).collect(), info.name, Kind::Point)
+    });
+    bodies.chain(pins).chain(points).collect()
+}
+
+fn label(poses: Vec<Pose>, name: &str, kind: Kind) -> Carrier {
+    Carrier { body: None, poses, parts: vec![Part::Name(name.to_owned(), kind)] }
+}

@@ -1,0 +1,85 @@
+//! Sliders: a rail on the first body or the ground, a block on the second.
+
+use super::joints::{track, upright};
+use super::links::Links;
+use super::part::{Ink, Part};
+use super::scene::Carrier;
+use super::subject::{Subject, seen_from};
+use crate::model::{Frame, JointInfo, JointKind, Role};
+
+/// How far a rail goes beyond the block's way, relative to the size of the mechanism.
+const BEYOND: f64 = 0.08;
+
+/// The rail as long as the way of the block, and the block.
+pub(super) fn slide(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>) {
+    let (Some((i, p)), Some((j, q))) = (subject.local(0, joint, Role::P), subject.local(0, joint, Role::Q)) else {
+        return;
+    };
+    let Some((axis_frame, [ax, ay])) = subject.local(0, joint, Role::Axis) else { return };
+    if axis_frame != i {
+        return;
+    }
+    let Some(way) = Way::of(subject, joint, i, p, [ax, ay], BEYOND * links.size()) else { return };
+    let (from, to) = way.ends();
+    match i {
+        Frame::Ground => links.add(i, Part::Hatching { from, to }),
+        Frame::Body(_) => {
+            links.attach(i, from);
+            links.attach(i, to);
+            links.add(i, Part::Slot { from, to, ink: Ink::of(i) });
+        }
+    }
+    links.attach(j, q);
+    let ink = Ink::of(j);
+    let poses = subject.instants().filter_map(|k| {
+        let [x, y] = subject.point(k, joint, Role::Q)?;
+        Some([x, y, subject.direction(k, joint)?])
+    });
+    front.push(Carrier { body: None, poses: poses.collect(), parts: vec![Part::Block(ink)] });
+    let at = track(subject, joint, Role::Q);
+    links.pin(joint.name, at.clone());
+    // A composite turns as well: its block carries a pin.
+    if joint.kind == JointKind::PointOnLine {
+        front.push(upright(at, if j == Frame::Ground { Part::Foot([0.0; 2]) } else { Part::Pin([0.0; 2]) }));
+    }
+}
+
+/// The way of Q along an axis of the frame of P.
+pub(super) struct Way {
+    start: [f64; 2],
+    axis: [f64; 2],
+    least: f64,
+    most: f64,
+}
+
+impl Way {
+    /// Over all instants, and `beyond` at either end; its line is that of the first instant.
+    pub(super) fn of(
+        subject: &Subject<'_>,
+        joint: &JointInfo,
+        frame: Frame,
+        p: [f64; 2],
+        axis: [f64; 2],
+        beyond: f64,
+    ) -> Option<Self> {
+        let seen = |k: usize| {
+            let [x, y] = seen_from(subject.pose(k, frame), subject.point(k, joint, Role::Q)?);
+            let (dx, dy) = (x - p[0], y - p[1]);
+            Some((axis[0] * dx + axis[1] * dy, axis[0] * dy - axis[1] * dx))
+        };
+        let (_, offset) = seen(0)?;
+        let along = subject.instants().filter_map(|k| seen(k).map(|(along, _)| along));
+        let (least, most) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), s| (low.min(s), high.max(s)));
+        let start = [p[0] - offset * axis[1], p[1] + offset * axis[0]];
+        Some(Self { start, axis, least: least - beyond, most: most + beyond })
+    }
+
+    /// Both ends in the frame.
+    pub(super) fn ends(&self) -> ([f64; 2], [f64; 2]) {
+        (self.at(self.least), self.at(self.most))
+    }
+
+    fn at(&self, s: f64) -> [f64; 2] {
+        [self.start[0] + s * self.axis[0], self.start[1] + s * self.axis[1]]
+    }
+}

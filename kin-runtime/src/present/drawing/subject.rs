@@ -1,0 +1,103 @@
+//! What is drawn: the poses and the geometry of every instant.
+
+use crate::curve::CurvePoint;
+use crate::model::{Frame, Geometry, JointInfo, Model, Role};
+
+/// One instant as a drawing needs it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Snapshot {
+    /// Time.
+    pub(crate) t: f64,
+    /// (x, y, φ) of every body.
+    pub(crate) bodies: Vec<[f64; 3]>,
+    /// q.
+    pub(crate) q: Vec<f64>,
+    /// Positions of the named points.
+    pub(crate) points: Vec<[f64; 2]>,
+    /// The geometry array: local points, axes, values and radii.
+    pub(crate) geometry: Vec<f64>,
+}
+
+/// A point of a curve: of the joint, at the instant, for the argument.
+pub(crate) type CurveFunction<'a> = dyn Fn(usize, usize, f64) -> Option<CurvePoint> + 'a;
+
+/// A motion that is to be drawn; it has at least one instant.
+pub(crate) struct Subject<'a> {
+    /// The mechanism's names and joints.
+    pub(crate) model: &'static Model,
+    /// The instants in order.
+    pub(crate) snapshots: &'a [Snapshot],
+    /// The curves of contacts, by the places of instant and joint.
+    pub(crate) curve: &'a CurveFunction<'a>,
+}
+
+/// A pose: x, y, φ.
+pub(crate) type Pose = [f64; 3];
+
+impl Subject<'_> {
+    /// The pose of a frame at an instant.
+    pub(crate) fn pose(&self, instant: usize, frame: Frame) -> Pose {
+        match frame {
+            Frame::Ground => [0.0; 3],
+            Frame::Body(body) => self.snapshots[instant].bodies.get(body).copied().unwrap_or_default(),
+        }
+    }
+
+    /// The numbers of a piece of geometry.
+    pub(crate) fn numbers<const N: usize>(&self, instant: usize, geometry: &Geometry) -> Option<[f64; N]> {
+        let numbers: [f64; N] =
+            self.snapshots[instant].geometry.get(geometry.offset..geometry.offset + N)?.try_into().ok()?;
+        numbers.iter().all(|x| x.is_finite()).then_some(numbers)
+    }
+
+    /// A point or an axis of a joint in its own frame.
+    pub(crate) fn local(&self, instant: usize, joint: &JointInfo, role: Role) -> Option<(Frame, [f64; 2])> {
+        let geometry = piece(joint, role)?;
+        Some((geometry.frame, self.numbers(instant, geometry)?))
+    }
+
+    /// A point of a joint in the inertial frame.
+    pub(crate) fn point(&self, instant: usize, joint: &JointInfo, role: Role) -> Option<[f64; 2]> {
+        let (frame, local) = self.local(instant, joint, role)?;
+        Some(placed(self.pose(instant, frame), local))
+    }
+
+    /// The direction of a joint's axis in the inertial frame, as an angle.
+    pub(crate) fn direction(&self, instant: usize, joint: &JointInfo) -> Option<f64> {
+        let (frame, [x, y]) = self.local(instant, joint, Role::Axis)?;
+        Some(self.pose(instant, frame)[2] + y.atan2(x))
+    }
+
+    /// The radii of a joint with the frames of their wheels, at the first instant.
+    pub(crate) fn radii(&self, joint: &JointInfo) -> Vec<(Frame, f64)> {
+        let pieces = joint.geometry.iter().filter(|geometry| geometry.role == Role::Radius);
+        pieces.filter_map(|geometry| Some((geometry.frame, self.numbers::<1>(0, geometry)?[0]))).collect()
+    }
+
+    /// All instants.
+    pub(crate) fn instants(&self) -> core::ops::Range<usize> {
+        0..self.snapshots.len()
+    }
+}
+
+/// The piece of a joint's geometry for a role.
+pub(crate) fn piece(joint: &JointInfo, role: Role) -> Option<&'static Geometry> {
+    joint.geometry.iter().find(|geometry| geometry.role == role)
+}
+
+/// A point of a frame in the inertial frame: r + A s′.
+pub(crate) fn placed([x, y, phi]: Pose, [u, v]: [f64; 2]) -> [f64; 2] {
+    let (sin, cos) = phi.sin_cos();
+    [x + cos * u - sin * v, y + sin * u + cos * v]
+}
+
+/// A point of the inertial frame in a frame: Aᵀ(p − r).
+pub(crate) fn seen_from([x, y, phi]: Pose, [px, py]: [f64; 2]) -> [f64; 2] {
+    let ((sin, cos), (dx, dy)) = (phi.sin_cos(), (px - x, py - y));
+    [cos * dx + sin * dy, cos * dy - sin * dx]
+}
+
+/// The distance of two points.
+pub(crate) fn distance([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
+    (bx - ax).hypot(by - ay)
+}

@@ -1,0 +1,247 @@
+//! A scene as SVG: its parts once, and what moves them.
+
+use super::part::{Ink, Kind, Part, Stroke};
+use super::scene::{Carrier, Scene};
+use super::view::{Pixels, View, short};
+use core::fmt::Write;
+
+/// Colours that people with any kind of colour vision tell apart (Okabe and Ito, 2008), without yellow and black.
+const BODIES: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"];
+/// Of the ground, of pins and of massless links.
+const GROUND: &str = "#4b5563";
+
+/// The colour of the k-th of something.
+pub(crate) fn colour(k: usize) -> &'static str {
+    BODIES[k % BODIES.len()]
+}
+
+/// How names are written.
+const STYLE: &str = "<style>.name{font:12px system-ui,sans-serif;paint-order:stroke;stroke:#fff;stroke-width:3px;\
+stroke-linejoin:round;fill:#1f2937}.joint{font-size:10px;fill:#6b7280}</style>";
+
+/// A picture of one instant.
+pub(crate) struct Still {
+    /// Its carriers, one group each, in the order of the scene.
+    pub(crate) groups: Vec<String>,
+}
+
+/// Every carrier as a group that has no pose yet.
+pub(crate) fn still(scene: &Scene, view: &View) -> Still {
+    let symbol = view.symbol(scene);
+    Still { groups: scene.carriers.iter().map(|carrier| parts(carrier, view, symbol)).collect() }
+}
+
+/// A picture that moves by itself, once through in `duration` seconds and again from the start.
+pub(crate) fn animated(scene: &Scene, view: &View, title: &str, duration: f64) -> String {
+    let [width, height] = view.size.map(short);
+    let mut out = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" \
+         height=\"{height}\" role=\"img\">\n<title>{}</title>\n{STYLE}\n\
+         <rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n",
+        escaped(title)
+    );
+    let Still { groups } = still(scene, view);
+    for (carrier, group) in scene.carriers.iter().zip(groups) {
+        let [x, y, angle] = view.pose(scene.pose(carrier, 0)).map(short);
+        let _ = write!(out, "<g transform=\"translate({x},{y})\">");
+        if moves(carrier) {
+            let place = |pose| {
+                let [x, y, _] = view.pose(pose).map(short);
+                format!("{x},{y}")
+            };
+            out.push_str(&animation("translate", scene, carrier, duration, &place));
+        }
+        let _ = write!(out, "<g transform=\"rotate({angle})\">");
+        if turns(carrier) {
+            out.push_str(&animation("rotate", scene, carrier, duration, &|pose| short(view.pose(pose)[2]).to_string()));
+        }
+        let _ = writeln!(out, "{group}</g></g>");
+    }
+    out.push_str("</svg>\n");
+    out
+}
+
+fn animation(
+    kind: &str,
+    scene: &Scene,
+    carrier: &Carrier,
+    duration: f64,
+    value: &dyn Fn([f64; 3]) -> String,
+) -> String {
+    let values: Vec<String> = (0..scene.times.len()).map(|k| value(scene.pose(carrier, k))).collect();
+    let (first, last) = (scene.times.first().copied().unwrap_or(0.0), scene.times.last().copied().unwrap_or(1.0));
+    let times: Vec<String> =
+        scene.times.iter().map(|t| format!("{}", ((t - first) / (last - first) * 1e5).round() / 1e5)).collect();
+    format!(
+        "<animateTransform attributeName=\"transform\" type=\"{kind}\" dur=\"{duration}s\" repeatCount=\"indefinite\" \
+         keyTimes=\"{}\" values=\"{}\"/>",
+        times.join(";"),
+        values.join(";")
+    )
+}
+
+fn moves(carrier: &Carrier) -> bool {
+    carrier.poses.iter().any(|pose| pose[..2] != carrier.poses[0][..2])
+}
+
+fn turns(carrier: &Carrier) -> bool {
+    carrier.poses.iter().any(|pose| pose[2] != carrier.poses[0][2])
+}
+
+fn ink(ink: Ink) -> &'static str {
+    match ink {
+        Ink::Body(body) => colour(body),
+        Ink::Ground => GROUND,
+        // Paths count from the other end, so that a point seldom has the colour of its body.
+        Ink::Path(point) => BODIES[BODIES.len() - 1 - point % BODIES.len()],
+    }
+}
+
+fn parts(carrier: &Carrier, view: &View, symbol: f64) -> String {
+    let mut out = String::new();
+    for one in &carrier.parts {
+        part(&mut out, one, view, symbol);
+    }
+    out
+}
+
+/// Writing to a text never fails.
+fn part(out: &mut String, part: &Part, view: &View, s: f64) {
+    let _ = match part {
+        Part::Bar { points, ink: own } => {
+            let (c, w) = (ink(*own), short(2.0 * s));
+            let fill = if points.len() > 2 { c } else { "none" };
+            write!(
+                out,
+                "<path d=\"{}\" fill=\"{fill}\" fill-opacity=\".25\" stroke=\"{c}\" stroke-opacity=\".8\" \
+                 stroke-width=\"{w}\" stroke-linejoin=\"round\" stroke-linecap=\"round\"/>",
+                path(points, view, points.len() > 2)
+            )
+        }
+        Part::Line { points, ink: own, stroke, closed } => {
+            let c = ink(*own);
+            let (width, more) = match stroke {
+                Stroke::Full => (2.5, if *closed { " fill-opacity=\".2\"" } else { "" }),
+                Stroke::Thin => (1.0, ""),
+                Stroke::Dashed => (0.8, " stroke-dasharray=\"6 3 1 3\""),
+                Stroke::Path => (1.5, " stroke-opacity=\".85\" class=\"path\""),
+            };
+            let fill = if *closed && *stroke == Stroke::Full { c } else { "none" };
+            write!(
+                out,
+                "<path d=\"{}\" fill=\"{fill}\" stroke=\"{c}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"{more}/>",
+                path(points, view, *closed)
+            )
+        }
+        Part::Pin(p) => circle(out, view.local(*p), 0.6 * s, "#fff", GROUND, 1.5),
+        Part::Foot(p) => foot(out, view.local(*p), s),
+        Part::Weld(p) => {
+            let [x, y] = view.local(*p).0.map(|x| short(x - 0.7 * s));
+            let side = short(1.4 * s);
+            write!(out, "<rect x=\"{x}\" y=\"{y}\" width=\"{side}\" height=\"{side}\" fill=\"{GROUND}\"/>")
+        }
+        Part::Hatching { from, to } => hatching(out, view.local(*from).0, view.local(*to).0),
+        Part::Slot { from, to, ink: own } => {
+            let (c, line) = (ink(*own), path(&[*from, *to], view, false));
+            let wide = short(2.4 * s);
+            let narrow = short(1.4 * s);
+            write!(
+                out,
+                "<path d=\"{line}\" stroke=\"{c}\" stroke-width=\"{wide}\" stroke-linecap=\"round\"/>\
+                 <path d=\"{line}\" stroke=\"#fff\" stroke-width=\"{narrow}\" stroke-linecap=\"round\"/>"
+            )
+        }
+        Part::Block(own) => {
+            let (w, h) = (short(2.4 * s), short(1.5 * s));
+            let (x, y, c) = (short(-1.2 * s), short(-0.75 * s), ink(*own));
+            write!(
+                out,
+                "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" rx=\"1.5\" fill=\"#fff\" stroke=\"{c}\" \
+                 stroke-width=\"2\"/><rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" rx=\"1.5\" fill=\"{c}\" \
+                 fill-opacity=\".45\"/>"
+            )
+        }
+        Part::Disc { centre, radius, ink: own } => {
+            let [x, y] = view.local(*centre).0.map(short);
+            let (r, c) = (short(radius.abs() * view.scale), ink(*own));
+            let opacity = if *radius < 0.0 { 0.0 } else { 0.18 };
+            let edge = short(x + r);
+            write!(
+                out,
+                "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"{c}\" fill-opacity=\"{opacity}\" stroke=\"{c}\" \
+                 stroke-width=\"2.5\"/><path d=\"M{x},{y}L{edge},{y}\" stroke=\"{c}\" stroke-width=\"1.5\"/>"
+            )
+        }
+        Part::Dot(p, own) => circle(out, view.local(*p), 0.55 * s, ink(*own), "#fff", 1.0),
+        Part::Tread => {
+            let (w, h) = (short(4.0 * s), short(1.4 * s));
+            let (x, y) = (short(-2.0 * s), short(-0.7 * s));
+            write!(out, "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" rx=\"3\" fill=\"{GROUND}\"/>")
+        }
+        Part::Name(name, kind) => {
+            let class = match kind {
+                Kind::Body => "name body",
+                Kind::Joint => "name joint",
+                Kind::Point => "name point",
+            };
+            let up = short(-1.3 * s - 2.0);
+            let aside = short(s + 1.0);
+            write!(out, "<text x=\"{aside}\" y=\"{up}\" class=\"{class}\">{}</text>", escaped(name))
+        }
+    };
+}
+
+fn circle(out: &mut String, p: Pixels, r: f64, fill: &str, stroke: &str, width: f64) -> core::fmt::Result {
+    let ([x, y], r) = (p.0.map(short), short(r));
+    write!(
+        out,
+        "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"{fill}\" stroke=\"{stroke}\" stroke-width=\"{width}\"/>"
+    )
+}
+
+/// A pin on its foot, the foot hatched underneath.
+fn foot(out: &mut String, p: Pixels, s: f64) -> core::fmt::Result {
+    let [x, y] = p.0;
+    let (left, right, down) = (x - 1.5 * s, x + 1.5 * s, y + 2.0 * s);
+    write!(
+        out,
+        "<path d=\"M{}L{}L{}Z\" fill=\"#fff\" stroke=\"{GROUND}\" stroke-width=\"1.5\" stroke-linejoin=\"round\"/>",
+        Pixels([x, y]),
+        Pixels([left, down]),
+        Pixels([right, down])
+    )?;
+    hatching(out, [left - 0.5 * s, down], [right + 0.5 * s, down])?;
+    circle(out, p, 0.6 * s, "#fff", GROUND, 1.5)
+}
+
+/// A line with strokes on its right, in the directions of a drawing whose y points up.
+fn hatching(out: &mut String, from: [f64; 2], to: [f64; 2]) -> core::fmt::Result {
+    let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+    let length = dx.hypot(dy).max(1e-9);
+    let (ux, uy) = (dx / length, dy / length);
+    let count = (length / 7.0).ceil().clamp(1.0, 400.0) as usize;
+    let mut strokes = format!("M{}L{}", Pixels(from), Pixels(to));
+    for k in 0..count {
+        let along = (k as f64 + 0.9) / count as f64 * length;
+        let [x, y] = [from[0] + along * ux, from[1] + along * uy];
+        let end = Pixels([x - 5.0 * ux - 5.0 * uy, y - 5.0 * uy + 5.0 * ux]);
+        let _ = write!(strokes, "M{}L{end}", Pixels([x, y]));
+    }
+    write!(out, "<path d=\"{strokes}\" fill=\"none\" stroke=\"{GROUND}\" stroke-width=\"1.2\"/>")
+}
+
+fn path(points: &[[f64; 2]], view: &View, closed: bool) -> String {
+    let mut out = String::new();
+    for (k, &point) in points.iter().enumerate() {
+        let _ = write!(out, "{}{}", if k == 0 { "M" } else { "L" }, view.local(point));
+    }
+    if closed {
+        out.push('Z');
+    }
+    out
+}
+
+/// A text in a document of tags.
+pub(crate) fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

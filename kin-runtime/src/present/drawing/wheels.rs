@@ -1,0 +1,191 @@
+//! Wheels: gears, belts, racks, and what rolls.
+//!
+//! Radii of gears and belts may be numbers of teeth, for only their ratio counts: they are drawn so that they meet on the
+//! line of centres.
+
+mod teeth;
+
+pub(super) use teeth::Wheel;
+
+use super::links::Links;
+use super::part::{Ink, Part, Stroke};
+use super::scene::Carrier;
+use super::slides::Way;
+use super::subject::{Subject, distance, piece, placed, seen_from};
+use crate::model::{Frame, JointInfo, JointKind, Role};
+
+/// A wheel of a pair: its frame, its centre there, its radius.
+#[derive(Clone, Copy)]
+struct Half {
+    frame: Frame,
+    centre: [f64; 2],
+    radius: f64,
+}
+
+/// Where a wheel's axle is in its own frame: the pin that holds it on the carrier, or its origin.
+fn axle(subject: &Subject<'_>, wheel: Frame, carrier: Frame) -> [f64; 2] {
+    let pins = subject.model.joints.iter().filter(|joint| joint.kind == JointKind::Revolute);
+    let held = pins.filter_map(|joint| {
+        let ends = [subject.local(0, joint, Role::P)?, subject.local(0, joint, Role::Q)?];
+        let [own, other] = if ends[0].0 == wheel { ends } else { [ends[1], ends[0]] };
+        (own.0 == wheel && other.0 == carrier).then_some(own.1)
+    });
+    let mut held = held;
+    held.next().unwrap_or_else(|| match wheel {
+        // A wheel that is part of the ground stands where the carrier turns.
+        Frame::Ground => foot_of(subject, carrier).unwrap_or([0.0; 2]),
+        Frame::Body(_) => [0.0; 2],
+    })
+}
+
+/// Where a body is pinned to the ground.
+fn foot_of(subject: &Subject<'_>, body: Frame) -> Option<[f64; 2]> {
+    (body != Frame::Ground).then(|| axle(subject, body, Frame::Ground)).map(|p| placed(subject.pose(0, body), p))
+}
+
+/// Both wheels of a gear or belt, scaled so that they meet; none where they have one centre.
+fn pair(subject: &Subject<'_>, joint: &JointInfo, meet: impl Fn(f64, f64, f64) -> f64) -> Option<[Half; 2]> {
+    let [(a, ra), (b, rb)] = subject.radii(joint)[..] else { return None };
+    let carrier = piece(joint, Role::Value).map_or(Frame::Ground, |value| value.frame);
+    let (ca, cb) = (axle(subject, a, carrier), axle(subject, b, carrier));
+    let apart = distance(placed(subject.pose(0, a), ca), placed(subject.pose(0, b), cb));
+    let scale = meet(ra, rb, apart);
+    let halves = [Half { frame: a, centre: ca, radius: ra * scale }, Half { frame: b, centre: cb, radius: rb * scale }];
+    (apart > 0.0 && scale.is_finite() && scale > 0.0).then_some(halves)
+}
+
+/// Two toothed wheels.
+pub(super) fn gear(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links) {
+    let Some([a, b]) = pair(subject, joint, |ra, rb, apart| apart / (ra + rb).abs()) else { return };
+    let [pa, pb] = [a, b].map(|half| placed(subject.pose(0, half.frame), half.centre));
+    let across = (pb[1] - pa[1]).atan2(pb[0] - pa[0]);
+    let opposite = across + core::f64::consts::PI;
+    // The contact as each wheel sees it, at the first instant; a ring touches its pinion on the pinion's far side.
+    let (at_a, at_b) = match (a.radius < 0.0, b.radius < 0.0) {
+        (true, _) => (across, across),
+        (_, true) => (opposite, opposite),
+        _ => (across, opposite),
+    };
+    let internal = (a.radius < 0.0) != (b.radius < 0.0);
+    let turned = |half: Half| subject.pose(0, half.frame)[2];
+    let pitch = teeth::pitch(subject, links, a.radius.abs().min(b.radius.abs()));
+    let first = teeth::Contact { angle: at_a - turned(a), phase: None };
+    let phase = mount(links, a, pitch, first);
+    let meshing = if internal { 0.5 + phase } else { 0.5 - phase };
+    mount(links, b, pitch, teeth::Contact { angle: at_b - turned(b), phase: Some(meshing) });
+}
+
+/// Puts a toothed wheel on its body, unless it is there; gives where between its teeth the contact is, 0 on a tooth.
+fn mount(links: &mut Links, half: Half, pitch: f64, contact: teeth::Contact) -> f64 {
+    let Half { frame, centre, radius } = half;
+    let same = 1e-6 * links.size();
+    let known = links.wheels().iter().find(|wheel| {
+        wheel.frame == frame && distance(wheel.centre, centre) <= same && (wheel.radius - radius).abs() <= same
+    });
+    if let Some(wheel) = known {
+        return wheel.between_teeth(contact.angle);
+    }
+    let wheel = Wheel::new(frame, centre, radius, pitch, contact);
+    for part in wheel.parts() {
+        links.add(frame, part);
+    }
+    links.wheels().push(wheel);
+    wheel.between_teeth(contact.angle)
+}
+
+/// Two discs and the belt around them; crossed where the radii differ in sign.
+pub(super) fn belt(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, behind: &mut Vec<Carrier>) {
+    // Numbers of teeth are made lengths that leave half of the distance free; lengths stay what they are.
+    let fitting = |ra: f64, rb: f64, apart: f64| {
+        let sum = ra.abs() + rb.abs();
+        if sum < 0.95 * apart { 1.0 } else { 0.5 * apart / sum }
+    };
+    let Some([a, b]) = pair(subject, joint, fitting) else { return };
+    for half in [a, b] {
+        let ink = Ink::of(half.frame);
+        links.add(half.frame, Part::Disc { centre: half.centre, radius: half.radius, ink });
+    }
+    let places = |k: usize| [a, b].map(|half| placed(subject.pose(k, half.frame), half.centre));
+    let poses = subject.instants().map(|k| {
+        let [[x, y], [u, v]] = places(k);
+        [x, y, (v - y).atan2(u - x)]
+    });
+    let [pa, pb] = places(0);
+    let apart = distance(pa, pb);
+    let (ra, rb, crossed) = (a.radius.abs(), b.radius.abs(), (a.radius < 0.0) != (b.radius < 0.0));
+    let sin = (if crossed { ra + rb } else { ra - rb }) / apart;
+    let cos = (1.0 - sin * sin).max(0.0).sqrt();
+    let far = if crossed { -rb } else { rb };
+    let strand = |side: f64| Part::Line {
+        points: vec![[ra * sin, side * ra * cos], [apart + far * sin, side * far * cos]],
+        ink: Ink::Ground,
+        stroke: Stroke::Full,
+        closed: false,
+    };
+    behind.push(Carrier { body: None, poses: poses.collect(), parts: vec![strand(1.0), strand(-1.0)] });
+}
+
+/// A pinion and the teeth of its rack, as long as the way of the rack.
+pub(super) fn rack(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links) {
+    let (Some((guide, p)), Some((bar, q))) = (subject.local(0, joint, Role::P), subject.local(0, joint, Role::Q))
+    else {
+        return;
+    };
+    let Some((_, axis)) = subject.local(0, joint, Role::Axis) else { return };
+    let &[(pinion, radius)] = &subject.radii(joint)[..] else { return };
+    let Some(direction) = subject.direction(0, joint) else { return };
+    links.attach(bar, q);
+    let centre = axle(subject, pinion, guide);
+    let pitch = teeth::pitch(subject, links, radius.abs());
+    // Seen along the axis, a positive radius meshes on the right of the axle.
+    let down = direction - core::f64::consts::FRAC_PI_2 * radius.signum();
+    let contact = teeth::Contact { angle: down - subject.pose(0, pinion)[2], phase: None };
+    let phase = mount(links, Half { frame: pinion, centre, radius: radius.abs() }, pitch, contact);
+    let beyond = 0.1 * links.size();
+    let Some(way) = Way::of(subject, joint, guide, p, axis, beyond) else { return };
+    let ([fx, fy], [tx, ty]) = way.ends();
+    let length = (tx - fx).hypot(ty - fy);
+    let [cx, cy] = placed(subject.pose(0, pinion), centre);
+    let touch = [cx + radius.abs() * down.cos(), cy + radius.abs() * down.sin()];
+    // On the rack, the contact wanders against the rack's own way: it is reached from either end of that.
+    let start = subject.point(0, joint, Role::Q).map_or(0.0, |point| {
+        let [x, y] = seen_from(subject.pose(0, guide), point);
+        (x - fx) * axis[0] + (y - fy) * axis[1]
+    });
+    let strip = teeth::Strip { touch, direction, down, before: length - start, after: start, pitch, phase };
+    let points = strip.points().into_iter().map(|place| seen_from(subject.pose(0, bar), place)).collect();
+    links.add(bar, Part::Line { points, ink: Ink::of(bar), stroke: Stroke::Full, closed: false });
+}
+
+/// A disc, and the line under it.
+pub(super) fn rolling_on_line(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links) {
+    let (Some((i, p)), Some((j, q))) = (subject.local(0, joint, Role::P), subject.local(0, joint, Role::Q)) else {
+        return;
+    };
+    let Some((_, [ax, ay])) = subject.local(0, joint, Role::Axis) else { return };
+    let &[(_, radius)] = &subject.radii(joint)[..] else { return };
+    links.attach(j, q);
+    links.add(j, Part::Disc { centre: q, radius, ink: Ink::of(j) });
+    let Some(way) = Way::of(subject, joint, i, p, [ax, ay], radius.abs()) else { return };
+    // The way of the centre, moved down by the radius.
+    let down = |[x, y]: [f64; 2]| [x + radius * ay, y - radius * ax];
+    let (from, to) = way.ends();
+    let (from, to) = (down(from), down(to));
+    match i {
+        Frame::Ground if radius < 0.0 => links.add(i, Part::Hatching { from: to, to: from }),
+        Frame::Ground => links.add(i, Part::Hatching { from, to }),
+        Frame::Body(_) => {
+            let line = Part::Line { points: vec![from, to], ink: Ink::of(i), stroke: Stroke::Full, closed: false };
+            links.add(i, line);
+        }
+    }
+}
+
+/// Two discs.
+pub(super) fn rolling_on_disc(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links) {
+    for (role, radius) in [Role::P, Role::Q].into_iter().zip(subject.radii(joint)) {
+        let Some((frame, centre)) = subject.local(0, joint, role) else { return };
+        links.attach(frame, centre);
+        links.add(frame, Part::Disc { centre, radius: radius.1, ink: Ink::of(frame) });
+    }
+}

@@ -1,0 +1,174 @@
+//! Pages in a real browser, where there is one: Chromium without a window, called `chromium` or as `CHROMIUM` says.
+//!
+//! A copy of the page gets a script of the test's, which does what a person would and leaves what it sees in the document;
+//! the browser prints the document.
+
+use kin_runtime::{Kinematics, cli};
+use kin_tests::mechanisms::FourbarLectureMid;
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// A directory of a test's own.
+struct Scratch(PathBuf);
+
+impl Scratch {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("kin-browser-{}-{name}", std::process::id()));
+        let _ = fs::remove_dir_all(&path);
+        fs::create_dir_all(&path).expect("a directory");
+        Self(path)
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// The browser's program; none where there is none.
+fn chromium() -> Option<String> {
+    let name = std::env::var("CHROMIUM").unwrap_or_else(|_| "chromium".to_owned());
+    let runs = Command::new(&name).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+    let there = runs.is_ok_and(|status| status.success());
+    if !there {
+        eprintln!("skipped: no Chromium (`{name}` does not run); install it, or say in CHROMIUM where it is");
+    }
+    there.then_some(name)
+}
+
+fn browse(chromium: &str, scratch: &Scratch, page: &Path, what: &[&str]) -> Vec<u8> {
+    let profile = scratch.0.join("profile");
+    let output = Command::new(chromium)
+        .args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"])
+        .args(["--disable-background-networking", "--disable-component-update", "--disable-sync", "--hide-scrollbars"])
+        .args(["--force-prefers-reduced-motion", "--virtual-time-budget=2000"])
+        .arg(format!("--user-data-dir={}", profile.display()))
+        .args(what)
+        .arg(format!("file://{}", page.display()))
+        .output()
+        .expect("the browser runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    output.stdout
+}
+
+/// The page of the lecture's four-bar, 37 instants of one turn.
+fn written(scratch: &Scratch) -> PathBuf {
+    let file = scratch.0.join("motion.html");
+    let _ = cli::run_from::<FourbarLectureMid>([
+        "four_bar",
+        "animate",
+        "--to",
+        "6",
+        "--steps",
+        "36",
+        "--out",
+        &file.display().to_string(),
+    ]);
+    assert!(file.exists(), "the page is written");
+    file
+}
+
+/// What the script of a test, at the end of the page, leaves behind.
+fn tried(chromium: &str, scratch: &Scratch, script: &str) -> Value {
+    let page = fs::read_to_string(written(scratch)).expect("the page");
+    let listen = "<script>window.faults = []; window.onerror = (m) => { faults.push(String(m)); };</script>";
+    let report = format!(
+        "<script>const seen = {{}}; {script}; seen.faults = faults; seen.ready = document.documentElement.dataset.ready;\n\
+         const out = document.createElement('script'); out.type = 'application/json'; out.id = 'seen';\n\
+         out.textContent = JSON.stringify(seen); document.body.append(out);</script>"
+    );
+    let page =
+        page.replacen("<head>", &format!("<head>{listen}"), 1).replacen("</body>", &format!("{report}</body>"), 1);
+    let file = scratch.0.join("tried.html");
+    fs::write(&file, page).expect("a copy");
+    let document = String::from_utf8(browse(chromium, scratch, &file, &["--dump-dom"])).expect("UTF-8");
+    let start = document.find("id=\"seen\">").expect("the report") + "id=\"seen\">".len();
+    let text = &document[start..];
+    serde_json::from_str(&text[..text.find("</script>").expect("its end")]).expect("JSON")
+}
+
+#[test]
+fn the_slider_moves_the_crank_to_the_computed_pose() {
+    let Some(chromium) = chromium() else { return };
+    let scratch = Scratch::new("slider");
+    let seen = tried(
+        &chromium,
+        &scratch,
+        "const slider = document.getElementById('slider'), crank = document.querySelector('g.run [data-body=\"0\"]');\n\
+         seen.last = slider.max; seen.poses = [];\n\
+         for (const k of [0, 9, 36]) { slider.value = k; slider.dispatchEvent(new Event('input'));\n\
+           seen.poses.push([document.getElementById('now').textContent, crank.getAttribute('transform')]); }",
+    );
+    assert_eq!(seen["faults"], serde_json::json!([]));
+    assert_eq!((&seen["ready"], &seen["last"]), (&"true".into(), &"36".into()));
+    let mechanism = FourbarLectureMid::default();
+    for (place, pose) in [0.0, 1.5, 6.0].into_iter().zip(seen["poses"].as_array().expect("three poses")) {
+        let state = mechanism.state_at(&place.into()).expect("it is solved");
+        let turned = state.q[2].to_degrees();
+        assert!(pose[0].as_str().expect("a text").starts_with(&format!("t = {place}")), "{pose}");
+        let transform = pose[1].as_str().expect("a text");
+        let angle = transform.split("rotate(").nth(1).and_then(|text| text.trim_end_matches(')').parse::<f64>().ok());
+        assert!((angle.expect("an angle") + turned).abs() < 0.006, "{transform}, {turned}");
+    }
+}
+
+#[test]
+fn keys_plots_and_modes_work() {
+    let Some(chromium) = chromium() else { return };
+    let scratch = Scratch::new("keys");
+    let seen = tried(
+        &chromium,
+        &scratch,
+        "const $ = (id) => document.getElementById(id), mode = $('mode');\n\
+         const plots = () => document.querySelectorAll('.chart').length;\n\
+         const space = () => document.body.dispatchEvent(new KeyboardEvent('keydown', { key: ' ', bubbles: true }));\n\
+         seen.still = $('play').getAttribute('aria-pressed') === 'true'; space();\n\
+         seen.plays = $('play').getAttribute('aria-pressed') === 'true'; space();\n\
+         seen.plots = [plots()]; $('more').click(); seen.plots.push(plots());\n\
+         document.querySelector('.chart button').click(); seen.plots.push(plots());\n\
+         seen.modes = [...mode.options].map((o) => o.text);\n\
+         const shown = () => [...document.querySelectorAll('g.run')].map((g) => g.style.display !== 'none');\n\
+         seen.before = shown(); mode.value = 1; mode.dispatchEvent(new Event('change')); seen.after = shown();\n\
+         $('names').click(); seen.names = getComputedStyle(document.querySelector('text.body')).display !== 'none';\n\
+         seen.labelled = [...document.querySelectorAll('button, select, input')].every((e) =>\n\
+           e.textContent.trim() || e.getAttribute('aria-label') || e.closest('label'));\n\
+         document.body.style.width = '360px'; seen.wide = document.body.scrollWidth;",
+    );
+    assert_eq!(seen["faults"], serde_json::json!([]));
+    assert_eq!((&seen["still"], &seen["plays"]), (&false.into(), &true.into()));
+    assert_eq!(seen["plots"], serde_json::json!([2, 3, 2]));
+    assert_eq!(seen["modes"].as_array().expect("a list").len(), 2);
+    assert_eq!(
+        (&seen["before"], &seen["after"]),
+        (&serde_json::json!([true, false]), &serde_json::json!([false, true]))
+    );
+    assert_eq!((&seen["names"], &seen["labelled"]), (&true.into(), &true.into()));
+}
+
+#[test]
+fn a_screenshot_shows_the_mechanism_on_a_desk_and_on_a_phone() {
+    let Some(chromium) = chromium() else { return };
+    let scratch = Scratch::new("screenshot");
+    let page = written(&scratch);
+    for size in ["1200,800", "390,844"] {
+        let picture = scratch.0.join("page.png");
+        let what = [format!("--screenshot={}", picture.display()), format!("--window-size={size}")];
+        browse(&chromium, &scratch, &page, &what.each_ref().map(String::as_str));
+        let decoder = png::Decoder::new(std::io::BufReader::new(fs::File::open(&picture).expect("a picture")));
+        let mut reader = decoder.read_info().expect("a PNG");
+        let mut pixels = vec![0; reader.output_buffer_size().expect("its size")];
+        let info = reader.next_frame(&mut pixels).expect("its pixels");
+        let step = info.color_type.samples();
+        // The colours of crank, coupler and rocker, a few pixels of each where bars are drawn.
+        for (name, of) in
+            [("crank", [0x33, 0x8e, 0xc1]), ("coupler", [0xdd, 0x7e, 0x33]), ("rocker", [0x33, 0xb2, 0x8f])]
+        {
+            let near = |pixel: &&[u8]| pixel.iter().zip(of).all(|(a, b): (&u8, u8)| a.abs_diff(b) < 12);
+            let count = pixels.chunks(step).map(|pixel| &pixel[..3]).filter(near).count();
+            assert!(count > 200, "{name} covers {count} pixels of {size}");
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! Laws of drawings: every body of a page stands where the analysis puts it.
+
+use crate::motion::grid;
+use kin_runtime::{Kinematics, Mechanism, Signal, cli};
+use kin_tests::mechanisms::write_signals;
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The place of each body's group among the groups of the first motion of a page.
+fn groups_of_bodies(page: &str) -> Vec<(usize, usize)> {
+    let start = page.find("<g class=\"run\">").expect("a drawing") + "<g class=\"run\">".len();
+    let end = page[start..].find("<g class=\"run\">").map_or(page.len(), |length| start + length);
+    let groups = page[start..end].split("<g").skip(1).enumerate();
+    let body = |text: &str| text.strip_prefix(" data-body=\"")?.split('"').next()?.parse().ok();
+    groups.filter_map(|(place, text)| Some((place, body(text)?))).collect()
+}
+
+fn data(page: &str) -> Value {
+    let start = page.find("id=\"data\">").expect("the data") + "id=\"data\">".len();
+    let text = &page[start..];
+    serde_json::from_str(&text[..text.find("</script>").expect("its end")]).expect("JSON")
+}
+
+/// x, y and the angle of a group at an instant; what stands still is there once.
+fn pose(data: &Value, group: usize, instant: usize) -> [f64; 3] {
+    let track = &data["runs"][0]["tracks"][group];
+    [0, 1, 2].map(|axis| {
+        let list = track[axis].as_array().expect("a list");
+        list[if list.len() == 1 { 0 } else { instant }].as_f64().expect("a number")
+    })
+}
+
+/// Inputs at the first instant, as options.
+fn inputs<M: Mechanism>(from: f64) -> Vec<String> {
+    let mut signals = vec![Signal::default(); M::INPUTS];
+    write_signals::<M>(from, &mut signals);
+    let option = |(name, u): (&&str, &Signal)| format!("--input={name}={},{},{}", u.value, u.rate, u.acceleration);
+    M::model().inputs.iter().zip(&signals).map(option).collect()
+}
+
+/// The groups of the bodies are those of the analysis, moved, enlarged and reflected as a picture is.
+pub(crate) fn drawings_show_the_poses<M: Kinematics + Default>(from: f64, to: f64) {
+    let model = M::model();
+    if model.bodies.is_empty() {
+        return;
+    }
+    // The inputs of a command go on with their acceleration: a short way suits every mechanism.
+    let times = grid(from, from + 0.05 * (to - from), 3);
+    let file: PathBuf = std::env::temp_dir().join(format!("kin-drawing-{}-{}.html", std::process::id(), model.name));
+    let instants: Vec<String> = times.iter().map(f64::to_string).collect();
+    let mut line = vec!["program".to_owned(), "animate".to_owned(), "--least-norm".to_owned()];
+    line.push(format!("--times={}", instants.join(",")));
+    line.push(format!("--out={}", file.display()));
+    line.extend(inputs::<M>(from));
+    let _ = cli::run_from::<M>(line);
+    let page = read(&file);
+    let (data, groups) = (data(&page), groups_of_bodies(&page));
+    assert_eq!(groups.len(), model.bodies.len());
+
+    let first = {
+        let mut signals = vec![Signal::default(); M::INPUTS];
+        write_signals::<M>(from, &mut signals);
+        signals
+    };
+    let after = |t: f64, out: &mut [Signal]| {
+        out.iter_mut().zip(&first).for_each(|(to, u)| *to = u.after(t - from));
+    };
+    let mechanism = M::default();
+    let states = mechanism.solver().with_inputs(&after).sweep(&times).expect("it moves");
+    let mut pairs = Vec::new();
+    for (instant, state) in states.iter().enumerate() {
+        let motion = mechanism.solver().motion(state).expect("it is solved");
+        for &(group, body) in &groups {
+            let body = &motion.bodies[body];
+            let [x, y, angle] = pose(&data, group, instant);
+            assert!((angle + body.phi.to_degrees()).abs() < 0.006, "{angle} {}", body.phi);
+            pairs.push(([body.x, body.y], [x, y]));
+        }
+    }
+    // One scale and one place for all of them.
+    let far = |axis: usize| {
+        let by = |a: &&([f64; 2], [f64; 2]), b: &&([f64; 2], [f64; 2])| a.0[axis].total_cmp(&b.0[axis]);
+        (pairs.iter().min_by(by).expect("a body"), pairs.iter().max_by(by).expect("a body"))
+    };
+    for (axis, sign) in [(0, 1.0), (1, -1.0)] {
+        let (low, high) = far(axis);
+        let extent = high.0[axis] - low.0[axis];
+        let scale = sign * (high.1[axis] - low.1[axis]) / extent;
+        assert!(extent < 1e-9 || scale > 0.0, "axis {axis} is not as a picture has it");
+        for (place, pixels) in &pairs {
+            let expected =
+                if extent > 1e-9 { low.1[axis] + sign * scale * (place[axis] - low.0[axis]) } else { low.1[axis] };
+            assert!((pixels[axis] - expected).abs() < 0.03, "{place:?} is drawn at {pixels:?}");
+        }
+    }
+    fs::remove_file(&file).expect("the file is there");
+}
+
+fn read(file: &Path) -> String {
+    fs::read_to_string(file).expect("the page is written")
+}
