@@ -22,7 +22,6 @@ mod svg;
 mod view;
 mod wheels;
 
-
 pub(crate) use scene::Scene;
 pub(crate) use subject::{Snapshot, Subject};
 pub(crate) use svg::{animated, escaped, still};
