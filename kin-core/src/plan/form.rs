@@ -9,11 +9,11 @@
 //! are found by [`Probe`], so that |A(φ)s|² has no φ left.
 
 use super::probe::Probe;
-use crate::expr::{ExprId, Graph, Node, Symbol};
-use crate::hash::FastMap;
+use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
 use crate::mechanism::Function;
 use crate::structure::turn::terms;
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 /// Terms of a form beyond which it is left as it is.
 const MAX_TERMS: usize = 64;
@@ -44,18 +44,30 @@ pub(super) struct Form {
     pub(super) rest: Option<ExprId>,
 }
 
+/// What readers of the same unknowns find, one after the other.
+#[derive(Default)]
+pub(super) struct Memory {
+    unknowns: BTreeSet<u32>,
+    holds: IdMap<bool>,
+    read: IdMap<Rc<Form>>,
+}
+
 /// Reads forms; remembers which expressions hold unknowns.
 pub(super) struct Reader<'a> {
     pub(super) graph: &'a mut Graph,
     pub(super) probe: &'a mut Probe,
     unknowns: &'a BTreeSet<u32>,
-    holds: FastMap<ExprId, bool>,
-    read: FastMap<ExprId, Form>,
 }
 
 impl<'a> Reader<'a> {
     pub(super) fn new(graph: &'a mut Graph, probe: &'a mut Probe, unknowns: &'a BTreeSet<u32>) -> Self {
-        Self { graph, probe, unknowns, holds: FastMap::default(), read: FastMap::default() }
+        let memory = &mut probe.memory;
+        if memory.unknowns != *unknowns {
+            memory.unknowns.clone_from(unknowns);
+            memory.holds.clear();
+            memory.read.clear();
+        }
+        Self { graph, probe, unknowns }
     }
 
     /// What is sought.
@@ -65,29 +77,50 @@ impl<'a> Reader<'a> {
 
     /// True when an unknown is in `id`.
     pub(super) fn holds(&mut self, id: ExprId) -> bool {
-        for id in self.graph.reachable([id]) {
-            if self.holds.contains_key(&id) {
-                continue;
-            }
-            let node = self.graph.node(id);
-            let mut found = matches!(node, Node::Symbol(Symbol::Coordinate(k)) if self.unknowns.contains(&k));
-            node.for_each_operand(|operand| found |= self.holds.get(&operand).copied().unwrap_or(false));
-            self.holds.insert(id, found);
+        if !self.probe.memory.holds.contains(id) {
+            let order = self.graph.reachable([id]);
+            self.find(&order);
         }
-        self.holds.get(&id).copied().unwrap_or(false)
+        self.known_to_hold(id)
     }
 
-    /// The form of a row.
-    pub(super) fn read(&mut self, id: ExprId) -> Form {
-        self.holds(id);
-        for id in self.graph.reachable([id]) {
-            if !self.read.contains_key(&id) && self.holds.get(&id).copied().unwrap_or(false) {
+    fn known_to_hold(&self, id: ExprId) -> bool {
+        self.probe.memory.holds.or(id, false)
+    }
+
+    /// Notes for expressions, operands first, whether they hold unknowns.
+    fn find(&mut self, order: &[ExprId]) {
+        let holds = &mut self.probe.memory.holds;
+        for &id in order {
+            if !holds.contains(id) {
+                let node = self.graph.node(id);
+                let mut found = matches!(node, Node::Symbol(Symbol::Coordinate(k)) if self.unknowns.contains(&k));
+                node.for_each_operand(|operand| found |= holds.or(operand, false));
+                holds.insert(id, found);
+            }
+        }
+    }
+
+    /// The form of a row, and the unknowns that are written in it.
+    pub(super) fn read(&mut self, id: ExprId) -> (Form, BTreeSet<u32>) {
+        let order = self.graph.reachable([id]);
+        self.find(&order);
+        let mut written = BTreeSet::new();
+        for id in order {
+            if !self.known_to_hold(id) {
+                continue;
+            }
+            if let Node::Symbol(Symbol::Coordinate(k)) = self.graph.node(id) {
+                written.insert(k);
+            }
+            if !self.probe.memory.read.contains(id) {
                 let form = self.node(id).unwrap_or_else(|| Form { rest: Some(id), ..Form::default() });
-                self.read.insert(id, form);
+                self.probe.memory.read.insert(id, Rc::new(form));
             }
         }
         let form = self.known_form(id);
-        self.clean(form)
+        let form = Rc::try_unwrap(form).unwrap_or_else(|shared| (*shared).clone());
+        (self.clean(form), written)
     }
 
     /// Without coefficients that are zero for all values.
@@ -104,11 +137,11 @@ impl<'a> Reader<'a> {
         form
     }
 
-    fn known_form(&mut self, id: ExprId) -> Form {
-        if let Some(form) = self.read.get(&id) {
-            return form.clone();
+    fn known_form(&mut self, id: ExprId) -> Rc<Form> {
+        match self.probe.memory.read.get(id) {
+            Some(form) => Rc::clone(form),
+            None => Rc::new(self.constant(id)),
         }
-        self.constant(id)
     }
 
     pub(super) fn constant(&mut self, id: ExprId) -> Form {
@@ -142,7 +175,7 @@ impl<'a> Reader<'a> {
                 let (a, b) = (self.known_form(a), self.known_form(b));
                 self.product(&a, &b)?
             }
-            Node::Div(a, b) if !self.holds.get(&b).copied().unwrap_or(false) => {
+            Node::Div(a, b) if !self.known_to_hold(b) => {
                 let one = self.graph.number(1.0);
                 let (inverse, a) = (self.graph.div(one, b), self.known_form(a));
                 let inverse = self.constant(inverse);
@@ -150,7 +183,7 @@ impl<'a> Reader<'a> {
             }
             Node::Powi(a, n @ 2..=4) => {
                 let a = self.known_form(a);
-                let mut power = a.clone();
+                let mut power = (*a).clone();
                 for _ in 1..n {
                     power = self.product(&power, &a)?;
                 }

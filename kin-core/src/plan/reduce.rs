@@ -72,9 +72,8 @@ impl Reduction<'_> {
             unknowns.remove(&coordinate);
             self.rewritten.clear();
             for &other in &rows {
-                let holds = self.graph.reachable([self.rows[other]]).into_iter();
-                let symbol = Node::Symbol(Symbol::Coordinate(coordinate));
-                if holds.map(|id| self.graph.node(id)).any(|node| node == symbol) {
+                // What cancels out of a row is no longer written in it.
+                if self.has(&forms[&other], coordinate) {
                     let mut replaced = Replaced { coordinate, value };
                     self.rows[other] = rewrite(self.graph, self.rows[other], &mut self.rewritten, &mut replaced);
                     let own = self.made_of[row].clone();
@@ -147,18 +146,26 @@ impl Reduction<'_> {
 
     /// The form of a row, and the row without unknowns that cancel out of it: they may be solved for later only.
     pub(super) fn form(&mut self, row: usize, unknowns: &BTreeSet<u32>) -> Form {
-        let form = Reader::new(self.graph, self.probe, unknowns).read(self.rows[row]);
-        let left = self.unknowns(&form, unknowns);
-        let written = self.unknowns(&Form { rest: Some(self.rows[row]), ..Form::default() }, unknowns);
-        if written.is_subset(&left) {
-            return form;
+        loop {
+            let (form, written) = Reader::new(self.graph, self.probe, unknowns).read(self.rows[row]);
+            let left = self.unknowns(&form, unknowns);
+            if written.is_subset(&left) {
+                return form;
+            }
+            for &coordinate in written.difference(&left) {
+                let mut replaced = Replaced { coordinate, value: self.graph.zero() };
+                self.rewritten.clear();
+                self.rows[row] = rewrite(self.graph, self.rows[row], &mut self.rewritten, &mut replaced);
+            }
         }
-        for &coordinate in written.difference(&left) {
-            let mut replaced = Replaced { coordinate, value: self.graph.zero() };
-            self.rewritten.clear();
-            self.rows[row] = rewrite(self.graph, self.rows[row], &mut self.rewritten, &mut replaced);
-        }
-        Reader::new(self.graph, self.probe, unknowns).read(self.rows[row])
+    }
+
+    /// True when a coordinate is in a form.
+    fn has(&self, form: &Form, coordinate: u32) -> bool {
+        let in_rest = |rest: ExprId| {
+            !self.unknowns(&Form { rest: Some(rest), ..Form::default() }, &BTreeSet::from([coordinate])).is_empty()
+        };
+        form.terms.keys().any(|key| key.holds(coordinate)) || form.rest.is_some_and(in_rest)
     }
 
     /// The unknowns of a form.
