@@ -1,22 +1,22 @@
 //! `animate`: the motion as a page for a browser, or as a picture that moves.
 
-use std::f64::consts::TAU;
 use std::path::Path;
 
+use super::columns::{column_infos, shown};
 use super::engine::{Engine, Setup};
 use super::failure::Failure;
-use super::moving::{GridArgs, Moved, motions, moved, note_motion};
+use super::moving::{GridArgs, Moved, motions, moved, natural_end, note_motion};
 use super::options::{FreedomArgs, SetupArgs};
 use super::session::Session;
-use super::solved::{driven_state, note_freedom};
-use crate::model::{Component, CoordinateKind, Model};
+use super::solved::note_freedom;
+use crate::model::Model;
 use crate::motion::Motion;
 use crate::planned::Sign;
-use crate::present::animation::{Animation, ColumnInfo, Run};
+use crate::present::animation::{Animation, Run};
 use crate::present::drawing::{Scene, Snapshot, Subject};
 use crate::present::grid::columns;
 use crate::present::text::count;
-use crate::present::units::{Measure, Units};
+use crate::present::units::Units;
 use crate::state::State;
 
 /// Steps when --steps is not there.
@@ -25,8 +25,6 @@ const STEPS: usize = 180;
 const MODES: usize = 8;
 /// Coordinates of all instants that the modes besides the one asked for may have together, so that pages stay small.
 const NUMBERS: usize = 60_000;
-/// The end of a motion that has no period.
-const END: f64 = 1.0;
 
 /// See it move: a page for a browser that needs nothing else (.html), or a moving picture (.svg)
 #[derive(Clone, Debug, clap::Args)]
@@ -78,7 +76,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
         let what = "it has no bodies and no points, only scalar coordinates: `sweep` and `plot` show those";
         return Err(Failure::Analysis(format!("{}: there is nothing to draw; {what}", model.name)));
     }
-    let times = args.grid.times(|from| Some(from + period(engine, &setup, from).unwrap_or(END)), STEPS)?;
+    let times = args.grid.times(|from| Some(natural_end(engine, &setup, from)), STEPS)?;
     let Moved { trajectory, ended, left } = moved(engine, &setup, &times, false, args.freedom)?;
     note_motion(session, &trajectory);
     note_freedom(session, left);
@@ -99,8 +97,8 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
             }
         }
     }
-    let columns = column_infos(model, &trajectory.states, engine)?;
-    let shown = shown(model, &columns, &runs[0]);
+    let columns = column_infos(model, &names_of(engine, &trajectory.states)?);
+    let shown = shown(model, &runs[0].columns);
     let time = Units::of(model).time().map(str::to_owned);
     let animation = Animation { model, runs, columns, shown, time };
     let text = match form {
@@ -116,29 +114,6 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
             Err(failure)
         }
     }
-}
-
-/// The time that the slowest of the cranks driven at constant speed takes for one turn.
-fn period(engine: &dyn Engine, setup: &Setup, from: f64) -> Option<f64> {
-    let model = engine.model();
-    let (state, _) = driven_state(engine, setup, from, true).ok()?;
-    let angle = |column: usize| {
-        let kind = model.coordinates.get(column).map(|coordinate| coordinate.kind);
-        matches!(kind, Some(CoordinateKind::Pose { component: Component::Phi, .. } | CoordinateKind::Scalar))
-    };
-    let driven = model.rows.iter().enumerate().filter(|(_, row)| row.driving).filter_map(|(place, _)| {
-        let mut entries = model.constraint_pattern.entries.iter().filter(|(row, _)| *row == place);
-        match (entries.next(), entries.next()) {
-            (Some(&(_, column)), None) if angle(column) => Some(column),
-            _ => None,
-        }
-    });
-    let speeds = driven.filter_map(|column| {
-        let (speed, acceleration) = (state.q_dot.get(column)?.abs(), state.q_ddot.get(column)?.abs());
-        (speed > 0.0 && acceleration <= 1e-9 * speed * speed).then_some(speed)
-    });
-    let slowest = speeds.fold(f64::INFINITY, f64::min);
-    slowest.is_finite().then_some(TAU / slowest)
 }
 
 /// All other combinations of signs, few enough to look at.
@@ -162,6 +137,12 @@ fn mode_name(model: &Model, own: &[Sign], signs: &[Sign]) -> String {
     if names.is_empty() { "as assembled".to_owned() } else { names.join(", ") }
 }
 
+/// The names of the columns besides t.
+fn names_of(engine: &dyn Engine, states: &[State]) -> Result<Vec<String>, Failure> {
+    let first = states.get(..1).unwrap_or_default();
+    Ok(columns(engine.model(), first, &motions(engine, first)?).into_iter().skip(1).map(|(name, _)| name).collect())
+}
+
 /// A motion with its drawing and its numbers.
 fn run_of(engine: &dyn Engine, states: &[State], name: String, note: Option<String>) -> Result<Run, Failure> {
     let all = motions(engine, states)?;
@@ -183,37 +164,4 @@ fn snapshot(engine: &dyn Engine, state: &State, motion: &Motion) -> Result<Snaps
         points: motion.points.iter().map(|point| point.r).collect(),
         geometry,
     })
-}
-
-/// Names and units of the columns: each with its rate and its acceleration.
-fn column_infos(model: &'static Model, states: &[State], engine: &dyn Engine) -> Result<Vec<ColumnInfo>, Failure> {
-    let units = Units::of(model);
-    let first = states.get(..1).unwrap_or_default();
-    let names = columns(model, first, &motions(engine, first)?);
-    let info = |(k, (name, _)): (usize, (String, Vec<f64>))| {
-        let base = name.trim_end_matches("_ddot").trim_end_matches("_dot");
-        let measure = match base.rsplit('.').next() {
-            Some("x" | "y" | "stroke" | "distance") if base.contains('.') => Measure::Length,
-            Some("phi" | "angle" | "theta") if base.contains('.') => Measure::Angle,
-            _ => Measure::Unknown,
-        };
-        ColumnInfo { unit: units.derivative(measure, k % 3), name }
-    };
-    Ok(names.into_iter().skip(1).enumerate().map(info).collect())
-}
-
-/// Two columns that tell something at first: a point's or a coordinate's that is not simply driven, and its rate.
-fn shown(model: &Model, columns: &[ColumnInfo], run: &Run) -> Vec<usize> {
-    let bends = |k: usize| {
-        let Some(values) = run.columns.get(k) else { return 0.0 };
-        let (first, last) = (values.first().copied().unwrap_or(0.0), values.last().copied().unwrap_or(0.0));
-        let count = (values.len().max(2) - 1) as f64;
-        let line = |i: usize| first + (last - first) * i as f64 / count;
-        values.iter().enumerate().map(|(i, x)| (x - line(i)).abs()).fold(0.0, f64::max)
-    };
-    let points = 3 * model.coordinates.len()..3 * (model.coordinates.len() + 2 * model.points.len());
-    let coordinates = (0..3 * model.coordinates.len()).rev();
-    let candidates = points.chain(coordinates).filter(|k| k % 3 == 0 && *k < columns.len());
-    let best = candidates.clone().find(|&k| bends(k) > 1e-9).or_else(|| candidates.clone().next());
-    best.map_or_else(Vec::new, |k| vec![k, k + 1])
 }

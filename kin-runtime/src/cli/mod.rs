@@ -7,7 +7,7 @@
 //! # }
 //! ```
 //!
-//! The commands are `info`, `solve`, `sweep`, `animate` and `check`, one per file; without a command a report at t = 0 is printed.
+//! The commands are `info`, `solve`, `sweep`, `animate`, `plot` (with the feature `plot`) and `check`, one per file; without a command a report at t = 0 is printed.
 //! Results go to stdout or to the file of `--out`, everything else to stderr. The exit status is 0 only when the
 //! answer is good, 2 when the options make no sense, and 1 when the mechanism has no good answer.
 //!
@@ -29,12 +29,15 @@ use session::Session;
 
 mod animate;
 mod check;
+mod columns;
 mod engine;
 mod failure;
 mod info;
 mod moving;
 mod names;
 mod options;
+#[cfg(feature = "plot")]
+mod plot;
 mod report;
 mod session;
 mod solve;
@@ -79,6 +82,8 @@ enum Command {
     Sweep(sweep::SweepArgs),
     Check(check::CheckArgs),
     Animate(animate::AnimateArgs),
+    #[cfg(feature = "plot")]
+    Plot(plot::PlotArgs),
 }
 
 /// The whole program, with its streams as arguments; gives the exit status.
@@ -102,6 +107,8 @@ fn run(engine: &mut dyn Engine, args: Vec<OsString>, out: &mut dyn Write, err: &
         Some(Command::Sweep(args)) => sweep::run(args, engine, &mut session),
         Some(Command::Check(args)) => check::run(args, engine, &mut session),
         Some(Command::Animate(args)) => animate::run(args, engine, &mut session),
+        #[cfg(feature = "plot")]
+        Some(Command::Plot(args)) => plot::run(args, engine, &mut session),
     };
     session.finish(done)
 }

@@ -1,11 +1,14 @@
 //! Motions, for every command that shows one: their instants, and how far they come.
 
+use std::f64::consts::TAU;
+
 use super::engine::{Engine, Setup};
 use super::failure::Failure;
 use super::options::FreedomArgs;
 use super::session::Session;
 use super::solved::{analysis, driven_state, fully_driven};
 use super::values;
+use crate::model::{Component, CoordinateKind};
 use crate::motion::Motion;
 use crate::present::condition;
 use crate::present::text::count;
@@ -119,4 +122,32 @@ fn note_fallbacks(session: &mut Session<'_>, trajectory: &Trajectory) {
 /// Points, defines and joint quantities of every state.
 pub(super) fn motions(engine: &dyn Engine, states: &[State]) -> Result<Vec<Motion>, Failure> {
     states.iter().map(|s| engine.motion(s).map_err(|e| analysis(engine, &e))).collect()
+}
+
+/// Where a motion from an instant on may end when nobody says: after one turn of the slowest of the cranks that are driven
+/// at constant speed, or after one unit of time.
+pub(super) fn natural_end(engine: &dyn Engine, setup: &Setup, from: f64) -> f64 {
+    from + period(engine, setup, from).unwrap_or(1.0)
+}
+
+fn period(engine: &dyn Engine, setup: &Setup, from: f64) -> Option<f64> {
+    let model = engine.model();
+    let (state, _) = driven_state(engine, setup, from, true).ok()?;
+    let angle = |column: usize| {
+        let kind = model.coordinates.get(column).map(|coordinate| coordinate.kind);
+        matches!(kind, Some(CoordinateKind::Pose { component: Component::Phi, .. } | CoordinateKind::Scalar))
+    };
+    let driven = model.rows.iter().enumerate().filter(|(_, row)| row.driving).filter_map(|(place, _)| {
+        let mut entries = model.constraint_pattern.entries.iter().filter(|(row, _)| *row == place);
+        match (entries.next(), entries.next()) {
+            (Some(&(_, column)), None) if angle(column) => Some(column),
+            _ => None,
+        }
+    });
+    let speeds = driven.filter_map(|column| {
+        let (speed, acceleration) = (state.q_dot.get(column)?.abs(), state.q_ddot.get(column)?.abs());
+        (speed > 0.0 && acceleration <= 1e-9 * speed * speed).then_some(speed)
+    });
+    let slowest = speeds.fold(f64::INFINITY, f64::min);
+    slowest.is_finite().then_some(TAU / slowest)
 }

@@ -13,6 +13,7 @@ pub(super) enum Kind {
     Coordinate,
     Input,
     Mode,
+    Quantity,
 }
 
 impl Kind {
@@ -22,18 +23,28 @@ impl Kind {
             Self::Coordinate => "coordinate",
             Self::Input => "input",
             Self::Mode => "mode",
+            Self::Quantity => "quantity",
+        }
+    }
+}
+
+impl Kind {
+    fn plural(self) -> String {
+        match self {
+            Self::Quantity => "quantities".to_owned(),
+            other => format!("{}s", other.singular()),
         }
     }
 }
 
 /// The place of `name` among `names`.
-pub(super) fn find(option: &str, kind: Kind, name: &str, names: &[&'static str]) -> Result<usize, Failure> {
+pub(super) fn find(option: &str, kind: Kind, name: &str, names: &[&str]) -> Result<usize, Failure> {
     if let Some(place) = names.iter().position(|n| *n == name) {
         return Ok(place);
     }
     let what = kind.singular();
     if names.is_empty() {
-        return Err(Failure::option(option, format!("`{name}`: this mechanism has no {what}s")));
+        return Err(Failure::option(option, format!("`{name}`: this mechanism has no {}", kind.plural())));
     }
     let mut text = format!("no {what} named `{name}`");
     if let Some(element) = names.iter().find(|n| n.strip_prefix(name).is_some_and(|rest| rest.starts_with('['))) {
@@ -42,7 +53,7 @@ pub(super) fn find(option: &str, kind: Kind, name: &str, names: &[&'static str])
         text.push_str(&format!("; did you mean `{near}`?"));
     }
     text.push('\n');
-    text.push_str(&listing(&format!("  {what}s: "), names));
+    text.push_str(&listing(&format!("  {}: ", kind.plural()), names));
     Err(Failure::option(option, text))
 }
 
@@ -55,7 +66,7 @@ pub(super) fn listing(lead: &str, names: &[&str]) -> String {
 }
 
 /// The most similar name, when one is similar enough to be what was meant.
-fn nearest(name: &str, names: &[&'static str]) -> Option<&'static str> {
+fn nearest<'n>(name: &str, names: &[&'n str]) -> Option<&'n str> {
     let lower = name.to_lowercase();
     names
         .iter()

@@ -4,6 +4,9 @@ use super::failure::Failure;
 use crate::planned::Sign;
 use crate::workspace::Signal;
 
+/// Values of a parameter that one diagram shows at most.
+const MOST_VALUES: usize = 14;
+
 /// The most instants that one sweep computes.
 const MOST_STEPS: usize = 1_000_000;
 
@@ -145,6 +148,24 @@ pub(super) fn grid(from: f64, to: f64, steps: usize) -> Result<Vec<f64>, Failure
         return Err(Failure::Usage(what));
     }
     Ok((0..=steps).map(|i| if i == steps { to } else { from + length * i as f64 / steps as f64 }).collect())
+}
+
+/// The values of `--vary`: `l1=0.08..0.12:5`, both ends included, or `l1=0.08,0.1`.
+pub(super) fn variation(option: &str, text: &str) -> Result<(String, Vec<f64>), Failure> {
+    let shape = || Failure::option(option, format!("`{text}`: write l1=0.08..0.12:5 or l1=0.08,0.1,0.12"));
+    let (name, values) = text.split_once('=').ok_or_else(shape)?;
+    let Some((from, rest)) = values.split_once("..") else {
+        let values = values.split(',').map(|value| number(option, value)).collect::<Result<Vec<f64>, Failure>>()?;
+        return Ok((name.trim().to_owned(), values));
+    };
+    let (to, count) = rest.split_once(':').ok_or_else(shape)?;
+    let (from, to) = (number(option, from)?, number(option, to)?);
+    let count = count.trim().parse::<usize>().ok().filter(|n| (2..=MOST_VALUES).contains(n));
+    let Some(count) = count else {
+        return Err(Failure::option(option, format!("`{text}`: between 2 and {MOST_VALUES} values can be told apart")));
+    };
+    let at = |k: usize| from + (to - from) * k as f64 / (count - 1) as f64;
+    Ok((name.trim().to_owned(), (0..count).map(|k| if k + 1 == count { to } else { at(k) }).collect()))
 }
 
 /// The number of steps.

@@ -12,6 +12,8 @@ pub(crate) mod drawing;
 pub(crate) mod grid;
 pub(crate) mod json;
 pub(crate) mod plan;
+#[cfg(feature = "plot")]
+pub(crate) mod plot;
 pub(crate) mod record;
 pub(crate) mod structure;
 pub(crate) mod text;

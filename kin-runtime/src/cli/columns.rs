@@ -1,0 +1,36 @@
+//! What can be plotted: the columns of a motion, their units, and which of them tell something.
+
+use crate::model::Model;
+use crate::present::animation::ColumnInfo;
+use crate::present::units::{Measure, Units};
+
+/// Names and units of the columns besides t: each with its rate and its acceleration.
+pub(super) fn column_infos(model: &Model, names: &[String]) -> Vec<ColumnInfo> {
+    let units = Units::of(model);
+    let info = |(k, name): (usize, &String)| {
+        let base = name.trim_end_matches("_ddot").trim_end_matches("_dot");
+        let measure = match base.rsplit('.').next() {
+            Some("x" | "y" | "stroke" | "distance") if base.contains('.') => Measure::Length,
+            Some("phi" | "angle" | "theta") if base.contains('.') => Measure::Angle,
+            _ => Measure::Unknown,
+        };
+        ColumnInfo { unit: units.derivative(measure, k % 3), name: name.clone() }
+    };
+    names.iter().enumerate().map(info).collect()
+}
+
+/// Two columns that tell something at first: a point's or a coordinate's that is not simply driven, and its rate.
+pub(super) fn shown(model: &Model, columns: &[Vec<f64>]) -> Vec<usize> {
+    let bends = |k: usize| {
+        let Some(values) = columns.get(k) else { return 0.0 };
+        let (first, last) = (values.first().copied().unwrap_or(0.0), values.last().copied().unwrap_or(0.0));
+        let count = (values.len().max(2) - 1) as f64;
+        let line = |i: usize| first + (last - first) * i as f64 / count;
+        values.iter().enumerate().map(|(i, x)| (x - line(i)).abs()).fold(0.0, f64::max)
+    };
+    let points = 3 * model.coordinates.len()..3 * (model.coordinates.len() + 2 * model.points.len());
+    let coordinates = (0..3 * model.coordinates.len()).rev();
+    let mut candidates = points.chain(coordinates).filter(|k| k % 3 == 0 && *k < columns.len());
+    let first = candidates.clone().next();
+    candidates.find(|&k| bends(k) > 1e-9).or(first).map_or_else(Vec::new, |k| vec![k, k + 1])
+}

@@ -1,0 +1,31 @@
+//! Panels: which curves stand in one pair of axes.
+
+/// A curve with its name in the legend.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Curve {
+    /// What distinguishes it from the others of its panel.
+    pub(crate) name: String,
+    /// (x, y), all finite.
+    pub(crate) points: Vec<(f64, f64)>,
+}
+
+/// One pair of axes.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Panel {
+    /// Under and beside it.
+    pub(crate) labels: [String; 2],
+    /// A length is as long on either axis: for paths in the plane.
+    pub(crate) equal: bool,
+    /// At least one.
+    pub(crate) curves: Vec<Curve>,
+}
+
+impl Panel {
+    /// A label with its unit.
+    pub(crate) fn label(name: &str, unit: Option<&str>) -> String {
+        match unit {
+            Some(unit) => format!("{name} in {unit}"),
+            None => name.to_owned(),
+        }
+    }
+}
