@@ -54,7 +54,9 @@ fn attempts(equations: &mut Equations<'_>, guesses: &[Option<f64>]) -> Result<Po
             }
         }
         if !open.is_empty() && attempt % 2 == 0 {
-            let rows = equations.rows_where(Equations::holonomic);
+            // Rows without an unknown stay what they are.
+            let moves = |e: &Equations<'_>, row| e.row(row).any(|(k, _)| open.binary_search(&k).is_ok());
+            let rows = equations.rows_where(|e, row| e.holonomic(row) && moves(e, row));
             close(equations, &rows, &open, &mut q);
         }
         let outcome = close_all(equations, &mut q);
@@ -118,26 +120,20 @@ fn propagate(equations: &mut Equations<'_>, guesses: &[Option<f64>], start: &[f6
 
 /// Columns in which a row has entries.
 fn columns_of(equations: &Equations<'_>, row: usize) -> Vec<usize> {
-    let own = equations.model.rows.len();
-    if row < own {
-        let entries = equations.model.constraint_pattern.entries;
-        entries.iter().filter(|entry| entry.0 == row).map(|entry| entry.1).collect()
-    } else {
-        (0..equations.coordinates()).filter(|&k| equations.jacobian[(row, k)] != 0.0).collect()
-    }
+    equations.row(row).map(|(column, _)| column).collect()
 }
 
 /// The root of a row in one coordinate, if one Newton step solves it.
 fn affine_root(equations: &mut Equations<'_>, row: usize, k: usize, q: &mut [f64]) -> Option<f64> {
     let before = q[k];
     equations.evaluate(Subset::POSITION, q, None).ok()?;
-    let (value, slope) = (equations.phi[row], equations.jacobian[(row, k)]);
+    let (value, slope) = (equations.phi[row], equations.entry(row, k));
     q[k] = before - value / slope;
     let root = q[k];
     let solved = root.is_finite()
         && equations.evaluate(Subset::POSITION, q, None).is_ok()
         && equations.phi[row].abs() <= 1e-9 * value.abs().max(slope.abs() * (root.abs() + before.abs()))
-        && (equations.jacobian[(row, k)] - slope).abs() <= 1e-9 * slope.abs();
+        && (equations.entry(row, k) - slope).abs() <= 1e-9 * slope.abs();
     q[k] = before;
     solved.then_some(root)
 }

@@ -3,7 +3,9 @@
 use crate::contact;
 use crate::course::{InputFunction, Kind, Way};
 use crate::error::SolveError;
+use crate::factorisation;
 use crate::geometry;
+use crate::linear::Ordered;
 use crate::mechanism::LengthError;
 use crate::model::{Level, Model};
 use crate::options::Options;
@@ -40,8 +42,10 @@ pub(crate) struct Equations<'a> {
     pub(crate) inputs: Vec<Signal>,
     /// Φ.
     pub(crate) phi: DVector<f64>,
-    /// Φ_q.
-    pub(crate) jacobian: DMatrix<f64>,
+    /// The entries of Φ_q, in the order of the pattern, then those of prescribed coordinates.
+    pub(crate) phi_q: Vec<f64>,
+    /// Their places, sorted by rows, with the order of elimination.
+    pub(crate) ordered: Ordered,
     /// Φ_t.
     pub(crate) phi_t: DVector<f64>,
     /// γ.
@@ -65,19 +69,18 @@ impl<'a> Equations<'a> {
         let model = system.model();
         let n = model.coordinates.len();
         let rows = model.rows.len() + given.len();
-        let mut jacobian = DMatrix::zeros(rows, n);
         for (k, &(coordinate, signal)) in given.iter().enumerate() {
             if coordinate >= n {
                 return Err(SolveError::UnknownCoordinate { index: coordinate, coordinates: n });
             }
             let name = model.coordinates[coordinate].name;
             finite_signal("given", k, name, signal)?;
-            jacobian[(model.rows.len() + k, coordinate)] = 1.0;
         }
         for (index, &value) in system.parameters().iter().enumerate() {
             let name = model.parameters.get(index).map_or("", |p| p.name);
             finite("parameters", index, name, value)?;
         }
+        let ordered = factorisation::pattern(model, given.iter().map(|given| given.0));
         let mut equations = Self {
             system,
             model,
@@ -90,7 +93,8 @@ impl<'a> Equations<'a> {
             t: at.t,
             inputs: Vec::new(),
             phi: DVector::zeros(rows),
-            jacobian,
+            phi_q: vec![1.0; ordered.entries().len()],
+            ordered,
             phi_t: DVector::zeros(rows),
             gamma: DVector::zeros(rows),
             still: vec![0.0; n],
@@ -261,11 +265,13 @@ impl<'a> Equations<'a> {
             copy("γ", self.model, parts.gamma, &mut self.gamma)?;
         }
         if subset.phi_q {
-            let entries = self.model.constraint_pattern.entries;
-            for (&(row, column), &value) in entries.iter().zip(parts.phi_q) {
-                finite("Φ_q", row, self.model.rows.get(row).map_or("", |r| r.name), value)?;
-                self.jacobian[(row, column)] = value;
+            if !all_finite(parts.phi_q) {
+                let entries = self.model.constraint_pattern.entries;
+                for (&(row, _), &value) in entries.iter().zip(parts.phi_q) {
+                    finite("Φ_q", row, self.model.rows.get(row).map_or("", |r| r.name), value)?;
+                }
             }
+            self.phi_q[..parts.phi_q.len()].copy_from_slice(parts.phi_q);
         }
         let frozen = self.is_frozen();
         for (k, given) in self.given.iter().enumerate() {
@@ -310,9 +316,30 @@ impl<'a> Equations<'a> {
         Ok(())
     }
 
+    /// The entries of Φ_q with their rows and columns, in the order of the rows.
+    pub(crate) fn entries(&self) -> impl Iterator<Item = ((usize, usize), f64)> {
+        self.ordered.entries().iter().copied().zip(self.phi_q.iter().copied())
+    }
+
+    /// The entries of a row of Φ_q with their columns.
+    pub(crate) fn row(&self, row: usize) -> impl Iterator<Item = (usize, f64)> {
+        let first = self.ordered.entries().partition_point(|entry| entry.0 < row);
+        let rest = self.entries().skip(first);
+        rest.take_while(move |((of_row, _), _)| *of_row == row).map(|((_, column), value)| (column, value))
+    }
+
+    /// An entry of Φ_q.
+    pub(crate) fn entry(&self, row: usize, column: usize) -> f64 {
+        self.row(row).find(|entry| entry.0 == column).map_or(0.0, |entry| entry.1)
+    }
+
     /// Some rows of Φ_q, each on the common scale, columns in their own units.
     pub(crate) fn scaled_rows(&self, rows: &[usize]) -> DMatrix<f64> {
-        DMatrix::from_fn(rows.len(), self.coordinates(), |i, j| self.jacobian[(rows[i], j)] * self.scale.rows[rows[i]])
+        let mut matrix = DMatrix::zeros(rows.len(), self.coordinates());
+        for (i, &row) in rows.iter().enumerate() {
+            self.row(row).for_each(|(column, value)| matrix[(i, column)] = value * self.scale.rows[row]);
+        }
+        matrix
     }
 
     /// Some rows of Φ_q, rows and columns on the common scale.
@@ -342,9 +369,16 @@ pub(crate) fn length(what: &'static str, expected: usize, found: usize) -> Resul
 
 /// Copies the mechanism's rows and checks them.
 fn copy(what: &'static str, model: &'static Model, from: &[f64], to: &mut DVector<f64>) -> Result<(), SolveError> {
-    for (index, (&value, place)) in from.iter().zip(to.iter_mut()).enumerate() {
-        finite(what, index, model.rows.get(index).map_or("", |r| r.name), value)?;
-        *place = value;
+    if !all_finite(from) {
+        for (index, &value) in from.iter().enumerate() {
+            finite(what, index, model.rows.get(index).map_or("", |r| r.name), value)?;
+        }
     }
+    to.as_mut_slice()[..from.len()].copy_from_slice(from);
     Ok(())
+}
+
+/// True if all numbers are finite; without an early end, so that it is quick where they are.
+fn all_finite(numbers: &[f64]) -> bool {
+    numbers.iter().fold(true, |all, x| all & x.is_finite())
 }

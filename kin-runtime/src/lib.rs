@@ -77,6 +77,8 @@ mod course;
 mod dual;
 #[cfg(feature = "std")]
 mod equations;
+#[cfg(feature = "std")]
+mod factorisation;
 #[cfg(all(test, feature = "std"))]
 mod fixture;
 #[cfg(feature = "std")]

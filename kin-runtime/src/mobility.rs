@@ -262,7 +262,7 @@ fn choose(equations: &Equations<'_>, passive: &[usize], rank: usize) -> (Vec<usi
     let driving = equations.rows_where(|e, row| e.drives(row));
     for k in 0..n {
         let mut weight = 1.0;
-        if driving.iter().any(|&row| equations.jacobian[(row, k)] != 0.0) {
+        if driving.iter().any(|&row| equations.entry(row, k) != 0.0) {
             weight *= DRIVEN;
         }
         let length = matches!(

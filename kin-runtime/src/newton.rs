@@ -21,6 +21,14 @@ pub(crate) trait Residual {
     fn residual(&self) -> DVector<f64>;
     /// J of the last evaluation.
     fn jacobian(&self) -> DMatrix<f64>;
+    /// J x, with J of the last evaluation.
+    fn times(&self, x: &DVector<f64>) -> DVector<f64> {
+        self.jacobian() * x
+    }
+    /// J D of the last evaluation, factorised for solutions; pivots below `tolerance` are not divided by.
+    fn factorise(&mut self, tolerance: f64) -> Factorization {
+        Factorization::quick(&self.jacobian(), self.columns(), tolerance)
+    }
     /// D: size of every column.
     fn columns(&self) -> &[f64];
 }
@@ -75,23 +83,29 @@ pub(crate) fn solve(problem: &mut dyn Residual, q: &mut [f64], settings: &Settin
         if outcome.gap == 0.0 {
             return outcome;
         }
-        let jacobian = problem.jacobian();
-        let factor = Factorization::quick(&jacobian, problem.columns(), settings.rank_tolerance);
-        let newton = -factor.solve(&residual);
-        let mut levenberg = None;
+        let newton = -problem.factorise(settings.rank_tolerance).solve(&residual);
+        let newton_change = problem.times(&newton);
+        let mut levenberg: Option<(DMatrix<f64>, Levenberg)> = None;
         loop {
             outcome.iterations += 1;
             let newton_fits = size(&newton, problem.columns()) <= radius;
-            let step = if newton_fits {
-                newton.clone()
+            let (step, change) = if newton_fits {
+                (newton.clone(), newton_change.clone())
             } else {
-                levenberg
-                    .get_or_insert_with(|| Levenberg::new(&jacobian, &residual, problem.columns()))
-                    .step(radius, problem.columns())
+                let (jacobian, levenberg) = levenberg.get_or_insert_with(|| {
+                    // What was evaluated last may have been a trial.
+                    problem.evaluate(q);
+                    let jacobian = problem.jacobian();
+                    let levenberg = Levenberg::new(&jacobian, &residual, problem.columns());
+                    (jacobian, levenberg)
+                });
+                let step = levenberg.step(radius, problem.columns());
+                let change = &*jacobian * &step;
+                (step, change)
             };
             let length = size(&step, problem.columns());
             trial.iter_mut().zip(q.iter()).zip(step.iter()).for_each(|((t, q), s)| *t = q + s);
-            let predicted = 0.5 * (residual.norm_squared() - (&residual + &jacobian * &step).norm_squared());
+            let predicted = 0.5 * (residual.norm_squared() - (&residual + change).norm_squared());
             let finite = length.is_finite() && problem.evaluate(&trial);
             let new = if finite { problem.residual() } else { residual.clone() };
             let (worst, gap) = largest(&new);

@@ -50,6 +50,11 @@ pub struct Options {
     /// False to correct every step of a sweep or a tracker by full Newton, also where the mechanism has a plan. Answers are
     /// the same to rounding; errors then say nothing of groups and margins.
     pub use_plan: bool,
+    /// False to factorise Φ_q densely, with its rank revealed, at every instant. Otherwise that is done only where a sparse
+    /// elimination in the fixed pattern of Φ_q leaves doubt: with rows fewer or more than coordinates, where no pivots are
+    /// good enough, and where 10 √n max(‖A‖₁, 1) ‖A⁻¹‖₁ of the scaled Φ_q exceeds 1 / `rank_tolerance`. What is reported is
+    /// the same.
+    pub use_sparse: bool,
 }
 
 impl Default for Options {
@@ -68,6 +73,7 @@ impl Default for Options {
             max_steps: 200_000,
             stop_at_events: false,
             use_plan: true,
+            use_sparse: true,
         }
     }
 }

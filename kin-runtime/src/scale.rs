@@ -29,6 +29,8 @@ pub(crate) struct Scale {
     pub(crate) rows: Vec<f64>,
     /// D, size of every coordinate.
     pub(crate) columns: Vec<f64>,
+    /// 1 over D.
+    inverse: Vec<f64>,
     /// A typical length of the mechanism.
     pub(crate) length: f64,
     /// Places of angles in q.
@@ -38,7 +40,8 @@ pub(crate) struct Scale {
 impl Scale {
     /// No scaling.
     pub(crate) fn unit(rows: usize, columns: usize) -> Self {
-        Self { rows: vec![1.0; rows], columns: vec![1.0; columns], length: 1.0, angles: Vec::new() }
+        let ones = vec![1.0; columns];
+        Self { rows: vec![1.0; rows], columns: ones.clone(), inverse: ones, length: 1.0, angles: Vec::new() }
     }
 
     /// Scales at the current instant, from configurations around `q`.
@@ -47,30 +50,27 @@ impl Scale {
         let length = typical_length(equations);
         let spread: Vec<f64> = (0..n).map(|k| spread(equations, k, q[k], length)).collect();
         let mut random = Random::new(0x5ca1e);
-        let entries: Vec<(usize, usize)> = equations.model.constraint_pattern.entries.to_vec();
-        let mut sizes: Vec<Vec<f64>> = vec![Vec::with_capacity(SAMPLES); entries.len()];
+        let entries = equations.model.constraint_pattern.entries;
+        let mut sizes = vec![[0.0; SAMPLES]; entries.len()];
         let mut sample = q.to_vec();
-        for _ in 0..SAMPLES {
+        for k in 0..SAMPLES {
             if equations.evaluate(Subset::JACOBIAN, &sample, None).is_ok() {
-                for (size, &(row, column)) in sizes.iter_mut().zip(&entries) {
-                    size.push(equations.jacobian[(row, column)].abs());
-                }
+                sizes.iter_mut().zip(&equations.phi_q).for_each(|(size, entry)| size[k] = entry.abs());
             }
             for ((x, &centre), &width) in sample.iter_mut().zip(q).zip(&spread) {
                 *x = centre + width * random.symmetric();
             }
         }
         let mut typical: Vec<(usize, usize, f64)> =
-            entries.iter().zip(&mut sizes).map(|(&(i, j), size)| (i, j, median_of_nonzero(size))).collect();
-        for row in equations.model.rows.len()..s {
-            typical.extend((0..n).filter(|&j| equations.jacobian[(row, j)] != 0.0).map(|j| (row, j, 1.0)));
-        }
+            entries.iter().zip(&mut sizes).map(|(&(i, j), size)| (i, j, median_of_samples(size))).collect();
+        typical.extend(equations.entries().skip(entries.len()).map(|((row, column), _)| (row, column, 1.0)));
         let angles = (0..n).filter(|&k| is_angle(equations.model.coordinates[k].kind)).collect();
-        let mut scale = Self { rows: vec![1.0; s], columns: vec![1.0; n], length, angles };
+        let mut scale = Self { length, angles, ..Self::unit(s, n) };
         scale.start(equations, &typical);
         scale.raise_angles(&mut typical);
         scale.equilibrate(&typical);
         scale.normalise(equations);
+        scale.inverse = scale.columns.iter().map(|d| 1.0 / d).collect();
         scale
     }
 
@@ -155,7 +155,7 @@ impl Scale {
 
     /// Largest scaled entry of a displacement, max |δq_k| / D_k.
     pub(crate) fn size(&self, displacement: &[f64]) -> f64 {
-        displacement.iter().zip(&self.columns).map(|(x, d)| (x / d).abs()).fold(0.0, f64::max)
+        largest_product(displacement, &self.inverse)
     }
 
     /// As [`size`](Self::size), but no angle counts for less than its radians.
@@ -163,6 +163,21 @@ impl Scale {
         let radians = self.angles.iter().filter_map(|&k| displacement.get(k)).map(|x| x.abs());
         radians.fold(self.size(displacement), f64::max)
     }
+}
+
+/// max |x_k y_k|, as several maxima at once; what is not a number does not count.
+#[inline]
+pub(crate) fn largest_product(x: &[f64], y: &[f64]) -> f64 {
+    let larger = |a: f64, b: f64| if b > a { b } else { a };
+    let mut largest = [0.0_f64; 4];
+    let ((x, x_rest), (y, y_rest)) = (x.as_chunks::<4>(), y.as_chunks::<4>());
+    for (x, y) in x.iter().zip(y) {
+        for ((largest, x), y) in largest.iter_mut().zip(x).zip(y) {
+            *largest = larger(*largest, (x * y).abs());
+        }
+    }
+    let rest = x_rest.iter().zip(y_rest).fold(0.0, |rest, (x, y)| larger(rest, (x * y).abs()));
+    larger(rest, larger(larger(largest[0], largest[1]), larger(largest[2], largest[3])))
 }
 
 /// True for φ of a body.
@@ -201,6 +216,24 @@ fn spread(equations: &Equations<'_>, coordinate: usize, value: f64, length: f64)
         CoordinateKind::Pose { .. } => length,
         CoordinateKind::Scalar => value.abs().max(1.0),
     }
+}
+
+/// [`median_of_nonzero`] of few numbers, none of which is negative.
+fn median_of_samples(values: &mut [f64; SAMPLES]) -> f64 {
+    let mut positive = 0;
+    for k in 0..SAMPLES {
+        let value = values[k];
+        if value > 0.0 && value.is_finite() {
+            let mut place = positive;
+            while place > 0 && values[place - 1] > value {
+                values[place] = values[place - 1];
+                place -= 1;
+            }
+            values[place] = value;
+            positive += 1;
+        }
+    }
+    if positive == 0 { 0.0 } else { values[positive / 2] }
 }
 
 /// Median of the positive finite numbers; 0 where there are none.

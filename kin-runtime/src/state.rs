@@ -22,7 +22,8 @@ pub struct State {
     pub residual: f64,
     /// Iterations of the position analysis.
     pub iterations: usize,
-    /// Estimated condition number of the scaled Φ_q: largest over smallest pivot.
+    /// Estimated condition number of the scaled Φ_q: ‖A‖₁ ‖A⁻¹‖₁ where it is square and regular, hardly ever too small by
+    /// more than a factor of three; otherwise largest over smallest pivot within the rank.
     pub condition: f64,
     /// n − rank of all rows; 0 when fully driven.
     pub degrees_of_freedom_left: usize,

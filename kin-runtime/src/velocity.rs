@@ -6,8 +6,10 @@
 use crate::contact;
 use crate::equations::Equations;
 use crate::error::SolveError;
+use crate::factorisation::Wanted;
 use crate::linear::Factorization;
 use crate::position::given_conflict;
+use crate::scale::largest_product;
 use crate::singular;
 use crate::workspace::Subset;
 use nalgebra::DVector;
@@ -37,7 +39,7 @@ pub(crate) fn solve(equations: &Equations<'_>, factor: &Factorization) -> Result
     Ok(solution)
 }
 
-/// Evaluates Φ_q and Φ_t and factorises Φ_q, rank revealed; errors where it loses rank here alone.
+/// Evaluates Φ_q and Φ_t and factorises Φ_q, rank known; errors where it loses rank here alone.
 pub(crate) fn factorize(
     equations: &mut Equations<'_>,
     q: &[f64],
@@ -45,13 +47,11 @@ pub(crate) fn factorize(
 ) -> Result<Factorization, SolveError> {
     equations.evaluate(Subset::VELOCITY, q, None)?;
     let (s, n) = (equations.rows(), equations.coordinates());
-    let rows: Vec<usize> = (0..s).collect();
-    let matrix = equations.scaled_rows(&rows);
-    let factor = Factorization::absolute(&matrix, &equations.scale.columns, equations.options.rank_tolerance);
+    let factor = equations.factorise(Wanted::AbsoluteRank, None);
     if let Some(error) = contact::at_a_standstill(equations, q).or_else(|| contact::without_angle(equations, q)) {
         return Err(error);
     }
-    let conflict = given_conflict(equations);
+    let conflict = if factor.rank < s { given_conflict(equations) } else { None };
     if factor.rank < s.min(n) && usual_rank.is_none_or(|usual| factor.rank < usual) {
         if let Some(error) = contact::without_gradient(equations, equations.options.rank_tolerance) {
             return Err(error);
@@ -71,7 +71,7 @@ pub(crate) fn scaled(equations: &Equations<'_>, right: &DVector<f64>) -> DVector
 
 /// The row whose equation Φ_q x = b the solution misses most, when that is more than rounding.
 pub(crate) fn inconsistency(equations: &Equations<'_>, x: &DVector<f64>, right: &DVector<f64>) -> Option<(usize, f64)> {
-    let left = scaled(equations, &(&equations.jacobian * x));
+    let left = scaled(equations, &equations.times(x.as_slice()));
     let size = right.amax().max(equations.scale.size(x.as_slice()));
     let (row, worst) = (left - right)
         .iter()
@@ -80,17 +80,21 @@ pub(crate) fn inconsistency(equations: &Equations<'_>, x: &DVector<f64>, right: 
     (worst > equations.options.consistency_tolerance * size).then(|| (row, worst / size))
 }
 
-/// True if Φ_q x = `sign` · `right` to rounding, row by row, where there are no prescribed coordinates.
-pub(crate) fn consistent(equations: &Equations<'_>, x: &[f64], right: &DVector<f64>, sign: f64) -> bool {
-    let scale = &equations.scale.rows;
-    let largest = right.iter().zip(scale).map(|(r, s)| (r * s).abs()).fold(0.0, f64::max);
-    let most = equations.options.consistency_tolerance * largest.max(equations.scale.size(x));
-    let mut entries = equations.model.constraint_pattern.entries.iter().peekable();
-    right.iter().zip(scale).enumerate().all(|(row, (right, scale))| {
-        let mut rest = -sign * right;
-        while let Some(&(_, column)) = entries.next_if(|entry| entry.0 == row) {
-            rest += equations.jacobian[(row, column)] * x[column];
-        }
-        (rest * scale).abs() <= most
+/// True if Φ_q q̇ = −Φ_t and Φ_q q̈ = γ to rounding, row by row; `rest` is room for what is left of them.
+pub(crate) fn consistent(equations: &Equations<'_>, q_dot: &[f64], q_ddot: &[f64], rest: &mut Vec<[f64; 2]>) -> bool {
+    let (rows, tolerance) = (&equations.scale.rows, equations.options.consistency_tolerance);
+    let (phi_t, gamma) = (equations.phi_t.as_slice(), equations.gamma.as_slice());
+    rest.clear();
+    rest.extend(phi_t.iter().zip(gamma).map(|(phi_t, gamma)| [*phi_t, -gamma]));
+    for ((row, column), entry) in equations.entries() {
+        let rest = &mut rest[row];
+        *rest = [rest[0] + entry * q_dot[column], rest[1] + entry * q_ddot[column]];
+    }
+    let within = |which: usize, size: f64| {
+        let rest = rest.iter().zip(rows);
+        rest.fold(true, |all, (rest, row)| all & ((rest[which] * row).abs() <= tolerance * size))
+    };
+    [(phi_t, q_dot), (gamma, q_ddot)].into_iter().enumerate().all(|(which, (right, rates))| {
+        within(which, largest_product(right, rows)) || within(which, equations.scale.size(rates))
     })
 }

@@ -5,63 +5,77 @@
 //! with it.
 
 use crate::equations::Equations;
-use crate::linear::{independent_rows, null_space, positive_determinant};
+use crate::linear::{Factorization, independent_rows, null_space, positive_determinant};
 use nalgebra::DMatrix;
 
 /// Smallest relative LU pivot of a determinant whose sign means something.
 const SIGN_TRUST: f64 = 1e-12;
 
-/// Which rows and bordering vectors make up the determinant, and its sign.
+/// Which determinant it is, and its sign.
 #[derive(Clone, Debug)]
 pub(crate) struct Orientation {
-    rows: Vec<usize>,
-    border: DMatrix<f64>,
+    /// What makes it up where it is not that of Φ_q itself.
+    chosen: Option<Chosen>,
     positive: bool,
 }
 
+/// Some rows, and bordering vectors.
+#[derive(Clone, Debug)]
+struct Chosen {
+    rows: Vec<usize>,
+    border: DMatrix<f64>,
+}
+
 impl Orientation {
-    /// The orientation at the configuration whose Φ_q was evaluated last; none where it is singular.
-    pub(crate) fn here(equations: &Equations<'_>, rank: usize) -> Option<Self> {
-        let all: Vec<usize> = (0..equations.rows()).collect();
-        let n = equations.coordinates();
-        let (rows, border) = if rank == n && all.len() == n {
-            (all, DMatrix::zeros(0, n))
-        } else {
+    /// The orientation at the configuration whose Φ_q was evaluated last and has the factorisation `factor`; none where it
+    /// is singular.
+    pub(crate) fn here(equations: &Equations<'_>, factor: &Factorization) -> Option<Self> {
+        let (s, n, rank) = (equations.rows(), equations.coordinates(), factor.rank);
+        let mut orientation = Self { chosen: None, positive: true };
+        if rank < n || s > n {
+            let all: Vec<usize> = (0..s).collect();
             let matrix = equations.scaled(&all);
-            let rows = if rank == all.len() { all } else { independent_rows(&matrix, rank) };
+            let rows = if rank == s { all } else { independent_rows(&matrix, rank) };
             let border = null_space(&equations.scaled(&rows), equations.options.rank_tolerance).transpose();
-            (rows, border)
-        };
-        let mut orientation = Self { rows, border, positive: true };
-        orientation.positive = orientation.sign(equations)?;
+            orientation.chosen = Some(Chosen { rows, border });
+        }
+        orientation.positive = orientation.sign(equations, factor)?;
         Some(orientation)
     }
 
-    /// The orientation at the configuration whose Φ_q was evaluated last, a little further on, if it is oriented alike.
-    pub(crate) fn kept(&self, equations: &Equations<'_>, rank: usize) -> Option<Self> {
-        if self.sign(equations) != Some(self.positive) {
-            return None;
+    /// Writes to `to` the orientation at the configuration whose Φ_q was evaluated last and has the factorisation `factor`,
+    /// a little further on; false where it is not oriented alike.
+    pub(crate) fn keep(&self, equations: &Equations<'_>, factor: &Factorization, to: &mut Self) -> bool {
+        if self.sign(equations, factor) != Some(self.positive) {
+            return false;
         }
-        // All rows and no border: there is nothing to choose anew.
-        let n = equations.coordinates();
-        if rank == n && equations.rows() == n { Some(self.clone()) } else { Self::here(equations, rank) }
+        // The determinant of Φ_q itself: there is nothing to choose anew.
+        let here = if self.chosen.is_none() { Some(self.clone()) } else { Self::here(equations, factor) };
+        here.is_some_and(|here| {
+            *to = here;
+            true
+        })
     }
 
     /// True for a positive determinant; none for a vanishing one or one that is not square.
-    fn sign(&self, equations: &Equations<'_>) -> Option<bool> {
+    fn sign(&self, equations: &Equations<'_>, factor: &Factorization) -> Option<bool> {
         let n = equations.coordinates();
         if n == 0 {
             return Some(true);
         }
-        if self.rows.len() + self.border.nrows() != n {
+        let Some(Chosen { rows, border }) = &self.chosen else {
+            let dense = || {
+                let rows: Vec<usize> = (0..n).collect();
+                positive_determinant(&mut equations.scaled(&rows), SIGN_TRUST)
+            };
+            return factor.is_positive().or_else(dense);
+        };
+        if rows.len() + border.nrows() != n {
             return None;
         }
-        if self.border.nrows() == 0 {
-            return positive_determinant(&mut equations.scaled(&self.rows), SIGN_TRUST);
-        }
         let mut matrix = DMatrix::zeros(n, n);
-        matrix.rows_mut(0, self.rows.len()).copy_from(&equations.scaled(&self.rows));
-        matrix.rows_mut(self.rows.len(), self.border.nrows()).copy_from(&self.border);
+        matrix.rows_mut(0, rows.len()).copy_from(&equations.scaled(rows));
+        matrix.rows_mut(rows.len(), border.nrows()).copy_from(border);
         positive_determinant(&mut matrix, SIGN_TRUST)
     }
 }

@@ -53,7 +53,7 @@ impl Follower {
             condition: f64::INFINITY,
             limit: None,
         };
-        let orientation = Orientation::here(equations, rank).ok_or_else(singular)?;
+        let orientation = Orientation::here(equations, &factor).ok_or_else(singular)?;
         let scratch = Scratch::new(equations);
         let mut modes = Vec::new();
         if scratch.answer.is_some() {

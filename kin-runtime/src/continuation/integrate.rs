@@ -16,7 +16,7 @@
 use super::dormand_prince::{Taken, take};
 use super::step::{Fault, Node, Scratch, Start, correct, settle};
 use crate::equations::Equations;
-use crate::linear::Factorization;
+use crate::factorisation::Wanted;
 use crate::velocity::scaled;
 use crate::workspace::Subset;
 
@@ -37,7 +37,7 @@ pub(super) fn integrate(
     let h = s - from.s;
     let q = &from.node.state.q;
     let rank = from.node.factor.rank;
-    let taken = take(from.s, h, q, from.q_dot, |s, q| velocity(equations, &scratch.all, rank, s, q))?;
+    let taken = take(from.s, h, q, from.q_dot, |s, q| velocity(equations, rank, s, q))?;
     let tolerance = equations.options.integration_tolerance;
     let effort = error(equations, q, &taken) / tolerance;
     let factor = SAFETY * effort.powf(-0.2);
@@ -53,11 +53,10 @@ pub(super) fn integrate(
 }
 
 /// q̇ at a stage, near Φ but not on it.
-fn velocity(equations: &mut Equations<'_>, rows: &[usize], rank: usize, s: f64, q: &[f64]) -> Result<Vec<f64>, Fault> {
+fn velocity(equations: &mut Equations<'_>, rank: usize, s: f64, q: &[f64]) -> Result<Vec<f64>, Fault> {
     equations.move_to(s)?;
     equations.evaluate(Subset::VELOCITY, q, None)?;
-    let tolerance = equations.options.rank_tolerance;
-    let factor = Factorization::quick(&equations.scaled_rows(rows), &equations.scale.columns, tolerance);
+    let factor = equations.factorise(Wanted::Solutions, None);
     if factor.rank < rank {
         return Err(Fault::Coarse(0.5));
     }
@@ -92,13 +91,12 @@ mod tests {
         let slider = StretchedSlider;
         let system = Box::new(Evaluator::<_, StretchedSlider>::new(&slider));
         let mut equations = Equations::new(system, Options::default(), &[], None, &Instant::at(0.0)).unwrap();
-        let all: Vec<usize> = (0..equations.rows()).collect();
         let at = |phi: f64| {
             let (sin, cos) = phi.sin_cos();
             [0.0, 0.0, phi, 0.23 * cos + 0.355, 0.23 * sin, 0.0, 0.23 * cos + 0.71, 0.0, 0.0]
         };
-        assert!(velocity(&mut equations, &all, 9, 0.475, &at(0.4)).is_ok());
-        let stretched = velocity(&mut equations, &all, 9, 0.475, &at(0.0));
+        assert!(velocity(&mut equations, 9, 0.475, &at(0.4)).is_ok());
+        let stretched = velocity(&mut equations, 9, 0.475, &at(0.0));
         assert!(matches!(stretched, Err(Fault::Coarse(factor)) if factor < 1.0), "{stretched:?}");
     }
 }

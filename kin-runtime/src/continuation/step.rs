@@ -6,6 +6,7 @@ use crate::by_plan::{self, Answer};
 use crate::contact;
 use crate::equations::Equations;
 use crate::error::SolveError;
+use crate::factorisation::Wanted;
 use crate::linear::Factorization;
 use crate::newton::rounding;
 use crate::plan::Depth;
@@ -76,10 +77,9 @@ pub(crate) struct Scratch {
     motion: Vec<f64>,
     pub(super) predicted: Vec<f64>,
     difference: Vec<f64>,
+    rest: Vec<[f64; 2]>,
     /// Rows of position level.
     closing: Vec<usize>,
-    /// All rows.
-    pub(super) all: Vec<usize>,
     /// What the plan says, where it is used.
     pub(super) answer: Option<Answer>,
 }
@@ -89,7 +89,7 @@ impl Scratch {
         let closing = equations.rows_where(Equations::holonomic);
         let planned = equations.options.use_plan && by_plan::exists(equations);
         let answer = planned.then(|| Answer::new(equations));
-        Self { closing, all: (0..equations.rows()).collect(), answer, ..Self::default() }
+        Self { closing, answer, ..Self::default() }
     }
 }
 
@@ -148,7 +148,7 @@ fn finish(
     if !expected(equations, &mut scratch.difference, &from, s - from.s, &to.state.q_dot) {
         return Err(Fault::Jump(worst));
     }
-    Ok((0.3 / effort.max(1e-3)).cbrt().clamp(0.5, 4.0))
+    Ok(if effort <= 0.3 / 64.0 { 4.0 } else { (0.3 / effort).cbrt().clamp(0.5, 4.0) })
 }
 
 /// q by the plan from the prediction in `scratch`, in the modes of the node.
@@ -185,7 +185,7 @@ fn planned(
 /// Completes the node at the place `s`, whose q was found, if it is on the branch of `from`.
 pub(super) fn settle(
     equations: &mut Equations<'_>,
-    scratch: &Scratch,
+    scratch: &mut Scratch,
     from: Start<'_>,
     to: &mut Node,
     corrected: Corrected,
@@ -193,35 +193,31 @@ pub(super) fn settle(
     last: bool,
 ) -> Result<(), Fault> {
     let Corrected { iterations, worst, rated, .. } = corrected;
-    let (closing, state) = (&scratch.closing, &mut to.state);
-    let rates = scratch.answer.as_ref().filter(|_| rated);
+    let Scratch { closing, rest, answer, .. } = scratch;
+    let state = &mut to.state;
+    let rates = answer.as_ref().filter(|_| rated);
     match rates {
         Some(answer) => equations.evaluate(Subset::ALL, &state.q, Some(&answer.q_dot))?,
         None => equations.evaluate(Subset { phi: true, ..Subset::VELOCITY }, &state.q, None)?,
     }
     let gap = closing.iter().map(|&row| (equations.phi[row] * equations.scale.rows[row]).abs()).fold(0.0, f64::max);
-    if gap > closed(equations, &state.q) {
+    if gap > equations.options.tolerance && gap > closed(equations, &state.q) {
         return Err(Fault::Open(worst));
     }
     if let Some(row) = contact::turned_about(equations, &from.node.state.q, &state.q) {
         return Err(Fault::Jump(row));
     }
-    let matrix = equations.scaled_rows(&scratch.all);
-    let tolerance = equations.options.rank_tolerance;
-    let columns = &equations.scale.columns;
-    to.factor = if last {
-        Factorization::revealing(&matrix, columns, tolerance)
-    } else {
-        Factorization::quick(&matrix, columns, tolerance)
-    };
+    let wanted = if last { Wanted::Rank } else { Wanted::Solutions };
+    to.factor = equations.factorise(wanted, Some(to.factor.take()));
     let rank = to.factor.rank;
     if rank != from.node.factor.rank {
         return Err(Fault::Jump(worst));
     }
-    to.orientation = from.node.orientation.kept(equations, rank).ok_or(Fault::Jump(worst))?;
+    if !from.node.orientation.keep(equations, &to.factor, &mut to.orientation) {
+        return Err(Fault::Jump(worst));
+    }
     if let Some(answer) = rates {
-        let velocity = consistent(equations, &answer.q_dot, &equations.phi_t, -1.0);
-        if !velocity || !consistent(equations, &answer.q_ddot, &equations.gamma, 1.0) {
+        if !consistent(equations, &answer.q_dot, &answer.q_ddot, rest) {
             return Err(Fault::Open(worst));
         }
         state.q_dot.clone_from(&answer.q_dot);
@@ -275,6 +271,8 @@ pub(super) fn correct(
     q.clone_from(predicted);
     let mut before = f64::INFINITY;
     let mut worst = 0;
+    let all = rows.len() == equations.rows();
+    let mut memory: Option<Factorization> = None;
     for iterations in 1..=CORRECTIONS {
         equations.evaluate(Subset::POSITION, q, None)?;
         let phi = DVector::from_iterator(rows.len(), rows.iter().map(|&r| equations.phi[r] * equations.scale.rows[r]));
@@ -282,8 +280,11 @@ pub(super) fn correct(
             worst = rows.get(phi.iamax_or_zero()).copied().unwrap_or(0);
         }
         let tolerance = 0.1 * equations.options.rank_tolerance;
-        let factor = Factorization::quick(&equations.scaled_rows(rows), &equations.scale.columns, tolerance);
+        let sparse = if all { equations.factorise_sparse(Wanted::Solutions, memory.take()) } else { None };
+        let factor = sparse
+            .unwrap_or_else(|| Factorization::quick(&equations.scaled_rows(rows), &equations.scale.columns, tolerance));
         let step = factor.solve(&phi);
+        memory = Some(factor);
         q.iter_mut().zip(step.iter()).for_each(|(q, s)| *q -= s);
         let length = equations.scale.size(step.as_slice());
         fill(travel, q.iter().zip(predicted.iter()).map(|(a, b)| a - b));
@@ -311,8 +312,9 @@ fn closed(equations: &Equations<'_>, q: &[f64]) -> f64 {
 fn expected(equations: &Equations<'_>, change: &mut Vec<f64>, from: &Start<'_>, h: f64, q_dot: &[f64]) -> bool {
     let scale = &equations.scale;
     fill(change, q_dot.iter().zip(from.q_dot).zip(from.q_ddot).map(|((new, old), a)| new - (old + h * a)));
-    let size = scale.size(q_dot).max(scale.size(from.q_dot)).max(h.abs() * scale.size(from.q_ddot));
-    scale.size(change) <= VELOCITY * size || h.abs() * size <= INSTANTANEOUS
+    let (change, size) = (scale.size(change), scale.size(q_dot));
+    let whole = || size.max(scale.size(from.q_dot)).max(h.abs() * scale.size(from.q_ddot));
+    change <= VELOCITY * size || change <= VELOCITY * whole() || h.abs() * whole() <= INSTANTANEOUS
 }
 
 /// `iamax` that accepts an empty vector.

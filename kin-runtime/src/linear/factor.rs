@@ -1,14 +1,23 @@
 //! Least-norm least-squares solution of A x = b, by LU where A is square and well conditioned, otherwise by a complete
 //! orthogonal decomposition.
 //!
+//! A sparse LU says nothing of the rank by its pivots alone. But the smallest pivot that a column-pivoted QR factorisation
+//! of the n×n matrix B = A D could have is at least 1 / ‖B⁻¹‖₂, the largest at most ‖B‖₁, and so their ratio at least
+//! 1 / (√n ‖B‖₁ ‖B⁻¹‖₁). Where that is far above the tolerance the rank is n, and nothing needs to be revealed.
+//!
 //! Rank and conditioning are judged on A D, columns on the common scale; "least norm" is the Euclidean norm of x
 //! itself. With the column-pivoted A D P = Q R of rank r, the leading r rows T = R P^T D⁻¹ give T x = (Qᵀ b)₁…ᵣ, and
 //! the QR factorisation Tᵀ = Z U gives x = Z U⁻ᵀ (Qᵀ b)₁…ᵣ.
 
+use super::inverse_norm::{Inverse, inverse_norm};
+use super::sparse::Elimination;
 use nalgebra::{ColPivQR, DMatrix, DVector, Dyn, LU};
 
 /// Smallest ratio of LU pivots at which LU is trusted.
 const LU_TRUST: f64 = 1e-5;
+/// By how much an estimated condition number must stay away from the tolerance for the rank to be out of question: more
+/// than the estimate is ever too small by.
+const RANK_TRUST: f64 = 10.0;
 
 /// A factorised matrix.
 #[derive(Clone, Debug)]
@@ -17,7 +26,8 @@ pub(crate) struct Factorization {
     columns: Vec<f64>,
     /// Numerical rank.
     pub(crate) rank: usize,
-    /// Largest over smallest pivot within the rank: an estimate of the condition number of A D.
+    /// An estimate of the condition number of A D: ‖A D‖₁ ‖(A D)⁻¹‖₁ where it is square and its rank was asked for and is
+    /// full; otherwise largest over smallest pivot within the rank.
     pub(crate) condition: f64,
     /// Largest over smallest pivot of all; infinite where the matrix is exactly rank-deficient.
     pub(crate) full_condition: f64,
@@ -25,6 +35,8 @@ pub(crate) struct Factorization {
 
 #[derive(Clone, Debug)]
 enum Kind {
+    Empty,
+    Sparse(Box<Elimination>),
     Lu(LU<f64, Dyn, Dyn>),
     /// rank = number of columns.
     Tall(ColPivQR<f64, Dyn, Dyn>, DMatrix<f64>),
@@ -33,6 +45,51 @@ enum Kind {
 }
 
 impl Factorization {
+    /// From the sparse elimination of A D, for solutions alone; none where it is not to be trusted.
+    pub(crate) fn sparse_quick(elimination: Box<Elimination>, columns: Vec<f64>) -> Option<Self> {
+        let (smallest, largest) = elimination.extremes();
+        (smallest > LU_TRUST * largest).then(|| Self::sparse(elimination, columns, largest / smallest))
+    }
+
+    /// From the sparse elimination of A D, where that leaves no doubt that its rank is full, also by
+    /// [`absolute`](Self::absolute); none otherwise.
+    pub(crate) fn sparse_of_full_rank(
+        mut elimination: Box<Elimination>,
+        columns: Vec<f64>,
+        tolerance: f64,
+    ) -> Option<Self> {
+        let (norm, inverse) = elimination.norms();
+        let doubt = RANK_TRUST * (columns.len() as f64).sqrt() * norm.max(1.0) * inverse * tolerance;
+        (doubt < 1.0).then(|| Self::sparse(elimination, columns, norm * inverse))
+    }
+
+    fn sparse(elimination: Box<Elimination>, columns: Vec<f64>, condition: f64) -> Self {
+        let rank = columns.len();
+        Self { kind: Kind::Sparse(elimination), columns, rank, condition, full_condition: condition }
+    }
+
+    /// Itself, which leaves the factorisation of an empty matrix.
+    pub(crate) fn take(&mut self) -> Self {
+        let empty = Self { kind: Kind::Empty, columns: Vec::new(), rank: 0, condition: 1.0, full_condition: 1.0 };
+        core::mem::replace(self, empty)
+    }
+
+    /// The memory of an elimination and of its columns, to be used again.
+    pub(crate) fn into_memory(self) -> (Box<Elimination>, Vec<f64>) {
+        match self.kind {
+            Kind::Sparse(elimination) => (elimination, self.columns),
+            _ => (Box::default(), self.columns),
+        }
+    }
+
+    /// True for a positive determinant of a square matrix, false for a negative one; none where it is not known.
+    pub(crate) fn is_positive(&self) -> Option<bool> {
+        match &self.kind {
+            Kind::Sparse(elimination) => Some(elimination.is_positive()),
+            _ => None,
+        }
+    }
+
     /// LU where that is safe, otherwise [`revealing`](Self::revealing).
     ///
     /// `a` has its rows on the common scale, `columns` is D.
@@ -72,7 +129,11 @@ impl Factorization {
         let counted = pivots.iter().copied().filter(|&p| counts(p)).fold(f64::INFINITY, f64::min);
         let smallest = pivots.iter().copied().fold(f64::INFINITY, f64::min);
         let ratio = |large: f64, small: f64| if pivots.is_empty() { 1.0 } else { large / small };
-        let condition = if rank == 0 { 1.0 } else { ratio(largest, counted) };
+        let condition = match rank {
+            0 => 1.0,
+            _ if rank == a.nrows() && rank == a.ncols() => one_norm(&scaled(a, columns)) * inverse_of_qr(&qr, &r),
+            _ => ratio(largest, counted),
+        };
         let full_condition = ratio(largest.max(unit), smallest);
         let kind = if rank == a.ncols() {
             Kind::Tall(qr, r)
@@ -90,13 +151,16 @@ impl Factorization {
 
     /// The x of least norm among those that minimise |A x − b|.
     pub(crate) fn solve(&self, b: &DVector<f64>) -> DVector<f64> {
-        let mut right = b.clone();
         match &self.kind {
+            Kind::Empty => DVector::zeros(0),
+            Kind::Sparse(elimination) => self.unscaled(DVector::from_vec(elimination.solve(b.as_slice()))),
             Kind::Lu(lu) => {
-                lu.solve_mut(&mut right);
-                self.unscaled(right)
+                let mut y = b.clone();
+                lu.solve_mut(&mut y);
+                self.unscaled(y)
             }
             Kind::Tall(qr, r) => {
+                let mut right = b.clone();
                 qr.q_tr_mul(&mut right);
                 let mut x = right.rows(0, self.rank).into_owned();
                 r.view((0, 0), (self.rank, self.rank)).solve_upper_triangular_mut(&mut x);
@@ -104,6 +168,7 @@ impl Factorization {
                 self.unscaled(x)
             }
             Kind::Wide(qr, z, u) => {
+                let mut right = b.clone();
                 qr.q_tr_mul(&mut right);
                 let mut x = right.rows(0, self.rank).into_owned();
                 u.tr_solve_upper_triangular_mut(&mut x);
@@ -126,6 +191,40 @@ fn scaled(a: &DMatrix<f64>, columns: &[f64]) -> DMatrix<f64> {
         column *= d;
     }
     matrix
+}
+
+/// ‖A‖₁.
+fn one_norm(a: &DMatrix<f64>) -> f64 {
+    a.column_iter().map(|column| column.lp_norm(1)).fold(0.0, f64::max)
+}
+
+/// An estimate of ‖A⁻¹‖₁, where A P = Q R is square and regular.
+fn inverse_of_qr(qr: &ColPivQR<f64, Dyn, Dyn>, r: &DMatrix<f64>) -> f64 {
+    inverse_norm(&Orthogonal { q: qr.q(), r }, &mut vec![0.0; 4 * r.nrows()])
+}
+
+/// Q R. A⁻¹ = P R⁻¹ Qᵀ, and exchanges of rows change no norm.
+struct Orthogonal<'r> {
+    q: DMatrix<f64>,
+    r: &'r DMatrix<f64>,
+}
+
+impl Inverse for Orthogonal<'_> {
+    fn solve<const W: usize>(&self, x: &mut [f64]) {
+        let mut y = self.q.tr_mul(&DMatrix::from_row_slice(x.len() / W, W, x));
+        self.r.solve_upper_triangular_mut(&mut y);
+        x.as_chunks_mut::<W>()
+            .0
+            .iter_mut()
+            .zip(y.row_iter())
+            .for_each(|(x, y)| x.iter_mut().zip(&y).for_each(|(x, y)| *x = *y));
+    }
+
+    fn solve_transposed(&self, x: &mut [f64]) {
+        let mut y = DVector::from_column_slice(x);
+        self.r.tr_solve_upper_triangular_mut(&mut y);
+        x.copy_from_slice((&self.q * y).as_slice());
+    }
 }
 
 /// Smallest and largest absolute value.

@@ -1,11 +1,14 @@
-//! Dense linear algebra: factorisations that know their rank, null spaces, dependencies of rows.
+//! Linear algebra: factorisations that know their rank, sparse and dense; null spaces, dependencies of rows.
 
 mod factor;
+mod inverse_norm;
 mod null_space;
 mod rows;
 mod sign;
+mod sparse;
 
 pub(crate) use factor::Factorization;
 pub(crate) use null_space::null_space;
 pub(crate) use rows::{Dependency, dependencies, independent_rows};
 pub(crate) use sign::positive_determinant;
+pub(crate) use sparse::{Elimination, Ordered};

@@ -8,6 +8,7 @@ mod motion;
 mod observables;
 mod orders;
 mod plan;
+mod sparse;
 mod structure;
 
 use kin_runtime::{Instant, Mechanism, Scalar, Signal, Subset, Workspace};
@@ -63,6 +64,11 @@ macro_rules! motion_laws {
         #[test]
         fn sweeps_by_plan_equal_newton() {
             plan::sweeps_by_plan_equal_newton::<$Mechanism>($from, $to);
+        }
+
+        #[test]
+        fn sparse_elimination_changes_nothing() {
+            sparse::sparse_elimination_changes_nothing::<$Mechanism>($from, $to);
         }
 
         #[test]

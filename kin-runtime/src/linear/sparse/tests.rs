@@ -1,0 +1,74 @@
+use super::*;
+use crate::random::Random;
+use nalgebra::{DMatrix, DVector};
+
+/// A regular matrix with a few entries per row, its pattern and its values.
+fn random_matrix(random: &mut Random, n: usize) -> (DMatrix<f64>, Vec<(usize, usize)>, Vec<f64>) {
+    let mut dense = DMatrix::zeros(n, n);
+    let place = |random: &mut Random| ((0.5 + 0.5 * random.symmetric()) * n as f64) as usize % n;
+    let shift = place(random);
+    for k in 0..n {
+        dense[(k, (k + shift) % n)] = 1.0 + 0.5 * random.symmetric();
+        for _ in 0..2 {
+            let column = place(random);
+            dense[(k, column)] += random.symmetric();
+        }
+    }
+    let entries: Vec<(usize, usize)> =
+        (0..n * n).map(|k| (k / n, k % n)).filter(|&place| dense[place] != 0.0).collect();
+    let values = entries.iter().map(|&place| dense[place]).collect();
+    (dense, entries, values)
+}
+
+fn factorised(ordered: &mut Ordered, values: Vec<f64>) -> Option<Elimination> {
+    let mut elimination = Elimination { values, ..Elimination::default() };
+    ordered.factorise(&mut elimination).then_some(elimination)
+}
+
+#[test]
+fn solutions_signs_and_norms_are_those_of_the_dense_matrix() {
+    let mut random = Random::new(11);
+    let mut exact = 0;
+    for n in (1..=12).chain([40]) {
+        for _ in 0..20 {
+            let (dense, entries, values) = random_matrix(&mut random, n);
+            let inverse = dense.clone().try_inverse().unwrap();
+            let norm = |matrix: &DMatrix<f64>| matrix.column_iter().map(|c| c.lp_norm(1)).fold(0.0, f64::max);
+            let condition = norm(&dense) * norm(&inverse);
+            let mut found = factorised(&mut Ordered::new(n, entries), values).unwrap();
+            let b = DVector::from_fn(n, |_, _| random.symmetric());
+            let x = DVector::from_vec(found.solve(b.as_slice()));
+            assert!((&dense * &x - &b).amax() <= 1e-15 * n as f64 * x.amax().max(1.0), "{n}");
+            assert_eq!(found.is_positive(), dense.determinant() > 0.0);
+            let (a, a_inverse) = found.norms();
+            assert!((a - norm(&dense)).abs() < 1e-14 * a);
+            let share = a * a_inverse / condition;
+            assert!(share > 0.3 && share < 1.0 + 1e-9, "{share}");
+            exact += usize::from(share > 1.0 - 1e-9);
+        }
+    }
+    assert!(exact > 200, "{exact}");
+}
+
+/// Other numbers in the same pattern keep the order; a pivot that vanishes changes it; a singular matrix has none.
+#[test]
+fn an_order_is_kept_as_long_as_its_pivots_are_good() {
+    let entries = vec![(0, 0), (0, 1), (1, 0), (1, 1), (2, 1), (2, 2)];
+    let mut ordered = Ordered::new(3, entries);
+    let mut check = |values: [f64; 6]| {
+        let found = factorised(&mut ordered, values.to_vec())?;
+        let x = found.solve(&[1.0, 2.0, 3.0]);
+        let [a, b, c, d, e, f] = values;
+        assert!((a * x[0] + b * x[1] - 1.0).abs() < 1e-14 && (c * x[0] + d * x[1] - 2.0).abs() < 1e-14);
+        assert!((e * x[1] + f * x[2] - 3.0).abs() < 1e-14);
+        assert_eq!(found.is_positive(), (a * d - b * c) * f > 0.0);
+        Some(Rc::clone(found.order.as_ref().unwrap()))
+    };
+    let first = check([3.0, 1.0, 1.0, 2.0, 0.5, 1.0]).unwrap();
+    assert!(Rc::ptr_eq(&first, &check([2.0, -1.0, 1.0, 2.5, 0.1, 0.3]).unwrap()));
+    let second = check([1e-9, 1.0, 1.0, 1e-9, 0.5, 1.0]).unwrap();
+    assert!(!Rc::ptr_eq(&first, &second));
+    assert!(Rc::ptr_eq(&second, &check([0.1, 1.0, 1.0, 0.2, 0.5, 1.0]).unwrap()));
+    assert!(check([1.0, 2.0, 0.5, 1.0, 0.5, 1.0]).is_none());
+    assert!(check([1.0, 2.0, 0.0, f64::NAN, 0.5, 1.0]).is_none());
+}

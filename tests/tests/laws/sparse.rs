@@ -1,0 +1,57 @@
+//! Laws of the sparse elimination of Φ_q: what is reported is what dense factorisations that reveal the rank say.
+
+use crate::motion::grid;
+use kin_runtime::{Kinematics, Options, Solver};
+use kin_tests::compare::{Differences, largest};
+use kin_tests::mechanisms::write_signals;
+
+/// Full Newton, with the sparse elimination or without.
+fn newton<M: Kinematics>(mechanism: &M, use_sparse: bool) -> Solver<'_, M> {
+    let options = Options { use_plan: false, use_sparse, ..Options::default() };
+    mechanism.solver().with_options(options).with_inputs(&write_signals::<M>)
+}
+
+/// Sweeps of either kind agree, and so do states that are solved for themselves.
+pub(crate) fn sparse_elimination_changes_nothing<M: Kinematics + Default>(from: f64, to: f64) {
+    let mechanism = M::default();
+    let times = grid(from, to, 24);
+    let [sparse, dense] = [true, false].map(|use_sparse| newton(&mechanism, use_sparse));
+    let mut differences = Differences::new();
+    let name = |place: usize| M::model().coordinates[place].name;
+    let (swept, expected) = (sparse.sweep(&times).unwrap(), dense.sweep(&times).unwrap());
+    differences.equal("states", expected.len(), swept.len());
+    for (swept, expected) in swept.iter().zip(&expected) {
+        let alone = sparse.state_from(&expected.instant(), &expected.q).unwrap();
+        for (how, found) in [("swept", swept), ("alone", &alone)] {
+            differences.at(format_args!("{how}, t = {}", expected.t));
+            differences.equal("degrees of freedom", expected.degrees_of_freedom_left, found.degrees_of_freedom_left);
+            for (what, expected, found) in [
+                ("q", &expected.q, &found.q),
+                ("q_dot", &expected.q_dot, &found.q_dot),
+                ("q_ddot", &expected.q_ddot, &found.q_ddot),
+            ] {
+                differences.vector(what, name, expected, found, 1e-12 * largest(expected).max(1.0));
+            }
+            differences.number("residual", 0.0, found.residual, 1e-12);
+        }
+        conditions_are_true(&sparse, &alone, &mut differences);
+    }
+    differences.finish();
+}
+
+/// κ₁ and κ₂ of an n×n matrix are within a factor of n of one another; the estimate may be too small by three.
+fn conditions_are_true<M: Kinematics>(
+    solver: &Solver<'_, M>,
+    state: &kin_runtime::State,
+    differences: &mut Differences,
+) {
+    let mobility = solver.mobility(&state.instant(), &state.q).unwrap();
+    let n = M::COORDINATES as f64;
+    if M::ROWS == M::COORDINATES && mobility.rank == M::COORDINATES {
+        let share = state.condition / mobility.condition;
+        if share.is_nan() || share < 1.0 / (3.0 * n) || share > 1.001 * n {
+            differences
+                .report(format_args!("condition {} where {} is that of |x|", state.condition, mobility.condition));
+        }
+    }
+}
