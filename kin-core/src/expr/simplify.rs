@@ -13,6 +13,11 @@ use crate::mechanism::Function;
 /// and a power of a power of a power … has exponentially many.
 const MAX_FACTORS: usize = 24;
 
+/// Classes of factors, in the order in which they stand.
+const STATIC: u8 = 0;
+const MOVING: u8 = 1;
+const RATES: u8 = 2;
+
 impl Graph {
     /// −a.
     pub fn neg(&mut self, a: ExprId) -> ExprId {
@@ -153,26 +158,37 @@ impl Graph {
     /// φ̇² be shared by all products that hold it. `None` when the numbers' product is out of range where they are not.
     fn product(&mut self, factors: &[ExprId]) -> Option<ExprId> {
         let mut number = 1.0_f64;
-        let (mut values, mut rates) = (Vec::new(), Vec::new());
+        // (class, factor), sorted as they come: there are few of them.
+        let mut sorted: Vec<(u8, ExprId)> = Vec::with_capacity(factors.len());
         for &factor in factors {
-            match self.literal(factor) {
-                Some(value) => number *= value,
-                None if self.depends(factor).on(super::Depends::RATE) => rates.push(factor),
-                None => values.push(factor),
+            let depends = self.depends(factor);
+            let class = match self.literal(factor) {
+                Some(value) => {
+                    number *= value;
+                    continue;
+                }
+                None if depends.on(super::Depends::RATE) => RATES,
+                None if depends.is_static() => STATIC,
+                None => MOVING,
+            };
+            let mut place = sorted.len();
+            while place > 0 && (class, factor) < sorted[place - 1] {
+                place -= 1;
             }
+            sorted.insert(place, (class, factor));
         }
         if !number.is_normal() {
             return None;
         }
-        let rank = |graph: &Self, id: &ExprId| (!graph.depends(*id).is_static(), *id);
-        values.sort_by_key(|id| rank(self, id));
-        rates.sort_unstable();
-        if number != 1.0 {
-            let number = self.number(number);
-            values.insert(0, number);
+        let mut values = if number == 1.0 { None } else { Some(self.number(number)) };
+        let mut rates = None;
+        for (class, factor) in sorted {
+            let product = if class == RATES { &mut rates } else { &mut values };
+            *product = Some(match *product {
+                None => factor,
+                Some(product) => self.intern(Node::Mul(product, factor)),
+            });
         }
-        let values = values.into_iter().reduce(|a, b| self.intern(Node::Mul(a, b)));
-        let rates = rates.into_iter().reduce(|a, b| self.intern(Node::Mul(a, b)));
         Some(match (values, rates) {
             (Some(a), Some(b)) => self.intern(Node::Mul(a, b)),
             (Some(a), None) | (None, Some(a)) => a,

@@ -188,6 +188,22 @@ impl Slot {
         }
     }
 
+    /// Which array it is of.
+    const fn array(self) -> u64 {
+        match self {
+            Self::Phi(_) => 0,
+            Self::PhiQ(_) => 1,
+            Self::PhiT(_) => 2,
+            Self::Gamma(_) => 3,
+            Self::Entry(_) => 4,
+            Self::Position(_) => 5,
+            Self::Velocity(_) => 6,
+            Self::Acceleration(_) => 7,
+            Self::Margin(_) => 8,
+            Self::Held(_) => 9,
+        }
+    }
+
     /// The slot at another place of the same array.
     pub const fn at(self, k: usize) -> Self {
         match self {

@@ -4,6 +4,7 @@
 //! candidate that covers the most is taken, and the search goes on behind it.
 
 use super::stream::{Operand, Stream};
+use crate::hash::{Table, mixed};
 
 /// A loop: `count` iterations of `period` items each, from item `start` on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,11 +49,19 @@ pub(super) fn loops(stream: &Stream, fewest: usize) -> Vec<Span> {
 
 /// For every item the next one that is of the same kind and is followed by two of the same kinds.
 fn next_alike(stream: &Stream) -> Vec<Option<usize>> {
-    let mut latest = crate::hash::FastMap::default();
+    let kind = |item: usize| stream.kinds.get(item).copied();
+    let alike = |a: usize, b: usize| (0..3).all(|k| kind(a + k) == kind(b + k));
+    let (mut places, mut latest) = (Table::default(), Vec::new());
     let mut next = vec![None; stream.len()];
     for at in (0..stream.len()).rev() {
-        let kind = |k: usize| stream.kinds.get(at + k).copied();
-        next[at] = latest.insert([kind(0), kind(1), kind(2)], at);
+        let hash = (0..3).fold(0, |hash, k| mixed(hash, kind(at + k).map_or(u64::MAX, u64::from)));
+        match places.find(hash, |place| alike(latest[place], at)) {
+            Some(place) => next[at] = Some(std::mem::replace(&mut latest[place], at)),
+            None => {
+                places.insert(hash, latest.len());
+                latest.push(at);
+            }
+        }
     }
     next
 }

@@ -6,7 +6,7 @@
 
 use super::Part;
 use crate::expr::{Bits, Symbol};
-use crate::hash::FastMap;
+use crate::hash::{Table, mixed};
 use crate::program::{Instruction, Program, Slot, Value};
 
 /// What an item does.
@@ -30,19 +30,53 @@ pub(super) enum Operand {
 }
 
 /// What two items must share to be one piece of code.
-#[derive(PartialEq, Eq, Hash)]
+#[derive(PartialEq, Eq)]
 struct Kind {
-    instruction: Option<Instruction>,
-    slot: Option<Slot>,
-    operands: Vec<OperandKind>,
+    head: Head,
+    operands: [OperandKind; MOST],
+}
+
+/// An item without its operands.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Head {
+    Compute(Instruction),
+    Write(Slot),
 }
 
 /// An operand without its address.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 enum OperandKind {
     Number,
     Load(Symbol),
     Item(Part),
+}
+
+/// The most operands of an item.
+const MOST: usize = 2;
+
+impl Kind {
+    fn hashed(&self) -> u64 {
+        let mut hash = match self.head {
+            Head::Compute(instruction) => instruction.hashed(),
+            Head::Write(slot) => mixed(23, slot.array()),
+        };
+        for operand in self.operands {
+            hash = match operand {
+                OperandKind::Number => mixed(hash, 1),
+                OperandKind::Load(symbol) => symbol.hashed(hash),
+                OperandKind::Item(part) => mixed(
+                    hash,
+                    match part {
+                        Part::Whole => 2,
+                        Part::Sin => 3,
+                        Part::Cos => 4,
+                        Part::Derivative(order) => 5 + u64::from(order),
+                    },
+                ),
+            };
+        }
+        hash
+    }
 }
 
 pub(super) struct Stream {
@@ -69,7 +103,8 @@ impl Stream {
         let mut builder = Builder {
             program,
             positions: vec![usize::MAX; program.instructions.len()],
-            kinds: FastMap::default(),
+            kinds: Vec::new(),
+            places: Table::default(),
             stream: Self {
                 actions: Vec::new(),
                 kinds: Vec::new(),
@@ -135,33 +170,48 @@ struct Builder<'p> {
     program: &'p Program,
     /// The item that computes each value.
     positions: Vec<usize>,
-    kinds: FastMap<Kind, u32>,
+    kinds: Vec<Kind>,
+    /// Where they stand.
+    places: Table,
     stream: Stream,
 }
 
 impl Builder<'_> {
     fn compute(&mut self, value: Value, instruction: Instruction) {
-        let mut operands = Vec::new();
-        instruction.for_each_operand(|operand| operands.push(self.operand(operand)));
+        let (mut operands, mut count) = ([Operand::Slot(0); MOST], 0);
+        instruction.for_each_operand(|operand| {
+            operands[count] = self.operand(operand);
+            count += 1;
+        });
         let blank = instruction.map_operands(|_| Value(0));
         self.positions[value.index()] = self.stream.len();
-        self.push(Action::Compute(value), (Some(blank), None), &operands);
+        self.push(Action::Compute(value), Head::Compute(blank), &operands[..count]);
     }
 
     fn write(&mut self, number: usize) {
         let (slot, value) = self.program.outputs[number];
         let operands = [Operand::Slot(slot.index()), self.operand(value)];
-        self.push(Action::Write(slot), (None, Some(slot.at(0))), &operands);
+        self.push(Action::Write(slot), Head::Write(slot.at(0)), &operands);
     }
 
-    fn push(&mut self, action: Action, head: (Option<Instruction>, Option<Slot>), operands: &[Operand]) {
-        let kind = Kind { instruction: head.0, slot: head.1, operands: operands.iter().map(operand_kind).collect() };
-        let next = self.kinds.len() as u32;
+    fn push(&mut self, action: Action, head: Head, operands: &[Operand]) {
         let stream = &mut self.stream;
-        stream.kinds.push(*self.kinds.entry(kind).or_insert(next));
+        let mut kind = Kind { head, operands: [OperandKind::Number; MOST] };
+        let mut k = 0;
+        while k < operands.len() {
+            kind.operands[k] = operand_kind(&operands[k]);
+            stream.addresses.push(address(&operands[k]));
+            stream.operands.push(operands[k]);
+            k += 1;
+        }
+        let hash = kind.hashed();
+        let number = self.places.find(hash, |place| self.kinds[place] == kind).unwrap_or_else(|| {
+            self.places.insert(hash, self.kinds.len());
+            self.kinds.push(kind);
+            self.kinds.len() - 1
+        });
+        stream.kinds.push(number as u32);
         stream.actions.push(action);
-        stream.addresses.extend(operands.iter().map(address));
-        stream.operands.extend_from_slice(operands);
         stream.starts.push(stream.operands.len());
     }
 
