@@ -8,7 +8,7 @@ benches=("$@")
 [ ${#benches[@]} -gt 0 ] || benches=(evaluation batch solution groups chain orders sweep)
 arguments=()
 for bench in "${benches[@]}"; do arguments+=(--bench "$bench"); done
-for level in x86-64-v3 x86-64; do
+for level in ${LEVELS:-x86-64-v3 x86-64}; do
     echo "== $level"
     RUSTFLAGS="-C target-cpu=$level" cargo bench --quiet -p kin-benches --target-dir "target/benches/$level" "${arguments[@]}"
 done

@@ -102,7 +102,6 @@ struct Planned<'m> {
     q: [f64; 9],
     q_dot: [f64; 9],
     q_ddot: [f64; 9],
-    derivative: [f64; 9],
 }
 
 impl<'m> Planned<'m> {
@@ -118,28 +117,21 @@ impl<'m> Planned<'m> {
             q: array(&start.q),
             q_dot: array(&start.q_dot),
             q_ddot: array(&start.q_ddot),
-            derivative: [0.0; 9],
         }
     }
 
     fn step(&mut self, four_bar: &FourBar, t: f64, highest: usize) {
         let (at, start, mut margins) = (Instant::at(t), self.q, [0.0]);
         let solved = Solved { q: &mut self.q, q_dot: &mut self.q_dot, q_ddot: &mut self.q_ddot, margins: &mut margins };
+        if highest > 2 {
+            self.orders.solve_by_plan(&at, &self.modes, &start, solved).expect("nine coordinates");
+            black_box((&margins, self.orders.derivative(highest)));
+            return;
+        }
         four_bar
             .solve_with(&self.parameters, &at, &self.modes, &start, Depth::Acceleration, solved)
             .expect("nine coordinates");
         black_box(&margins);
-        if highest < 3 {
-            return;
-        }
-        self.orders.begin(&at, &self.q, &self.q_dot, &self.q_ddot).expect("nine coordinates");
-        assert!(self.orders.factorise(&at).expect("no inputs"));
-        for order in 3..=highest {
-            self.orders.solve(&mut self.derivative).expect("nine coordinates");
-            if order < highest {
-                self.orders.advance(&self.derivative).expect("nine coordinates");
-            }
-        }
     }
 }
 
@@ -176,7 +168,7 @@ fn main() {
             for _ in 0..STEPS {
                 t += dt;
                 planned.step(four_bar, black_box(t), highest);
-                black_box((&planned.q, &planned.q_dot, &planned.q_ddot, &planned.derivative));
+                black_box((&planned.q, &planned.q_dot, &planned.q_ddot));
             }
         }
     };

@@ -68,6 +68,12 @@ pub trait Mechanism: Sized {
     type ObservableNonZeros<T: Scalar>: Array<T>;
     /// What [`factorise_with`](Self::factorise_with) leaves for one right-hand side after another; without a plan empty.
     type Factors<T: Scalar>: Array<T>;
+    /// Where among the factors the sines and cosines of Φ are, with which power series begin: first place and one past
+    /// the last.
+    const TURNS: (usize, usize) = (0, 0);
+    /// Where among the factors it says how far they are from being singular, as margins do: first place and one past the
+    /// last.
+    const REGULAR: (usize, usize) = (0, 0);
 
     /// Names, rows, patterns and geometry.
     fn model() -> &'static Model;
@@ -163,6 +169,7 @@ pub trait Mechanism: Sized {
     ///
     /// # Errors
     /// When an argument has the wrong length.
+    #[inline]
     fn solve_with<T: Scalar>(
         &self,
         parameters: &[T],
@@ -172,7 +179,27 @@ pub trait Mechanism: Sized {
         depth: Depth,
         solved: Solved<'_, T>,
     ) -> Result<(), LengthError> {
-        let _ = (parameters, at, modes, start, depth, solved);
+        self.solve_and_factorise(parameters, at, modes, start, depth, solved, None)
+    }
+
+    /// [`solve_with`](Self::solve_with), and at the depth of q̈ the factors of Φ_q at the solution on the way, where they
+    /// are asked for: everything in them was needed for q̇ and q̈. What is at [`REGULAR`](Self::REGULAR)
+    /// is not written: the margins of the solution say it.
+    ///
+    /// # Errors
+    /// When an argument has the wrong length.
+    #[expect(clippy::too_many_arguments, reason = "what a solution reads, and what it writes")]
+    fn solve_and_factorise<T: Scalar>(
+        &self,
+        parameters: &[T],
+        at: &Instant<'_, T>,
+        modes: &[T],
+        start: &[T],
+        depth: Depth,
+        solved: Solved<'_, T>,
+        factors: Option<&mut Self::Factors<T>>,
+    ) -> Result<(), LengthError> {
+        let _ = (parameters, at, modes, start, depth, solved, factors);
         Ok(())
     }
 

@@ -38,11 +38,18 @@ impl Subset {
 pub trait Array<T>: Copy + AsRef<[T]> + AsMut<[T]> {
     /// The array of `f(0), f(1), …`.
     fn generate(f: impl FnMut(usize) -> T) -> Self;
+    /// A list as such an array, where it has the length.
+    fn view(list: &[T]) -> Option<&Self>;
 }
 
 impl<T: Copy, const N: usize> Array<T> for [T; N] {
     fn generate(f: impl FnMut(usize) -> T) -> Self {
         core::array::from_fn(f)
+    }
+
+    #[inline(always)]
+    fn view(list: &[T]) -> Option<&Self> {
+        list.try_into().ok()
     }
 }
 

@@ -308,14 +308,22 @@ impl<'a> Build<'a> {
         }
     }
 
-    /// x with Φ_q x = b at a given q, entries of b as symbols.
-    pub(super) fn resolve(&mut self, tree: &Block) -> Vec<(Slot, ExprId)> {
+    /// x with Φ_q x = b at a given q, entries of b as symbols; and what is 0 where a divisor is.
+    pub(super) fn resolve(&mut self, tree: &Block) -> (Vec<(Slot, ExprId)>, Vec<ExprId>) {
         let right = (0..self.system.equations.len()).map(|row| self.graph.symbol(Symbol::Right(row as u32))).collect();
         let entries = self.system.equations.iter().map(|equation| equation.phi_q.iter().copied().collect()).collect();
         let mut rates = Rates::new(&mut self.graph, entries, right, &self.system.set.coordinates, FastMap::default());
         rates.block(tree);
         let zero = rates.graph.zero();
-        rates.solution.iter().enumerate().map(|(k, value)| (Slot::Entry(k), value.unwrap_or(zero))).collect()
+        let solution = rates.solution.iter().enumerate().map(|(k, value)| (Slot::Entry(k), value.unwrap_or(zero)));
+        (solution.collect(), rates.regular)
+    }
+
+    /// The last stage: expressions in q, written one after another where the solution is known.
+    pub(super) fn last(&mut self, expressions: &[ExprId]) {
+        let known = expressions.iter().enumerate().map(|(k, &e)| (Slot::Entry(k), self.known_value(e)));
+        let outputs = known.collect();
+        self.stages.push(Stage::Closed(outputs));
     }
 }
 

@@ -31,6 +31,32 @@ fn squared_terms(graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {
     }
 }
 
+/// What the square of an expression is held against to see whether it is nearly 0: that of its terms, in which a vector
+/// that turns counts with its length, wherever it points.
+pub(super) fn squared_size(graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {
+    if depth == 0 {
+        return graph.square(id);
+    }
+    let length = |graph: &mut Graph, [x, y]: [ExprId; 2]| {
+        let (x, y) = (squared_size(graph, x, depth - 1), squared_size(graph, y, depth - 1));
+        graph.add(x, y)
+    };
+    match graph.node(id) {
+        Node::Neg(a) | Node::Whole(a) => squared_size(graph, a, depth - 1),
+        Node::Add(a, b) | Node::Sub(a, b) => length(graph, [a, b]),
+        Node::Mul(a, b) => {
+            let (a, b) = (squared_size(graph, a, depth - 1), squared_size(graph, b, depth - 1));
+            graph.mul(a, b)
+        }
+        Node::RotX(r) | Node::RotY(r) => length(graph, [r.x, r.y]),
+        Node::Dot(t) | Node::Cross(t) => {
+            let (u, d) = (length(graph, t.u), length(graph, t.d));
+            graph.mul(u, d)
+        }
+        _ => graph.square(id),
+    }
+}
+
 /// 1/a, as one thing that all products share.
 pub(super) fn inverse(graph: &mut Graph, a: ExprId) -> ExprId {
     let one = graph.number(1.0);

@@ -36,13 +36,14 @@ pub use sections::Section;
 pub use steps::{Kind, Mode, Step};
 
 use crate::constraint::Coordinate;
-use crate::expr::IdMap;
+use crate::expr::{ExprId, Graph, IdMap};
 use crate::program::{Program, Slot, lower};
 use crate::system::KinematicSystem;
 use build::Build;
 use probe::Probe;
 use reduce::Reduction;
 use std::collections::BTreeSet;
+use std::ops::Range;
 use steps::Listed;
 
 /// How far a section belongs.
@@ -54,6 +55,8 @@ pub enum Depth {
     Velocity,
     /// q̈.
     Acceleration,
+    /// What Φ_q x = b and power series of the motion begin with: entries as in [`SolutionPlan::resolve`].
+    Factors,
 }
 
 /// How a mechanism is solved, block by block.
@@ -75,8 +78,12 @@ pub struct SolutionPlan {
     pub closures: Program,
     /// For x with Φ_q x = b at a configuration: what depends on Φ_q alone, `factors` values held; then x from these and b.
     pub resolve: [Program; 2],
-    /// How many values the first holds for the second.
-    pub factors: u32,
+    /// How many values the first leaves: those that the second reads, then `turns`, then `regular`.
+    pub factors: usize,
+    /// Among them the sines and cosines that a program of Φ takes, in its order: sin, cos, sin, cos, ….
+    pub turns: Range<usize>,
+    /// Among them what is 0 where Φ_q x = b says nothing of x. The last section does not write it: a solution has margins.
+    pub regular: Range<usize>,
 }
 
 /// The plan of a mechanism whose rows determine its coordinates; for others, why there is none.
@@ -129,20 +136,36 @@ fn planned(system: &KinematicSystem, rank: usize) -> Result<SolutionPlan, String
     let listed = Listed::new(system, &graph, &tree, &made_of);
     let mut build = Build::new(system, graph, listed);
     let [velocity, acceleration] = build.all(&tree);
-    let resolve = build.resolve(&tree);
+    let (resolve, regular) = build.resolve(&tree);
+    let mut more = turns(&mut build.graph, system);
+    let [turns, count] = [more.len(), regular.len()];
+    more.extend(regular);
+    let (resolve, left) = sections::split(&mut build.graph, resolve, &more);
+    let factors = left.len();
+    let regular = factors - count..factors;
+    let turns = regular.start - turns..regular.start;
+    let beginnings = build.stages.len();
+    build.last(&left[..turns.end]);
     let Build { mut graph, stages, listed, iterations, closures, .. } = build;
-    let (resolve, factors) = sections::split(&mut graph, resolve);
     let indicators: Vec<_> = closures.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let closures = lower(&graph, &indicators);
     let (sections, held) = sections::sections(&mut graph, stages, iterations);
     let depth = |place| match place {
+        place if place >= beginnings => Depth::Factors,
         place if place >= acceleration => Depth::Acceleration,
         place if place >= velocity => Depth::Velocity,
         _ => Depth::Position,
     };
     let sections = sections.into_iter().enumerate().map(|(place, section)| (section, depth(place))).collect();
     let Listed { steps, modes, margins, .. } = listed;
-    Ok(SolutionPlan { steps, modes, margins, absent: None, sections, held, closures, resolve, factors })
+    Ok(SolutionPlan { steps, modes, margins, absent: None, sections, held, closures, resolve, factors, turns, regular })
+}
+
+/// Sines and cosines of the angles in the program of Φ, in its order.
+fn turns(graph: &mut Graph, system: &KinematicSystem) -> Vec<ExprId> {
+    let outputs = system.equations.iter().enumerate().map(|(row, equation)| (Slot::Phi(row), equation.phi));
+    let program = lower(&system.set.graph, &outputs.collect::<Vec<_>>());
+    program.angles(graph).into_iter().flat_map(|angle| [graph.sin(angle), graph.cos(angle)]).collect()
 }
 
 /// Which of `places` are lengths.

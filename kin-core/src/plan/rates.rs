@@ -6,12 +6,16 @@
 //! x_k = (p b₁ + q b₂)/(p² + q²) at the end; cores are small systems. What depends on Φ_q alone is the same expression
 //! for every b, so that all orders share it.
 
+use super::closures::squared_size;
 use super::dense;
 use super::tree::{Block, Core, Pair, PairValue, Part};
 use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
 use crate::hash::FastMap;
 use std::collections::BTreeMap;
+
+/// How deep the terms of a divisor are looked for.
+const DEPTH: usize = 8;
 
 /// A linear system along a tree.
 pub(super) struct Rates<'g> {
@@ -24,6 +28,8 @@ pub(super) struct Rates<'g> {
     pub(super) solution: Vec<Option<ExprId>>,
     /// The margins of cores, by their first row.
     pub(super) margins: BTreeMap<usize, ExprId>,
+    /// For every division by something that moves, what is 0 where that is 0: squares over those of their terms.
+    pub(super) regular: Vec<ExprId>,
     /// What stands for expressions of the tree; those that are missing stand for themselves.
     known: FastMap<ExprId, ExprId>,
 }
@@ -43,6 +49,7 @@ impl<'g> Rates<'g> {
             solution: vec![None; coordinates.len()],
             coordinates,
             margins: BTreeMap::new(),
+            regular: Vec::new(),
             known,
         }
     }
@@ -129,6 +136,19 @@ impl<'g> Rates<'g> {
         }
         if let (Some(margin), Some(&row)) = (margin, core.rows.first()) {
             self.margins.insert(row, margin);
+            self.regular.push(margin);
+        }
+        if let [row] = matrix.as_slice() {
+            let (square, size) = (self.graph.square(row[0]), squared_size(self.graph, row[0], DEPTH));
+            self.hold_against(square, size);
+        }
+    }
+
+    /// Notes a divisor, unless it never moves: its square beside `size`.
+    fn hold_against(&mut self, square: ExprId, size: ExprId) {
+        if !self.graph.depends(square).is_static() || self.graph.is_zero(square) {
+            let margin = self.graph.div(square, size);
+            self.regular.push(margin);
         }
     }
 
@@ -166,6 +186,9 @@ impl<'g> Rates<'g> {
             self.fold(row);
             *right = self.right[row];
         }
+        let [of_p, of_q] = [p, q].map(|part| squared_size(self.graph, part, DEPTH));
+        let size = self.graph.add(of_p, of_q);
+        self.hold_against(square, size);
         let top = self.graph.plain_dot([p, q], rights);
         let one = self.graph.number(1.0);
         let inverse = self.graph.div(one, square);

@@ -32,10 +32,16 @@ struct Places {
 }
 
 impl Places {
-    /// The first section that has it computes it.
-    fn own(&mut self, id: ExprId, section: usize) {
-        if !self.owner.contains(id) {
-            self.owner.insert(id, section);
+    /// The first section that has it computes it. Whoever turns a vector has sine and cosine, too.
+    fn own(&mut self, graph: &mut Graph, id: ExprId, section: usize) {
+        let turned = match graph.node(id) {
+            Node::RotX(r) | Node::RotY(r) => [Some(graph.sin(r.angle)), Some(graph.cos(r.angle))],
+            _ => [None, None],
+        };
+        for id in [Some(id), turned[0], turned[1]].into_iter().flatten() {
+            if !self.owner.contains(id) {
+                self.owner.insert(id, section);
+            }
         }
     }
 }
@@ -85,7 +91,7 @@ pub(super) fn sections(graph: &mut Graph, stages: Vec<Stage>, first: u32) -> (Ve
         match stage {
             Stage::Closed(outputs) => {
                 for id in graph.reachable(outputs.iter().map(|(_, id)| *id)) {
-                    places.own(id, number);
+                    places.own(graph, id, number);
                 }
             }
             Stage::Newton { unknowns, corrections, .. } => {
@@ -111,7 +117,7 @@ pub(super) fn sections(graph: &mut Graph, stages: Vec<Stage>, first: u32) -> (Ve
 }
 
 /// What an iteration needs and never changes belongs to the section before it.
-fn own_constants(graph: &Graph, places: &mut Places, number: usize, unknowns: &[u32], corrections: &[ExprId]) {
+fn own_constants(graph: &mut Graph, places: &mut Places, number: usize, unknowns: &[u32], corrections: &[ExprId]) {
     let mut moving: IdMap<()> = IdMap::default();
     for id in graph.reachable(corrections.iter().copied()) {
         let node = graph.node(id);
@@ -120,14 +126,14 @@ fn own_constants(graph: &Graph, places: &mut Places, number: usize, unknowns: &[
         if moves {
             moving.insert(id, ());
         } else {
-            places.own(id, number.saturating_sub(1));
+            places.own(graph, id, number.saturating_sub(1));
         }
     }
 }
 
 /// The same outputs in two programs: what does not depend on right sides, held, and the rest, which reads what is held
-/// and right sides alone; how many values are held.
-pub(super) fn split(graph: &mut Graph, outputs: Vec<(Slot, ExprId)>) -> ([Program; 2], u32) {
+/// and right sides alone. The first leaves `more` behind what it holds. Gives everything that it leaves, in order, too.
+pub(super) fn split(graph: &mut Graph, outputs: Vec<(Slot, ExprId)>, more: &[ExprId]) -> ([Program; 2], Vec<ExprId>) {
     let mut places = Places { owner: IdMap::default(), held: IdMap::default(), wanted: Vec::new(), next: 0 };
     for id in graph.reachable(outputs.iter().map(|(_, id)| *id)) {
         let node = graph.node(id);
@@ -135,8 +141,19 @@ pub(super) fn split(graph: &mut Graph, outputs: Vec<(Slot, ExprId)>) -> ([Progra
         node.for_each_operand(|operand| owner = owner.max(places.owner.or(operand, 0)));
         places.owner.insert(id, owner);
     }
-    let mut programs = programs(graph, &mut places, vec![Vec::new(), outputs], true).into_iter();
-    ([(); 2].map(|()| programs.next().unwrap_or_default()), places.next)
+    let mut left = more.to_vec();
+    let more: Vec<_> = more.iter().enumerate().map(|(k, &id)| (Slot::Entry(k), id)).collect();
+    let mut programs = programs(graph, &mut places, vec![more, outputs], true);
+    for (slot, _) in programs.iter_mut().take(1).flat_map(|first| &mut first.outputs) {
+        if let Slot::Entry(k) = *slot {
+            *slot = Slot::Held(places.next as usize + k);
+        }
+    }
+    let mut held: Vec<(u32, ExprId)> = places.wanted.into_iter().map(|(_, place, id)| (place, id)).collect();
+    held.sort_unstable();
+    left.splice(0..0, held.into_iter().map(|(_, id)| id));
+    let mut programs = programs.into_iter();
+    ([(); 2].map(|()| programs.next().unwrap_or_default()), left)
 }
 
 /// A program for the outputs of every section, and for what later ones want of it.

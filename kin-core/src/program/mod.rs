@@ -6,6 +6,7 @@ mod display;
 mod gather;
 mod interpret;
 mod lower;
+mod raise;
 mod roll;
 mod signs;
 

@@ -98,7 +98,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
     let scalar = Ident::new("__T", Span::call_site());
     let [position_lengths, lengths] = [position_lengths(&scalar, "q"), lengths(&scalar)];
     let Evaluations { evaluate, observe, .. } = &evaluations;
-    let factors = plan.factors as usize;
+    let factors = plan.factors;
     let (plan_items, plan_methods) = (&planned.items, &planned.methods);
     let kernels = [&values.item, &evaluate.item, &observe.item];
     let [values, evaluate, observe] = [&values.call, &evaluate.call, &observe.call];

@@ -28,7 +28,7 @@ pub(super) fn planned(lowered: &Lowered, system: &KinematicSystem, plan: &Soluti
         kernel(name, lowered, program, &[("out", quote! { [__T; #outputs] })])
     };
     let closures = at_q("tell_modes", &plan.closures, modes);
-    let factors = plan.factors as usize;
+    let factors = plan.factors;
     let factorise = kernel("factorise_rows", lowered, &plan.resolve[0], &[("held", quote! { __Factors<__T> })]);
     let n = system.set.coordinates.len();
     let resolve = kernel_after("solve_rows", lowered, &plan.resolve[1], &[("out", quote! { [__T; #n] })], "__Factors");
@@ -40,7 +40,15 @@ pub(super) fn planned(lowered: &Lowered, system: &KinematicSystem, plan: &Soluti
         type __Factors<__T> = [__T; #factors];
         #(#kernels)*
     };
-    let methods = [solve.method, closures_method(&closures), resolve_methods(&factorise, &resolve)];
+    let [turns, regular] = [&plan.turns, &plan.regular].map(|range| {
+        let (start, end) = (range.start, range.end);
+        quote! { (#start, #end) }
+    });
+    let places = quote! {
+        const TURNS: (usize, usize) = #turns;
+        const REGULAR: (usize, usize) = #regular;
+    };
+    let methods = [places, solve.method, closures_method(&closures), resolve_methods(&factorise, &resolve)];
     Planned { items, methods: quote! { #(#methods)* } }
 }
 
@@ -59,13 +67,19 @@ fn solve(lowered: &Lowered, system: &KinematicSystem, plan: &SolutionPlan) -> So
         ("acceleration", coordinates),
         ("margins", quote! { [__T; #margins] }),
         ("held", quote! { __Held<__T> }),
+        ("out", quote! { __Factors<__T> }),
     ];
     let (mut kernels, mut statements) = (Vec::new(), Vec::new());
     let mut before = Depth::Position;
     for (number, (section, depth)) in plan.sections.iter().enumerate() {
         if *depth != before {
-            let last = depth_tokens(before);
-            statements.push(quote! { if let #last = depth { return __kin::Ok(()); } });
+            statements.push(match depth {
+                Depth::Factors => quote! { let __kin::Some(out) = factors else { return __kin::Ok(()) }; },
+                _ => {
+                    let last = depth_tokens(before);
+                    quote! { if let #last = depth { return __kin::Ok(()); } }
+                }
+            });
             before = *depth;
         }
         let name = format!("solve_part_{number}");
@@ -96,7 +110,7 @@ fn solve(lowered: &Lowered, system: &KinematicSystem, plan: &SolutionPlan) -> So
     }
     let lengths = position_lengths(&Ident::new("__T", Span::call_site()), "start");
     let method = quote! {
-        fn solve_with<__T: __kin::Scalar>(
+        fn solve_and_factorise<__T: __kin::Scalar>(
             &self,
             parameters: &[__T],
             at: &__kin::Instant<'_, __T>,
@@ -104,6 +118,7 @@ fn solve(lowered: &Lowered, system: &KinematicSystem, plan: &SolutionPlan) -> So
             start: &[__T],
             depth: __kin::Depth,
             solved: __kin::Solved<'_, __T>,
+            factors: __kin::Option<&mut Self::Factors<__T>>,
         ) -> __kin::Result<(), __kin::LengthError> {
             #lengths
             let modes: &__Modes<__T> = __kin::fixed("modes", modes)?;
@@ -113,7 +128,7 @@ fn solve(lowered: &Lowered, system: &KinematicSystem, plan: &SolutionPlan) -> So
             let margins: &mut [__T; #margins] = __kin::fixed_mut("margins", solved.margins)?;
             let held: &mut __Held<__T> = &mut [<__T as __kin::Scalar>::from_f64(0.0); #held];
             let unknowns: &mut __Coordinates<__T> = &mut { *start };
-            let _ = (p, u, modes, &position, &velocity, &acceleration, &margins, &held, &unknowns);
+            let _ = (p, u, modes, &position, &velocity, &acceleration, &margins, &held, &unknowns, &factors);
             #(#statements)*
             __kin::Ok(())
         }
@@ -125,7 +140,7 @@ fn depth_tokens(depth: Depth) -> TokenStream {
     match depth {
         Depth::Position => quote! { __kin::Depth::Position },
         Depth::Velocity => quote! { __kin::Depth::Velocity },
-        Depth::Acceleration => quote! { __kin::Depth::Acceleration },
+        Depth::Acceleration | Depth::Factors => quote! { __kin::Depth::Acceleration },
     }
 }
 
@@ -168,6 +183,7 @@ fn resolve_methods(factorise: &Kernel, solve: &Kernel) -> TokenStream {
             __kin::Ok(())
         }
 
+        #[inline]
         fn solve_factorised<__T: __kin::Scalar>(
             factors: &Self::Factors<__T>,
             b: &[__T],

@@ -5,7 +5,6 @@
 
 use super::program::{literal, load_at, names_of};
 use super::rolled::{Member, array, local, step_uses, table, uses};
-use super::series_statements::constants;
 use super::statements::{Statement, blocks};
 use kin_core::expr::Symbol;
 use kin_core::program::{Instruction, Piece, Program, Rolled, Slot, Source, Step, Value, Worth, roll};
@@ -68,7 +67,7 @@ pub(super) fn body(program: &Program) -> Option<TokenStream> {
 
 /// The program of what depends on parameters alone, and that of everything else, which loads its results.
 fn parted(program: &Program) -> (Program, Program) {
-    let constant = constants(program);
+    let constant = program.parametric();
     let is_leaf = |value: Value| {
         matches!(program.instructions[value.index()], Instruction::Number(_) | Instruction::Load(Symbol::Parameter(_)))
     };
@@ -248,12 +247,7 @@ fn expression(instruction: &Instruction, operands: &[Operand]) -> TokenStream {
         Instruction::Div(..) => apply("div", &[&dynamic(0), &v(1)]),
         Instruction::SinCos(_) => {
             let angle = v(0);
-            quote! {
-                {
-                    let [turn] = __kin::Arithmetic::turns(x, [#angle]);
-                    [__kin::Arithmetic::sin_cos(x, #angle, turn)]
-                }
-            }
+            quote! { __kin::Arithmetic::sin_cos(x, [#angle]) }
         }
         Instruction::Call(f, _) => apply(f.name(), &[&v(0)]),
         Instruction::Sign(_) => apply("signum", &[&v(0)]),

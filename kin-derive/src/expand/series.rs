@@ -58,12 +58,13 @@ fn method(lowered: &Lowered, name: &str, program: &Program) -> TokenStream {
     }
     let statements = body(program);
     quote! {
+        #[inline(always)]
         fn #name<__X: __kin::Arithmetic>(
             &self,
             parameters: &[f64],
             x: &mut __X,
         ) -> __kin::Result<(), __kin::LengthError> {
-            #[inline]
+            #[inline(always)]
             fn write<__X: __kin::Arithmetic #(, #types)*>(p: &__Parameters<f64>, x: &mut __X #(, #arguments)*) {
                 let _ = (p, &x);
                 #statements

@@ -1,6 +1,6 @@
 //! The statements of a program in an arithmetic of the caller's: numbers for what is constant, values for the rest.
 
-use super::program::{function_name, literal};
+use super::program::{ANGLES, function_name, literal};
 use kin_core::expr::Symbol;
 use kin_core::mechanism::Function;
 use kin_core::program::{Instruction, Program, Slot, Value};
@@ -24,27 +24,9 @@ fn name(prefix: char, value: Value) -> Ident {
     Ident::new(&format!("__{prefix}{}", value.0), Span::call_site())
 }
 
-/// For every value whether it depends on parameters alone.
-pub(super) fn constants(program: &Program) -> Vec<bool> {
-    let mut constant = vec![false; program.instructions.len()];
-    for (place, instruction) in program.instructions.iter().enumerate() {
-        constant[place] = match instruction {
-            Instruction::Load(symbol) => matches!(symbol, Symbol::Parameter(_)),
-            // Its derivatives count as the arithmetic's.
-            Instruction::Supplied(..) => false,
-            _ => {
-                let mut all = true;
-                instruction.for_each_operand(|operand| all &= constant[operand.index()]);
-                all
-            }
-        };
-    }
-    constant
-}
-
 impl<'p> Emitter<'p> {
     pub(super) fn new(program: &'p Program) -> Self {
-        Self { program, constant: constants(program) }
+        Self { program, constant: program.parametric() }
     }
 
     fn instruction(&self, value: Value) -> Instruction {
@@ -129,6 +111,7 @@ impl<'p> Emitter<'p> {
                     Instruction::SinCos(angle) if !self.constant[place] => Some((Value(place as u32), *angle)),
                     _ => None,
                 })
+                .take(ANGLES)
                 .collect();
             if angles.is_empty() {
                 others.extend(self.statement(value));
@@ -146,15 +129,8 @@ impl<'p> Emitter<'p> {
             let (s, c) = (name('s', *pair), name('c', *pair));
             quote! { (#s, #c) }
         });
-        // All at once as far as τ = 0; the series one by one, in registers.
-        let operands: Vec<TokenStream> = angles.iter().map(|(_, angle)| self.operand(*angle)).collect();
-        let starts: Vec<Ident> = angles.iter().map(|(pair, _)| name('t', *pair)).collect();
-        let tokens = quote! {
-            let [#(#names),*] = {
-                let [#(#starts),*] = __kin::Arithmetic::turns(x, [#(#operands),*]);
-                [#(__kin::Arithmetic::sin_cos(x, #operands, #starts)),*]
-            };
-        };
+        let operands = angles.iter().map(|(_, angle)| self.operand(*angle));
+        let tokens = quote! { let [#(#names),*] = __kin::Arithmetic::sin_cos(x, [#(#operands),*]); };
         Statement { defines: angles.iter().map(|(pair, _)| *pair).collect(), tokens }
     }
 

@@ -45,10 +45,8 @@ pub trait Arithmetic {
     fn square(&mut self, a: Self::Value) -> Self::Value;
     /// a / b.
     fn div(&mut self, a: Self::Value, b: Self::Value) -> Self::Value;
-    /// Sines and cosines of angles at τ = 0.
-    fn turns<const N: usize>(&mut self, angles: [Self::Value; N]) -> [(f64, f64); N];
-    /// Sine and cosine of one of these angles, given those at τ = 0.
-    fn sin_cos(&mut self, angle: Self::Value, at_zero: (f64, f64)) -> (Self::Value, Self::Value);
+    /// Sines and cosines of several angles.
+    fn sin_cos<const N: usize>(&mut self, angles: [Self::Value; N]) -> [(Self::Value, Self::Value); N];
     /// Tangent.
     fn tan(&mut self, a: Self::Value) -> Self::Value;
     /// Inverse sine.

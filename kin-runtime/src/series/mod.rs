@@ -20,11 +20,17 @@
 
 mod arithmetic;
 #[cfg(feature = "std")]
-mod course;
+mod at_zero;
+#[cfg(feature = "std")]
+mod by_plan;
 #[cfg(feature = "std")]
 mod derivatives;
 #[cfg(feature = "std")]
+mod inputs;
+#[cfg(feature = "std")]
 mod motion;
+#[cfg(feature = "std")]
+mod news;
 #[cfg(feature = "std")]
 mod next;
 #[cfg(feature = "std")]

@@ -1,8 +1,8 @@
 //! Higher derivatives of everything that a mechanism reports.
 
 use super::arithmetic::PowerSeries;
-use super::course::factorial;
 use super::derivatives::{Derivatives, unknown};
+use super::inputs::factorial;
 use super::orders::{HigherOrders, Orders};
 use crate::equations::{Equations, length};
 use crate::error::SolveError;

@@ -4,40 +4,29 @@
 //! coefficient, in which those of q that are not yet known count as 0.
 
 use super::arithmetic::Arithmetic;
-use super::course::Course;
+use super::inputs::Inputs;
+use super::news::News;
 use super::recurrence::{
-    Absolute, Arc, ArcTangent, ArcTangent2, Exponential, Logarithm, Power, Product, Quotient, Recurrence, Root, Sign,
-    SineCosine, Square, Tangent,
+    Absolute, Arc, ArcTangent, ArcTangent2, Exponential, KEPT, LANES, Logarithm, Power, Product, Quotient, Recurrence,
+    Root, Sign, Square, Tangent, Turning, lanes,
 };
 use super::supplied::Supplied;
 use super::tape::{Missing, Tape};
 use crate::workspace::Array;
 
-/// What of q and q̇ has become known since the last run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum News {
-    /// q_{k−1}, for rows of position level.
-    Coordinates,
-    /// q̇_{k−1} = k q_k, for rows of velocity level.
-    Rates,
-    /// Nothing: the series of q is complete.
-    Nothing,
-}
-
 /// Coefficient `order` of everything.
-pub(super) struct Next<'a, C, R> {
-    pub(super) course: &'a Course<C>,
-    /// The coefficients of q before this one, this one, and the next.
-    pub(super) q: [&'a C; 3],
+pub(super) struct Next<'a, N, R> {
+    pub(super) inputs: &'a Inputs,
+    pub(super) news: N,
     pub(super) tape: &'a mut Tape,
     pub(super) place: usize,
     pub(super) order: usize,
-    pub(super) news: News,
+    /// Where the opposite of every row goes.
     pub(super) rows: &'a mut R,
     pub(super) missing: &'a mut Option<Missing>,
 }
 
-impl<C, R> Next<'_, C, R> {
+impl<N, R> Next<'_, N, R> {
     #[inline(always)]
     fn apply<const I: usize, const O: usize, F: Recurrence<I, O>>(
         &mut self,
@@ -51,7 +40,7 @@ impl<C, R> Next<'_, C, R> {
     }
 }
 
-impl<C: Array<f64>, R: Array<f64>> Arithmetic for Next<'_, C, R> {
+impl<N: News, R: Array<f64>> Arithmetic for Next<'_, N, R> {
     type Value = [f64; 2];
 
     #[inline(always)]
@@ -72,28 +61,26 @@ impl<C: Array<f64>, R: Array<f64>> Arithmetic for Next<'_, C, R> {
 
     #[inline(always)]
     fn coordinate(&mut self, k: usize) -> [f64; 2] {
-        let before = if self.news == News::Coordinates { self.q[0].as_ref()[k] } else { 0.0 };
-        [before, self.q[1].as_ref()[k]]
+        self.news.coordinate(k)
     }
 
     #[inline(always)]
     fn rate(&mut self, k: usize) -> [f64; 2] {
-        let before = if self.news == News::Rates { self.order as f64 * self.q[1].as_ref()[k] } else { 0.0 };
-        [before, (self.order + 1) as f64 * self.q[2].as_ref()[k]]
+        self.news.rate(k)
     }
 
     #[inline(always)]
     fn input(&mut self, k: usize, order: usize) -> [f64; 2] {
-        let coefficient = self.course.input(k, order, self.order);
+        let coefficient = self.inputs.input(k, order, self.order);
         if coefficient.is_nan() {
-            self.missing.get_or_insert(self.course.missing_input(k));
+            self.missing.get_or_insert(self.inputs.missing(k));
         }
         [0.0, coefficient]
     }
 
     #[inline(always)]
     fn row(&mut self, row: usize, value: [f64; 2]) {
-        self.rows.as_mut()[row] = value[1];
+        self.rows.as_mut()[row] = -value[1];
     }
 
     #[inline(always)]
@@ -132,14 +119,17 @@ impl<C: Array<f64>, R: Array<f64>> Arithmetic for Next<'_, C, R> {
     }
 
     #[inline(always)]
-    fn turns<const A: usize>(&mut self, _: [[f64; 2]; A]) -> [(f64, f64); A] {
-        [(0.0, 0.0); A]
-    }
-
-    #[inline(always)]
-    fn sin_cos(&mut self, angle: [f64; 2], at_zero: (f64, f64)) -> ([f64; 2], [f64; 2]) {
-        let [sin, cos] = self.apply(&SineCosine { at_zero }, [angle]);
-        (sin, cos)
+    fn sin_cos<const A: usize>(&mut self, angles: [[f64; 2]; A]) -> [([f64; 2], [f64; 2]); A] {
+        let mut out = [([0.0; 2], [0.0; 2]); A];
+        for first in (0..A).step_by(LANES) {
+            let turning = self.tape.room(&mut self.place, KEPT * self.tape.stride).numbers.as_chunks_mut().0;
+            let [d, x] = [0, 1].map(|k| lanes(first, A, |a| angles[a][k]));
+            let [changes, found] = turning.correct_and_step(self.order, d, x);
+            for (lane, (sin, cos)) in out[first..].iter_mut().take(LANES).enumerate() {
+                (*sin, *cos) = ([changes.sin[lane], found.sin[lane]], [changes.cos[lane], found.cos[lane]]);
+            }
+        }
+        out
     }
 
     #[inline(always)]

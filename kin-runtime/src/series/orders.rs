@@ -1,8 +1,10 @@
 //! Right-hand sides order by order, and what is known of q so far.
 
 use super::arithmetic::PowerSeries;
-use super::course::{Course, factorial};
-use super::next::{News, Next};
+use super::at_zero::Computed;
+use super::inputs::{Inputs, factorial};
+use super::news::{Found, FoundRates, Known};
+use super::next::Next;
 use super::start::Start;
 use super::tape::{Missing, Tape};
 use crate::mechanism::LengthError;
@@ -37,24 +39,35 @@ use crate::workspace::{Array, Instant};
 /// # Ok::<(), kin_runtime::LengthError>(())
 /// ```
 pub struct HigherOrders<'m, M: PowerSeries> {
-    mechanism: &'m M,
-    parameters: M::Parameters<f64>,
-    course: Course<M::Coordinates<f64>>,
-    constraints: Tape,
+    pub(super) mechanism: &'m M,
+    pub(super) parameters: M::Parameters<f64>,
+    pub(super) inputs: Inputs,
+    pub(super) constraints: Tape,
     velocities: Tape,
     observables: Tape,
-    /// Coefficients of Φ or η, and what they make.
-    phi: M::Rows<f64>,
-    eta: M::Rows<f64>,
+    /// q, where the last instant began.
+    q: M::Coordinates<f64>,
     right: M::Rows<f64>,
-    factors: M::Factors<f64>,
-    missing: Option<Missing>,
+    pub(super) factors: M::Factors<f64>,
+    /// From the third on, as far as they are solved.
+    pub(super) derivatives: Vec<M::Coordinates<f64>>,
+    pub(super) solved: usize,
+    pub(super) missing: Option<Missing>,
     /// The order of `right`, and its factorial.
     order: usize,
     factorial: f64,
-    highest: usize,
+    pub(super) highest: usize,
     /// Rows of velocity level.
     of_velocity: Vec<usize>,
+}
+
+/// A vector as the array that it must be.
+pub(super) fn array<'a, C: Array<f64>>(
+    what: &'static str,
+    expected: usize,
+    list: &'a [f64],
+) -> Result<&'a C, LengthError> {
+    C::view(list).ok_or(LengthError { what, expected, found: list.len() })
 }
 
 impl<'m, M: PowerSeries> HigherOrders<'m, M> {
@@ -65,14 +78,15 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
         Self {
             mechanism,
             parameters: mechanism.parameters(),
-            course: Course::new(highest, M::INPUTS),
+            inputs: Inputs::new(highest, M::INPUTS),
             constraints: Tape::new(highest.max(3)),
             velocities: Tape::new(highest.max(3)),
             observables: Tape::new(highest.max(3)),
-            phi: Array::generate(|_| 0.0),
-            eta: Array::generate(|_| 0.0),
+            q: Array::generate(|_| 0.0),
             right: Array::generate(|_| 0.0),
             factors: Array::generate(|_| 0.0),
+            derivatives: vec![Array::generate(|_| 0.0); (highest + 1).saturating_sub(3)],
+            solved: 0,
             missing: None,
             order: 0,
             factorial: 1.0,
@@ -95,43 +109,50 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
     /// # Errors
     /// When an argument has the wrong length.
     pub fn begin_with(&mut self, at: &Instant<'_>, further: &[&[f64]], known: [&[f64]; 3]) -> Result<(), LengthError> {
-        let length = |what, expected, found| {
-            if expected == found { Ok(()) } else { Err(LengthError { what, expected, found }) }
-        };
-        length("inputs", M::INPUTS, at.inputs.len())?;
-        for (what, vector) in ["q", "q_dot", "q_ddot"].into_iter().zip(known) {
-            length(what, M::COORDINATES, vector.len())?;
+        self.check_inputs(at)?;
+        let [q, q_dot, q_ddot] = known;
+        let q: &M::Coordinates<f64> = array("q", M::COORDINATES, q)?;
+        let (q_dot, q_ddot) = (array("q_dot", M::COORDINATES, q_dot)?, array("q_ddot", M::COORDINATES, q_ddot)?);
+        if M::INPUTS > 0 {
+            self.inputs.begin(at, further);
         }
-        self.course.begin(at, further);
-        for (order, (factorial, vector)) in [1.0, 1.0, 2.0].into_iter().zip(known).enumerate() {
-            self.course.take(order, factorial, vector);
-        }
-        (self.order, self.factorial, self.missing) = (3, 6.0, None);
+        self.inputs.t = at.t;
+        (self.q, self.order, self.factorial, self.missing, self.solved) = (*q, 3, 6.0, None, 0);
         let keep = self.highest > 3;
-        let mut start = Start::<_, _, 4, false> {
-            course: &self.course,
-            q: self.course.from(0),
+        let zero = M::Coordinates::<f64>::generate(|_| 0.0);
+        let known = [q, q_dot, q_ddot, &zero, &zero];
+        let (mut phi, mut eta) = (self.right, self.right);
+        let mut start = Start::<_, _, _, 4, false> {
+            inputs: &self.inputs,
+            q: known,
+            at_zero: Computed,
             tape: &mut self.constraints,
             keep,
             place: 0,
-            rows: core::slice::from_mut(&mut self.phi),
+            rows: core::slice::from_mut(&mut phi),
             missing: &mut self.missing,
         };
         self.mechanism.constraint_series(self.parameters.as_ref(), &mut start)?;
         if !self.of_velocity.is_empty() {
-            let mut start = Start::<_, _, 3, false> {
-                course: &self.course,
-                q: self.course.from(0),
+            let mut start = Start::<_, _, _, 3, false> {
+                inputs: &self.inputs,
+                q: known,
+                at_zero: Computed,
                 tape: &mut self.velocities,
                 keep,
                 place: 0,
-                rows: core::slice::from_mut(&mut self.eta),
+                rows: core::slice::from_mut(&mut eta),
                 missing: &mut self.missing,
             };
             self.mechanism.velocity_series(self.parameters.as_ref(), &mut start)?;
         }
-        self.write_right();
+        self.write_right(&phi, &eta);
         Ok(())
+    }
+
+    pub(super) fn check_inputs(&self, at: &Instant<'_>) -> Result<(), LengthError> {
+        let (expected, found) = (M::INPUTS, at.inputs.len());
+        if expected == found { Ok(()) } else { Err(LengthError { what: "inputs", expected, found }) }
     }
 
     /// The order k of [`right`](Self::right).
@@ -150,8 +171,7 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
     /// # Errors
     /// When the inputs have the wrong length.
     pub fn factorise(&mut self, at: &Instant<'_>) -> Result<bool, LengthError> {
-        let [q] = self.course.from(0);
-        self.mechanism.factorise_with(self.parameters.as_ref(), at, q.as_ref(), &mut self.factors)?;
+        self.mechanism.factorise_with(self.parameters.as_ref(), at, self.q.as_ref(), &mut self.factors)?;
         Ok(M::model().plan.absent.is_none())
     }
 
@@ -172,53 +192,51 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
     /// # Errors
     /// When the vector has the wrong length.
     pub fn advance(&mut self, derivative: &[f64]) -> Result<(), LengthError> {
-        if derivative.len() != M::COORDINATES {
-            let (expected, found) = (M::COORDINATES, derivative.len());
-            return Err(LengthError { what: "derivative", expected, found });
-        }
+        let derivative: &M::Coordinates<f64> = array("derivative", M::COORDINATES, derivative)?;
         if self.order < 3 || self.order > self.highest {
             return Ok(());
         }
-        self.course.take(self.order, self.factorial, derivative);
+        let part = 1.0 / self.factorial;
+        let found = M::Coordinates::<f64>::generate(|k| part * derivative.as_ref()[k]);
         self.order += 1;
         self.factorial *= self.order as f64;
         if self.order > self.highest {
             return Ok(());
         }
+        let (mut phi, mut eta) = (self.right, self.right);
         let mut next = Next {
-            course: &self.course,
-            q: self.course.from(self.order - 1),
+            inputs: &self.inputs,
+            news: Found(&found),
             tape: &mut self.constraints,
             place: 0,
             order: self.order,
-            news: News::Coordinates,
-            rows: &mut self.phi,
+            rows: &mut phi,
             missing: &mut self.missing,
         };
         self.mechanism.constraint_series(self.parameters.as_ref(), &mut next)?;
         if !self.of_velocity.is_empty() {
+            let order = self.order - 1;
             let mut next = Next {
-                course: &self.course,
-                q: self.course.from(self.order - 2),
+                inputs: &self.inputs,
+                news: FoundRates { found: &found, order },
                 tape: &mut self.velocities,
                 place: 0,
-                order: self.order - 1,
-                news: News::Rates,
-                rows: &mut self.eta,
+                order,
+                rows: &mut eta,
                 missing: &mut self.missing,
             };
             self.mechanism.velocity_series(self.parameters.as_ref(), &mut next)?;
         }
-        self.write_right();
+        self.write_right(&phi, &eta);
         Ok(())
     }
 
-    /// b = −k! [τᵏ] Φ, and −(k − 1)! [τ^{k−1}] η.
-    fn write_right(&mut self) {
-        let (right, phi) = (self.right.as_mut(), self.phi.as_ref());
-        right.iter_mut().zip(phi).for_each(|(right, phi)| *right = -self.factorial * phi);
+    /// b = −k! [τᵏ] Φ, and −(k − 1)! [τ^{k−1}] η, given the opposites of both.
+    fn write_right(&mut self, phi: &M::Rows<f64>, eta: &M::Rows<f64>) {
+        let (right, phi) = (self.right.as_mut(), phi.as_ref());
+        right.iter_mut().zip(phi).for_each(|(right, phi)| *right = self.factorial * phi);
         for &row in &self.of_velocity {
-            right[row] = -self.factorial / self.order as f64 * self.eta.as_ref()[row];
+            right[row] = self.factorial / self.order as f64 * eta.as_ref()[row];
         }
     }
 }
@@ -255,13 +273,21 @@ impl<M: PowerSeries> Orders for HigherOrders<'_, M> {
     }
 
     fn observe(&mut self, at: &Instant<'_>, further: &[&[f64]], q: &[Vec<f64>]) -> Result<Vec<f64>, LengthError> {
-        self.course.begin(at, further);
-        q.iter().enumerate().for_each(|(order, vector)| self.course.take(order, factorial(order), vector));
+        if M::INPUTS > 0 {
+            self.inputs.begin(at, further);
+        }
+        self.inputs.t = at.t;
         self.missing = None;
+        let zero = M::Coordinates::<f64>::generate(|_| 0.0);
+        let mut known = [&zero; 5];
+        for (known, derivative) in known.iter_mut().zip(q) {
+            *known = array("q", M::COORDINATES, derivative)?;
+        }
         let mut rows = vec![<M::Observables<f64> as Array<f64>>::generate(|_| 0.0); self.highest.max(3) + 1];
-        let mut start = Start::<_, _, 4, true> {
-            course: &self.course,
-            q: self.course.from(0),
+        let mut start = Start::<_, _, _, 4, true> {
+            inputs: &self.inputs,
+            q: known,
+            at_zero: Computed,
             tape: &mut self.observables,
             keep: self.highest > 3,
             place: 0,
@@ -269,19 +295,19 @@ impl<M: PowerSeries> Orders for HigherOrders<'_, M> {
             missing: &mut self.missing,
         };
         self.mechanism.observable_series(self.parameters.as_ref(), &mut start)?;
+        let at = |order: usize| q.get(order).map_or(zero.as_ref(), Vec::as_slice);
         for (order, rows) in rows.iter_mut().enumerate().skip(4) {
             let mut next = Next {
-                course: &self.course,
-                q: self.course.from(order - 1),
+                inputs: &self.inputs,
+                news: Known { derivatives: [at(order), at(order + 1)], factorial: factorial(order) },
                 tape: &mut self.observables,
                 place: 0,
                 order,
-                news: News::Nothing,
                 rows,
                 missing: &mut self.missing,
             };
             self.mechanism.observable_series(self.parameters.as_ref(), &mut next)?;
         }
-        Ok(rows.iter().take(self.highest + 1).flat_map(|order| order.as_ref()).copied().collect())
+        Ok(rows.iter().take(self.highest + 1).flat_map(|order| order.as_ref()).map(|opposite| -opposite).collect())
     }
 }

@@ -4,26 +4,31 @@
 //! is never computed.
 
 use super::arithmetic::Arithmetic;
-use super::course::Course;
+use super::at_zero::AtZero;
+use super::inputs::Inputs;
 use super::recurrence::{
-    Absolute, Arc, ArcTangent, ArcTangent2, Exponential, Logarithm, Power, Product, Quotient, Recurrence, Root,
-    SEQUENCES, Sequences, Sign, SineCosine, Square, Tangent,
+    Absolute, Arc, ArcTangent, ArcTangent2, Exponential, KEPT, LANES, Logarithm, Pairs, Power, Product, Quotient,
+    Recurrence, Root, SEQUENCES, Sequences, Sign, Square, Tangent, Turning, lanes,
 };
 use super::supplied::Supplied;
 use super::tape::{Missing, Tape};
-use crate::scalar::Scalar;
 use crate::workspace::Array;
 
+/// 1/k!
+const RECIPROCALS: [f64; 4] = [1.0, 1.0, 1.0 / 2.0, 1.0 / 6.0];
+
 /// Coefficients 0 … N − 1 of everything; `ALL` says whether rows are wanted with all of them or with the last alone.
-pub(super) struct Start<'a, C, R, const N: usize, const ALL: bool> {
-    pub(super) course: &'a Course<C>,
-    /// The first coefficients of q, one more than N at most.
+pub(super) struct Start<'a, Z, C, R, const N: usize, const ALL: bool> {
+    pub(super) inputs: &'a Inputs,
+    /// q, q̇, q̈, …, one more than N at most.
     pub(super) q: [&'a C; 5],
+    /// Sines and cosines at τ = 0.
+    pub(super) at_zero: Z,
     pub(super) tape: &'a mut Tape,
     /// Whether a next run will come.
     pub(super) keep: bool,
     pub(super) place: usize,
-    /// Order by order; the last alone, where no other is wanted.
+    /// The opposites of rows, order by order; the last alone, where no other is wanted.
     pub(super) rows: &'a mut [R],
     pub(super) missing: &'a mut Option<Missing>,
 }
@@ -54,7 +59,7 @@ impl<const N: usize> Sequences for Local<N> {
     }
 }
 
-impl<C, R, const N: usize, const ALL: bool> Start<'_, C, R, N, ALL> {
+impl<Z, C, R, const N: usize, const ALL: bool> Start<'_, Z, C, R, N, ALL> {
     #[inline(always)]
     fn apply<const I: usize, const O: usize, F: Recurrence<I, O>>(
         &mut self,
@@ -94,7 +99,9 @@ impl<C, R, const N: usize, const ALL: bool> Start<'_, C, R, N, ALL> {
     }
 }
 
-impl<C: Array<f64>, R: Array<f64>, const N: usize, const ALL: bool> Arithmetic for Start<'_, C, R, N, ALL> {
+impl<Z: AtZero, C: Array<f64>, R: Array<f64>, const N: usize, const ALL: bool> Arithmetic
+    for Start<'_, Z, C, R, N, ALL>
+{
     type Value = [f64; N];
 
     #[inline(always)]
@@ -114,7 +121,7 @@ impl<C: Array<f64>, R: Array<f64>, const N: usize, const ALL: bool> Arithmetic f
     #[inline(always)]
     fn time(&mut self) -> [f64; N] {
         core::array::from_fn(|k| match k {
-            0 => self.course.t,
+            0 => self.inputs.t,
             1 => 1.0,
             _ => 0.0,
         })
@@ -122,19 +129,19 @@ impl<C: Array<f64>, R: Array<f64>, const N: usize, const ALL: bool> Arithmetic f
 
     #[inline(always)]
     fn coordinate(&mut self, k: usize) -> [f64; N] {
-        core::array::from_fn(|order| self.q[order].as_ref()[k])
+        core::array::from_fn(|order| RECIPROCALS[order] * self.q[order].as_ref()[k])
     }
 
     #[inline(always)]
     fn rate(&mut self, k: usize) -> [f64; N] {
-        core::array::from_fn(|order| (order + 1) as f64 * self.q[order + 1].as_ref()[k])
+        core::array::from_fn(|order| RECIPROCALS[order] * self.q[order + 1].as_ref()[k])
     }
 
     #[inline(always)]
     fn input(&mut self, k: usize, order: usize) -> [f64; N] {
-        let series: [f64; N] = core::array::from_fn(|i| self.course.input(k, order, i));
+        let series: [f64; N] = core::array::from_fn(|i| self.inputs.input(k, order, i));
         if series[N - 1].is_nan() {
-            self.missing.get_or_insert(self.course.missing_input(k));
+            self.missing.get_or_insert(self.inputs.missing(k));
         }
         series
     }
@@ -143,10 +150,10 @@ impl<C: Array<f64>, R: Array<f64>, const N: usize, const ALL: bool> Arithmetic f
     fn row(&mut self, row: usize, value: [f64; N]) {
         if ALL {
             for (order, coefficient) in value.into_iter().enumerate() {
-                self.rows[order].as_mut()[row] = coefficient;
+                self.rows[order].as_mut()[row] = -coefficient;
             }
         } else {
-            self.rows[0].as_mut()[row] = value[N - 1];
+            self.rows[0].as_mut()[row] = -value[N - 1];
         }
     }
 
@@ -189,14 +196,32 @@ impl<C: Array<f64>, R: Array<f64>, const N: usize, const ALL: bool> Arithmetic f
     }
 
     #[inline(always)]
-    fn turns<const A: usize>(&mut self, angles: [[f64; N]; A]) -> [(f64, f64); A] {
-        <f64 as Scalar>::sin_cos_all(angles.map(|angle| angle[0]))
-    }
-
-    #[inline(always)]
-    fn sin_cos(&mut self, angle: [f64; N], at_zero: (f64, f64)) -> ([f64; N], [f64; N]) {
-        let [sin, cos] = self.apply(&SineCosine { at_zero }, [angle]);
-        (sin, cos)
+    fn sin_cos<const A: usize>(&mut self, angles: [[f64; N]; A]) -> [([f64; N], [f64; N]); A] {
+        let at_zero = self.at_zero.next(angles.map(|angle| angle[0]));
+        let mut out = [([0.0; N], [0.0; N]); A];
+        for first in (0..A).step_by(LANES) {
+            let mut turning = [Pairs::ZERO; N];
+            turning.start(lanes(first, A, |a| at_zero[a].0), lanes(first, A, |a| at_zero[a].1));
+            let angle = |k: usize| lanes(first, A, |a| angles[a][k]);
+            if N == 4 {
+                // Accelerations are what became known last.
+                turning.step(1, angle(1));
+                turning.step(2, [-0.0; LANES]);
+                turning.correct_and_step(3, angle(2), angle(3));
+            } else {
+                for k in 1..N {
+                    turning.step(k, angle(k));
+                }
+            }
+            if self.keep {
+                let region = self.tape.room(&mut self.place, KEPT * self.tape.stride);
+                region.numbers.as_chunks_mut().0.iter_mut().zip(&turning).for_each(|(kept, pairs)| pairs.keep(kept));
+            }
+            for (lane, (sin, cos)) in out[first..].iter_mut().take(LANES).enumerate() {
+                (*sin, *cos) = (turning.map(|pairs| pairs.sin[lane]), turning.map(|pairs| pairs.cos[lane]));
+            }
+        }
+        out
     }
 
     #[inline(always)]

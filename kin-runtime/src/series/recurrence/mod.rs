@@ -11,10 +11,12 @@
 mod algebraic;
 mod inverse;
 mod transcendental;
+mod turning;
 
 pub(super) use algebraic::{Absolute, Power, Product, Quotient, Root, Sign, Square};
 pub(super) use inverse::{Arc, ArcTangent, ArcTangent2};
-pub(super) use transcendental::{Exponential, Logarithm, SineCosine, Tangent};
+pub(super) use transcendental::{Exponential, Logarithm, Tangent};
+pub(super) use turning::{KEPT, LANES, Pairs, Turning, lanes};
 
 /// Sequences that an operation keeps, at most.
 pub(super) const SEQUENCES: usize = 4;

@@ -1,43 +1,6 @@
-//! Sine and cosine, tangent, exponential, logarithm. Sequences of x hold i x_i, as x′ needs it.
+//! Tangent, exponential, logarithm. Sequences of x hold i x_i, as x′ needs it.
 
 use super::{Recurrence, Sequences};
-
-/// s = sin x, c = cos x: from s′ = c x′, c′ = −s x′. Sine and cosine at τ = 0 are taken for many angles at once, before.
-pub(in crate::series) struct SineCosine {
-    pub(in crate::series) at_zero: (f64, f64),
-}
-
-impl Recurrence<1, 2> for SineCosine {
-    const KEPT: usize = 3;
-
-    #[inline(always)]
-    fn start(&self, _: [f64; 1], s: &mut impl Sequences) -> [f64; 2] {
-        let (sin, cos) = self.at_zero;
-        s.set(0, 0, 0.0);
-        s.set(1, 0, sin);
-        s.set(2, 0, cos);
-        [sin, cos]
-    }
-
-    #[inline(always)]
-    fn step(&self, k: usize, [x]: [f64; 1], s: &mut impl Sequences) -> [f64; 2] {
-        s.set(0, k, k as f64 * x);
-        let part = 1.0 / k as f64;
-        let (sin, cos) = (part * s.rest(0, 2, k), -part * s.rest(0, 1, k));
-        s.set(1, k, sin);
-        s.set(2, k, cos);
-        [sin, cos]
-    }
-
-    #[inline(always)]
-    fn correct(&self, k: usize, [x]: [f64; 1], s: &mut impl Sequences) -> [f64; 2] {
-        let (sin, cos) = (s.get(2, 0) * x, -s.get(1, 0) * x);
-        s.raise(0, k, k as f64 * x);
-        s.raise(1, k, sin);
-        s.raise(2, k, cos);
-        [sin, cos]
-    }
-}
 
 /// t = tan x: from t′ = w x′ with w = 1 + t².
 pub(in crate::series) struct Tangent;
