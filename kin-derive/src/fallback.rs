@@ -42,6 +42,7 @@ pub(crate) fn fallback(cleaned: Option<&ItemStruct>, item: TokenStream, broken: 
     let nothing = quote! { -> __kin::Result<(), __kin::LengthError> { __kin::Ok(()) } };
     quote! {
         #errors
+        // Beside an error warnings would only distract.
         #[allow(dead_code)]
         #cleaned
         const _: () = {

@@ -142,7 +142,7 @@ macro_rules! unpack {
             use super::*;
 
             /// All entries, by the compiler.
-            #[allow(unused_mut)]
+            #[allow(unused_mut, reason = "not every table counts in its arguments")]
             pub const fn array<const N: usize>(
                 text: &'static str,
                 bytes: &[u8],
@@ -160,7 +160,7 @@ macro_rules! unpack {
 
             /// All entries, by a program; they stay as long as it runs.
             #[cfg(feature = "std")]
-            #[allow(unused_mut)]
+            #[allow(unused_mut, reason = "not every table counts in its arguments")]
             pub fn leaked(
                 entries: usize,
                 text: &'static str,

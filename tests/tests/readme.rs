@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-#[allow(dead_code, unreachable_pub)]
+#[allow(dead_code, unreachable_pub, reason = "a program of its own, read as a module")]
 #[path = "../../examples/four_bar.rs"]
 mod four_bar;
 

@@ -9,7 +9,7 @@ mod bare {
     #![no_implicit_prelude]
     use ::kin_runtime::mechanism;
 
-    #[allow(unused_macros)]
+    #[expect(unused_macros, reason = "it is there to be taken by mistake")]
     macro_rules! assert {
         () => {};
     }

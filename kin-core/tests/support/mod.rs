@@ -1,7 +1,7 @@
 //! Shared by the tests: random expressions, numbers of other kinds, derivatives by the textbook, and a reader of
 //! printed expressions. Nothing here uses the library's own derivatives.
 
-#![allow(dead_code, missing_docs, unreachable_pub, unused_imports)]
+#![allow(dead_code, missing_docs, unreachable_pub, unused_imports, reason = "each test uses a part of it")]
 
 pub mod chains;
 mod direct;

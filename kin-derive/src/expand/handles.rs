@@ -42,6 +42,7 @@ pub(crate) fn handles(lowered: &Lowered, system: &KinematicSystem) -> TokenStrea
     let name = &lowered.item.ident;
     let (impl_generics, type_generics, where_clause) = lowered.item.generics.split_for_impl();
     quote! {
+        // Handles are called as the user calls the bodies.
         #[allow(non_upper_case_globals)]
         impl #impl_generics #name #type_generics #where_clause {
             #constants

@@ -51,6 +51,7 @@ pub(crate) fn expand(
         #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         const _: () = {
             use ::kin_runtime::private as __kin;
+            // Not every mechanism uses all of them.
             #[allow(unused_imports)]
             use __kin::locals::*;
             #handles
