@@ -8,7 +8,7 @@ use kin_runtime::{Kinematics, ScalarFunction, SolveError, mechanism};
 #[mechanism]
 #[coordinates(u, v)]
 #[coordinates(sine, cosine, tangent, arcsine, arccosine, arctangent, angle, second_angle, exponential, logarithm)]
-#[coordinates(root, absolute, negative, power, falling, product, quotient, inverse, squared, high, mixed)]
+#[coordinates(root, absolute, negative, power, falling, product, quotient, inverse, squared, high, mixed, below)]
 #[driver(drive: u = 0.4 + 0.3 * sin(1.3 * t) + 0.1 * t * t)]
 #[driver(other: v = 0.7 - 0.2 * cos(t + 0.3))]
 #[constraint(f00: sine = sin(u * v))]
@@ -32,12 +32,13 @@ use kin_runtime::{Kinematics, ScalarFunction, SolveError, mechanism};
 #[constraint(f18: squared = (u - v) * (u - v))]
 #[constraint(f19: high = pow(u - 1.2, 40) * 1000)]
 #[constraint(f20: mixed = sin(root) + exp(sine) * logarithm - tangent / absolute)]
+#[constraint(f21: below = abs(cos(u + 2) * v))]
 struct Functions;
 
 #[test]
 fn functions_of_the_language_have_their_series() {
     let solver = Functions.solver();
-    let solver = (0..23).fold(solver, |solver, k| solver.with_guess(k, 0.5));
+    let solver = (0..24).fold(solver, |solver, k| solver.with_guess(k, 0.5));
     for t in [0.0, 0.35, 0.8] {
         expands(&solver, t, 0.06, 16, 3e-13);
     }
@@ -60,6 +61,62 @@ fn powers_of_nothing_vanish_as_long_as_they_exist() {
     let error = solver.derivatives(&state, 5).unwrap_err();
     assert_eq!(SolveError::NotSmooth { t: 1.0, order: 5, row_name: "real", joint: "real" }, error);
 }
+
+/// Powers whose base is 0 at t = 1, and derivatives that do not vanish there.
+#[mechanism]
+#[coordinates(a, b, c)]
+#[driver(fifth: a = pow(t - 1, 5))]
+#[driver(twelfth: b = pow(t - 1, 12))]
+#[driver(of_another: c = pow(sin(a), 3))]
+struct WholePowers;
+
+#[test]
+fn whole_powers_of_nothing_have_all_their_derivatives() {
+    let solver = WholePowers.solver();
+    let derivatives = solver.derivatives(&solver.state(&1.0.into()).unwrap(), 15).unwrap();
+    let factorial = |n: u32| (1..=n).map(f64::from).product::<f64>();
+    for (order, q) in derivatives.q.iter().enumerate() {
+        let at = |k: u32| if order == k as usize { factorial(k) } else { 0.0 };
+        // sin a³ begins with a³ = (t − 1)¹⁵.
+        for (found, expected) in q.iter().zip([at(5), at(12), at(15)]) {
+            assert!((found - expected).abs() <= 1e-13 * expected, "{order}: {found} {expected}");
+        }
+    }
+}
+
+/// Absolute values in a row of velocity level, whose derivatives are signs.
+#[mechanism]
+#[coordinates(u, v, w)]
+#[driver(drive: u = 0.4 + 0.3 * t * t)]
+#[nonholonomic(along: dot(v) = 2 * dot(abs(cos(u + 2))))]
+#[nonholonomic(kink: dot(w) = dot(abs(u - 0.7)))]
+struct Signs;
+
+#[test]
+fn signs_are_constant_where_they_are_there() {
+    let solver = Signs.solver();
+    let state = solver.state(&0.5.into()).unwrap();
+    let derivatives = solver.derivatives(&state, 9).unwrap();
+    let cosine = Cosine.solver();
+    let expected = cosine.derivatives(&cosine.state(&0.5.into()).unwrap(), 9).unwrap();
+    for (order, (found, expected)) in derivatives.q.iter().zip(&expected.q).enumerate().skip(1) {
+        assert!(
+            (found[1] + 2.0 * expected[1]).abs() < 1e-12 * (1.0 + expected[1].abs()),
+            "{order}: {found:?} {expected:?}"
+        );
+        assert!((found[2] + found[0]).abs() < 1e-13, "{order}: {found:?}");
+    }
+    // u is 0.7 at t = 1 and moves.
+    let error = solver.derivatives(&solver.state(&1.0.into()).unwrap(), 3).unwrap_err();
+    assert_eq!(SolveError::NotSmooth { t: 1.0, order: 3, row_name: "kink", joint: "kink" }, error);
+}
+
+/// The cosine of [`Signs`] by itself.
+#[mechanism]
+#[coordinates(u, c)]
+#[driver(drive: u = 0.4 + 0.3 * t * t)]
+#[constraint(is: c = cos(u + 2))]
+struct Cosine;
 
 /// e^(0.3 x), known to any order.
 #[derive(Default)]

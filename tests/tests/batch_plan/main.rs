@@ -1,16 +1,19 @@
 //! Batches of solutions by the plan, and of whole motions, against one after another, for every mechanism with a plan.
 #![cfg(feature = "simd")]
 
-use allocation_counter::measure;
+mod columns;
+mod limits;
+mod motions;
+
 use kin_runtime::batch::{
-    BatchError, Column, End, Modes, Moment, Motions, Problems, Progress, Solutions, Sweeps, always, solve, sweep,
+    BatchError, Column, End, Modes, Moment, Motions, Problems, Solutions, Sweeps, always, solve, sweep,
 };
 use kin_runtime::plan::{Depth, Plan, Solved, StepKind};
 use kin_runtime::{Instant, Kinematics, Lanes, Mechanism, Planned, Signal};
 use kin_tests::every_mechanism;
 use kin_tests::mechanisms::{signals, *};
 use kin_tests::random::Random;
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
 
 /// Several tiles of blocks and a ragged end.
 const COUNT: usize = 42;
@@ -192,6 +195,7 @@ where
     let with_one = drawn.batch::<M>(0..COUNT, false);
     assert!(!with_one.solved().nth(2).unwrap());
     assert!(with_one.margin().all(f64::is_finite), "{name}");
+    assert_eq!(Some(0.0), with_one.margin().nth(2), "{name}: what is not known has no margin");
     assert_eq!([0.0; 3].map(|zero| vec![zero; M::COORDINATES]), results(&with_one, 2), "{name}");
     for place in [0, 1, 3, 4] {
         assert_eq!(whole.solved().nth(place), with_one.solved().nth(place), "{name} {place}");
@@ -281,135 +285,4 @@ where
     let mut out = Motions::new(1, ());
     assert_eq!(Err(why), sweep(&M::default(), &sweeps, &mut out, &always, |(), _| ()));
     assert!(why.to_string().starts_with("no plan because "));
-}
-
-/// The lecture's four-bar with its coupler as long as `lengths` say, a turn in steps of three degrees.
-fn couplers<S: Clone + Send>(
-    lengths: &[f64],
-    score: S,
-    watch: &(dyn Fn(Progress) -> ControlFlow<()> + Sync),
-    visit: impl Fn(&mut S, &Moment<'_>) + Sync,
-) -> (Result<(), BatchError>, Motions<S>) {
-    let mechanism = FourbarLectureMid::default();
-    let own = mechanism.parameters::<f64>();
-    let coupler = FourbarLectureMid::model().parameters.iter().position(|p| p.name == "l2").expect("a coupler");
-    let parameters: Vec<_> = (own.iter().enumerate())
-        .map(|(k, p)| if k == coupler { Column::Each(lengths) } else { Column::Shared(*p) })
-        .collect();
-    let q = mechanism.solver().assemble(&Instant::at(0.0)).unwrap();
-    let start: Vec<_> = q.iter().map(|q| Column::Shared(*q)).collect();
-    let omega = mechanism.solver().state(&Instant::at(0.0)).unwrap().q_dot[2];
-    let times: Vec<f64> = (0..=120).map(|k| (3.0 * f64::from(k)).to_radians() / omega).collect();
-    let sweeps = Sweeps { parameters: &parameters, times: &times, inputs: &[], modes: Modes::OfStart, start: &start };
-    let mut out = Motions::new(lengths.len(), score);
-    let result = sweep(&mechanism, &sweeps, &mut out, watch, visit);
-    (result, out)
-}
-
-/// How often a set is seen, and the sum of the angles of its last body.
-fn count(seen: &mut [Lanes; 2], moment: &Moment<'_>) {
-    // Lanes that do not move repeat one that does.
-    let lane = |lane: usize| {
-        let lists = [moment.parameters, moment.q, moment.q_dot, moment.q_ddot];
-        lists.map(|list| list.iter().map(|x| x.to_array()[lane]).collect::<Vec<_>>())
-    };
-    let other = (0..Lanes::COUNT).find(|lane| moment.moves(*lane)).expect("one that moves");
-    (0..Lanes::COUNT).filter(|k| !moment.moves(*k)).for_each(|k| assert_eq!(lane(other), lane(k)));
-    let [number, sum] = *seen;
-    seen[0] = moment.keep(number, number + 1.0.into());
-    seen[1] = moment.keep(sum, sum + moment.q[8]);
-}
-
-#[test]
-fn sets_at_their_limits_are_masked_and_leave_the_others_alone() {
-    let mechanism = FourbarLectureMid::default();
-    let own = mechanism.parameters::<f64>();
-    let coupler = FourbarLectureMid::model().parameters.iter().position(|p| p.name == "l2").expect("a coupler");
-    let good = own[coupler];
-    let run = |lengths: &[f64]| {
-        let (result, out) = couplers(lengths, [Lanes::default(); 2], &always, count);
-        assert_eq!(Ok(()), result);
-        let part = |k: usize| out.scores(move |score| score[k]).collect::<Vec<_>>();
-        (part(0), part(1), out.ends().collect::<Vec<_>>())
-    };
-    let (all, sums, ends) = run(&[good; 5]);
-    assert_eq!((vec![121.0; 5], vec![None; 5]), (all, ends));
-    // One that never closes, one that is no number, and those that close for a while.
-    let lengths: Vec<f64> = (0..40).map(|k| good * (0.3 + 0.05 * f64::from(k))).collect();
-    let (seen, _, ends) = run(&lengths);
-    assert!(ends.iter().any(|end| end.is_some_and(|end| end.instant == 0)), "{ends:?}");
-    assert!(ends.iter().any(|end| end.is_some_and(|end| end.instant > 0)), "{ends:?}");
-    assert!(ends.iter().any(Option::is_none), "{ends:?}");
-    for (seen, end) in seen.iter().zip(&ends) {
-        assert_eq!(*seen, end.map_or(121.0, |end| end.instant as f64));
-        assert!(end.is_none_or(|end| end.margin <= Plan::SMALLEST_MARGIN));
-    }
-    for bad in [
-        f64::NAN,
-        f64::INFINITY,
-        100.0 * good,
-        lengths[ends.iter().position(|end| end.is_some_and(|end| end.instant > 0)).unwrap()],
-    ] {
-        let (seen, found, ends) = run(&[good, bad, good, good, good]);
-        for place in [0, 2, 3, 4] {
-            assert_eq!((None, 121.0), (ends[place], seen[place]));
-            assert_eq!(sums[place].to_bits(), found[place].to_bits());
-        }
-        assert!(ends[1].is_some_and(|end| end.margin.is_finite() && end.instant as f64 == seen[1]), "{bad}: {ends:?}");
-    }
-    // All of a block.
-    let (seen, sums, ends) = run(&[100.0; 4]);
-    assert_eq!((vec![0.0; 4], vec![0.0; 4]), (seen, sums));
-    assert!(ends.iter().all(|end| end.is_some_and(|end| end.instant == 0 && end.margin < 0.0)), "{ends:?}");
-}
-
-#[test]
-fn motions_stop_when_told_to_and_take_no_memory_inside() {
-    let good = vec![1.0; 400];
-    let stop =
-        |progress: Progress| if progress.done >= 40 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
-    let (result, _) = couplers(&good, (), &stop, |(), _| ());
-    assert!(
-        matches!(result, Err(BatchError::Stopped(p)) if p.total == 400 && (40..400).contains(&p.done)),
-        "{result:?}"
-    );
-    let [small, large] = [8, 400]
-        .map(|count| measure(|| drop(couplers(&good[..count], Lanes::default(), &always, |_, _| ()))).count_total);
-    assert_eq!(small, large);
-}
-
-#[test]
-fn a_batch_of_solutions_takes_no_memory_inside_and_counts_its_columns() {
-    let drawn = Drawn::new::<FourbarLectureMid>(0.0, 1.0);
-    let mechanism = FourbarLectureMid::default();
-    let parameters = mechanism.parameters::<f64>().map(Column::Shared);
-    let start: Vec<_> = drawn.start.iter().map(|list| Column::Shared(list[0])).collect();
-    let [small, large] = [8, 3_000].map(|count| {
-        let t = vec![0.01; count];
-        let problems = Problems {
-            parameters: &parameters,
-            t: Column::Each(&t),
-            inputs: &[],
-            modes: Modes::OfStart,
-            start: &start,
-        };
-        let mut out = Solutions::<FourbarLectureMid>::new(count);
-        let counted =
-            measure(|| solve(&mechanism, Depth::Acceleration, &problems, &mut out, &always).expect("good columns"));
-        assert!(out.solved().all(|good| good));
-        // What is not asked for is 0, whatever was there.
-        solve(&mechanism, Depth::Position, &problems, &mut out, &always).expect("good columns");
-        assert!(out.solved().all(|good| good) && out.q_ddot(8).chain(out.q_dot(8)).all(|x| x == 0.0));
-        for (bad, text) in [
-            (Problems { start: &start[1..], ..problems }, "start has 8 entries and must have 9"),
-            (Problems { parameters: &parameters[1..], ..problems }, "parameters has"),
-            (Problems { t: Column::Each(&t[1..]), ..problems }, "the column of t has"),
-            (Problems { modes: Modes::Signs(&[]), ..problems }, "modes has 0 entries and must have 1"),
-        ] {
-            let error = solve(&mechanism, Depth::Position, &bad, &mut out, &always).unwrap_err().to_string();
-            assert!(error.starts_with(text), "{error}");
-        }
-        counted.count_total
-    });
-    assert_eq!(small, large);
 }

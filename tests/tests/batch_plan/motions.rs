@@ -1,0 +1,196 @@
+//! Motions of many sets: masks, ends, cancellation, and no memory inside.
+
+use allocation_counter::measure;
+use kin_runtime::batch::{BatchError, Column, Modes, Moment, Motions, Progress, Sweeps, always, sweep};
+use kin_runtime::plan::Plan;
+use kin_runtime::{Instant, Kinematics, Lanes, Mechanism, Planned, mechanism};
+use kin_tests::mechanisms::FourbarLectureMid;
+use std::ops::ControlFlow;
+
+/// The lecture's four-bar with its coupler as long as `lengths` say, a turn in steps of three degrees.
+fn couplers<S: Clone + Send>(
+    lengths: &[f64],
+    score: S,
+    watch: &(dyn Fn(Progress) -> ControlFlow<()> + Sync),
+    visit: impl Fn(&mut S, &Moment<'_>) + Sync,
+) -> (Result<(), BatchError>, Motions<S>) {
+    let mechanism = FourbarLectureMid::default();
+    let own = mechanism.parameters::<f64>();
+    let coupler = FourbarLectureMid::model().parameters.iter().position(|p| p.name == "l2").expect("a coupler");
+    let parameters: Vec<_> = (own.iter().enumerate())
+        .map(|(k, p)| if k == coupler { Column::Each(lengths) } else { Column::Shared(*p) })
+        .collect();
+    let q = mechanism.solver().assemble(&Instant::at(0.0)).unwrap();
+    let start: Vec<_> = q.iter().map(|q| Column::Shared(*q)).collect();
+    let omega = mechanism.solver().state(&Instant::at(0.0)).unwrap().q_dot[2];
+    let times: Vec<f64> = (0..=120).map(|k| (3.0 * f64::from(k)).to_radians() / omega).collect();
+    let sweeps = Sweeps { parameters: &parameters, times: &times, inputs: &[], modes: Modes::OfStart, start: &start };
+    let mut out = Motions::new(lengths.len(), score);
+    let result = sweep(&mechanism, &sweeps, &mut out, watch, visit);
+    (result, out)
+}
+
+/// How often a set is seen, and the sum of the angles of its last body.
+fn count(seen: &mut [Lanes; 2], moment: &Moment<'_>) {
+    // Lanes that do not move repeat one that does.
+    let lane = |lane: usize| {
+        let lists = [moment.parameters, moment.q, moment.q_dot, moment.q_ddot];
+        lists.map(|list| list.iter().map(|x| x.to_array()[lane]).collect::<Vec<_>>())
+    };
+    let other = (0..Lanes::COUNT).find(|lane| moment.moves(*lane)).expect("one that moves");
+    (0..Lanes::COUNT).filter(|k| !moment.moves(*k)).for_each(|k| assert_eq!(lane(other), lane(k)));
+    let [number, sum] = *seen;
+    seen[0] = moment.keep(number, number + 1.0.into());
+    seen[1] = moment.keep(sum, sum + moment.q[8]);
+}
+
+#[test]
+fn sets_at_their_limits_are_masked_and_leave_the_others_alone() {
+    let mechanism = FourbarLectureMid::default();
+    let own = mechanism.parameters::<f64>();
+    let coupler = FourbarLectureMid::model().parameters.iter().position(|p| p.name == "l2").expect("a coupler");
+    let good = own[coupler];
+    let run = |lengths: &[f64]| {
+        let (result, out) = couplers(lengths, [Lanes::default(); 2], &always, count);
+        assert_eq!(Ok(()), result);
+        let part = |k: usize| out.scores(move |score| score[k]).collect::<Vec<_>>();
+        (part(0), part(1), out.ends().collect::<Vec<_>>())
+    };
+    let (all, sums, ends) = run(&[good; 5]);
+    assert_eq!((vec![121.0; 5], vec![None; 5]), (all, ends));
+    // One that never closes, one that is no number, and those that close for a while.
+    let lengths: Vec<f64> = (0..40).map(|k| good * (0.3 + 0.05 * f64::from(k))).collect();
+    let (seen, _, ends) = run(&lengths);
+    assert!(ends.iter().any(|end| end.is_some_and(|end| end.instant == 0)), "{ends:?}");
+    assert!(ends.iter().any(|end| end.is_some_and(|end| end.instant > 0)), "{ends:?}");
+    assert!(ends.iter().any(Option::is_none), "{ends:?}");
+    for (seen, end) in seen.iter().zip(&ends) {
+        assert_eq!(*seen, end.map_or(121.0, |end| end.instant as f64));
+        assert!(end.is_none_or(|end| end.margin <= Plan::SMALLEST_MARGIN));
+    }
+    for bad in [
+        f64::NAN,
+        f64::INFINITY,
+        100.0 * good,
+        lengths[ends.iter().position(|end| end.is_some_and(|end| end.instant > 0)).unwrap()],
+    ] {
+        let (seen, found, ends) = run(&[good, bad, good, good, good]);
+        for place in [0, 2, 3, 4] {
+            assert_eq!((None, 121.0), (ends[place], seen[place]));
+            assert_eq!(sums[place].to_bits(), found[place].to_bits());
+        }
+        assert!(ends[1].is_some_and(|end| end.margin.is_finite() && end.instant as f64 == seen[1]), "{bad}: {ends:?}");
+    }
+    // All of a block.
+    let (seen, sums, ends) = run(&[100.0; 4]);
+    assert_eq!((vec![0.0; 4], vec![0.0; 4]), (seen, sums));
+    assert!(ends.iter().all(|end| end.is_some_and(|end| end.instant == 0 && end.margin < 0.0)), "{ends:?}");
+}
+
+#[test]
+fn motions_stop_when_told_to_and_take_no_memory_inside() {
+    let good = vec![1.0; 400];
+    let stop =
+        |progress: Progress| if progress.done >= 40 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+    let (result, _) = couplers(&good, (), &stop, |(), _| ());
+    assert!(
+        matches!(result, Err(BatchError::Stopped(p)) if p.total == 400 && (40..400).contains(&p.done)),
+        "{result:?}"
+    );
+    let [small, large] = [8, 400]
+        .map(|count| measure(|| drop(couplers(&good[..count], Lanes::default(), &always, |_, _| ()))).count_total);
+    assert_eq!(small, large);
+}
+
+#[test]
+fn lanes_to_spare_repeat_the_last_set() {
+    let lengths: Vec<f64> = (0..5).map(|k| 0.4 + 0.01 * f64::from(k)).collect();
+    let see = |lanes: &mut Vec<[f64; 4]>, moment: &Moment<'_>| {
+        let lists = [moment.parameters, moment.q, moment.q_dot, moment.q_ddot];
+        lanes.extend(lists.into_iter().flatten().map(|x| x.to_array()));
+    };
+    let (result, out) = couplers(&lengths, Vec::new(), &always, see);
+    assert_eq!(Ok(()), result);
+    let [whole, ragged] = out.blocks().collect::<Vec<_>>()[..] else { panic!("two blocks") };
+    assert!(whole.iter().any(|lanes| lanes[0] != lanes[1]));
+    assert!(ragged.iter().all(|lanes| *lanes == [lanes[0]; 4]), "{ragged:?}");
+}
+
+/// What an earlier batch has found is gone.
+#[test]
+fn room_is_used_again() {
+    let mechanism = FourbarLectureMid::default();
+    let q = mechanism.solver().assemble(&Instant::at(0.0)).unwrap();
+    let start: Vec<_> = q.iter().map(|q| Column::Shared(*q)).collect();
+    let own = mechanism.parameters::<f64>();
+    let run = |factor: f64, out: &mut Motions<()>| {
+        let parameters: Vec<_> = own.iter().map(|p| Column::Shared(*p)).collect();
+        let long = FourbarLectureMid::model().parameters.iter().position(|p| p.name == "l2").expect("a coupler");
+        let mut parameters = parameters;
+        parameters[long] = Column::Shared(factor * own[long]);
+        let (modes, start) = (Modes::Signs(&[Column::Shared(1.0)]), &start[..]);
+        let sweeps = Sweeps { parameters: &parameters, times: &[0.0, 0.01], inputs: &[], modes, start };
+        sweep(&mechanism, &sweeps, out, &always, |(), _| ()).unwrap();
+        out.ends().flatten().count()
+    };
+    let mut out = Motions::new(5, ());
+    assert_eq!([5, 0], [100.0, 1.0].map(|factor| run(factor, &mut out)));
+}
+
+/// Stretched, with φ̈ beyond all bounds, where the cylinder is as long as the foot and the boom together.
+#[mechanism]
+#[bodies(boom)]
+#[revolute(pin: ground @ (0, 0), boom @ (0, 0))]
+#[distance(ram: ground @ (1, 0), boom @ (reach, 0), length = 0.9 + t)]
+#[guess(boom.phi = 0.8)]
+struct Boom {
+    #[param(1.2)]
+    reach: f64,
+}
+
+/// A pin in a slot about almost the same pivot: the slot turns as the crank does, faster and faster.
+#[mechanism]
+#[bodies(crank, slot)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(D: ground @ (0.0001, 0), slot @ (0, 0))]
+#[point_on_line(pin: slot @ (0, 0), crank @ (1, 0), axis = (1, 0))]
+#[driver(drive: crank.phi = speed * t + 50 * t * t)]
+#[guess(slot.phi = 0.0001)]
+struct Spinning {
+    #[param(100)]
+    speed: f64,
+}
+
+/// Every set goes where it goes alone, angles and their turns included.
+fn go_as_alone<M: Kinematics + Default + Sync>(values: &[f64], times: &[f64]) {
+    let q = M::default().solver().assemble(&Instant::at(times[0])).unwrap();
+    let start: Vec<_> = q.iter().map(|q| Column::Shared(*q)).collect();
+    let (parameters, modes) = (&[Column::Each(values)], Modes::OfStart);
+    let sweeps = Sweeps { parameters, times, inputs: &[], modes, start: &start };
+    let mut out = Motions::new(values.len(), Vec::new());
+    let see = |seen: &mut Vec<Vec<[f64; 4]>>, moment: &Moment<'_>| {
+        seen.push(moment.q.iter().map(|x| x.to_array()).collect());
+    };
+    sweep(&M::default(), &sweeps, &mut out, &always, see).unwrap();
+    let blocks: Vec<_> = out.blocks().collect();
+    for (set, value) in values.iter().enumerate() {
+        let mut own = M::default();
+        assert!(own.set_parameter(0, *value));
+        let mut planned = Planned::new(&own, &Instant::at(times[0]), &q).unwrap();
+        for (instant, t) in times.iter().enumerate() {
+            if instant > 0 {
+                planned.at(&Instant::at(*t)).unwrap();
+            }
+            for (found, expected) in blocks[set / 4][instant].iter().zip(planned.q()) {
+                assert!((found[set % 4] - expected).abs() < 1e-7, "{value} at {t}: {found:?} {expected}");
+            }
+        }
+    }
+}
+
+#[test]
+fn beside_a_limit_and_at_high_speed_turns_are_counted_as_alone() {
+    go_as_alone::<Boom>(&[1.3, 1.2, 1.4, 1.25, 1.2], &[0.0, 0.6, 1.2, 1.3 - 1e-9, 0.4, 0.0]);
+    let times: Vec<f64> = (0..20).map(|k| 0.2 * f64::from(k)).collect();
+    go_as_alone::<Spinning>(&[100.0, 1.0, 200.0, 100.0, 50.0], &times);
+}
