@@ -8,6 +8,7 @@
 //! - [`mechanism`]: what the user said, names resolved; its rules.
 //! - [`constraint`]: Φ, one constraint type per file.
 //! - [`expr`]: the hash-consed expressions, and the one place that differentiates.
+//! - [`notation`]: formulas as Unicode text, LaTeX and MathML.
 //! - [`system`]: Φ_q, Φ_t, γ and the class of every row.
 //! - [`structure`]: what the equations say before any number is known: generic rank, redundant rows.
 //! - [`program`]: straight-line code shared by all outputs, with an interpreter as oracle.
@@ -20,6 +21,7 @@ pub mod error;
 pub mod expr;
 mod hash;
 pub mod mechanism;
+pub mod notation;
 pub mod plan;
 pub mod program;
 pub mod structure;

@@ -7,7 +7,8 @@
 //! # }
 //! ```
 //!
-//! The commands are `info`, `solve`, `sweep`, `animate`, `plot` (with the feature `plot`) and `check`, one per file; without a command a report at t = 0 is printed.
+//! The commands are `info`, `solve`, `sweep`, `animate`, `plot` and `equations` (with the
+//! features of their names) and `check`, one per file; without a command a report at t = 0 is printed.
 //! Results go to stdout or to the file of `--out`, everything else to stderr. The exit status is 0 only when the
 //! answer is good, 2 when the options make no sense, and 1 when the mechanism has no good answer.
 //!
@@ -31,6 +32,8 @@ mod animate;
 mod check;
 mod columns;
 mod engine;
+#[cfg(feature = "equations")]
+mod equations;
 mod failure;
 mod info;
 mod moving;
@@ -81,6 +84,8 @@ enum Command {
     Solve(solve::SolveArgs),
     Sweep(sweep::SweepArgs),
     Check(check::CheckArgs),
+    #[cfg(feature = "equations")]
+    Equations(equations::EquationsArgs),
     Animate(animate::AnimateArgs),
     #[cfg(feature = "plot")]
     Plot(plot::PlotArgs),
@@ -106,6 +111,8 @@ fn run(engine: &mut dyn Engine, args: Vec<OsString>, out: &mut dyn Write, err: &
         Some(Command::Solve(args)) => solve::run(args, engine, &mut session),
         Some(Command::Sweep(args)) => sweep::run(args, engine, &mut session),
         Some(Command::Check(args)) => check::run(args, engine, &mut session),
+        #[cfg(feature = "equations")]
+        Some(Command::Equations(args)) => equations::run(args, engine, &mut session),
         Some(Command::Animate(args)) => animate::run(args, engine, &mut session),
         #[cfg(feature = "plot")]
         Some(Command::Plot(args)) => plot::run(args, engine, &mut session),

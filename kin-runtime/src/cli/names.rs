@@ -13,7 +13,10 @@ pub(super) enum Kind {
     Coordinate,
     Input,
     Mode,
+    #[cfg(feature = "plot")]
     Quantity,
+    #[cfg(feature = "equations")]
+    Joint,
 }
 
 impl Kind {
@@ -23,7 +26,10 @@ impl Kind {
             Self::Coordinate => "coordinate",
             Self::Input => "input",
             Self::Mode => "mode",
+            #[cfg(feature = "plot")]
             Self::Quantity => "quantity",
+            #[cfg(feature = "equations")]
+            Self::Joint => "joint",
         }
     }
 }
@@ -31,6 +37,7 @@ impl Kind {
 impl Kind {
     fn plural(self) -> String {
         match self {
+            #[cfg(feature = "plot")]
             Self::Quantity => "quantities".to_owned(),
             other => format!("{}s", other.singular()),
         }

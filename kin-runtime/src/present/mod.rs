@@ -9,6 +9,8 @@ pub mod table;
 pub(crate) mod animation;
 pub(crate) mod condition;
 pub(crate) mod drawing;
+#[cfg(feature = "equations")]
+pub(crate) mod equations;
 pub(crate) mod grid;
 pub(crate) mod json;
 pub(crate) mod plan;

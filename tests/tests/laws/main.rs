@@ -10,6 +10,7 @@ mod orders;
 mod plan;
 mod sparse;
 mod structure;
+mod typeset;
 
 use kin_runtime::{Instant, Mechanism, Scalar, Signal, Subset, Workspace};
 use kin_tests::every_mechanism;
@@ -24,6 +25,11 @@ macro_rules! equation_laws {
         #[test]
         fn closed_forms_equal_duals() {
             equations::closed_forms_equal_duals::<$Mechanism>();
+        }
+
+        #[test]
+        fn typeset_equations_are_the_code() {
+            typeset::typeset_equations_are_the_code::<$Mechanism>();
         }
 
         #[test]

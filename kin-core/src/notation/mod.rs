@@ -1,0 +1,63 @@
+//! Formulas as people write them: Unicode text, LaTeX and MathML, in the user's names.
+//!
+//! A formula comes as the text that [`Shown`](crate::expr::Shown) prints from the graph, so that everything written here
+//! was derived there; [`parse`] reads it into a [`Formula`], and each notation has a writer of its own.
+//!
+//! ```
+//! use kin_core::notation::{Formula, Notation};
+//!
+//! let formula = Formula::parse("coupler.x - 0.5*l2*cos(coupler.phi) + l1/2")?;
+//! assert_eq!(formula.write(Notation::Unicode), "x_coupler − 0.5 l₂ cos φ_coupler + l₁/2");
+//! assert_eq!(
+//!     formula.write(Notation::Latex),
+//!     r"x_{\mathrm{coupler}} - 0.5\,l_{2}\,\cos\varphi_{\mathrm{coupler}} + \frac{l_{1}}{2}"
+//! );
+//! # Ok::<(), kin_core::notation::ParseError>(())
+//! ```
+
+mod latex;
+mod mathml;
+mod name;
+mod parse;
+mod tree;
+mod unicode;
+
+pub use name::{Base, Name};
+pub use parse::ParseError;
+pub use tree::Formula;
+
+/// How formulas are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Notation {
+    /// Plain text with Greek letters, dots and indices.
+    Unicode,
+    /// LaTeX for mathematics mode, without packages beyond amsmath.
+    Latex,
+    /// Presentation MathML: the inner elements, for one `<math>` around them.
+    MathMl,
+}
+
+impl Formula {
+    /// The formula in a notation.
+    pub fn write(&self, notation: Notation) -> String {
+        match notation {
+            Notation::Unicode => unicode::write(self),
+            Notation::Latex => latex::write(self),
+            Notation::MathMl => mathml::write(self),
+        }
+    }
+}
+
+impl Name {
+    /// The name in a notation.
+    pub fn write(&self, notation: Notation) -> String {
+        match notation {
+            Notation::Unicode => unicode::name(self),
+            Notation::Latex => latex::name(self),
+            Notation::MathMl => mathml::name(self),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

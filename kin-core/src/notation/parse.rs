@@ -1,0 +1,200 @@
+//! Reading the text of an expression.
+//!
+//! ```text
+//! sum     = product { ("+" | "-") product }          product = unary { ("*" | "/") unary }
+//! unary   = "-" unary | power                        power   = atom [ "^" [ "-" ] number ]
+//! atom    = number | name [ "(" sum { "," sum } ")" ] | "(" sum ")"
+//! ```
+
+use super::name::Name;
+use super::tree::Formula;
+use core::fmt;
+
+/// A text that is no formula.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ParseError {
+    /// Where, in bytes.
+    pub at: usize,
+    /// What would have been right.
+    pub expected: &'static str,
+}
+
+impl fmt::Display for ParseError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} is expected at byte {}", self.expected, self.at)
+    }
+}
+
+impl std::error::Error for ParseError {}
+
+/// Formulas that are nested more deeply than this are not for people.
+const DEPTH: usize = 200;
+
+impl Formula {
+    /// Reads what [`Shown`](crate::expr::Shown) prints.
+    ///
+    /// # Errors
+    /// When the text is something else, an expression that was cut off because of its length for example.
+    pub fn parse(text: &str) -> Result<Self, ParseError> {
+        let mut reader = Reader { text, at: 0, depth: 0 };
+        let formula = reader.sum()?;
+        reader.spaces();
+        if reader.at < text.len() { reader.error("the end") } else { Ok(formula) }
+    }
+}
+
+struct Reader<'t> {
+    text: &'t str,
+    at: usize,
+    depth: usize,
+}
+
+type Read = Result<Formula, ParseError>;
+
+impl<'t> Reader<'t> {
+    fn rest(&self) -> &'t str {
+        &self.text[self.at..]
+    }
+
+    fn spaces(&mut self) {
+        self.at += self.rest().len() - self.rest().trim_start().len();
+    }
+
+    fn take(&mut self, mark: char) -> bool {
+        self.spaces();
+        let there = self.rest().starts_with(mark);
+        self.at += if there { mark.len_utf8() } else { 0 };
+        there
+    }
+
+    fn error<T>(&self, expected: &'static str) -> Result<T, ParseError> {
+        Err(ParseError { at: self.at, expected })
+    }
+
+    fn sum(&mut self) -> Read {
+        self.depth += 1;
+        if self.depth > DEPTH {
+            return self.error("a formula that a person can read");
+        }
+        let mut terms = vec![(false, self.product()?)];
+        loop {
+            let minus = match () {
+                () if self.take('+') => false,
+                () if self.take('-') => true,
+                () => break,
+            };
+            terms.push((minus, self.product()?));
+        }
+        self.depth -= 1;
+        // A bracket at the front changes nothing.
+        if let (false, Formula::Sum(_)) = &terms[0] {
+            let (_, Formula::Sum(first)) = terms.remove(0) else { return self.error("a sum") };
+            terms.splice(0..0, first);
+        }
+        Ok(if terms.len() == 1 { terms.remove(0).1 } else { Formula::Sum(terms) })
+    }
+
+    fn product(&mut self) -> Read {
+        let mut whole = self.unary()?;
+        loop {
+            if self.take('*') {
+                let factor = self.unary()?;
+                whole = times(whole, factor);
+            } else if self.take('/') {
+                let below = self.unary()?;
+                whole = match whole {
+                    Formula::Minus(above) => Formula::Quotient(above, Box::new(below)).negated(),
+                    above => Formula::Quotient(Box::new(above), Box::new(below)),
+                };
+            } else {
+                return Ok(whole);
+            }
+        }
+    }
+
+    fn unary(&mut self) -> Read {
+        let mut minus = false;
+        while self.take('-') {
+            minus = !minus;
+        }
+        let power = self.power()?;
+        Ok(if minus { power.negated() } else { power })
+    }
+
+    fn power(&mut self) -> Read {
+        let base = self.atom()?;
+        if !self.take('^') {
+            return Ok(base);
+        }
+        let minus = self.take('-');
+        let n = self.number()?;
+        Ok(Formula::Power(Box::new(base), if minus { -n } else { n }))
+    }
+
+    fn atom(&mut self) -> Read {
+        self.spaces();
+        match self.rest().chars().next() {
+            Some('(') => {
+                self.at += 1;
+                let inner = self.sum()?;
+                if self.take(')') { Ok(inner) } else { self.error("`)`") }
+            }
+            Some(c) if c.is_ascii_digit() => Ok(Formula::Number(self.number()?)),
+            Some(c) if c.is_alphabetic() || c == '_' => self.named(),
+            _ => self.error("a number, a name or `(`"),
+        }
+    }
+
+    fn named(&mut self) -> Read {
+        let within = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.' | '[' | ']' | '#');
+        let length = self.rest().find(|c| !within(c)).unwrap_or(self.rest().len());
+        let name = &self.rest()[..length];
+        self.at += length;
+        let primes = self.rest().len() - self.rest().trim_start_matches('\'').len();
+        self.at += primes;
+        if !self.rest().starts_with('(') {
+            return if primes > 0 { self.error("`(`") } else { Ok(Formula::Name(Name::new(name))) };
+        }
+        self.at += 1;
+        let mut arguments = vec![self.sum()?];
+        while self.take(',') {
+            arguments.push(self.sum()?);
+        }
+        if self.take(')') { Ok(Formula::Call(name.to_owned(), primes, arguments)) } else { self.error("`)`") }
+    }
+
+    fn number(&mut self) -> Result<f64, ParseError> {
+        self.spaces();
+        let rest = self.rest();
+        let mut length = rest.find(|c: char| !(c.is_ascii_digit() || c == '.')).unwrap_or(rest.len());
+        if rest[length..].starts_with(['e', 'E']) {
+            let after = rest[length + 1..].trim_start_matches(['-', '+']);
+            let digits = after.len() - after.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+            length = if digits > 0 { rest.len() - after.len() + digits } else { length };
+        }
+        let Ok(value) = rest[..length].parse() else { return self.error("a number") };
+        self.at += length;
+        Ok(value)
+    }
+}
+
+/// a·b, flat, with signs in front.
+fn times(a: Formula, b: Formula) -> Formula {
+    match (a, b) {
+        (Formula::Minus(a), b) => times(*a, b).negated(),
+        (a, Formula::Minus(b)) => times(a, *b).negated(),
+        (Formula::Product(mut a), Formula::Product(b)) => {
+            a.extend(b);
+            Formula::Product(a)
+        }
+        (Formula::Product(mut a), b) => {
+            a.push(b);
+            Formula::Product(a)
+        }
+        (a, Formula::Product(mut b)) => {
+            b.insert(0, a);
+            Formula::Product(b)
+        }
+        (a, b) => Formula::Product(vec![a, b]),
+    }
+}

@@ -1,0 +1,65 @@
+use super::{Formula, Name, Notation};
+
+fn all(text: &str) -> [String; 2] {
+    let formula = Formula::parse(text).unwrap_or_else(|error| panic!("{text}: {error}"));
+    [Notation::Unicode, Notation::Latex].map(|notation| formula.write(notation))
+}
+
+#[test]
+fn names_become_symbols() {
+    for (written, unicode, latex) in [
+        ("crank.phi", "φ_crank", r"\varphi_{\mathrm{crank}}"),
+        ("crank.phi_dot", "φ̇_crank", r"\dot{\varphi}_{\mathrm{crank}}"),
+        ("link[3].x_ddot", "ẍ_link₃", r"\ddot{x}_{\mathrm{link},3}"),
+        ("l1", "l₁", "l_{1}"),
+        ("l[2]", "l₂", "l_{2}"),
+        ("phi0", "φ₀", r"\varphi_{0}"),
+        ("omega", "ω", r"\omega"),
+        ("stroke", "stroke", r"\mathrm{stroke}"),
+        ("d_max", "d_max", r"d_{\mathrm{max}}"),
+        ("boom_length", "boom_length", r"\mathrm{boom\_length}"),
+        ("t", "t", "t"),
+    ] {
+        let name = Name::new(written);
+        assert_eq!(name.write(Notation::Unicode), unicode, "{written}");
+        assert_eq!(name.write(Notation::Latex), latex, "{written}");
+    }
+}
+
+#[test]
+fn brackets_stand_where_they_must() {
+    for (text, unicode, latex) in [
+        ("a - (b - c)", "a − (b − c)", r"a - \left(b - c\right)"),
+        ("(a - b) - c", "a − b − c", "a - b - c"),
+        ("-(a + b)*c", "−(a + b) c", r"-\left(a + b\right)\,c"),
+        ("a*(b/c)", "a b/c", r"a\,\frac{b}{c}"),
+        ("(a + b)/(c*d)", "(a + b)/(c d)", r"\frac{a + b}{c\,d}"),
+        ("cos(phi)*a", "(cos φ) a", r"\left(\cos\varphi\right)\,a"),
+        ("a*cos(phi)", "a cos φ", r"a\,\cos\varphi"),
+        ("sin(a + b)^2", "(sin(a + b))²", r"\left(\sin\left(a + b\right)\right)^{2}"),
+        ("x_dot^2", "ẋ²", r"{\dot{x}}^{2}"),
+        ("a^-1", "a⁻¹", "{a}^{-1}"),
+        ("sqrt(a*b)", "√(a b)", r"\sqrt{a\,b}"),
+        ("f''(u)", "f′′(u)", r"\operatorname{f}''\left(u\right)"),
+        ("-a*-b", "a b", r"a\,b"),
+    ] {
+        assert_eq!(all(text), [unicode, latex], "{text}");
+    }
+}
+
+#[test]
+fn what_is_no_formula_is_refused_where_it_ends_to_be_one() {
+    for (text, at) in [("a +", 3), ("a b", 2), ("(a", 2), ("f(a", 3), ("a…", 1), ("", 0)] {
+        assert_eq!(Formula::parse(text).map_err(|error| error.at), Err(at), "{text}");
+    }
+    let deep = "(".repeat(100_000);
+    assert!(Formula::parse(&deep).is_err());
+}
+
+#[test]
+fn formulas_have_values() {
+    let formula = Formula::parse("2*a^2 - b/4 + sin(b)*abs(-a)").expect("a formula");
+    let value = formula.evaluate(&|name| Some(if name.written == "a" { 3.0 } else { 8.0 }), &|_, _, _| None);
+    assert_eq!(value, Ok(18.0 - 2.0 + 8.0_f64.sin() * 3.0));
+    assert_eq!(formula.evaluate(&|_| None, &|_, _, _| None), Err("a".to_owned()));
+}

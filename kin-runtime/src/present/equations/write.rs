@@ -1,0 +1,154 @@
+//! Vectors, matrices and what stands between them, in every notation.
+
+use kin_core::notation::Notation;
+
+/// A letter with what stands at it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Symbol {
+    letter: &'static str,
+    bold: bool,
+    index: Option<String>,
+    above: Option<String>,
+    primed: bool,
+}
+
+impl Symbol {
+    pub(super) fn plain(letter: &'static str) -> Self {
+        Self { letter, bold: false, index: None, above: None, primed: false }
+    }
+
+    pub(super) fn bold(letter: &'static str) -> Self {
+        Self { bold: true, ..Self::plain(letter) }
+    }
+
+    /// With an index below.
+    pub(super) fn of(self, index: &str) -> Self {
+        Self { index: Some(index.to_owned()), ..self }
+    }
+
+    /// With an index above.
+    pub(super) fn at(self, above: &str) -> Self {
+        Self { above: Some(above.to_owned()), ..self }
+    }
+
+    pub(super) fn primed(self) -> Self {
+        Self { primed: true, ..self }
+    }
+}
+
+/// A part of an equation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Piece {
+    /// A vector or a matrix.
+    Vector(Symbol),
+    /// A row vector.
+    Transposed(Symbol),
+    /// A number.
+    Scalar(Symbol),
+    /// Its square.
+    Squared(Symbol),
+    /// A product in brackets with a mark: ⊥ᵀ or ᵀ.
+    Marked(Vec<Piece>, &'static str),
+    /// Anything else: signs, brackets, numbers.
+    Op(&'static str),
+}
+
+/// An equation in a notation.
+pub(super) fn write(pieces: &[Piece], notation: Notation) -> String {
+    let texts: Vec<(bool, String)> =
+        pieces.iter().map(|piece| (!matches!(piece, Piece::Op(_)), one(piece, notation))).collect();
+    let mut out = String::new();
+    for (place, (symbol, text)) in texts.iter().enumerate() {
+        // Factors stand a little apart.
+        if *symbol && place > 0 && texts[place - 1].0 {
+            out.push_str(match notation {
+                Notation::Unicode => " ",
+                Notation::Latex => r"\,",
+                Notation::MathMl => "<mspace width=\"0.15em\"/>",
+            });
+        }
+        out.push_str(text);
+    }
+    out
+}
+
+fn one(piece: &Piece, notation: Notation) -> String {
+    match piece {
+        Piece::Vector(own) | Piece::Scalar(own) => symbol(own, "", notation),
+        Piece::Transposed(own) => symbol(own, "ᵀ", notation),
+        Piece::Squared(own) => symbol(own, "²", notation),
+        Piece::Marked(inner, mark) => {
+            let inner = write(inner, notation);
+            match notation {
+                Notation::Unicode => format!("({inner}){mark}"),
+                Notation::Latex => format!(r"\left({inner}\right)^{{{}}}", latex_mark(mark)),
+                Notation::MathMl => {
+                    format!("<msup><mrow><mo>(</mo>{inner}<mo>)</mo></mrow><mtext>{}</mtext></msup>", mark)
+                }
+            }
+        }
+        Piece::Op(text) => match notation {
+            Notation::Unicode => (*text).to_owned(),
+            Notation::Latex => text.replace('−', "-").replace('Δ', r"\Delta ").replace('φ', r"\varphi"),
+            Notation::MathMl => text
+                .trim()
+                .chars()
+                .map(|c| match c.is_alphanumeric() {
+                    true if c.is_ascii_digit() => format!("<mn>{c}</mn>"),
+                    true => format!("<mi>{c}</mi>"),
+                    false => format!("<mo>{c}</mo>"),
+                })
+                .collect(),
+        },
+    }
+}
+
+fn latex_mark(mark: &str) -> &'static str {
+    match mark {
+        "⊥ᵀ" => r"\perp\mathsf{T}",
+        "ᵀ" => r"\mathsf{T}",
+        "²" => "2",
+        _ => "",
+    }
+}
+
+fn symbol(own: &Symbol, mark: &str, notation: Notation) -> String {
+    let prime = if own.primed { "′" } else { "" };
+    let above = own.above.as_deref().unwrap_or_default();
+    match notation {
+        Notation::Unicode => {
+            let index = own.index.as_ref().map_or_else(String::new, |index| format!("_{index}"));
+            let above = if above.is_empty() { String::new() } else { format!("^{above}") };
+            format!("{}{prime}{index}{above}{mark}", own.letter)
+        }
+        Notation::Latex => {
+            let letter = match own.letter {
+                "φ" => r"\varphi".to_owned(),
+                "v̂" => r"\hat{\mathbf{v}}".to_owned(),
+                "ṙ" => r"\dot{\mathbf{r}}".to_owned(),
+                letter if own.bold => format!(r"\mathbf{{{letter}}}"),
+                letter => letter.to_owned(),
+            };
+            let escape = |text: &str| text.replace('_', r"\_");
+            let mut upper: Vec<String> = Vec::new();
+            upper.extend(own.primed.then(|| r"\prime".to_owned()));
+            upper.extend((!above.is_empty()).then(|| format!(r"\mathrm{{{}}}", escape(above))));
+            upper.extend((!mark.is_empty()).then(|| latex_mark(mark).to_owned()));
+            let index = own.index.as_ref().map_or_else(String::new, |i| format!(r"_{{\mathrm{{{}}}}}", escape(i)));
+            let upper = if upper.is_empty() { String::new() } else { format!("^{{{}}}", upper.join(r"\,")) };
+            format!("{letter}{index}{upper}")
+        }
+        Notation::MathMl => {
+            let variant = if own.bold { " mathvariant=\"bold\"" } else { "" };
+            let letter = format!("<mi{variant}>{}</mi>", own.letter);
+            let index = own.index.as_ref().map_or_else(String::new, |i| format!("<mi mathvariant=\"normal\">{i}</mi>"));
+            let upper = format!("{prime}{above}{mark}");
+            match (index.is_empty(), upper.is_empty()) {
+                (true, true) => letter,
+                (false, true) => format!("<msub>{letter}{index}</msub>"),
+                (true, false) => format!("<msup>{letter}<mtext>{upper}</mtext></msup>"),
+                _ => format!("<msubsup>{letter}{index}<mtext>{upper}</mtext></msubsup>"),
+            }
+        }
+    }
+}

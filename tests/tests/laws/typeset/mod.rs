@@ -1,0 +1,94 @@
+//! Laws of typeset equations: the LaTeX that is printed, read back and evaluated, is the code.
+
+mod latex;
+
+use crate::{evaluated, random_configuration};
+use kin_core::notation::{Name, Notation};
+use kin_runtime::{Mechanism, cli};
+use kin_tests::random::Random;
+use latex::{Reader, Value};
+use std::collections::HashMap;
+use std::fs;
+
+/// The lines of all displays of a document.
+fn lines(document: &str) -> Vec<String> {
+    let displays = document.split("\\begin{align*}\n").skip(1);
+    let inside = displays.filter_map(|text| text.split("\n\\end{align*}").next());
+    inside.flat_map(|text| text.split(" \\\\\n")).map(str::to_owned).collect()
+}
+
+fn close(found: Value, expected: f64) -> bool {
+    (found.value - expected).abs() <= 1e-12 * found.size.max(expected.abs()).max(1.0)
+}
+
+/// Φ, every entry of Φ_q, Φ_t and γ of every row, at random configurations.
+pub(crate) fn typeset_equations_are_the_code<M: Mechanism + Default>() {
+    let (mechanism, model) = (M::default(), M::model());
+    let file = std::env::temp_dir().join(format!("kin-typeset-{}-{}.tex", std::process::id(), model.name));
+    let _ = cli::run_from::<M>(["program", "equations", "--out", &file.display().to_string()]);
+    let document = fs::read_to_string(&file).expect("the document is written");
+    fs::remove_file(&file).expect("the file is there");
+    let lines = lines(&document);
+    let mut random = Random::new(83);
+    for _ in 0..3 {
+        let (when, q, q_dot) = random_configuration::<M>(&mut random);
+        let at = when.at();
+        let expected = evaluated(&mechanism, &at, &q, &q_dot);
+        let mut symbols = HashMap::new();
+        let mut put = |name: &str, value: f64| symbols.insert(Name::new(name).write(Notation::Latex), value);
+        put("t", when.t);
+        put("pi", std::f64::consts::PI);
+        for (info, value) in model.parameters.iter().zip(mechanism.parameters::<f64>().as_ref()) {
+            put(info.name, *value);
+        }
+        for (k, info) in model.coordinates.iter().enumerate() {
+            put(info.name, q[k]);
+            put(&format!("{}_dot", info.name), q_dot[k]);
+        }
+        for (name, u) in model.inputs.iter().zip(&when.inputs) {
+            put(name, u.value);
+            put(&format!("{name}_dot"), u.rate);
+            put(&format!("{name}_ddot"), u.acceleration);
+        }
+        let function = |name: &str, order: usize, x: f64| {
+            let place = model.functions.iter().position(|function| *function == name)?;
+            mechanism.evaluate_function(place, x)?.get(order).copied()
+        };
+        let mut reader = Reader { symbols: &symbols, function: &function };
+        let mut value =
+            |left: &str, text: &str| reader.read(text).unwrap_or_else(|error| panic!("{left} = {text}: {error}"));
+        let mut seen = 0;
+        for (place, row) in model.rows.iter().enumerate() {
+            let name = row.name.replace('_', r"\_");
+            for letter in [r"\Phi", r"\eta"] {
+                let phi = format!(r"{letter}_{{\mathrm{{{name}}}}}");
+                let after = |left: &str| lines.iter().find_map(|line| line.strip_prefix(&format!("{left} &= ")));
+                let Some(own) = after(&phi) else { continue };
+                seen += 1;
+                let own = value(&phi, own.strip_suffix(" = 0").expect("= 0"));
+                if letter == r"\Phi" {
+                    assert!(close(own, expected.phi()[place]), "{phi}: {own:?}, {}", expected.phi()[place]);
+                }
+                let entries = model.constraint_pattern.entries.iter().zip(expected.phi_q());
+                for (&(_, column), &entry) in entries.filter(|((row, _), _)| *row == place) {
+                    let dot = if letter == r"\Phi" { "" } else { "_dot" };
+                    let by = Name::new(&format!("{}{dot}", model.coordinates[column].name)).write(Notation::Latex);
+                    let left = format!(r"\frac{{\partial {phi}}}{{\partial {by}}}");
+                    let found = value(&left, after(&left).unwrap_or_else(|| panic!("{left} is missing")));
+                    assert!(close(found, entry), "{left}: {found:?}, {entry}");
+                }
+                let rest = if letter == r"\Phi" {
+                    format!(r"\frac{{\partial {phi}}}{{\partial t}}")
+                } else {
+                    format!(r"{phi}\big|_{{\dot q = 0}}")
+                };
+                let gamma = format!(r"\gamma_{{\mathrm{{{name}}}}}");
+                for (left, expected) in [(rest, expected.phi_t()[place]), (gamma, expected.gamma()[place])] {
+                    let found = value(&left, after(&left).unwrap_or_else(|| panic!("{left} is missing")));
+                    assert!(close(found, expected), "{left}: {found:?}, {expected}");
+                }
+            }
+        }
+        assert_eq!(seen, model.rows.len());
+    }
+}
