@@ -5,6 +5,7 @@ use crate::planned::Sign;
 use crate::workspace::Signal;
 
 /// Values of a parameter that one diagram shows at most.
+#[cfg(feature = "plot")]
 const MOST_VALUES: usize = 14;
 
 /// The most instants that one sweep computes.
@@ -151,6 +152,7 @@ pub(super) fn grid(from: f64, to: f64, steps: usize) -> Result<Vec<f64>, Failure
 }
 
 /// The values of `--vary`: `l1=0.08..0.12:5`, both ends included, or `l1=0.08,0.1`.
+#[cfg(feature = "plot")]
 pub(super) fn variation(option: &str, text: &str) -> Result<(String, Vec<f64>), Failure> {
     let shape = || Failure::option(option, format!("`{text}`: write l1=0.08..0.12:5 or l1=0.08,0.1,0.12"));
     let (name, values) = text.split_once('=').ok_or_else(shape)?;
