@@ -5,6 +5,7 @@ mod support;
 
 use kin_core::mechanism::{Formula, Mechanism};
 use kin_core::plan::Kind as StepKind;
+use std::f64::consts::TAU;
 use support::chains::*;
 use support::*;
 
@@ -192,4 +193,42 @@ fn free_equations_have_the_letters_of_what_closes_in_them() {
     }
     // One angle, or one length, is no dyad.
     assert!(planned(&polynomial(), &values[..3]).1.groups().is_empty());
+}
+
+/// Links that turn twice and three times as far as q0 and q1, and a drift, so that they move.
+fn multiples() -> Mechanism {
+    let double = || mul(number(2.0), scalar(0));
+    let triple = || sub(mul(number(-3.0), scalar(1)), Formula::Time);
+    let rows = vec![
+        sum([mul(parameter(0), cos(double())), neg(mul(parameter(3), cos(triple()))), neg(parameter(1))]),
+        sum([
+            mul(parameter(0), sin(double())),
+            neg(mul(parameter(3), sin(triple()))),
+            neg(parameter(2)),
+            Formula::Time,
+        ]),
+    ];
+    equations(2, 4, rows)
+}
+
+#[test]
+fn a_multiple_of_an_angle_closes_and_gives_the_angle_nearest_the_start() {
+    let values = [1.0, 0.7, 0.4, 1.3];
+    let (oracle, planned) = planned(&multiples(), &values);
+    assert_eq!(planned.closed(), 1, "{}", planned.0);
+    for mode in [1.0, -1.0] {
+        let first = planned.run(&oracle, 0.1, &[mode], &[0.0; 2]).q;
+        for turns in -5..=5 {
+            // Whole turns of twice q0 are half turns of it; of three times q1, thirds.
+            let expected = [first[0] + 0.5 * TAU * f64::from(turns), first[1] - TAU / 3.0 * f64::from(turns)];
+            let start = [expected[0] + 0.49 * TAU / 2.0, expected[1] - 0.49 * TAU / 3.0];
+            let found = planned.run(&oracle, 0.1, &[mode], &start);
+            assert!(difference(&expected, &found.q) < 1e-14, "{expected:?} {found:?}");
+            assert!(planned.closures(&oracle, 0.1, &found.q)[0] * mode > 0.0);
+            let truth = oracle.solve(0.1, &found.q).expect("regular");
+            for (truth, found) in [(truth.q, found.q), (truth.q_dot, found.q_dot), (truth.q_ddot, found.q_ddot)] {
+                assert!(difference(&truth, &found) < 1e-13, "{truth:?} {found:?}");
+            }
+        }
+    }
 }

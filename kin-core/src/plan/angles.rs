@@ -27,7 +27,6 @@ impl Reduction<'_> {
             let mut keys = keys.into_iter();
             if let (Some(key), None, false) = (keys.next(), keys.next(), of_rest)
                 && key.powers.is_empty()
-                && key.turn.iter().any(|&(other, n)| other == k && n.abs() == 1)
             {
                 let size: usize = two.iter().map(|row| forms[row].terms.len()).sum();
                 candidates.push((size, std::cmp::Reverse(k), two, key.clone()));
@@ -35,7 +34,7 @@ impl Reduction<'_> {
         }
         candidates.sort();
         candidates.into_iter().find_map(|(_, std::cmp::Reverse(k), two, key)| {
-            let (value, row) = self.without_angle(two.map(|row| &forms[&row]), &key, unknowns)?;
+            let (value, row) = self.without_angle(two.map(|row| &forms[&row]), k, &key, unknowns)?;
             Some(Eliminated { rows: two, coordinate: k, value, row, exchanges: Vec::new() })
         })
     }
@@ -44,6 +43,7 @@ impl Reduction<'_> {
     fn without_angle(
         &mut self,
         [f, g]: [&Form; 2],
+        k: u32,
         key: &Key,
         unknowns: &BTreeSet<u32>,
     ) -> Option<(PairValue, ExprId)> {
@@ -77,7 +77,10 @@ impl Reduction<'_> {
             let (norm, half) = (graph.plain_dot([f, g], [f, g]), graph.number(0.5));
             let row = graph.sub(norm, square);
             let row = graph.mul(half, row);
-            return Some((PairValue::Angle { turn, cos, sin, size: square, square: Some(square) }, row));
+            // What a multiple of the angle turns is moved by the angle that many times as far.
+            let once = key.turn.iter().any(|&(other, n)| other == k && n.abs() == 1);
+            let value = PairValue::Angle { turn, cos, sin, size: square, square: once.then_some(square) };
+            return Some((value, row));
         }
         let det = graph.plain_cross([c1, s1], [c2, s2]);
         if probe.is_zero(graph, det) {
@@ -112,7 +115,6 @@ impl Reduction<'_> {
             let plain = with.iter().all(|row| forms[row].rest.is_none() && !self.replaced.contains(row));
             if let (Some(key), None, true) = (keys.next(), keys.next(), plain)
                 && key.powers.is_empty()
-                && key.turn.iter().any(|&(other, n)| other == k && n.abs() == 1)
             {
                 candidates.push((with.len(), k, key.clone(), with));
             }
@@ -120,7 +122,7 @@ impl Reduction<'_> {
         candidates.sort_by_key(|(count, k, ..)| (*count, std::cmp::Reverse(*k)));
         candidates.into_iter().find_map(|(_, k, key, with)| {
             let two = self.shortest_loop(&with, forms, &key)?;
-            let (value, row) = self.without_angle(two.map(|row| &forms[&row]), &key, unknowns)?;
+            let (value, row) = self.without_angle(two.map(|row| &forms[&row]), k, &key, unknowns)?;
             let others = with.into_iter().filter(|row| !two.contains(row));
             let mut exchanges = Vec::new();
             let mut replaced = Vec::new();

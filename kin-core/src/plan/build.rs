@@ -141,18 +141,18 @@ impl<'a> Build<'a> {
     }
 
     /// An angle from the cosine and sine of a sum of multiples of angles; both times something positive, whose inverse
-    /// is `scale`.
+    /// is `scale`. Of the values that whole turns and the angle's own multiple leave, the one nearest the start.
     fn angle(&mut self, k: u32, turn: &[(u32, i32)], [x, y]: [ExprId; 2], scale: ExprId) {
         let graph = &mut self.graph;
         let [cos, sin] = [x, y].map(|e| graph.mul(e, scale)).map(|e| graph.whole(e));
         let (mut start, mut others) = (graph.zero(), graph.zero());
         let (mut pair, mut own) = ([cos, sin], 1);
         for &(other, n) in turn {
-            let (factor, symbol) = (graph.number(f64::from(n)), graph.symbol(Symbol::Start(other)));
-            let term = graph.mul(factor, symbol);
-            start = graph.add(start, term);
+            let factor = graph.number(f64::from(n));
             if other == k {
                 own = n;
+                let symbol = graph.symbol(Symbol::Start(k));
+                start = graph.mul(factor, symbol);
                 continue;
             }
             let value = self.known.values.get(&other).copied().unwrap_or(factor);
@@ -168,12 +168,14 @@ impl<'a> Build<'a> {
                 }
             }
         }
-        let angle = graph.atan2(y, x);
-        let angle = graph.nearest(angle, start);
+        let (angle, near) = (graph.atan2(y, x), graph.add(start, others));
+        let angle = graph.nearest(angle, near);
         let rest = graph.sub(angle, others);
-        let value = if own < 0 { graph.neg(rest) } else { rest };
+        let part = graph.number(1.0 / f64::from(own));
+        let value = graph.mul(part, rest);
         let sin = if own < 0 { graph.neg(pair[1]) } else { pair[1] };
-        self.know(k, value, Some(Turned::Pair([pair[0], sin])));
+        // The cosine and sine of a multiple are none of the angle itself.
+        self.know(k, value, (own.abs() == 1).then_some(Turned::Pair([pair[0], sin])));
     }
 
     fn core(&mut self, core: &Core) {
@@ -199,14 +201,14 @@ impl<'a> Build<'a> {
                 }
             }
             Way::Newton { residuals } => self.newton(step, core, residuals),
-            Way::Angle { a, b, c } => {
+            Way::Angle { times, a, b, c } => {
                 let k = core.coordinates[0];
-                let indicator = angle_indicator(&mut self.graph, k, [*a, *b]);
+                let indicator = angle_indicator(&mut self.graph, (k, *times), [*a, *b]);
                 let (mode, place) = self.closure(step, indicator);
                 let [a, b, c] = [*a, *b, *c].map(|e| self.known_value(e)).map(|e| self.graph.whole(e));
                 let (turned, inverse, margin) = closures::angle(&mut self.graph, mode, [a, b, c]);
                 self.write(Slot::Margin(place), margin);
-                self.angle(k, &[(k, 1)], turned, inverse);
+                self.angle(k, &[(k, *times)], turned, inverse);
             }
             Way::Quadratic { a, b, c } => {
                 let k = core.coordinates[0];

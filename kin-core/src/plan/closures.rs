@@ -157,9 +157,10 @@ pub(super) fn circle(graph: &mut Graph, mode: ExprId, [e, lx, ly, k, nx, ny, m]:
     (at, graph.div(inside, size))
 }
 
-/// (a sin φ − b cos φ)/√(a² + b²), which is ±w/√(a² + b²).
-pub(super) fn angle_indicator(graph: &mut Graph, k: u32, [a, b]: [ExprId; 2]) -> ExprId {
-    let phi = graph.symbol(Symbol::Coordinate(k));
+/// (a sin nφ − b cos nφ)/√(a² + b²), which is ±w/√(a² + b²).
+pub(super) fn angle_indicator(graph: &mut Graph, (k, times): (u32, i32), [a, b]: [ExprId; 2]) -> ExprId {
+    let (phi, n) = (graph.symbol(Symbol::Coordinate(k)), graph.number(f64::from(times)));
+    let phi = graph.mul(n, phi);
     // The second component of A(φ)(a, −b).
     let minus_b = graph.neg(b);
     let w = graph.rotate(phi, [a, minus_b])[1];

@@ -16,7 +16,7 @@ pub(super) fn recognise(reader: &mut Reader<'_>, rows: &[usize], forms: &BTreeMa
         return Some(way);
     }
     match (forms.as_slice(), unknowns.as_slice()) {
-        (&[form], &[k]) => angle(reader, form, k).or_else(|| quadratic(reader, form, k)),
+        (&[form], &[k]) => angle(reader, form).or_else(|| quadratic(reader, form, k)),
         (&[f, g], &[x, y]) => circle(reader, [f, g], [x, y]),
         _ => None,
     }
@@ -49,15 +49,15 @@ fn linear(reader: &mut Reader<'_>, forms: &[&Form], unknowns: &[u32]) -> Option<
     Some(Way::Linear { matrix, constant })
 }
 
-fn angle(reader: &mut Reader<'_>, form: &Form, k: u32) -> Option<Way> {
-    let turn = Key { powers: Vec::new(), turn: vec![(k, 1)] };
-    if !only(form, &[Key::default(), turn.clone()]) {
-        return None;
-    }
-    let [a, b] = coefficient(reader, form, &turn);
+fn angle(reader: &mut Reader<'_>, form: &Form) -> Option<Way> {
+    // One multiple of the angle alone; two of them are no closure.
+    let mut turning = form.terms.keys().filter(|key| **key != Key::default());
+    let (Some(turn), None) = (turning.next(), turning.next()) else { return None };
+    let (&[], &[(_, times)]) = (turn.powers.as_slice(), turn.turn.as_slice()) else { return None };
+    let [a, b] = coefficient(reader, form, turn);
     let constant = coefficient(reader, form, &Key::default())[0];
     let c = reader.graph.neg(constant);
-    Some(Way::Angle { a, b, c })
+    Some(Way::Angle { times, a, b, c })
 }
 
 fn quadratic(reader: &mut Reader<'_>, form: &Form, k: u32) -> Option<Way> {

@@ -82,8 +82,8 @@ pub(super) struct Core {
 pub(super) enum Way {
     /// matrix · x + constant = 0, row by row.
     Linear { matrix: Vec<Vec<ExprId>>, constant: Vec<ExprId> },
-    /// a cos φ + b sin φ = c.
-    Angle { a: ExprId, b: ExprId, c: ExprId },
+    /// a cos nφ + b sin nφ = c, n being `times`.
+    Angle { times: i32, a: ExprId, b: ExprId, c: ExprId },
     /// a x² + b x + c = 0.
     Quadratic { a: ExprId, b: ExprId, c: ExprId },
     /// A circle e(x² + y²) + l·(x, y) + k = 0 that a line n·(x, y) + m = 0 meets; the line may be that of two circles.
