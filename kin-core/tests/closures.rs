@@ -3,7 +3,7 @@
 
 mod support;
 
-use kin_core::mechanism::{Formula, Mechanism};
+use kin_core::mechanism::{Formula, JointKind, Mechanism};
 use kin_core::plan::Kind as StepKind;
 use std::f64::consts::TAU;
 use support::chains::*;
@@ -231,4 +231,79 @@ fn a_multiple_of_an_angle_closes_and_gives_the_angle_nearest_the_start() {
             }
         }
     }
+}
+
+/// Two coordinates by N0 and N1, and q2 = t.
+fn with_time(mut rows: Vec<Formula>, parameters: usize) -> Mechanism {
+    rows.push(sub(scalar(2), Formula::Time));
+    equations(3, parameters, rows)
+}
+
+/// Margins fall with `small` and reach 0 with it; nothing of them is ever not a number.
+fn falls(name: &str, margin: impl Fn(f64) -> f64) {
+    let mut last = 2.0;
+    for small in [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 0.0] {
+        let margin = margin(small);
+        assert!((0.0..last).contains(&margin), "{name}: {margin:e} at {small:e}, {last:e} before");
+        last = margin;
+    }
+    assert!(last <= 0.0, "{name}: {last:e}");
+}
+
+/// The smallest margin at t.
+fn smallest(mechanism: &Mechanism, values: &[f64], t: f64, start: &[f64]) -> f64 {
+    let oracle = Oracle::new(mechanism, values);
+    let planned = Planned::new(&oracle);
+    let found = planned.run(&oracle, t, &vec![1.0; planned.0.modes.len()], start);
+    assert!(found.margins.iter().all(|margin| !margin.is_nan()), "{:?} of {}", found.margins, planned.0);
+    found.margins.into_iter().fold(1.0, f64::min)
+}
+
+#[test]
+fn what_a_pair_divides_by_has_a_margin() {
+    // A stroke q1 along (cos q2 − p0, sin q2), which vanishes at t = 0, to the end of the link q0.
+    let along = || sub(cos(scalar(2)), parameter(0));
+    let stroke = with_time(
+        vec![
+            sum([mul(scalar(1), along()), mul(parameter(1), cos(scalar(0)))]),
+            sum([mul(scalar(1), sin(scalar(2))), mul(parameter(1), sin(scalar(0))), neg(parameter(2))]),
+        ],
+        3,
+    );
+    falls("stroke", |small| smallest(&stroke, &[1.0, 0.5, 0.3], small, &[0.0; 3]));
+    // A length q1 that is the same share of two rows, which come to one as they become parallel.
+    let vector = |a: Formula, b: Formula| add(mul(a, cos(scalar(1))), mul(b, sin(scalar(1))));
+    let vectors = with_time(
+        vec![
+            sub(add(vector(parameter(0), parameter(1)), mul(number(0.1), cos(scalar(0)))), number(0.3)),
+            sub(add(vector(parameter(2), parameter(3)), mul(number(0.2), sin(scalar(0)))), number(0.3)),
+        ],
+        4,
+    );
+    falls("vectors", |small| smallest(&vectors, &[1.0, 0.0, 1.0, small], 0.0, &[0.1, 0.2, 0.0]));
+}
+
+/// Two wheels on fixed pins, the second made to turn by the first: p0 φ + p1 ψ = 0.
+fn wheels() -> Mechanism {
+    let turn = |k: usize| phi(body(k));
+    let pin = |k: usize| joint(&format!("O{k}"), revolute(origin_of(GROUND), origin_of(body(k))));
+    let couple = JointKind::Constraint {
+        left: add(mul(parameter(0), turn(0)), mul(parameter(1), turn(1))),
+        right: Formula::ZERO,
+    };
+    Mechanism {
+        name: "Wheels".into(),
+        parameters: parameters(&[("p0", None), ("p1", None)]),
+        bodies: vec![free("a", None), free("b", None)],
+        joints: vec![pin(0), pin(1), joint("drive", driver(turn(0), Formula::Time)), joint("couple", couple)],
+        ..Mechanism::default()
+    }
+}
+
+#[test]
+fn a_coordinate_that_a_parameter_gives_has_a_margin() {
+    falls("wheels", |small| smallest(&wheels(), &[1.0, small], 1.0, &[0.0; 6]));
+    // Both in other units: the same.
+    let [small, large] = [1e-6, 1e6].map(|unit| smallest(&wheels(), &[2.0 * unit, unit], 1.0, &[0.0; 6]));
+    assert!((small - 0.2).abs() < 1e-15 && (large - 0.2).abs() < 1e-15, "{small} {large}");
 }

@@ -1,7 +1,7 @@
 //! What the plan says of the equations at hand, for analyses that hold it against Φ.
 
 use crate::equations::Equations;
-use crate::plan::{Depth, Plan, Solved, StepKind};
+use crate::plan::{Depth, Plan, Solved};
 use crate::planned::{Limit, Step};
 use crate::workspace::Instant;
 
@@ -96,5 +96,5 @@ pub(crate) fn limit_in(equations: &mut Equations<'_>, modes: &[f64], q: &[f64]) 
     }
     let modes: Vec<f64> = modes.iter().map(|&mode| if mode == 0.0 { 1.0 } else { mode }).collect();
     let answer = Answer::new(equations).solve(equations, &modes, q, Depth::Position);
-    answer.err().flatten().filter(|limit| limit.step.info().kind == StepKind::Closure)
+    answer.err().flatten().filter(|limit| limit.step.closes())
 }

@@ -79,7 +79,8 @@ impl Reduction<'_> {
             let row = graph.mul(half, row);
             // What a multiple of the angle turns is moved by the angle that many times as far.
             let once = key.turn.iter().any(|&(other, n)| other == k && n.abs() == 1);
-            let value = PairValue::Angle { turn, cos, sin, size: square, square: once.then_some(square) };
+            let value =
+                PairValue::Angle { turn, cos, sin, size: square, square: once.then_some(square), vectors: None };
             return Some((value, row));
         }
         let det = graph.plain_cross([c1, s1], [c2, s2]);
@@ -93,7 +94,8 @@ impl Reduction<'_> {
         let row = graph.sub(norm, square);
         let square = graph.whole(square);
         let (cos, sin) = (graph.mul(a, det), graph.mul(b, det));
-        Some((PairValue::Angle { turn, cos, sin, size: square, square: None }, row))
+        let vectors = [[c1, s1], [c2, s2]].map(|v| graph.plain_dot(v, v));
+        Some((PairValue::Angle { turn, cos, sin, size: square, square: None, vectors: Some(vectors) }, row))
     }
 
     /// An angle of several loops, left to one of them: what the others have of it is taken from that one, which makes

@@ -7,14 +7,13 @@
 use super::closures::{self, angle_indicator, circle_indicator, inverse, quadratic_indicator};
 use super::dense;
 use super::known::{Known, turned};
+use super::margins::Divisor;
 use super::rates::Rates;
 use super::rewrite::Turned;
 use super::steps::Listed;
 use super::tree::{Block, Core, Pair, PairValue, Part, Pivot, Way};
-use crate::constraint::CoordinateKind;
 use crate::expr::{ExprId, Graph, Symbol, total_derivatives};
 use crate::hash::FastMap;
-use crate::mechanism::Component;
 use crate::program::Slot;
 use crate::system::KinematicSystem;
 use std::collections::BTreeMap;
@@ -30,16 +29,18 @@ pub(super) enum Stage {
 
 /// Builds the solution of a plan.
 pub(super) struct Build<'a> {
-    system: &'a KinematicSystem,
+    pub(super) system: &'a KinematicSystem,
     pub(super) graph: Graph,
-    known: Known,
+    pub(super) known: Known,
     pub(super) stages: Vec<Stage>,
     /// Margins as far as they belong to positions, and those of iterations by their first row.
     pub(super) listed: Listed,
     /// Places that say whether iterations have converged.
     pub(super) iterations: u32,
     /// (row, place of the margin, place that says whether it has converged) of every iteration.
-    pending: Vec<(usize, usize, u32)>,
+    pub(super) pending: Vec<(usize, usize, u32)>,
+    /// What was divided by.
+    pub(super) divisors: Vec<Divisor>,
     /// The closures' indicators at a given q.
     pub(super) closures: Vec<ExprId>,
 }
@@ -48,12 +49,13 @@ impl<'a> Build<'a> {
     pub(super) fn new(system: &'a KinematicSystem, graph: Graph, listed: Listed) -> Self {
         let known = Known::default();
         let (stages, pending, closures) = (vec![Stage::Closed(Vec::new())], Vec::new(), Vec::new());
-        Self { system, graph, known, stages, listed, iterations: 0, pending, closures }
+        Self { system, graph, known, stages, listed, iterations: 0, pending, divisors: Vec::new(), closures }
     }
 
     /// All stages of q, q̇ and q̈; gives where those of q̇ and q̈ begin.
     pub(super) fn all(&mut self, tree: &Block) -> [usize; 2] {
         self.block(tree);
+        self.divisor_margins();
         let mut starts = [0; 2];
         for (order, start) in starts.iter_mut().enumerate() {
             let right: Vec<ExprId> = (self.system.equations.iter())
@@ -70,6 +72,7 @@ impl<'a> Build<'a> {
             self.stages.push(Stage::Closed(solution.iter().enumerate().map(|(k, e)| (slot(k), *e)).collect()));
             self.known.rates = (0..).zip(solution.into_iter().map(|e| self.graph.whole(e))).collect();
         }
+        self.number_margins();
         starts
     }
 
@@ -88,11 +91,11 @@ impl<'a> Build<'a> {
     }
 
     /// An expression of the description in terms of what is known.
-    fn known_value(&mut self, id: ExprId) -> ExprId {
+    pub(super) fn known_value(&mut self, id: ExprId) -> ExprId {
         self.known.value(&mut self.graph, id)
     }
 
-    fn write(&mut self, slot: Slot, value: ExprId) {
+    pub(super) fn write(&mut self, slot: Slot, value: ExprId) {
         match self.stages.last_mut() {
             Some(Stage::Closed(outputs)) => outputs.push((slot, value)),
             _ => self.stages.push(Stage::Closed(vec![(slot, value)])),
@@ -118,7 +121,10 @@ impl<'a> Build<'a> {
                 }
             }
         }
-        for &Pivot { coordinate, value, .. } in block.pivots.iter().rev() {
+        for &Pivot { row, coordinate, coefficient, value } in block.pivots.iter().rev() {
+            let step = self.listed.attached();
+            let coefficient = self.known_value(coefficient);
+            self.divide_by_coefficient(step, vec![row], coordinate, coefficient);
             let known = self.known_value(value);
             let turned = turned(&mut self.graph, &self.known.turns, &self.known.rewritten, value);
             self.know(coordinate, known, Some(turned));
@@ -126,18 +132,39 @@ impl<'a> Build<'a> {
     }
 
     fn pair(&mut self, pair: &Pair) {
+        let step = self.listed.attached();
         match &pair.value {
-            PairValue::Linear { value, .. } => {
+            PairValue::Linear { value, by, square } => {
+                if square.is_none() {
+                    let by = by.map(|e| self.known_value(e));
+                    let square = self.graph.plain_dot(by, by);
+                    self.divide(step, pair, square, by.to_vec());
+                }
                 let value = self.known_value(*value);
                 self.know(pair.coordinate, value, None);
             }
-            PairValue::Angle { turn, cos, sin, size, .. } => {
+            PairValue::Angle { turn, cos, sin, size, vectors, .. } => {
+                if !self.graph.depends(*size).is_static() || vectors.is_some() {
+                    let size = self.known_value(*size);
+                    match vectors.map(|vectors| vectors.map(|e| self.known_value(e))) {
+                        Some(vectors) if self.graph.literal(size).is_none() => {
+                            let margin = closures::spread(&mut self.graph, size, vectors);
+                            self.write_margin(step, margin);
+                        }
+                        Some(_) => {}
+                        None => self.divide(step, pair, size, Vec::new()),
+                    }
+                }
                 let found = [*cos, *sin].map(|e| self.known_value(e)).map(|e| self.graph.whole(e));
                 let size = self.known_value(*size);
                 let inverse = inverse(&mut self.graph, size);
                 self.angle(pair.coordinate, turn, found, inverse);
             }
         }
+    }
+
+    fn divide(&mut self, step: usize, pair: &Pair, square: ExprId, parts: Vec<ExprId>) {
+        self.divisors.push(Divisor { step, rows: pair.rows.to_vec(), unknown: pair.coordinate, square, parts });
     }
 
     /// An angle from the cosine and sine of a sum of multiples of angles; both times something positive, whose inverse
@@ -188,13 +215,13 @@ impl<'a> Build<'a> {
                 let right = right.into_iter().map(|e| self.graph.neg(e)).collect();
                 let lengths = super::lengths(&self.system.set.coordinates, &core.coordinates);
                 let (solutions, margin) = dense::solve(&mut self.graph, &matrix, &[right], &lengths);
-                let margin = match matrix.as_slice() {
-                    [row] => self.share_of_row(step, core.coordinates[0], row[0]),
-                    _ => margin,
-                };
-                if let Some(margin) = margin {
-                    let place = self.listed.margin(step);
-                    self.write(Slot::Margin(place), margin);
+                match (matrix.as_slice(), margin) {
+                    ([row], _) => {
+                        let rows = self.listed.steps[step].rows.iter().copied().collect();
+                        self.divide_by_coefficient(step, rows, core.coordinates[0], row[0]);
+                    }
+                    (_, Some(margin)) => self.write_margin(step, margin),
+                    (_, None) => {}
                 }
                 for (&k, value) in core.coordinates.iter().zip(solutions.into_iter().flatten()) {
                     self.know(k, value, None);
@@ -230,35 +257,6 @@ impl<'a> Build<'a> {
                 self.know(at[1], y, None);
             }
         }
-    }
-
-    /// The squared coefficient of a single unknown over the squared gradient of its rows in coordinates of its kind: 0
-    /// where the row says nothing of it. None where the coefficient does not move, and where there is nothing else.
-    fn share_of_row(&mut self, step: usize, unknown: u32, coefficient: ExprId) -> Option<ExprId> {
-        if self.graph.depends(coefficient).is_static() {
-            // A direction that is known and wrong.
-            return Some(coefficient).filter(|&coefficient| self.graph.is_zero(coefficient));
-        }
-        let coordinates = &self.system.set.coordinates;
-        let is_length = |k: u32| match coordinates[k as usize].kind {
-            CoordinateKind::Pose(_, component) => Some(component != Component::Phi),
-            CoordinateKind::Scalar => None,
-        };
-        let kind = is_length(unknown)?;
-        let rows = self.listed.steps[step].rows.iter().map(|&row| &self.system.equations[row].phi_q);
-        let entries: Vec<(u32, ExprId)> =
-            rows.flatten().copied().filter(|(k, _)| is_length(*k) == Some(kind)).collect();
-        if entries.iter().all(|(k, _)| *k == unknown) {
-            return None;
-        }
-        let mut sum = self.graph.zero();
-        for (_, entry) in entries {
-            let entry = self.known_value(entry);
-            let square = self.graph.square(entry);
-            sum = self.graph.add(sum, square);
-        }
-        let square = self.graph.square(coefficient);
-        Some(self.graph.div(square, sum))
     }
 
     /// A new mode and its margin, given what tells the mode of a configuration.
@@ -299,17 +297,6 @@ impl<'a> Build<'a> {
         self.pending.push((core.rows[0], place, converged));
     }
 
-    /// The margins of iterations: converged, and Φ_q not singular.
-    fn iteration_margins(&mut self, margins: &BTreeMap<usize, ExprId>) {
-        for (row, place, converged) in std::mem::take(&mut self.pending) {
-            let mut margin = self.graph.symbol(Symbol::Held(converged));
-            if let Some(&regular) = margins.get(&row) {
-                margin = self.graph.mul(margin, regular);
-            }
-            self.write(Slot::Margin(place), margin);
-        }
-    }
-
     /// x with Φ_q x = b at a given q, entries of b as symbols; and what is 0 where a divisor is.
     pub(super) fn resolve(&mut self, tree: &Block) -> (Vec<(Slot, ExprId)>, Vec<ExprId>) {
         let right = (0..self.system.equations.len()).map(|row| self.graph.symbol(Symbol::Right(row as u32))).collect();
@@ -338,7 +325,9 @@ fn constants(block: &Block) -> Vec<ExprId> {
                 Part::Core(_) => {}
                 Part::Block(block) => open.push(block),
                 Part::Pair(pair) => {
-                    if let PairValue::Angle { square: Some(square), .. } = pair.value {
+                    if let PairValue::Angle { square: Some(square), .. }
+                    | PairValue::Linear { square: Some(square), .. } = pair.value
+                    {
                         out.push(square);
                     }
                     out.extend(pair.exchanges.iter().flat_map(|exchange| exchange.factors));

@@ -57,6 +57,30 @@ pub(super) fn squared_size(graph: &mut Graph, id: ExprId, depth: usize) -> ExprI
     }
 }
 
+/// How much of all that moves an equation is a divisor: its square over itself, the squares of `others`, and a little of
+/// the terms of `parts`, which it is made of. None where there is nothing else.
+pub(super) fn share(graph: &mut Graph, square: ExprId, others: &[ExprId], parts: &[ExprId]) -> Option<ExprId> {
+    let is_term = |graph: &mut Graph, part: ExprId| squared_terms(graph, part, 8) == graph.square(part);
+    let terms = parts.iter().all(|&part| is_term(graph, part));
+    if terms && others.is_empty() {
+        return None;
+    }
+    let mut whole = square;
+    for &other in others {
+        let other = graph.square(other);
+        whole = graph.add(whole, other);
+    }
+    let whole = with_share(graph, whole, if terms { &[] } else { parts });
+    Some(graph.div(square, whole))
+}
+
+/// How far two vectors are from parallel: their squared cross product over the product of their squared lengths.
+pub(super) fn spread(graph: &mut Graph, square: ExprId, [a, b]: [ExprId; 2]) -> ExprId {
+    let (product, least) = (graph.mul(a, b), graph.number(LEAST));
+    let whole = graph.add(product, least);
+    graph.div(square, whole)
+}
+
 /// 1/a, as one thing that all products share.
 pub(super) fn inverse(graph: &mut Graph, a: ExprId) -> ExprId {
     let one = graph.number(1.0);

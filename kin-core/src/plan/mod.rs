@@ -20,6 +20,7 @@ mod display;
 mod form;
 mod groups;
 mod known;
+mod margins;
 mod matching;
 mod probe;
 mod rates;

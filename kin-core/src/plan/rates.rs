@@ -176,7 +176,9 @@ impl<'g> Rates<'g> {
         self.subtract(first, p, second, pair.coordinate);
         self.block(&pair.inner);
         let square = match &pair.value {
-            PairValue::Angle { square: Some(square), .. } => self.value(*square),
+            PairValue::Angle { square: Some(square), .. } | PairValue::Linear { square: Some(square), .. } => {
+                self.value(*square)
+            }
             _ => self.graph.plain_dot([p, q], [p, q]),
         };
         let mut rights = [zero; 2];

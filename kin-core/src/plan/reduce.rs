@@ -67,6 +67,7 @@ impl Reduction<'_> {
         let mut forms: BTreeMap<usize, Form> = rows.iter().map(|&row| (row, self.form(row, &unknowns))).collect();
         while let Some((row, coordinate)) = self.pivot(&rows, &unknowns, &forms) {
             let form = forms.remove(&row)?;
+            let coefficient = form.terms[&Key::power(coordinate, 1)][0];
             let value = self.solved_for(&form, coordinate);
             rows.retain(|&other| other != row);
             unknowns.remove(&coordinate);
@@ -82,7 +83,7 @@ impl Reduction<'_> {
                     forms.insert(other, form);
                 }
             }
-            out.pivots.push(Pivot { row, coordinate, value });
+            out.pivots.push(Pivot { row, coordinate, coefficient, value });
         }
         let places: Vec<u32> = unknowns.iter().copied().collect();
         let held: Vec<Vec<usize>> = rows
@@ -124,13 +125,13 @@ impl Reduction<'_> {
             let own: Vec<usize> = pair_rows.iter().flat_map(|&row| self.made_of[row].iter().copied()).collect();
             self.made_of[exchange.row].extend(own);
         }
+        let replaced = pair_rows.iter().any(|row| self.replaced.contains(row));
         let value = match value {
             // What replaced a row says the same on another scale.
-            PairValue::Angle { turn, cos, sin, size, .. }
-                if pair_rows.iter().any(|row| self.replaced.contains(row)) =>
-            {
-                PairValue::Angle { turn, cos, sin, size, square: None }
+            PairValue::Angle { turn, cos, sin, size, vectors, .. } if replaced => {
+                PairValue::Angle { turn, cos, sin, size, square: None, vectors }
             }
+            PairValue::Linear { value, by, .. } if replaced => PairValue::Linear { value, by, square: None },
             other => other,
         };
         self.replaced.insert(first);
@@ -238,6 +239,20 @@ impl Reduction<'_> {
         with.next().is_none().then_some(two)
     }
 
+    /// What an expression is at all q, where that is the same, as a direction has one length however it turns.
+    fn constant(&mut self, id: ExprId) -> Option<ExprId> {
+        let nodes = self.graph.reachable([id]).into_iter().map(|id| self.graph.node(id));
+        let coordinates = nodes.filter_map(|node| match node {
+            Node::Symbol(Symbol::Coordinate(k)) => Some(k),
+            _ => None,
+        });
+        let coordinates: BTreeSet<u32> = coordinates.collect();
+        let form = Reader::new(self.graph, self.probe, &coordinates).read(id);
+        let [value, _] = *form.terms.get(&Key::default())?;
+        let alone = form.rest.is_none() && form.terms.len() == 1;
+        (alone && self.graph.depends(value).is_static()).then_some(value)
+    }
+
     /// An unknown that is linear in two rows and stands in no other.
     fn ratio(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, forms: &BTreeMap<usize, Form>) -> Option<Eliminated> {
         if forms.values().any(|form| form.rest.is_some()) {
@@ -265,8 +280,9 @@ impl Reduction<'_> {
             let [f1, f0, g1, g0] = [&f.0, &f.1, &g.0, &g.1].map(|form| reader.written(form));
             let row = reader.written(&row);
             let (top, bottom) = (self.graph.plain_dot([f1, g1], [f0, g0]), self.graph.plain_dot([f1, g1], [f1, g1]));
-            let quotient = self.graph.div(top, bottom);
-            let value = PairValue::Linear { value: self.graph.neg(quotient), by: [f1, g1] };
+            let square = self.constant(bottom);
+            let quotient = self.graph.div(top, square.unwrap_or(bottom));
+            let value = PairValue::Linear { value: self.graph.neg(quotient), by: [f1, g1], square };
             return Some(Eliminated { rows: two, coordinate: k, value, row, exchanges: Vec::new() });
         }
         None

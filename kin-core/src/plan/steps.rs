@@ -64,6 +64,11 @@ pub(super) struct Listed {
     /// The steps of cores, in their order.
     of_cores: Vec<usize>,
     taken: usize,
+    /// The steps of what is given once the rest of its group is known, in the order in which that is.
+    of_attached: Vec<usize>,
+    taken_attached: usize,
+    /// The steps of margins.
+    of_margins: Vec<usize>,
 }
 
 impl Listed {
@@ -148,18 +153,22 @@ impl Listed {
     /// A coordinate that a row gives once the rest of its group is known.
     fn attach(&mut self, system: &KinematicSystem, row: usize, coordinate: u32) {
         let joint = system.set.rows[row].joint;
-        if let Some(step) = self.steps.iter_mut().rev().find(|step| step.rows.contains(&row)) {
-            step.coordinates.push((coordinate, joint));
+        if let Some(place) = self.steps.iter().rposition(|step| step.rows.contains(&row)) {
+            self.steps[place].coordinates.push((coordinate, joint));
+            self.of_attached.push(place);
             return;
         }
+        let last = self.steps.len();
         if let Some(step) = self.steps.last_mut()
             && step.kind == Kind::Explicit
             && step.joints == [joint]
         {
             step.rows.insert(row);
             step.coordinates.push((coordinate, joint));
+            self.of_attached.push(last - 1);
             return;
         }
+        self.of_attached.push(last);
         self.steps.push(new_step(system, Kind::Explicit, BTreeSet::from([row]), vec![(coordinate, joint)]));
     }
 
@@ -169,12 +178,33 @@ impl Listed {
         self.of_cores[self.taken - 1]
     }
 
-    /// A new margin of a step.
+    /// The step of what is given next once the rest of its group is known.
+    pub(super) fn attached(&mut self) -> usize {
+        self.taken_attached += 1;
+        self.of_attached[self.taken_attached - 1]
+    }
+
+    /// A new margin of a step, numbered as they are found.
     pub(super) fn margin(&mut self, step: usize) -> usize {
-        let margin = self.margins;
-        self.margins += 1;
-        self.steps[step].margins = margin..margin + 1;
-        margin
+        self.of_margins.push(step);
+        self.of_margins.len() - 1
+    }
+
+    /// Numbers margins in the order of the steps; gives the place of each as they were found.
+    pub(super) fn number_margins(&mut self) -> Vec<usize> {
+        self.margins = self.of_margins.len();
+        let mut order: Vec<usize> = (0..self.margins).collect();
+        order.sort_by_key(|&found| self.of_margins[found]);
+        let mut places = vec![0; self.margins];
+        order.iter().enumerate().for_each(|(place, &found)| places[found] = place);
+        let mut next = 0;
+        for (number, step) in self.steps.iter_mut().enumerate() {
+            let own = self.of_margins.iter().filter(|&&step| step == number).count();
+            step.margins = next..next + own;
+            next += own;
+        }
+        self.modes.iter_mut().for_each(|mode| mode.margin = places[mode.margin]);
+        places
     }
 
     /// A new mode of a step.

@@ -20,6 +20,8 @@ pub(super) struct Pivot {
     pub(super) row: usize,
     /// The coordinate, place in q.
     pub(super) coordinate: u32,
+    /// Its coefficient there.
+    pub(super) coefficient: ExprId,
     /// Its value by the other coordinates.
     pub(super) value: ExprId,
 }
@@ -62,9 +64,18 @@ pub(super) enum PairValue {
     /// The cosine and sine of a sum of multiples of angles, among which the coordinate is.
     /// Both are given times `size`, which is positive where `square` is there: the squared length of the vector that is
     /// turned, where both rows see the same one.
-    Angle { turn: Vec<(u32, i32)>, cos: ExprId, sin: ExprId, size: ExprId, square: Option<ExprId> },
-    /// The value, and f₁ and g₁ by which it is linear in both rows.
-    Linear { value: ExprId, by: [ExprId; 2] },
+    /// Where the rows see different vectors, `size` is the square of their cross product, and `vectors` are their
+    /// squared lengths.
+    Angle {
+        turn: Vec<(u32, i32)>,
+        cos: ExprId,
+        sin: ExprId,
+        size: ExprId,
+        square: Option<ExprId>,
+        vectors: Option<[ExprId; 2]>,
+    },
+    /// The value, f₁ and g₁ by which it is linear in both rows, and f₁² + g₁² where that is the same at all q.
+    Linear { value: ExprId, by: [ExprId; 2], square: Option<ExprId> },
 }
 
 /// What closes a part.

@@ -9,17 +9,21 @@ use core::fmt;
 pub struct Step {
     model: &'static Model,
     place: usize,
+    /// What is said of it is how its closures stand to one another.
+    closes: bool,
 }
 
 impl Step {
     /// The step at `place` of [`Plan::steps`](crate::plan::Plan::steps); none where there is none.
     pub fn new(model: &'static Model, place: usize) -> Option<Self> {
-        (place < model.plan.steps.len()).then_some(Self { model, place })
+        let step = model.plan.steps.get(place)?;
+        Some(Self { model, place, closes: step.kind == StepKind::Closure })
     }
 
     /// The step that a margin belongs to.
     pub fn of_margin(model: &'static Model, margin: usize) -> Option<Self> {
-        model.plan.step_of_margin(margin).map(|place| Self { model, place })
+        let closes = model.plan.modes.iter().any(|mode| mode.margin == margin);
+        model.plan.step_of_margin(margin).map(|place| Self { model, place, closes })
     }
 
     /// Its place in [`Plan::steps`](crate::plan::Plan::steps).
@@ -38,9 +42,10 @@ impl Step {
         self.info().joints.iter().filter_map(|&joint| joints.get(joint)).map(|joint| joint.name)
     }
 
-    /// True for a group that closes in two ways.
-    pub fn closes(&self) -> bool {
-        self.info().kind == StepKind::Closure
+    /// True for a group that closes in two ways; not where it was found by the margin of something that the group divides
+    /// by, which says nothing of them.
+    pub const fn closes(&self) -> bool {
+        self.closes
     }
 }
 

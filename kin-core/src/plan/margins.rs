@@ -1,0 +1,83 @@
+//! Margins of what is divided by, and the numbers of all margins.
+
+use super::build::{Build, Stage};
+use super::closures;
+use crate::constraint::CoordinateKind;
+use crate::expr::{ExprId, Symbol};
+use crate::mechanism::Component;
+use crate::program::Slot;
+use std::collections::BTreeMap;
+
+/// What a step divides by on its way to an unknown: its square, and what it is made of.
+pub(super) struct Divisor {
+    pub(super) step: usize,
+    pub(super) rows: Vec<usize>,
+    pub(super) unknown: u32,
+    pub(super) square: ExprId,
+    pub(super) parts: Vec<ExprId>,
+}
+
+impl Build<'_> {
+    pub(super) fn write_margin(&mut self, step: usize, margin: ExprId) {
+        let place = self.listed.margin(step);
+        self.write(Slot::Margin(place), margin);
+    }
+
+    /// The divisor of a single unknown is its coefficient.
+    pub(super) fn divide_by_coefficient(&mut self, step: usize, rows: Vec<usize>, unknown: u32, coefficient: ExprId) {
+        match self.graph.literal(coefficient) {
+            None => {
+                let square = self.graph.square(coefficient);
+                self.divisors.push(Divisor { step, rows, unknown, square, parts: vec![coefficient] });
+            }
+            // A direction that is known and wrong.
+            Some(0.0) => self.write_margin(step, coefficient),
+            Some(_) => {}
+        }
+    }
+
+    /// The margins of divisions, when all coordinates are known: the divisor's square beside the squared entries that Φ_q
+    /// has for other coordinates of the unknown's kind in its rows, and beside what the divisor is made of.
+    pub(super) fn divisor_margins(&mut self) {
+        let system = self.system;
+        let is_length = |k: u32| match system.set.coordinates[k as usize].kind {
+            CoordinateKind::Pose(_, component) => Some(component != Component::Phi),
+            CoordinateKind::Scalar => None,
+        };
+        for Divisor { step, rows, unknown, square, parts } in std::mem::take(&mut self.divisors) {
+            let mut others = Vec::new();
+            if let Some(kind) = is_length(unknown) {
+                let entries = rows.iter().flat_map(|&row| &system.equations[row].phi_q);
+                let entries = entries.filter(|(k, _)| *k != unknown && is_length(*k) == Some(kind));
+                others = entries.map(|(_, entry)| self.known_value(*entry)).collect();
+            }
+            if let Some(margin) = closures::share(&mut self.graph, square, &others, &parts) {
+                self.write_margin(step, margin);
+            }
+        }
+    }
+
+    /// The margins of iterations: converged, and Φ_q not singular.
+    pub(super) fn iteration_margins(&mut self, margins: &BTreeMap<usize, ExprId>) {
+        for (row, place, converged) in std::mem::take(&mut self.pending) {
+            let mut margin = self.graph.symbol(Symbol::Held(converged));
+            if let Some(&regular) = margins.get(&row) {
+                margin = self.graph.mul(margin, regular);
+            }
+            self.write(Slot::Margin(place), margin);
+        }
+    }
+
+    /// Numbers margins by their steps.
+    pub(super) fn number_margins(&mut self) {
+        let places = self.listed.number_margins();
+        for stage in &mut self.stages {
+            let Stage::Closed(outputs) = stage else { continue };
+            for (slot, _) in outputs {
+                if let Slot::Margin(place) = slot {
+                    *place = places[*place];
+                }
+            }
+        }
+    }
+}
