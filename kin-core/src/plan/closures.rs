@@ -58,18 +58,24 @@ pub(super) fn squared_size(graph: &mut Graph, id: ExprId, depth: usize) -> ExprI
 }
 
 /// How much of all that moves an equation is a divisor: its square over itself, the squares of `others`, and a little of
-/// the terms of `parts`, which it is made of. None where there is nothing else.
+/// the terms of `parts`, which it is made of. None where there is nothing else. A divisor that does not move leads to no
+/// limit: it is one of the dimensions, and may be far smaller than others (a gear's radius) before digits are lost.
 pub(super) fn share(graph: &mut Graph, square: ExprId, others: &[ExprId], parts: &[ExprId]) -> Option<ExprId> {
     let is_term = |graph: &mut Graph, part: ExprId| squared_terms(graph, part, 8) == graph.square(part);
     let terms = parts.iter().all(|&part| is_term(graph, part));
     if terms && others.is_empty() {
         return None;
     }
-    let mut whole = square;
+    let mut rest = graph.zero();
     for &other in others {
         let other = graph.square(other);
-        whole = graph.add(whole, other);
+        rest = graph.add(rest, other);
     }
+    if graph.depends(square).is_static() {
+        let share = graph.number(SHARE);
+        rest = graph.mul(share, rest);
+    }
+    let whole = graph.add(square, rest);
     let whole = with_share(graph, whole, if terms { &[] } else { parts });
     Some(graph.div(square, whole))
 }
