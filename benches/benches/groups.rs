@@ -80,6 +80,7 @@ fn main() {
     let mut margins = vec![0.0; Robot::model().plan.margins];
     let times: Vec<f64> = (0..STEPS).map(|k| (k as f64).to_radians()).collect();
     let back = -1_f64.to_radians();
+    let mut followed = robot.solver().planned(&Instant::at(0.0)).expect("it closes");
     let mut contenders = [
         Contender {
             name: "Newton on all 21 coordinates, dense LU",
@@ -101,6 +102,16 @@ fn main() {
                     black_box((&*planned, &margins));
                 }
                 planned.t = back;
+            }),
+        },
+        Contender {
+            name: "kin, `Planned`: predicted and judged, too",
+            work: Box::new(|| {
+                followed.restart(&Instant::at(0.0), &state.q).expect("it closes");
+                for &t in &times[1..] {
+                    let found = followed.at(&Instant::at(black_box(t))).expect("it closes");
+                    black_box(found.q());
+                }
             }),
         },
     ];

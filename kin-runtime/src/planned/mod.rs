@@ -2,6 +2,7 @@
 
 mod error;
 mod mode;
+mod predict;
 mod step;
 
 pub use error::{Limit, PlanError};
@@ -10,7 +11,7 @@ pub use step::Step;
 
 use crate::mechanism::{LengthError, Mechanism};
 use crate::model::Model;
-use crate::plan::{Depth, Plan, Solved};
+use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::signal::Instant;
 use crate::workspace::Array;
 
@@ -24,7 +25,7 @@ use crate::workspace::Array;
 /// q(t + h) ≈ q + h q̇ + ½ h² q̈
 /// ```
 ///
-/// and the plan starts there: angles come out within half a turn of the prediction, so that they go on counting as long
+/// and the plan starts there, iterations even nearer, on the quintic that the last two states have in common: angles come out within half a turn of the prediction, so that they go on counting as long
 /// as no body turns by more than that away from it between two instants; where the plan has Newton iterations, they
 /// converge to the closure near the prediction, so that instants lie near one another (a few degrees of the fastest body
 /// for one correction or two). Plans without such iterations may go as far as angles allow, in either direction of time.
@@ -71,6 +72,12 @@ pub struct Planned<'m, M: Mechanism> {
     states: [Poses<M>; 2],
     /// Which of them is the good one.
     good: usize,
+    /// When the other one was good, on the way to this one; not a number where it was not.
+    before: f64,
+    /// The next state has nothing to do with the last one.
+    anew: bool,
+    /// The plan has iterations.
+    iterates: bool,
     predicted: M::Coordinates<f64>,
 }
 
@@ -121,8 +128,19 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         let zeros = M::Coordinates::<f64>::generate(|_| 0.0);
         let nothing = Poses { q: zeros, q_dot: zeros, q_ddot: zeros, margins: zeros };
         let parameters = mechanism.get().parameters();
-        let mut planned =
-            Self { mechanism, parameters, modes: zeros, t: at.t, states: [nothing; 2], good: 0, predicted: zeros };
+        let steps = M::model().plan.steps;
+        let mut planned = Self {
+            mechanism,
+            parameters,
+            modes: zeros,
+            t: at.t,
+            states: [nothing; 2],
+            good: 0,
+            before: f64::NAN,
+            anew: true,
+            iterates: steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_))),
+            predicted: zeros,
+        };
         planned.restart(at, q)?;
         Ok(planned)
     }
@@ -145,6 +163,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         }
         let before = core::mem::replace(&mut self.modes, modes);
         self.predicted.as_mut().copy_from_slice(q);
+        self.anew = true;
         if let Err(error) = self.solve(at) {
             self.modes = before;
             return Err(error);
@@ -171,9 +190,24 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         }
         if wild {
             self.predicted = *q;
+        } else if self.iterates {
+            self.predict_unknowns(h);
         }
         self.solve(at)?;
         Ok(self)
+    }
+
+    /// The unknowns of iterations, nearer.
+    fn predict_unknowns(&mut self, h: f64) {
+        let (now, before) = (&self.states[self.good], &self.states[1 - self.good]);
+        let of = |state: &Poses<M>, k: usize| [state.q.as_ref()[k], state.q_dot.as_ref()[k], state.q_ddot.as_ref()[k]];
+        for step in M::model().plan.steps {
+            let StepKind::Newton(unknowns) = step.kind else { continue };
+            for &(k, _) in step.coordinates.iter().take(unknowns) {
+                let beyond = predict::beyond_parabola(of(before, k), of(now, k), self.t - self.before, h);
+                self.predicted.as_mut()[k] += beyond;
+            }
+        }
     }
 
     /// Solves from the prediction.
@@ -194,8 +228,10 @@ impl<'m, M: Mechanism> Planned<'m, M> {
             margins.as_ref()[..plan.margins].iter().fold(true, |all, m| all & (*m > Plan::SMALLEST_MARGIN));
         let all = good_margins & finite(q.as_ref()) & finite(q_dot.as_ref()) & finite(q_ddot.as_ref());
         if !all || !at.t.is_finite() {
+            self.before = f64::NAN;
             return Err(self.explain(at));
         }
+        self.before = if core::mem::take(&mut self.anew) { f64::NAN } else { self.t };
         self.good = 1 - self.good;
         self.t = at.t;
         Ok(())
@@ -267,6 +303,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     fn mode_mut(&mut self, mode: ModeKey<'_>) -> Result<&mut f64, PlanError> {
         let modes = M::model().plan.modes;
         let place = mode.place(modes).ok_or(PlanError::UnknownMode { modes })?;
+        self.anew = true;
         self.modes.as_mut().get_mut(place).ok_or(PlanError::UnknownMode { modes })
     }
 

@@ -1,0 +1,64 @@
+//! Where iterations start: the quintic through the last two states, carried on.
+//!
+//! ```text
+//! q(t + h) ≈ q + h q̇ + ½ h² q̈ + x³ (c₃ + c₄ x + c₅ x²),   x = h/H
+//! ```
+//!
+//! H lies between the two states. The last term makes the quintic have q, q̇ and q̈ of the earlier one, too; its error is of
+//! sixth order in the step, so that one correction is enough where the parabola's third order takes two.
+
+/// How far ahead the quintic is carried on, in steps H, and how far back.
+const REACH: core::ops::RangeInclusive<f64> = -1.0..=2.0;
+
+/// Of what the parabola moves, how much the rest of the quintic may be: it is more where the motion is not smooth.
+const SMOOTH: f64 = 0.25;
+
+/// What the parabola lacks of the quintic, for q, q̇ and q̈ `before` and `now`; 0 where that means nothing.
+#[inline]
+pub(super) fn beyond_parabola(before: [f64; 3], now: [f64; 3], span: f64, h: f64) -> f64 {
+    let x = h / span;
+    if !REACH.contains(&x) {
+        return 0.0;
+    }
+    let [q, v, a] = now;
+    // What the parabola of now misses of the state before.
+    let r0 = before[0] - (q - span * (v - 0.5 * span * a));
+    let r1 = span * (before[1] - (v - span * a));
+    let r2 = span * span * (before[2] - a);
+    let c3 = -10.0 * r0 - 4.0 * r1 - 0.5 * r2;
+    let c4 = -15.0 * r0 - 7.0 * r1 - r2;
+    let c5 = -6.0 * r0 - 3.0 * r1 - 0.5 * r2;
+    let beyond = x * x * x * (c3 + x * (c4 + x * c5));
+    let moved = (h * v).abs() + (0.5 * h * h * a).abs();
+    if beyond.abs() <= SMOOTH * moved { beyond } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::beyond_parabola;
+
+    #[test]
+    fn a_quintic_is_met_to_the_last_digits() {
+        let at = |t: f64| {
+            let q = 1.0 + t * (0.5 - t * (0.3 + t * (0.2 - t * (0.7 + 0.1 * t))));
+            let v = 0.5 - t * (0.6 + t * (0.6 - t * (2.8 + 0.5 * t)));
+            let a = -0.6 - t * (1.2 - t * (8.4 + 2.0 * t));
+            [q, v, a]
+        };
+        for h in [0.05, 0.1, 0.19, -0.02, -0.1] {
+            let [q, v, a] = at(0.3);
+            let parabola = q + h * (v + 0.5 * h * a);
+            let found = parabola + beyond_parabola(at(0.2), [q, v, a], 0.1, h);
+            assert!((found - at(0.3 + h)[0]).abs() < 1e-14, "{h}: {found}");
+        }
+    }
+
+    #[test]
+    fn what_jumped_is_left_to_the_parabola() {
+        let now = [0.0, 1.0, 0.0];
+        assert_eq!(beyond_parabola([0.5, 1.0, 0.0], now, 0.1, 0.1), 0.0);
+        for span in [0.0, f64::NAN, -0.1, 0.01] {
+            assert_eq!(beyond_parabola([-0.1, 1.1, 0.1], now, span, 0.1), 0.0);
+        }
+    }
+}
