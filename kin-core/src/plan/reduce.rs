@@ -247,7 +247,7 @@ impl Reduction<'_> {
             _ => None,
         });
         let coordinates: BTreeSet<u32> = coordinates.collect();
-        let form = Reader::new(self.graph, self.probe, &coordinates).read(id);
+        let (form, _) = Reader::new(self.graph, self.probe, &coordinates).read(id);
         let [value, _] = *form.terms.get(&Key::default())?;
         let alone = form.rest.is_none() && form.terms.len() == 1;
         (alone && self.graph.depends(value).is_static()).then_some(value)
