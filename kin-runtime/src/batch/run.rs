@@ -37,7 +37,8 @@ pub struct Progress {
     pub total: usize,
 }
 
-/// Is told every few thousand configurations (every few motions in a sweep) how far the batch is, from any of the threads, and says whether to go on.
+/// Is told every few thousand configurations (every few motions in a sweep) how far the batch is, from any of the threads,
+/// and says whether to go on.
 pub type Watch<'a> = &'a (dyn Fn(Progress) -> ControlFlow<()> + Sync);
 
 /// Goes on.
