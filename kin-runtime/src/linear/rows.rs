@@ -11,9 +11,14 @@ pub(crate) struct Dependency {
     pub(crate) combination: Vec<(usize, f64)>,
 }
 
-/// Goes through the rows in order and finds those that depend on earlier ones (modified Gram–Schmidt, twice): a row
-/// whose remainder is below `tolerance` times its length is dependent; an empty row depends on none.
+/// Goes through the rows in order and finds those that depend on earlier ones (modified Gram–Schmidt, twice).
+///
+/// The rows are on the common scale. As for the rank of such a matrix, a row is dependent whose remainder is below
+/// `tolerance` times the length of the longest row or 1, however short it is itself: a row of rounding alone says nothing.
+/// A row that is as short before anything is taken from it depends on none.
 pub(crate) fn dependencies(a: &DMatrix<f64>, tolerance: f64) -> Vec<Dependency> {
+    let longest = a.row_iter().map(|row| row.norm()).fold(1.0, f64::max);
+    let negligible = tolerance * longest;
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let mut kept: Vec<usize> = Vec::new();
     // Column k holds basis vector k as a combination of the kept rows.
@@ -35,7 +40,9 @@ pub(crate) fn dependencies(a: &DMatrix<f64>, tolerance: f64) -> Vec<Dependency> 
             factors.iter_mut().zip(origin).for_each(|(f, o)| *f += projection * o);
         }
         let remainder = rest.norm();
-        if size == 0.0 || remainder <= tolerance * size {
+        if size <= negligible {
+            found.push(Dependency { row, combination: Vec::new() });
+        } else if remainder <= negligible {
             let largest = factors.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
             let combination = kept.iter().copied().zip(factors).filter(|(_, f)| f.abs() > 1e-6 * largest).collect();
             found.push(Dependency { row, combination });
@@ -73,6 +80,18 @@ mod tests {
         assert_eq!(found[0].row, 2);
         let [(0, first), (1, second)] = found[0].combination[..] else { panic!("{found:?}") };
         assert!((first - 2.0).abs() < 1e-12 && (second + 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_row_of_rounding_depends_on_none_and_says_nothing() {
+        // Once beside long rows, and once where nothing is longer.
+        for size in [1.0_f64, 1e3, 1e-3] {
+            let e = 1e-16 * size.max(1.0);
+            let a = DMatrix::from_row_slice(4, 3, &[size, 0.0, 0.0, e, -e, 2.0 * e, 0.0, size, size, 0.0, e, -e]);
+            let found = dependencies(&a, 1e-7);
+            let expected = [1, 3].map(|row| Dependency { row, combination: Vec::new() });
+            assert_eq!(found, expected, "{size}");
+        }
     }
 
     #[test]
