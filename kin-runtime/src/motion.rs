@@ -6,10 +6,9 @@
 use crate::equations::{Equations, finite};
 use crate::error::SolveError;
 use crate::mechanism::LengthError;
-use crate::model::{Body, Model, Observable, Point, Quantity};
+use crate::model::{Model, Observable, Point, Quantity};
 use crate::state::State;
 use crate::workspace::Instant;
-use core::fmt;
 use core::ops::Index;
 use nalgebra::DMatrix;
 
@@ -95,34 +94,42 @@ pub struct Motion {
     pub conditions: Vec<ConditionMotion>,
 }
 
-impl fmt::Debug for Motion {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Motion")
-            .field("model", &self.model.name)
-            .field("bodies", &self.bodies)
-            .field("points", &self.points)
-            .field("defines", &self.defines)
-            .field("joints", &self.joints)
-            .field("conditions", &self.conditions)
-            .finish()
-    }
+/// What reports on everything that a mechanism shows have in common: indices by handle, and how they are printed.
+macro_rules! report {
+    ($report:ty, body: $body:ty, point: $point:ty) => {
+        impl core::fmt::Debug for $report {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                f.debug_struct(stringify!($report))
+                    .field("model", &self.model.name)
+                    .field("bodies", &self.bodies)
+                    .field("points", &self.points)
+                    .field("defines", &self.defines)
+                    .field("joints", &self.joints)
+                    .field("conditions", &self.conditions)
+                    .finish()
+            }
+        }
+
+        impl core::ops::Index<$crate::model::Body> for $report {
+            type Output = $body;
+
+            fn index(&self, body: $crate::model::Body) -> &$body {
+                &self.bodies[body.0]
+            }
+        }
+
+        impl core::ops::Index<$crate::model::Point> for $report {
+            type Output = $point;
+
+            fn index(&self, point: $crate::model::Point) -> &$point {
+                &self.points[point.0]
+            }
+        }
+    };
 }
+pub(crate) use report;
 
-impl Index<Body> for Motion {
-    type Output = BodyMotion;
-
-    fn index(&self, body: Body) -> &BodyMotion {
-        &self.bodies[body.0]
-    }
-}
-
-impl Index<Point> for Motion {
-    type Output = PointMotion;
-
-    fn index(&self, point: Point) -> &PointMotion {
-        &self.points[point.0]
-    }
-}
+report!(Motion, body: BodyMotion, point: PointMotion);
 
 impl Index<Quantity> for Motion {
     type Output = Rates;

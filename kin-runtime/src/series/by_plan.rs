@@ -11,7 +11,7 @@ use super::next::Next;
 use super::orders::{HigherOrders, array};
 use super::start::Start;
 use crate::mechanism::LengthError;
-use crate::plan::{Depth, Solved};
+use crate::plan::{Depth, Plan, Solved};
 use crate::workspace::{Array, Instant};
 
 impl<M: PowerSeries> HigherOrders<'_, M> {
@@ -35,6 +35,29 @@ impl<M: PowerSeries> HigherOrders<'_, M> {
         let (parameters, factors) = (self.parameters.as_ref(), Some(&mut self.factors));
         self.mechanism.solve_and_factorise(parameters, at, modes, start, Depth::Acceleration, solved, factors)?;
         self.solve_all(at, &[], [q, q_dot, q_ddot])
+    }
+
+    /// All orders from the third on at a known position, velocity and acceleration; false where there is no plan, where
+    /// a block is singular or nearly so, and where something is no number.
+    pub(super) fn solve_at(
+        &mut self,
+        at: &Instant<'_>,
+        further: &[&[f64]],
+        known: [&[f64]; 3],
+    ) -> Result<bool, LengthError> {
+        self.mechanism.factorise_with(self.parameters.as_ref(), at, known[0], &mut self.factors)?;
+        if !self.is_regular() {
+            return Ok(false);
+        }
+        self.solve_all(at, further, known)?;
+        Ok(self.derivatives.iter().all(|derivative| derivative.as_ref().iter().all(|value| value.is_finite())))
+    }
+
+    /// True where there are factors, taken at a position, and all of them are far from singular.
+    pub(super) fn is_regular(&self) -> bool {
+        let (first, end) = M::REGULAR;
+        let margins = self.factors.as_ref().get(first..end).unwrap_or_default();
+        M::model().plan.exists() && margins.iter().all(|margin| *margin > Plan::SMALLEST_MARGIN)
     }
 
     /// All orders from the third on, with the factors that are there.

@@ -3,6 +3,7 @@
 use super::arithmetic::PowerSeries;
 use super::orders::{HigherOrders, Orders};
 use super::tape::Missing;
+use crate::by_plan;
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::linear::Factorization;
@@ -26,6 +27,9 @@ pub struct Derivatives {
     pub further: Vec<Vec<f64>>,
     /// q, q̇, q̈, q⃛, …: n numbers for every order, in the user's unit over the unit of time to that power.
     pub q: Vec<Vec<f64>>,
+    /// True where the orders from the third on were solved by the blocks of the plan; false where there are none, and
+    /// where a step of the plan says nothing at this configuration, so that Φ_q was factorised as a whole.
+    pub by_plan: bool,
 }
 
 impl Derivatives {
@@ -49,8 +53,10 @@ impl<M: PowerSeries> Solver<'_, M> {
     /// All derivatives of q up to `order` at a solved state: the third is jerk.
     ///
     /// Order after order is one more right-hand side for Φ_q q⁽ᵏ⁾ = …, with the factorisation that gives q̇ and q̈; see
-    /// [`series`](crate::series). Orders 0, 1, 2 are those of the state. Where degrees of freedom are left, every order
-    /// is the one of least norm, as q̇ and q̈ are.
+    /// [`series`](crate::series). Orders 0, 1, 2 are those of the state. The factors are those of the plan's blocks where
+    /// there is a plan and none of them is nearly singular; otherwise Φ_q is factorised as a whole
+    /// ([`Derivatives::by_plan`] says which). Where degrees of freedom are left, every order is the
+    /// one of least norm, as q̇ and q̈ are.
     ///
     /// Inputs are known with value, rate and acceleration, supplied functions as far as they say
     /// ([`ScalarFunction::derivatives`](crate::ScalarFunction::derivatives)): a higher order that needs more of them is
@@ -118,7 +124,12 @@ fn derivatives(
         equations.check(what, vector)?;
     }
     let mut q: Vec<Vec<f64>> = known.into_iter().take(order + 1).cloned().collect();
-    if order > 2 {
+    let mut by_plan = false;
+    if order > 2 && equations.options.use_plan && by_plan::exists(equations) {
+        by_plan = orders.solve_at(&state.instant(), further, known.map(Vec::as_slice))?;
+        q.extend((3..=order).map_while(|k| orders.derivative(k).filter(|_| by_plan)).map(<[f64]>::to_vec));
+    }
+    if order > 2 && !by_plan {
         equations.scale = Scale::around(equations, &state.q);
         let factor = factorize(equations, &state.q, None)?;
         orders.begin_with(&state.instant(), further, known.map(Vec::as_slice))?;
@@ -133,7 +144,7 @@ fn derivatives(
         }
     }
     let further = further.iter().map(|list| list.to_vec()).collect();
-    Ok(Derivatives { t: state.t, inputs: state.inputs.clone(), further, q })
+    Ok(Derivatives { t: state.t, inputs: state.inputs.clone(), further, q, by_plan })
 }
 
 /// q⁽ᵏ⁾ with Φ_q q⁽ᵏ⁾ = b, given b of the mechanism's own rows. That of prescribed coordinates is 0.

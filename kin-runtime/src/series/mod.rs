@@ -17,6 +17,9 @@
 //! of Φ's straight-line program carries four of everything, and every later one adds one, at a cost of O(k) for each
 //! operation that is not linear and O(1) for all others (Griewank and Walther, *Evaluating Derivatives*, 2008, chapter
 //! 13; Nedialkov and Pryce, *Solving Differential-Algebraic Equations by Taylor Series*, 2005).
+//!
+//! By the plan the first run begins with the sines and cosines that q was found with, and every order is solved with the
+//! factors of q̇ and q̈ ([`HigherOrders::solve_by_plan`]).
 
 mod arithmetic;
 #[cfg(feature = "std")]

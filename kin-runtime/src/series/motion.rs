@@ -6,11 +6,9 @@ use super::inputs::factorial;
 use super::orders::{HigherOrders, Orders};
 use crate::equations::{Equations, length};
 use crate::error::SolveError;
-use crate::model::{Body, Model, Point};
-use crate::motion::name;
+use crate::model::Model;
+use crate::motion::{name, report};
 use crate::solver::Solver;
-use core::fmt;
-use core::ops::Index;
 
 /// Derivatives of bodies, points, defines, joints and conditions at one instant, order by order.
 ///
@@ -33,34 +31,7 @@ pub struct MotionDerivatives {
     pub conditions: Vec<Vec<f64>>,
 }
 
-impl fmt::Debug for MotionDerivatives {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("MotionDerivatives")
-            .field("model", &self.model.name)
-            .field("bodies", &self.bodies)
-            .field("points", &self.points)
-            .field("defines", &self.defines)
-            .field("joints", &self.joints)
-            .field("conditions", &self.conditions)
-            .finish()
-    }
-}
-
-impl Index<Body> for MotionDerivatives {
-    type Output = [[f64; 3]];
-
-    fn index(&self, body: Body) -> &[[f64; 3]] {
-        &self.bodies[body.0]
-    }
-}
-
-impl Index<Point> for MotionDerivatives {
-    type Output = [[f64; 2]];
-
-    fn index(&self, point: Point) -> &[[f64; 2]] {
-        &self.points[point.0]
-    }
-}
+report!(MotionDerivatives, body: [[f64; 3]], point: [[f64; 2]]);
 
 impl<M: PowerSeries> Solver<'_, M> {
     /// Derivatives of bodies, points, defines and joints, to the order of those of q.

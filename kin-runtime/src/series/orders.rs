@@ -166,18 +166,18 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
     }
 
     /// Takes the factors of Φ_q by the blocks of the plan, at the instant and the q that it began with, for
-    /// [`solve`](Self::solve); false where there is no plan.
+    /// [`solve`](Self::solve); false where there is no plan, and where a block is singular or nearly so.
     ///
     /// # Errors
     /// When the inputs have the wrong length.
     pub fn factorise(&mut self, at: &Instant<'_>) -> Result<bool, LengthError> {
         self.mechanism.factorise_with(self.parameters.as_ref(), at, self.q.as_ref(), &mut self.factors)?;
-        Ok(M::model().plan.absent.is_none())
+        Ok(self.is_regular())
     }
 
     /// q⁽ᵏ⁾ with the factors of [`factorise`](Self::factorise), n numbers, to hand to [`advance`](Self::advance). As in
-    /// [`Mechanism::solve_factorised`] it is only good where Φ_q is not singular: where the margins of a solution by
-    /// the plan are positive.
+    /// [`Mechanism::solve_factorised`] it is only good where Φ_q is not singular: where
+    /// [`factorise`](Self::factorise) was true.
     ///
     /// # Errors
     /// When the vector has the wrong length.
@@ -251,6 +251,10 @@ pub(super) trait Orders {
     fn advance(&mut self, derivative: &[f64]) -> Result<(), LengthError>;
     /// What some coefficient would have needed.
     fn missing(&self) -> Option<Missing>;
+    /// [`HigherOrders::solve_at`].
+    fn solve_at(&mut self, at: &Instant<'_>, further: &[&[f64]], known: [&[f64]; 3]) -> Result<bool, LengthError>;
+    /// [`HigherOrders::derivative`].
+    fn derivative(&self, order: usize) -> Option<&[f64]>;
     /// The coefficients of all observables, order by order, where q is known with `q` to the highest order.
     fn observe(&mut self, at: &Instant<'_>, further: &[&[f64]], q: &[Vec<f64>]) -> Result<Vec<f64>, LengthError>;
 }
@@ -270,6 +274,14 @@ impl<M: PowerSeries> Orders for HigherOrders<'_, M> {
 
     fn missing(&self) -> Option<Missing> {
         self.missing
+    }
+
+    fn solve_at(&mut self, at: &Instant<'_>, further: &[&[f64]], known: [&[f64]; 3]) -> Result<bool, LengthError> {
+        HigherOrders::solve_at(self, at, further, known)
+    }
+
+    fn derivative(&self, order: usize) -> Option<&[f64]> {
+        HigherOrders::derivative(self, order)
     }
 
     fn observe(&mut self, at: &Instant<'_>, further: &[&[f64]], q: &[Vec<f64>]) -> Result<Vec<f64>, LengthError> {

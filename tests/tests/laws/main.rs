@@ -113,6 +113,11 @@ macro_rules! motion_laws {
         }
 
         #[test]
+        fn series_reach_the_motion() {
+            orders::series_reach_the_motion::<$Mechanism>($from, $to);
+        }
+
+        #[test]
         fn reported_orders_are_derivatives() {
             orders::reported_orders_are_derivatives::<$Mechanism>($from, $to);
         }

@@ -1,8 +1,8 @@
 //! Laws of derivatives above the second.
 
 use crate::motion::swept;
-use kin_runtime::model::Model;
-use kin_runtime::{Derivatives, Kinematics, MotionDerivatives, PowerSeries, SolveError, State};
+use kin_runtime::model::{Level, Model};
+use kin_runtime::{Derivatives, Kinematics, MotionDerivatives, Options, PowerSeries, SolveError, State};
 use kin_tests::compare::{Differences, largest};
 use kin_tests::mechanisms::signals;
 use kin_tests::stencil::Stencil;
@@ -57,6 +57,54 @@ pub(crate) fn third_and_fourth_are_derivatives<M: Kinematics + PowerSeries + Def
         }
     }
     differences.finish();
+}
+
+/// The highest order that is held against the motion.
+const HIGHEST: usize = 10;
+
+/// Taylor's formula with all orders reaches the positions around, as position analysis finds them; and every order is
+/// what it is with Φ_q factorised as a whole. Time is counted in the step at which the highest orders are as small as 1e-9
+/// of the coordinates.
+pub(crate) fn series_reach_the_motion<M: Kinematics + PowerSeries + Default>(from: f64, to: f64) {
+    let model = M::model();
+    let known = M::INPUTS == 0 && model.functions.is_empty();
+    if !known || model.rows.iter().any(|row| row.level == Level::Velocity) {
+        return;
+    }
+    let mechanism = M::default();
+    let whole = mechanism.solver().with_options(Options { use_plan: false, ..Options::default() });
+    for state in &swept(&mechanism, &[from, from + 0.4 * (to - from)]) {
+        if state.degrees_of_freedom_left > 0 {
+            return;
+        }
+        let found = mechanism.solver().derivatives(state, HIGHEST).unwrap();
+        let expected = whole.derivatives(state, HIGHEST).unwrap();
+        assert!(!expected.by_plan && (!found.by_plan || model.plan.exists()));
+        let size = largest(&state.q).max(1e-3);
+        let factorials: Vec<f64> = (0..=HIGHEST)
+            .scan(1.0, |f, k| {
+                *f *= k.max(1) as f64;
+                Some(*f)
+            })
+            .collect();
+        let root = |k: usize| (1e-9 * size * factorials[k] / largest(&found.q[k])).powf(1.0 / k as f64);
+        let h = (6..=HIGHEST).map(root).fold(0.1 * (to - from), f64::min);
+        for (order, (found, expected)) in found.q.iter().zip(&expected.q).enumerate() {
+            let part = h.powi(order as i32) / factorials[order];
+            let off = found.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) * part;
+            assert!(off <= 1e-12 * size, "order {order} at t = {}: {off:e} of {size:e}", state.t);
+        }
+        for h in [h, -h] {
+            let term = |k: usize, place: usize| found.q[k][place] * h.powi(k as i32) / factorials[k];
+            let series = (0..M::COORDINATES).map(|place| (0..=HIGHEST).rev().map(|k| term(k, place)).sum());
+            let series: Vec<f64> = series.collect();
+            let reached = mechanism.solver().position(&(state.t + h).into(), &series).unwrap().q;
+            for (place, (series, reached)) in series.iter().zip(&reached).enumerate() {
+                let name = model.coordinates[place].name;
+                assert!((series - reached).abs() <= 1e-9 * size, "{name} at {} + {h}: {series} {reached}", state.t);
+            }
+        }
+    }
 }
 
 /// Every observable with its name, order by order.

@@ -46,8 +46,13 @@ fn members_of_a_family_have_equal_right_hand_sides() {
 fn members_of_a_family_have_equal_points() {
     let of = |link: [f64; 3]| -> Vec<f64> { (0..LINKS).flat_map(|_| link).collect() };
     let orders = [[0.1, 0.2, 0.3], [0.5, -0.6, 0.7], [1.1, 0.9, -0.8], [0.2, -0.3, 0.4], [3.0, 2.0, 1.0]];
-    let derivatives =
-        Derivatives { t: 0.3, inputs: Vec::new(), further: Vec::new(), q: orders.into_iter().map(of).collect() };
+    let derivatives = Derivatives {
+        t: 0.3,
+        inputs: Vec::new(),
+        further: Vec::new(),
+        q: orders.into_iter().map(of).collect(),
+        by_plan: false,
+    };
     let motion = Chain::default().solver().motion_derivatives(&derivatives).unwrap();
     assert_eq!(LINKS, motion.points.len());
     assert!(motion.points.iter().all(|point| *point == motion.points[0]));

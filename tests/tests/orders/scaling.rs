@@ -3,7 +3,7 @@
 use allocation_counter::measure;
 use kin_runtime::plan::Solved;
 use kin_runtime::series::HigherOrders;
-use kin_runtime::{Instant, Kinematics, Mechanism, PowerSeries, mechanism};
+use kin_runtime::{Instant, Kinematics, Mechanism, Options, PowerSeries, SolveError, Solver, State, mechanism};
 use kin_tests::mechanisms::{AndrewsPins, Excavator, PlanetaryBasic, SleighKnifeEdge};
 
 /// Four bars with a crank that turns `omega` per unit of time.
@@ -105,6 +105,14 @@ fn instants_after_the_first_allocate_nothing() {
     allocates_nothing::<SleighKnifeEdge>();
 }
 
+/// All orders with Φ_q factorised as a whole.
+fn densely<M: PowerSeries>(mechanism: &M, state: &State, order: usize) -> Vec<Vec<f64>> {
+    let options = Options { use_plan: false, ..Options::default() };
+    let found = Solver::new(mechanism).with_options(options).derivatives(state, order).unwrap();
+    assert!(!found.by_plan);
+    found.q
+}
+
 /// All orders by the blocks of the plan, against those of the dense factorisation; nothing is allocated for them.
 fn plan_gives_the_same<M: Kinematics + PowerSeries + Default>() {
     let mechanism = M::default();
@@ -112,15 +120,19 @@ fn plan_gives_the_same<M: Kinematics + PowerSeries + Default>() {
     let mut x = vec![0.0; M::COORDINATES];
     for (number, t) in [0.2, 0.5, 0.9].into_iter().enumerate() {
         let state = mechanism.state_at(&t.into()).unwrap();
-        let expected = mechanism.derivatives(&state, 10).unwrap();
+        let expected = densely(&mechanism, &state, 10);
+        let by_plan = mechanism.derivatives(&state, 10).unwrap();
+        assert!(by_plan.by_plan);
         let counted = measure(|| {
             let at = Instant::at(t);
             orders.begin(&at, &state.q, &state.q_dot, &state.q_ddot).unwrap();
             assert!(orders.factorise(&at).unwrap());
-            for expected in &expected.q[3..] {
+            for (expected, by_plan) in expected[3..].iter().zip(&by_plan.q[3..]) {
                 orders.solve(&mut x).unwrap();
                 let size = expected.iter().fold(1.0_f64, |size, value| size.max(value.abs()));
                 let off = x.iter().zip(expected).map(|(x, e)| (x - e).abs()).fold(0.0, f64::max);
+                assert!(off <= 1e-11 * size, "{}, order {}: {off:e} of {size:e}", M::model().name, orders.order());
+                let off = by_plan.iter().zip(expected).map(|(x, e)| (x - e).abs()).fold(0.0, f64::max);
                 assert!(off <= 1e-11 * size, "{}, order {}: {off:e} of {size:e}", M::model().name, orders.order());
                 orders.advance(&x).unwrap();
             }
@@ -141,7 +153,7 @@ fn plan_gives_all_at_once<M: Kinematics + PowerSeries + Default>() {
         let mut orders = HigherOrders::new(&mechanism, highest);
         for (number, t) in [0.2, 0.5, 0.9].into_iter().enumerate() {
             let state = mechanism.state_at(&t.into()).unwrap();
-            let expected = mechanism.derivatives(&state, highest).unwrap().q;
+            let expected = densely(&mechanism, &state, highest);
             let at = Instant::at(t);
             mechanism.closures_with(parameters.as_ref(), &at, &state.q, &mut modes).unwrap();
             modes.iter_mut().for_each(|mode| *mode = mode.signum());
@@ -177,6 +189,24 @@ fn the_plan_gives_all_orders_at_once() {
 fn the_plan_solves_every_order() {
     plan_gives_the_same::<FourBar>();
     plan_gives_the_same::<Excavator>();
+}
+
+/// Where coupler and rocker are in line the plan's block is singular, and so is Φ_q: no order is a number then.
+#[test]
+fn singular_blocks_are_seen() {
+    let four_bar = FourBar::default();
+    let mut state = four_bar.state_at(&0.2.into()).unwrap();
+    let mut orders = HigherOrders::new(&four_bar, 4);
+    let at = Instant::at(state.t);
+    for (apart, good) in [(0.0, false), (1e-7, false), (1e-3, true), (std::f64::consts::PI, false)] {
+        state.q[8] = state.q[5] + apart;
+        orders.begin(&at, &state.q, &state.q_dot, &state.q_ddot).unwrap();
+        assert_eq!(good, orders.factorise(&at).unwrap(), "{apart}");
+        match four_bar.solver().derivatives(&state, 4) {
+            Ok(found) => assert!(good && found.by_plan, "{apart}"),
+            Err(error) => assert!(!good && matches!(error, SolveError::Singular { .. }), "{apart}: {error}"),
+        }
+    }
 }
 
 /// Where there is no plan nothing is solved.
