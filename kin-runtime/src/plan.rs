@@ -56,6 +56,10 @@ pub enum StepKind {
     Closure,
     /// An iteration over so many unknowns.
     Newton(usize),
+    /// Redundant rows, places in [`Model::rows`](crate::model::Model::rows), that all other steps do without, whole or but
+    /// for a sign that they decide. It gives no coordinate; a margin for each of them says whether the solution satisfies
+    /// it, too, with its velocities and accelerations as far as they are solved.
+    Watched(&'static [usize]),
 }
 
 /// A step of a plan.
@@ -93,6 +97,10 @@ impl Plan {
     /// margin: at this one about ten digits are left, and the sign of its mode is still certain.
     pub const SMALLEST_MARGIN: f64 = 1e-12;
 
+    /// By how much a redundant row may be missed, relative to the size of the mechanism and of its motion, before its
+    /// margin is 0; beside limits of other steps it is more, as far as rounding grows there.
+    pub const CONSISTENCY: f64 = 3e-11;
+
     /// No plan, and why.
     pub const fn absent(why: &'static str) -> Self {
         Self { steps: &[], modes: &[], margins: 0, absent: Some(why) }
@@ -101,6 +109,12 @@ impl Plan {
     /// True where there is a plan.
     pub const fn exists(&self) -> bool {
         self.absent.is_none()
+    }
+
+    /// The rows that the plan does without, places in [`Model::rows`](crate::model::Model::rows).
+    pub fn watched(&self) -> impl Iterator<Item = usize> + use<> {
+        let rows = |step: &'static PlanStep| if let StepKind::Watched(rows) = step.kind { rows } else { &[] };
+        self.steps.iter().flat_map(rows).copied()
     }
 
     /// The step that a margin belongs to.

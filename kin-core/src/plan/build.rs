@@ -9,9 +9,11 @@ use super::dense;
 use super::known::{Known, turned};
 use super::margins::Divisor;
 use super::rates::Rates;
+use super::reduce::Agreeing;
 use super::rewrite::Turned;
 use super::steps::Listed;
 use super::tree::{Block, Core, Pair, PairValue, Part, Pivot, Way};
+use super::watch::{Sizes, Watched};
 use crate::expr::{ExprId, Graph, Symbol, total_derivatives};
 use crate::hash::FastMap;
 use crate::program::Slot;
@@ -43,19 +45,39 @@ pub(super) struct Build<'a> {
     pub(super) divisors: Vec<Divisor>,
     /// The closures' indicators at a given q.
     pub(super) closures: Vec<ExprId>,
+    /// All margins so far.
+    pub(super) margins: Vec<ExprId>,
+    /// Rows that are left out, and sizes for them.
+    pub(super) watched: Vec<Watched>,
+    pub(super) sizes_of_watched: Option<Sizes>,
 }
 
 impl<'a> Build<'a> {
     pub(super) fn new(system: &'a KinematicSystem, graph: Graph, listed: Listed) -> Self {
         let known = Known::default();
         let (stages, pending, closures) = (vec![Stage::Closed(Vec::new())], Vec::new(), Vec::new());
-        Self { system, graph, known, stages, listed, iterations: 0, pending, divisors: Vec::new(), closures }
+        let (margins, watched, sizes_of_watched) = (Vec::new(), Vec::new(), None);
+        Self {
+            system,
+            graph,
+            known,
+            stages,
+            listed,
+            iterations: 0,
+            pending,
+            divisors: Vec::new(),
+            closures,
+            margins,
+            watched,
+            sizes_of_watched,
+        }
     }
 
-    /// All stages of q, q̇ and q̈; gives where those of q̇ and q̈ begin.
-    pub(super) fn all(&mut self, tree: &Block) -> [usize; 2] {
+    /// All stages of q, q̇ and q̈, watching the rows that are left out; gives where those of q̇ and q̈ begin.
+    pub(super) fn all(&mut self, tree: &Block, left_out: &[usize], agreeing: &[Agreeing]) -> [usize; 2] {
         self.block(tree);
         self.divisor_margins();
+        self.watch(left_out, agreeing);
         let mut starts = [0; 2];
         for (order, start) in starts.iter_mut().enumerate() {
             let right: Vec<ExprId> = (self.system.equations.iter())
@@ -63,14 +85,17 @@ impl<'a> Build<'a> {
                 .collect();
             let right: Vec<ExprId> = right.into_iter().map(|e| self.known_value(e)).collect();
             let right = if order == 0 { right.into_iter().map(|e| self.graph.neg(e)).collect() } else { right };
-            let (solution, margins) = self.rates(tree, right);
+            let (solution, margins) = self.rates(tree, right.clone());
             if order == 0 {
                 self.iteration_margins(&margins);
+                self.watch_positions();
             }
             *start = self.stages.len();
             let slot = |k| if order == 0 { Slot::Velocity(k) } else { Slot::Acceleration(k) };
             self.stages.push(Stage::Closed(solution.iter().enumerate().map(|(k, e)| (slot(k), *e)).collect()));
-            self.known.rates = (0..).zip(solution.into_iter().map(|e| self.graph.whole(e))).collect();
+            let solution: Vec<ExprId> = solution.into_iter().map(|e| self.graph.whole(e)).collect();
+            self.watch_rates(order, &right, &solution);
+            self.known.rates = (0..).zip(solution).collect();
         }
         self.number_margins();
         starts
@@ -95,7 +120,16 @@ impl<'a> Build<'a> {
         self.known.value(&mut self.graph, id)
     }
 
+    /// The value of a coordinate.
+    pub(super) fn value_of(&mut self, k: u32) -> ExprId {
+        let symbol = self.graph.symbol(Symbol::Coordinate(k));
+        self.known_value(symbol)
+    }
+
     pub(super) fn write(&mut self, slot: Slot, value: ExprId) {
+        if let Slot::Margin(_) = slot {
+            self.margins.push(value);
+        }
         match self.stages.last_mut() {
             Some(Stage::Closed(outputs)) => outputs.push((slot, value)),
             _ => self.stages.push(Stage::Closed(vec![(slot, value)])),

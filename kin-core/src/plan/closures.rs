@@ -7,13 +7,13 @@ use crate::expr::{ExprId, Graph, Node, Symbol};
 use crate::mechanism::Function;
 
 /// How much the terms of a difference count beside the difference: it is far smaller where digits are lost.
-const SHARE: f64 = 1e-6;
+pub(super) const SHARE: f64 = 1e-6;
 
 /// Added to sizes, so that 0 of 0 is a margin of 0.
 const LEAST: f64 = 1e-300;
 
 /// Σ tᵢ² of a sum, Σ tᵢ² Σ uⱼ² of a product; deeper than `depth` the square.
-fn squared_terms(graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {
+pub(super) fn squared_terms(graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {
     if depth == 0 {
         return graph.square(id);
     }

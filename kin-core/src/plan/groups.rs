@@ -54,7 +54,7 @@ pub(super) fn name_group(set: &ConstraintSet, step: &mut Step) {
     let joints = names(&step.joints);
     let carried = bodies.iter().any(|&body| set.bodies[body].carried_by.is_some());
     step.singular = match (step.kind, step.group.as_str()) {
-        (Kind::Explicit, _) => String::new(),
+        (Kind::Explicit | Kind::Watched, _) => String::new(),
         (Kind::Closure, "RRR") if walked && carried => format!("{joints} and the pins that carry origins on one line"),
         (Kind::Closure, "RRR") if walked => format!("{joints} on one line"),
         (Kind::Closure, "RRP") => "the link square to the guide".to_owned(),

@@ -10,10 +10,14 @@
 //! iteration, triads are left with two unknowns. Recognition works on the equations, not on the joints, so that a loop
 //! in free equations, with carried or held coordinates, `distance` and `point_on_line` comes to the same.
 //!
+//! Where rows are more than coordinates, the plan goes by as many as determine them (see `choice`) and watches the rest: a
+//! margin of each says whether what was solved satisfies it, too (see `watch`).
+//!
 //! Velocities and accelerations, and every other Φ_q x = b, go along the same tree (see `rates`).
 
 mod angles;
 mod build;
+mod choice;
 mod closures;
 mod dense;
 mod display;
@@ -31,19 +35,19 @@ mod run;
 mod sections;
 mod steps;
 mod tree;
+mod watch;
 
 pub use run::{Solution, closures, resolve, run};
 pub use sections::Section;
 pub use steps::{Kind, Mode, Step};
+pub use watch::TOLERANCE;
 
 use crate::constraint::Coordinate;
-use crate::expr::{ExprId, Graph, IdMap};
+use crate::expr::{ExprId, Graph};
 use crate::program::{Program, Slot, lower};
 use crate::system::KinematicSystem;
 use build::Build;
-use probe::Probe;
-use reduce::Reduction;
-use std::collections::BTreeSet;
+use choice::Chosen;
 use std::ops::Range;
 use steps::Listed;
 
@@ -110,33 +114,13 @@ fn planned(system: &KinematicSystem, rank: usize) -> Result<SolutionPlan, String
     if rank < n {
         return Err(format!("{s} rows of rank {rank} leave {} of {n} coordinates undetermined", n - rank));
     }
-    if s > n {
-        return Err(format!("{s} rows for {n} coordinates: some of them are redundant"));
-    }
     let mut graph = set.graph.clone();
-    let mut probe = Probe::new(n);
-    let all: Vec<usize> = (0..s).collect();
-    let mut reduction = Reduction {
-        graph: &mut graph,
-        probe: &mut probe,
-        rows: set.rows.iter().map(|row| row.phi).collect(),
-        made_of: all.iter().map(|&row| BTreeSet::from([row])).collect(),
-        replaced: BTreeSet::new(),
-        rewritten: IdMap::default(),
-    };
-    let determined = || "the rows do not determine all coordinates".to_owned();
-    let pattern = system.equations.iter().map(|equation| equation.phi_q.iter().map(|(k, _)| *k as usize).collect());
-    let pattern: Vec<Vec<usize>> = pattern.collect();
-    let mut tree = tree::Block::default();
-    for (rows, unknowns) in matching::blocks(&pattern, n).map_err(|_| determined())? {
-        let unknowns: BTreeSet<u32> = unknowns.into_iter().map(|k| k as u32).collect();
-        let block = reduction.block(&rows, &unknowns).ok_or_else(determined)?;
-        tree.parts.push(tree::Part::Block(block));
-    }
-    let made_of = std::mem::take(&mut reduction.made_of);
+    let chosen = choice::choose(system, &mut graph);
+    let Chosen { tree, made_of, left_out, agreeing, .. } =
+        chosen.ok_or_else(|| "the rows do not determine all coordinates".to_owned())?;
     let listed = Listed::new(system, &graph, &tree, &made_of);
     let mut build = Build::new(system, graph, listed);
-    let [velocity, acceleration] = build.all(&tree);
+    let [velocity, acceleration] = build.all(&tree, &left_out, &agreeing);
     let (resolve, regular) = build.resolve(&tree);
     let mut more = turns(&mut build.graph, system);
     let [turns, count] = [more.len(), regular.len()];

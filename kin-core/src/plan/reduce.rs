@@ -35,6 +35,19 @@ pub(super) struct Reduction<'a> {
     pub(super) replaced: BTreeSet<usize>,
     /// What the last substitution has rewritten.
     pub(super) rewritten: IdMap<ExprId>,
+    /// What was made of rows and of those beside them.
+    pub(super) agreeing: Vec<Agreeing>,
+}
+
+/// Two rows that turn one known vector, which give its angle without a choice where they agree on its length.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Agreeing {
+    /// The row, and the one that is left out.
+    pub(super) rows: [usize; 2],
+    /// Half the difference of the squared lengths that they see.
+    pub(super) difference: ExprId,
+    /// The squared length.
+    pub(super) square: ExprId,
 }
 
 /// An unknown that two rows had, what it is, and the row that holds without it.
@@ -60,8 +73,9 @@ impl Substitution for Replaced {
 }
 
 impl Reduction<'_> {
-    /// Reduces `rows` over `unknowns`; `None` where the rows do not determine them.
-    pub(super) fn block(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>) -> Option<Block> {
+    /// Reduces `rows` over `unknowns`; `None` where the rows do not determine them. Rows of `spare` are left out, but may
+    /// help: of coordinates of other blocks they hold only such as are known.
+    pub(super) fn block(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, spare: &[usize]) -> Option<Block> {
         let (mut rows, mut unknowns) = (rows.to_vec(), unknowns.clone());
         let mut out = Block::default();
         let mut forms: BTreeMap<usize, Form> = rows.iter().map(|&row| (row, self.form(row, &unknowns))).collect();
@@ -72,15 +86,21 @@ impl Reduction<'_> {
             rows.retain(|&other| other != row);
             unknowns.remove(&coordinate);
             self.rewritten.clear();
-            for &other in &rows {
+            for &other in rows.iter().chain(spare) {
                 // What cancels out of a row is no longer written in it.
-                if self.has(&forms[&other], coordinate) {
+                let holds = match forms.get(&other) {
+                    Some(form) => self.has(form, coordinate),
+                    None => !self.written(other, &BTreeSet::from([coordinate])).is_empty(),
+                };
+                if holds {
                     let mut replaced = Replaced { coordinate, value };
                     self.rows[other] = rewrite(self.graph, self.rows[other], &mut self.rewritten, &mut replaced);
                     let own = self.made_of[row].clone();
                     self.made_of[other].extend(own);
-                    let form = self.form(other, &unknowns);
-                    forms.insert(other, form);
+                    if rows.contains(&other) {
+                        let form = self.form(other, &unknowns);
+                        forms.insert(other, form);
+                    }
                 }
             }
             out.pivots.push(Pivot { row, coordinate, coefficient, value });
@@ -93,15 +113,25 @@ impl Reduction<'_> {
                 found.iter().filter_map(|k| places.binary_search(k).ok()).collect()
             })
             .collect();
+        let mut spare: Vec<(usize, BTreeSet<u32>)> =
+            spare.iter().map(|&row| (row, self.written(row, &unknowns))).collect();
         for (part_rows, part_unknowns) in blocks(&held, places.len()).ok()? {
             let part_rows: Vec<usize> = part_rows.into_iter().map(|place| rows[place]).collect();
             let part_unknowns: BTreeSet<u32> = part_unknowns.into_iter().map(|place| places[place]).collect();
-            out.parts.push(self.part(&part_rows, &part_unknowns)?);
+            // What a spare row is good for is the part that solves for the last of its coordinates.
+            spare.iter_mut().for_each(|(_, open)| open.retain(|k| !part_unknowns.contains(k)));
+            let known =
+                spare.iter().filter(|(row, open)| open.is_empty() && !self.written(*row, &part_unknowns).is_empty());
+            let known: Vec<usize> = known.map(|(row, _)| *row).collect();
+            out.parts.push(self.part(&part_rows, &part_unknowns, &known)?);
         }
         Some(out)
     }
 
-    fn part(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>) -> Option<Part> {
+    fn part(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, spare: &[usize]) -> Option<Part> {
+        if let Some(pair) = spare.iter().find_map(|&spare| self.agreeing(rows, spare, unknowns)) {
+            return Some(Part::Pair(Box::new(pair)));
+        }
         // Coordinates of other parts are known here.
         let forms: BTreeMap<usize, Form> = rows.iter().map(|&row| (row, self.form(row, unknowns))).collect();
         let way = recognise(&mut Reader::new(self.graph, self.probe, unknowns), rows, &forms);
@@ -141,7 +171,9 @@ impl Reduction<'_> {
         let rest: Vec<usize> = rows.iter().copied().filter(|&other| other != second).collect();
         let mut unknowns = unknowns.clone();
         unknowns.remove(&coordinate);
-        let inner = self.block(&rest, &unknowns)?;
+        let free = |&row: &usize| self.written(row, &BTreeSet::from([coordinate])).is_empty();
+        let spare: Vec<usize> = spare.iter().copied().filter(free).collect();
+        let inner = self.block(&rest, &unknowns, &spare)?;
         Some(Part::Pair(Box::new(Pair { rows: pair_rows, coordinate, value, exchanges, inner })))
     }
 
@@ -155,8 +187,8 @@ impl Reduction<'_> {
             }
             for &coordinate in written.difference(&left) {
                 let mut replaced = Replaced { coordinate, value: self.graph.zero() };
-                self.rewritten.clear();
-                self.rows[row] = rewrite(self.graph, self.rows[row], &mut self.rewritten, &mut replaced);
+                // Not in what a substitution under way has rewritten.
+                self.rows[row] = rewrite(self.graph, self.rows[row], &mut IdMap::default(), &mut replaced);
             }
         }
     }
@@ -179,6 +211,25 @@ impl Reduction<'_> {
             });
             found.collect()
         })
+    }
+
+    /// The unknowns that stand in a row, also those that would cancel out of it.
+    fn written(&self, row: usize, unknowns: &BTreeSet<u32>) -> BTreeSet<u32> {
+        self.unknowns(&Form { rest: Some(self.rows[row]), ..Form::default() }, unknowns)
+    }
+
+    /// A row of one angle with a spare one: together they say it without a choice, and never too little.
+    fn agreeing(&mut self, rows: &[usize], spare: usize, unknowns: &BTreeSet<u32>) -> Option<Pair> {
+        let &[first] = rows else { return None };
+        let rows = [first, spare];
+        if unknowns.len() != 1 || rows.iter().any(|row| self.replaced.contains(row)) {
+            return None;
+        }
+        let forms: BTreeMap<usize, Form> = rows.iter().map(|&row| (row, self.form(row, unknowns))).collect();
+        let Eliminated { rows, coordinate, value, row, exchanges } = self.norm(&rows, unknowns, &forms)?;
+        let PairValue::Angle { square: Some(square), .. } = value else { return None };
+        self.agreeing.push(Agreeing { rows, difference: row, square });
+        Some(Pair { rows, coordinate, value, exchanges, inner: Block::default() })
     }
 
     /// The row and the coordinate that are best taken out next: a coefficient of ±1 before other numbers before

@@ -18,6 +18,8 @@ pub enum Kind {
     Closure,
     /// An iteration over so many unknowns.
     Newton(usize),
+    /// Rows that the steps do without: they give nothing, and their margins say whether they are satisfied.
+    Watched,
 }
 
 /// A step of a plan.
@@ -37,7 +39,8 @@ pub struct Step {
     pub margins: core::ops::Range<usize>,
     /// When it is singular.
     pub singular: String,
-    pub(super) rows: BTreeSet<usize>,
+    /// The rows of Φ that it is made of.
+    pub rows: BTreeSet<usize>,
     /// The bodies of its group, while it is being named.
     pub(super) bodies: BTreeSet<usize>,
     /// What its equations are, whatever they were written as.
@@ -146,7 +149,7 @@ impl Listed {
         };
         let coordinates = core.coordinates.iter().enumerate().map(|(place, &k)| (k, joint(place))).collect();
         self.of_cores.push(self.steps.len());
-        let step = new_step(system, kind, rows, coordinates);
+        let step = new_step(&system.set, kind, rows, coordinates);
         self.steps.push(Step { closed_as: letters_of_way(&core.way), ..step });
     }
 
@@ -169,7 +172,7 @@ impl Listed {
             return;
         }
         self.of_attached.push(last);
-        self.steps.push(new_step(system, Kind::Explicit, BTreeSet::from([row]), vec![(coordinate, joint)]));
+        self.steps.push(new_step(&system.set, Kind::Explicit, BTreeSet::from([row]), vec![(coordinate, joint)]));
     }
 
     /// The step of the next core.
@@ -207,6 +210,20 @@ impl Listed {
         places
     }
 
+    /// The steps of rows that are left out, joint by joint, in the order of `rows`.
+    pub(super) fn watched(&mut self, set: &ConstraintSet, rows: &[usize]) -> Vec<usize> {
+        let mut steps: Vec<usize> = Vec::new();
+        for &row in rows {
+            let joint = set.rows[row].joint;
+            match steps.last().map(|&step| &mut self.steps[step]) {
+                Some(step) if step.joints == [joint] => _ = step.rows.insert(row),
+                _ => self.steps.push(new_step(set, Kind::Watched, BTreeSet::from([row]), Vec::new())),
+            }
+            steps.push(self.steps.len() - 1);
+        }
+        steps
+    }
+
     /// A new mode of a step.
     pub(super) fn mode(&mut self, system: &KinematicSystem, step: usize, margin: usize) -> usize {
         let names = self.steps[step].joints.iter().map(|&joint| system.set.joints[joint].name.as_str());
@@ -223,8 +240,8 @@ impl Listed {
     }
 }
 
-fn new_step(system: &KinematicSystem, kind: Kind, rows: BTreeSet<usize>, coordinates: Vec<(u32, usize)>) -> Step {
-    let mut joints: Vec<usize> = rows.iter().map(|&row| system.set.rows[row].joint).collect();
+fn new_step(set: &ConstraintSet, kind: Kind, rows: BTreeSet<usize>, coordinates: Vec<(u32, usize)>) -> Step {
+    let mut joints: Vec<usize> = rows.iter().map(|&row| set.rows[row].joint).collect();
     joints.dedup();
     Step {
         kind,

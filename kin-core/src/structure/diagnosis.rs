@@ -10,7 +10,7 @@ use crate::system::KinematicSystem;
 use core::fmt;
 
 /// Draws that a redundant row has to survive.
-const DRAWS: [u64; 3] = [0x6b69_6e31, 0x6b69_6e32, 0x6b69_6e33];
+pub(super) const DRAWS: [u64; 3] = [0x6b69_6e31, 0x6b69_6e32, 0x6b69_6e33];
 
 /// A row that repeats, or contradicts, what other rows say: together they depend on one another at every pose and for
 /// all dimensions.
@@ -76,33 +76,75 @@ pub fn diagnose(system: &KinematicSystem) -> Structure {
     others.fold(first, |best, other| if other.rank > best.rank { other } else { best })
 }
 
+/// Φ_q at a drawn pose, row by row.
+pub(super) struct Drawn<'a> {
+    system: &'a KinematicSystem,
+    rows: Vec<Row>,
+    /// Entries per column.
+    weights: Vec<usize>,
+}
+
+impl<'a> Drawn<'a> {
+    pub(super) fn new(system: &'a KinematicSystem, draw: Draw) -> Self {
+        let set = &system.set;
+        let turns = Turns::new(system, draw);
+        let places = Places::new(system, &turns, draw);
+        let mut residues = Residues::new(set, &turns, &places, draw);
+        let rows: Vec<Row> = (0..set.rows.len()).map(|row| partials::row(system, &mut residues, row)).collect();
+        let mut weights = vec![0; set.coordinates.len()];
+        rows.iter().flatten().for_each(|(column, _)| weights[*column] += 1);
+        Self { system, rows, weights }
+    }
+
+    /// Goes through the rows by ascending key, those of one key in order of declaration; `seen` is told every row with
+    /// the rank so far. Gives the rows that add no rank.
+    pub(super) fn redundant<K: Ord>(
+        &self,
+        key: impl Fn(usize) -> K,
+        mut seen: impl FnMut(usize, usize),
+    ) -> Vec<Redundancy> {
+        let columns = self.weights.len();
+        let mut elimination = Elimination::new(self.weights.clone());
+        let mut order: Vec<usize> = (0..self.rows.len()).collect();
+        order.sort_by_key(|&row| key(row));
+        let mut redundant = Vec::new();
+        for row in order {
+            if let Err(combination) = elimination.push(row, &self.rows[row], columns) {
+                let circuit = combination.into_iter().map(|(row, _)| row).collect();
+                redundant.push(Redundancy { row, circuit });
+            }
+            seen(row, elimination.rank());
+        }
+        redundant
+    }
+
+    /// The rank of some rows.
+    pub(super) fn rank_of(&self, rows: &[usize]) -> usize {
+        let columns = self.weights.len();
+        let mut elimination = Elimination::new(self.weights.clone());
+        rows.iter().filter(|&&row| elimination.push(row, &self.rows[row], columns).is_ok()).count()
+    }
+
+    /// Driving rows come last here, so that it is they that are superfluous.
+    pub(super) fn drivers_last(&self) -> impl Fn(usize) -> (bool, bool) + use<'_> {
+        |row| (self.system.classes[row].driving, !self.system.classes[row].holonomic)
+    }
+}
+
 /// The structure as one draw shows it.
 fn at(system: &KinematicSystem, draw: Draw) -> Structure {
-    let set = &system.set;
-    let turns = Turns::new(system, draw);
-    let places = Places::new(system, &turns, draw);
-    let mut residues = Residues::new(set, &turns, &places, draw);
-    let rows: Vec<Row> = (0..set.rows.len()).map(|row| partials::row(system, &mut residues, row)).collect();
-    let mut weights = vec![0; set.coordinates.len()];
-    rows.iter().flatten().for_each(|(column, _)| weights[*column] += 1);
-    let columns = weights.len();
-    let mut elimination = Elimination::new(weights);
-    let mut structure = Structure { coordinates: columns, rows: rows.len(), ..Structure::default() };
-    let mut order: Vec<usize> = (0..rows.len()).collect();
-    order.sort_by_key(|&row| (system.classes[row].driving, !system.classes[row].holonomic));
-    for row in order {
-        if let Err(combination) = elimination.push(row, &rows[row], columns) {
-            let circuit = combination.into_iter().map(|(row, _)| row).collect();
-            structure.redundant.push(Redundancy { row, circuit });
-        }
-        structure.rank = elimination.rank();
+    let drawn = Drawn::new(system, draw);
+    let (coordinates, rows) = (drawn.weights.len(), drawn.rows.len());
+    let mut structure = Structure { coordinates, rows, ..Structure::default() };
+    let redundant = drawn.redundant(drawn.drivers_last(), |row, rank| {
+        structure.rank = rank;
         let class = system.classes[row];
         if !class.driving {
-            structure.rank_without_driving = structure.rank;
+            structure.rank_without_driving = rank;
             if class.holonomic {
-                structure.rank_of_position = structure.rank;
+                structure.rank_of_position = rank;
             }
         }
-    }
-    structure
+    });
+    Structure { redundant, ..structure }
 }

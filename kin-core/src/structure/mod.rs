@@ -20,7 +20,9 @@ mod partials;
 mod place;
 mod rank;
 mod residue;
+mod spare;
 pub(crate) mod turn;
 
 pub use diagnosis::{Redundancy, Structure, diagnose};
 pub use message::explain;
+pub(crate) use spare::Spare;

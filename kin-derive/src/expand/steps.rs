@@ -22,6 +22,10 @@ fn step(step: &Step, [joints, coordinates, modes, margins]: [&TokenStream; 4]) -
         Kind::Linear(n) => quote! { __kin::StepKind::Linear(#n) },
         Kind::Closure => quote! { __kin::StepKind::Closure },
         Kind::Newton(n) => quote! { __kin::StepKind::Newton(#n) },
+        Kind::Watched => {
+            let rows = step.rows.iter();
+            quote! { __kin::StepKind::Watched(&[#(#rows),*]) }
+        }
     };
     let (group, singular) = (&step.group, &step.singular);
     quote! {
@@ -62,7 +66,8 @@ struct Alike<'p>(&'p Step);
 impl PartialEq for Alike<'_> {
     fn eq(&self, other: &Self) -> bool {
         let (step, other) = (self.0, other.0);
-        step.kind == other.kind && step.group == other.group && step.singular == other.singular
+        let alike = step.kind == other.kind && step.group == other.group && step.singular == other.singular;
+        alike && (step.kind != Kind::Watched || step.rows == other.rows)
     }
 }
 

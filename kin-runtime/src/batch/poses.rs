@@ -18,6 +18,9 @@ pub(super) struct Poses<M: Mechanism> {
     pub(super) good: [bool; Lanes::COUNT],
 }
 
+/// For every lane the first margin that is not good, its place and its value.
+pub(super) type Limits = [Option<(usize, f64)>; Lanes::COUNT];
+
 /// What a block is solved at.
 pub(super) struct Question<'b> {
     pub(super) parameters: &'b [Lanes],
@@ -45,8 +48,8 @@ impl<M: Mechanism> Poses<M> {
 
     /// Solves the block. Lanes that are not good mean nothing afterwards, and their margin is a number.
     #[inline(always)]
-    pub(super) fn solve(&mut self, mechanism: &M, question: &Question<'_>) {
-        let mut margins = M::Coordinates::<Lanes>::generate(|_| Lanes::default());
+    pub(super) fn solve(&mut self, mechanism: &M, question: &Question<'_>) -> Limits {
+        let mut margins = M::Rows::<Lanes>::generate(|_| Lanes::default());
         let margins = &mut margins.as_mut()[..M::model().plan.margins];
         let sum = self.ask(mechanism, question, margins);
         self.margin = margins.iter().fold(1.0.into(), |least: Lanes, margin| least.least(*margin));
@@ -54,9 +57,10 @@ impl<M: Mechanism> Poses<M> {
         // sizes is finite where they are.
         let far = (self.margin - 1.0.into()).is_within(1.0 - 2.0 * Plan::SMALLEST_MARGIN);
         self.good = [true; Lanes::COUNT];
-        if !(far & sum.is_within(f64::MAX)) {
-            self.judge(mechanism, question, margins);
+        if far & sum.is_within(f64::MAX) {
+            return [None; Lanes::COUNT];
         }
+        self.judge(mechanism, question, margins)
     }
 
     /// Asks the plan, and gives the sum of the sizes of all numbers.
@@ -75,22 +79,24 @@ impl<M: Mechanism> Poses<M> {
     /// Lane by lane, where one of them may be bad.
     #[cold]
     #[inline(never)]
-    fn judge(&mut self, mechanism: &M, question: &Question<'_>, margins: &mut [Lanes]) {
-        for lane in 0..Lanes::COUNT {
-            self.judge_lane(question, margins, lane);
+    fn judge(&mut self, mechanism: &M, question: &Question<'_>, margins: &mut [Lanes]) -> Limits {
+        let mut limits = [None; Lanes::COUNT];
+        for (lane, limit) in limits.iter_mut().enumerate() {
+            *limit = self.judge_lane(question, margins, lane);
         }
         // An iteration goes on until all lanes have converged: one that does not makes all of them fail.
         let iterates = M::model().plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)));
         if iterates {
-            for lane in 0..Lanes::COUNT {
+            for (lane, limit) in limits.iter_mut().enumerate() {
                 if !self.good[lane] {
-                    self.alone(mechanism, question, margins, lane);
+                    *limit = self.alone(mechanism, question, margins, lane);
                 }
             }
         }
+        limits
     }
 
-    fn judge_lane(&mut self, question: &Question<'_>, margins: &[Lanes], lane: usize) {
+    fn judge_lane(&mut self, question: &Question<'_>, margins: &[Lanes], lane: usize) -> Option<(usize, f64)> {
         let of = |x: &Lanes| x.to_array()[lane];
         let finite = |numbers: &[Lanes]| numbers.iter().all(|x| of(x).is_finite());
         let margin = margins.iter().map(of).fold(1.0, f64::min);
@@ -99,10 +105,17 @@ impl<M: Mechanism> Poses<M> {
         self.good[lane] = numbers && known && margin > Plan::SMALLEST_MARGIN;
         let margin = if known && margin.is_finite() { margin } else { 0.0 };
         set(&mut self.margin, lane, margin);
+        margins.iter().map(of).enumerate().find(|(_, margin)| *margin <= Plan::SMALLEST_MARGIN)
     }
 
     /// One lane in all lanes, so that no other stands in its way.
-    fn alone(&mut self, mechanism: &M, question: &Question<'_>, margins: &mut [Lanes], lane: usize) {
+    fn alone(
+        &mut self,
+        mechanism: &M,
+        question: &Question<'_>,
+        margins: &mut [Lanes],
+        lane: usize,
+    ) -> Option<(usize, f64)> {
         let spread = |x: &Lanes| Lanes::from(x.to_array()[lane]);
         let mut parameters = M::Parameters::<Lanes>::generate(|_| Lanes::default());
         let [mut modes, mut start] = [M::Coordinates::<Lanes>::generate(|_| Lanes::default()); 2];
@@ -120,12 +133,13 @@ impl<M: Mechanism> Poses<M> {
         };
         let mut poses = Self::nothing();
         poses.ask(mechanism, &own, margins);
-        poses.judge_lane(&own, margins, lane);
+        let limit = poses.judge_lane(&own, margins, lane);
         if poses.good[lane] {
             self.copy_lane(&poses, lane, lane);
         }
         set(&mut self.margin, lane, poses.margin.to_array()[lane]);
         self.good[lane] = poses.good[lane];
+        limit
     }
 
     /// What is in lane `from` of `other` into lane `to`.

@@ -112,7 +112,7 @@ where
             // What an earlier batch has left there is not an answer to this one.
             (out.q_dot, out.q_ddot) = (zeros::<M>(), zeros::<M>());
         }
-        out.solve(self.mechanism, &Question { parameters, at, modes, start, depth });
+        let _ = out.solve(self.mechanism, &Question { parameters, at, modes, start, depth });
         out.clear_bad();
     }
 }

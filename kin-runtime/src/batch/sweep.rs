@@ -3,11 +3,12 @@
 use super::BatchError;
 use super::column::{Arguments, Column, Configurations, check_list, check_signals};
 use super::modes::Modes;
-use super::poses::{Poses, Question, copy_lane};
+use super::poses::{Limits, Poses, Question, copy_lane};
 use super::run::{Watch, Work, blocks, run};
 use crate::lanes::Lanes;
 use crate::mechanism::Mechanism;
 use crate::plan::Depth;
+use crate::planned::{Limit, Step};
 use crate::scalar::Scalar;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
@@ -41,6 +42,10 @@ pub struct End {
     /// The smallest margin there: 0 or less where a group is at its limit or beyond it; 0, too, where it is not a finite
     /// number. Positive where every group closes and another number is not finite.
     pub margin: f64,
+    /// The first step of the plan that has no answer there, with its margin: a group that is at its limit or cannot close,
+    /// by its joints, an iteration that does not converge, redundant rows that contradict. None where a number is not finite
+    /// for another reason.
+    pub limit: Option<Limit>,
 }
 
 /// A block of sets at one instant.
@@ -172,8 +177,8 @@ where
                 lanes.predict(t - before);
             }
             before = t;
-            lanes.solve(self.mechanism, at);
-            if lanes.poses.good != [true; Lanes::COUNT] && !lanes.mask(instant, ends) {
+            let limits = lanes.solve(self.mechanism, at);
+            if lanes.poses.good != [true; Lanes::COUNT] && !lanes.mask(instant, &limits, ends) {
                 return;
             }
             let Motion { parameters, poses, .. } = &lanes;
@@ -242,21 +247,23 @@ impl<M: Mechanism> Motion<M> {
     }
 
     #[inline(always)]
-    fn solve(&mut self, mechanism: &M, at: Instant<'_, Lanes>) {
+    fn solve(&mut self, mechanism: &M, at: Instant<'_, Lanes>) -> Limits {
         let modes = &self.modes.as_ref()[..M::model().plan.modes.len()];
         let (parameters, start) = (self.parameters.as_ref(), self.predicted.as_ref());
-        self.poses.solve(mechanism, &Question { parameters, at, modes, start, depth: Depth::Acceleration });
+        self.poses.solve(mechanism, &Question { parameters, at, modes, start, depth: Depth::Acceleration })
     }
 
     /// Ends the lanes that are not good, and lets them repeat one that is; false where there is none.
     #[cold]
     #[inline(never)]
-    fn mask(&mut self, instant: usize, ends: &mut [Option<End>; Lanes::COUNT]) -> bool {
+    fn mask(&mut self, instant: usize, limits: &Limits, ends: &mut [Option<End>; Lanes::COUNT]) -> bool {
         let good = self.poses.good;
         let margins = self.poses.margin.to_array();
         for lane in 0..Lanes::COUNT {
             if !good[lane] {
-                ends[lane].get_or_insert(End { instant, margin: margins[lane] });
+                let limit = |(place, margin)| Step::of_margin(M::model(), place).map(|step| Limit { step, margin });
+                let limit = limits[lane].and_then(limit);
+                ends[lane].get_or_insert(End { instant, margin: margins[lane], limit });
             }
         }
         let Some(other) = (0..Lanes::COUNT).find(|lane| ends[*lane].is_none()) else { return false };
@@ -314,7 +321,9 @@ impl<M: Mechanism> Motion<M> {
 /// let turning = out.scores(|sum| *sum).zip(out.ends()).filter(|(_, end)| end.is_none());
 /// let calmest = turning.map(|(sum, _)| sum).fold(f64::INFINITY, f64::min);
 /// assert!(calmest > 0.0 && calmest.is_finite());
-/// assert!(out.ends().last().flatten().is_some_and(|end| end.margin < 0.0));
+/// let end = out.ends().last().flatten().expect("the last coupler does not close all the way");
+/// assert!(end.margin < 0.0);
+/// assert_eq!(end.limit.map(|limit| limit.step.to_string()).as_deref(), Some("dyad RRR of A, B, D"));
 /// # Ok::<(), kin_runtime::batch::BatchError>(())
 /// ```
 ///

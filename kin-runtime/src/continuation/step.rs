@@ -171,7 +171,7 @@ fn planned(
     if modes.contains(&0.0) {
         return Err(None);
     }
-    let rated = !equations.is_frozen() && equations.rows() == equations.coordinates();
+    let rated = !equations.is_frozen();
     answer.solve(equations, modes, predicted, if rated { Depth::Acceleration } else { Depth::Position })?;
     q.clone_from(&answer.q);
     fill(travel, q.iter().zip(predicted.iter()).map(|(a, b)| a - b));

@@ -2,7 +2,7 @@
 
 use super::step::Step;
 use crate::mechanism::LengthError;
-use crate::plan::ModeInfo;
+use crate::plan::{ModeInfo, Plan};
 use core::fmt;
 
 /// Where a group of a plan stands beside its limit.
@@ -16,9 +16,25 @@ pub struct Limit {
     pub margin: f64,
 }
 
+impl Limit {
+    /// By how much redundant rows contradict the others, relative to the size of the mechanism or of its motion; none
+    /// where the step is not of that kind. It is [`Plan::CONSISTENCY`] √(1 − margin), which far from limits of other steps
+    /// is what the row that is missed most is missed by.
+    pub fn contradiction(&self) -> Option<f64> {
+        let square = 1.0 - self.margin;
+        if !self.step.is_watched() || !square.is_finite() {
+            return None;
+        }
+        Some(Plan::CONSISTENCY * crate::scalar::Scalar::sqrt(square.max(0.0)))
+    }
+}
+
 impl fmt::Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { step, margin } = self;
+        if let Some(miss) = self.contradiction() {
+            return write!(f, "{step} missed by {miss:.1e} of the mechanism's size and motion: margin {margin:.3e}");
+        }
         let what = match (step.closes(), *margin < 0.0) {
             (true, true) => "cannot close",
             (true, false) => "is at its limit",
@@ -52,6 +68,14 @@ pub enum PlanError {
         /// The step and its margin.
         limit: Limit,
     },
+    /// Redundant rows contradict the rows that the plan goes by: there is no configuration with these parameters, or no
+    /// velocity or acceleration.
+    Contradiction {
+        /// Time.
+        t: f64,
+        /// The rows, and by how much: see [`Limit::contradiction`].
+        limit: Limit,
+    },
     /// NaN or infinity in an argument, a parameter or a result.
     NonFinite {
         /// Where: `q`, `t`, `parameters`, `inputs`, `margins`, ….
@@ -76,7 +100,7 @@ impl PlanError {
     /// The step that stands in the way, with its margin.
     pub const fn limit(&self) -> Option<&Limit> {
         match self {
-            Self::Limit { limit, .. } | Self::Singular { limit, .. } => Some(limit),
+            Self::Limit { limit, .. } | Self::Singular { limit, .. } | Self::Contradiction { limit, .. } => Some(limit),
             _ => None,
         }
     }
@@ -92,7 +116,9 @@ impl fmt::Display for PlanError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoPlan { why } => write!(f, "no plan because {why}"),
-            Self::Limit { t, limit } | Self::Singular { t, limit } => write!(f, "at t = {t}, {limit}"),
+            Self::Limit { t, limit } | Self::Singular { t, limit } | Self::Contradiction { t, limit } => {
+                write!(f, "at t = {t}, {limit}")
+            }
             Self::NonFinite { what, index, name, t } => {
                 write!(f, "{what}[{index}]")?;
                 if !name.is_empty() {

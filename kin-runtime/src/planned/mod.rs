@@ -37,7 +37,7 @@ use crate::workspace::Array;
 ///
 /// Nothing else is checked: [`Tracker`](crate::Tracker) and [`Solver::sweep`](crate::Solver::sweep) hold every answer
 /// against Φ, walk long ways in steps and change over to full Newton where a plan is singular. Redundant rows
-/// (`allow_redundant`) that contradict one another go unseen here.
+/// (`allow_redundant`) have margins of their own, which say when they contradict the others.
 ///
 /// ```
 /// use kin_runtime::{Instant, Kinematics, mechanism};
@@ -91,8 +91,8 @@ struct Poses<M: Mechanism> {
     q: M::Coordinates<f64>,
     q_dot: M::Coordinates<f64>,
     q_ddot: M::Coordinates<f64>,
-    /// There are never more margins than coordinates.
-    margins: M::Coordinates<f64>,
+    /// There are never more margins than rows.
+    margins: M::Rows<f64>,
 }
 
 impl<M: Mechanism> Clone for Poses<M> {
@@ -126,7 +126,8 @@ impl<'m, M: Mechanism> Planned<'m, M> {
             return Err(PlanError::NoPlan { why });
         }
         let zeros = M::Coordinates::<f64>::generate(|_| 0.0);
-        let nothing = Poses { q: zeros, q_dot: zeros, q_ddot: zeros, margins: zeros };
+        let margins = M::Rows::<f64>::generate(|_| 0.0);
+        let nothing = Poses { q: zeros, q_dot: zeros, q_ddot: zeros, margins };
         let parameters = mechanism.get().parameters();
         let steps = M::model().plan.steps;
         let mut planned = Self {
@@ -175,7 +176,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     ///
     /// # Errors
     /// [`PlanError::Limit`] where a group is at its limit or cannot close, [`PlanError::Singular`] where a step says
-    /// nothing; [`PlanError::NonFinite`] and [`PlanError::Length`]. The last good state stays then.
+    /// nothing, [`PlanError::Contradiction`] where redundant rows do not agree; [`PlanError::NonFinite`] and [`PlanError::Length`]. The last good state stays then.
     #[inline]
     pub fn at(&mut self, at: &Instant<'_>) -> Result<&Self, PlanError> {
         let h = at.t - self.t;
@@ -261,8 +262,11 @@ impl<'m, M: Mechanism> Planned<'m, M> {
             match Step::of_margin(model, index) {
                 Some(step) if margin <= Plan::SMALLEST_MARGIN => {
                     let limit = Limit { step, margin };
-                    let closes = step.closes();
-                    return if closes { PlanError::Limit { t, limit } } else { PlanError::Singular { t, limit } };
+                    return match step.info().kind {
+                        StepKind::Closure if step.closes() => PlanError::Limit { t, limit },
+                        StepKind::Watched(_) => PlanError::Contradiction { t, limit },
+                        _ => PlanError::Singular { t, limit },
+                    };
                 }
                 _ if margin.is_nan() => return error("margins", index, ""),
                 _ => {}

@@ -42,6 +42,11 @@ impl Step {
         self.info().joints.iter().filter_map(|&joint| joints.get(joint)).map(|joint| joint.name)
     }
 
+    /// True for redundant rows whose residual is watched.
+    pub fn is_watched(&self) -> bool {
+        matches!(self.info().kind, StepKind::Watched(_))
+    }
+
     /// True for a group that closes in two ways; not where it was found by the margin of something that the group divides
     /// by, which says nothing of them.
     pub const fn closes(&self) -> bool {
@@ -61,6 +66,8 @@ impl fmt::Display for Step {
         let step = self.info();
         match (step.group, step.kind) {
             ("", StepKind::Explicit) => f.write_str("formula")?,
+            ("", StepKind::Watched([_])) => f.write_str("redundant row")?,
+            ("", StepKind::Watched(_)) => f.write_str("redundant rows")?,
             ("", StepKind::Linear(1)) => f.write_str("linear equation")?,
             ("", StepKind::Linear(n)) => write!(f, "{n}×{n} linear system")?,
             ("", StepKind::Closure) => f.write_str("closure")?,

@@ -23,12 +23,14 @@ pub(crate) struct PlanRecord {
 
 #[derive(Clone, Debug, Serialize)]
 struct StepRecord {
-    /// `explicit`, `linear`, `closure` or `newton`.
+    /// `explicit`, `linear`, `closure`, `newton` or `watched`.
     kind: &'static str,
     /// Unknowns of a linear system or of an iteration.
     unknowns: Option<usize>,
     group: Option<&'static str>,
     joints: Vec<&'static str>,
+    /// Redundant rows that no other step needs.
+    watched: Vec<&'static str>,
     coordinates: Vec<GivenRecord>,
     modes: Vec<&'static str>,
     singular: &'static str,
@@ -94,6 +96,7 @@ fn record(model: &'static Model, step: Step) -> StepRecord {
         StepKind::Linear(n) => ("linear", Some(n)),
         StepKind::Closure => ("closure", None),
         StepKind::Newton(n) => ("newton", Some(n)),
+        StepKind::Watched(_) => ("watched", None),
     };
     let given = |&(coordinate, joint): &(usize, usize)| GivenRecord {
         name: model.coordinates.get(coordinate).map_or("", |c| c.name),
@@ -104,10 +107,17 @@ fn record(model: &'static Model, step: Step) -> StepRecord {
         unknowns,
         group: (!info.group.is_empty()).then_some(info.group),
         joints: step.joints().collect(),
+        watched: watched(model, info),
         coordinates: info.coordinates.iter().map(given).collect(),
         modes: mode_names(model, info),
         singular: info.singular,
     }
+}
+
+/// The names of the rows that are watched.
+fn watched(model: &Model, step: &PlanStep) -> Vec<&'static str> {
+    let rows = if let StepKind::Watched(rows) = step.kind { rows } else { &[] };
+    rows.iter().filter_map(|&row| model.rows.get(row)).map(|row| row.name).collect()
 }
 
 fn mode_names(model: &Model, step: &PlanStep) -> Vec<&'static str> {
@@ -144,6 +154,11 @@ fn how(model: &Model, step: &Step) -> String {
         StepKind::Linear(_) => format!("{step} in closed form"),
         StepKind::Closure => format!("{step} in closed form, mode {}", mode_names(model, info).join(", ")),
         StepKind::Newton(_) => step.to_string(),
+        StepKind::Watched(_) => {
+            let rows = watched(model, info);
+            let (is, its) = if rows.len() == 1 { ("is", "its") } else { ("are", "their") };
+            format!("{} {is} redundant and not used: {its} residual is watched", rows.join(" and "))
+        }
     }
 }
 

@@ -54,7 +54,7 @@ impl<M: PowerSeries> Solver<'_, M> {
     ///
     /// Order after order is one more right-hand side for Φ_q q⁽ᵏ⁾ = …, with the factorisation that gives q̇ and q̈; see
     /// [`series`](crate::series). Orders 0, 1, 2 are those of the state. The factors are those of the plan's blocks where
-    /// there is a plan and none of them is nearly singular; otherwise Φ_q is factorised as a whole
+    /// there is a plan that goes by all rows and none of them is nearly singular; otherwise Φ_q is factorised as a whole
     /// ([`Derivatives::by_plan`] says which). Where degrees of freedom are left, every order is the
     /// one of least norm, as q̇ and q̈ are.
     ///
@@ -125,7 +125,9 @@ fn derivatives(
     }
     let mut q: Vec<Vec<f64>> = known.into_iter().take(order + 1).cloned().collect();
     let mut by_plan = false;
-    if order > 2 && equations.options.use_plan && by_plan::exists(equations) {
+    // Nothing watches higher orders of rows that a plan does without: the whole Φ_q says whether they agree.
+    let all_rows = equations.model.plan.watched().next().is_none();
+    if order > 2 && all_rows && equations.options.use_plan && by_plan::exists(equations) {
         by_plan = orders.solve_at(&state.instant(), further, known.map(Vec::as_slice))?;
         q.extend((3..=order).map_while(|k| orders.derivative(k).filter(|_| by_plan)).map(<[f64]>::to_vec));
     }

@@ -9,7 +9,7 @@ use kin_runtime::batch::{
     BatchError, Column, End, Modes, Moment, Motions, Problems, Solutions, Sweeps, always, solve, sweep,
 };
 use kin_runtime::plan::{Depth, Plan, Solved, StepKind};
-use kin_runtime::{Instant, Kinematics, Lanes, Mechanism, Planned, Signal};
+use kin_runtime::{Instant, Kinematics, Lanes, Mechanism, PlanError, Planned, Signal};
 use kin_tests::every_mechanism;
 use kin_tests::mechanisms::{signals, *};
 use kin_tests::random::Random;
@@ -249,16 +249,24 @@ fn moves<M: Kinematics + Default + Sync>(from: f64, to: f64) {
             let state = &blocks[set / Lanes::COUNT][instant];
             state.each_ref().map(|list| list.iter().map(|x| x.to_array()[set % Lanes::COUNT]).collect::<Vec<_>>())
         };
+        // A motion ends where one alone does, at the same step of the plan.
+        let ended = |instant: usize, error: PlanError| {
+            assert_eq!(Some(instant), ends[set].map(|end| end.instant), "{name} {set}: {error}");
+            let step = ends[set].and_then(|end| end.limit).map(|limit| limit.step);
+            assert_eq!(error.limit().map(|limit| limit.step), step, "{name} {set}: {error}");
+        };
         let mut planned = match Planned::new(&own, &at(0), &q) {
             Ok(planned) => planned,
-            Err(_) => {
-                assert_eq!(Some(0), ends[set].map(|end| end.instant), "{name} {set}");
+            Err(error) => {
+                ended(0, error);
                 continue;
             }
         };
         for instant in 0..INSTANTS {
-            if instant > 0 && planned.at(&at(instant)).is_err() {
-                assert_eq!(Some(instant), ends[set].map(|end| end.instant), "{name} {set}");
+            if instant > 0
+                && let Err(error) = planned.at(&at(instant))
+            {
+                ended(instant, error);
                 break;
             }
             assert!(ends[set].is_none_or(|end| end.instant > instant), "{name} {set}: {:?}", ends[set]);
