@@ -10,6 +10,7 @@
 //! Multipliers are watched: where one exceeds [`LARGEST_MULTIPLIER`] the order is given up. What they may have cost in
 //! accuracy a step of refinement brings back.
 
+mod markowitz;
 mod order;
 
 use super::inverse_norm::{Inverse, inverse_norm};
@@ -47,7 +48,8 @@ impl Ordered {
         {
             return true;
         }
-        self.order = Order::new(self.n, &self.entries, &elimination.values).map(Rc::new);
+        let pivots = markowitz::pivots(self.n, &self.entries, &elimination.values);
+        self.order = pivots.map(|pivots| Rc::new(Order::new(&self.entries, pivots)));
         self.order.as_ref().is_some_and(|order| elimination.follow(order))
     }
 }

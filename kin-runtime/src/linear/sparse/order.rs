@@ -1,15 +1,7 @@
-//! In which order the unknowns of a sparse square matrix are eliminated, and where that leaves entries.
-//!
-//! Markowitz: the next pivot is the entry with the smallest (r − 1)(c − 1), which bounds the new entries, where r and c
-//! count what is left in its row and column; among equals the largest. An entry counts only if it is at least
-//! [`THRESHOLD`] times the largest of its column, which bounds the multipliers. H. M. Markowitz, The elimination form of
-//! the inverse and its application to linear programming, Management Science 3 (1957) 255–269; Duff, Erisman and Reid,
-//! Direct Methods for Sparse Matrices (2017), chapters 5 and 7.
+//! How a sparse square matrix is eliminated in a given order of pivots, and where that leaves entries.
 
 use core::cmp::Ordering;
-
-/// Smallest pivot, relative to the largest entry of its column.
-const THRESHOLD: f64 = 0.1;
+use std::collections::BTreeSet;
 
 /// How a pattern is eliminated. Rows and columns are counted by pivots: row k is the row of pivot k.
 ///
@@ -35,28 +27,19 @@ pub(super) struct Order {
 }
 
 impl Order {
-    /// An order for the n×n matrix with these entries (row, column) and their values; none where it is singular.
-    pub(super) fn new(n: usize, entries: &[(usize, usize)], values: &[f64]) -> Option<Self> {
-        let mut rest = Remainder::new(n, entries, values);
-        let pivots: Vec<(usize, usize)> = (0..n).map(|_| rest.eliminate_next()).collect::<Option<_>>()?;
+    /// The elimination of the n×n matrix with these entries (row, column), in the order of the pivots given.
+    pub(super) fn new(entries: &[(usize, usize)], pivots: Vec<(usize, usize)>) -> Self {
+        let n = pivots.len();
         let (mut of_row, mut of_column) = (vec![0; n], vec![0; n]);
         for (k, &(row, column)) in pivots.iter().enumerate() {
             (of_row[row], of_column[column]) = (k, k);
         }
-        let by_pivots = |lists: &[Vec<usize>]| -> Vec<(u32, u32)> {
-            let own = pivots.iter().enumerate().flat_map(|(k, &(row, _))| {
-                let mut list: Vec<usize> = lists[row].iter().map(|&column| of_column[column]).collect();
-                list.sort_unstable();
-                list.into_iter().map(move |column| (k as u32, column as u32))
-            });
-            own.collect()
-        };
-        let (lower, upper) = (by_pivots(&rest.lower), by_pivots(&rest.upper));
         let entries: Vec<(u32, u32)> =
             entries.iter().map(|&(row, column)| (of_row[row] as u32, of_column[column] as u32)).collect();
         let odd = is_odd(&of_row) ^ is_odd(&of_column);
-        let none = Vec::new;
-        let mut order = Self { pivots, odd, entries, places: none(), lower, upper, ends: none(), updates: Vec::new() };
+        let (lower, upper) = filled(n, &entries);
+        let (places, ends, updates) = (Vec::new(), Vec::new(), Vec::new());
+        let mut order = Self { pivots, odd, entries, places, lower, upper, ends, updates };
         order.places = order.entries.iter().map(|&(row, column)| order.place(row, column)).collect();
         for k in 0..order.lower.len() {
             let (row, through) = order.lower[k];
@@ -67,7 +50,7 @@ impl Order {
             }
             order.ends.push(order.updates.len() as u32);
         }
-        Some(order)
+        order
     }
 
     /// Where the entry of a row and a column is among the numbers.
@@ -82,74 +65,25 @@ impl Order {
     }
 }
 
-/// What is left to eliminate.
-struct Remainder {
-    /// Rows that are left, with their columns and values.
-    rows: Vec<Vec<(usize, f64)>>,
-    open: Vec<bool>,
-    /// Rows in which a column has an entry, and the size of the largest.
-    counts: Vec<usize>,
-    largest: Vec<f64>,
-    /// Columns of what a row was reduced by, and of what it had when it became a pivot's, without the pivot.
-    lower: Vec<Vec<usize>>,
-    upper: Vec<Vec<usize>>,
-}
-
-impl Remainder {
-    fn new(n: usize, entries: &[(usize, usize)], values: &[f64]) -> Self {
-        let mut rows = vec![Vec::new(); n];
-        for (&(row, column), &value) in entries.iter().zip(values) {
-            rows[row].push((column, value));
+/// The entries of L below and of U above the diagonal, sorted.
+fn filled(n: usize, entries: &[(u32, u32)]) -> (Vec<(u32, u32)>, Vec<(u32, u32)>) {
+    let mut rows = vec![Vec::new(); n];
+    entries.iter().for_each(|&(row, column)| rows[row as usize].push(column));
+    let (mut lower, mut upper, mut starts) = (Vec::new(), Vec::new(), vec![0]);
+    for (row, own) in (0_u32..).zip(&rows) {
+        let mut columns: BTreeSet<u32> = own.iter().copied().collect();
+        let mut reached = None;
+        // What a row is reduced by adds entries further to the right alone.
+        while let Some(through) = columns.range(reached.map_or(0, |last| last + 1)..row).next().copied() {
+            lower.push((row, through));
+            let own: &[(u32, u32)] = &upper[starts[through as usize]..starts[through as usize + 1]];
+            columns.extend(own.iter().map(|entry| entry.1));
+            reached = Some(through);
         }
-        let lists = || vec![Vec::new(); n];
-        Self { rows, open: vec![true; n], counts: vec![0; n], largest: vec![0.0; n], lower: lists(), upper: lists() }
+        upper.extend(columns.range(row + 1..).map(|&column| (row, column)));
+        starts.push(upper.len());
     }
-
-    /// Chooses a pivot and eliminates its column from the rows that are left.
-    fn eliminate_next(&mut self) -> Option<(usize, usize)> {
-        let (pivot_row, pivot_column) = self.choose()?;
-        let own = core::mem::take(&mut self.rows[pivot_row]);
-        self.open[pivot_row] = false;
-        let pivot = own.iter().find(|entry| entry.0 == pivot_column)?.1;
-        let others: Vec<(usize, f64)> = own.into_iter().filter(|entry| entry.0 != pivot_column).collect();
-        for (row, list) in self.rows.iter_mut().enumerate() {
-            let Some(place) = list.iter().position(|entry| entry.0 == pivot_column) else { continue };
-            let factor = list.swap_remove(place).1 / pivot;
-            self.lower[row].push(pivot_column);
-            for &(column, value) in &others {
-                match list.iter_mut().find(|entry| entry.0 == column) {
-                    Some(entry) => entry.1 -= factor * value,
-                    None => list.push((column, -factor * value)),
-                }
-            }
-        }
-        self.upper[pivot_row] = others.into_iter().map(|entry| entry.0).collect();
-        Some((pivot_row, pivot_column))
-    }
-
-    /// Row and column of the next pivot.
-    fn choose(&mut self) -> Option<(usize, usize)> {
-        self.counts.fill(0);
-        self.largest.fill(0.0);
-        for &(column, value) in self.rows.iter().flatten() {
-            self.counts[column] += 1;
-            self.largest[column] = self.largest[column].max(value.abs());
-        }
-        let mut best: Option<((usize, usize), usize, f64)> = None;
-        for (row, list) in self.rows.iter().enumerate().filter(|(row, _)| self.open[*row]) {
-            for &(column, value) in list {
-                let size = value.abs();
-                if !(size > 0.0 && size >= THRESHOLD * self.largest[column] && size.is_finite()) {
-                    continue;
-                }
-                let cost = (list.len() - 1) * (self.counts[column] - 1);
-                if best.is_none_or(|(_, least, most)| cost < least || (cost == least && size > most)) {
-                    best = Some(((row, column), cost, size));
-                }
-            }
-        }
-        best.map(|(place, ..)| place)
-    }
+    (lower, upper)
 }
 
 /// True for a permutation that is an odd number of exchanges.

@@ -1,4 +1,5 @@
 use super::*;
+use crate::linear::Factorization;
 use crate::random::Random;
 use nalgebra::{DMatrix, DVector};
 
@@ -48,6 +49,46 @@ fn solutions_signs_and_norms_are_those_of_the_dense_matrix() {
         }
     }
     assert!(exact > 200, "{exact}");
+}
+
+/// Where the elimination claims full rank, a factorisation that reveals the rank says so too; it claims it far from the
+/// tolerance, and never beyond.
+#[test]
+fn full_rank_is_claimed_only_where_it_is_revealed() {
+    const TOLERANCE: f64 = 1e-7;
+    let mut random = Random::new(12);
+    for n in 2..12 {
+        let (_, mut entries, mut values) = random_matrix(&mut random, n);
+        // The last row is nearly the sum of the two before it, or of the one.
+        let before: Vec<f64> = (0..n)
+            .map(|j| {
+                let own = entries.iter().zip(&values).filter(|((i, k), _)| *k == j && *i + 3 > n && *i + 1 < n);
+                own.map(|(_, value)| value).sum()
+            })
+            .collect();
+        let rest = entries.iter().zip(&values).filter(|((i, _), _)| i + 1 < n);
+        (entries, values) = rest.map(|(place, value)| (*place, *value)).unzip();
+        entries.extend((0..n).map(|j| (n - 1, j)));
+        let noise: Vec<f64> = (0..n).map(|_| random.symmetric()).collect();
+        for digits in 0..=16 {
+            let last = before.iter().zip(&noise).map(|(sum, noise)| sum + 10_f64.powi(-digits) * noise);
+            let all: Vec<f64> = values.iter().copied().chain(last).collect();
+            let mut dense = DMatrix::zeros(n, n);
+            entries.iter().zip(&all).for_each(|(&place, value)| dense[place] = *value);
+            let revealed = Factorization::absolute(&dense, &vec![1.0; n], TOLERANCE);
+            let claimed = factorised(&mut Ordered::new(n, entries.clone()), all)
+                .and_then(|found| Factorization::sparse_of_full_rank(Box::new(found), vec![1.0; n], TOLERANCE));
+            match claimed {
+                Some(claimed) => {
+                    assert_eq!((claimed.rank, revealed.rank), (n, n), "{n} {digits}");
+                    let share = claimed.condition / revealed.condition;
+                    assert!(share > 0.3 && share < 3.4, "{n} {digits}: {share}");
+                }
+                None => assert!(revealed.full_condition > 1e3, "{n} {digits}"),
+            }
+            assert!(digits < 9 || revealed.rank < n, "{n} {digits}");
+        }
+    }
 }
 
 /// Other numbers in the same pattern keep the order; a pivot that vanishes changes it; a singular matrix has none.
