@@ -1,5 +1,5 @@
 //! A turn of the lecture's four-bar in steps of one degree, as a user asks for it: by `Planned`, by a sweep and by a
-//! tracker, with the plan and by full Newton alone. `cargo bench -p kin-benches --bench sweep`.
+//! tracker, with the plan and by full Newton alone, with and without dense factorisations of Φ_q. `cargo bench -p kin-benches --bench sweep`.
 
 use kin_benches::four_bar::FourBar;
 use kin_benches::paired::{Contender, compare};
@@ -14,6 +14,7 @@ fn main() {
     let times: Vec<f64> = (0..=STEPS).map(|k| (k as f64).to_radians() / four_bar.omega).collect();
     let by_plan = four_bar.solver();
     let newton = four_bar.solver().with_options(Options { use_plan: false, ..Options::default() });
+    let dense = four_bar.solver().with_options(Options { use_plan: false, use_sparse: false, ..Options::default() });
     let at = Instant::at(0.0);
     let mut planned = Placed::new(|| by_plan.planned(&at).expect("there is a plan"));
     let mut trackers = [&newton, &by_plan]
@@ -32,6 +33,7 @@ fn main() {
         "q, q̇, q̈ over a turn in steps of one degree, per instant",
         STEPS,
         &mut [
+            Contender { name: "a sweep by full Newton, dense", work: Box::new(|| sweep(&dense)) },
             Contender { name: "a sweep by full Newton", work: Box::new(|| sweep(&newton)) },
             Contender { name: "a sweep by the plan", work: Box::new(|| sweep(&by_plan)) },
             Contender { name: "a tracker by full Newton", work: Box::new(|| follow(tracker_newton.here())) },

@@ -26,8 +26,13 @@ pub struct Contender<'a> {
 /// disturbed where others use the machine, and its best time per configuration. In every round each of them works twice:
 /// untimed, which brings its results to where they stand in this round, then timed.
 pub fn compare(title: &str, configurations: usize, contenders: &mut [Contender<'_>]) {
-    let mut times = vec![Vec::with_capacity(ROUNDS); contenders.len()];
-    for _ in 0..ROUNDS {
+    compare_rounds(title, ROUNDS, configurations, contenders);
+}
+
+/// [`compare`] with fewer rounds, for what takes long.
+pub fn compare_rounds(title: &str, rounds: usize, configurations: usize, contenders: &mut [Contender<'_>]) {
+    let mut times = vec![Vec::with_capacity(rounds); contenders.len()];
+    for _ in 0..rounds {
         ROUND.fetch_add(1, Ordering::Relaxed);
         for (contender, times) in contenders.iter_mut().zip(&mut times) {
             (contender.work)();
@@ -43,6 +48,6 @@ pub fn compare(title: &str, configurations: usize, contenders: &mut [Contender<'
         let mut ratios: Vec<f64> = own.iter().zip(&times[0]).map(|(a, b)| a / b).collect();
         ratios.sort_by(f64::total_cmp);
         let (least, each) = (best(own) / best(&times[0]), best(own) * 1e9 / configurations as f64);
-        println!("  {:6.3}  {least:6.3}  {each:9.1} ns  {}", ratios[ROUNDS / 2], contender.name);
+        println!("  {:6.3}  {least:6.3}  {each:9.1} ns  {}", ratios[rounds / 2], contender.name);
     }
 }
