@@ -40,7 +40,7 @@ use crate::workspace::Instant;
 ///
 /// Parameters are those at the time when the tracker was made, which borrows (or owns) the mechanism; for other
 /// dimensions make another one with [`Solver::tracker_from`] and [`State::q`]. States, workspaces and buffers are used
-/// again by every update; the dense factorisations of Φ_q, and their solutions, still allocate.
+/// again by every update; solutions with Φ_q, and its factorisation where that must be dense, still allocate.
 ///
 /// A tracker stays on its thread: it is not `Send`, because the functions of a mechanism need not be. The mechanism is,
 /// where its fields are; send that, and make the tracker where it is updated.

@@ -17,6 +17,9 @@
 //! node; where it has not, and wherever the plan has no good answer, full Newton decides as if there were no plan, and
 //! reads the modes anew.
 //!
+//! Rank, orientation and condition number of every instant, also of one by the plan, are those of Φ_q itself, as a rule by its
+//! sparse elimination; see [`factorisation`](crate::factorisation).
+//!
 //! Where there are rows of velocity level, Φ does not determine the position. Then the velocities are integrated from
 //! the first instant on, and every step is projected onto Φ; see `integrate`.
 
