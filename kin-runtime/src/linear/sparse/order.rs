@@ -14,12 +14,12 @@ pub(super) struct Order {
     /// True where the exchanges of rows and columns together change the sign of the determinant.
     pub(super) odd: bool,
     /// Row and column of every entry of the matrix.
-    pub(super) entries: Vec<(u32, u32)>,
+    pub(super) entries: Places,
     /// Where every entry of the matrix is among the numbers.
     pub(super) places: Vec<u32>,
     /// Row and column of the entries of L and of U.
-    pub(super) lower: Vec<(u32, u32)>,
-    pub(super) upper: Vec<(u32, u32)>,
+    pub(super) lower: Places,
+    pub(super) upper: Places,
     /// For every entry of L, in order, where its `updates` end.
     pub(super) ends: Vec<u32>,
     /// Places of a number, and of the entry of U that is taken off it, times the entry of L.
@@ -65,8 +65,11 @@ impl Order {
     }
 }
 
+/// Rows and columns of entries.
+type Places = Vec<(u32, u32)>;
+
 /// The entries of L below and of U above the diagonal, sorted.
-fn filled(n: usize, entries: &[(u32, u32)]) -> (Vec<(u32, u32)>, Vec<(u32, u32)>) {
+fn filled(n: usize, entries: &[(u32, u32)]) -> (Places, Places) {
     let mut rows = vec![Vec::new(); n];
     entries.iter().for_each(|&(row, column)| rows[row as usize].push(column));
     let (mut lower, mut upper, mut starts) = (Vec::new(), Vec::new(), vec![0]);
