@@ -23,6 +23,9 @@ pub enum Formula {
     Call(String, usize, Vec<Formula>),
 }
 
+/// The value of a function by its name, the order of its derivative, and its arguments.
+type Supplied<'f> = &'f dyn Fn(&str, usize, &[f64]) -> Option<f64>;
+
 impl Formula {
     /// How tightly it binds: sums least.
     pub(super) fn strength(&self) -> u8 {
@@ -54,11 +57,7 @@ impl Formula {
     ///
     /// # Errors
     /// The name of what has no value.
-    pub fn evaluate(
-        &self,
-        symbol: &dyn Fn(&Name) -> Option<f64>,
-        function: &dyn Fn(&str, usize, &[f64]) -> Option<f64>,
-    ) -> Result<f64, String> {
+    pub fn evaluate(&self, symbol: &dyn Fn(&Name) -> Option<f64>, function: Supplied<'_>) -> Result<f64, String> {
         let of = |formula: &Self| formula.evaluate(symbol, function);
         Ok(match self {
             Self::Number(value) => *value,
