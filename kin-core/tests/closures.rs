@@ -283,6 +283,55 @@ fn what_a_pair_divides_by_has_a_margin() {
     falls("vectors", |small| smallest(&vectors, &[1.0, 0.0, 1.0, small], 0.0, &[0.1, 0.2, 0.0]));
 }
 
+#[test]
+fn a_coefficient_that_vanishes_has_a_margin() {
+    let coefficient = sub(cos(scalar(1)), parameter(0));
+    let rows = vec![sub(mul(coefficient, scalar(0)), parameter(1)), sub(scalar(1), Formula::Time)];
+    let mechanism = equations(2, 2, rows);
+    falls("coefficient", |small| smallest(&mechanism, &[1.0, 0.5], small.sqrt(), &[0.0; 2]));
+}
+
+/// `n` linear equations with coefficients that turn with qₙ = t; the last is the first at t = 0.
+fn linear(n: usize) -> Mechanism {
+    let mut random = Random(n as u64);
+    let mut first = Vec::new();
+    let mut rows = Vec::new();
+    for row in 0..n {
+        let mut left = neg(number(random.between(0.5, 1.0)));
+        for column in 0..n {
+            let [mut c, s] = [0; 2].map(|_| random.between(0.5, 2.0) * if random.chance(50) { 1.0 } else { -1.0 });
+            match row {
+                0 => first.push(c),
+                _ if row == n - 1 => c = first[column],
+                _ => {}
+            }
+            let coefficient = add(mul(number(c), cos(scalar(n))), mul(number(s), sin(scalar(n))));
+            left = add(left, mul(coefficient, scalar(column)));
+        }
+        rows.push(left);
+    }
+    rows.push(sub(scalar(n), Formula::Time));
+    equations(n + 1, 0, rows)
+}
+
+#[test]
+fn linear_systems_agree_and_have_margins() {
+    for n in 2..=6 {
+        let mechanism = linear(n);
+        let (oracle, planned) = planned(&mechanism, &[]);
+        assert!(planned.0.steps.iter().any(|step| step.kind == StepKind::Linear(n)), "{}", planned.0);
+        let start = vec![0.0; n + 1];
+        let truth = oracle.solve(0.7, &planned.run(&oracle, 0.7, &[], &start).q).expect("regular");
+        let found = planned.run(&oracle, 0.7, &[], &start);
+        for (truth, found) in [(&truth.q, &found.q), (&truth.q_dot, &found.q_dot), (&truth.q_ddot, &found.q_ddot)] {
+            assert!(difference(truth, found) < 1e-11, "{n}: {truth:?} {found:?}");
+        }
+        let margin = |small: f64| planned.run(&oracle, small, &[], &start).margins[0];
+        let [far, near, on] = [1e-2, 1e-7, 0.0].map(margin);
+        assert!(0.0 < near && near < 2e-5 * far && on <= 1e-12, "{n}: {far:e} {near:e} {on:e}");
+    }
+}
+
 /// Two wheels on fixed pins, the second made to turn by the first: p0 φ + p1 ψ = 0.
 fn wheels() -> Mechanism {
     let turn = |k: usize| phi(body(k));

@@ -4,7 +4,7 @@ use crate::expr::{ExprId, Graph};
 use crate::mechanism::Function;
 
 /// x for every b, and a margin that is 0 where M is singular: for up to three unknowns (det M)² over the product of the
-/// rows' squared norms, beyond the product of pivots over the sums of their rows. One unknown has none.
+/// rows' squared norms, beyond |det M| over the product of the rows' sums. One unknown has none.
 ///
 /// `lengths` says which unknowns are lengths. Beside angles they count as angles times the length that the rows hold
 /// between both, so that margins are the same in metres and in millimetres.
@@ -147,19 +147,18 @@ fn eliminate(
         let entries = rows.iter().flat_map(|&i| columns.iter().map(move |&j| (i, j)));
         let best = entries.filter(|&(i, j)| filled(graph, i, j)).map(|(i, j)| score(i, j)).min();
         // A column of zeros: whoever asked knows from the margin.
-        let Some((literal, _, i, j)) = best else {
+        let Some((_, _, i, j)) = best else {
             return (rights.iter().map(|_| vec![graph.zero(); n]).collect(), Some(graph.zero()));
         };
-        if literal || columns.len() > 1 {
-            let mut size = graph.zero();
-            for &c in &columns {
-                let magnitude = magnitude(graph, m[i][c], c);
-                size = graph.add(size, magnitude);
-            }
-            let pivot = magnitude(graph, m[i][j], j);
-            let share = graph.div(pivot, size);
-            margin = graph.mul(margin, share);
+        // Beside its row as it was given: what is left of a row that others are made of is small, the last pivot, too.
+        let mut size = graph.zero();
+        for (c, &entry) in matrix[i].iter().enumerate() {
+            let magnitude = magnitude(graph, entry, c);
+            size = graph.add(size, magnitude);
         }
+        let pivot = magnitude(graph, m[i][j], j);
+        let share = graph.div(pivot, size);
+        margin = graph.mul(margin, share);
         rows.retain(|&r| r != i);
         columns.retain(|&c| c != j);
         let one = graph.number(1.0);
