@@ -21,6 +21,15 @@ pub enum Section {
     },
 }
 
+impl Section {
+    /// Its code.
+    pub fn program(&self) -> &Program {
+        match self {
+            Self::Closed(program) | Self::Newton { correction: program, .. } => program,
+        }
+    }
+}
+
 /// Where the value of an expression is found.
 struct Places {
     /// The section that computes it.

@@ -81,16 +81,17 @@ pub(crate) struct Kernel {
 ///
 /// A kernel stands outside of the struct's generics, so that it takes supplied functions as arguments of any type.
 pub(crate) fn kernel(name: &str, lowered: &Lowered, program: &Program, targets: &[(&str, TokenStream)]) -> Kernel {
-    kernel_after(name, lowered, program, targets, "__Held")
+    kernel_after(name, lowered, program, targets, "__Held", &quote! { #[inline] })
 }
 
-/// A kernel that reads values held in an array of the type `held`.
+/// A kernel that reads values held in an array of the type `held`, and says with `inline` where its code goes.
 pub(crate) fn kernel_after(
     name: &str,
     lowered: &Lowered,
     program: &Program,
     targets: &[(&str, TokenStream)],
     held: &str,
+    inline: &TokenStream,
 ) -> Kernel {
     let held = Ident::new(held, Span::call_site());
     let name = Ident::new(name, Span::call_site());
@@ -139,7 +140,7 @@ pub(crate) fn kernel_after(
     let statements = body(program);
     Kernel {
         item: quote! {
-            #[inline]
+            #inline
             fn #name<__T: __kin::Scalar #(, #types)*>(#(#arguments),*) { #statements }
         },
         call: quote! { #name(#(#values),*); },

@@ -31,7 +31,14 @@ pub(super) fn planned(lowered: &Lowered, system: &KinematicSystem, plan: &Soluti
     let factors = plan.factors;
     let factorise = kernel("factorise_rows", lowered, &plan.resolve[0], &[("held", quote! { __Factors<__T> })]);
     let n = system.set.coordinates.len();
-    let resolve = kernel_after("solve_rows", lowered, &plan.resolve[1], &[("out", quote! { [__T; #n] })], "__Factors");
+    let resolve = kernel_after(
+        "solve_rows",
+        lowered,
+        &plan.resolve[1],
+        &[("out", quote! { [__T; #n] })],
+        "__Factors",
+        &quote! { #[inline] },
+    );
     let kernels = solve.kernels.iter().chain([&closures.item, &factorise.item, &resolve.item]);
     let items = quote! {
         type __Modes<__T> = [__T; #modes];
@@ -52,6 +59,9 @@ pub(super) fn planned(lowered: &Lowered, system: &KinematicSystem, plan: &Soluti
     Planned { items, methods: quote! { #(#methods)* } }
 }
 
+/// Instructions of a plan whose parts become one function; a dyad has about two hundred.
+const SHORT: usize = 1000;
+
 /// Kernels, and the method that calls them.
 struct Solve {
     kernels: Vec<TokenStream>,
@@ -69,6 +79,13 @@ fn solve(lowered: &Lowered, system: &KinematicSystem, plan: &SolutionPlan) -> So
         ("held", quote! { __Held<__T> }),
         ("out", quote! { __Factors<__T> }),
     ];
+    // The parts of a short plan are one function, in which what one part holds for another stays in registers.
+    let instructions: usize = plan.sections.iter().map(|(section, _)| section.program().instructions.len()).sum();
+    let inline = if instructions <= SHORT {
+        quote! { #[inline(always)] }
+    } else {
+        quote! { #[inline] }
+    };
     let (mut kernels, mut statements) = (Vec::new(), Vec::new());
     let mut before = Depth::Position;
     for (number, (section, depth)) in plan.sections.iter().enumerate() {
@@ -85,14 +102,15 @@ fn solve(lowered: &Lowered, system: &KinematicSystem, plan: &SolutionPlan) -> So
         let name = format!("solve_part_{number}");
         match section {
             Section::Closed(program) => {
-                let kernel = kernel(&name, lowered, program, &targets);
+                let kernel = kernel_after(&name, lowered, program, &targets, "__Held", &inline);
                 kernels.push(kernel.item);
                 statements.push(kernel.call);
             }
             Section::Newton { unknowns, correction, converged } => {
                 let (places, count, converged) =
                     (unknowns.iter().map(|k| *k as usize), unknowns.len(), *converged as usize);
-                let kernel = kernel(&name, lowered, correction, &[("out", quote! { [__T; #count] })]);
+                let out = [("out", quote! { [__T; #count] })];
+                let kernel = kernel_after(&name, lowered, correction, &out, "__Held", &inline);
                 let call = kernel.call;
                 let lengths = unknowns.iter().map(|&k| system.set.coordinates[k as usize].kind.is_length());
                 kernels.push(kernel.item);

@@ -49,7 +49,8 @@ pub(crate) use arctangent::atan2_all;
 /// `simd`. `atan2`, `atan`: 2 ulp; `tan`, `asin`, `acos`: 3 ulp; `powi`: n/2 ulp, by repeated squaring. `exp`, `ln`,
 /// `powf` and supplied functions are computed lane by lane, by std. Infinities, zeros with their signs, subnormal
 /// numbers and what is not a number give what std gives. Angles beyond 1.6e6 and vectors longer than 2¹⁰²⁰ are left to
-/// std, which is the only branch.
+/// std, which is the only branch. Where instructions fuse a product and a sum the last bit of `sin_cos` may be another than
+/// elsewhere, within the same bounds; with the feature `dispatch` the processor decides, not the build alone.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lanes(f64x4);
 
@@ -135,25 +136,21 @@ impl Scalar for Lanes {
 
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
-        let ([sin], [cos]) = trig::sin_cos_lanes([self.0]);
+        let [(sin, cos)] = trig::sin_cos_lanes([self.0]);
         (Self(sin), Self(cos))
     }
 
     #[inline(always)]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
         // Loops over places rather than `map` and iterators, which would put vectors into memory.
+        let mut lanes = [f64x4::splat(0.0); N];
+        for k in 0..N {
+            lanes[k] = angles[k].0;
+        }
+        let pairs = trig::sin_cos_lanes(lanes);
         let mut out = [(Self::default(), Self::default()); N];
-        let mut k = 0;
-        while k < N {
-            if N - k > 2 {
-                let (sin, cos) = trig::sin_cos_lanes([angles[k].0, angles[k + 1].0, angles[k + 2].0]);
-                (out[k], out[k + 1]) = ((Self(sin[0]), Self(cos[0])), (Self(sin[1]), Self(cos[1])));
-                out[k + 2] = (Self(sin[2]), Self(cos[2]));
-                k += 3;
-            } else {
-                out[k] = angles[k].sin_cos();
-                k += 1;
-            }
+        for k in 0..N {
+            out[k] = (Self(pairs[k].0), Self(pairs[k].1));
         }
         out
     }

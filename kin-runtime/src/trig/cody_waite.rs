@@ -59,7 +59,7 @@ pub(super) fn sin_cos<V: Vector>(x: V) -> (V, V) {
 
     let z = r * r;
     let sin = r + (r * z).mul_add(polynomial(z, SIN), epsilon);
-    let cos = k(1.0) + polynomial(z, COS).mul_add(z, k(-0.5)).mul_add(z, k(0.0) - r * epsilon);
+    let cos = k(1.0) + polynomial(z, COS).mul_add(z, k(-0.5)).mul_sub(z, r * epsilon);
 
     // Odd quadrants exchange the two; signs follow the quadrant.
     let (up, across) = V::exchange_if_odd(quadrant, sin, cos);

@@ -1,8 +1,12 @@
 //! Sine and cosine of several angles at once, in SIMD lanes.
 //!
-//! [`cody_waite`] has the arithmetic, for angles up to [`RANGE`]; beyond it the standard library computes.
+//! [`cody_waite`] has the arithmetic, for angles up to [`RANGE`]; beyond it the standard library computes. With the feature
+//! `dispatch`, several vectors of lanes take the instruction set that `dispatched` finds at run time, unless the build has AVX2
+//! anyway. One vector alone, or a few angles in `f64`, are done before the call of another function would be worth its while.
 
 mod cody_waite;
+#[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+mod dispatched;
 mod vector;
 
 use crate::scalar::sin_cos_of_std;
@@ -10,21 +14,54 @@ use cody_waite::{RANGE, sin_cos};
 use vector::Group;
 use wide::{f64x2, f64x4};
 
-/// Sine and cosine of the lanes of `K` vectors; what is infinite or not a number gives what is not a number.
+/// Sine and cosine of the lanes of `N` vectors; what is infinite or not a number gives what is not a number.
 #[inline(always)]
-pub(crate) fn sin_cos_lanes<const K: usize>(x: [f64x4; K]) -> ([f64x4; K], [f64x4; K]) {
-    let (Group(mut sin), Group(mut cos)) = sin_cos(Group(x));
-    let mut far = f64x4::splat(0.0);
-    for x in &x {
-        far |= x.abs().simd_gt(f64x4::splat(RANGE));
-    }
-    if far.any() {
-        for k in 0..K {
-            let (s, c) = beyond(x[k].to_array(), sin[k].to_array(), cos[k].to_array());
-            (sin[k], cos[k]) = (f64x4::new(s), f64x4::new(c));
+pub(crate) fn sin_cos_lanes<const N: usize>(x: [f64x4; N]) -> [(f64x4, f64x4); N] {
+    #[cfg(all(feature = "dispatch", target_arch = "x86_64", not(target_feature = "avx2")))]
+    let (mut out, far) = if N > 1 { of_this_processor(&x) } else { of_this_build(&x) };
+    #[cfg(not(all(feature = "dispatch", target_arch = "x86_64", not(target_feature = "avx2"))))]
+    let (mut out, far) = of_this_build(&x);
+    if far {
+        for k in 0..N {
+            let (s, c) = beyond(x[k].to_array(), out[k].0.to_array(), out[k].1.to_array());
+            out[k] = (f64x4::new(s), f64x4::new(c));
         }
     }
-    (sin, cos)
+    out
+}
+
+/// With the instructions that this is built for, and whether an angle is beyond the range.
+///
+/// Two vectors go through every step together, which keeps a processor busy and fits its registers; one look at the end
+/// says whether all angles are within the range.
+#[allow(dead_code, reason = "tests force every way")]
+#[inline(always)]
+fn of_this_build<const N: usize>(x: &[f64x4; N]) -> ([(f64x4, f64x4); N], bool) {
+    let mut out = [(f64x4::splat(0.0), f64x4::splat(0.0)); N];
+    let mut far = f64x4::splat(0.0);
+    let mut k = 0;
+    while k < N {
+        far |= x[k].abs().simd_gt(f64x4::splat(RANGE));
+        if N - k > 1 {
+            far |= x[k + 1].abs().simd_gt(f64x4::splat(RANGE));
+            let (Group(sin), Group(cos)) = sin_cos(Group([x[k], x[k + 1]]));
+            (out[k], out[k + 1]) = ((sin[0], cos[0]), (sin[1], cos[1]));
+        } else {
+            out[k] = sin_cos(x[k]);
+        }
+        k += 2;
+    }
+    (out, far.any())
+}
+
+/// With the best instructions that the processor has.
+#[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+#[allow(dead_code, reason = "tests force every way")]
+#[inline(always)]
+fn of_this_processor<const N: usize>(x: &[f64x4; N]) -> ([(f64x4, f64x4); N], bool) {
+    let [mut sin, mut cos] = [[[0.0; 4]; N]; 2];
+    let far = dispatched::best(&x.map(f64x4::to_array), &mut sin, &mut cos);
+    (core::array::from_fn(|k| (f64x4::new(sin[k]), f64x4::new(cos[k]))), far)
 }
 
 /// With the standard library in the lanes that are beyond the range; the others keep what they have.
@@ -136,6 +173,64 @@ mod tests {
         for k in 0..1_000_000_u32 {
             let zero = f64::from(k) * core::f64::consts::FRAC_PI_2;
             compare([zero, -zero]);
+        }
+    }
+
+    /// Every way in which two vectors of lanes may be computed, whatever this is built for.
+    fn in_every_way(x: [f64x4; 2]) -> Vec<[(f64x4, f64x4); 2]> {
+        let mut all = vec![sin_cos_lanes(x), of_this_build(&x).0];
+        #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+        {
+            let ways = [dispatched::best::<2>, dispatched::each::<true, 2>, dispatched::each::<false, 2>];
+            all.push(of_this_processor(&x).0);
+            all.extend(ways.map(|way| {
+                let [mut sin, mut cos] = [[[0.0; 4]; 2]; 2];
+                assert!(!way(&x.map(f64x4::to_array), &mut sin, &mut cos));
+                core::array::from_fn(|k| (f64x4::new(sin[k]), f64x4::new(cos[k])))
+            }));
+        }
+        all
+    }
+
+    fn compare_lanes(angles: [f64; 8]) {
+        let x = [0, 4].map(|first| f64x4::new(core::array::from_fn(|lane| angles[first + lane])));
+        for pairs in in_every_way(x) {
+            let (sin, cos) = (pairs.map(|(sin, _)| sin.to_array()), pairs.map(|(_, cos)| cos.to_array()));
+            for ((angle, sin), cos) in angles.iter().zip(sin.as_flattened()).zip(cos.as_flattened()) {
+                let exact = angle.sin_cos();
+                assert!(ulps(*sin, exact.0) <= 1 && ulps(*cos, exact.1) <= 1, "{angle}: {sin} {cos} and {exact:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn lanes_in_every_way_within_one_step_of_the_standard_library() {
+        let mut random = crate::random::Random::new(8);
+        for size in [1e-9, 0.8, 3.2, 100.0, 1e4, RANGE] {
+            (0..3000).for_each(|_| compare_lanes([0; 8].map(|_| size * random.symmetric())));
+        }
+        for k in 0..60_000_u32 {
+            let zero = f64::from(k * 17) * core::f64::consts::FRAC_PI_2;
+            compare_lanes([zero, -zero, zero.next_up(), zero.next_down(), 0.0, -0.0, 0.5 * zero, 0.3]);
+        }
+    }
+
+    #[test]
+    fn no_lane_changes_another_in_any_way() {
+        let mut random = crate::random::Random::new(9);
+        for _ in 0..1000 {
+            let x = [0; 2].map(|_| f64x4::new([0; 4].map(|_| 10.0 * random.symmetric())));
+            let wild = [f64::NAN, 1.0, -0.0, 1e-300];
+            for lane in 0..4 {
+                let mut other = [f64x4::new(wild); 2];
+                other[1] =
+                    f64x4::new(core::array::from_fn(|k| if k == lane { x[0].to_array()[lane] } else { wild[k] }));
+                for (own, moved) in in_every_way(x).into_iter().zip(in_every_way(other)) {
+                    let of =
+                        |(sin, cos): (f64x4, f64x4)| (sin.to_array()[lane].to_bits(), cos.to_array()[lane].to_bits());
+                    assert_eq!(of(own[0]), of(moved[1]));
+                }
+            }
         }
     }
 

@@ -15,6 +15,8 @@ pub(super) trait Vector:
     fn splat(value: f64) -> Self;
     /// `self`·a + b.
     fn mul_add(self, a: Self, b: Self) -> Self;
+    /// `self`·a − b.
+    fn mul_sub(self, a: Self, b: Self) -> Self;
     /// b − `self`·a.
     fn mul_neg_add(self, a: Self, b: Self) -> Self;
     /// (a, b), or (b, a) where n is odd.
@@ -41,6 +43,11 @@ macro_rules! vector {
             }
 
             #[inline(always)]
+            fn mul_sub(self, a: Self, b: Self) -> Self {
+                $float::mul_sub(self, a, b)
+            }
+
+            #[inline(always)]
             fn mul_neg_add(self, a: Self, b: Self) -> Self {
                 $float::mul_neg_add(self, a, b)
             }
@@ -48,10 +55,8 @@ macro_rules! vector {
             #[inline(always)]
             fn exchange_if_odd(quadrant: Self, a: Self, b: Self) -> (Self, Self) {
                 let n: $int = cast(quadrant);
+                // By logic, which more of the units of a processor do than blends.
                 let odd: $float = cast($int::splat(0) - (n & $int::splat(1)));
-                if cfg!(target_feature = "sse4.1") {
-                    return (odd.select(b, a), odd.select(a, b));
-                }
                 let exchange = (a ^ b) & odd;
                 (a ^ exchange, b ^ exchange)
             }
@@ -106,6 +111,14 @@ impl<const K: usize> Vector for Group<K> {
     fn mul_add(mut self, a: Self, b: Self) -> Self {
         for k in 0..K {
             self.0[k] = self.0[k].mul_add(a.0[k], b.0[k]);
+        }
+        self
+    }
+
+    #[inline(always)]
+    fn mul_sub(mut self, a: Self, b: Self) -> Self {
+        for k in 0..K {
+            self.0[k] = self.0[k].mul_sub(a.0[k], b.0[k]);
         }
         self
     }

@@ -1,0 +1,99 @@
+//! The instruction set chosen at run time: the arithmetic of [`cody_waite`](super::cody_waite), number by number, in loops that
+//! the compiler writes once for every set, with the widest vectors that it has.
+//!
+//! Every number goes through the same operations wherever it stands in a list, so that its neighbours change nothing.
+//! With fused operations the last bit may be another than without; either is within the same bounds.
+
+use super::cody_waite::{RANGE, sin_cos};
+use super::vector::Vector;
+use core::ops::{Add, BitAnd, BitXor, Mul, Sub};
+use multiversion::{multiversion, target::target_cfg_f};
+
+/// Sine and cosine of the lanes of `N` vectors, and whether one of them is beyond the range, by the best instruction set
+/// that the processor has.
+#[multiversion(targets("x86_64+avx2+fma"))]
+pub(super) fn best<const N: usize>(x: &[[f64; 4]; N], sin: &mut [[f64; 4]; N], cos: &mut [[f64; 4]; N]) -> bool {
+    if target_cfg_f!(target_feature = "fma") { each::<true, N>(x, sin, cos) } else { each::<false, N>(x, sin, cos) }
+}
+
+/// With or without fused operations.
+#[inline(always)]
+pub(super) fn each<const FUSED: bool, const N: usize>(
+    x: &[[f64; 4]; N],
+    sin: &mut [[f64; 4]; N],
+    cos: &mut [[f64; 4]; N],
+) -> bool {
+    let mut far = false;
+    for ((x, sin), cos) in x.as_flattened().iter().zip(sin.as_flattened_mut()).zip(cos.as_flattened_mut()) {
+        let (One(s), One(c)) = sin_cos(One::<FUSED>(*x));
+        (*sin, *cos) = (s, c);
+        far |= x.abs() > RANGE;
+    }
+    far
+}
+
+/// One number, for a loop that becomes vectors.
+#[derive(Clone, Copy)]
+struct One<const FUSED: bool>(f64);
+
+macro_rules! operators {
+    ($($Operator:ident $operator:ident $what:expr),*) => { $(
+        impl<const FUSED: bool> $Operator for One<FUSED> {
+            type Output = Self;
+            #[inline(always)]
+            fn $operator(self, other: Self) -> Self {
+                let what: fn(f64, f64) -> f64 = $what;
+                Self(what(self.0, other.0))
+            }
+        }
+    )* };
+}
+
+operators!(
+    Add add |a, b| a + b,
+    Sub sub |a, b| a - b,
+    Mul mul |a, b| a * b,
+    BitAnd bitand |a, b| f64::from_bits(a.to_bits() & b.to_bits()),
+    BitXor bitxor |a, b| f64::from_bits(a.to_bits() ^ b.to_bits())
+);
+
+impl<const FUSED: bool> Vector for One<FUSED> {
+    const FUSED: bool = FUSED;
+
+    #[inline(always)]
+    fn splat(value: f64) -> Self {
+        Self(value)
+    }
+
+    #[inline(always)]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        if FUSED { Self(self.0.mul_add(a.0, b.0)) } else { self * a + b }
+    }
+
+    #[inline(always)]
+    fn mul_sub(self, a: Self, b: Self) -> Self {
+        if FUSED { Self(self.0.mul_add(a.0, -b.0)) } else { self * a - b }
+    }
+
+    #[inline(always)]
+    fn mul_neg_add(self, a: Self, b: Self) -> Self {
+        if FUSED { Self((-self.0).mul_add(a.0, b.0)) } else { b - self * a }
+    }
+
+    #[inline(always)]
+    fn exchange_if_odd(quadrant: Self, a: Self, b: Self) -> (Self, Self) {
+        let odd = Self(f64::from_bits(0_u64.wrapping_sub(quadrant.0.to_bits() & 1)));
+        let exchange = (a ^ b) & odd;
+        (a ^ exchange, b ^ exchange)
+    }
+
+    #[inline(always)]
+    fn second_bit(self) -> Self {
+        Self(f64::from_bits(self.0.to_bits() << 62)) & Self(-0.0)
+    }
+
+    #[inline(always)]
+    fn second_bit_of_next(self) -> Self {
+        Self(f64::from_bits((self.0.to_bits() << 62).wrapping_add(1 << 62))) & Self(-0.0)
+    }
+}
