@@ -151,7 +151,10 @@ impl Reader<'_> {
     }
 }
 
-const FUNCTIONS: [(&str, fn(f64) -> f64); 8] = [
+/// A command of LaTeX with what it computes.
+type Known = (&'static str, fn(f64) -> f64);
+
+const FUNCTIONS: [Known; 8] = [
     (r"\sin", f64::sin),
     (r"\cos", f64::cos),
     (r"\tan", f64::tan),
