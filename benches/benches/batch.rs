@@ -1,9 +1,9 @@
 //! Φ, Φ_q, Φ_t, γ of the lecture's 9×9 four-bar in batches: `cargo bench -p kin-benches --bench batch`, as in
-//! `benches/table.sh` for other instruction sets. Angles are random, over several turns, and the same in every round: a
-//! processor learns the branches of the standard library's sines by heart, which is the reference at its best.
+//! `benches/table.sh` for other instruction sets. Angles are random, over several turns, and others in every round: a
+//! processor learns the branches of the standard library's sines by heart where they return, and no batch does that.
 
 use kin_benches::four_bar::{ByHand, FourBar, by_hand};
-use kin_benches::paired::{Contender, compare};
+use kin_benches::paired::{Contender, compare, round};
 use kin_benches::placed::Placed;
 use kin_benches::random::Draws;
 use kin_runtime::batch::{Column, Configurations, Evaluations, always, evaluate};
@@ -12,46 +12,53 @@ use std::hint::black_box;
 
 /// So many that their results stay in the cache of the second level.
 const CONFIGURATIONS: usize = 512;
+/// Sets of them, one for every round in turn.
+const SETS: u64 = 24;
 
-/// Numbers in −6 … 6.
-fn drawn(seed: u64) -> Vec<f64> {
-    let mut draws = Draws::new(seed);
-    (0..CONFIGURATIONS).map(|_| draws.about(0.0, 6.0)).collect()
+/// A batch in the shapes that the contenders take.
+struct Set {
+    t: Vec<f64>,
+    q: [Vec<f64>; 9],
+    w: [Vec<f64>; 9],
+    one_by_one: Vec<(f64, [f64; 9], [f64; 9])>,
+    blocks: Vec<(Lanes, [Lanes; 9], [Lanes; 9])>,
+}
+
+impl Set {
+    fn drawn(seed: u64) -> Self {
+        let mut draws = Draws::new(seed);
+        let mut column = || (0..CONFIGURATIONS).map(|_| draws.about(0.0, 6.0)).collect::<Vec<f64>>();
+        let (t, q, w) = (column(), core::array::from_fn(|_| column()), core::array::from_fn(|_| column()));
+        let at = |columns: &[Vec<f64>; 9], i: usize| -> [f64; 9] { columns.each_ref().map(|column| column[i]) };
+        let one_by_one = (0..CONFIGURATIONS).map(|i| (t[i], at(&q, i), at(&w, i))).collect();
+        let block = |columns: &[Vec<f64>; 9], first: usize| -> [Lanes; 9] {
+            columns.each_ref().map(|column| Lanes::generate(|lane| column[first + lane]))
+        };
+        let blocks = (0..CONFIGURATIONS)
+            .step_by(Lanes::COUNT)
+            .map(|first| (Lanes::generate(|lane| t[first + lane]), block(&q, first), block(&w, first)))
+            .collect();
+        Self { t, q, w, one_by_one, blocks }
+    }
 }
 
 fn main() {
     let four_bar = FourBar::default();
-    let t = drawn(1);
-    let q: [Vec<f64>; 9] = core::array::from_fn(|k| drawn(2 + k as u64));
-    let w: [Vec<f64>; 9] = core::array::from_fn(|k| drawn(20 + k as u64));
-    let at = |columns: &[Vec<f64>; 9], i: usize| -> [f64; 9] { columns.each_ref().map(|column| column[i]) };
-    let one_by_one: Vec<_> = (0..CONFIGURATIONS).map(|i| (t[i], at(&q, i), at(&w, i))).collect();
-    let block = |columns: &[Vec<f64>; 9], first: usize| -> [Lanes; 9] {
-        columns.each_ref().map(|column| Lanes::generate(|lane| column[first + lane]))
-    };
-    let blocks: Vec<_> = (0..CONFIGURATIONS)
-        .step_by(Lanes::COUNT)
-        .map(|first| (Lanes::generate(|lane| t[first + lane]), block(&q, first), block(&w, first)))
-        .collect();
-    let columns = Configurations {
-        parameters: &four_bar.parameters::<f64>().map(Column::Shared),
-        t: Column::Each(&t),
-        inputs: &[],
-        q: &q.each_ref().map(|column| Column::Each(column)),
-        q_dot: &w.each_ref().map(|column| Column::Each(column)),
-    };
+    let sets: Vec<Set> = (0..SETS).map(Set::drawn).collect();
+    let set = || &sets[round() % sets.len()];
     let mut hand = Placed::new(ByHand::default);
     let (mut workspace, mut lanes) = (Placed::new(FourBar::workspace::<f64>), Placed::new(FourBar::workspace::<Lanes>));
     // Results of a whole batch span all places of a page wherever they begin; one list of them stays in the cache.
     let mut evaluations = Evaluations::<FourBar>::new(CONFIGURATIONS);
     let mut kept: Vec<ByHand> = (0..CONFIGURATIONS).map(|_| ByHand::default()).collect();
     let parameters = four_bar.parameters::<Lanes>();
+    let shared = four_bar.parameters::<f64>().map(Column::Shared);
     let mut contenders = [
         Contender {
             name: "by hand, sin and cos of the standard library",
             work: Box::new(|| {
                 let hand = hand.here();
-                for (t, q, w) in &one_by_one {
+                for (t, q, w) in &set().one_by_one {
                     by_hand(black_box(&four_bar), black_box(*t), black_box(q), black_box(w), hand);
                     black_box(&*hand);
                 }
@@ -60,7 +67,7 @@ fn main() {
         Contender {
             name: "by hand, all results kept",
             work: Box::new(|| {
-                for ((t, q, w), kept) in one_by_one.iter().zip(&mut kept) {
+                for ((t, q, w), kept) in set().one_by_one.iter().zip(&mut kept) {
                     by_hand(black_box(&four_bar), black_box(*t), black_box(q), black_box(w), kept);
                 }
                 black_box(&kept);
@@ -70,7 +77,7 @@ fn main() {
             name: "kin, one by one",
             work: Box::new(|| {
                 let workspace = workspace.here();
-                for (t, q, w) in &one_by_one {
+                for (t, q, w) in &set().one_by_one {
                     let at = Instant::at(black_box(*t));
                     // References to arrays: a slice through `black_box` is two words that come back as one.
                     let (q, w): (&[f64; 9], &[f64; 9]) = (black_box(q), black_box(w));
@@ -83,7 +90,7 @@ fn main() {
             name: "kin, four at once, block by block",
             work: Box::new(|| {
                 let lanes = lanes.here();
-                for (t, q, w) in &blocks {
+                for (t, q, w) in &set().blocks {
                     let at = Instant::at(*t);
                     let (q, w): (&[Lanes; 9], &[Lanes; 9]) = (black_box(q), black_box(w));
                     four_bar.evaluate_with(&parameters, Subset::ALL, &at, q, w, lanes).expect("nine coordinates");
@@ -94,6 +101,14 @@ fn main() {
         Contender {
             name: "kin, a batch of columns, all results kept",
             work: Box::new(|| {
+                let Set { t, q, w, .. } = set();
+                let columns = Configurations {
+                    parameters: &shared,
+                    t: Column::Each(t),
+                    inputs: &[],
+                    q: &q.each_ref().map(|column| Column::Each(column)),
+                    q_dot: &w.each_ref().map(|column| Column::Each(column)),
+                };
                 evaluate(&four_bar, Subset::ALL, black_box(&columns), &mut evaluations, &always).expect("nine columns");
                 black_box(evaluations.blocks());
             }),

@@ -1,7 +1,7 @@
 //! Formulas as people write them: Unicode text, LaTeX and MathML, in the user's names.
 //!
 //! A formula comes as the text that [`Shown`](crate::expr::Shown) prints from the graph, so that everything written here
-//! was derived there; [`parse`] reads it into a [`Formula`], and each notation has a writer of its own.
+//! was derived there; [`Formula::parse`] reads it, and each notation has a writer of its own.
 //!
 //! ```
 //! use kin_core::notation::{Formula, Notation};
