@@ -1,9 +1,9 @@
 //! Φ, Φ_q, Φ_t, γ of the lecture's 9×9 four-bar in batches: `cargo bench -p kin-benches --bench batch`, as in
-//! `benches/table.sh` for other instruction sets. Angles are random, over several turns, and others in every round: a
+//! `benches/table.sh` for other instruction sets. Angles are random, over several turns, and others in every pass: a
 //! processor learns the branches of the standard library's sines by heart where they return, and no batch does that.
 
 use kin_benches::four_bar::{ByHand, FourBar, by_hand};
-use kin_benches::paired::{Contender, compare, round};
+use kin_benches::paired::{Contender, compare};
 use kin_benches::placed::Placed;
 use kin_benches::random::Draws;
 use kin_runtime::batch::{Column, Configurations, Evaluations, always, evaluate};
@@ -12,8 +12,8 @@ use std::hint::black_box;
 
 /// So many that their results stay in the cache of the second level.
 const CONFIGURATIONS: usize = 512;
-/// Sets of them, one for every round in turn.
-const SETS: u64 = 24;
+/// Sets of them, another one for every pass: also that before the timed one.
+const SETS: u64 = 8;
 
 /// A batch in the shapes that the contenders take.
 struct Set {
@@ -45,7 +45,8 @@ impl Set {
 fn main() {
     let four_bar = FourBar::default();
     let sets: Vec<Set> = (0..SETS).map(Set::drawn).collect();
-    let set = || &sets[round() % sets.len()];
+    let mut in_turn = [(); 5].map(|()| sets.iter().cycle());
+    let [by_hand_sets, kept_sets, single_sets, lane_sets, column_sets] = &mut in_turn;
     let mut hand = Placed::new(ByHand::default);
     let (mut workspace, mut lanes) = (Placed::new(FourBar::workspace::<f64>), Placed::new(FourBar::workspace::<Lanes>));
     // Results of a whole batch span all places of a page wherever they begin; one list of them stays in the cache.
@@ -58,7 +59,7 @@ fn main() {
             name: "by hand, sin and cos of the standard library",
             work: Box::new(|| {
                 let hand = hand.here();
-                for (t, q, w) in &set().one_by_one {
+                for (t, q, w) in by_hand_sets.next().into_iter().flat_map(|set| &set.one_by_one) {
                     by_hand(black_box(&four_bar), black_box(*t), black_box(q), black_box(w), hand);
                     black_box(&*hand);
                 }
@@ -67,7 +68,8 @@ fn main() {
         Contender {
             name: "by hand, all results kept",
             work: Box::new(|| {
-                for ((t, q, w), kept) in set().one_by_one.iter().zip(&mut kept) {
+                let configurations = kept_sets.next().into_iter().flat_map(|set| &set.one_by_one);
+                for ((t, q, w), kept) in configurations.zip(&mut kept) {
                     by_hand(black_box(&four_bar), black_box(*t), black_box(q), black_box(w), kept);
                 }
                 black_box(&kept);
@@ -77,7 +79,7 @@ fn main() {
             name: "kin, one by one",
             work: Box::new(|| {
                 let workspace = workspace.here();
-                for (t, q, w) in &set().one_by_one {
+                for (t, q, w) in single_sets.next().into_iter().flat_map(|set| &set.one_by_one) {
                     let at = Instant::at(black_box(*t));
                     // References to arrays: a slice through `black_box` is two words that come back as one.
                     let (q, w): (&[f64; 9], &[f64; 9]) = (black_box(q), black_box(w));
@@ -90,7 +92,7 @@ fn main() {
             name: "kin, four at once, block by block",
             work: Box::new(|| {
                 let lanes = lanes.here();
-                for (t, q, w) in &set().blocks {
+                for (t, q, w) in lane_sets.next().into_iter().flat_map(|set| &set.blocks) {
                     let at = Instant::at(*t);
                     let (q, w): (&[Lanes; 9], &[Lanes; 9]) = (black_box(q), black_box(w));
                     four_bar.evaluate_with(&parameters, Subset::ALL, &at, q, w, lanes).expect("nine coordinates");
@@ -101,7 +103,7 @@ fn main() {
         Contender {
             name: "kin, a batch of columns, all results kept",
             work: Box::new(|| {
-                let Set { t, q, w, .. } = set();
+                let Some(Set { t, q, w, .. }) = column_sets.next() else { return };
                 let columns = Configurations {
                     parameters: &shared,
                     t: Column::Each(t),
