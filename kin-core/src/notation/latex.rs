@@ -23,8 +23,9 @@ pub(super) fn write(formula: &Formula) -> String {
         }
         Formula::Product(factors) => {
             let last = factors.len() - 1;
+            let closes = |place: usize| place == last || matches!(factors[place + 1], Formula::Call(..));
             let one = |(place, factor): (usize, &Formula)| {
-                if place < last && is_open(factor) { bracketed(factor) } else { within(factor, 2) }
+                if is_open(factor) && !closes(place) { bracketed(factor) } else { within(factor, 2) }
             };
             factors.iter().enumerate().map(one).collect::<Vec<_>>().join(r"\,")
         }
@@ -34,7 +35,7 @@ pub(super) fn write(formula: &Formula) -> String {
     }
 }
 
-/// A function whose argument has no brackets ends a product.
+/// A function whose argument has no brackets: after it there are functions only, or it stands in brackets.
 fn is_open(formula: &Formula) -> bool {
     match formula {
         Formula::Call(function, 0, arguments) => {

@@ -48,6 +48,31 @@ fn brackets_stand_where_they_must() {
 }
 
 #[test]
+fn tidied_formulas_lose_brackets_and_keep_their_values() {
+    for (text, unicode, latex) in [
+        ("-(a + b) - (c - d)", "−a − b − c + d", "-a - b - c + d"),
+        ("cos(phi)*(a - b)*2", "2 (a − b) cos φ", r"2\,\left(a - b\right)\,\cos\varphi"),
+        ("x_dot*l1*x_dot", "ẋ² l₁", r"{\dot{x}}^{2}\,l_{1}"),
+        ("sin(a)*cos(b)*c", "c sin a cos b", r"c\,\sin a\,\cos b"),
+        ("sin(a)*sin(a)", "(sin a)²", r"\left(\sin a\right)^{2}"),
+        ("(-a)*(-b)/(-(c))", "−(a b)/c", r"-\frac{a\,b}{c}"),
+        ("2*2*a", "2 2 a", r"2\,2\,a"),
+        ("-(-(a - b))", "a − b", "a - b"),
+        ("a*(b*c)*a^2", "a³ b c", r"{a}^{3}\,b\,c"),
+    ] {
+        let parsed = Formula::parse(text).expect("a formula");
+        let tidied = parsed.clone().tidied();
+        assert_eq!([Notation::Unicode, Notation::Latex].map(|n| tidied.write(n)), [unicode, latex], "{text}");
+        assert_eq!(tidied, tidied.clone().tidied(), "{text}");
+        let value = |formula: &Formula| {
+            let of = |name: &Name| Some(0.3 + name.written.bytes().map(f64::from).sum::<f64>() / 97.0);
+            formula.evaluate(&of, &|_, _, _| None).expect("a value")
+        };
+        assert!((value(&parsed) - value(&tidied)).abs() < 1e-12, "{text}");
+    }
+}
+
+#[test]
 fn what_is_no_formula_is_refused_where_it_ends_to_be_one() {
     for (text, at) in [("a +", 3), ("a b", 2), ("(a", 2), ("f(a", 3), ("a…", 1), ("", 0)] {
         assert_eq!(Formula::parse(text).map_err(|error| error.at), Err(at), "{text}");

@@ -11,7 +11,7 @@ pub enum Formula {
     Name(Name),
     /// −a.
     Minus(Box<Formula>),
-    /// Terms, each added or subtracted; the first is never subtracted.
+    /// Terms, each added or subtracted.
     Sum(Vec<(bool, Formula)>),
     /// Factors.
     Product(Vec<Formula>),

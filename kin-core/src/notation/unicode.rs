@@ -23,9 +23,10 @@ pub(super) fn write(formula: &Formula) -> String {
         }
         Formula::Product(factors) => {
             let last = factors.len() - 1;
-            // A function with an argument beside it ends a product, or stands in brackets.
+            // After a function with an argument beside it there are functions only, or it stands in brackets.
+            let closes = |place: usize| place == last || matches!(factors[place + 1], Formula::Call(..));
             let one = |(place, factor): (usize, &Formula)| {
-                if place < last && is_open(factor) { format!("({})", write(factor)) } else { within(factor, 2) }
+                if is_open(factor) && !closes(place) { format!("({})", write(factor)) } else { within(factor, 2) }
             };
             factors.iter().enumerate().map(one).collect::<Vec<_>>().join(" ")
         }

@@ -32,7 +32,7 @@ enum Shown<'m> {
 
 impl<'m> Shown<'m> {
     fn new(text: &'m str) -> Self {
-        Formula::parse(text).map_or(Self::Text(text), Self::Formula)
+        Formula::parse(text).map_or(Self::Text(text), |formula| Self::Formula(formula.tidied()))
     }
 
     fn write(&self, notation: Notation) -> String {
