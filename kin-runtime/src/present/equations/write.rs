@@ -139,8 +139,12 @@ fn symbol(own: &Symbol, mark: &str, notation: Notation) -> String {
             format!("{letter}{index}{upper}")
         }
         Notation::MathMl => {
-            let variant = if own.bold { " mathvariant=\"bold\"" } else { "" };
-            let letter = format!("<mi{variant}>{}</mi>", own.letter);
+            let letter = match own.letter {
+                "v̂" => accented('v', '^'),
+                "ṙ" => accented('r', '˙'),
+                letter if own.bold => format!("<mi>{}</mi>", letter.chars().map(bold).collect::<String>()),
+                letter => format!("<mi>{letter}</mi>"),
+            };
             let index = own.index.as_ref().map_or_else(String::new, |i| format!("<mi mathvariant=\"normal\">{i}</mi>"));
             let upper = format!("{prime}{above}{mark}");
             match (index.is_empty(), upper.is_empty()) {
@@ -151,4 +155,15 @@ fn symbol(own: &Symbol, mark: &str, notation: Notation) -> String {
             }
         }
     }
+}
+
+/// A letter of vectors and matrices: browsers know no other way to write one bold.
+fn bold(letter: char) -> char {
+    let (first, start) = if letter.is_ascii_uppercase() { ('A', 0x1d400) } else { ('a', 0x1d41a) };
+    let place = u32::from(letter).wrapping_sub(u32::from(first));
+    if letter.is_ascii_alphabetic() { char::from_u32(start + place).unwrap_or(letter) } else { letter }
+}
+
+fn accented(letter: char, accent: char) -> String {
+    format!("<mover accent=\"true\"><mi>{}</mi><mo>{accent}</mo></mover>", bold(letter))
 }
