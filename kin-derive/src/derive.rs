@@ -2,16 +2,17 @@
 
 use crate::analyse::{Broken, analyse};
 use crate::lower::Lowered;
-use crate::{expand, fallback};
+use crate::{documentation, expand, fallback};
 use proc_macro2::{Span, TokenStream};
 
 /// The items of `#[mechanism(args)] item`.
 pub(crate) fn derive(args: TokenStream, item: TokenStream) -> TokenStream {
-    let (cleaned, lowered) = analyse(args, item.clone());
+    let (cleaned, lowered) = analyse(args.clone(), item.clone());
     let derived = lowered.and_then(|lowered| match system(&lowered) {
         Ok((system, structure)) => {
             let plan = kin_core::plan::plan_of_rank(&system, structure.rank);
-            Ok(expand::expand(&lowered, &system, &structure, &plan))
+            let documentation = documentation::attribute(&args, &item);
+            Ok(expand::expand(&lowered, &system, &structure, &plan, &documentation))
         }
         Err(error) => Err(Broken { error, lowered: Some(Box::new(lowered)) }),
     });

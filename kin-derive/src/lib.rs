@@ -14,6 +14,7 @@ mod ast;
 #[cfg(test)]
 mod corpus;
 mod derive;
+mod documentation;
 mod expand;
 mod fallback;
 #[cfg(test)]
@@ -32,4 +33,12 @@ use proc_macro::TokenStream;
 #[proc_macro_attribute]
 pub fn mechanism(args: TokenStream, item: TokenStream) -> TokenStream {
     derive(args.into(), item.into()).into()
+}
+
+/// The equations of a mechanism as documentation of its struct, called by what [`macro@mechanism`] writes.
+#[cfg(feature = "equations")]
+#[doc(hidden)]
+#[proc_macro]
+pub fn documentation(input: TokenStream) -> TokenStream {
+    proc_macro::TokenTree::Literal(proc_macro::Literal::string(&documentation::text(input.into()))).into()
 }

@@ -18,6 +18,8 @@ pub use crate::workspace::{Evaluation, Instant, Signal, Subset};
 pub use core::default::Default;
 pub use core::option::Option::{self, None, Some};
 pub use core::result::Result::{self, Err, Ok};
+#[cfg(feature = "equations")]
+pub use kin_derive::documentation;
 
 /// The names of local variables and arguments in generated code.
 ///

@@ -174,6 +174,34 @@ pub enum JointTag {
     Driver,
 }
 
+impl JointTag {
+    /// The keyword of the user's language.
+    pub const fn keyword(self) -> &'static str {
+        match self {
+            Self::Revolute => "revolute",
+            Self::Translational => "translational",
+            Self::Fixed => "fixed",
+            Self::PointOnLine => "point_on_line",
+            Self::Distance => "distance",
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Angle => "angle",
+            Self::RelativeAngle => "relative_angle",
+            Self::OnPolarCurve | Self::OnImplicitCurve | Self::OnParametricCurve => "on_curve",
+            Self::FlatFollower => "flat_follower",
+            Self::Gear => "gear",
+            Self::Belt => "belt",
+            Self::RackPinion => "rack_pinion",
+            Self::RollingOnLine | Self::RollingOnDisc => "rolling",
+            Self::Constraint => "constraint",
+            Self::KnifeEdge => "knife_edge",
+            Self::Speed => "speed",
+            Self::Nonholonomic => "nonholonomic",
+            Self::Driver => "driver",
+        }
+    }
+}
+
 /// A joint with its rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointInstance {

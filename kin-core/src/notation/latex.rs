@@ -1,6 +1,7 @@
 //! LaTeX.
 
 use super::name::{Base, Name};
+use super::parts::{self, Signs};
 use super::tree::Formula;
 
 pub(super) fn write(formula: &Formula) -> String {
@@ -8,34 +9,20 @@ pub(super) fn write(formula: &Formula) -> String {
         Formula::Number(value) => number(*value),
         Formula::Name(own) => name(own),
         Formula::Minus(a) => format!("-{}", within(a, 2)),
-        Formula::Sum(terms) => {
-            let mut out = String::new();
-            for (place, (minus, term)) in terms.iter().enumerate() {
-                out.push_str(match (place, minus) {
-                    (0, false) => "",
-                    (0, true) => "-",
-                    (_, false) => " + ",
-                    (_, true) => " - ",
-                });
-                out.push_str(&within(term, if *minus || place > 0 { 2 } else { 1 }));
-            }
-            out
-        }
-        Formula::Product(factors) => {
-            let last = factors.len() - 1;
-            let closes = |place: usize| place == last || matches!(factors[place + 1], Formula::Call(..));
-            let one = |(place, factor): (usize, &Formula)| {
-                if is_open(factor) && !closes(place) { bracketed(factor) } else { within(factor, 2) }
-            };
-            factors.iter().enumerate().map(one).collect::<Vec<_>>().join(r"\,")
-        }
+        Formula::Sum(parts) => terms(parts).concat(),
+        Formula::Product(factors) => parts::factors(factors, is_open, within).join(r"\,"),
         Formula::Quotient(a, b) => format!(r"\frac{{{}}}{{{}}}", write(a), write(b)),
         Formula::Power(a, n) => format!("{}^{{{}}}", powered(a), signed(*n)),
         Formula::Call(function, primes, arguments) => call(function, *primes, arguments),
     }
 }
 
-/// A function whose argument has no brackets: after it there are functions only, or it stands in brackets.
+/// The terms of a sum with their signs.
+pub(super) fn terms(parts: &[(bool, Formula)]) -> Vec<String> {
+    parts::terms(parts, &Signs { first: "-", plus: " + ", minus: " - " }, within)
+}
+
+/// A function whose argument has no brackets.
 fn is_open(formula: &Formula) -> bool {
     match formula {
         Formula::Call(function, 0, arguments) => {
@@ -81,9 +68,7 @@ fn within(formula: &Formula, least: u8) -> String {
 /// The base of a power: anything that is not one symbol stands in brackets.
 fn powered(formula: &Formula) -> String {
     match formula {
-        Formula::Number(_) => write(formula),
-        // A dotted letter carries its power well, one with an index in a group of its own.
-        Formula::Name(_) => format!("{{{}}}", write(formula)),
+        Formula::Number(_) | Formula::Name(_) => write(formula),
         _ => bracketed(formula),
     }
 }

@@ -1,6 +1,7 @@
 //! Presentation MathML, which browsers show without a script and without a network.
 
 use super::name::{Base, Name};
+use super::parts::{self, Signs};
 use super::tree::Formula;
 
 pub(super) fn write(formula: &Formula) -> String {
@@ -8,31 +9,35 @@ pub(super) fn write(formula: &Formula) -> String {
         Formula::Number(value) => format!("<mn>{value}</mn>"),
         Formula::Name(own) => name(own),
         Formula::Minus(a) => format!("<mrow><mo>−</mo>{}</mrow>", within(a, 2)),
-        Formula::Sum(terms) => {
-            let mut out = String::from("<mrow>");
-            for (place, (minus, term)) in terms.iter().enumerate() {
-                match (place, minus) {
-                    (0, false) => {}
-                    (_, false) => out.push_str("<mo>+</mo>"),
-                    (_, true) => out.push_str("<mo>−</mo>"),
-                }
-                out.push_str(&within(term, if *minus || place > 0 { 2 } else { 1 }));
-            }
-            out + "</mrow>"
-        }
+        Formula::Sum(parts) => format!("<mrow>{}</mrow>", terms(parts).concat()),
         Formula::Product(factors) => {
-            let factors: Vec<String> = factors.iter().map(|factor| within(factor, 2)).collect();
+            // A function of a name stands without brackets, as in the other notations.
+            let factors = parts::factors(factors, is_open, within);
             // An invisible sign of multiplication, with the distance that a reader expects.
-            format!("<mrow>{}</mrow>", factors.join("<mo>&#x2062;</mo><mspace width=\"0.15em\"/>"))
+            format!("<mrow>{}</mrow>", factors.join("<mo>&#x2062;</mo><mspace width=\"0.15em\"></mspace>"))
         }
         Formula::Quotient(a, b) => format!("<mfrac>{}{}</mfrac>", write(a), write(b)),
         Formula::Power(a, n) => {
             let n =
                 if *n < 0.0 { format!("<mrow><mo>−</mo><mn>{}</mn></mrow>", -n) } else { format!("<mn>{n}</mn>") };
-            format!("<msup>{}{n}</msup>", within(a, 5))
+            match a.as_ref() {
+                // An exponent stands above an index, not behind it.
+                Formula::Name(own) => powered(own, Some(&n)),
+                _ => format!("<msup>{}{n}</msup>", within(a, 5)),
+            }
         }
         Formula::Call(function, primes, arguments) => call(function, *primes, arguments),
     }
+}
+
+/// The terms of a sum with their signs.
+pub(super) fn terms(parts: &[(bool, Formula)]) -> Vec<String> {
+    parts::terms(parts, &Signs { first: "<mo>−</mo>", plus: "<mo>+</mo>", minus: "<mo>−</mo>" }, within)
+}
+
+/// A function whose argument has no brackets.
+fn is_open(formula: &Formula) -> bool {
+    matches!(formula, Formula::Call(_, 0, arguments) if matches!(arguments[..], [Formula::Name(_)]))
 }
 
 fn call(function: &str, primes: usize, arguments: &[Formula]) -> String {
@@ -44,7 +49,7 @@ fn call(function: &str, primes: usize, arguments: &[Formula]) -> String {
     }
     let function = format!("<mi>{}{}</mi><mo>&#x2061;</mo>", escaped(function), "′".repeat(primes));
     match arguments {
-        [Formula::Name(_)] if primes == 0 => format!("<mrow>{function}<mspace width=\"0.15em\"/>{list}</mrow>"),
+        [Formula::Name(_)] if primes == 0 => format!("<mrow>{function}<mspace width=\"0.15em\"></mspace>{list}</mrow>"),
         _ => format!("<mrow>{function}<mo>(</mo>{list}<mo>)</mo></mrow>"),
     }
 }
@@ -57,6 +62,11 @@ fn within(formula: &Formula, least: u8) -> String {
 }
 
 pub(super) fn name(name: &Name) -> String {
+    powered(name, None)
+}
+
+/// A name with an exponent.
+fn powered(name: &Name, power: Option<&str>) -> String {
     let letter = match &name.base {
         Base::Letter(letter) | Base::Greek(_, letter) => format!("<mi>{letter}</mi>"),
         Base::Word(word) => format!("<mi>{}</mi>", escaped(word)),
@@ -67,13 +77,17 @@ pub(super) fn name(name: &Name) -> String {
         _ => format!("<mover accent=\"true\">{letter}<mo>¨</mo></mover>"),
     };
     if name.index.is_empty() {
-        return dotted;
+        return power.map_or(dotted.clone(), |power| format!("<msup>{dotted}{power}</msup>"));
     }
     let index = name.index.iter().map(|index| match index.bytes().all(|b| b.is_ascii_digit()) {
         true => format!("<mn>{index}</mn>"),
         false => format!("<mi mathvariant=\"normal\">{}</mi>", escaped(index)),
     });
-    format!("<msub>{dotted}<mrow>{}</mrow></msub>", index.collect::<Vec<_>>().join("<mo>,</mo>"))
+    let index = format!("<mrow>{}</mrow>", index.collect::<Vec<_>>().join("<mo>,</mo>"));
+    match power {
+        None => format!("<msub>{dotted}{index}</msub>"),
+        Some(power) => format!("<msubsup>{dotted}{index}{power}</msubsup>"),
+    }
 }
 
 fn escaped(text: &str) -> String {

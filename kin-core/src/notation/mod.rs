@@ -19,6 +19,7 @@ mod latex;
 mod mathml;
 mod name;
 mod parse;
+mod parts;
 mod tidy;
 mod tree;
 mod unicode;

@@ -1,6 +1,7 @@
 //! Plain text: φ̇_crank, ½ stays 0.5, products by thin distance.
 
 use super::name::{Base, Name};
+use super::parts::{self, Signs};
 use super::tree::Formula;
 
 pub(super) fn write(formula: &Formula) -> String {
@@ -8,28 +9,8 @@ pub(super) fn write(formula: &Formula) -> String {
         Formula::Number(value) => value.to_string(),
         Formula::Name(own) => name(own),
         Formula::Minus(a) => format!("−{}", within(a, 2)),
-        Formula::Sum(terms) => {
-            let mut out = String::new();
-            for (place, (minus, term)) in terms.iter().enumerate() {
-                out.push_str(match (place, minus) {
-                    (0, false) => "",
-                    (0, true) => "−",
-                    (_, false) => " + ",
-                    (_, true) => " − ",
-                });
-                out.push_str(&within(term, if *minus || place > 0 { 2 } else { 1 }));
-            }
-            out
-        }
-        Formula::Product(factors) => {
-            let last = factors.len() - 1;
-            // After a function with an argument beside it there are functions only, or it stands in brackets.
-            let closes = |place: usize| place == last || matches!(factors[place + 1], Formula::Call(..));
-            let one = |(place, factor): (usize, &Formula)| {
-                if is_open(factor) && !closes(place) { format!("({})", write(factor)) } else { within(factor, 2) }
-            };
-            factors.iter().enumerate().map(one).collect::<Vec<_>>().join(" ")
-        }
+        Formula::Sum(parts) => terms(parts).concat(),
+        Formula::Product(factors) => parts::factors(factors, is_open, within).join(" "),
         Formula::Quotient(a, b) => format!("{}/{}", within(a, 4), within(b, 4)),
         Formula::Power(a, n) => match superscript(*n) {
             Some(n) => format!("{}{n}", within(a, 5)),
@@ -37,6 +18,11 @@ pub(super) fn write(formula: &Formula) -> String {
         },
         Formula::Call(function, primes, arguments) => call(function, *primes, arguments),
     }
+}
+
+/// The terms of a sum with their signs.
+pub(super) fn terms(parts: &[(bool, Formula)]) -> Vec<String> {
+    parts::terms(parts, &Signs { first: "−", plus: " + ", minus: " − " }, within)
 }
 
 /// `sin φ` rather than `sin(φ)`.

@@ -39,14 +39,19 @@ pub(crate) fn expand(
     system: &KinematicSystem,
     structure: &Structure,
     plan: &SolutionPlan,
+    documentation: &TokenStream,
 ) -> TokenStream {
     let item = &lowered.item;
     let handles = handles::handles(lowered, system);
     let mechanism = mechanism(lowered, system, structure, plan);
     let default = parameters::default(lowered);
     let cross_check = test::cross_check(lowered);
+    // After the user's own text: attributes of documentation are one text in their order.
+    let (attributes, bare) = (&item.attrs, syn::ItemStruct { attrs: Vec::new(), ..item.clone() });
     quote! {
-        #item
+        #(#attributes)*
+        #documentation
+        #bare
         // Numbers of the user's that look like a rounded π are the user's business.
         #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         const _: () = {

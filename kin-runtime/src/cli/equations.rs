@@ -58,11 +58,12 @@ pub(super) fn run(args: &EquationsArgs, engine: &mut dyn Engine, session: &mut S
         Some("html" | "htm") => Form::Html,
         _ => Form::Text,
     });
+    let sheet = equations::sheet(model, &chosen);
     let text = match form {
-        Form::Text => equations::text(model, &chosen),
-        Form::Latex if document => equations::latex(model, &chosen),
-        Form::Latex => equations::latex_fragment(model, &chosen),
-        Form::Html => equations::page(model, &chosen),
+        Form::Text => sheet.text(),
+        Form::Latex if document => sheet.latex(),
+        Form::Latex => sheet.latex_fragment(),
+        Form::Html => sheet.page(),
     };
     session.deliver_to(file, text.as_bytes())
 }

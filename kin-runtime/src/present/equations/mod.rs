@@ -1,86 +1,74 @@
 //! The derivation for people: joint by joint, each with its own equation first, then its rows of Φ, Φ_q, Φ_t and γ.
 //!
-//! The formulas are those of the graph that the code was emitted from, as the tables of the mechanism hold them.
+//! The formulas are those of the graph that the code was emitted from, as the tables of the mechanism hold them; how they
+//! are written is kin-core's.
 
-mod document;
-mod own;
-mod text;
-mod write;
+use crate::model::{EquationText, Frame, JointInfo, JointKind, Level, Model, Role};
+use kin_core::constraint::JointTag;
+use kin_core::sheet::{Joint, Operands, Row, Sheet, Shown};
 
-pub(crate) use document::{latex, latex_fragment, page};
-pub(crate) use text::text;
-
-use crate::model::{EquationText, JointInfo, Level, Model};
-use kin_core::notation::{Formula, Name, Notation};
-
-/// A row with its formulas.
-struct Row<'m> {
-    name: &'static str,
-    level: Level,
-    phi: Shown<'m>,
-    /// Coordinates with the entries of Φ_q.
-    phi_q: Vec<(&'m str, Shown<'m>)>,
-    phi_t: Shown<'m>,
-    gamma: Shown<'m>,
-}
-
-/// A formula, or a text that was too long to be one.
-enum Shown<'m> {
-    Formula(Formula),
-    Text(&'m str),
-}
-
-impl<'m> Shown<'m> {
-    fn new(text: &'m str) -> Self {
-        Formula::parse(text).map_or(Self::Text(text), |formula| Self::Formula(formula.tidied()))
-    }
-
-    fn write(&self, notation: Notation) -> String {
-        match (self, notation) {
-            (Self::Formula(formula), _) => formula.write(notation),
-            (Self::Text(text), Notation::Unicode) => (*text).to_owned(),
-            (Self::Text(text), Notation::Latex) => {
-                format!(r"\text{{{}}}", text.replace('_', r"\_").replace('^', r"\^{}"))
-            }
-            (Self::Text(text), Notation::MathMl) => format!("<mtext>{}</mtext>", super::drawing::escaped(text)),
-        }
-    }
-}
-
-/// Those that are chosen, by their places; all where none is.
-fn joints<'m>(model: &'m Model, chosen: &'m [usize]) -> impl Iterator<Item = &'m JointInfo> {
+/// The joints that are chosen by their places, all where none is.
+pub(crate) fn sheet(model: &Model, chosen: &[usize]) -> Sheet {
     let all = model.joints.iter().enumerate();
-    all.filter(|(place, _)| chosen.is_empty() || chosen.contains(place)).map(|(_, joint)| joint)
-}
-
-/// The rows of a joint.
-fn rows<'m>(model: &'m Model, joint: &JointInfo) -> Vec<Row<'m>> {
-    let range = joint.first_row..joint.first_row + joint.rows;
-    let row = |place: usize| -> Option<Row<'m>> {
-        let (info, text): (_, &'m EquationText) = (model.rows.get(place)?, model.equations.get(place)?);
-        Some(Row {
-            name: info.name,
-            level: info.level,
-            phi: Shown::new(text.phi),
-            phi_q: text.phi_q.iter().map(|&(name, entry)| (name, Shown::new(entry))).collect(),
-            phi_t: Shown::new(text.phi_t),
-            gamma: Shown::new(text.gamma),
-        })
-    };
-    range.filter_map(row).collect()
-}
-
-/// `revolute, crank – coupler`.
-fn what(model: &Model, joint: &JointInfo) -> String {
-    let name = |frame| super::text::frame_name(model, frame);
-    let frames: Vec<&str> = joint.frames.iter().flatten().map(|&frame| name(frame)).collect();
-    match frames.is_empty() {
-        true => joint.kind.to_string(),
-        false => format!("{}, {}", joint.kind, frames.join(" – ")),
+    let joints = all.filter(|(place, _)| chosen.is_empty() || chosen.contains(place));
+    Sheet {
+        name: model.name.to_owned(),
+        doc: model.doc.to_owned(),
+        coordinates: model.coordinates.iter().map(|coordinate| coordinate.name.to_owned()).collect(),
+        joints: joints.map(|(_, of)| joint(model, of)).collect(),
     }
 }
 
-/// A coordinate's symbol.
-fn symbol(name: &str, notation: Notation) -> String {
-    Name::new(name).write(notation)
+fn joint(model: &Model, joint: &JointInfo) -> Joint {
+    let name = |frame: Frame| match frame {
+        Frame::Ground => None,
+        Frame::Body(body) => model.bodies.get(body).map(|body| body.name),
+    };
+    let point = |role: Role| joint.geometry.iter().find(|entry| entry.role == role).map(|entry| name(entry.frame));
+    let frames = joint.frames.map(|frame| frame.map(name));
+    let points = [point(Role::P), point(Role::Q)];
+    let mut of = Joint::new(&Operands { tag: tag(joint.kind), name: joint.name, frames, points });
+    let rows = joint.first_row..joint.first_row + joint.rows;
+    of.rows = rows.filter_map(|place| row(model, place)).collect();
+    of
+}
+
+fn row(model: &Model, place: usize) -> Option<Row> {
+    let (info, text): (_, &EquationText) = (model.rows.get(place)?, model.equations.get(place)?);
+    Some(Row {
+        name: info.name.to_owned(),
+        position: info.level == Level::Position,
+        phi: Shown::new(text.phi),
+        phi_q: text.phi_q.iter().map(|&(name, entry)| (name.to_owned(), Shown::new(entry))).collect(),
+        phi_t: Shown::new(text.phi_t),
+        gamma: Shown::new(text.gamma),
+    })
+}
+
+fn tag(kind: JointKind) -> JointTag {
+    match kind {
+        JointKind::Revolute => JointTag::Revolute,
+        JointKind::Translational => JointTag::Translational,
+        JointKind::Fixed => JointTag::Fixed,
+        JointKind::PointOnLine => JointTag::PointOnLine,
+        JointKind::Distance => JointTag::Distance,
+        JointKind::X => JointTag::X,
+        JointKind::Y => JointTag::Y,
+        JointKind::Angle => JointTag::Angle,
+        JointKind::RelativeAngle => JointTag::RelativeAngle,
+        JointKind::OnPolarCurve => JointTag::OnPolarCurve,
+        JointKind::OnImplicitCurve => JointTag::OnImplicitCurve,
+        JointKind::OnParametricCurve => JointTag::OnParametricCurve,
+        JointKind::FlatFollower => JointTag::FlatFollower,
+        JointKind::Gear => JointTag::Gear,
+        JointKind::Belt => JointTag::Belt,
+        JointKind::RackPinion => JointTag::RackPinion,
+        JointKind::RollingOnLine => JointTag::RollingOnLine,
+        JointKind::RollingOnDisc => JointTag::RollingOnDisc,
+        JointKind::Constraint => JointTag::Constraint,
+        JointKind::KnifeEdge => JointTag::KnifeEdge,
+        JointKind::Speed => JointTag::Speed,
+        JointKind::Nonholonomic => JointTag::Nonholonomic,
+        JointKind::Driver => JointTag::Driver,
+    }
 }

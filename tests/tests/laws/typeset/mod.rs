@@ -14,7 +14,9 @@ use std::fs;
 fn lines(document: &str) -> Vec<String> {
     let displays = document.split("\\begin{align*}\n").skip(1);
     let inside = displays.filter_map(|text| text.split("\n\\end{align*}").next());
-    inside.flat_map(|text| text.split(" \\\\\n")).map(str::to_owned).collect()
+    // A right side may go on in the next line.
+    let whole = inside.map(|text| text.replace(" \\\\\n&\\quad {} ", " "));
+    whole.flat_map(|text| text.split(" \\\\\n").map(str::to_owned).collect::<Vec<_>>()).collect()
 }
 
 fn close(found: Value, expected: f64) -> bool {

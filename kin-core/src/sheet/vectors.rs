@@ -1,6 +1,7 @@
 //! Vectors, matrices and what stands between them, in every notation.
 
-use kin_core::notation::Notation;
+use super::html::escaped;
+use crate::notation::Notation;
 
 /// A letter with what stands at it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -64,7 +65,7 @@ pub(super) fn write(pieces: &[Piece], notation: Notation) -> String {
             out.push_str(match notation {
                 Notation::Unicode => " ",
                 Notation::Latex => r"\,",
-                Notation::MathMl => "<mspace width=\"0.15em\"/>",
+                Notation::MathMl => "<mspace width=\"0.15em\"></mspace>",
             });
         }
         out.push_str(text);
@@ -145,8 +146,11 @@ fn symbol(own: &Symbol, mark: &str, notation: Notation) -> String {
                 letter if own.bold => format!("<mi>{}</mi>", letter.chars().map(bold).collect::<String>()),
                 letter => format!("<mi>{letter}</mi>"),
             };
-            let index = own.index.as_ref().map_or_else(String::new, |i| format!("<mi mathvariant=\"normal\">{i}</mi>"));
-            let upper = format!("{prime}{above}{mark}");
+            let index = own
+                .index
+                .as_ref()
+                .map_or_else(String::new, |i| format!("<mi mathvariant=\"normal\">{}</mi>", escaped(i)));
+            let upper = escaped(&format!("{prime}{above}{mark}"));
             match (index.is_empty(), upper.is_empty()) {
                 (true, true) => letter,
                 (false, true) => format!("<msub>{letter}{index}</msub>"),

@@ -1,39 +1,49 @@
 //! A joint's own equation, as the lecture writes it: with r + A s′ of both bodies, before anything is written out.
 
-use super::write::{Piece, Symbol};
-use crate::model::{Frame, JointInfo, JointKind, Model, Role};
+use super::vectors::{Piece, Symbol};
+use crate::constraint::JointTag;
+
+/// A joint with what its own equation is about. A body is its name, `None` the ground.
+#[derive(Clone, Copy, Debug)]
+pub struct Operands<'a> {
+    /// Kind.
+    pub tag: JointTag,
+    /// Name.
+    pub name: &'a str,
+    /// Frames of the operands, as far as there are any.
+    pub frames: [Option<Option<&'a str>>; 2],
+    /// Frames that carry the points P and Q.
+    pub points: [Option<Option<&'a str>>; 2],
+}
 
 /// The equations of a joint's rows; none where the rows are the user's own formulas.
-pub(super) fn own(model: &Model, joint: &JointInfo) -> Vec<Vec<Piece>> {
-    let of = |role: Role| joint.geometry.iter().find(|g| g.role == role).map(|g| Body::new(model, g.frame));
-    let angle = |place: usize| joint.frames[place].map(|frame| Body::new(model, frame).phi());
+pub(super) fn own(joint: &Operands<'_>) -> Vec<Vec<Piece>> {
+    let of = |place: usize| joint.points[place].or(joint.frames[place]).map(|name| Body { name });
+    let angle = |place: usize| joint.frames[place].map(|name| Body { name }.phi());
     let name = joint.name;
-    let (Some(i), second) = (of(Role::P).or_else(|| joint.frames[0].map(|f| Body::new(model, f))), of(Role::Q)) else {
-        return Vec::new();
-    };
-    let j = second.or_else(|| joint.frames[1].map(|f| Body::new(model, f)));
+    let (Some(i), j) = (of(0), of(1)) else { return Vec::new() };
     let turned = |what: Vec<Piece>| angles(angle(1), angle(0), what);
-    match (joint.kind, j) {
-        (JointKind::Revolute, Some(j)) => vec![equals(difference(&j, &i, name), nothing())],
-        (JointKind::Fixed, Some(j)) => {
+    match (joint.tag, j) {
+        (JointTag::Revolute, Some(j)) => vec![equals(difference(&j, &i, name), nothing())],
+        (JointTag::Fixed, Some(j)) => {
             vec![equals(difference(&j, &i, name), nothing()), turned(scalar("c", name))]
         }
-        (JointKind::Translational, Some(j)) => {
+        (JointTag::Translational, Some(j)) => {
             vec![equals(across(&i, name), nothing()), turned(scalar("c", name)), vector(&j, &i, name)]
         }
-        (JointKind::PointOnLine, Some(j)) => {
+        (JointTag::PointOnLine, Some(j)) => {
             vec![equals(across(&i, name), scalar("e", name)), vector(&j, &i, name)]
         }
-        (JointKind::Distance, Some(j)) => {
+        (JointTag::Distance, Some(j)) => {
             let square = vec![Piece::Transposed(Symbol::bold("d").of(name)), Piece::Vector(Symbol::bold("d").of(name))];
             vec![equals(square, vec![Piece::Squared(Symbol::plain("e").of(name))]), vector(&j, &i, name)]
         }
-        (JointKind::RackPinion, Some(j)) => {
+        (JointTag::RackPinion, Some(j)) => {
             let arc = [Piece::Op(" − "), Piece::Scalar(Symbol::plain("R").of(name)), Piece::Op("Δφ")];
             let stroke = along(&i, name).into_iter().chain(arc).collect();
             vec![equals(stroke, scalar("e", name)), vector(&j, &i, name)]
         }
-        (JointKind::RollingOnLine, Some(j)) => {
+        (JointTag::RollingOnLine, Some(j)) => {
             let roll = [
                 Piece::Op(" + "),
                 Piece::Scalar(Symbol::plain("R").of(name)),
@@ -46,10 +56,10 @@ pub(super) fn own(model: &Model, joint: &JointInfo) -> Vec<Vec<Piece>> {
             let rolled = along(&i, name).into_iter().chain(roll).collect();
             vec![equals(across(&i, name), scalar("R", name)), equals(rolled, scalar("e", name)), vector(&j, &i, name)]
         }
-        (JointKind::KnifeEdge, _) => vec![equals(rate_across(&i, name), nothing())],
-        (JointKind::Gear | JointKind::Belt, Some(_)) => gear(joint, angle(0), angle(1)),
-        (JointKind::RelativeAngle, _) => vec![turned(scalar("e", name))],
-        (JointKind::OnParametricCurve, Some(j)) => {
+        (JointTag::KnifeEdge, _) => vec![equals(rate_across(&i, name), nothing())],
+        (JointTag::Gear | JointTag::Belt, Some(_)) => gear(joint, angle(0), angle(1)),
+        (JointTag::RelativeAngle, _) => vec![turned(scalar("e", name))],
+        (JointTag::OnParametricCurve, Some(j)) => {
             let curve = [Piece::Op(" − "), i.matrix(), Piece::Vector(Symbol::bold("c").of(name)), Piece::Op("(u)")];
             vec![equals(difference(&j, &i, name).into_iter().chain(curve).collect(), nothing())]
         }
@@ -61,19 +71,12 @@ pub(super) fn own(model: &Model, joint: &JointInfo) -> Vec<Vec<Piece>> {
 }
 
 /// A frame with its symbols.
-struct Body {
-    name: Option<&'static str>,
+struct Body<'a> {
+    name: Option<&'a str>,
 }
 
-impl Body {
-    fn new(model: &Model, frame: Frame) -> Self {
-        match frame {
-            Frame::Ground => Self { name: None },
-            Frame::Body(body) => Self { name: model.bodies.get(body).map(|body| body.name) },
-        }
-    }
-
-    fn index(&self) -> &'static str {
+impl Body<'_> {
+    fn index(&self) -> &str {
         self.name.unwrap_or("0")
     }
 
@@ -101,30 +104,30 @@ impl Body {
 }
 
 /// r_Q − r_P.
-fn difference(j: &Body, i: &Body, joint: &str) -> Vec<Piece> {
+fn difference(j: &Body<'_>, i: &Body<'_>, joint: &str) -> Vec<Piece> {
     j.point(joint, " + ").into_iter().chain([Piece::Op(" − ")]).chain(i.point(joint, " − ")).collect()
 }
 
 /// d = r_Q − r_P.
-fn vector(j: &Body, i: &Body, joint: &str) -> Vec<Piece> {
+fn vector(j: &Body<'_>, i: &Body<'_>, joint: &str) -> Vec<Piece> {
     equals(vec![Piece::Vector(Symbol::bold("d").of(joint))], difference(j, i, joint))
 }
 
 /// (A v̂)⊥ᵀ d.
-fn across(i: &Body, joint: &str) -> Vec<Piece> {
+fn across(i: &Body<'_>, joint: &str) -> Vec<Piece> {
     vec![axis(i, joint, "⊥ᵀ"), Piece::Vector(Symbol::bold("d").of(joint))]
 }
 
 /// (A v̂)ᵀ d.
-fn along(i: &Body, joint: &str) -> Vec<Piece> {
+fn along(i: &Body<'_>, joint: &str) -> Vec<Piece> {
     vec![axis(i, joint, "ᵀ"), Piece::Vector(Symbol::bold("d").of(joint))]
 }
 
-fn rate_across(i: &Body, joint: &str) -> Vec<Piece> {
+fn rate_across(i: &Body<'_>, joint: &str) -> Vec<Piece> {
     vec![axis(i, joint, "⊥ᵀ"), Piece::Vector(Symbol::bold("ṙ").of(joint))]
 }
 
-fn axis(i: &Body, joint: &str, mark: &'static str) -> Piece {
+fn axis(i: &Body<'_>, joint: &str, mark: &'static str) -> Piece {
     let inner = match i.name {
         None => vec![Piece::Vector(Symbol::bold("v̂").of(joint))],
         Some(_) => vec![i.matrix(), Piece::Vector(Symbol::bold("v̂").of(joint))],
@@ -141,7 +144,7 @@ fn angles(j: Option<Symbol>, i: Option<Symbol>, what: Vec<Piece>) -> Vec<Piece> 
 }
 
 /// R_a(φ_a − φ_c) ± R_b(φ_b − φ_c) = e, with c the carrier.
-fn gear(joint: &JointInfo, a: Option<Symbol>, b: Option<Symbol>) -> Vec<Vec<Piece>> {
+fn gear(joint: &Operands<'_>, a: Option<Symbol>, b: Option<Symbol>) -> Vec<Vec<Piece>> {
     let (Some(a), Some(b)) = (a, b) else { return Vec::new() };
     let arc = |place: &'static str, phi: Symbol| {
         [
@@ -153,7 +156,7 @@ fn gear(joint: &JointInfo, a: Option<Symbol>, b: Option<Symbol>) -> Vec<Vec<Piec
             Piece::Op(")"),
         ]
     };
-    let sign = if joint.kind == JointKind::Gear { " + " } else { " − " };
+    let sign = if joint.tag == JointTag::Gear { " + " } else { " − " };
     let both = arc("a", a).into_iter().chain([Piece::Op(sign)]).chain(arc("b", b)).collect();
     vec![equals(both, scalar("e", joint.name))]
 }

@@ -1,0 +1,106 @@
+//! As documentation of the mechanism's struct: HTML that Markdown leaves alone, to be read without a network.
+//!
+//! A block of HTML ends at a blank line, so there is none. Of large mechanisms the equations of some joints are written
+//! out and the rest are named; derivatives are folded.
+
+use super::html::{STYLE, WIDTH, escaped, math, own_equations, table};
+use super::lines::{derivatives, own};
+use super::{Joint, Sheet, symbol};
+use crate::notation::Notation::MathMl;
+
+/// Bytes after which joints are named only. A four-bar takes a tenth.
+const LONG: usize = 200_000;
+
+/// Coordinates that are listed.
+const MANY: usize = 60;
+
+impl Sheet {
+    /// Sections for the documentation of the struct, to stand after the user's own text.
+    ///
+    /// Members of a family are written once, with the names of those that are like it; after 200 000 bytes joints are
+    /// only named.
+    pub fn docs(&self) -> String {
+        let mut out =
+            format!("\n\n# Equations\n\n<style>{STYLE}{OWN}</style>\n<div class=\"kin-sheet\">\n{}", self.q());
+        let mut named: Vec<&str> = Vec::new();
+        for joint in &self.joints {
+            if out.len() > LONG {
+                named.push(&joint.name);
+                named.extend(joint.alike.iter().map(String::as_str));
+            } else {
+                out.push_str(&section(joint));
+            }
+        }
+        if !named.is_empty() {
+            out.push_str(&format!(
+                "<p>{} stand in the same way for {}; the command <code>equations</code> writes them out.</p>\n",
+                if named.len() == 1 { "Further equations" } else { "The equations of further joints" },
+                enumeration(&named)
+            ));
+        }
+        out.push_str("</div>\n");
+        out
+    }
+
+    /// q = (…)ᵀ, in parts between which a line may end.
+    fn q(&self) -> String {
+        let count = self.coordinates.len();
+        let names = self.coordinates.iter().take(MANY).map(|name| symbol(name, MathMl));
+        let mut parts: Vec<String> = names.chain((count > MANY).then(|| "<mo>…</mo>".to_owned())).collect();
+        let last = parts.len().saturating_sub(1);
+        for (place, part) in parts.iter_mut().enumerate() {
+            let before = if place == 0 { "<mi>𝐪</mi><mo>=</mo><mo>(</mo>" } else { "" };
+            let after = if place == last { "<msup><mo>)</mo><mtext>T</mtext></msup>" } else { "<mo>,</mo>" };
+            *part = math(&format!("{before}{part}{after}"));
+        }
+        let rows: usize = self.joints.iter().map(|joint| joint.rows.len() * (1 + joint.alike.len())).sum();
+        format!(
+            "<p>{count} coordinate{}, {rows} row{} of Φ:</p>\n<div class=\"kin-eq\"><p>{}</p></div>\n",
+            plural(count),
+            plural(rows),
+            parts.join(" ")
+        )
+    }
+}
+
+/// Beside the equations themselves.
+const OWN: &str = "\
+.kin-sheet h4{margin:1.1rem 0 .1rem;font-size:1.02rem}\
+.kin-sheet h4 span{font-weight:400;opacity:.75;margin-left:.5em}\
+.kin-sheet details{margin:0 0 .4rem}";
+
+fn section(joint: &Joint) -> String {
+    let first = table(joint.rows.iter().map(|row| own(row, MathMl, WIDTH)));
+    let folded: String = joint.rows.iter().map(|row| table(derivatives(row, MathMl, WIDTH).into_iter())).collect();
+    let alike = match joint.alike.as_slice() {
+        [] => String::new(),
+        [one] => format!("<p>Likewise {}.</p>\n", escaped(one)),
+        many => format!("<p>Likewise {}.</p>\n", enumeration(&many.iter().map(String::as_str).collect::<Vec<_>>())),
+    };
+    let summary = match joint.rows.iter().any(|row| row.position) {
+        true => "Φ<sub>q</sub>, Φ<sub>t</sub> and γ",
+        false => "Derivatives",
+    };
+    format!(
+        "<h4>{}<span>{}</span></h4>\n{}{first}<details><summary>{summary}</summary>\n{folded}</details>\n{alike}",
+        escaped(&joint.name),
+        escaped(&joint.what),
+        own_equations(joint)
+    )
+}
+
+/// `a, b and c`; of many the first and the last.
+fn enumeration(names: &[&str]) -> String {
+    let escaped: Vec<String> = names.iter().map(|name| escaped(name)).collect();
+    match escaped.as_slice() {
+        [] => String::new(),
+        [one] => one.clone(),
+        [before @ .., last] if before.len() < 6 => format!("{} and {last}", before.join(", ")),
+        [first, second, .., last] => format!("{first}, {second}, … {last} ({} in all)", names.len()),
+        [..] => escaped.join(", "),
+    }
+}
+
+fn plural(count: usize) -> &'static str {
+    if count == 1 { "" } else { "s" }
+}

@@ -1,0 +1,83 @@
+//! As a page with MathML, which browsers show by themselves.
+
+use super::lines::{Line, derivatives, own};
+use super::{Joint, Sheet, vectors};
+use crate::notation::Notation::MathMl;
+
+/// Columns of plain text for which there is room on a page.
+pub(super) const WIDTH: usize = 92;
+
+/// How equations are set, for a class of its own: a page around them may have tables, too.
+pub(super) const STYLE: &str = "\
+.kin-eq{overflow-x:auto;overflow-y:hidden;margin:.2rem 0 .6rem;padding-bottom:.2rem}\
+.kin-eq.kin-eq table{display:table;width:auto;margin:0;border:0;border-collapse:separate;border-spacing:0 .1rem}\
+.kin-eq.kin-eq tr,.kin-eq.kin-eq tbody tr:nth-child(2n){background:none;border:0}\
+.kin-eq.kin-eq td{border:0;padding:.06rem .2rem;vertical-align:baseline;white-space:nowrap}\
+.kin-eq.kin-eq td:first-child{text-align:right}\
+.kin-eq.kin-eq p{margin:.2rem 0}\
+.kin-eq math{font-size:1.06em;math-style:normal}\
+.kin-eq mfrac{margin:0 .1em}";
+
+impl Sheet {
+    /// A page that needs nothing else.
+    pub fn page(&self) -> String {
+        let name = escaped(&self.name);
+        let sections: String = self.joints.iter().map(section).collect();
+        format!(
+            "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{name}: equations</title>\n\
+             <style>:root{{color-scheme:light dark}}body{{font:16px/1.5 system-ui,sans-serif;margin:1rem auto;\
+             max-width:60rem;padding:0 1rem}}h2{{margin:1.6rem 0 .4rem;font-size:1.1rem}}\
+             h2 span{{opacity:.65;font-weight:400}}{STYLE}</style>\n</head>\n<body>\n<h1>{name}</h1>\n<p>{}</p>\n\
+             {sections}</body>\n</html>\n",
+            escaped(&self.doc)
+        )
+    }
+}
+
+fn section(joint: &Joint) -> String {
+    let rows: String = joint
+        .rows
+        .iter()
+        .map(|row| table(std::iter::once(own(row, MathMl, WIDTH)).chain(derivatives(row, MathMl, WIDTH))))
+        .collect();
+    format!(
+        "<section>\n<h2>{} <span>{}</span></h2>\n{}{rows}</section>\n",
+        escaped(&joint.name),
+        escaped(&joint.what),
+        own_equations(joint)
+    )
+}
+
+/// A joint's own equations, one below the other.
+pub(super) fn own_equations(joint: &Joint) -> String {
+    if joint.own.is_empty() {
+        return String::new();
+    }
+    let lines = joint.own.iter().map(|equation| format!("<p>{}</p>", math(&vectors::write(equation, MathMl))));
+    format!("<div class=\"kin-eq\">{}</div>\n", lines.collect::<String>())
+}
+
+/// Equations with their signs below one another; nothing where there are none.
+pub(super) fn table(lines: impl Iterator<Item = Line>) -> String {
+    let row = |line: Line| {
+        let more = |part: &String| {
+            format!("<tr><td></td><td>{}</td></tr>", math(&format!("<mspace width=\"1.6em\"></mspace>{part}")))
+        };
+        let mut right = line.right.iter();
+        let first = right.next().map_or("", String::as_str);
+        let (left, first) = (math(&line.left), math(&format!("<mo>=</mo>{first}")));
+        format!("<tr><td>{left}</td><td>{first}</td></tr>{}", right.map(more).collect::<String>())
+    };
+    let rows: String = lines.map(row).collect();
+    if rows.is_empty() { rows } else { format!("<div class=\"kin-eq\"><table>{rows}</table></div>\n") }
+}
+
+pub(super) fn math(inner: &str) -> String {
+    format!("<math>{inner}</math>")
+}
+
+/// A text in a document of tags.
+pub(super) fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

@@ -1,0 +1,54 @@
+//! As LaTeX: a document, or its inside.
+
+use super::lines::{Line, derivatives, own};
+use super::{Joint, Sheet, vectors};
+use crate::notation::Notation::Latex;
+
+/// Columns of plain text for which there is room on a page.
+const WIDTH: usize = 68;
+
+impl Sheet {
+    /// A document that compiles as it is, with pdfLaTeX too.
+    pub fn latex(&self) -> String {
+        format!(
+            "\\documentclass[a4paper]{{article}}\n\\usepackage[T1]{{fontenc}}\n\\usepackage[utf8]{{inputenc}}\n\
+             \\usepackage{{amsmath}}\n\\usepackage[margin=2cm]{{geometry}}\n\\allowdisplaybreaks\n\\begin{{document}}\n\
+             \\section*{{{}}}\n{}\\end{{document}}\n",
+            prose(&self.name),
+            self.latex_fragment()
+        )
+    }
+
+    /// The inside of a document: a paragraph for every joint, each with one display.
+    pub fn latex_fragment(&self) -> String {
+        self.joints.iter().map(joint).collect()
+    }
+}
+
+fn joint(joint: &Joint) -> String {
+    let vectors = joint.own.iter().map(|equation| format!("& {}", vectors::write(equation, Latex)));
+    let rows = joint.rows.iter().flat_map(|row| {
+        std::iter::once(own(row, Latex, WIDTH)).chain(derivatives(row, Latex, WIDTH)).map(|line| equation(&line))
+    });
+    let lines: Vec<String> = vectors.chain(rows).collect();
+    format!("\\paragraph{{{}}} {}\n{}", prose(&joint.name), prose(&joint.what), display(&lines))
+}
+
+/// Lines below one another; nothing where there are none.
+pub(super) fn display(lines: &[String]) -> String {
+    match lines {
+        [] => String::new(),
+        lines => format!("\\begin{{align*}}\n{}\n\\end{{align*}}\n", lines.join(" \\\\\n")),
+    }
+}
+
+/// An equation, continued to the right of its sign.
+pub(super) fn equation(line: &Line) -> String {
+    let right: Vec<&str> = line.right.iter().map(|part| part.trim_start()).collect();
+    format!("{} &= {}", line.left, right.join(" \\\\\n&\\quad {} "))
+}
+
+/// A text beside formulas.
+pub(super) fn prose(text: &str) -> String {
+    text.replace('_', r"\_").replace('–', "--").replace('&', r"\&").replace('#', r"\#")
+}

@@ -1,0 +1,85 @@
+//! What every form of a sheet has in common: the lines of a row, with left sides and broken right sides.
+
+use super::html::escaped;
+use super::{Row, Shown, symbol};
+use crate::notation::Notation;
+
+/// An equation.
+pub(super) struct Line {
+    /// Left of the sign.
+    pub(super) left: String,
+    /// Right of it, over so many lines.
+    pub(super) right: Vec<String>,
+}
+
+impl Shown {
+    /// Over several lines where it is longer than so many columns.
+    pub(super) fn lines(&self, notation: Notation, width: usize) -> Vec<String> {
+        match self {
+            Self::Formula(formula) => formula.lines(notation, width),
+            Self::Text(_) => vec![self.write(notation)],
+        }
+    }
+}
+
+/// Φ = 0 of a row.
+pub(super) fn own(row: &Row, notation: Notation, width: usize) -> Line {
+    let mut right = row.phi.lines(notation, width);
+    if let Some(last) = right.last_mut() {
+        last.push_str(match notation {
+            Notation::Unicode | Notation::Latex => " = 0",
+            Notation::MathMl => "<mo>=</mo><mn>0</mn>",
+        });
+    }
+    Line { left: of_row(phi(row), &row.name, notation), right }
+}
+
+/// Its derivatives: the entries of Φ_q that are not 0, Φ_t and γ.
+pub(super) fn derivatives(row: &Row, notation: Notation, width: usize) -> Vec<Line> {
+    let line = |left: String, shown: &Shown| Line { left, right: shown.lines(notation, width) };
+    let phi = of_row(phi(row), &row.name, notation);
+    let by = |coordinate: &str| match row.position {
+        true => symbol(coordinate, notation),
+        false => symbol(&format!("{coordinate}_dot"), notation),
+    };
+    let partial = |by: &str| match notation {
+        Notation::Unicode => format!("∂{phi}/∂{by}"),
+        Notation::Latex => format!(r"\frac{{\partial {phi}}}{{\partial {by}}}"),
+        Notation::MathMl => {
+            format!("<mfrac><mrow><mo>∂</mo>{phi}</mrow><mrow><mo>∂</mo>{by}</mrow></mfrac>")
+        }
+    };
+    let entries = row.phi_q.iter().map(|(coordinate, entry)| line(partial(&by(coordinate)), entry));
+    let rest = match (row.position, notation) {
+        (true, Notation::MathMl) => partial("<mi>t</mi>"),
+        (true, _) => partial("t"),
+        (false, Notation::Unicode) => format!("{phi} at rest"),
+        (false, Notation::Latex) => format!(r"{phi}\big|_{{\dot q = 0}}"),
+        (false, Notation::MathMl) => format!("{phi}<mtext> at rest</mtext>"),
+    };
+    let gamma = of_row("γ", &row.name, notation);
+    entries.chain([line(rest, &row.phi_t), line(gamma, &row.gamma)]).collect()
+}
+
+fn phi(row: &Row) -> &'static str {
+    if row.position { "Φ" } else { "η" }
+}
+
+/// A letter with the name of a row.
+fn of_row(letter: &str, name: &str, notation: Notation) -> String {
+    match notation {
+        Notation::Unicode => letter.to_owned(),
+        Notation::Latex => {
+            let letter = match letter {
+                "Φ" => r"\Phi",
+                "η" => r"\eta",
+                _ => r"\gamma",
+            };
+            format!(r"{letter}_{{\mathrm{{{}}}}}", name.replace('_', r"\_"))
+        }
+        Notation::MathMl => {
+            let upright = if letter == "Φ" { " mathvariant=\"normal\"" } else { "" };
+            format!("<msub><mi{upright}>{letter}</mi><mi mathvariant=\"normal\">{}</mi></msub>", escaped(name))
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! A sheet from the graph itself.
+
+use super::{Joint, Operands, Row, Sheet, Shown};
+use crate::constraint::{Frame, JointInstance, JointTag, Role};
+use crate::system::{Equation, KinematicSystem};
+
+impl Sheet {
+    /// The derivation of a system, as it is written where the graph is at hand: of a family the first member only, where
+    /// the others differ by their indices alone, and their names.
+    pub fn of_system(system: &KinematicSystem) -> Self {
+        let set = &system.set;
+        let mut joints: Vec<Joint> = Vec::new();
+        let mut shapes: Vec<(usize, JointTag, Vec<String>)> = Vec::new();
+        for joint in &set.joints {
+            let shape = (joint.family.0, joint.tag, shape(system, joint));
+            match shapes.iter().position(|other| *other == shape) {
+                Some(place) => joints[place].alike.push(joint.name.clone()),
+                None => {
+                    shapes.push(shape);
+                    joints.push(of_joint(system, joint));
+                }
+            }
+        }
+        let coordinates = set.coordinates.iter().map(|coordinate| coordinate.name.clone()).collect();
+        Self { name: set.name.clone(), doc: String::new(), coordinates, joints }
+    }
+}
+
+/// What members of a family have in common: which derivatives there are, and how long they are.
+fn shape(system: &KinematicSystem, joint: &JointInstance) -> Vec<String> {
+    let without_digits = |text: String| text.chars().filter(|c| !c.is_ascii_digit()).collect::<String>();
+    let rows = joint.first_row..joint.first_row + joint.rows;
+    rows.map(|row| without_digits(system.set.show(residual(system, row)))).collect()
+}
+
+fn residual(system: &KinematicSystem, row: usize) -> crate::expr::ExprId {
+    system.set.rows[row].velocity.map_or(system.equations[row].phi, |velocity| velocity.eta)
+}
+
+fn of_joint(system: &KinematicSystem, joint: &JointInstance) -> Joint {
+    let set = &system.set;
+    let name = |frame: Frame| match frame {
+        Frame::Ground => None,
+        Frame::Body(body) => set.bodies.get(body).map(|body| body.name.as_str()),
+    };
+    let point = |role: Role| joint.geometry.iter().find(|entry| entry.role == role).map(|entry| name(entry.frame));
+    let frames = joint.frames.map(|frame| frame.map(name));
+    let points = [point(Role::P), point(Role::Q)];
+    let operands = Operands { tag: joint.tag, name: &joint.name, frames, points };
+    let mut of = Joint::new(&operands);
+    let rows = joint.first_row..joint.first_row + joint.rows;
+    let classes = rows.clone().map(|row| &system.classes[row]);
+    let [mut driving, mut rheonomic] = [false; 2];
+    for class in classes {
+        (driving, rheonomic) = (driving || class.driving, rheonomic || class.rheonomic);
+    }
+    of.what.push_str(if rheonomic { "; rheonomic" } else { "; scleronomic" });
+    of.what.push_str(if driving && joint.tag != JointTag::Driver { ", driving" } else { "" });
+    of.rows = rows.map(|row| of_row(system, row)).collect();
+    of
+}
+
+fn of_row(system: &KinematicSystem, row: usize) -> Row {
+    let set = &system.set;
+    let Equation { phi_q, phi_t, gamma, .. } = &system.equations[row];
+    let shown = |id| Shown::new(&set.show(id));
+    let entries = phi_q.iter().map(|&(k, entry)| (set.coordinate_name(k).to_owned(), shown(entry)));
+    Row {
+        name: set.rows[row].name.clone(),
+        position: set.rows[row].velocity.is_none(),
+        phi: shown(residual(system, row)),
+        phi_q: entries.collect(),
+        phi_t: shown(*phi_t),
+        gamma: shown(*gamma),
+    }
+}

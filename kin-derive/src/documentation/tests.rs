@@ -1,0 +1,84 @@
+//! What a reader of the struct's documentation finds.
+
+use super::text;
+use crate::corpus::repository::{Found, mechanisms};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+fn documented(item: TokenStream) -> String {
+    text(quote! { () #item })
+}
+
+#[test]
+fn a_slider_crank() {
+    insta::assert_snapshot!(documented(quote! {
+        #[bodies(crank, rod)]
+        #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+        #[translational(slide: crank @ (r, 0), rod @ (0, 0), axis = (0, 1))]
+        #[driver(turn: crank.phi = omega * t)]
+        #[distance(L: rod @ (0, 0), ground @ (r, 0), length = 0.2)]
+        struct Slider { r: f64, omega: f64 }
+    }));
+}
+
+/// Markdown ends a block of HTML at a blank line, and takes four spaces for code.
+#[test]
+fn every_mechanism_is_well_formed_html_that_markdown_leaves_alone() {
+    let mut seen = 0;
+    for Found { name, args, item } in mechanisms() {
+        let docs = text(quote! { (#args) #item });
+        if docs.is_empty() {
+            continue;
+        }
+        seen += 1;
+        let (heading, block) = docs.trim_start().split_once("\n\n").unwrap_or_default();
+        assert_eq!(heading, "# Equations", "{name}");
+        assert!(block.starts_with("<style>") && block.ends_with("</div>\n"), "{name}");
+        assert!(block.lines().all(|line| !line.trim().is_empty() && !line.starts_with("    ")), "{name}");
+        let tree = format!("<doc>{block}</doc>");
+        let tree = roxmltree::Document::parse(&tree).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let formulas = tree.descendants().filter(|node| node.has_tag_name("math"));
+        assert!(formulas.count() > 1, "{name}");
+        for node in tree.descendants().filter(|node| node.is_element()) {
+            let count = node.children().filter(roxmltree::Node::is_element).count();
+            match node.tag_name().name() {
+                "mfrac" | "msub" | "msup" | "mover" => assert_eq!(count, 2, "{name}"),
+                "msubsup" => assert_eq!(count, 3, "{name}"),
+                "mi" | "mn" | "mo" | "mtext" => assert!(count == 0 && node.text().is_some(), "{name}"),
+                _ => {}
+            }
+        }
+    }
+    assert!(seen > 100, "{seen}");
+}
+
+#[test]
+fn members_of_a_family_are_written_once() {
+    let docs = documented(quote! {
+        #[bodies(link[40])]
+        #[revolute(root: ground @ (0, 0), link[0] @ (0, 0))]
+        #[revolute(pin[i in 0..39]: link[i] @ (l[i], 0), link[i + 1] @ (0, 0))]
+        #[driver(turn[i in 0..40]: link[i].phi = t)]
+        struct Chain { l: [f64; 40] }
+    });
+    assert!(docs.contains("Likewise pin[1], pin[2], … pin[38] (38 in all)."), "{docs}");
+    assert_eq!(docs.matches("<h4>").count(), 3);
+    assert!(docs.len() < 20_000, "{}", docs.len());
+}
+
+#[test]
+fn of_large_mechanisms_the_rest_is_named() {
+    let rows = (0..300_usize).map(|k| {
+        let (row, q) = (quote::format_ident!("row{k}"), quote::format_ident!("q{k}"));
+        quote! { #[constraint(#row: #q + sin(#q) + cos(t * #q) + exp(#q * #q) = t)] }
+    });
+    let names = (0..300_usize).map(|k| quote::format_ident!("q{k}"));
+    let docs = documented(quote! { #[coordinates(#(#names),*)] #(#rows)* struct Many; });
+    assert!(docs.len() < 300_000, "{}", docs.len());
+    assert!(docs.contains("The equations of further joints stand in the same way for row"), "{docs}");
+}
+
+#[test]
+fn what_is_wrong_has_no_equations() {
+    assert_eq!(documented(quote! { #[bodies(a)] struct Wrong; }), "");
+}
