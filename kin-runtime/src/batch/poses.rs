@@ -3,6 +3,7 @@
 use crate::lanes::Lanes;
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan, Solved, StepKind};
+use crate::planned::passed::{self, Passed};
 use crate::scalar::Scalar;
 use crate::signal::Instant;
 use crate::workspace::Array;
@@ -22,6 +23,7 @@ pub(super) struct Poses<M: Mechanism> {
 pub(super) type Limits = [Option<(usize, f64)>; Lanes::COUNT];
 
 /// What a block is solved at.
+#[derive(Clone, Copy)]
 pub(super) struct Question<'b> {
     pub(super) parameters: &'b [Lanes],
     pub(super) at: Instant<'b, Lanes>,
@@ -140,6 +142,52 @@ impl<M: Mechanism> Poses<M> {
         set(&mut self.margin, lane, poses.margin.to_array()[lane]);
         self.good[lane] = poses.good[lane];
         limit
+    }
+
+    /// Lane by lane what [`Planned`](crate::Planned) does where redundant rows contradict: the signs that closures have
+    /// behind limits that only the kept rows have, in `modes`, which the question has, too.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn pass(&mut self, mechanism: &M, question: &Question<'_>, modes: &mut [Lanes], limits: &mut Limits) {
+        let plan = &M::model().plan;
+        if plan.watched().next().is_none() {
+            return;
+        }
+        let mut margins = M::Rows::<Lanes>::generate(|_| Lanes::default());
+        let margins = &mut margins.as_mut()[..plan.margins];
+        let mut closures = M::Coordinates::<Lanes>::generate(|_| Lanes::default());
+        let closures = &mut closures.as_mut()[..modes.len()];
+        let lengths = mechanism.closures_with(question.parameters, &question.at, question.start, closures);
+        debug_assert!(lengths.is_ok(), "the columns have been counted");
+        for (lane, limit) in limits.iter_mut().enumerate().filter(|(_, limit)| limit.is_some()) {
+            // Once more, for all its margins.
+            self.alone(mechanism, question, margins, lane);
+            if !passed::is_missed(plan, |place| margins[place].to_array()[lane]) {
+                continue;
+            }
+            let of = |numbers: &[Lanes]| {
+                let mut own = M::Coordinates::<f64>::generate(|_| 0.0);
+                own.as_mut().iter_mut().zip(numbers).for_each(|(own, x)| *own = x.to_array()[lane]);
+                own
+            };
+            let (kept, closures, mut signs) = (of(question.modes), of(closures), of(question.modes));
+            let (count, margin) = (modes.len(), self.margin);
+            let passed = Passed::new(&kept.as_ref()[..count], &closures.as_ref()[..count]);
+            for attempt in 0..passed.attempts() {
+                if !passed.signs(attempt, &mut signs.as_mut()[..count]) {
+                    continue;
+                }
+                let spread = |place: usize| signs.as_ref().get(place).map_or(Lanes::default(), |sign| (*sign).into());
+                let own = M::Coordinates::<Lanes>::generate(spread);
+                self.alone(mechanism, &Question { modes: &own.as_ref()[..count], ..*question }, margins, lane);
+                if self.good[lane] {
+                    modes.iter_mut().zip(signs.as_ref()).for_each(|(mode, sign)| set(mode, lane, *sign));
+                    *limit = None;
+                    break;
+                }
+                self.margin = margin;
+            }
+        }
     }
 
     /// What is in lane `from` of `other` into lane `to`.

@@ -177,7 +177,10 @@ where
                 lanes.predict(t - before);
             }
             before = t;
-            let limits = lanes.solve(self.mechanism, at);
+            let mut limits = lanes.solve(self.mechanism, at);
+            if instant > 0 && lanes.poses.good != [true; Lanes::COUNT] {
+                lanes.pass(self.mechanism, at, &mut limits);
+            }
             if lanes.poses.good != [true; Lanes::COUNT] && !lanes.mask(instant, &limits, ends) {
                 return;
             }
@@ -253,6 +256,18 @@ impl<M: Mechanism> Motion<M> {
         self.poses.solve(mechanism, &Question { parameters, at, modes, start, depth: Depth::Acceleration })
     }
 
+    /// Goes on in the lanes that have passed limits that only the kept rows have.
+    #[cold]
+    #[inline(never)]
+    fn pass(&mut self, mechanism: &M, at: Instant<'_, Lanes>, limits: &mut Limits) {
+        let (mut modes, count) = (self.modes, M::model().plan.modes.len());
+        let (parameters, start) = (self.parameters.as_ref(), self.predicted.as_ref());
+        let kept = &self.modes.as_ref()[..count];
+        let question = Question { parameters, at, modes: kept, start, depth: Depth::Acceleration };
+        self.poses.pass(mechanism, &question, &mut modes.as_mut()[..count], limits);
+        self.modes = modes;
+    }
+
     /// Ends the lanes that are not good, and lets them repeat one that is; false where there is none.
     #[cold]
     #[inline(never)]
@@ -280,7 +295,8 @@ impl<M: Mechanism> Motion<M> {
 /// The whole motion of many sets of parameters over one time grid; `out` says how many there are.
 ///
 /// Four sets move together, each on its own way: angles go on counting from instant to instant, as
-/// [`Planned`](crate::Planned) has them, and modes stay what they are at the first instant. `visit` is called for every block
+/// [`Planned`](crate::Planned) has them, and modes stay what they are at the first instant, but for closures that redundant
+/// rows carry past a limit of the others. `visit` is called for every block
 /// at every instant, in the order of the grid, from any of the threads, and gathers what it wants in the score of the
 /// block; states are not kept. A set that comes to a limit goes no further: [`Motions::ends`] says where, and
 /// [`Moment::keep`] keeps its part of the score as it was. `watch` is told how many sets are done and may stop it.

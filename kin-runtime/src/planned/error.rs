@@ -68,8 +68,8 @@ pub enum PlanError {
         /// The step and its margin.
         limit: Limit,
     },
-    /// Redundant rows contradict the rows that the plan goes by: there is no configuration with these parameters, or no
-    /// velocity or acceleration.
+    /// Redundant rows contradict the rows that the plan goes by: in these modes there is no configuration with these
+    /// parameters, or no velocity or acceleration.
     Contradiction {
         /// Time.
         t: f64,

@@ -2,6 +2,7 @@
 
 mod error;
 mod mode;
+pub(crate) mod passed;
 mod predict;
 mod step;
 
@@ -14,6 +15,7 @@ use crate::model::Model;
 use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::signal::Instant;
 use crate::workspace::Array;
+use passed::Passed;
 
 /// A mechanism that is solved by its plan ([`Model::plan`]) at one instant after the other: q, q̇ and q̈ in closed form
 /// wherever there is one, without Φ, without an allocator and without `std`.
@@ -37,7 +39,10 @@ use crate::workspace::Array;
 ///
 /// Nothing else is checked: [`Tracker`](crate::Tracker) and [`Solver::sweep`](crate::Solver::sweep) hold every answer
 /// against Φ, walk long ways in steps and change over to full Newton where a plan is singular. Redundant rows
-/// (`allow_redundant`) have margins of their own, which say when they contradict the others.
+/// (`allow_redundant`) have margins of their own, which say when they contradict the others. Where these others alone have
+/// a limit that the mechanism passes, as a parallelogram with a third crank does when it lies flat, the closure goes on
+/// with the other sign, because the redundant rows say so; at the limit itself there is [`PlanError::Limit`], and the next
+/// instant goes on.
 ///
 /// ```
 /// use kin_runtime::{Instant, Kinematics, mechanism};
@@ -164,9 +169,9 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         }
         let before = core::mem::replace(&mut self.modes, modes);
         self.predicted.as_mut().copy_from_slice(q);
-        self.anew = true;
+        let asked = core::mem::replace(&mut self.anew, true);
         if let Err(error) = self.solve(at) {
-            self.modes = before;
+            (self.modes, self.anew) = (before, asked);
             return Err(error);
         }
         Ok(self)
@@ -214,6 +219,19 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     /// Solves from the prediction.
     #[inline]
     fn solve(&mut self, at: &Instant<'_>) -> Result<(), PlanError> {
+        if !self.ask(at)? && !self.pass(at)? {
+            self.before = f64::NAN;
+            return Err(self.explain(at));
+        }
+        self.before = if core::mem::take(&mut self.anew) { f64::NAN } else { self.t };
+        self.good = 1 - self.good;
+        self.t = at.t;
+        Ok(())
+    }
+
+    /// What the plan gives in the modes that are kept; true where it is good.
+    #[inline]
+    fn ask(&mut self, at: &Instant<'_>) -> Result<bool, LengthError> {
         let plan = &M::model().plan;
         let Self { mechanism, parameters, modes, states, good, predicted, .. } = self;
         let Poses { q, q_dot, q_ddot, margins } = &mut states[1 - *good];
@@ -228,14 +246,32 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         let good_margins =
             margins.as_ref()[..plan.margins].iter().fold(true, |all, m| all & (*m > Plan::SMALLEST_MARGIN));
         let all = good_margins & finite(q.as_ref()) & finite(q_dot.as_ref()) & finite(q_ddot.as_ref());
-        if !all || !at.t.is_finite() {
-            self.before = f64::NAN;
-            return Err(self.explain(at));
+        Ok(all & at.t.is_finite())
+    }
+
+    /// What the plan gives where the motion has passed limits that only the kept rows have, with the signs that closures
+    /// have behind them; true where it is good. Modes that were asked for stay what they are.
+    #[cold]
+    #[inline(never)]
+    fn pass(&mut self, at: &Instant<'_>) -> Result<bool, LengthError> {
+        let plan = &M::model().plan;
+        let margins = self.states[1 - self.good].margins;
+        if self.anew || !passed::is_missed(plan, |place| margins.as_ref()[place]) {
+            return Ok(false);
         }
-        self.before = if core::mem::take(&mut self.anew) { f64::NAN } else { self.t };
-        self.good = 1 - self.good;
-        self.t = at.t;
-        Ok(())
+        let count = plan.modes.len();
+        let (kept, mut closures) = (self.modes, M::Coordinates::<f64>::generate(|_| 0.0));
+        let closures = &mut closures.as_mut()[..count];
+        self.mechanism.get().closures_with(self.parameters.as_ref(), at, self.predicted.as_ref(), closures)?;
+        let passed = Passed::new(&kept.as_ref()[..count], closures);
+        for attempt in 0..passed.attempts() {
+            if passed.signs(attempt, &mut self.modes.as_mut()[..count]) && self.ask(at)? {
+                return Ok(true);
+            }
+        }
+        // Once more, for what is said of it.
+        self.modes = kept;
+        self.ask(at)
     }
 
     /// Why what was tried is not good.

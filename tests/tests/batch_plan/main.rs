@@ -4,6 +4,7 @@
 mod columns;
 mod limits;
 mod motions;
+mod passing;
 
 use kin_runtime::batch::{
     BatchError, Column, End, Modes, Moment, Motions, Problems, Solutions, Sweeps, always, solve, sweep,
