@@ -4,6 +4,7 @@ use crate::acceleration::acceleration;
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::linear::Factorization;
+use crate::motion::poses;
 use crate::scale::Scale;
 use crate::solver::Position;
 use crate::state::State;
@@ -15,7 +16,8 @@ pub(crate) fn state(equations: &mut Equations<'_>, position: Position) -> Result
     equations.scale = Scale::around(equations, &q);
     let (q_dot, factor) = velocity(equations, &q, None)?;
     let q_ddot = acceleration(equations, &q, &q_dot, &factor)?;
-    let state = State {
+    let mut state = State {
+        model: equations.model,
         t: equations.t,
         inputs: equations.inputs.clone(),
         degrees_of_freedom_left: q.len() - factor.rank,
@@ -23,8 +25,11 @@ pub(crate) fn state(equations: &mut Equations<'_>, position: Position) -> Result
         q,
         q_dot,
         q_ddot,
+        bodies: Vec::new(),
+        points: Vec::new(),
         residual,
         iterations,
     };
+    poses(equations, &mut state)?;
     Ok((state, factor))
 }

@@ -1,5 +1,8 @@
 //! Points of the curves that contacts run on, for a drawing.
 
+use crate::text::numbers;
+use core::fmt;
+
 /// A point of a curve with its tangent, in the frame of the joint's first operand.
 ///
 /// What the argument s is depends on the joint's [kind](crate::model::JointKind): θ of a curve in polar form, u of one in
@@ -10,4 +13,13 @@ pub struct CurvePoint<T = f64> {
     pub r: [T; 2],
     /// dr/ds; zero at a cusp.
     pub tangent: [T; 2],
+}
+
+/// The point and the tangent.
+impl<T: fmt::Display> fmt::Display for CurvePoint<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        numbers(f, &self.r)?;
+        f.write_str(", tangent ")?;
+        numbers(f, &self.tangent)
+    }
 }

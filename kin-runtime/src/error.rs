@@ -361,7 +361,16 @@ impl SolveError {
     }
 }
 
-impl core::error::Error for SolveError {}
+/// What it says is the whole; the source is the error of the plan or of a length, as a type, where that is what went wrong.
+impl core::error::Error for SolveError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            Self::Length(error) => Some(error),
+            Self::Plan(error) => Some(error),
+            _ => None,
+        }
+    }
+}
 
 /// A sweep that ended early: what went well, and why it ended.
 #[derive(Clone, PartialEq)]

@@ -23,6 +23,7 @@ pub mod series;
 pub mod signal;
 #[doc(hidden)]
 pub mod tables;
+mod text;
 #[cfg(feature = "simd")]
 mod trig;
 pub mod vocabulary;
@@ -97,6 +98,8 @@ mod radii;
 mod random;
 #[cfg(feature = "std")]
 mod scale;
+#[cfg(all(feature = "serde", feature = "std"))]
+mod serial;
 #[cfg(feature = "std")]
 mod singular;
 #[cfg(feature = "std")]

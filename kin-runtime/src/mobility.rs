@@ -139,11 +139,7 @@ impl fmt::Display for Mobility {
             write!(f, "; {generic} in general")?;
         }
         for row in &self.redundant {
-            let verb = if row.consistent { "repeats" } else { "contradicts" };
-            write!(f, "; row `{}` of joint `{}` {verb} {}", row.name, row.joint, row.circuit.join(", "))?;
-            if let Some(cause) = row.cause {
-                write!(f, " {cause}")?;
-            }
+            write!(f, "; {row}")?;
         }
         Ok(())
     }
@@ -306,4 +302,13 @@ fn redundant(equations: &Equations<'_>, dependency: Dependency) -> RedundantRow 
     let of_position = equations.holonomic(row) && combination.iter().all(|&(other, _)| equations.holonomic(other));
     let consistent = (!of_position || agrees(&equations.phi, 1.0)) && agrees(&equations.phi_t, f64::MIN_POSITIVE);
     RedundantRow { row, name: equations.row_name(row), joint, circuit, consistent, cause: None }
+}
+
+/// `row B.y of joint B repeats C, A`.
+impl fmt::Display for RedundantRow {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let verb = if self.consistent { "repeats" } else { "contradicts" };
+        write!(f, "row `{}` of joint `{}` {verb} {}", self.name, self.joint, self.circuit.join(", "))?;
+        self.cause.map_or(Ok(()), |cause| write!(f, " {cause}"))
+    }
 }

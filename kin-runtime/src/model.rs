@@ -5,6 +5,7 @@
 use crate::plan::Plan;
 
 mod joint;
+mod text;
 
 pub use crate::handles::{Body, Coordinate, Input, Point, Quantity};
 pub use joint::{Geometry, JointInfo, JointKind, JointQuantity, Role};

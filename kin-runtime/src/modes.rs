@@ -8,6 +8,8 @@ use crate::plan::Depth;
 use crate::planned::{Limit, PlanError, Sign, Step};
 use crate::position::position;
 use crate::solver::Position;
+use crate::text::number;
+use core::fmt;
 
 /// A mode of a configuration.
 #[derive(Clone, Debug, PartialEq)]
@@ -92,4 +94,18 @@ fn refusal(equations: &Equations<'_>, wanted: &Wanted, limit: Option<Limit>) -> 
     let name = |place: usize| equations.model.plan.modes.get(place).map_or("", |mode| mode.name);
     let modes = wanted.modes.iter().map(|&(place, sign)| (name(place), sign)).collect();
     SolveError::ModeNotAssembled { t: equations.t, modes, limit }
+}
+
+/// `A-B-D: - (closure -0.735)`.
+impl fmt::Display for Mode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: ", self.name)?;
+        match self.sign {
+            Some(sign) => sign.fmt(f)?,
+            None => f.write_str("undecided")?,
+        }
+        f.write_str(" (closure ")?;
+        number(f, &self.closure)?;
+        f.write_str(")")
+    }
 }

@@ -12,6 +12,12 @@ use crate::workspace::Instant;
 use core::ops::Index;
 use nalgebra::DMatrix;
 
+mod convert;
+mod poses;
+mod text;
+
+pub(crate) use poses::poses;
+
 /// A value with its first and second time derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -139,33 +145,6 @@ impl Index<Quantity> for Motion {
     }
 }
 
-#[cfg(feature = "serde")]
-impl serde::Serialize for Motion {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        use serde::ser::SerializeStruct;
-        use std::collections::BTreeMap;
-        let bodies: BTreeMap<_, _> = self.model.bodies.iter().map(|b| b.name).zip(&self.bodies).collect();
-        let points: BTreeMap<_, _> = self.model.points.iter().map(|p| p.name).zip(&self.points).collect();
-        let defines: BTreeMap<_, _> = self.model.defines.iter().map(|d| d.name).zip(&self.defines).collect();
-        let joints: BTreeMap<_, BTreeMap<_, _>> = self
-            .model
-            .joints
-            .iter()
-            .zip(&self.joints)
-            .filter(|(_, rates)| !rates.is_empty())
-            .map(|(j, rates)| (j.name, j.quantities.iter().map(|q| q.name).zip(rates).collect()))
-            .collect();
-        let conditions: BTreeMap<_, _> = self.model.conditions.iter().map(|c| c.name).zip(&self.conditions).collect();
-        let mut s = serializer.serialize_struct("Motion", 5)?;
-        s.serialize_field("bodies", &bodies)?;
-        s.serialize_field("points", &points)?;
-        s.serialize_field("defines", &defines)?;
-        s.serialize_field("joints", &joints)?;
-        s.serialize_field("conditions", &conditions)?;
-        s.end()
-    }
-}
-
 /// The motion of everything at a state.
 pub(crate) fn motion(equations: &mut Equations<'_>, state: &State) -> Result<Motion, SolveError> {
     equations.check("q", &state.q)?;
@@ -183,24 +162,8 @@ pub(crate) fn motion(equations: &mut Equations<'_>, state: &State) -> Result<Mot
         }
     }
     let at = |k: usize| rates.get(k).copied().unwrap_or_default();
-    let bodies = model.bodies.iter().map(|body| {
-        let [x, y, phi] = body.observables.map(at);
-        BodyMotion {
-            x: x.value,
-            y: y.value,
-            phi: phi.value,
-            x_dot: x.rate,
-            y_dot: y.rate,
-            phi_dot: phi.rate,
-            x_ddot: x.acceleration,
-            y_ddot: y.acceleration,
-            phi_ddot: phi.acceleration,
-        }
-    });
-    let points = model.points.iter().map(|point| {
-        let [x, y] = point.observables.map(at);
-        PointMotion { r: [x.value, y.value], v: [x.rate, y.rate], a: [x.acceleration, y.acceleration] }
-    });
+    let bodies = model.bodies.iter().map(|body| BodyMotion::from(body.observables.map(at)));
+    let points = model.points.iter().map(|point| PointMotion::from(point.observables.map(at)));
     let joints = model.joints.iter().map(|joint| joint.quantities.iter().map(|q| at(q.observable)).collect());
     let conditions = model.conditions.iter().map(|condition| {
         let Rates { value, rate, acceleration } = at(condition.observable);

@@ -1,6 +1,7 @@
 //! Tolerances and limits of the analyses.
 
 use crate::error::SolveError;
+use core::fmt;
 
 /// Tolerances and limits; the default suits mechanisms of any size and unit.
 ///
@@ -97,5 +98,24 @@ impl Options {
         below("integration_tolerance", self.integration_tolerance, 1.0)?;
         below("max_iterations", self.max_iterations as f64, f64::MAX)?;
         below("max_steps", self.max_steps as f64, f64::MAX)
+    }
+}
+
+/// `name = value` for every one of them.
+impl fmt::Display for Options {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { max_iterations, tolerance, rank_tolerance, consistency_tolerance, restarts, trust_radius, .. } =
+            self;
+        let Self { max_rotation_per_step, prediction_tolerance, min_step, integration_tolerance, max_steps, .. } = self;
+        let Self { stop_at_events, use_plan, use_sparse, .. } = self;
+        write!(
+            f,
+            "max_iterations = {max_iterations}, tolerance = {tolerance:e}, rank_tolerance = {rank_tolerance:e}, "
+        )?;
+        write!(f, "consistency_tolerance = {consistency_tolerance:e}, restarts = {restarts}, ")?;
+        write!(f, "trust_radius = {trust_radius}, max_rotation_per_step = {max_rotation_per_step}, ")?;
+        write!(f, "prediction_tolerance = {prediction_tolerance}, min_step = {min_step:e}, ")?;
+        write!(f, "integration_tolerance = {integration_tolerance:e}, max_steps = {max_steps}, ")?;
+        write!(f, "stop_at_events = {stop_at_events}, use_plan = {use_plan}, use_sparse = {use_sparse}")
     }
 }

@@ -7,6 +7,8 @@
 
 use crate::scalar::Scalar;
 
+mod text;
+
 /// How far a solution goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Depth {

@@ -27,8 +27,10 @@ use crate::handles::Input;
 use crate::linear::Factorization;
 use crate::model::{JointInfo, JointKind, Role};
 use crate::state::State;
+use crate::text::numbers;
 use crate::velocity::{factorize, inconsistency, scaled};
 use crate::workspace::{Instant, Signal, Subset};
+use core::fmt;
 use nalgebra::DVector;
 
 /// How q follows one driving row.
@@ -196,4 +198,39 @@ fn respond(
             rank: factor.rank,
         }),
     }
+}
+
+/// `drive: k = (…), l = (…)`.
+impl fmt::Display for VelocityRatio {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        ratio(f, self.row_name, &self.first, &self.second)
+    }
+}
+
+/// `cylinder: k = (…), l = (…)`.
+impl fmt::Display for InputRatio {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        ratio(f, self.name, &self.first, &self.second)
+    }
+}
+
+/// A line per driving row and per input.
+impl fmt::Display for VelocityRatios {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let rows = self.drivers.iter().map(|d| (d.row_name, &d.first, &d.second));
+        let inputs = self.inputs.iter().map(|i| (i.name, &i.first, &i.second));
+        rows.chain(inputs).enumerate().try_for_each(|(k, (name, first, second))| {
+            if k > 0 {
+                f.write_str("\n")?;
+            }
+            ratio(f, name, first, second)
+        })
+    }
+}
+
+fn ratio(f: &mut fmt::Formatter<'_>, name: &str, first: &[f64], second: &[f64]) -> fmt::Result {
+    write!(f, "{name}: k = ")?;
+    numbers(f, first)?;
+    f.write_str(", l = ")?;
+    numbers(f, second)
 }

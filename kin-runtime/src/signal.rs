@@ -2,6 +2,8 @@
 
 use crate::handles::Input;
 use crate::scalar::Scalar;
+use crate::text::{number, rates, separated};
+use core::fmt;
 use core::ops::{Index, IndexMut};
 
 /// Value, rate and acceleration of an input.
@@ -98,5 +100,25 @@ impl<T> Instant<'_, T> {
 impl From<f64> for Instant<'static> {
     fn from(t: f64) -> Self {
         Self::at(t)
+    }
+}
+
+/// `0.9 (rate 0.2, acceleration 0)`.
+impl<T: fmt::Display> fmt::Display for Signal<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        rates(f, [&self.value, &self.rate, &self.acceleration])
+    }
+}
+
+/// `t = 0.1`, and the inputs where there are any.
+impl<T: fmt::Display> fmt::Display for Instant<'_, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("t = ")?;
+        number(f, &self.t)?;
+        if self.inputs.is_empty() {
+            return Ok(());
+        }
+        f.write_str(", inputs ")?;
+        separated(f, self.inputs, |f, input| input.fmt(f))
     }
 }

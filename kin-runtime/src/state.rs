@@ -1,13 +1,20 @@
 //! A solved configuration.
 
-use crate::model::Model;
+use crate::model::{Body, Coordinate, Model, Point};
+use crate::motion::{BodyMotion, PointMotion, Rates};
 use crate::workspace::{Instant, Signal};
 use core::fmt;
+use core::ops::Index;
+use nalgebra::DVectorView;
 
 /// Position, velocity and acceleration at one instant.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+///
+/// Indexed by the handles of the mechanism: `state[FourBar::coupler].phi`, `state[FourBar::tip].v`, and the value of a
+/// scalar coordinate.
+#[derive(Clone)]
 pub struct State {
+    /// The mechanism's names.
+    pub model: &'static Model,
     /// Time.
     pub t: f64,
     /// The inputs, in the order of declaration.
@@ -18,6 +25,10 @@ pub struct State {
     pub q_dot: Vec<f64>,
     /// q̈, n numbers; the least-norm one where degrees of freedom are left.
     pub q_ddot: Vec<f64>,
+    /// Bodies, in the order of [`Model::bodies`], with what is held or carried; those of q, q̇ and q̈ as they were found.
+    pub bodies: Vec<BodyMotion>,
+    /// Named points, in the order of [`Model::points`].
+    pub points: Vec<PointMotion>,
     /// Largest |Φ_i|, in the rows' own units.
     pub residual: f64,
     /// Iterations of the position analysis.
@@ -35,26 +46,92 @@ impl State {
         Instant { t: self.t, inputs: &self.inputs }
     }
 
-    /// The state with the coordinates' names, one line each, for reading.
-    pub fn display<'a>(&'a self, model: &'static Model) -> impl fmt::Display + 'a {
-        Named { state: self, model }
+    /// A scalar coordinate with its rate and acceleration.
+    ///
+    /// # Panics
+    /// As any index, with the handle of another mechanism.
+    pub fn coordinate(&self, coordinate: Coordinate) -> Rates {
+        self.rates(coordinate.0)
+    }
+
+    /// The coordinate at a place in q with its rate and acceleration.
+    pub(crate) fn rates(&self, place: usize) -> Rates {
+        Rates { value: self.q[place], rate: self.q_dot[place], acceleration: self.q_ddot[place] }
+    }
+
+    /// q, q̇ and q̈ as columns of nalgebra, which copy nothing.
+    pub fn columns(&self) -> [DVectorView<'_, f64>; 3] {
+        [&self.q, &self.q_dot, &self.q_ddot].map(|column| DVectorView::from_slice(column, column.len()))
     }
 }
 
-struct Named<'a> {
-    state: &'a State,
-    model: &'static Model,
+impl Index<Body> for State {
+    type Output = BodyMotion;
+
+    fn index(&self, body: Body) -> &BodyMotion {
+        &self.bodies[body.0]
+    }
 }
 
-impl fmt::Display for Named<'_> {
+impl Index<Point> for State {
+    type Output = PointMotion;
+
+    fn index(&self, point: Point) -> &PointMotion {
+        &self.points[point.0]
+    }
+}
+
+/// The value; with its rates it is [`State::coordinate`].
+impl Index<Coordinate> for State {
+    type Output = f64;
+
+    fn index(&self, coordinate: Coordinate) -> &f64 {
+        &self.q[coordinate.0]
+    }
+}
+
+impl PartialEq for State {
+    fn eq(&self, other: &Self) -> bool {
+        let Self { model, t, inputs, q, q_dot, q_ddot, bodies, points, residual, iterations, condition, .. } = self;
+        // Two states of one mechanism have the same tables, which are long.
+        (core::ptr::eq(*model, other.model) || *model == other.model)
+            && *t == other.t
+            && *inputs == other.inputs
+            && [q, q_dot, q_ddot] == [&other.q, &other.q_dot, &other.q_ddot]
+            && *bodies == other.bodies
+            && *points == other.points
+            && [*residual, *condition] == [other.residual, other.condition]
+            && [*iterations, self.degrees_of_freedom_left] == [other.iterations, other.degrees_of_freedom_left]
+    }
+}
+
+impl fmt::Debug for State {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let state = self.state;
+        f.debug_struct("State")
+            .field("model", &self.model.name)
+            .field("t", &self.t)
+            .field("inputs", &self.inputs)
+            .field("q", &self.q)
+            .field("q_dot", &self.q_dot)
+            .field("q_ddot", &self.q_ddot)
+            .field("bodies", &self.bodies)
+            .field("points", &self.points)
+            .field("residual", &self.residual)
+            .field("iterations", &self.iterations)
+            .field("condition", &self.condition)
+            .field("degrees_of_freedom_left", &self.degrees_of_freedom_left)
+            .finish()
+    }
+}
+
+/// A line for t, and one per coordinate with its name, value, rate and acceleration.
+impl fmt::Display for State {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let width = self.model.coordinates.iter().map(|c| c.name.chars().count()).max().unwrap_or(0);
-        writeln!(f, "t = {}", state.t)?;
-        for (k, coordinate) in self.model.coordinates.iter().enumerate() {
-            let [q, q_dot, q_ddot] =
-                [&state.q, &state.q_dot, &state.q_ddot].map(|v| v.get(k).copied().unwrap_or(f64::NAN));
-            writeln!(f, "{:width$}  {q:>15.9}  {q_dot:>15.9}  {q_ddot:>15.9}", coordinate.name)?;
+        write!(f, "t = {}", self.t)?;
+        for (coordinate, rates) in self.model.coordinates.iter().zip((0..self.q.len()).map(|k| self.rates(k))) {
+            let Rates { value, rate, acceleration } = rates;
+            write!(f, "\n{:width$}  {value:>15.9}  {rate:>15.9}  {acceleration:>15.9}", coordinate.name)?;
         }
         Ok(())
     }

@@ -247,3 +247,10 @@ fn begin(
     let (state, factor) = analysis::state(equations, position)?;
     Follower::new(equations, state, factor)
 }
+
+/// The last good instant.
+impl core::fmt::Display for Tracker<'_> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        self.state().fmt(f)
+    }
+}

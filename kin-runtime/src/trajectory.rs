@@ -1,9 +1,11 @@
 //! Solved configurations over time.
 
 use crate::events::Event;
-use crate::model::{ConditionInfo, Model};
+use crate::model::{Component, ConditionInfo, Model};
+use crate::motion::{PointMotion, Rates};
 use crate::planned::Limit;
 use crate::state::State;
+use crate::text::counted;
 use core::fmt;
 
 /// An internal step on which the plan had no good answer and full Newton took over, with the same claims to its result.
@@ -85,23 +87,65 @@ impl Trajectory {
         names
     }
 
-    /// One quantity over all states: `t`, a coordinate (`crank.phi`), its rate (`crank.phi_dot`) or its acceleration
-    /// (`crank.phi_ddot`). A coordinate's own name wins over a rate of the same name.
+    /// One quantity over all states: `t`, a coordinate (`crank.phi`), x, y or φ of a body although it is held or carried,
+    /// x or y of a named point (`tip.x`); its rate (`crank.phi_dot`) or its acceleration (`crank.phi_ddot`). A name as it
+    /// stands wins over a rate of the same name.
     pub fn column(&self, name: &str) -> Option<Vec<f64>> {
-        let place = |name: &str| self.model.coordinates.iter().position(|c| c.name == name);
-        let of = |part: fn(&State) -> &[f64], k: usize| {
-            self.states.iter().map(|s| part(s).get(k).copied().unwrap_or(f64::NAN)).collect()
+        let rates = |quantity: fn(Rates) -> f64, name: &str| {
+            let of = quantity_named(self.model, name)?;
+            Some(self.states.iter().map(|state| quantity(of.rates(state))).collect())
         };
-        if let Some(k) = place(name) {
-            return Some(of(|s| &s.q, k));
+        rates(|r| r.value, name)
+            .or_else(|| rates(|r| r.acceleration, name.strip_suffix("_ddot")?))
+            .or_else(|| rates(|r| r.rate, name.strip_suffix("_dot")?))
+            .or_else(|| (name == "t").then(|| self.states.iter().map(|s| s.t).collect()))
+    }
+}
+
+/// What a name of a column says without `_dot` and `_ddot`.
+enum Named {
+    Coordinate(usize),
+    Body(usize, Component),
+    Point(usize, Component),
+}
+
+fn quantity_named(model: &Model, name: &str) -> Option<Named> {
+    if let Some(place) = model.coordinate(name) {
+        return Some(Named::Coordinate(place));
+    }
+    let (owner, component) = name.rsplit_once('.')?;
+    let component = match component {
+        "x" => Component::X,
+        "y" => Component::Y,
+        "phi" => Component::Phi,
+        _ => return None,
+    };
+    if let Some(place) = model.bodies.iter().position(|body| body.name == owner) {
+        return Some(Named::Body(place, component));
+    }
+    let place = model.points.iter().position(|point| point.name == owner)?;
+    (component != Component::Phi).then_some(Named::Point(place, component))
+}
+
+impl Named {
+    /// Its value and rates; NaN where a state has no such entry, which only one that was put together by hand has not.
+    fn rates(&self, state: &State) -> Rates {
+        let at = |list: &[f64], place: usize| list.get(place).copied().unwrap_or(f64::NAN);
+        match *self {
+            Self::Coordinate(k) => {
+                Rates { value: at(&state.q, k), rate: at(&state.q_dot, k), acceleration: at(&state.q_ddot, k) }
+            }
+            Self::Body(k, component) => state.bodies.get(k).map_or(Rates::UNKNOWN, |body| body.rates(component)),
+            Self::Point(k, component) => {
+                let axis = usize::from(component == Component::Y);
+                let of = |point: &PointMotion| Rates {
+                    value: point.r[axis],
+                    rate: point.v[axis],
+                    acceleration: point.a[axis],
+                };
+                state.points.get(k).map_or(Rates::UNKNOWN, of)
+            }
         }
-        if let Some(k) = name.strip_suffix("_ddot").and_then(place) {
-            return Some(of(|s| &s.q_ddot, k));
-        }
-        if let Some(k) = name.strip_suffix("_dot").and_then(place) {
-            return Some(of(|s| &s.q_dot, k));
-        }
-        (name == "t").then(|| self.states.iter().map(|s| s.t).collect())
     }
 }
 
@@ -136,20 +180,17 @@ impl IntoIterator for Trajectory {
     }
 }
 
-#[cfg(feature = "serde")]
-impl serde::Serialize for Trajectory {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        use serde::ser::SerializeStruct;
-        let names: Vec<&str> = self.model.coordinates.iter().map(|c| c.name).collect();
-        let violated: Vec<&str> = self.violated_at_start().map(|condition| condition.name).collect();
-        let mut s = serializer.serialize_struct("Trajectory", 7)?;
-        s.serialize_field("mechanism", self.model.name)?;
-        s.serialize_field("coordinates", &names)?;
-        s.serialize_field("states", &self.states)?;
-        s.serialize_field("events", &self.events)?;
-        s.serialize_field("violated_at_start", &violated)?;
-        s.serialize_field("stopped", &self.stopped)?;
-        s.serialize_field("fallbacks", &self.fallbacks)?;
-        s.end()
+/// `FourBar: 101 states from t = 0 to t = 1`, with the events.
+impl fmt::Display for Trajectory {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: ", self.model.name)?;
+        counted(f, self.len(), "state")?;
+        if let (Some(first), Some(last)) = (self.states.first(), self.last()) {
+            write!(f, " from t = {} to t = {}", first.t, last.t)?;
+        }
+        if self.stopped {
+            f.write_str(", stopped at an event")?;
+        }
+        self.events.iter().try_for_each(|event| write!(f, "; {event}"))
     }
 }

@@ -3,6 +3,8 @@
 use crate::model::Pattern;
 use crate::scalar::Scalar;
 pub use crate::signal::{Instant, Signal};
+use crate::text::{numbers, separated};
+use core::fmt;
 
 /// Which of Φ, Φ_q, Φ_t, γ an evaluation must give; the others may be left as they were.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -120,5 +122,27 @@ impl<R, J> Evaluation<R, J> {
     #[doc(hidden)]
     pub fn parts_mut(&mut self) -> (&mut R, &mut J, &mut R, &mut R) {
         (&mut self.phi, &mut self.phi_q, &mut self.phi_t, &mut self.gamma)
+    }
+}
+
+/// The parts, as in `Φ, Φ_q`.
+impl fmt::Display for Subset {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let parts = [(self.phi, "Φ"), (self.phi_q, "Φ_q"), (self.phi_t, "Φ_t"), (self.gamma, "γ")];
+        if parts.iter().all(|(wanted, _)| !wanted) {
+            return f.write_str("nothing");
+        }
+        separated(f, parts.iter().filter(|(wanted, _)| *wanted), |f, (_, part)| f.write_str(part))
+    }
+}
+
+/// Φ, the non-zeros of Φ_q, Φ_t and γ.
+impl<R: AsRef<[f64]>, J: AsRef<[f64]>> fmt::Display for Evaluation<R, J> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let parts = [("Φ", self.phi()), ("Φ_q", self.phi_q()), ("Φ_t", self.phi_t()), ("γ", self.gamma())];
+        separated(f, parts, |f, (name, values)| {
+            write!(f, "{name} = ")?;
+            numbers(f, values)
+        })
     }
 }

@@ -1,7 +1,8 @@
 //! The tracker against sweeps, on its branch to the end of the range and back.
 
 use kin_runtime::{
-    Instant, Kinematics, LengthError, Mechanism, Options, Refusal, Signal, SolveError, State, Tracker, mechanism,
+    BodyMotion, Instant, Kinematics, LengthError, Mechanism, Options, Refusal, Signal, SolveError, State, Tracker,
+    mechanism,
 };
 use kin_tests::compare::{Differences, largest};
 use kin_tests::mechanisms::{
@@ -23,6 +24,24 @@ fn name<M: Mechanism>(place: usize) -> &'static str {
     M::model().coordinates[place].name
 }
 
+/// The poses that the state of a tracker carries are those of its own q, q̇ and q̈, whichever way it was reached.
+fn shows_its_motion(tracker: &mut Tracker<'_>) {
+    let motion = tracker.motion().unwrap();
+    let state = tracker.state();
+    assert_eq!((state.bodies.len(), state.points.len()), (motion.bodies.len(), motion.points.len()));
+    for (shown, expected) in state.bodies.iter().zip(&motion.bodies) {
+        let all = |body: &BodyMotion| [body.velocity(), body.acceleration(), [body.x, body.y, body.phi].into()];
+        for (a, b) in all(shown).iter().zip(all(expected)) {
+            assert!((a - b).amax() <= 1e-12 * b.amax().max(1.0), "{shown} and {expected}");
+        }
+    }
+    for (shown, expected) in state.points.iter().zip(&motion.points) {
+        for (a, b) in [(shown.r, expected.r), (shown.v, expected.v), (shown.a, expected.a)] {
+            assert!((0..2).all(|k| (a[k] - b[k]).abs() <= 1e-12 * b[k].abs().max(1.0)), "{shown} and {expected}");
+        }
+    }
+}
+
 /// Tracked instants are those of a sweep with the inputs as functions.
 fn follows_the_sweep<M: Kinematics + Default>(count: u32) {
     let mechanism = M::default();
@@ -36,6 +55,12 @@ fn follows_the_sweep<M: Kinematics + Default>(count: u32) {
         assert_eq!((state.t, &state.inputs), (tracked.t, &tracked.inputs));
         assert!(tracked.residual <= 1e-12);
         same(&mut differences, name::<M>, state, tracked, 1e-10);
+        shows_its_motion(&mut tracker);
+        // At the same values time stands still: other rates, the same place.
+        let rested: Vec<Signal> = state.inputs.iter().map(|input| Signal::constant(input.value)).collect();
+        tracker.update(&Instant { t: state.t, inputs: &rested }).unwrap();
+        shows_its_motion(&mut tracker);
+        tracker.update(&state.instant()).unwrap();
     }
     differences.finish();
 }

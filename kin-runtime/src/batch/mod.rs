@@ -62,6 +62,7 @@ mod solution;
 mod sweep;
 #[cfg(all(test, feature = "std"))]
 mod tests;
+mod text;
 
 pub use column::{Column, Configurations};
 pub use evaluation::{Evaluations, evaluate};
@@ -88,12 +89,17 @@ impl core::fmt::Display for BatchError {
         match self {
             Self::Length(error) => error.fmt(f),
             Self::NoPlan(why) => write!(f, "no plan because {why}"),
-            Self::Stopped(Progress { done, total }) => write!(f, "stopped after {done} of {total} configurations"),
+            Self::Stopped(progress) => write!(f, "stopped after {progress}"),
         }
     }
 }
 
-impl core::error::Error for BatchError {}
+/// What it says is the whole; the source is the error of a length, as a type, where that is what went wrong.
+impl core::error::Error for BatchError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        if let Self::Length(error) = self { Some(error) } else { None }
+    }
+}
 
 impl From<LengthError> for BatchError {
     fn from(error: LengthError) -> Self {

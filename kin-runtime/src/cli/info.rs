@@ -11,7 +11,7 @@ use crate::present::condition;
 use crate::present::json::to_json;
 use crate::present::plan;
 use crate::present::structure::{Known, StructureRecord, drivers};
-use crate::present::text::{self, Facts, classes, coordinate_names};
+use crate::present::text::{self, Facts, coordinate_names};
 use crate::workspace::Instant;
 
 /// Counts, rows and their classes, degrees of freedom, the solution plan
@@ -129,9 +129,9 @@ fn redundancy(row: &RedundantRow) -> String {
 fn row_summary(model: &Model) -> Vec<String> {
     let mut kinds: Vec<([&str; 3], usize)> = Vec::new();
     for row in model.rows {
-        match kinds.iter_mut().find(|(class, _)| *class == classes(row)) {
+        match kinds.iter_mut().find(|(class, _)| *class == row.classes()) {
             Some((_, number)) => *number += 1,
-            None => kinds.push((classes(row), 1)),
+            None => kinds.push((row.classes(), 1)),
         }
     }
     kinds.iter().map(|(class, number)| format!("{number} {}", class.join(" "))).collect()

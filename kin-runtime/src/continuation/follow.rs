@@ -10,6 +10,7 @@ use crate::equations::Equations;
 use crate::error::{Refusal, SolveError};
 use crate::events::Watch;
 use crate::linear::Factorization;
+use crate::motion::poses;
 use crate::state::State;
 use crate::trajectory::Fallback;
 use crate::velocity;
@@ -110,6 +111,7 @@ impl Follower {
     /// there. After an error the instant reached stays what it was.
     pub(crate) fn advance(&mut self, equations: &mut Equations<'_>, target: f64) -> Result<(), SolveError> {
         if self.follow(equations, target)? {
+            poses(equations, &mut self.here.state)?;
             core::mem::swap(&mut self.node, &mut self.here);
             self.s = self.node.s;
             self.q_dot.clone_from(&self.node.state.q_dot);
@@ -133,6 +135,7 @@ impl Follower {
         }
         let Node { state, factor, .. } = &mut self.here;
         at_instant(equations, at, state, factor)?;
+        poses(equations, state)?;
         core::mem::swap(&mut self.node, &mut self.here);
         Ok(())
     }
@@ -143,6 +146,7 @@ impl Follower {
         spare.clone_from(&self.node.state);
         spare.iterations = 0;
         at_instant(equations, at, spare, &self.node.factor)?;
+        poses(equations, spare)?;
         core::mem::swap(&mut self.node.state, spare);
         Ok(())
     }

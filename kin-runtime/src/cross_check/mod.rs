@@ -17,6 +17,8 @@ use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind, Model};
 use crate::random::Random;
+use crate::text::numbers;
+use crate::workspace::Instant;
 use crate::workspace::Signal;
 use comparison::Comparison;
 use core::fmt;
@@ -120,12 +122,7 @@ impl fmt::Display for CrossCheck {
         if self.skipped > 0 {
             write!(f, " ({} skipped)", self.skipped)?;
         }
-        let worst = &self.worst;
-        write!(f, ": worst error {:.1e} in {}[{}", worst.error, worst.matrix, worst.row_name)?;
-        if !worst.column_name.is_empty() {
-            write!(f, ", {}", worst.column_name)?;
-        }
-        write!(f, "] at t = {}: closed form {}, automatic {}", worst.t, worst.closed_form, worst.automatic)?;
+        write!(f, ": worst {}", self.worst)?;
         match self.worst_function() {
             Some(function) => write!(f, "; function {function}"),
             None => Ok(()),
@@ -186,4 +183,33 @@ fn random_configuration(
     let inputs = model.inputs.iter().map(|_| Signal { value: signal(), rate: signal(), acceleration: signal() });
     let inputs = inputs.collect();
     Configuration { t: signal(), q, q_dot, inputs }
+}
+
+/// `error 4.1e-17 in γ[B.x] at t = 0: closed form …, automatic …`.
+impl fmt::Display for WorstEntry {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "error {:.1e} in {}[{}", self.error, self.matrix, self.row_name)?;
+        if !self.column_name.is_empty() {
+            write!(f, ", {}", self.column_name)?;
+        }
+        write!(f, "] at t = {}: closed form {}, automatic {}", self.t, self.closed_form, self.automatic)
+    }
+}
+
+/// t, q, q̇ and the inputs.
+impl fmt::Display for Configuration {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}, q = ", Instant { t: self.t, inputs: &self.inputs })?;
+        numbers(f, &self.q)?;
+        f.write_str(", q̇ = ")?;
+        numbers(f, &self.q_dot)
+    }
+}
+
+/// How many configurations, from where.
+impl fmt::Display for CrossCheckOptions {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} given and {} random configurations, seed {}", self.given.len(), self.configurations, self.seed)?;
+        f.write_str(if self.perturb_parameters { ", parameters perturbed" } else { "" })
+    }
 }

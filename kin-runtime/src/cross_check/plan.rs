@@ -58,8 +58,15 @@ impl fmt::Display for PlanCheck {
         if self.skipped > 0 {
             write!(f, " ({} skipped)", self.skipped)?;
         }
-        let WorstPlanned { what, name, error, t, .. } = &self.worst;
-        write!(f, ": worst error {error:.1e} in {what} of {name} at t = {t}")
+        write!(f, ": worst {}", self.worst)
+    }
+}
+
+/// `error 1.1e-16 in q̈ of rocker.phi at t = 0`.
+impl fmt::Display for WorstPlanned {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { what, name, error, t, .. } = self;
+        write!(f, "error {error:.1e} in {what} of {name} at t = {t}")
     }
 }
 

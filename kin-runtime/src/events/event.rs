@@ -1,6 +1,7 @@
 //! What is reported of an event.
 
 use crate::state::State;
+use crate::text::number;
 use core::fmt;
 
 /// How a motion meets the limit of a unilateral condition, in the direction in which the sweep runs.
@@ -43,4 +44,12 @@ pub struct Event {
     pub within: f64,
     /// The configuration at t.
     pub state: State,
+}
+
+/// `limit violated at t = 0.3`.
+impl fmt::Display for Event {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {} at t = ", self.name, self.crossing)?;
+        number(f, &self.t)
+    }
 }

@@ -169,12 +169,16 @@ impl System for Line {
 fn watched(limit: f64, solved: usize) -> (f64, f64, usize) {
     let system = Box::new(Line { limit, phi: [0.0], g: [0.0] });
     let mut equations = Equations::new(system, Options::default(), &[], None, &Instant::at(0.0)).unwrap();
+    let model = equations.model;
     let state = |t: f64| State {
+        model,
         t,
         inputs: Vec::new(),
         q: vec![t],
         q_dot: vec![1.0],
         q_ddot: vec![0.0],
+        bodies: Vec::new(),
+        points: Vec::new(),
         residual: 0.0,
         iterations: 0,
         condition: 1.0,

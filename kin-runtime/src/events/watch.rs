@@ -6,6 +6,7 @@ use super::sample::{Sample, samples};
 use super::shape::{Shape, shape};
 use crate::equations::Equations;
 use crate::error::SolveError;
+use crate::motion::poses;
 use crate::state::State;
 
 /// How often an unclear interval is halved.
@@ -77,7 +78,7 @@ impl Watch {
             search.between(&start, &end, HALVINGS);
             self.satisfied[condition] = Some(search.side);
             for Found { crossing, ends } in search.found {
-                let event = self.event(equations, between, to, condition, crossing, ends);
+                let event = self.event(equations, between, to, condition, crossing, ends)?;
                 self.events.push(event);
             }
         }
@@ -97,20 +98,21 @@ impl Watch {
         condition: usize,
         crossing: Crossing,
         [a, b]: [Value; 2],
-    ) -> Event {
+    ) -> Result<Event, SolveError> {
         let t = if a.f.abs() <= b.f.abs() { a.t } else { b.t };
         let name = equations.model.conditions[condition].name;
-        let within = (b.t - a.t).abs();
-        match between(equations, t) {
-            Some(state) => Event { name, condition, t, crossing, within, state },
+        let open = (b.t - a.t).abs();
+        let (t, within, mut state) = match between(equations, t) {
+            Some(state) => (t, open, state),
             None => {
                 // The nearer end is known.
                 let nearer = (t - self.state.t).abs() <= (to.t - t).abs();
                 let state = if nearer { self.state.clone() } else { to.clone() };
-                let within = within.max((t - state.t).abs());
-                Event { name, condition, t: state.t, crossing, within, state }
+                (state.t, open.max((t - state.t).abs()), state)
             }
-        }
+        };
+        poses(equations, &mut state)?;
+        Ok(Event { name, condition, t, crossing, within, state })
     }
 
     /// The events so far.

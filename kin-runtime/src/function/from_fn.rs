@@ -26,3 +26,9 @@ impl<F> fmt::Debug for FromFn<F> {
         f.write_str("FromFn(…)")
     }
 }
+
+impl<F> fmt::Display for FromFn<F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a function of one variable")
+    }
+}

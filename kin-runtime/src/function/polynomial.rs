@@ -1,6 +1,8 @@
 //! Constants and polynomials.
 
 use super::ScalarFunction;
+use crate::text::number;
+use core::fmt;
 
 /// f(x) = c.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -57,6 +59,32 @@ pub(super) fn all_derivatives(coefficients: &[f64], x: f64, out: &mut [f64]) -> 
         *place *= factorial;
     }
     out.len()
+}
+
+/// The number.
+impl fmt::Display for Constant {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        number(f, &self.0)
+    }
+}
+
+/// `1 + 2 x + 3 x^2`.
+impl<C: AsRef<[f64]>> fmt::Display for Polynomial<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let terms = self.0.as_ref();
+        if terms.is_empty() {
+            return f.write_str("0");
+        }
+        terms.iter().enumerate().try_for_each(|(k, term)| {
+            f.write_str(if k == 0 { "" } else { " + " })?;
+            number(f, term)?;
+            match k {
+                0 => Ok(()),
+                1 => f.write_str(" x"),
+                _ => write!(f, " x^{k}"),
+            }
+        })
+    }
 }
 
 #[cfg(test)]

@@ -5,8 +5,10 @@ mod arctangent;
 mod tests;
 
 use crate::scalar::Scalar;
+use crate::text::numbers;
 use crate::trig;
 use core::f64::consts::TAU;
+use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use wide::f64x4;
 
@@ -245,4 +247,11 @@ impl Scalar for Lanes {
 fn complement(x: Lanes) -> Lanes {
     let one = Lanes::from(1.0);
     ((one - x) * (one + x)).sqrt()
+}
+
+/// `(1, 2, 3, 4)`.
+impl fmt::Display for Lanes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        numbers(f, &self.to_array())
+    }
 }

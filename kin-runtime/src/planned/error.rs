@@ -138,4 +138,9 @@ impl fmt::Display for PlanError {
     }
 }
 
-impl core::error::Error for PlanError {}
+/// What it says is the whole; the source is the error of a length, as a type, where that is what went wrong.
+impl core::error::Error for PlanError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        if let Self::Length(error) = self { Some(error) } else { None }
+    }
+}

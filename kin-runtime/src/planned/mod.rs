@@ -5,6 +5,7 @@ mod mode;
 pub(crate) mod passed;
 mod predict;
 mod step;
+mod text;
 
 pub use error::{Limit, PlanError};
 pub use mode::{ModeKey, Sign};
@@ -395,19 +396,6 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     /// Names, rows and the plan.
     pub fn model(&self) -> &'static Model {
         M::model()
-    }
-}
-
-impl<M: Mechanism> core::fmt::Debug for Planned<'_, M> {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Planned")
-            .field("mechanism", &M::model().name)
-            .field("t", &self.t)
-            .field("q", &self.q())
-            .field("q_dot", &self.q_dot())
-            .field("q_ddot", &self.q_ddot())
-            .field("margins", &self.margins())
-            .finish_non_exhaustive()
     }
 }
 

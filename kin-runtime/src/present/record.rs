@@ -1,6 +1,6 @@
 //! Results as records whose fields stand in a fixed order, for JSON.
 
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 use super::condition::EventRecord;
 use super::plan::ModeRecord;
@@ -10,25 +10,10 @@ use crate::model::Model;
 use crate::modes::Mode;
 use crate::motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates};
 use crate::ratios::{InputRatio, VelocityRatio, VelocityRatios};
+use crate::serial::Named;
 use crate::state::State;
 use crate::trajectory::{Fallback, Trajectory};
 use crate::transmission::TransmissionAngle;
-
-/// Named values in order, written as one JSON object.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Named<T>(Vec<(&'static str, T)>);
-
-impl<T> FromIterator<(&'static str, T)> for Named<T> {
-    fn from_iter<I: IntoIterator<Item = (&'static str, T)>>(iter: I) -> Self {
-        Self(iter.into_iter().collect())
-    }
-}
-
-impl<T: Serialize> Serialize for Named<T> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
-    }
-}
 
 /// Parameters with their values.
 pub(crate) type Parameters = Named<f64>;

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::condition::{self, ConditionRecord};
 use super::plan::PlanRecord;
-use super::text::{classes, coordinate_names, frame_name, third_body};
+use super::text::{coordinate_names, frame_name, third_body};
 use crate::mobility::{Mobility, RedundantRow};
 use crate::model::{BodyInfo, Level, Model, OperationCount, OriginKind};
 use crate::modes::Mode;
@@ -210,7 +210,7 @@ fn rows(model: &Model) -> Vec<RowRecord> {
             name: row.name,
             joint: joint.map_or("", |j| j.name),
             kind: joint.map_or("", |j| j.kind.keyword()),
-            classes: classes(row),
+            classes: row.classes(),
             holonomic: row.level == Level::Position,
             rheonomic: row.rheonomic,
             bilateral: row.bilateral,

@@ -70,18 +70,6 @@ pub(crate) fn title(model: &Model) -> String {
     out
 }
 
-/// The class of a row in words.
-pub(crate) fn classes(row: &crate::model::RowInfo) -> [&'static str; 3] {
-    [
-        match row.level {
-            crate::model::Level::Position => "holonomic",
-            crate::model::Level::Velocity => "nonholonomic",
-        },
-        if row.rheonomic { "rheonomic" } else { "scleronomic" },
-        if row.bilateral { "bilateral" } else { "unilateral" },
-    ]
-}
-
 /// `1 row`, `2 rows`.
 pub(crate) fn count(number: usize, what: &str) -> String {
     format!("{number} {what}{}", if number == 1 { "" } else { "s" })
@@ -102,11 +90,11 @@ pub(crate) fn rows(model: &Model) -> String {
     let mut lines: Vec<[String; 5]> = Vec::new();
     for (place, joint) in model.joints.iter().enumerate() {
         let own: Vec<_> = model.rows.iter().filter(|r| r.joint == place).collect();
-        for group in own.chunk_by(|a, b| classes(a) == classes(b) && a.driving == b.driving) {
+        for group in own.chunk_by(|a, b| a.classes() == b.classes() && a.driving == b.driving) {
             let Some(first) = group.first() else { continue };
             let bodies: Vec<&str> = joint.frames.iter().flatten().map(|f| frame_name(model, *f)).collect();
             let third = third_body(model, joint).map(|name| format!(" ({name})")).unwrap_or_default();
-            let mut class = classes(first).join(" ");
+            let mut class = first.classes().join(" ");
             if first.driving {
                 class.push_str(", driving");
             }

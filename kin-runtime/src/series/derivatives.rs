@@ -11,8 +11,10 @@ use crate::mechanism::LengthError;
 use crate::scale::Scale;
 use crate::solver::Solver;
 use crate::state::State;
+use crate::text::numbers;
 use crate::velocity::{factorize, inconsistency, scaled};
 use crate::workspace::{Instant, Signal};
+use core::fmt;
 use nalgebra::DVector;
 
 /// Derivatives of q with respect to time at one instant: position, velocity, acceleration, jerk, snap, ….
@@ -183,4 +185,15 @@ pub(super) fn unknown(equations: &Equations<'_>, missing: Option<Missing>, order
             SolveError::UnknownDerivative { t, order, what: "function", name, known }
         }
     })
+}
+
+/// A line per order.
+impl fmt::Display for Derivatives {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "t = {}", self.t)?;
+        self.q.iter().enumerate().try_for_each(|(order, values)| {
+            write!(f, "\norder {order}: ")?;
+            numbers(f, values)
+        })
+    }
 }

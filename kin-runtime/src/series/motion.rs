@@ -9,6 +9,8 @@ use crate::error::SolveError;
 use crate::model::Model;
 use crate::motion::{name, report};
 use crate::solver::Solver;
+use crate::text::{number, numbers, separated};
+use core::fmt;
 
 /// Derivatives of bodies, points, defines, joints and conditions at one instant, order by order.
 ///
@@ -83,4 +85,35 @@ fn motion(
         joints: joints.collect(),
         conditions: model.conditions.iter().map(|condition| all(condition.observable)).collect(),
     })
+}
+
+/// A line for everything that is reported, order by order.
+impl fmt::Display for MotionDerivatives {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let model = self.model;
+        f.write_str(model.name)?;
+        for (info, orders) in model.bodies.iter().zip(&self.bodies) {
+            write!(f, "\nbody {}: ", info.name)?;
+            separated(f, orders, |f, values| numbers(f, values))?;
+        }
+        for (info, orders) in model.points.iter().zip(&self.points) {
+            write!(f, "\npoint {}: ", info.name)?;
+            separated(f, orders, |f, values| numbers(f, values))?;
+        }
+        for (info, orders) in model.defines.iter().zip(&self.defines) {
+            write!(f, "\n{}: ", info.name)?;
+            separated(f, orders, number)?;
+        }
+        for (info, quantities) in model.joints.iter().zip(&self.joints) {
+            for (quantity, orders) in info.quantities.iter().zip(quantities) {
+                write!(f, "\n{} of {}: ", quantity.name, info.name)?;
+                separated(f, orders, number)?;
+            }
+        }
+        for (info, orders) in model.conditions.iter().zip(&self.conditions) {
+            write!(f, "\ncondition {}: ", info.name)?;
+            separated(f, orders, number)?;
+        }
+        Ok(())
+    }
 }

@@ -323,3 +323,10 @@ impl<M: PowerSeries> Orders for HigherOrders<'_, M> {
         Ok(rows.iter().take(self.highest + 1).flat_map(|order| order.as_ref()).map(|opposite| -opposite).collect())
     }
 }
+
+/// Of what, and to which order it is solved.
+impl<M: PowerSeries> core::fmt::Display for HigherOrders<'_, M> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "derivatives of {} up to order {}", M::model().name, self.highest)
+    }
+}

@@ -7,6 +7,7 @@ mod freedom;
 mod iteration;
 mod planned;
 mod sweeps;
+mod texts;
 
 /// Asserts that two vectors agree to `tolerance`, scaled by the largest expected entry.
 fn agree(found: &[f64], expected: &[f64], tolerance: f64) {

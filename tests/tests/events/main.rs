@@ -37,6 +37,17 @@ fn events_of(trajectory: &Trajectory, name: &str) -> Vec<(f64, Crossing)> {
     for event in &of {
         assert!(event.within <= 1e-10, "{name}: {}", event.within);
         assert_eq!(event.t, event.state.t);
+        let [q, q_dot, _] = event.state.columns();
+        // Bodies with coordinates of their own stand where the event is, not where the step began.
+        for (body, info) in event.state.bodies.iter().zip(trajectory.model.bodies) {
+            for (k, (shown, rate)) in
+                [(body.x, body.x_dot), (body.y, body.y_dot), (body.phi, body.phi_dot)].into_iter().enumerate()
+            {
+                if let Some(place) = info.coordinates[k] {
+                    assert_eq!((q[place], q_dot[place]), (shown, rate), "{name}: {} at t = {}", info.name, event.t);
+                }
+            }
+        }
         assert_eq!(trajectory.model.conditions[event.condition].name, name);
     }
     of.iter().map(|event| (event.t, event.crossing)).collect()

@@ -8,6 +8,7 @@ mod motion;
 mod observables;
 mod orders;
 mod plan;
+mod results;
 mod sparse;
 mod structure;
 mod typeset;
@@ -80,6 +81,11 @@ macro_rules! motion_laws {
         #[test]
         fn planned_instants_equal_newton() {
             plan::planned_instants_equal_newton::<$Mechanism>($from, $to);
+        }
+
+        #[test]
+        fn states_show_the_motion() {
+            results::states_show_the_motion::<$Mechanism>($from, $to);
         }
 
         #[test]

@@ -5,10 +5,26 @@ mod harmonic;
 mod modified_sine;
 mod modified_trapezoidal;
 mod polynomials;
+/// Its name.
+impl fmt::Display for MotionLaw {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::ConstantVelocity => "constant velocity",
+            Self::Harmonic => "harmonic",
+            Self::Cycloidal => "cycloidal",
+            Self::Polynomial345 => "polynomial 3-4-5",
+            Self::Polynomial4567 => "polynomial 4-5-6-7",
+            Self::ModifiedSine => "modified sine",
+            Self::ModifiedTrapezoidal => "modified trapezoidal",
+        })
+    }
+}
+
 #[cfg(test)]
 mod tests;
 
 use super::polynomial::all_derivatives;
+use core::fmt;
 
 /// A normalised motion law s(τ) with s(0) = 0 and s(1) = 1 for τ in [0, 1].
 ///

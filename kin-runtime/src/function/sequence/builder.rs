@@ -3,7 +3,9 @@
 use super::segment::{Course, Segment};
 use super::{Sequence, SequenceError};
 use crate::function::law::MotionLaw;
+use crate::text::counted;
 use alloc::vec::Vec;
+use core::fmt;
 
 /// A sequence in the making; [`periodic`](Self::periodic) or [`build`](Self::build) completes it, and reports the first
 /// mistake.
@@ -114,5 +116,14 @@ impl SequenceBuilder {
             return Err(SequenceError::NotPeriodic { start, end: position });
         }
         Ok(Sequence { segments: self.segments, domain: (self.start.0, end), periodic })
+    }
+}
+
+/// How many segments so far.
+impl fmt::Display for SequenceBuilder {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "sequence from x = {}, ", self.start.0)?;
+        counted(f, self.segments.len(), "segment")?;
+        self.error.as_ref().map_or(Ok(()), |error| write!(f, "; {error}"))
     }
 }

@@ -1,5 +1,7 @@
 //! Where segments meet.
 
+use core::fmt;
+
 /// A place where two segments of a [`Sequence`](super::Sequence) meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Junction {
@@ -24,5 +26,13 @@ impl Junction {
     /// By how much the acceleration jumps.
     pub fn acceleration_jump(&self) -> f64 {
         self.after[2] - self.before[2]
+    }
+}
+
+/// Where, and what jumps.
+impl fmt::Display for Junction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "at x = {}: velocity jumps by {}, ", self.x, self.velocity_jump())?;
+        write!(f, "acceleration by {}", self.acceleration_jump())
     }
 }

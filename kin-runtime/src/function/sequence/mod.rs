@@ -4,12 +4,22 @@ mod builder;
 mod error;
 mod junction;
 mod segment;
+/// `4 segments from x = 0 to 360, periodic`.
+impl fmt::Display for Sequence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        counted(f, self.segments.len(), "segment")?;
+        write!(f, " from x = {} to {}{}", self.domain.0, self.domain.1, if self.periodic { ", periodic" } else { "" })
+    }
+}
+
 #[cfg(test)]
 mod tests;
 
 use super::ScalarFunction;
+use crate::text::counted;
 use alloc::vec::Vec;
 pub use builder::SequenceBuilder;
+use core::fmt;
 pub use error::SequenceError;
 pub use junction::Junction;
 use segment::Segment;

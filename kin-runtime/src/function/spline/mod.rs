@@ -1,12 +1,26 @@
 //! C² interpolation through a table by cubic splines.
 
 mod error;
+/// `cubic spline through 7 knots from 0 to 6`.
+impl fmt::Display for CubicSpline {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("cubic spline through ")?;
+        counted(f, self.knots.len(), "knot")?;
+        if let [first, .., last] = self.knots[..] {
+            write!(f, " from {first} to {last}")?;
+        }
+        f.write_str(if self.outside == Outside::Periodic { ", periodic" } else { "" })
+    }
+}
+
 #[cfg(test)]
 mod tests;
 mod tridiagonal;
 
 use super::ScalarFunction;
+use crate::text::counted;
 use alloc::vec::Vec;
+use core::fmt;
 pub use error::SplineError;
 use tridiagonal::Tridiagonal;
 

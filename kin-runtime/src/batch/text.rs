@@ -1,0 +1,98 @@
+//! Batches in words.
+
+use super::{Column, Configurations, End, Evaluations, Modes, Moment, Motions, Problems, Progress, Solutions, Sweeps};
+use crate::mechanism::Mechanism;
+use crate::text::{counted, number, numbers};
+use core::fmt;
+
+/// The number that all have, or how many there are.
+impl fmt::Display for Column<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Shared(value) => number(f, value),
+            Self::Each(values) => counted(f, values.len(), "number"),
+        }
+    }
+}
+
+impl fmt::Display for Configurations<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "configurations of {} coordinates at t = {}", self.q.len(), self.t)
+    }
+}
+
+impl fmt::Display for Problems<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "problems of {} coordinates at t = {}, modes {}", self.start.len(), self.t, self.modes)
+    }
+}
+
+impl fmt::Display for Modes<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Signs(columns) => write!(f, "by {} columns of signs", columns.len()),
+            Self::OfStart => f.write_str("of the start"),
+        }
+    }
+}
+
+impl fmt::Display for Sweeps<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("sweeps over ").and_then(|()| counted(f, self.times.len(), "instant"))?;
+        write!(f, ", modes {}", self.modes)
+    }
+}
+
+/// `12 of 100 configurations`.
+impl fmt::Display for Progress {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} of {} configurations", self.done, self.total)
+    }
+}
+
+/// At which instant, and why.
+impl fmt::Display for End {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "ended at instant {}: ", self.instant)?;
+        match &self.limit {
+            Some(limit) => limit.fmt(f),
+            None => f.write_str("a number is not finite"),
+        }
+    }
+}
+
+/// The instant and q, q̇, q̈ in lanes.
+impl fmt::Display for Moment<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "sets from {} on at t = {}, q = ", self.first, self.t)?;
+        numbers(f, self.q)?;
+        f.write_str(", q̇ = ")?;
+        numbers(f, self.q_dot)?;
+        f.write_str(", q̈ = ")?;
+        numbers(f, self.q_ddot)
+    }
+}
+
+/// How many went on to the end.
+impl<S> fmt::Display for Motions<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let whole = self.ends().filter(Option::is_none).count();
+        write!(f, "{whole} of {} motions whole", self.count())
+    }
+}
+
+/// How many are solved.
+impl<M: Mechanism> fmt::Display for Solutions<M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let solved = self.solved().filter(|solved| *solved).count();
+        write!(f, "{}: {solved} of {} configurations solved", M::model().name, self.count())
+    }
+}
+
+/// How many there are.
+impl<M: Mechanism> fmt::Display for Evaluations<M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: ", M::model().name)?;
+        counted(f, self.count(), "evaluation")
+    }
+}

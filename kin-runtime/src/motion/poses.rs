@@ -1,0 +1,48 @@
+//! Bodies and points of a state, for typed access: what a state shows without another call.
+
+use super::{BodyMotion, PointMotion, Rates, name};
+use crate::equations::{Equations, finite};
+use crate::error::SolveError;
+use crate::model::Model;
+use crate::state::State;
+use crate::workspace::Instant;
+
+/// Writes the motion of bodies and points, for the q, q̇ and q̈ of the state.
+///
+/// Where nothing is held or carried, and no point is named, they are coordinates and nothing is evaluated.
+pub(crate) fn poses(equations: &mut Equations<'_>, state: &mut State) -> Result<(), SolveError> {
+    let model = equations.model;
+    if model.points.is_empty() && model.bodies.iter().all(|body| !body.coordinates.contains(&None)) {
+        write(model, state, |state, _, coordinate| coordinate.map_or_else(Rates::default, |k| state.rates(k)));
+        return Ok(());
+    }
+    let at = Instant { t: state.t, inputs: &state.inputs };
+    equations.system.observe(&at, &state.q, &state.q_dot)?;
+    let parts = equations.system.observables();
+    let mut fault = None;
+    write(model, state, |state, observable, coordinate| {
+        let rates =
+            coordinate.map_or_else(|| parts.rates(&model.observable_pattern, observable, state), |k| state.rates(k));
+        for value in [rates.value, rates.rate, rates.acceleration] {
+            let error = finite("observables", observable, name(model, observable), value);
+            fault = fault.take().or(error.map_err(|error| error.at(state.t)).err());
+        }
+        rates
+    });
+    fault.map_or(Ok(()), Err)
+}
+
+/// Writes bodies and points by what `rates` says of an observable, which may be a coordinate.
+fn write(model: &Model, state: &mut State, mut rates: impl FnMut(&State, usize, Option<usize>) -> Rates) {
+    // The vectors are used again: a tracker allocates nothing here.
+    let (mut bodies, mut points) = (core::mem::take(&mut state.bodies), core::mem::take(&mut state.points));
+    bodies.clear();
+    bodies.extend(model.bodies.iter().map(|body| {
+        let [x, y, phi] = [0, 1, 2].map(|k| rates(state, body.observables[k], body.coordinates[k]));
+        BodyMotion::from([x, y, phi])
+    }));
+    points.clear();
+    points.extend(model.points.iter().map(|point| PointMotion::from(point.observables.map(|k| rates(state, k, None)))));
+    state.bodies = bodies;
+    state.points = points;
+}

@@ -1,0 +1,127 @@
+//! Results as serde sees them, where names come from the model: maps by name, in the order of declaration.
+
+use crate::model::{BodyInfo, Model, PointInfo};
+use crate::motion::{BodyMotion, Motion, PointMotion};
+use crate::series::MotionDerivatives;
+use crate::state::State;
+use crate::trajectory::Trajectory;
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
+
+/// Named values in order, written as one map.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Named<T>(Vec<(&'static str, T)>);
+
+impl<T> FromIterator<(&'static str, T)> for Named<T> {
+    fn from_iter<I: IntoIterator<Item = (&'static str, T)>>(iter: I) -> Self {
+        Self(iter.into_iter().collect())
+    }
+}
+
+impl<T: Serialize> Serialize for Named<T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
+    }
+}
+
+fn body_names(model: &Model) -> impl Iterator<Item = &'static str> + use<> {
+    let bodies: &'static [BodyInfo] = model.bodies;
+    bodies.iter().map(|body| body.name)
+}
+
+fn point_names(model: &Model) -> impl Iterator<Item = &'static str> + use<> {
+    let points: &'static [PointInfo] = model.points;
+    points.iter().map(|point| point.name)
+}
+
+fn coordinate_names(model: &Model) -> Vec<&'static str> {
+    model.coordinates.iter().map(|coordinate| coordinate.name).collect()
+}
+
+/// A state without the names of what it holds.
+struct Bare<'a>(&'a State);
+
+impl Serialize for Bare<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut s = serializer.serialize_struct("State", 11)?;
+        fields(self.0, &mut s)?;
+        s.serialize_field("bodies", &self.0.bodies)?;
+        s.serialize_field("points", &self.0.points)?;
+        s.end()
+    }
+}
+
+/// What a state has with names and without.
+fn fields<S: SerializeStruct>(state: &State, s: &mut S) -> Result<(), S::Error> {
+    s.serialize_field("t", &state.t)?;
+    s.serialize_field("inputs", &state.inputs)?;
+    s.serialize_field("q", &state.q)?;
+    s.serialize_field("q_dot", &state.q_dot)?;
+    s.serialize_field("q_ddot", &state.q_ddot)?;
+    s.serialize_field("residual", &state.residual)?;
+    s.serialize_field("iterations", &state.iterations)?;
+    s.serialize_field("condition", &state.condition)?;
+    s.serialize_field("degrees_of_freedom_left", &state.degrees_of_freedom_left)
+}
+
+/// With the names of the coordinates, and bodies and points by name.
+impl Serialize for State {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let bodies: Named<&BodyMotion> = body_names(self.model).zip(&self.bodies).collect();
+        let points: Named<&PointMotion> = point_names(self.model).zip(&self.points).collect();
+        let mut s = serializer.serialize_struct("State", 13)?;
+        s.serialize_field("mechanism", self.model.name)?;
+        s.serialize_field("coordinates", &coordinate_names(self.model))?;
+        fields(self, &mut s)?;
+        s.serialize_field("bodies", &bodies)?;
+        s.serialize_field("points", &points)?;
+        s.end()
+    }
+}
+
+/// With all names once, and states in their order.
+impl Serialize for Trajectory {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let states: Vec<Bare<'_>> = self.states.iter().map(Bare).collect();
+        let violated: Vec<&str> = self.violated_at_start().map(|condition| condition.name).collect();
+        let mut s = serializer.serialize_struct("Trajectory", 9)?;
+        s.serialize_field("mechanism", self.model.name)?;
+        s.serialize_field("coordinates", &coordinate_names(self.model))?;
+        s.serialize_field("bodies", &body_names(self.model).collect::<Vec<_>>())?;
+        s.serialize_field("points", &point_names(self.model).collect::<Vec<_>>())?;
+        s.serialize_field("states", &states)?;
+        s.serialize_field("events", &self.events)?;
+        s.serialize_field("violated_at_start", &violated)?;
+        s.serialize_field("stopped", &self.stopped)?;
+        s.serialize_field("fallbacks", &self.fallbacks)?;
+        s.end()
+    }
+}
+
+/// What a report on everything that a mechanism shows serialises to: everything by name.
+macro_rules! by_name {
+    ($report:ident) => {
+        impl Serialize for $report {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                let model = self.model;
+                let bodies: Named<_> = body_names(model).zip(&self.bodies).collect();
+                let points: Named<_> = point_names(model).zip(&self.points).collect();
+                let defines: Named<_> = model.defines.iter().map(|d| d.name).zip(&self.defines).collect();
+                let joints = model.joints.iter().zip(&self.joints).filter(|(joint, _)| !joint.quantities.is_empty());
+                let joints: Named<Named<_>> = joints
+                    .map(|(joint, all)| (joint.name, joint.quantities.iter().map(|q| q.name).zip(all).collect()))
+                    .collect();
+                let conditions: Named<_> = model.conditions.iter().map(|c| c.name).zip(&self.conditions).collect();
+                let mut s = serializer.serialize_struct(stringify!($report), 5)?;
+                s.serialize_field("bodies", &bodies)?;
+                s.serialize_field("points", &points)?;
+                s.serialize_field("defines", &defines)?;
+                s.serialize_field("joints", &joints)?;
+                s.serialize_field("conditions", &conditions)?;
+                s.end()
+            }
+        }
+    };
+}
+by_name!(Motion);
+by_name!(MotionDerivatives);

@@ -1,0 +1,102 @@
+//! What a solver is asked for besides the mechanism: tolerances, guesses, prescribed coordinates, modes, inputs.
+
+use super::Solver;
+use crate::mechanism::Mechanism;
+use crate::options::Options;
+use crate::planned::{ModeKey, Sign};
+use crate::workspace::Signal;
+use core::fmt;
+
+impl<'m, M: Mechanism> Solver<'m, M> {
+    /// Replaces tolerances and limits.
+    #[must_use]
+    pub fn with_options(mut self, options: Options) -> Self {
+        self.options = options;
+        self
+    }
+
+    /// Whether a sweep ends at its first event: its trajectory then has the states before it and the one at it, and says
+    /// so in [`Trajectory::stopped`].
+    #[must_use]
+    pub fn stop_at_events(mut self, stop: bool) -> Self {
+        self.options.stop_at_events = stop;
+        self
+    }
+
+    /// Guesses a coordinate (place in q) as start of assembly, instead of the mechanism's own guess.
+    #[must_use]
+    pub fn with_guess(mut self, coordinate: usize, value: f64) -> Self {
+        self.guesses.push((coordinate, value));
+        self
+    }
+
+    /// Asks for an assembly mode, by its name or its place in [`Kinematics::modes`](crate::Kinematics::modes).
+    ///
+    /// Wherever the solver assembles from guesses, it does so as without; then the plan closes in the modes asked for, all
+    /// others being as the guesses have them, and full Newton closes what the plan gives. Analyses from a complete start
+    /// have the modes of that start.
+    #[must_use]
+    pub fn with_mode<'k>(mut self, mode: impl Into<ModeKey<'k>>, sign: Sign) -> Self {
+        let key = mode.into();
+        self.modes.push((key.to_string(), key.place(M::model().plan.modes), sign));
+        self
+    }
+
+    /// Prescribes a coordinate (place in q): adds the row q_k − value, with its rate and acceleration.
+    ///
+    /// A sweep takes value, rate and acceleration at its first instant and goes on with that acceleration.
+    #[must_use]
+    pub fn with_given(mut self, coordinate: usize, signal: Signal) -> Self {
+        self.given.retain(|&(k, _)| k != coordinate);
+        self.given.push((coordinate, signal));
+        self
+    }
+
+    /// Inputs as functions of time, for sweeps: writes value, rate and acceleration of every input at time t.
+    #[must_use]
+    pub fn with_inputs(mut self, inputs: &'m dyn Fn(f64, &mut [Signal])) -> Self {
+        self.inputs = Some(inputs);
+        self
+    }
+
+    /// The mechanism's guesses overridden by [`with_guess`](Self::with_guess), one entry per coordinate.
+    pub fn guess(&self) -> Vec<Option<f64>> {
+        let model = M::model();
+        let mut values = vec![0.0; model.guesses.len()];
+        let parameters = self.mechanism.parameters::<f64>();
+        let written = self.mechanism.write_guesses(parameters.as_ref(), &mut values).is_ok();
+        let own = model.guesses.iter().copied().zip(values).filter(|_| written);
+        let mut guess = vec![None; model.coordinates.len()];
+        for (coordinate, value) in own.chain(self.guesses.iter().copied()) {
+            if let Some(place) = guess.get_mut(coordinate) {
+                *place = Some(value);
+            }
+        }
+        guess
+    }
+}
+
+impl<M: Mechanism> Clone for Solver<'_, M> {
+    fn clone(&self) -> Self {
+        Self {
+            mechanism: self.mechanism,
+            options: self.options,
+            guesses: self.guesses.clone(),
+            given: self.given.clone(),
+            modes: self.modes.clone(),
+            inputs: self.inputs,
+        }
+    }
+}
+
+/// The mechanism, and what is asked for besides.
+impl<M: Mechanism> fmt::Display for Solver<'_, M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let coordinates = M::model().coordinates;
+        write!(f, "solver of {}", M::model().name)?;
+        for (place, signal) in &self.given {
+            write!(f, ", {} = {}", coordinates.get(*place).map_or("?", |c| c.name), signal.value)?;
+        }
+        self.modes.iter().try_for_each(|(mode, _, sign)| write!(f, ", mode {mode} = {sign}"))
+    }
+}

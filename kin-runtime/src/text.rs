@@ -1,0 +1,52 @@
+//! How numbers stand in the texts of public types: with the precision that is asked for, as in `{:.3}`.
+
+use core::fmt;
+
+/// A number.
+pub(crate) fn number<T: fmt::Display>(f: &mut fmt::Formatter<'_>, value: &T) -> fmt::Result {
+    match f.precision() {
+        Some(digits) => write!(f, "{value:.digits$}"),
+        None => write!(f, "{value}"),
+    }
+}
+
+/// Numbers in brackets: `(0.1, 0.2)`.
+pub(crate) fn numbers<T: fmt::Display>(f: &mut fmt::Formatter<'_>, values: &[T]) -> fmt::Result {
+    f.write_str("(")?;
+    separated(f, values, number)?;
+    f.write_str(")")
+}
+
+/// Items with commas between them.
+pub(crate) fn separated<T>(
+    f: &mut fmt::Formatter<'_>,
+    items: impl IntoIterator<Item = T>,
+    mut write: impl FnMut(&mut fmt::Formatter<'_>, T) -> fmt::Result,
+) -> fmt::Result {
+    items.into_iter().enumerate().try_for_each(|(k, item)| {
+        if k > 0 {
+            f.write_str(", ")?;
+        }
+        write(f, item)
+    })
+}
+
+/// `1 row`, `2 rows`.
+pub(crate) fn counted(f: &mut fmt::Formatter<'_>, count: usize, what: &str) -> fmt::Result {
+    match (count, what) {
+        (1, _) => write!(f, "1 {what}"),
+        (_, "body") => write!(f, "{count} bodies"),
+        (_, "entry") => write!(f, "{count} entries"),
+        _ => write!(f, "{count} {what}s"),
+    }
+}
+
+/// A value with its first and second time derivative: `0.5 (rate 1, acceleration 0)`.
+pub(crate) fn rates<T: fmt::Display>(f: &mut fmt::Formatter<'_>, [value, rate, acceleration]: [&T; 3]) -> fmt::Result {
+    number(f, value)?;
+    f.write_str(" (rate ")?;
+    number(f, rate)?;
+    f.write_str(", acceleration ")?;
+    number(f, acceleration)?;
+    f.write_str(")")
+}

@@ -1,0 +1,57 @@
+//! Laws of results as data: what a state shows, in columns, in text and as JSON, is what the analyses say.
+
+use crate::motion::swept;
+use kin_runtime::model::{Body, Component, Point};
+use kin_runtime::{Kinematics, Rates};
+
+/// The bodies and points that states carry are those of [`Solver::motion`](kin_runtime::Solver::motion), and columns
+/// are their numbers.
+pub(crate) fn states_show_the_motion<M: Kinematics + Default>(from: f64, to: f64) {
+    let mechanism = M::default();
+    let trajectory = swept(&mechanism, &[from, 0.7 * from + 0.3 * to, to]);
+    let model = M::model();
+    let column = |name: String| trajectory.column(&name).unwrap_or_else(|| panic!("no column {name}"));
+    for (place, state) in trajectory.iter().enumerate() {
+        let motion = mechanism.solver().motion(state).unwrap();
+        assert_eq!((motion.bodies.len(), motion.points.len()), (state.bodies.len(), state.points.len()));
+        let same = |name: &str, shown: Rates, expected: Rates| {
+            let pairs = [
+                (shown.value, expected.value),
+                (shown.rate, expected.rate),
+                (shown.acceleration, expected.acceleration),
+            ];
+            for (a, b) in pairs {
+                // Rates of an observable are sums of products, those of a coordinate stand in the state.
+                assert!((a - b).abs() <= 1e-12 * b.abs().max(1.0), "{name} at t = {}: {shown} and {expected}", state.t);
+            }
+            let columns = ["", "_dot", "_ddot"].map(|end| column(format!("{name}{end}"))[place]);
+            assert_eq!(columns, [shown.value, shown.rate, shown.acceleration], "{name}");
+        };
+        for (k, info) in model.bodies.iter().enumerate() {
+            for (component, name) in [(Component::X, "x"), (Component::Y, "y"), (Component::Phi, "phi")] {
+                let name = format!("{}.{name}", info.name);
+                same(&name, state[Body(k)].rates(component), motion[Body(k)].rates(component));
+            }
+        }
+        for (k, info) in model.points.iter().enumerate() {
+            let (shown, expected) = (state[Point(k)], motion[Point(k)]);
+            for (axis, name) in ["x", "y"].iter().enumerate() {
+                let of =
+                    |p: kin_runtime::PointMotion| Rates { value: p.r[axis], rate: p.v[axis], acceleration: p.a[axis] };
+                same(&format!("{}.{name}", info.name), of(shown), of(expected));
+            }
+        }
+        let text = state.to_string();
+        assert_eq!(1 + M::COORDINATES, text.lines().count(), "{text}");
+        let json = serde_json::to_value(state).unwrap();
+        assert_eq!(Some(model.bodies.len()), json["bodies"].as_object().map(serde_json::Map::len));
+        for (info, body) in model.bodies.iter().zip(&state.bodies) {
+            assert_eq!(Some(body.phi_dot), json["bodies"][info.name]["phi_dot"].as_f64(), "{json}");
+        }
+    }
+    let json = serde_json::to_value(&trajectory).unwrap();
+    for (state, record) in trajectory.iter().zip(json["states"].as_array().unwrap()) {
+        assert_eq!(serde_json::json!(state.q_ddot), record["q_ddot"]);
+        assert_eq!(serde_json::to_value(&state.points).unwrap(), record["points"]);
+    }
+}
