@@ -32,7 +32,10 @@ fn watching_changes_nothing() {
     for times in [grid(0.0, 7.0, 3), grid(5.0, -2.0, 50), vec![0.3, 2.0, 1.0]] {
         let (with, without) = (sweep(&Limited, &times), sweep(&Unlimited, &times));
         assert!(!with.events.is_empty() && without.events.is_empty());
-        assert_eq!(with.states, without.states);
+        let numbers = |trajectory: &Trajectory| -> Vec<_> {
+            trajectory.iter().map(|s| (s.t, s.q.clone(), s.q_dot.clone(), s.q_ddot.clone(), s.condition)).collect()
+        };
+        assert_eq!(numbers(&with), numbers(&without));
     }
 }
 
