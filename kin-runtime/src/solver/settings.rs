@@ -16,7 +16,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     }
 
     /// Whether a sweep ends at its first event: its trajectory then has the states before it and the one at it, and says
-    /// so in [`Trajectory::stopped`].
+    /// so in [`Trajectory::stopped`](crate::Trajectory::stopped).
     #[must_use]
     pub fn stop_at_events(mut self, stop: bool) -> Self {
         self.options.stop_at_events = stop;
