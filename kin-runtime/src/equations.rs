@@ -8,6 +8,7 @@ use crate::geometry;
 use crate::linear::Ordered;
 use crate::mechanism::LengthError;
 use crate::model::{Level, Model};
+use crate::observer::Observed;
 use crate::options::Options;
 use crate::radii;
 use crate::scale::Scale;
@@ -36,6 +37,8 @@ pub(crate) struct Equations<'a> {
     input_function: InputFunction<'a>,
     /// The way that is followed, where it is not time.
     pub(crate) way: Option<Way>,
+    /// Who watches a sweep.
+    pub(crate) observed: Observed<'a>,
     /// Current time.
     pub(crate) t: f64,
     /// Inputs at the current time.
@@ -90,6 +93,7 @@ impl<'a> Equations<'a> {
             start_time: at.t,
             input_function,
             way: None,
+            observed: Observed::new(None, 0),
             t: at.t,
             inputs: Vec::new(),
             phi: DVector::zeros(rows),

@@ -304,6 +304,15 @@ pub enum SolveError {
     },
     /// The plan has no answer.
     Plan(PlanError),
+    /// The observer ended the analysis ([`Solver::with_observer`](crate::Solver::with_observer)).
+    Stopped {
+        /// The time reached.
+        t: f64,
+        /// Instants or configurations that are finished.
+        done: usize,
+        /// All of them.
+        total: usize,
+    },
     /// No mode has the name or the place that was asked for.
     UnknownMode {
         /// What was asked for.

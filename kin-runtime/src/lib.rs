@@ -44,6 +44,8 @@ pub mod modes;
 #[cfg(feature = "std")]
 pub mod motion;
 #[cfg(feature = "std")]
+pub mod observer;
+#[cfg(feature = "std")]
 pub mod options;
 #[cfg(feature = "std")]
 pub mod ratios;
@@ -147,6 +149,8 @@ pub use mobility::{Cause, Mobility, RedundantRow};
 pub use modes::Mode;
 #[cfg(feature = "std")]
 pub use motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates};
+#[cfg(feature = "std")]
+pub use observer::{Observer, Reached};
 #[cfg(feature = "std")]
 pub use options::Options;
 #[cfg(feature = "std")]

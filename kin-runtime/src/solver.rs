@@ -12,6 +12,7 @@ use crate::mobility::{Mobility, mobility};
 use crate::model::Point;
 use crate::modes::{Mode, Wanted, assemble_in, modes};
 use crate::motion::{Motion, motion, point_jacobian};
+use crate::observer::{Observed, Observer};
 use crate::options::Options;
 use crate::planned::{PlanError, Planned, Sign};
 use crate::position::position;
@@ -59,13 +60,14 @@ pub struct Solver<'m, M: Mechanism> {
     /// Modes asked for, by what they are called, and their signs.
     modes: Vec<(String, Option<usize>, Sign)>,
     pub(crate) inputs: InputFunction<'m>,
+    observer: Option<Observer<'m>>,
 }
 
 impl<'m, M: Mechanism> Solver<'m, M> {
     /// A solver with default options and the mechanism's own guesses.
     pub fn new(mechanism: &'m M) -> Self {
         let (guesses, given, modes) = (Vec::new(), Vec::new(), Vec::new());
-        Self { mechanism, options: Options::default(), guesses, given, modes, inputs: None }
+        Self { mechanism, options: Options::default(), guesses, given, modes, inputs: None, observer: None }
     }
 
     /// Assembles the mechanism from the guesses; coordinates without a guess are found.
@@ -232,7 +234,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn cross_check(&self, options: &CrossCheckOptions) -> Result<CrossCheck, SolveError> {
         let (centre, length) = self.around(options)?;
-        cross_check(self.mechanism, options, &centre, length)
+        cross_check(self.mechanism, options, &centre, length, self.observer)
     }
 
     /// The plan against the equations, from the configurations given and from random ones around the guess; and against
@@ -242,7 +244,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// [`Plan`](SolveError::Plan) where there is no plan; as [`state_from`](Self::state_from) for the configurations given.
     pub fn plan_check(&self, options: &CrossCheckOptions) -> Result<PlanCheck, SolveError> {
         let (centre, length) = self.around(options)?;
-        plan_check(self.mechanism, options, &centre, length, |at, start| {
+        plan_check(self.mechanism, options, &centre, length, self.observer, |at, start| {
             Self::new(self.mechanism).state_from(at, start)
         })
     }
@@ -316,7 +318,10 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         let started = Equations::new(evaluator, self.options, &self.given, self.inputs, &at)
             .and_then(|mut equations| first(&mut equations).map(|position| (equations, position)));
         match started {
-            Ok((mut equations, position)) => kinematic(&mut equations, position, times),
+            Ok((mut equations, position)) => {
+                equations.observed = Observed::new(self.observer, times.len());
+                kinematic(&mut equations, position, times)
+            }
             Err(source) => Err(SweepError { trajectory: Box::new(nothing()), source }),
         }
     }

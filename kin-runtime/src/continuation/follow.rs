@@ -201,6 +201,9 @@ impl Follower {
                     }
                     core::mem::swap(&mut self.here, &mut self.next);
                     moved = true;
+                    if s != target {
+                        equations.observed.pass(self.here.state.t)?;
+                    }
                     if self.stopped(equations).is_some() {
                         return Ok(moved);
                     }

@@ -31,6 +31,7 @@ fn follow(
 ) -> Result<(), SolveError> {
     let (state, factor) = analysis::state(equations, first)?;
     trajectory.states.push(state.clone());
+    equations.observed.finish(state.t, Some(&state))?;
     let watch = Watch::start(equations, &state)?;
     let mut follower = Follower::new(equations, state, factor)?;
     follower.watch = watch;
@@ -43,8 +44,11 @@ fn follow(
         follower.advance(equations, t)?;
         let event = follower.stopped(equations);
         trajectory.stopped = event.is_some();
-        trajectory.states.push(event.unwrap_or(follower.state()).clone());
-        Ok(())
+        let state = event.unwrap_or(follower.state()).clone();
+        let told = equations.observed.finish(state.t, Some(&state));
+        trajectory.states.push(state);
+        // A sweep that its first event ended is whole.
+        if trajectory.stopped { Ok(()) } else { told }
     });
     trajectory.fallbacks = follower.fallbacks;
     if let Some(watch) = follower.watch {

@@ -16,6 +16,7 @@ mod plan;
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind, Model};
+use crate::observer::{Observed, Observer};
 use crate::random::Random;
 use crate::text::numbers;
 use crate::workspace::Instant;
@@ -141,12 +142,15 @@ pub(crate) fn cross_check<M: Mechanism>(
     options: &CrossCheckOptions,
     centre: &[f64],
     length: f64,
+    observer: Option<Observer<'_>>,
 ) -> Result<CrossCheck, SolveError> {
+    let mut observed = Observed::new(observer, options.given.len() + options.configurations);
     let mut random = Random::new(options.seed);
     let exact = mechanism.parameters::<f64>();
     let mut comparison = Comparison::new(M::model());
     for configuration in &options.given {
         comparison.compare(mechanism, exact.as_ref(), configuration)?;
+        observed.finish(configuration.t, None)?;
     }
     for number in 0..options.configurations {
         let configuration = random_configuration(M::model(), &mut random, number, centre, length);
@@ -157,6 +161,7 @@ pub(crate) fn cross_check<M: Mechanism>(
             }
         }
         comparison.compare(mechanism, parameters.as_ref(), &configuration)?;
+        observed.finish(configuration.t, None)?;
     }
     comparison.finish()
 }

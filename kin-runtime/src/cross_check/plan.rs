@@ -8,6 +8,7 @@ use super::{Configuration, CrossCheckOptions, random_configuration};
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind, Model};
+use crate::observer::{Observed, Observer};
 use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;
 use crate::random::Random;
@@ -87,6 +88,7 @@ pub(crate) fn plan_check<M: Mechanism>(
     options: &CrossCheckOptions,
     centre: &[f64],
     length: f64,
+    observer: Option<Observer<'_>>,
     newton: impl Fn(&Instant<'_>, &[f64]) -> Result<State, SolveError>,
 ) -> Result<PlanCheck, SolveError> {
     let model = M::model();
@@ -98,6 +100,7 @@ pub(crate) fn plan_check<M: Mechanism>(
     let mut random = Random::new(options.seed);
     let parameters = mechanism.parameters::<f64>();
     let own = options.given.len();
+    let mut observed = Observed::new(observer, own + options.configurations);
     for number in 0..own + options.configurations {
         let drawn;
         let configuration = match options.given.get(number) {
@@ -110,6 +113,7 @@ pub(crate) fn plan_check<M: Mechanism>(
         let at = Instant { t: configuration.t, inputs: &configuration.inputs };
         let Some(planned) = solve(mechanism, parameters.as_ref(), &at, configuration)? else {
             check.skipped += 1;
+            observed.finish(at.t, None)?;
             continue;
         };
         check.configurations += 1;
@@ -126,6 +130,7 @@ pub(crate) fn plan_check<M: Mechanism>(
                 }
             }
         }
+        observed.finish(at.t, None)?;
     }
     Ok(check)
 }

@@ -95,6 +95,7 @@ impl fmt::Display for SolveError {
                  ({given} given, {open} open)"
             ),
             Self::Plan(error) => error.fmt(f),
+            Self::Stopped { t, done, total } => write!(f, "stopped at t = {t}, {done} of {total} done"),
             Self::UnknownMode { mode, modes } if modes.is_empty() => {
                 write!(f, "there is no mode {mode}; the mechanism closes in one way only")
             }

@@ -2,6 +2,7 @@
 
 use super::Solver;
 use crate::mechanism::Mechanism;
+use crate::observer::Observer;
 use crate::options::Options;
 use crate::planned::{ModeKey, Sign};
 use crate::workspace::Signal;
@@ -59,6 +60,14 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         self
     }
 
+    /// Is told how far sweeps and checks are, and may end them: [`Stopped`](crate::SolveError::Stopped) then, a sweep with
+    /// all instants that are finished.
+    #[must_use]
+    pub fn with_observer(mut self, observer: Observer<'m>) -> Self {
+        self.observer = Some(observer);
+        self
+    }
+
     /// The mechanism's guesses overridden by [`with_guess`](Self::with_guess), one entry per coordinate.
     pub fn guess(&self) -> Vec<Option<f64>> {
         let model = M::model();
@@ -85,6 +94,7 @@ impl<M: Mechanism> Clone for Solver<'_, M> {
             given: self.given.clone(),
             modes: self.modes.clone(),
             inputs: self.inputs,
+            observer: self.observer,
         }
     }
 }

@@ -119,3 +119,51 @@ fn a_state_can_be_solved_again_from_itself() {
     let again = Squeezer.solver().state_from(&Instant::at(0.0), &state.q).unwrap();
     agree(&again.q, &state.q, 1e-14);
 }
+
+/// An observer is told every instant and the steps between them, changes nothing, and may end it all.
+#[test]
+fn an_observer_is_told_and_may_end_it() {
+    use core::cell::RefCell;
+    use core::ops::ControlFlow;
+    let mechanism = FourBarLoop::default();
+    let times = [0.0, 2.0, 4.0, 3.0];
+    let told = RefCell::new(Vec::new());
+    let listen = |reached: crate::Reached<'_>| {
+        assert_eq!(reached.total, times.len());
+        assert!(reached.state.is_none_or(|state| state.t == reached.t));
+        told.borrow_mut().push((reached.done, reached.t, reached.state.is_some()));
+        ControlFlow::Continue(())
+    };
+    let solver = crate::Solver::new(&mechanism);
+    let whole = solver.clone().with_observer(&listen).sweep(&times).unwrap();
+    assert_eq!(whole, solver.sweep(&times).unwrap());
+    let told = told.into_inner();
+    let instants: Vec<f64> = told.iter().filter(|(_, _, state)| *state).map(|(_, t, _)| *t).collect();
+    assert_eq!(instants, times);
+    assert!(told.windows(2).all(|pair| pair[0].0 <= pair[1].0 && pair[0].1 != pair[1].1));
+    assert!(told.len() > 20, "a turn takes several steps: {told:?}");
+    assert!(told.iter().all(|(done, t, state)| *state || (times[done - 1] - t) * (times[*done] - t) < 0.0));
+
+    for end in 0..told.len() {
+        let count = core::cell::Cell::new(0);
+        let stop = |_: crate::Reached<'_>| {
+            count.set(count.get() + 1);
+            if count.get() > end { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let ended = solver.clone().with_observer(&stop).sweep(&times);
+        let (done, t, _) = told[end];
+        if end + 1 == told.len() {
+            assert_eq!(ended.unwrap(), whole, "who stops it with the last instant has all of them");
+        } else {
+            let error = ended.unwrap_err();
+            assert_eq!(error.source, SolveError::Stopped { t, done, total: times.len() });
+            assert_eq!(error.trajectory.states, whole.states[..done]);
+        }
+    }
+    let twice = |reached: crate::Reached<'_>| {
+        if reached.done == 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let options = crate::CrossCheckOptions { configurations: 5, ..crate::CrossCheckOptions::default() };
+    let ended = solver.with_observer(&twice).cross_check(&options);
+    assert!(matches!(ended, Err(SolveError::Stopped { done: 2, total: 5, .. })), "{ended:?}");
+}
