@@ -1,12 +1,13 @@
 //! `animate`: the motion as a page for a browser, or as a picture that moves.
 
-use std::path::Path;
-
 use super::columns::{column_infos, shown};
 use super::engine::{Engine, Setup};
-use super::failure::Failure;
-use super::moving::{GridArgs, Moved, motions, moved, natural_end, note_motion};
+use super::examples::Names;
+use super::failure::{Failure, Ledger, zip3};
+use super::help::Help;
+use super::moving::{self, GridArgs, Moved, interrupted, motions, moved, natural_end, note_motion};
 use super::options::{FreedomArgs, SetupArgs};
+use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::note_freedom;
 use crate::model::Model;
@@ -20,24 +21,14 @@ use crate::present::units::Units;
 use crate::state::State;
 
 /// Steps when --steps is not there.
-const STEPS: usize = 180;
+pub(super) const STEPS: usize = 180;
 /// Assembly modes that one page shows at most.
 const MODES: usize = 8;
 /// Coordinates of all instants that the modes besides the one asked for may have together, so that pages stay small.
 const NUMBERS: usize = 60_000;
 
-/// See it move: a page for a browser that needs nothing else (.html), or a moving picture (.svg)
+/// See it move: a page for a browser, which needs nothing else, or a moving picture
 #[derive(Clone, Debug, clap::Args)]
-#[command(after_help = "\
-Examples, after the program's name:
-  animate --out motion.html                             one turn of the driven crank, or t = 0 to 1
-  animate --out motion.html --to 2 --steps 400
-  animate --out motion.html --set l1=0.12 --mode A-B-D=-
-  animate --out motion.svg                              a picture that moves, for a document
-
-The page has the drawing, plots that go with it, speed, and a slider for the time; where the mechanism can be
-assembled in several modes it has all of them, up to eight, unless --mode says which. Space plays and pauses.
-When a motion fails midway the finished part is written and the status is 1.")]
 pub(super) struct AnimateArgs {
     #[command(flatten)]
     grid: GridArgs,
@@ -45,74 +36,103 @@ pub(super) struct AnimateArgs {
     setup: SetupArgs,
     #[command(flatten)]
     freedom: FreedomArgs,
-    /// The file, whole or not at all; .html or .svg
-    #[arg(long, value_name = "FILE")]
-    out: Option<std::path::PathBuf>,
+    #[command(flatten)]
+    output: OutputArgs,
 }
 
-/// What is written.
-enum Form {
-    Page,
-    Picture,
-}
+pub(super) const HELP: Help = Help {
+    examples: |names: &Names| {
+        vec![
+            names.analysis("animate --out motion.html", "one turn of the driven crank"),
+            names.analysis("animate --out motion.html --to 2 --steps 400", ""),
+            names.analysis("animate --out motion.svg", "a picture that moves, for a document"),
+            names.with("animate --out motion.html --set", &names.set, "with another dimension"),
+            names.with("animate --out motion.html --mode", &names.mode, "in one assembly mode alone"),
+        ]
+    },
+    details: "\
+The page has the drawing, plots that go with it, speed, and a slider for the time; where the
+mechanism can be assembled in several modes it has all of them, up to eight, unless --mode says
+which. Space plays and pauses.
 
-impl AnimateArgs {
-    fn form(&self) -> Result<Form, Failure> {
-        let Some(path) = self.out.as_deref().filter(|path| *path != Path::new("-")) else { return Ok(Form::Page) };
-        match path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase).as_deref() {
-            Some("html" | "htm") => Ok(Form::Page),
-            Some("svg") => Ok(Form::Picture),
-            _ => Err(Failure::option("--out", format!("`{}` should end in .html or .svg", path.display()))),
-        }
-    }
-}
+When a motion fails midway, or Ctrl-C ends it, the finished part is written and the status is 1,
+or 130.",
+};
 
 pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
-    let form = args.form()?;
-    let setup = args.setup.apply_complete(engine)?;
+    let mut ledger = Ledger::default();
+    let (asked, output) = (ledger.take(args.grid.asked(STEPS)), ledger.take(args.output.destination("animate")));
+    let setup = ledger.take(args.setup.apply_complete(engine));
+    let (asked, output, setup) = ledger.close(zip3(asked, output, setup))?;
     let engine = &*engine;
     let model = engine.model();
     if model.bodies.is_empty() && model.points.is_empty() {
         let what = "it has no bodies and no points, only scalar coordinates: `sweep` and `plot` show those";
         return Err(Failure::Analysis(format!("{}: there is nothing to draw; {what}", model.name)));
     }
-    let times = args.grid.times(|from| Some(natural_end(engine, &setup, from)), STEPS)?;
-    let Moved { trajectory, ended, left } = moved(engine, &setup, &times, false, args.freedom)?;
+    let times = asked.times(|from| Some(natural_end(engine, &setup, from)))?;
+    let watch = session.watch();
+    watch.begin("instants", times.len());
+    let Moved { mut trajectory, mut ended, left } = moved(engine, &setup, &times, false, args.freedom, &watch)?;
     note_motion(session, &trajectory);
     note_freedom(session, left);
     let Some(first) = trajectory.states.first() else { return ended.map_or(Ok(()), Err) };
     let own = engine.modes(&first.instant(), &first.q);
-    let note = ended.as_ref().map(|failure| format!("The motion ends early: {failure}"));
     let own: Vec<Sign> = own.iter().map(|mode| mode.sign.unwrap_or(Sign::Plus)).collect();
-    let mut runs = vec![run_of(engine, &trajectory.states, mode_name(model, &own, &own), note)?];
+    let motions = motions(engine, &trajectory.states, &watch)?;
+    if motions.len() < trajectory.states.len() {
+        trajectory.states.truncate(motions.len());
+        ended = Some(interrupted(&trajectory.states, times.len()));
+    }
+    let note = ended.as_ref().map(early);
+    let mut runs = vec![run_of(engine, &trajectory.states, &motions, mode_name(model, &own, &own), note)?];
     if setup.modes.is_empty() && ended.is_none() {
         let room = NUMBERS / (model.coordinates.len() * times.len()).max(1);
-        for other in others(&own).into_iter().take(room) {
+        let others: Vec<Vec<Sign>> = others(&own).into_iter().take(room).collect();
+        watch.begin("instants of other modes", others.len() * times.len());
+        for (place, other) in others.iter().enumerate() {
+            watch.go_on(place * times.len());
             let asked = Setup { modes: other.iter().copied().enumerate().collect(), ..setup.clone() };
             // A mode that does not close is no fault of the motion that was asked for.
-            let Ok(also) = moved(engine, &asked, &times, false, args.freedom) else { continue };
+            let Ok(also) = moved(engine, &asked, &times, false, args.freedom, &watch) else { continue };
+            if watch.interrupted() {
+                ended = Some(Failure::Interrupted(format!("{place} of {} other modes finished", others.len())));
+                break;
+            }
             if also.trajectory.states.len() > 1 {
-                let note = also.ended.map(|failure| format!("The motion ends early: {failure}"));
-                runs.push(run_of(engine, &also.trajectory.states, mode_name(model, &own, &other), note)?);
+                let note = also.ended.as_ref().map(early);
+                let (states, name) = (&also.trajectory.states, mode_name(model, &own, other));
+                let motions = moving::motions(engine, states, &watch)?;
+                runs.push(run_of(engine, &states[..motions.len()], &motions, name, note)?);
             }
         }
     }
-    let columns = column_infos(model, &names_of(engine, &trajectory.states)?);
+    watch.end();
+    let columns = column_infos(model, &moving::column_names(model));
     let shown = shown(model, &runs[0].columns);
     let time = Units::of(model).time().map(str::to_owned);
     let animation = Animation { model, runs, columns, shown, time };
-    let text = match form {
-        Form::Page => animation.page().map_err(Failure::Output)?,
-        Form::Picture => animation.picture(),
+    let text = match output.form {
+        Form::Svg => animation.picture(),
+        _ => animation.page().map_err(Failure::Output)?,
     };
-    session.deliver_to(args.out.as_deref(), text.as_bytes())?;
+    session.deliver_bytes(&output, text.as_bytes())?;
     match ended {
         None => Ok(()),
+        Some(interrupted @ Failure::Interrupted(_)) => Err(interrupted),
         Some(failure) => {
             let (states, instants) = (trajectory.states.len(), count(times.len(), "instant"));
             session.note(&format!("the motion ended early: {states} of {instants} written"));
             Err(failure)
         }
+    }
+}
+
+/// What a page says of a motion that is not whole.
+fn early(failure: &Failure) -> String {
+    match failure {
+        Failure::Interrupted(how_far) => format!("The motion was interrupted: {how_far}"),
+        failure => format!("The motion ends early: {failure}"),
     }
 }
 
@@ -137,21 +157,20 @@ fn mode_name(model: &Model, own: &[Sign], signs: &[Sign]) -> String {
     if names.is_empty() { "as assembled".to_owned() } else { names.join(", ") }
 }
 
-/// The names of the columns besides t.
-fn names_of(engine: &dyn Engine, states: &[State]) -> Result<Vec<String>, Failure> {
-    let first = states.get(..1).unwrap_or_default();
-    Ok(columns(engine.model(), first, &motions(engine, first)?).into_iter().skip(1).map(|(name, _)| name).collect())
-}
-
 /// A motion with its drawing and its numbers.
-fn run_of(engine: &dyn Engine, states: &[State], name: String, note: Option<String>) -> Result<Run, Failure> {
-    let all = motions(engine, states)?;
+fn run_of(
+    engine: &dyn Engine,
+    states: &[State],
+    motions: &[Motion],
+    name: String,
+    note: Option<String>,
+) -> Result<Run, Failure> {
     let snapshots: Vec<Snapshot> =
-        states.iter().zip(&all).map(|(state, motion)| snapshot(engine, state, motion)).collect::<Result<_, _>>()?;
+        states.iter().zip(motions).map(|(state, motion)| snapshot(engine, state, motion)).collect::<Result<_, _>>()?;
     let curve = |instant: usize, joint: usize, s: f64| engine.curve(&states.get(instant)?.instant(), joint, s);
     let subject = Subject { model: engine.model(), snapshots: &snapshots, curve: &curve };
     let scene = Scene::new(&subject);
-    let columns = columns(engine.model(), states, &all).into_iter().skip(1).map(|(_, values)| values).collect();
+    let columns = columns(engine.model(), states, motions).into_iter().skip(1).map(|(_, values)| values).collect();
     Ok(Run { name, note, scene, columns })
 }
 

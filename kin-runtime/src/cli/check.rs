@@ -3,11 +3,16 @@
 use serde::Serialize;
 
 use super::engine::{Engine, Miss};
-use super::failure::Failure;
-use super::options::{Format, FreedomArgs, InstantArgs, OutputArgs, SetupArgs};
+use super::examples::Names;
+use super::failure::{Failure, Ledger, zip3};
+use super::help::Help;
+use super::options::{FreedomArgs, InstantArgs, SetupArgs};
+use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::{analysis, driven_state, note_freedom};
+use super::watch::Watch;
 use crate::cross_check::{Configuration, CrossCheck, CrossCheckOptions, PlanCheck};
+use crate::error::SolveError;
 use crate::present::json::to_json;
 use crate::present::number::{magnitude, plain};
 use crate::present::text::{Facts, count};
@@ -20,14 +25,6 @@ const CLOSURE_TOLERANCE: f64 = 1e-9;
 
 /// Hold the closed forms against dual numbers, and the solution against the equations
 #[derive(Clone, Debug, clap::Args)]
-#[command(after_help = "\
-Examples, after the program's name:
-  check
-  check --at 0.5 --set l1=0.12
-  check --configurations 1000 --format json
-
-The status is 0 only when everything passes. Where inputs have no value (--input), no solution is checked; where the
-drivers leave degrees of freedom open, it is that of least norm.")]
 pub(super) struct CheckArgs {
     #[command(flatten)]
     instant: InstantArgs,
@@ -69,13 +66,27 @@ struct Closure {
     acceleration: Option<Miss>,
 }
 
+pub(super) const HELP: Help = Help {
+    examples: |names: &Names| {
+        vec![
+            names.analysis("check", ""),
+            names.with("check --at 0.5 --set", &names.set, "at another instant, with another dimension"),
+            names.analysis("check --configurations 1000 --format json", "for another program"),
+        ]
+    },
+    details: "\
+The closed forms of Φ_q, Φ_t and γ are compared with automatic differentiation by dual numbers,
+the plan with full Newton, and the solution with the equations. The status is 0 only when
+everything passes. Where inputs have no value (--input), no solution is checked; where the
+drivers leave degrees of freedom open, it is that of least norm.",
+};
+
 pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
-    let t = args.instant.time()?;
-    let setup = args.setup.apply(engine)?;
+    let mut ledger = Ledger::default();
+    let (t, output) = (ledger.take(args.instant.time()), ledger.take(args.output.destination("check")));
+    let setup = ledger.take(args.setup.apply(engine));
+    let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
     let engine = &*engine;
-    if args.output.format() == Format::Csv {
-        return Err(Failure::option("--format", "`check` has no csv form; write text or json"));
-    }
     // The closed forms are right or wrong whatever the inputs are; a solution needs them.
     let solved = match setup.missing_inputs.as_slice() {
         // What the drivers leave open is no fault: the answer of least norm satisfies the same equations.
@@ -88,17 +99,17 @@ pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Sessi
     };
     let state = solved.as_ref().ok().and_then(Option::as_ref);
     note_freedom(session, state.map_or(0, |state| state.degrees_of_freedom_left));
-    let findings = find(engine, t, state, args.configurations as usize)?;
-    let text = match args.output.format() {
-        Format::Text | Format::Csv => {
+    let findings = find(engine, t, state, args.configurations as usize, &session.watch())?;
+    let text = match output.form {
+        Form::Json => to_json(&Findings { passed: findings.passed && solved.is_ok(), ..findings.clone() })
+            .map_err(Failure::Output)?,
+        _ => {
             let heading = format!("{}, check at t = {}\n\n", engine.model().name, plain(t));
             let verdict = if solved.is_ok() && findings.passed { "passed" } else { "FAILED" };
             format!("{heading}{}\n  {verdict}\n", facts(&findings).render())
         }
-        Format::Json => to_json(&Findings { passed: findings.passed && solved.is_ok(), ..findings.clone() })
-            .map_err(Failure::Output)?,
     };
-    session.deliver(&args.output, &text)?;
+    session.deliver(&output, &text)?;
     solved?;
     if findings.passed { Ok(()) } else { Err(Failure::Analysis(complaint(&findings))) }
 }
@@ -109,13 +120,25 @@ pub(super) fn find(
     t: f64,
     state: Option<&State>,
     configurations: usize,
+    watch: &Watch,
 ) -> Result<Findings, Failure> {
-    let say = |error| analysis(engine, &error);
+    let say = |error| match error {
+        SolveError::Stopped { done, total, .. } => {
+            Failure::Interrupted(format!("{done} of {} of one check compared", count(total, "configuration")))
+        }
+        error => analysis(engine, &error),
+    };
     let here = |s: &State| Configuration { t, q: s.q.clone(), q_dot: s.q_dot.clone(), inputs: s.inputs.clone() };
     let given = state.map(here).into_iter().collect();
     let options = CrossCheckOptions { configurations, given, ..CrossCheckOptions::default() };
-    let cross_check = engine.cross_check(&options).map_err(say)?;
-    let plan = engine.plan_check(&options).map_err(say)?;
+    // Both go through all configurations.
+    let all = options.given.len() + configurations;
+    let checks = if engine.model().plan.exists() { 2 } else { 1 };
+    watch.begin("configurations", checks * all);
+    let cross_check = engine.cross_check(&options, &|reached| watch.observe(reached)).map_err(say)?;
+    watch.go_on(all);
+    let plan = engine.plan_check(&options, &|reached| watch.observe(reached)).map_err(say)?;
+    watch.end();
     let closure = match state {
         None => None,
         Some(state) => {

@@ -10,6 +10,7 @@ use crate::mobility::Mobility;
 use crate::model::Model;
 use crate::modes::Mode;
 use crate::motion::Motion;
+use crate::observer::Observer;
 use crate::planned::Sign;
 use crate::ratios::VelocityRatios;
 use crate::solver::Solver;
@@ -62,19 +63,27 @@ pub(super) struct Miss {
 pub(super) trait Engine {
     fn model(&self) -> &'static Model;
     fn parameters(&self) -> Vec<f64>;
+    /// The mechanism's own guess of every coordinate, where it has one.
+    fn guesses(&self) -> Vec<Option<f64>>;
     fn set_parameter(&mut self, index: usize, value: f64) -> bool;
     /// An assembled configuration, singular or not.
     fn assemble(&self, setup: &Setup, t: f64) -> Result<Vec<f64>, SolveError>;
     fn state(&self, setup: &Setup, t: f64) -> Result<State, SolveError>;
     /// The motion up to the first failure, or up to the first event where it is to stop there; and the failure.
-    fn sweep(&self, setup: &Setup, times: &[f64], stop_at_events: bool) -> (Trajectory, Option<SolveError>);
+    fn sweep(
+        &self,
+        setup: &Setup,
+        times: &[f64],
+        stop_at_events: bool,
+        observer: Observer<'_>,
+    ) -> (Trajectory, Option<SolveError>);
     fn motion(&self, state: &State) -> Result<Motion, SolveError>;
     fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError>;
     fn velocity_ratios(&self, setup: &Setup, state: &State) -> Result<VelocityRatios, SolveError>;
     fn transmission_angles(&self, state: &State) -> Result<Vec<TransmissionAngle>, SolveError>;
-    fn cross_check(&self, options: &CrossCheckOptions) -> Result<CrossCheck, SolveError>;
+    fn cross_check(&self, options: &CrossCheckOptions, observer: Observer<'_>) -> Result<CrossCheck, SolveError>;
     /// The plan against the equations and against full Newton; none where there is no plan.
-    fn plan_check(&self, options: &CrossCheckOptions) -> Result<Option<PlanCheck>, SolveError>;
+    fn plan_check(&self, options: &CrossCheckOptions, observer: Observer<'_>) -> Result<Option<PlanCheck>, SolveError>;
     /// The modes of a configuration; none where there is no plan.
     fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Vec<Mode>;
     /// Local points, axes, values and radii at an instant.
@@ -112,6 +121,10 @@ impl<M: Mechanism> Engine for Bound<M> {
         self.mechanism.parameters::<f64>().as_ref().to_vec()
     }
 
+    fn guesses(&self) -> Vec<Option<f64>> {
+        Solver::new(&self.mechanism).guess()
+    }
+
     fn set_parameter(&mut self, index: usize, value: f64) -> bool {
         self.mechanism.set_parameter(index, value)
     }
@@ -124,10 +137,16 @@ impl<M: Mechanism> Engine for Bound<M> {
         self.solver(setup).state(&Instant { t, inputs: &setup.inputs })
     }
 
-    fn sweep(&self, setup: &Setup, times: &[f64], stop_at_events: bool) -> (Trajectory, Option<SolveError>) {
+    fn sweep(
+        &self,
+        setup: &Setup,
+        times: &[f64],
+        stop_at_events: bool,
+        observer: Observer<'_>,
+    ) -> (Trajectory, Option<SolveError>) {
         let first = times.first().copied().unwrap_or(0.0);
         let inputs = |t: f64, out: &mut [Signal]| setup.inputs_after(t - first, out);
-        let solver = self.solver(setup).with_inputs(&inputs).stop_at_events(stop_at_events);
+        let solver = self.solver(setup).with_inputs(&inputs).stop_at_events(stop_at_events).with_observer(observer);
         match solver.sweep(times) {
             Ok(trajectory) => (trajectory, None),
             Err(error) => (*error.trajectory, Some(error.source)),
@@ -150,13 +169,13 @@ impl<M: Mechanism> Engine for Bound<M> {
         Solver::new(&self.mechanism).transmission_angles(&state.instant(), &state.q)
     }
 
-    fn cross_check(&self, options: &CrossCheckOptions) -> Result<CrossCheck, SolveError> {
-        Solver::new(&self.mechanism).cross_check(options)
+    fn cross_check(&self, options: &CrossCheckOptions, observer: Observer<'_>) -> Result<CrossCheck, SolveError> {
+        Solver::new(&self.mechanism).with_observer(observer).cross_check(options)
     }
 
-    fn plan_check(&self, options: &CrossCheckOptions) -> Result<Option<PlanCheck>, SolveError> {
+    fn plan_check(&self, options: &CrossCheckOptions, observer: Observer<'_>) -> Result<Option<PlanCheck>, SolveError> {
         let exists = M::model().plan.exists();
-        exists.then(|| Solver::new(&self.mechanism).plan_check(options)).transpose()
+        exists.then(|| Solver::new(&self.mechanism).with_observer(observer).plan_check(options)).transpose()
     }
 
     fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Vec<Mode> {

@@ -1,43 +1,39 @@
 //! `equations`: the derivation, joint by joint.
 
-use std::path::{Path, PathBuf};
-
 use super::engine::Engine;
-use super::failure::Failure;
+use super::examples::Names;
+use super::failure::{Failure, Ledger};
+use super::help::Help;
+use super::output::{Form, OutputArgs};
 use super::session::Session;
 use crate::present::equations;
 
 /// The equations Φ, Φ_q, Φ_t and γ, joint by joint, as text, LaTeX or a page with MathML
 #[derive(Clone, Debug, clap::Args)]
-#[command(after_help = "\
-Examples, after the program's name:
-  equations
-  equations A B                                         of some joints only
-  equations --out motion.tex                            a LaTeX document that compiles as it is
-  equations --format latex                              the inside of one, to be included
-  equations --out equations.html                        for a browser, without network access
-
-Each joint begins with its own equation, in vectors: r is the origin of a body, A its rotation, s′ a point in its frame,
-index 0 the ground. Then follow its rows of Φ as they were derived, their partial derivatives that are not 0, and γ.")]
 pub(super) struct EquationsArgs {
     /// Joints, constraints and drivers; all of them without any
     #[arg(value_name = "JOINT")]
     joints: Vec<String>,
-    /// text, latex or html [default: text, or what the ending of --out says: .txt, .tex, .html]
-    #[arg(long, value_name = "FORMAT", value_enum, hide_possible_values = true)]
-    format: Option<Form>,
-    /// Write the result to a file, whole or not at all; a .tex file is a whole document
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    output: OutputArgs,
 }
 
-/// How equations are written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Form {
-    Text,
-    Latex,
-    Html,
-}
+pub(super) const HELP: Help = Help {
+    examples: |names: &Names| {
+        let document = |out: &str| format!("equations --out {out}");
+        vec![
+            Some(("equations".to_owned(), "")),
+            Some((format!("equations {}", names.joints.join(" ")), "of some joints only")),
+            Some((document("motion.tex"), "a LaTeX document that compiles as it is")),
+            Some((document("equations.html"), "for a browser, without network access")),
+            Some(("equations --format latex".to_owned(), "the inside of a document, to be included")),
+        ]
+    },
+    details: "\
+Each joint begins with its own equation, in vectors: r is the origin of a body, A its rotation,
+s′ a point in its frame, index 0 the ground. Then follow its rows of Φ as they were derived, their
+partial derivatives that are not 0, and γ.",
+};
 
 pub(super) fn run(args: &EquationsArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let model = engine.model();
@@ -46,24 +42,19 @@ pub(super) fn run(args: &EquationsArgs, engine: &mut dyn Engine, session: &mut S
         return Err(Failure::Analysis(format!("{}: {what}", model.name)));
     }
     let names: Vec<&str> = model.joints.iter().map(|joint| joint.name).collect();
-    let mut chosen = Vec::new();
-    for name in &args.joints {
-        chosen.push(super::names::find("JOINT", super::names::Kind::Joint, name, &names)?);
-    }
-    let file = args.out.as_deref().filter(|path| *path != Path::new("-"));
-    let ending = file.and_then(Path::extension).and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
-    let document = ending.as_deref() == Some("tex");
-    let form = args.format.unwrap_or(match ending.as_deref() {
-        Some("tex") => Form::Latex,
-        Some("html" | "htm") => Form::Html,
-        _ => Form::Text,
-    });
+    let mut ledger = Ledger::default();
+    let output = ledger.take(args.output.destination("equations"));
+    let find = |name: &String| super::names::find("JOINT", super::names::Kind::Joint, name, &names);
+    let chosen: Vec<usize> = args.joints.iter().filter_map(|name| ledger.take(find(name))).collect();
+    let output = ledger.close(output)?;
+    // A file is a document, what goes elsewhere is for one.
+    let document = output.ending == Some(Form::Latex);
     let sheet = equations::sheet(model, &chosen);
-    let text = match form {
-        Form::Text => sheet.text(),
+    let text = match output.form {
         Form::Latex if document => sheet.latex(),
         Form::Latex => sheet.latex_fragment(),
         Form::Html => sheet.page(),
+        _ => sheet.text(),
     };
-    session.deliver_to(file, text.as_bytes())
+    session.deliver(&output, &text)
 }

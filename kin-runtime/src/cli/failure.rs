@@ -5,18 +5,25 @@ use std::fmt;
 /// What went wrong.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Failure {
-    /// The options do not make sense: status 2.
-    Usage(String),
+    /// Options that do not make sense, all that were found: status 2.
+    Usage(Vec<String>),
     /// The mechanism has no good answer at these numbers: status 1.
     Analysis(String),
     /// A file or stream could not be written: status 1.
     Output(String),
+    /// Ctrl-C; how far it came: status 130, as that of a program that the signal ends.
+    Interrupted(String),
 }
 
 impl Failure {
+    /// Options that do not go together.
+    pub(super) fn usage(what: impl Into<String>) -> Self {
+        Self::Usage(vec![what.into()])
+    }
+
     /// A usage error of one option.
     pub(super) fn option(option: &str, what: impl fmt::Display) -> Self {
-        Self::Usage(format!("{option}: {what}"))
+        Self::usage(format!("{option}: {what}"))
     }
 
     /// The exit status.
@@ -24,13 +31,65 @@ impl Failure {
         match self {
             Self::Usage(_) => 2,
             Self::Analysis(_) | Self::Output(_) => 1,
+            Self::Interrupted(_) => 130,
+        }
+    }
+
+    /// What is to be said, one by one.
+    pub(super) fn complaints(&self) -> &[String] {
+        match self {
+            Self::Usage(all) => all,
+            Self::Analysis(text) | Self::Output(text) | Self::Interrupted(text) => std::slice::from_ref(text),
         }
     }
 }
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (Self::Usage(text) | Self::Analysis(text) | Self::Output(text)) = self;
-        f.write_str(text)
+        f.write_str(&self.complaints().join("\n"))
+    }
+}
+
+/// All three, or none.
+pub(super) fn zip3<A, B, C>(a: Option<A>, b: Option<B>, c: Option<C>) -> Option<(A, B, C)> {
+    Some((a?, b?, c?))
+}
+
+/// Usage errors of several options, so that all of them are told at once.
+#[derive(Debug, Default)]
+pub(super) struct Ledger {
+    complaints: Vec<String>,
+    /// What is no fault of the options, and ends everything.
+    other: Option<Failure>,
+}
+
+impl Ledger {
+    /// A value, or none and its error noted.
+    pub(super) fn take<T>(&mut self, result: Result<T, Failure>) -> Option<T> {
+        match result {
+            Ok(value) => return Some(value),
+            Err(Failure::Usage(all)) => all.into_iter().for_each(|complaint| self.note(complaint)),
+            Err(other) => self.other = self.other.take().or(Some(other)),
+        }
+        None
+    }
+
+    /// Notes a complaint, without the names that an earlier one has listed already.
+    fn note(&mut self, complaint: String) {
+        let told = |listed: &str| self.complaints.iter().any(|c| c.split_once('\n').is_some_and(|(_, l)| l == listed));
+        let short = match complaint.split_once('\n') {
+            Some((what, listed)) if told(listed) => what.to_owned(),
+            _ => complaint,
+        };
+        self.complaints.push(short);
+    }
+
+    /// `value`, unless there was an error.
+    pub(super) fn close<T>(self, value: Option<T>) -> Result<T, Failure> {
+        match (self.other, value) {
+            (None, Some(value)) if self.complaints.is_empty() => Ok(value),
+            (Some(other), _) if self.complaints.is_empty() => Err(other),
+            _ => Err(Failure::Usage(self.complaints)),
+        }
     }
 }

@@ -1,8 +1,11 @@
 //! `info`: what the mechanism is.
 
 use super::engine::Engine;
-use super::failure::Failure;
-use super::options::{Format, InstantArgs, OutputArgs, SetupArgs};
+use super::examples::Names;
+use super::failure::{Failure, Ledger, zip3};
+use super::help::Help;
+use super::options::{InstantArgs, SetupArgs};
+use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::analysis;
 use crate::mobility::RedundantRow;
@@ -16,14 +19,6 @@ use crate::workspace::Instant;
 
 /// Counts, rows and their classes, degrees of freedom, the solution plan
 #[derive(Clone, Debug, clap::Args)]
-#[command(after_help = "\
-Examples, after the program's name:
-  info
-  info --format json
-  info --at 0.5 --set l1=0.12
-
-Degrees of freedom come from the rank at the configuration, so they need one that assembles; everything
-else does not. Where none does, the rest is given and the status is 1.")]
 pub(super) struct InfoArgs {
     #[command(flatten)]
     instant: InstantArgs,
@@ -33,13 +28,25 @@ pub(super) struct InfoArgs {
     output: OutputArgs,
 }
 
+pub(super) const HELP: Help = Help {
+    examples: |names: &Names| {
+        vec![
+            names.analysis("info", ""),
+            names.with("info --at 0.5 --set", &names.set, "at another instant, with another dimension"),
+            names.analysis("info --format json", "for another program"),
+        ]
+    },
+    details: "\
+Degrees of freedom come from the rank at the configuration, so they need one that assembles;
+everything else does not. Where none does, the rest is given and the status is 1.",
+};
+
 pub(super) fn run(args: &InfoArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
-    let t = args.instant.time()?;
-    let setup = args.setup.apply(engine)?;
+    let mut ledger = Ledger::default();
+    let (t, output) = (ledger.take(args.instant.time()), ledger.take(args.output.destination("info")));
+    let setup = ledger.take(args.setup.apply(engine));
+    let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
     let engine = &*engine;
-    if args.output.format() == Format::Csv {
-        return Err(Failure::option("--format", "`info` has no csv form; write text or json"));
-    }
     if !setup.missing_inputs.is_empty() {
         session.note(&format!("note: inputs without a value are taken as 0: {}", setup.missing_inputs.join(", ")));
     }
@@ -47,11 +54,11 @@ pub(super) fn run(args: &InfoArgs, engine: &mut dyn Engine, session: &mut Sessio
     let solved = engine.assemble(&setup, t).and_then(|q| engine.mobility(&setup, &at, &q).map(|m| (q, m)));
     let modes = solved.as_ref().map_or_else(|_| Vec::new(), |(q, _)| engine.modes(&at, q));
     let known = solved.as_ref().ok().map(|(q, mobility)| Known { t, q, mobility, modes: &modes });
-    let text = match args.output.format() {
-        Format::Json => to_json(&record(engine, known)).map_err(Failure::Output)?,
+    let text = match output.form {
+        Form::Json => to_json(&record(engine, known)).map_err(Failure::Output)?,
         _ => text(engine, known) + &plan::modes(&plan::records(engine.model(), known.map(|k| k.modes))),
     };
-    session.deliver(&args.output, &text)?;
+    session.deliver(&output, &text)?;
     match solved {
         Ok(_) => Ok(()),
         // Zeros are as good as any value where the configuration does not care; where it does, none was asked for.

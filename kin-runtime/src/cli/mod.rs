@@ -8,37 +8,47 @@
 //! ```
 //!
 //! The commands are `info`, `solve`, `sweep`, `animate`, `plot` and `equations` (with the
-//! features of their names) and `check`, one per file; without a command a report at t = 0 is printed.
-//! Results go to stdout or to the file of `--out`, everything else to stderr. The exit status is 0 only when the
-//! answer is good, 2 when the options make no sense, and 1 when the mechanism has no good answer.
+//! features of their names), `check` and `completions`, one per file; without a command a report at t = 0 is printed.
+//! Results go to stdout or to the file of `--out`, whose ending says the form; everything else goes to stderr. The exit
+//! status is 0 only when the answer is good, 2 when the options make no sense, 1 when the mechanism has no good answer,
+//! and 130 after Ctrl-C, which leaves all that is finished in the result. A reader that goes (`… | head`) is no error.
+//!
+//! What takes longer than a second has a bar on stderr, where that is a terminal. Colours are for terminals, too, unless
+//! `NO_COLOR` is set; `CLICOLOR_FORCE` has them everywhere.
 //!
 //! Only the few calls that touch the mechanism's type are generic; they are behind the trait of `engine.rs`, so that
 //! this program is compiled once and not for every mechanism.
 
 use std::ffi::OsString;
 use std::io::{self, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
+use clap::FromArgMatches;
 use clap::error::{ContextKind, ErrorKind};
-use clap::{CommandFactory, FromArgMatches};
 
 use crate::mechanism::Mechanism;
-use crate::model::Model;
 use engine::{Bound, Engine};
 use failure::Failure;
-use session::Session;
+use session::{Session, Surroundings};
 
 mod animate;
 mod check;
 mod columns;
+mod completions;
 mod engine;
 #[cfg(feature = "equations")]
 mod equations;
+mod examples;
 mod failure;
+mod help;
 mod info;
+mod interrupt;
 mod moving;
 mod names;
 mod options;
+mod output;
+mod paint;
 #[cfg(feature = "plot")]
 mod plot;
 mod report;
@@ -47,6 +57,7 @@ mod solve;
 mod solved;
 mod sweep;
 mod values;
+mod watch;
 
 #[cfg(test)]
 mod fixture;
@@ -60,12 +71,13 @@ pub fn main<M: Mechanism + Default>() -> ExitCode {
 
 /// Runs the program of the mechanism `M` with these arguments; the first is the program's name.
 ///
-/// For a program that hosts several mechanisms.
+/// For a program that hosts several mechanisms. While a command computes what may take long, Ctrl-C is caught; at all
+/// other times it ends the process, also after this has returned.
 pub fn run_from<M: Mechanism + Default>(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {
     let args = args.into_iter().map(Into::into).collect();
     let mut engine = Bound::new(M::default());
     let (mut out, mut err) = (io::stdout().lock(), io::stderr());
-    ExitCode::from(run(&mut engine, args, &mut out, &mut err))
+    ExitCode::from(run(&mut engine, args, &mut out, &mut err, Surroundings::of_process()))
 }
 
 /// Exact position, velocity and acceleration analysis of one mechanism.
@@ -89,20 +101,30 @@ enum Command {
     Animate(animate::AnimateArgs),
     #[cfg(feature = "plot")]
     Plot(plot::PlotArgs),
+    Completions(completions::CompletionsArgs),
 }
 
 /// The whole program, with its streams as arguments; gives the exit status.
-fn run(engine: &mut dyn Engine, args: Vec<OsString>, out: &mut dyn Write, err: &mut dyn Write) -> u8 {
-    let mut session = Session::new(out, err);
-    let arguments = match parse(engine, args) {
+fn run(
+    engine: &mut dyn Engine,
+    args: Vec<OsString>,
+    out: &mut dyn Write,
+    err: &mut dyn Write,
+    around: Surroundings,
+) -> u8 {
+    let mut session = Session::new(out, err, around);
+    let mut command = help::command(engine, program(engine, &args));
+    let parsed = command.try_get_matches_from_mut(with_negative_values(args));
+    let arguments = match parsed.and_then(|matches| Arguments::from_arg_matches(&matches)) {
         Ok(arguments) => arguments,
+        Err(error) if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {
+            return session.help(&error.render());
+        }
         Err(error) => {
-            let mut text = error.render().to_string();
-            if error.kind() == ErrorKind::ArgumentConflict && error.get(ContextKind::InvalidSubcommand).is_some() {
-                text.push_str("\nOptions stand behind the command: solve --at 0.5\n");
-            }
-            let asked_for = matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion);
-            return if asked_for { session.print(&text) } else { session.complain(&text, 2) };
+            let before =
+                error.kind() == ErrorKind::ArgumentConflict && error.get(ContextKind::InvalidSubcommand).is_some();
+            let hint = if before { "\n\nOptions stand behind the command: solve --at 0.5" } else { "" };
+            return session.refuse(&error.render(), hint);
         }
     };
     let done: Result<(), Failure> = match &arguments.command {
@@ -116,18 +138,16 @@ fn run(engine: &mut dyn Engine, args: Vec<OsString>, out: &mut dyn Write, err: &
         Some(Command::Animate(args)) => animate::run(args, engine, &mut session),
         #[cfg(feature = "plot")]
         Some(Command::Plot(args)) => plot::run(args, engine, &mut session),
+        Some(Command::Completions(args)) => completions::run(args, command, engine.model(), &mut session),
     };
     session.finish(done)
 }
 
-fn parse(engine: &dyn Engine, args: Vec<OsString>) -> Result<Arguments, clap::Error> {
-    let model = engine.model();
-    let command = Arguments::command()
-        .name(model.name)
-        .about(if model.doc.is_empty() { "A planar mechanism" } else { model.doc })
-        .version(concat!("(kin ", env!("CARGO_PKG_VERSION"), ")"))
-        .after_help(after_help(model));
-    Arguments::from_arg_matches(&command.try_get_matches_from(with_negative_values(args))?)
+/// The program's name, as the shell that called it has it.
+fn program(engine: &dyn Engine, args: &[OsString]) -> String {
+    let path = args.first().map(Path::new);
+    let name = path.and_then(Path::file_name).map(|name| name.to_string_lossy().into_owned());
+    name.unwrap_or_else(|| engine.model().name.to_owned())
 }
 
 /// Writes `--at -0.5` as `--at=-0.5`, so that a minus sign starts a value and two start the next option.
@@ -148,31 +168,3 @@ fn with_negative_values(args: Vec<OsString>) -> Vec<OsString> {
     }
     out
 }
-
-/// What stands under the options: the names of this mechanism, and examples.
-fn after_help(model: &Model) -> String {
-    let parameters: Vec<&str> = model.parameters.iter().map(|p| p.name).collect();
-    let coordinates: Vec<&str> = model.coordinates.iter().map(|c| c.name).collect();
-    [
-        ("Parameters:  ", parameters.as_slice()),
-        ("Coordinates: ", coordinates.as_slice()),
-        ("Inputs:      ", model.inputs),
-    ]
-    .into_iter()
-    .filter(|(_, names)| !names.is_empty())
-    .map(|(lead, names)| names::listing(lead, names) + "\n")
-    .chain(std::iter::once(format!("\n{EXAMPLES}")))
-    .collect()
-}
-
-const EXAMPLES: &str = "\
-Without a command: a full report at t = 0 (or --at T).
-
-Examples, after the program's name:
-  info                                    counts, rows, degrees of freedom
-  solve --at 0.5 --set l1=0.12            position, velocity, acceleration at one instant
-  sweep --from 0 --to 1 --steps 100 --format csv --out motion.csv
-  animate --out motion.html               see it move, in a browser
-  check                                   are the closed forms right?
-Every command has --help with examples of its own. --set, --guess, --given and --input may be repeated.
-Negative numbers are fine as values: --at -0.5.";

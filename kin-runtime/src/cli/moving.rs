@@ -3,14 +3,17 @@
 use std::f64::consts::TAU;
 
 use super::engine::{Engine, Setup};
-use super::failure::Failure;
+use super::failure::{Failure, Ledger};
 use super::options::FreedomArgs;
 use super::session::Session;
 use super::solved::{analysis, driven_state, fully_driven};
 use super::values;
-use crate::model::{Component, CoordinateKind};
+use super::watch::Watch;
+use crate::error::SolveError;
+use crate::model::{Component, CoordinateKind, Model};
 use crate::motion::Motion;
 use crate::present::condition;
+use crate::present::number::rounded;
 use crate::present::text::count;
 use crate::state::State;
 use crate::trajectory::Trajectory;
@@ -33,22 +36,53 @@ pub(super) struct GridArgs {
 }
 
 impl GridArgs {
-    /// The instants; `end` may know the last one from the first, where --to is not there.
-    pub(super) fn times(&self, end: impl FnOnce(f64) -> Option<f64>, steps: usize) -> Result<Vec<f64>, Failure> {
+    /// What is asked for; `steps` where nobody says.
+    pub(super) fn asked(&self, steps: usize) -> Result<Asked, Failure> {
+        let mut ledger = Ledger::default();
         let number =
             |option: &str, text: &Option<String>| text.as_deref().map(|t| values::number(option, t)).transpose();
         if let Some(times) = &self.times {
             let beside = [("--from", &self.from), ("--to", &self.to), ("--steps", &self.steps)];
-            if let Some((name, _)) = beside.into_iter().find(|(_, value)| value.is_some()) {
-                return Err(Failure::option("--times", format!("cannot stand beside {name}; use one or the other")));
+            for (name, _) in beside.into_iter().filter(|(_, value)| value.is_some()) {
+                let what = format!("cannot stand beside {name}; use one or the other");
+                ledger.take::<()>(Err(Failure::option("--times", what)));
             }
-            return values::times("--times", times);
+            let times = ledger.take(values::times("--times", times));
+            return ledger.close(times.map(Asked::Times));
         }
-        let from = number("--from", &self.from)?.unwrap_or(0.0);
-        let steps = self.steps.as_deref().map(values::steps).transpose()?.unwrap_or(steps);
-        match number("--to", &self.to)?.or_else(|| end(from)) {
-            Some(to) => values::grid(from, to, steps),
-            None => Err(Failure::Usage("no instants: write --from A --to B --steps N, or --times T1,T2,…".to_owned())),
+        let from = ledger.take(number("--from", &self.from)).flatten().unwrap_or(0.0);
+        let to = ledger.take(number("--to", &self.to)).flatten();
+        let steps = match &self.steps {
+            Some(text) => ledger.take(values::steps(text)),
+            None => Some(steps),
+        };
+        let asked = match (to, steps) {
+            (Some(to), Some(steps)) => ledger.take(values::grid(from, to, steps)).map(Asked::Times),
+            (_, steps) => steps.map(|steps| Asked::Open { from, steps }),
+        };
+        ledger.close(asked)
+    }
+}
+
+/// The instants that the options ask for.
+pub(super) enum Asked {
+    Times(Vec<f64>),
+    /// Nobody says where it ends.
+    Open {
+        from: f64,
+        steps: usize,
+    },
+}
+
+impl Asked {
+    /// The instants; `end` may know the last one from the first.
+    pub(super) fn times(self, end: impl FnOnce(f64) -> Option<f64>) -> Result<Vec<f64>, Failure> {
+        match self {
+            Self::Times(times) => Ok(times),
+            Self::Open { from, steps } => match end(from) {
+                Some(to) => values::grid(from, to, steps),
+                None => Err(Failure::usage("no instants: write --from A --to B --steps N, or --times T1,T2,…")),
+            },
         }
     }
 }
@@ -62,19 +96,20 @@ pub(super) struct Moved {
     pub(super) left: usize,
 }
 
-/// The motion over `times`, up to its first failure.
+/// The motion over `times`, up to its first failure or to Ctrl-C.
 pub(super) fn moved(
     engine: &dyn Engine,
     setup: &Setup,
     times: &[f64],
     stop_at_events: bool,
     freedom: FreedomArgs,
+    watch: &Watch,
 ) -> Result<Moved, Failure> {
     // A long sweep fails at its start, when the drivers leave the motion open there.
     let first = times.first().copied().unwrap_or(0.0);
     let (start, _) = driven_state(engine, setup, first, freedom.least_norm)?;
-    let (mut trajectory, mut ended) = engine.sweep(setup, times, stop_at_events);
-    let ended = ended.take().map(|error| analysis(engine, &error)).or_else(|| {
+    let (mut trajectory, ended) = engine.sweep(setup, times, stop_at_events, &|reached| watch.observe(reached));
+    let ended = ended.map(|error| stopped(engine, &error, &trajectory)).or_else(|| {
         // A sweep may also pass through a position where the drivers lose their grip.
         let states = &mut trajectory.states;
         let open = states.iter().position(|s| s.degrees_of_freedom_left > 0).filter(|_| !freedom.least_norm)?;
@@ -89,6 +124,20 @@ pub(super) fn moved(
         }
     });
     Ok(Moved { trajectory, ended, left: start.degrees_of_freedom_left })
+}
+
+/// Why a motion ended.
+fn stopped(engine: &dyn Engine, error: &SolveError, trajectory: &Trajectory) -> Failure {
+    match error {
+        SolveError::Stopped { total, .. } => interrupted(&trajectory.states, *total),
+        other => analysis(engine, other),
+    }
+}
+
+/// How far a motion came before Ctrl-C.
+pub(super) fn interrupted(finished: &[State], total: usize) -> Failure {
+    let until = finished.last().map_or(String::new(), |state| format!(", up to t = {}", rounded(state.t)));
+    Failure::Interrupted(format!("{} of {} finished{until}", finished.len(), count(total, "instant")))
 }
 
 /// What there is to say of a motion beside its numbers.
@@ -119,9 +168,23 @@ fn note_fallbacks(session: &mut Session<'_>, trajectory: &Trajectory) {
     }
 }
 
-/// Points, defines and joint quantities of every state.
-pub(super) fn motions(engine: &dyn Engine, states: &[State]) -> Result<Vec<Motion>, Failure> {
-    states.iter().map(|s| engine.motion(s).map_err(|e| analysis(engine, &e))).collect()
+/// Points, defines and joint quantities of the states. A Ctrl-C while they are computed leaves the rest out; one before
+/// has decided already how many states there are.
+pub(super) fn motions(engine: &dyn Engine, states: &[State], watch: &Watch) -> Result<Vec<Motion>, Failure> {
+    let decided = watch.interrupted();
+    let mut motions = Vec::with_capacity(states.len());
+    for state in states {
+        motions.push(engine.motion(state).map_err(|e| analysis(engine, &e))?);
+        if watch.interrupted() && !decided {
+            break;
+        }
+    }
+    Ok(motions)
+}
+
+/// The names of the columns besides t, points and joint quantities included.
+pub(super) fn column_names(model: &Model) -> Vec<String> {
+    crate::present::grid::columns(model, &[], &[]).into_iter().skip(1).map(|(name, _)| name).collect()
 }
 
 /// Where a motion from an instant on may end when nobody says: after one turn of the slowest of the cranks that are driven

@@ -1,6 +1,7 @@
 //! Finding what a user named, and saying what would have been right.
 
 use super::failure::Failure;
+use crate::model::Model;
 use crate::present::table::wrapped;
 
 /// At most so many names are listed in an error.
@@ -35,6 +36,15 @@ impl Kind {
 }
 
 impl Kind {
+    /// Whether the names have those of rates among them.
+    fn has_rates(self) -> bool {
+        match self {
+            #[cfg(feature = "plot")]
+            Self::Quantity => true,
+            _ => false,
+        }
+    }
+
     fn plural(self) -> String {
         match self {
             #[cfg(feature = "plot")]
@@ -44,24 +54,66 @@ impl Kind {
     }
 }
 
-/// The place of `name` among `names`.
+/// The place of `name` among `names`, all of which are of one kind.
+#[cfg(any(feature = "plot", feature = "equations"))]
 pub(super) fn find(option: &str, kind: Kind, name: &str, names: &[&str]) -> Result<usize, Failure> {
+    search(option, kind, name, names, None)
+}
+
+/// The place of `name` among `names`, all of which are of one kind, for names of which a model may know that they are something else.
+pub(super) fn find_in(model: &Model, option: &str, kind: Kind, name: &str, names: &[&str]) -> Result<usize, Failure> {
+    search(option, kind, name, names, other_kind(model, kind, name))
+}
+
+fn search(option: &str, kind: Kind, name: &str, names: &[&str], elsewhere: Option<&str>) -> Result<usize, Failure> {
     if let Some(place) = names.iter().position(|n| *n == name) {
         return Ok(place);
     }
     let what = kind.singular();
     if names.is_empty() {
-        return Err(Failure::option(option, format!("`{name}`: this mechanism has no {}", kind.plural())));
+        let hint = elsewhere.map_or(String::new(), |hint| format!("; {hint}"));
+        return Err(Failure::option(option, format!("`{name}`: this mechanism has no {}{hint}", kind.plural())));
     }
     let mut text = format!("no {what} named `{name}`");
-    if let Some(element) = names.iter().find(|n| n.strip_prefix(name).is_some_and(|rest| rest.starts_with('['))) {
+    let starts = |with: char| names.iter().find(|n| n.strip_prefix(name).is_some_and(|rest| rest.starts_with(with)));
+    if let Some(element) = starts('[') {
         text.push_str(&format!("; it is an array: name its elements, `{element}`"));
-    } else if let Some(near) = nearest(name, names) {
+    } else if let Some(hint) = elsewhere {
+        text.push_str(&format!("; {hint}"));
+    } else if let Some(near) = nearest(name, names).or(starts('.').copied()) {
         text.push_str(&format!("; did you mean `{near}`?"));
     }
     text.push('\n');
-    text.push_str(&listing(&format!("  {}: ", kind.plural()), names));
+    // A rate is listed with what it is the rate of.
+    let is_rate = |name: &str| {
+        let base = name.strip_suffix("_ddot").or(name.strip_suffix("_dot"));
+        kind.has_rates() && base.is_some_and(|base| names.contains(&base))
+    };
+    let listed: Vec<&str> = names.iter().copied().filter(|name| !is_rate(name)).collect();
+    text.push_str(&listing(&format!("  {}: ", kind.plural()), &listed));
+    if kind.has_rates() {
+        text.push_str("\n  with their rates NAME_dot and accelerations NAME_ddot; paths of points and of bodies");
+    }
     Err(Failure::option(option, text))
+}
+
+/// What a name is that belongs to another kind, and which option wants that.
+fn other_kind(model: &Model, kind: Kind, name: &str) -> Option<&'static str> {
+    let coordinate = model.coordinates.iter().any(|c| c.name == name);
+    let parameter = model.parameters.iter().any(|p| p.name == name);
+    let input = model.inputs.contains(&name);
+    let mode = model.plan.modes.iter().any(|mode| mode.name == name);
+    match kind {
+        Kind::Coordinate if parameter => Some("it is a parameter, which --set sets"),
+        Kind::Parameter if coordinate => {
+            Some("it is a coordinate: --guess says where it starts, --given prescribes it")
+        }
+        Kind::Parameter | Kind::Coordinate if input => Some("it is an input, which --input gives"),
+        Kind::Parameter | Kind::Coordinate if mode => Some("it is an assembly mode, which --mode chooses"),
+        Kind::Input if parameter => Some("it is a parameter, which --set sets"),
+        Kind::Input if coordinate => Some("it is a coordinate, which --given prescribes"),
+        _ => None,
+    }
 }
 
 /// The names, wrapped, without a final line break.
@@ -73,45 +125,28 @@ pub(super) fn listing(lead: &str, names: &[&str]) -> String {
 }
 
 /// The most similar name, when one is similar enough to be what was meant.
-fn nearest<'n>(name: &str, names: &[&'n str]) -> Option<&'n str> {
+pub(super) fn nearest<'n>(name: &str, names: &[&'n str]) -> Option<&'n str> {
     let lower = name.to_lowercase();
     names
         .iter()
-        .map(|n| (distance(&lower, &n.to_lowercase()), *n))
-        .filter(|(d, n)| *d <= n.chars().count().max(3) / 3)
-        .min_by_key(|(d, _)| *d)
-        .map(|(_, n)| n)
-}
-
-/// Levenshtein's distance with a swap of neighbours as one edit.
-fn distance(a: &str, b: &str) -> usize {
-    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
-    let mut before: Vec<usize> = Vec::new();
-    let mut above: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.iter().enumerate() {
-        let mut row = vec![i + 1];
-        for (j, y) in b.iter().enumerate() {
-            let at = |v: &[usize], k: usize| v.get(k).copied().unwrap_or(usize::MAX / 2);
-            let mut best = (at(&above, j) + usize::from(x != y)).min(at(&above, j + 1) + 1).min(at(&row, j) + 1);
-            let swapped = i > 0 && j > 0 && a.get(i - 1) == Some(y) && b.get(j - 1) == Some(x);
-            if swapped {
-                best = best.min(at(&before, j - 1) + 1);
-            }
-            row.push(best);
-        }
-        before = std::mem::replace(&mut above, row);
-    }
-    above.last().copied().unwrap_or(0)
+        .map(|n| (n.to_lowercase(), *n))
+        .map(|(other, n)| (strsim::osa_distance(&lower, &other), strsim::jaro(&lower, &other), n))
+        .filter(|(edits, _, n)| *edits <= n.chars().count().max(3) / 3)
+        .min_by(|a, b| a.0.cmp(&b.0).then(b.1.total_cmp(&a.1)))
+        .map(|(_, _, n)| n)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::fixture::{CrossHead, DRIVEN};
+    use crate::mechanism::Mechanism;
 
     const NAMES: &[&str] = &["crank.x", "crank.phi", "coupler.phi", "l[0]", "l[1]"];
 
     fn message(name: &str) -> String {
-        find("--set", Kind::Parameter, name, NAMES).map_or_else(|e| e.to_string(), |i| format!("found {i}"))
+        let model = CrossHead::<DRIVEN>::model();
+        find_in(model, "--set", Kind::Parameter, name, NAMES).map_or_else(|e| e.to_string(), |i| format!("found {i}"))
     }
 
     #[test]
@@ -121,20 +156,16 @@ mod tests {
         assert!(message("Crank.Phi").contains("did you mean `crank.phi`?"));
         assert!(!message("something").contains("did you mean"));
         assert!(message("something").ends_with("\n  parameters: crank.x, crank.phi, coupler.phi, l[0], l[1]"));
+        assert!(message("crank").contains("did you mean `crank.x`?"));
+        assert!(message("s").contains("`s`; it is a coordinate: --guess"));
         assert!(message("l").contains("it is an array: name its elements, `l[0]`"));
     }
 
     #[test]
     fn says_so_when_there_are_none() {
-        let error = find("--input", Kind::Input, "u", &[]);
-        assert_eq!(error, Err(Failure::Usage("--input: `u`: this mechanism has no inputs".into())));
-    }
-
-    #[test]
-    fn edits_are_counted() {
-        assert_eq!(distance("crank", "crank"), 0);
-        assert_eq!(distance("crnak", "crank"), 1);
-        assert_eq!(distance("crk", "crank"), 2);
-        assert_eq!(distance("", "abc"), 3);
+        let error = |name| find_in(CrossHead::<DRIVEN>::model(), "--input", Kind::Input, name, &[]);
+        assert_eq!(error("u"), Err(Failure::usage("--input: `u`: this mechanism has no inputs")));
+        let set = "--input: `r`: this mechanism has no inputs; it is a parameter, which --set sets";
+        assert_eq!(error("r"), Err(Failure::usage(set)));
     }
 }

@@ -1,74 +1,106 @@
 //! Options that several commands share, and what they mean for a mechanism.
 
-use std::path::{Path, PathBuf};
-
 use super::engine::{Engine, Setup};
-use super::failure::Failure;
-use super::names::{Kind, find};
+use super::failure::{Failure, Ledger};
+use super::names::{Kind, find_in};
 use super::values;
 
 /// Which mechanism, and where it starts.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(super) struct SetupArgs {
-    /// Set parameters: l1=0.12,l2=0.4 or l[3]=0.1
+    /// Set parameters: NAME=0.12,OTHER=0.4 or ARRAY[3]=0.1
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
-    /// Where assembly starts: coupler.phi=0.9,rocker.phi=5
-    #[arg(long, value_name = "NAME=VALUE")]
+    /// Where assembly starts; coordinates without a guess are found
+    #[arg(
+        long,
+        value_name = "NAME=VALUE",
+        long_help = "\
+Where assembly starts, in place of the mechanism's own guess.
+Coordinates without a guess are found; where it can close in several ways, guesses decide"
+    )]
     guess: Vec<String>,
-    /// Prescribe coordinates: crank.phi=0.3 or crank.phi=0.3:rate:acceleration
-    #[arg(long, value_name = "NAME=VALUE")]
+    /// Prescribe open coordinates: NAME=VALUE[:RATE[:ACCELERATION]]
+    #[arg(
+        long,
+        value_name = "NAME=VALUE",
+        long_help = "\
+Prescribe coordinates that the drivers leave open:
+NAME=VALUE, NAME=VALUE:RATE or NAME=VALUE:RATE:ACCELERATION.
+Over a motion that is where it starts; the acceleration stays what it is"
+    )]
     given: Vec<String>,
-    /// Inputs of the mechanism: u=value,rate,acceleration
-    #[arg(long, value_name = "NAME=VALUE")]
+    /// Inputs of the mechanism: NAME=VALUE[,RATE[,ACCELERATION]]
+    #[arg(
+        long,
+        value_name = "NAME=VALUE",
+        long_help = "\
+Inputs of the mechanism:
+NAME=VALUE, NAME=VALUE,RATE or NAME=VALUE,RATE,ACCELERATION.
+Over a motion that is where they start; accelerations stay what they are"
+    )]
     input: Vec<String>,
-    /// Assembly modes, `info` lists them: A-B-D=+ or A-B-D=-
+    /// Assembly modes, which `info` lists: NAME=+ or NAME=-
     #[arg(long, value_name = "NAME=SIGN")]
     mode: Vec<String>,
 }
 
 impl SetupArgs {
-    /// Sets the parameters and looks up all names.
+    /// Sets the parameters and looks up all names; tells all that is wrong.
     pub(super) fn apply(&self, engine: &mut dyn Engine) -> Result<Setup, Failure> {
         let model = engine.model();
+        let mut ledger = Ledger::default();
+        let mut setup = Setup::default();
+        let place = |option: &str, kind: Kind, name: &str, names: &[&str]| find_in(model, option, kind, name, names);
+
         let parameters: Vec<&str> = model.parameters.iter().map(|p| p.name).collect();
-        for (name, value) in values::assignments("--set", "l1=0.12,l2=0.4", &self.set)? {
-            let place = find("--set", Kind::Parameter, &name, &parameters)?;
-            let value = values::number(&format!("--set {name}"), &value)?;
-            if !engine.set_parameter(place, value) {
-                return Err(Failure::option("--set", format!("`{name}` cannot be set")));
+        for (name, value) in ledger.take(values::assignments("--set", "l1=0.12,l2=0.4", &self.set)).unwrap_or_default()
+        {
+            let found = place("--set", Kind::Parameter, &name, &parameters);
+            let value = values::number(&format!("--set {name}"), &value);
+            if let (Some(place), Some(value)) = (ledger.take(found), ledger.take(value))
+                && !engine.set_parameter(place, value)
+            {
+                ledger.take::<()>(Err(Failure::option("--set", format!("`{name}` cannot be set"))));
             }
         }
         let coordinates: Vec<&str> = model.coordinates.iter().map(|c| c.name).collect();
-        let mut setup = Setup::default();
-        for (name, value) in values::assignments("--guess", "coupler.phi=0.9", &self.guess)? {
-            let place = find("--guess", Kind::Coordinate, &name, &coordinates)?;
-            setup.guesses.push((place, values::number(&format!("--guess {name}"), &value)?));
+        let guesses = values::assignments("--guess", "coupler.phi=0.9", &self.guess);
+        for (name, value) in ledger.take(guesses).unwrap_or_default() {
+            let found = place("--guess", Kind::Coordinate, &name, &coordinates);
+            let value = values::number(&format!("--guess {name}"), &value);
+            setup.guesses.extend(ledger.take(found).zip(ledger.take(value)));
         }
-        for (name, value) in values::assignments("--given", "crank.phi=0.3", &self.given)? {
-            let place = find("--given", Kind::Coordinate, &name, &coordinates)?;
+        for (name, value) in
+            ledger.take(values::assignments("--given", "crank.phi=0.3", &self.given)).unwrap_or_default()
+        {
+            let found = place("--given", Kind::Coordinate, &name, &coordinates);
             let parts: Vec<&str> = value.split(':').collect();
-            setup.given.push((place, values::signal(&format!("--given {name}"), &name, &parts)?));
+            let signal = values::signal(&format!("--given {name}"), &name, &parts);
+            setup.given.extend(ledger.take(found).zip(ledger.take(signal)));
         }
         let modes: Vec<&str> = model.plan.modes.iter().map(|mode| mode.name).collect();
-        for (name, sign) in values::assignments("--mode", "A-B-D=+", &self.mode)? {
-            if let Some(why) = model.plan.absent {
-                return Err(Failure::option("--mode", format!("there are no modes, because there is no plan: {why}")));
-            }
-            let place = find("--mode", Kind::Mode, &name, &modes)?;
-            setup.modes.push((place, values::sign(&format!("--mode {name}"), &sign)?));
+        for (name, sign) in ledger.take(values::assignments("--mode", "A-B-D=+", &self.mode)).unwrap_or_default() {
+            let found = match model.plan.absent {
+                Some(why) => {
+                    Err(Failure::option("--mode", format!("there are no modes, because there is no plan: {why}")))
+                }
+                None => place("--mode", Kind::Mode, &name, &modes),
+            };
+            let sign = values::sign(&format!("--mode {name}"), &sign);
+            setup.modes.extend(ledger.take(found).zip(ledger.take(sign)));
         }
         let mut inputs = vec![None; model.inputs.len()];
-        for (name, signal) in values::inputs("--input", &self.input)? {
-            let place = find("--input", Kind::Input, &name, model.inputs)?;
-            if let Some(slot) = inputs.get_mut(place) {
+        for (name, signal) in ledger.take(values::inputs("--input", &self.input)).unwrap_or_default() {
+            let found = ledger.take(place("--input", Kind::Input, &name, model.inputs));
+            if let Some(slot) = found.and_then(|place| inputs.get_mut(place)) {
                 *slot = Some(signal);
             }
         }
         let missing = model.inputs.iter().zip(&inputs).filter(|(_, slot)| slot.is_none());
         setup.missing_inputs = missing.map(|(name, _)| *name).collect();
         setup.inputs = inputs.into_iter().map(Option::unwrap_or_default).collect();
-        Ok(setup)
+        ledger.close(Some(setup))
     }
 
     /// As [`apply`](Self::apply), for a command that needs a value for every input.
@@ -98,40 +130,5 @@ pub(super) struct InstantArgs {
 impl InstantArgs {
     pub(super) fn time(&self) -> Result<f64, Failure> {
         values::number("--at", &self.at)
-    }
-}
-
-/// How results are written: for people, or with numbers in full for other programs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub(super) enum Format {
-    Text,
-    Json,
-    Csv,
-}
-
-/// How results are written, and where to.
-#[derive(Clone, Debug, Default, clap::Args)]
-pub(super) struct OutputArgs {
-    /// text, json or csv [default: text, or what the ending of --out says]
-    #[arg(long, value_name = "FORMAT", value_enum, hide_possible_values = true)]
-    format: Option<Format>,
-    /// Write the result to a file, whole or not at all
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
-}
-
-impl OutputArgs {
-    pub(super) fn format(&self) -> Format {
-        let by_ending = || match self.out.as_deref().and_then(Path::extension).and_then(|e| e.to_str()) {
-            Some("json") => Format::Json,
-            Some("csv") => Format::Csv,
-            _ => Format::Text,
-        };
-        self.format.unwrap_or_else(by_ending)
-    }
-
-    /// The file; none for stdout.
-    pub(super) fn file(&self) -> Option<&Path> {
-        self.out.as_deref().filter(|path| *path != Path::new("-"))
     }
 }

@@ -1,13 +1,14 @@
 //! `plot`: diagrams of a motion as a file.
 
-use std::path::{Path, PathBuf};
-
 use super::columns::{column_infos, shown};
 use super::engine::{Engine, Setup};
-use super::failure::Failure;
-use super::moving::{GridArgs, Moved, motions, moved, natural_end, note_motion};
-use super::names::{Kind, find};
+use super::examples::{Names, quoted};
+use super::failure::{Failure, Ledger, zip3};
+use super::help::Help;
+use super::moving::{self, GridArgs, Moved, moved, natural_end, note_motion};
+use super::names::{Kind, find, find_in};
 use super::options::{FreedomArgs, SetupArgs};
+use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::note_freedom;
 use super::values;
@@ -16,30 +17,19 @@ use crate::present::animation::ColumnInfo;
 use crate::present::grid::columns;
 use crate::present::number::rounded;
 use crate::present::plot::{Curve, Diagram, Panel};
+use crate::present::text::count;
 use crate::present::units::Units;
 
 /// Steps when --steps is not there.
-const STEPS: usize = 360;
+pub(super) const STEPS: usize = 360;
 
-/// Diagrams of the motion: quantities over time, against one another, paths of points (.svg, .png)
+/// Diagrams of the motion: quantities over time, against one another, paths of points
 #[derive(Clone, Debug, clap::Args)]
-#[command(after_help = "\
-Examples, after the program's name:
-  plot --out motion.svg                                 what tells most, over one turn of the driven crank
-  plot rocker.phi rocker.phi_dot --to 2 --out rocker.png
-  plot tip --out path.svg                               the path of a point or a body's origin, with equal axes
-  plot rocker.phi:rocker.phi_dot --out phase.svg        the second against the first
-  plot tip --vary l1=0.08..0.12:5 --out paths.svg       one curve for each of five crank lengths
-  plot rocker.phi --vary l1=0.08,0.1 --vary l2=0.4,0.5 --out all.svg
-
-Quantities are the columns of `sweep --points`: a coordinate, its rate (name_dot), its acceleration (name_ddot), and
-those of points (tip.x), defines and joints. What has one unit shares a diagram. Without --out the SVG goes to stdout.
-When a motion fails midway its finished part is drawn and the status is 1.")]
 pub(super) struct PlotArgs {
-    /// What to plot: NAME over time, X:Y, or a point's or a body's path
+    /// NAME over time, X:Y, or a point's or a body's path [default: what tells most]
     #[arg(value_name = "WHAT")]
     what: Vec<String>,
-    /// One curve for each of several values of a parameter: l1=0.08..0.12:5 or l1=0.08,0.1
+    /// A curve for each of several values: NAME=0.08..0.12:5 or NAME=0.08,0.1
     #[arg(long, value_name = "NAME=VALUES")]
     vary: Vec<String>,
     #[command(flatten)]
@@ -48,9 +38,8 @@ pub(super) struct PlotArgs {
     setup: SetupArgs,
     #[command(flatten)]
     freedom: FreedomArgs,
-    /// The file, whole or not at all; .svg or .png
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    output: OutputArgs,
 }
 
 /// What is drawn: columns by their places, the first being t.
@@ -68,21 +57,57 @@ struct Curves {
     columns: Vec<Vec<f64>>,
 }
 
+pub(super) const HELP: Help = Help {
+    examples: |names: &Names| {
+        let coordinate = names.coordinate.unwrap_or("t");
+        let (value, rate) = (quoted(coordinate.to_owned()), quoted(format!("{coordinate}_dot")));
+        let phase = quoted(format!("{coordinate}:{coordinate}_dot"));
+        let path = names.path.map(|path| format!("plot {path} --out path.svg"));
+        let paths = names
+            .path
+            .zip(names.vary.as_ref())
+            .map(|(path, vary)| format!("plot {path} --vary {vary} --out paths.svg"));
+        vec![
+            names.analysis("plot --out motion.svg", "what tells most"),
+            names.analysis(&format!("plot {value} {rate} --to 2 --out motion.png"), ""),
+            path.and_then(|line| names.analysis(&line, "the path of a point")),
+            names.analysis(&format!("plot {phase} --out phase.svg"), "the second against the first"),
+            paths.and_then(|line| names.analysis(&line, "a curve for each of five values")),
+        ]
+    },
+    details: "\
+Quantities are the columns of `sweep --points`: a coordinate, its rate (NAME_dot), its
+acceleration (NAME_ddot), and those of points (NAME.x), defines and joints. What has one unit
+shares a diagram. --vary may be repeated, for one curve for each combination of values. Without
+--out the SVG goes to stdout.
+
+When a motion fails midway, or Ctrl-C ends it, its finished part is drawn and the status is 1,
+or 130.",
+};
+
 pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
-    let png = is_png(args.out.as_deref())?;
-    let setup = args.setup.apply_complete(engine)?;
     let model = engine.model();
-    let choices = choices(model, &args.vary)?;
-    let times = args.grid.times(|from| Some(natural_end(&*engine, &setup, from)), STEPS)?;
-    let (mut names, mut runs, mut failure) = (Vec::new(), Vec::new(), None);
-    for choice in &choices {
+    let mut ledger = Ledger::default();
+    let (asked, output) = (ledger.take(args.grid.asked(STEPS)), ledger.take(args.output.destination("plot")));
+    let setup = ledger.take(args.setup.apply_complete(engine));
+    let choices = ledger.take(choices(model, &args.vary));
+    // A name that does not exist is told before anything long begins.
+    let names = moving::column_names(model);
+    let wanted = ledger.take(wanted(model, &args.what, &names));
+    let ((asked, output, setup), (choices, wanted)) =
+        ledger.close(zip3(asked, output, setup).zip(choices.zip(wanted)))?;
+    let times = asked.times(|from| Some(natural_end(&*engine, &setup, from)))?;
+    let watch = session.watch();
+    watch.begin("instants", choices.len() * times.len());
+    let (mut runs, mut failure) = (Vec::new(), None);
+    for (place, choice) in choices.iter().enumerate() {
+        watch.go_on(place * times.len());
         for &(place, value) in choice {
             engine.set_parameter(place, value);
         }
         let name = choice_name(model, choice);
         match one(&*engine, &setup, &times, args.freedom, session) {
-            Ok((headers, columns, ended)) => {
-                names = headers;
+            Ok((columns, ended)) => {
                 runs.push(Curves { name, columns });
                 failure = failure.or(ended);
             }
@@ -93,41 +118,39 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
             }
             Err(error) => return Err(error),
         }
+        if watch.interrupted() {
+            let motions = count(choices.len(), "motion");
+            failure = Some(Failure::Interrupted(format!("{place} of {motions} finished, the next one in part")));
+            break;
+        }
     }
-    if runs.is_empty() {
-        return failure.map_or(Ok(()), Err);
-    }
+    watch.end();
+    let Some(first) = runs.first() else { return failure.map_or(Ok(()), Err) };
     let infos = column_infos(model, &names);
-    let wanted = wanted(model, &args.what, &infos, &runs[0].columns)?;
+    let wanted = if wanted.is_empty() { telling(model, &first.columns) } else { wanted };
     let diagram = Diagram { title: model.name.to_owned(), panels: panels(model, &wanted, &infos, &runs) };
-    let bytes = if png { diagram.png().map_err(Failure::Output)? } else { diagram.svg().into_bytes() };
-    session.deliver_to(args.out.as_deref(), &bytes)?;
+    let bytes = match output.form {
+        Form::Png => diagram.png().map_err(Failure::Output)?,
+        _ => diagram.svg().into_bytes(),
+    };
+    session.deliver_bytes(&output, &bytes)?;
     failure.map_or(Ok(()), Err)
-}
-
-/// By the ending of the file.
-fn is_png(out: Option<&Path>) -> Result<bool, Failure> {
-    let Some(path) = out.filter(|path| *path != Path::new("-")) else { return Ok(false) };
-    match path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase).as_deref() {
-        Some("svg") => Ok(false),
-        Some("png") => Ok(true),
-        _ => Err(Failure::option("--out", format!("`{}` should end in .svg or .png", path.display()))),
-    }
 }
 
 /// Every combination of the values of the parameters that vary; a single empty one where none does.
 fn choices(model: &Model, vary: &[String]) -> Result<Vec<Vec<(usize, f64)>>, Failure> {
     let parameters: Vec<&str> = model.parameters.iter().map(|p| p.name).collect();
+    let mut ledger = Ledger::default();
     let mut choices = vec![Vec::new()];
     for text in vary {
-        let (name, values) = values::variation("--vary", text)?;
-        let place = find("--vary", Kind::Parameter, &name, &parameters)?;
+        let Some((name, values)) = ledger.take(values::variation("--vary", text)) else { continue };
+        let Some(place) = ledger.take(find_in(model, "--vary", Kind::Parameter, &name, &parameters)) else { continue };
         let with = |choice: &Vec<(usize, f64)>| -> Vec<Vec<(usize, f64)>> {
             values.iter().map(|&value| choice.iter().copied().chain([(place, value)]).collect()).collect()
         };
         choices = choices.iter().flat_map(with).collect();
     }
-    Ok(choices)
+    ledger.close(Some(choices))
 }
 
 fn choice_name(model: &Model, choice: &[(usize, f64)]) -> String {
@@ -135,8 +158,8 @@ fn choice_name(model: &Model, choice: &[(usize, f64)]) -> String {
     choice.iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
-/// Names besides t, numbers with t, and why the motion ended early.
-type Numbers = (Vec<String>, Vec<Vec<f64>>, Option<Failure>);
+/// Numbers, t first, and why the motion ended early.
+type Numbers = (Vec<Vec<f64>>, Option<Failure>);
 
 fn one(
     engine: &dyn Engine,
@@ -145,37 +168,43 @@ fn one(
     freedom: FreedomArgs,
     session: &mut Session<'_>,
 ) -> Result<Numbers, Failure> {
-    let Moved { trajectory, ended, left } = moved(engine, setup, times, false, freedom)?;
+    let watch = session.watch();
+    let Moved { mut trajectory, ended, left } = moved(engine, setup, times, false, freedom, &watch)?;
     note_motion(session, &trajectory);
     note_freedom(session, left);
-    let motions = motions(engine, &trajectory.states)?;
-    let (names, numbers): (Vec<String>, Vec<Vec<f64>>) =
-        columns(engine.model(), &trajectory.states, &motions).into_iter().unzip();
-    Ok((names.into_iter().skip(1).collect(), numbers, ended))
+    let motions = moving::motions(engine, &trajectory.states, &watch)?;
+    trajectory.states.truncate(motions.len());
+    let numbers = columns(engine.model(), &trajectory.states, &motions).into_iter().map(|(_, values)| values);
+    Ok((numbers.collect(), ended))
 }
 
-/// The columns that are asked for; without any, those that tell most.
-fn wanted(model: &Model, what: &[String], infos: &[ColumnInfo], numbers: &[Vec<f64>]) -> Result<Vec<Wanted>, Failure> {
-    if what.is_empty() {
-        let columns = shown(model, &numbers[1..]).into_iter();
-        return Ok(columns.map(|k| Wanted { x: 0, y: k + 1, path: false }).collect());
-    }
-    let names: Vec<&str> = std::iter::once("t").chain(infos.iter().map(|info| info.name.as_str())).collect();
+/// Where nothing is asked for, the columns that tell most.
+fn telling(model: &Model, numbers: &[Vec<f64>]) -> Vec<Wanted> {
+    shown(model, &numbers[1..]).into_iter().map(|k| Wanted { x: 0, y: k + 1, path: false }).collect()
+}
+
+/// The columns that are asked for; all that is wrong is told.
+fn wanted(model: &Model, what: &[String], names: &[String]) -> Result<Vec<Wanted>, Failure> {
+    let names: Vec<&str> = std::iter::once("t").chain(names.iter().map(String::as_str)).collect();
     let carried = model.points.iter().map(|p| p.name).chain(model.bodies.iter().map(|b| b.name));
     let place = |name: &str| names.iter().position(|n| *n == name);
-    what.iter()
-        .map(|what| {
-            if let Some((x, y)) = what.split_once(':') {
-                let [x, y] = [x, y].map(|name| find("WHAT", Kind::Quantity, name, &names));
-                return Ok(Wanted { x: x?, y: y?, path: false });
-            }
-            let path = carried.clone().any(|name| name == what) && place(what).is_none();
-            if let (true, Some(x), Some(y)) = (path, place(&format!("{what}.x")), place(&format!("{what}.y"))) {
-                return Ok(Wanted { x, y, path: true });
-            }
-            Ok(Wanted { x: 0, y: find("WHAT", Kind::Quantity, what, &names)?, path: false })
-        })
-        .collect()
+    let mut ledger = Ledger::default();
+    let mut wanted = Vec::new();
+    for what in what {
+        if let Some((x, y)) = what.split_once(':') {
+            let [x, y] = [x, y].map(|name| ledger.take(find("WHAT", Kind::Quantity, name, &names)));
+            wanted.extend(x.zip(y).map(|(x, y)| Wanted { x, y, path: false }));
+            continue;
+        }
+        let path = carried.clone().any(|name| name == what) && place(what).is_none();
+        if let (true, Some(x), Some(y)) = (path, place(&format!("{what}.x")), place(&format!("{what}.y"))) {
+            wanted.push(Wanted { x, y, path: true });
+            continue;
+        }
+        let found = ledger.take(find("WHAT", Kind::Quantity, what, &names));
+        wanted.extend(found.map(|y| Wanted { x: 0, y, path: false }));
+    }
+    ledger.close(Some(wanted))
 }
 
 /// What has the same axes shares a panel.

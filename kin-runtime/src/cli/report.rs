@@ -4,9 +4,12 @@ use serde::Serialize;
 
 use super::check::{Findings, facts, find};
 use super::engine::Engine;
-use super::failure::Failure;
+use super::examples::Names;
+use super::failure::{Failure, Ledger, zip3};
+use super::help::Help;
 use super::info;
-use super::options::{Format, FreedomArgs, InstantArgs, OutputArgs, SetupArgs};
+use super::options::{FreedomArgs, InstantArgs, SetupArgs};
+use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solve::{body, record};
 use super::solved::{note_freedom, note_start, solve};
@@ -32,6 +35,32 @@ pub(super) struct ReportArgs {
     output: OutputArgs,
 }
 
+pub(super) const HELP: Help = Help {
+    examples: |names: &Names| {
+        let plot = if cfg!(feature = "plot") { names.analysis("plot --out motion.svg", "diagrams") } else { None };
+        let written = cfg!(feature = "equations").then(|| ("equations".to_owned(), "how they are derived"));
+        vec![
+            names.analysis("", "everything at t = 0"),
+            names.analysis("solve --at 0.5", "position, velocity and acceleration at one instant"),
+            names.analysis("animate --out motion.html", "see it move, in a browser"),
+            names.analysis("info", "counts, rows, degrees of freedom, the solution plan"),
+            names.analysis("sweep --to 1 --steps 100 --out motion.csv", "over many instants"),
+            plot,
+            written,
+            names.with("solve --set", &names.set, "with another dimension"),
+            Some(("check".to_owned(), "are the closed forms right?")),
+        ]
+    },
+    details: "\
+Without a command: a full report at t = 0, or at --at T. Every command has --help with examples of
+its own. --set, --guess, --given, --input and --mode may be repeated; negative numbers are fine as
+values: --at -0.5.
+
+Results go to stdout or --out, everything else to stderr. The status is 0 when the answer is good,
+1 when there is none, 2 when the options make no sense, 130 after Ctrl-C. On a terminal there are
+colours, unless NO_COLOR is set.",
+};
+
 /// The report as JSON.
 #[derive(Serialize)]
 struct ReportRecord<'a> {
@@ -41,19 +70,17 @@ struct ReportRecord<'a> {
 }
 
 pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
-    let t = args.instant.time()?;
-    let setup = args.setup.apply(engine)?;
+    let mut ledger = Ledger::default();
+    let (t, output) = (ledger.take(args.instant.time()), ledger.take(args.output.destination("")));
+    let setup = ledger.take(args.setup.apply(engine));
+    let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
     let engine = &*engine;
-    let format = args.output.format();
-    if format == Format::Csv {
-        return Err(Failure::option("--format", "the report has no csv form; `solve --format csv` has"));
-    }
     let solved = match setup.complete().and_then(|()| solve(engine, &setup, t, args.freedom.least_norm)) {
         Ok(solved) => solved,
         Err(failure) => {
             // A person is told what can be said without a solution; the error follows.
-            if format == Format::Text && args.output.file().is_none() {
-                session.deliver(&args.output, &info::text(engine, None))?;
+            if output.is_for_people() {
+                session.deliver(&output, &info::text(engine, None))?;
             }
             return Err(failure);
         }
@@ -61,10 +88,10 @@ pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Sess
     note_freedom(session, solved.state.degrees_of_freedom_left);
     note_start(session, &solved.mobility);
     let known = Known { t, q: &solved.state.q, mobility: &solved.mobility, modes: &solved.modes };
-    let findings = find(engine, t, Some(&solved.state), CONFIGURATIONS)?;
+    let findings = find(engine, t, Some(&solved.state), CONFIGURATIONS, &session.watch())?;
     let model = engine.model();
-    let text = match format {
-        Format::Json => to_json(&ReportRecord {
+    let text = match output.form {
+        Form::Json => to_json(&ReportRecord {
             info: info::record(engine, Some(known)),
             state: record(engine, &solved),
             check: findings.clone(),
@@ -80,6 +107,6 @@ pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Sess
             facts(&findings).render(),
         ),
     };
-    session.deliver(&args.output, &text)?;
+    session.deliver(&output, &text)?;
     if findings.passed() { Ok(()) } else { Err(Failure::Analysis("the checks fail; `check` says more".to_owned())) }
 }

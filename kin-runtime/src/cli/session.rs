@@ -1,66 +1,145 @@
 //! The streams of one run: results to stdout or a file, everything else to stderr.
 
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::Path;
+use std::rc::Rc;
+
+use anstream::{AutoStream, ColorChoice};
 
 use super::failure::Failure;
-use super::options::OutputArgs;
-use crate::present::write_atomically;
+use super::interrupt::Interrupt;
+use super::output::{Destination, Target};
+use super::paint;
+use super::watch::Watch;
+use crate::present::output::write_atomically;
+
+/// What there is around a run: who reads its streams.
+#[derive(Clone, Debug)]
+pub(super) struct Surroundings {
+    /// Whether results may be coloured, and whether what is said beside them may.
+    pub(super) colours: [bool; 2],
+    /// Whether somebody sees a bar on stderr.
+    pub(super) bar: bool,
+    pub(super) interrupt: Interrupt,
+}
+
+impl Surroundings {
+    /// Files.
+    #[cfg(test)]
+    pub(super) fn plain() -> Self {
+        Self { colours: [false; 2], bar: false, interrupt: Interrupt::unheard() }
+    }
+
+    /// Those of this process: colours on a terminal alone, as `NO_COLOR` and `CLICOLOR_FORCE` have it.
+    pub(super) fn of_process() -> Self {
+        let coloured = |choice: ColorChoice| choice != ColorChoice::Never;
+        let colours = [AutoStream::choice(&io::stdout()), AutoStream::choice(&io::stderr())].map(coloured);
+        Self { colours, bar: io::stderr().is_terminal(), interrupt: Interrupt::of_process() }
+    }
+}
 
 /// One run of the program.
 pub(super) struct Session<'a> {
     out: &'a mut dyn Write,
     err: &'a mut dyn Write,
+    colours: [bool; 2],
+    watch: Rc<Watch>,
 }
 
 impl<'a> Session<'a> {
-    pub(super) fn new(out: &'a mut dyn Write, err: &'a mut dyn Write) -> Self {
-        Self { out, err }
+    pub(super) fn new(out: &'a mut dyn Write, err: &'a mut dyn Write, around: Surroundings) -> Self {
+        let watch = Rc::new(Watch::new(around.interrupt, around.bar));
+        Self { out, err, colours: around.colours, watch }
+    }
+
+    /// Who watches what takes long.
+    pub(super) fn watch(&self) -> Rc<Watch> {
+        Rc::clone(&self.watch)
     }
 
     /// Writes a result where it was asked for.
-    pub(super) fn deliver(&mut self, options: &OutputArgs, text: &str) -> Result<(), Failure> {
-        self.deliver_to(options.file(), text.as_bytes())
+    pub(super) fn deliver(&mut self, to: &Destination<'_>, text: &str) -> Result<(), Failure> {
+        match self.colours[0] && to.is_for_people() {
+            true => self.deliver_bytes(to, paint::result(text).as_bytes()),
+            false => self.deliver_bytes(to, text.as_bytes()),
+        }
     }
 
-    /// Writes a result to a file, or to stdout where there is none or it is called `-`.
-    pub(super) fn deliver_to(&mut self, file: Option<&Path>, bytes: &[u8]) -> Result<(), Failure> {
-        match file.filter(|path| *path != Path::new("-")) {
-            Some(path) => write_atomically(path, bytes)
-                .map_err(|e| Failure::Output(format!("--out: cannot write {}: {e}", path.display()))),
-            None => {
-                let written = self.out.write_all(bytes).and_then(|()| self.out.flush());
-                match written {
-                    // Whoever reads has seen enough (`… | head`): no fault of the answer.
-                    Err(e) if e.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-                    other => other.map_err(|e| Failure::Output(format!("cannot write to stdout: {e}"))),
-                }
-            }
+    /// Writes a result that may be no text.
+    pub(super) fn deliver_bytes(&mut self, to: &Destination<'_>, bytes: &[u8]) -> Result<(), Failure> {
+        self.write(to.target, bytes)?;
+        to.contradiction().iter().for_each(|note| self.note(note));
+        Ok(())
+    }
+
+    fn write(&mut self, target: Target<'_>, bytes: &[u8]) -> Result<(), Failure> {
+        let written = match target {
+            Target::Out => self.out.write_all(bytes).and_then(|()| self.out.flush()),
+            Target::Err => self.err.write_all(bytes).and_then(|()| self.err.flush()),
+            Target::File(path) => self.watch.hold(|| write_atomically(path, bytes)),
+        };
+        match written {
+            // Whoever reads has seen enough (`… | head`): no fault of the answer.
+            Err(e) if e.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+            other => other.map_err(|e| Failure::Output(format!("{target}: {}", reason(&e)))),
         }
     }
 
     /// Says something beside the result. When stderr is closed nobody wants to know.
     pub(super) fn note(&mut self, text: &str) {
-        let _ = writeln!(self.err, "{}", text.trim_end());
+        let text = text.trim_end();
+        let watch = self.watch();
+        let _ = watch.aside(|| match self.colours[1] {
+            true => writeln!(self.err, "{}", paint::remark(text)),
+            false => writeln!(self.err, "{text}"),
+        });
     }
 
-    /// Prints to stdout; the exit status.
-    pub(super) fn print(&mut self, text: &str) -> u8 {
-        let done = self.deliver(&OutputArgs::default(), text);
+    /// Prints help; the exit status.
+    pub(super) fn help(&mut self, text: &clap::builder::StyledStr) -> u8 {
+        let text = if self.colours[0] { text.ansi().to_string() } else { text.to_string() };
+        let done = self.write(Target::Out, text.as_bytes());
         self.finish(done)
     }
 
-    /// Prints to stderr; the exit status.
-    pub(super) fn complain(&mut self, text: &str, status: u8) -> u8 {
-        self.note(text);
-        status
+    /// Prints an error of the arguments; the exit status.
+    pub(super) fn refuse(&mut self, text: &clap::builder::StyledStr, more: &str) -> u8 {
+        let text = if self.colours[1] { text.ansi().to_string() } else { text.to_string() };
+        let _ = writeln!(self.err, "{}{more}", text.trim_end());
+        2
     }
 
     /// The exit status of a command, its error said.
     pub(super) fn finish(&mut self, done: Result<(), Failure>) -> u8 {
+        self.watch.end();
         match done {
             Ok(()) => 0,
-            Err(failure) => self.complain(&format!("error: {failure}"), failure.status()),
+            Err(Failure::Interrupted(how_far)) => {
+                self.note(&format!("interrupted: {how_far}"));
+                Failure::Interrupted(how_far).status()
+            }
+            Err(failure) => {
+                for complaint in failure.complaints() {
+                    self.note(&format!("error: {complaint}"));
+                }
+                failure.status()
+            }
+        }
+    }
+}
+
+/// An error of the system without its number.
+fn reason(error: &io::Error) -> String {
+    let text = error.to_string();
+    text.split_once(" (os error").map_or(text.as_str(), |(words, _)| words).to_owned()
+}
+
+impl std::fmt::Display for Target<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Out => f.write_str("cannot write to stdout"),
+            Self::Err => f.write_str("cannot write to stderr"),
+            Self::File(path) => write!(f, "--out: cannot write {}", Path::display(path)),
         }
     }
 }

@@ -1,8 +1,11 @@
 //! `solve`: position, velocity and acceleration at one instant.
 
 use super::engine::Engine;
-use super::failure::Failure;
-use super::options::{Format, FreedomArgs, InstantArgs, OutputArgs, SetupArgs};
+use super::examples::Names;
+use super::failure::{Failure, Ledger, zip3};
+use super::help::Help;
+use super::options::{FreedomArgs, InstantArgs, SetupArgs};
+use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::{Solved, note_freedom, note_start, solve};
 use crate::model::Model;
@@ -15,16 +18,6 @@ use crate::present::{grid, text};
 
 /// Position, velocity and acceleration at one instant
 #[derive(Clone, Debug, clap::Args)]
-#[command(after_help = "\
-Examples, after the program's name:
-  solve
-  solve --at 0.5 --set l1=0.12,l2=0.4 --guess coupler.phi=0.9
-  solve --at -0.5 --format json
-  solve --given crank.phi=0.3:2 --format csv --out state.csv   a coordinate in place of a driver
-  solve --mode A-B-D=-                                         the other closure of a dyad
-  solve --input u=0.1,2,0                                      an input with its rate and acceleration
-
-csv has one row: t, then every coordinate, its rate (name_dot) and acceleration (name_ddot).")]
 pub(super) struct SolveArgs {
     #[command(flatten)]
     instant: InstantArgs,
@@ -36,25 +29,42 @@ pub(super) struct SolveArgs {
     output: OutputArgs,
 }
 
+pub(super) const HELP: Help = Help {
+    examples: |names: &Names| {
+        vec![
+            names.analysis("solve --at 0.5", ""),
+            names.with("solve --at 0.5 --set", &names.set_two.clone().or(names.set.clone()), "with other dimensions"),
+            names.with("solve --given", &names.given, "a coordinate that the drivers leave open"),
+            names.with("solve --guess", &names.guess, "another start of the assembly"),
+            names.with("solve --mode", &names.mode, "in an assembly mode, whatever the guess"),
+            names.analysis("solve --at -0.5 --format json", "for another program"),
+            names.analysis("solve --out state.csv", "one row with a header"),
+        ]
+    },
+    details: "csv has one row: t, then every coordinate, its rate (NAME_dot) and acceleration (NAME_ddot).",
+};
+
 pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
-    let t = args.instant.time()?;
-    let setup = args.setup.apply_complete(engine)?;
+    let mut ledger = Ledger::default();
+    let (t, output) = (ledger.take(args.instant.time()), ledger.take(args.output.destination("solve")));
+    let setup = ledger.take(args.setup.apply_complete(engine));
+    let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
     let solved = solve(engine, &setup, t, args.freedom.least_norm)?;
     note_freedom(session, solved.state.degrees_of_freedom_left);
     note_start(session, &solved.mobility);
     let model = engine.model();
-    let text = match args.output.format() {
-        Format::Text => format!(
+    let text = match output.form {
+        Form::Json => json(engine, &solved)?,
+        Form::Csv => grid::csv(model, std::slice::from_ref(&solved.state), &[]).map_err(Failure::Output)?,
+        _ => format!(
             "{} at t = {}\n{}{}",
             model.name,
             plain(t),
             body(model, &solved),
             text::quality(&solved.state, &solved.mobility)
         ),
-        Format::Json => json(engine, &solved)?,
-        Format::Csv => grid::csv(model, std::slice::from_ref(&solved.state), &[]).map_err(Failure::Output)?,
     };
-    session.deliver(&args.output, &text)
+    session.deliver(&output, &text)
 }
 
 /// All tables of a solved instant.

@@ -8,6 +8,7 @@ use serde_json::Value;
 use super::engine::Bound;
 use super::fixture::{CrossHead, DRIVEN, FREE, WITH_INPUT};
 use super::run;
+use super::session::Surroundings;
 
 /// What one run gave.
 #[derive(Debug)]
@@ -26,7 +27,7 @@ impl Ran {
 fn kind<const KIND: u8>(line: &str) -> Ran {
     let args = std::iter::once("cross_head").chain(line.split_whitespace()).map(OsString::from).collect();
     let (mut out, mut err) = (Vec::new(), Vec::new());
-    let status = run(&mut Bound::new(CrossHead::<KIND>::default()), args, &mut out, &mut err);
+    let status = run(&mut Bound::new(CrossHead::<KIND>::default()), args, &mut out, &mut err, Surroundings::plain());
     Ran { status, out: String::from_utf8_lossy(&out).into(), err: String::from_utf8_lossy(&err).into() }
 }
 
@@ -265,6 +266,9 @@ impl Write for Closed {
 fn a_reader_that_has_gone_is_no_error() {
     let args = ["cross_head", "--help"].map(OsString::from).to_vec();
     let mut err = Vec::new();
-    assert_eq!(run(&mut Bound::new(CrossHead::<DRIVEN>::default()), args, &mut Closed, &mut err), 0);
+    assert_eq!(
+        run(&mut Bound::new(CrossHead::<DRIVEN>::default()), args, &mut Closed, &mut err, Surroundings::plain()),
+        0
+    );
     assert!(err.is_empty());
 }

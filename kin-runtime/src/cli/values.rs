@@ -1,6 +1,6 @@
 //! The values of options: numbers, `name=value` lists, times, signals.
 
-use super::failure::Failure;
+use super::failure::{Failure, Ledger};
 use crate::planned::Sign;
 use crate::workspace::Signal;
 
@@ -23,6 +23,10 @@ pub(super) fn number(option: &str, text: &str) -> Result<f64, Failure> {
             Err(Failure::option(option, format!("`{text}` is too large for a number")))
         }
         Ok(_) => Err(Failure::option(option, format!("`{text}` is not finite; a finite number is needed"))),
+        Err(_) if text.replacen(',', ".", 1).parse::<f64>().is_ok() => Err(Failure::option(
+            option,
+            format!("`{text}` is not a number (decimals have a point: {})", text.replacen(',', ".", 1)),
+        )),
         Err(_) => Err(Failure::option(option, format!("`{text}` is not a number (numbers are written like -0.25)"))),
     }
 }
@@ -30,33 +34,49 @@ pub(super) fn number(option: &str, text: &str) -> Result<f64, Failure> {
 /// `name=value` pairs from all occurrences of an option; no name twice.
 pub(super) fn assignments(option: &str, example: &str, texts: &[String]) -> Result<Vec<(String, String)>, Failure> {
     let mut pairs: Vec<(String, String)> = Vec::new();
+    let mut ledger = Ledger::default();
+    let mut in_array = false;
     for piece in texts.iter().flat_map(|t| t.split(',')) {
-        let piece = piece.trim();
-        let Some((name, value)) = piece.split_once('=') else {
-            let what = if piece.is_empty() {
-                format!("an assignment is missing; write {option} {example}")
-            } else {
-                format!("`{piece}` is no assignment; write {option} {example}")
-            };
-            return Err(Failure::option(option, what));
-        };
-        let (name, value) = (name.trim(), value.trim());
-        if name.is_empty() {
-            return Err(Failure::option(option, format!("`{piece}` has no name; write {option} {example}")));
+        if in_array {
+            // The rest of what was refused as a whole.
+            in_array = !piece.contains(']');
+            continue;
         }
-        if value.is_empty() {
-            return Err(Failure::option(option, format!("`{name}` has no value; write {option} {example}")));
-        }
-        if value.starts_with('[') {
-            let what = format!("an array is set member by member; write {option} {name}[0]=…,{name}[1]=…");
-            return Err(Failure::option(option, what));
-        }
-        if pairs.iter().any(|(other, _)| other == name) {
-            return Err(Failure::option(option, format!("`{name}` is set twice")));
-        }
-        pairs.push((name.to_owned(), value.to_owned()));
+        in_array = piece.split_once('=').is_some_and(|(_, v)| v.trim().starts_with('[') && !v.contains(']'));
+        let pair = assignment(option, example, piece.trim()).and_then(|(name, value)| {
+            match pairs.iter().any(|(other, _)| *other == name) {
+                true => Err(Failure::option(option, format!("`{name}` is set twice"))),
+                false => Ok((name, value)),
+            }
+        });
+        pairs.extend(ledger.take(pair));
     }
-    Ok(pairs)
+    ledger.close(Some(pairs))
+}
+
+fn assignment(option: &str, example: &str, piece: &str) -> Result<(String, String), Failure> {
+    let fault = |what: String| Err(Failure::option(option, format!("{what}; write {option} {example}")));
+    let Some((name, value)) = piece.split_once('=') else {
+        return match piece {
+            "" => fault("an assignment is missing".to_owned()),
+            _ if number(option, piece).is_ok() => {
+                fault(format!("`{piece}` is no assignment (decimals have a point, and every value a name)"))
+            }
+            _ => fault(format!("`{piece}` is no assignment")),
+        };
+    };
+    let (name, value) = (name.trim(), value.trim());
+    if name.is_empty() {
+        return fault(format!("`{piece}` has no name"));
+    }
+    if value.is_empty() {
+        return fault(format!("`{name}` has no value"));
+    }
+    if value.starts_with('[') {
+        let what = format!("an array is set member by member; write {option} {name}[0]=…,{name}[1]=…");
+        return Err(Failure::option(option, what));
+    }
+    Ok((name.to_owned(), value.to_owned()))
 }
 
 /// `+` or `-`.
@@ -75,9 +95,11 @@ pub(super) fn signal(option: &str, name: &str, parts: &[&str]) -> Result<Signal,
         let what = format!("`{name}` has {} numbers; at most value, rate and acceleration", parts.len());
         return Err(Failure::option(option, what));
     }
+    let mut ledger = Ledger::default();
     for (place, part) in numbers.iter_mut().zip(parts) {
-        *place = number(option, part)?;
+        ledger.take(number(option, part)).into_iter().for_each(|value| *place = value);
     }
+    ledger.close(Some(()))?;
     let [value, rate, acceleration] = numbers;
     Ok(Signal { value, rate, acceleration })
 }
@@ -85,28 +107,33 @@ pub(super) fn signal(option: &str, name: &str, parts: &[&str]) -> Result<Signal,
 /// `u=value,rate,acceleration` from all occurrences of an option; a piece with `=` starts the next input.
 pub(super) fn inputs(option: &str, texts: &[String]) -> Result<Vec<(String, Signal)>, Failure> {
     let mut signals: Vec<(String, Signal)> = Vec::new();
+    let mut ledger = Ledger::default();
     for text in texts {
         let mut pending: Option<(&str, Vec<&str>)> = None;
+        let mut lost = false;
         for piece in text.split(',') {
             match (piece.split_once('='), &mut pending) {
                 (Some((name, value)), open) => {
                     if let Some((name, parts)) = open.take() {
-                        finish(option, name, &parts, &mut signals)?;
+                        ledger.take(finish(option, name, &parts, &mut signals));
                     }
                     *open = Some((name.trim(), vec![value]));
                 }
                 (None, Some((_, parts))) => parts.push(piece),
+                // The first number without a name says it for those behind it.
+                (None, None) if lost => {}
                 (None, None) => {
+                    lost = true;
                     let what = format!("`{piece}` names no input; write {option} u=value,rate,acceleration");
-                    return Err(Failure::option(option, what));
+                    ledger.take::<()>(Err(Failure::option(option, what)));
                 }
             }
         }
         if let Some((name, parts)) = pending {
-            finish(option, name, &parts, &mut signals)?;
+            ledger.take(finish(option, name, &parts, &mut signals));
         }
     }
-    Ok(signals)
+    ledger.close(Some(signals))
 }
 
 fn finish(option: &str, name: &str, parts: &[&str], signals: &mut Vec<(String, Signal)>) -> Result<(), Failure> {
@@ -119,7 +146,9 @@ fn finish(option: &str, name: &str, parts: &[&str], signals: &mut Vec<(String, S
 
 /// The instants of `--times`.
 pub(super) fn times(option: &str, text: &str) -> Result<Vec<f64>, Failure> {
-    let times = text.split(',').map(|t| number(option, t)).collect::<Result<Vec<f64>, Failure>>()?;
+    let mut ledger = Ledger::default();
+    let times: Vec<f64> = text.split(',').filter_map(|t| ledger.take(number(option, t))).collect();
+    let times = ledger.close(Some(times))?;
     for pair in times.windows(2) {
         if let [a, b] = pair
             && a == b
@@ -142,11 +171,11 @@ pub(super) fn grid(from: f64, to: f64, steps: usize) -> Result<Vec<f64>, Failure
     if length == 0.0 {
         let what =
             format!("--from and --to are both {from}; a sweep needs two different instants (or use `solve --at`)");
-        return Err(Failure::Usage(what));
+        return Err(Failure::usage(what));
     }
     if !length.is_finite() || from + length / steps as f64 == from || to - length / steps as f64 == to {
         let what = format!("--from {from} --to {to} --steps {steps}: the instants cannot be told apart");
-        return Err(Failure::Usage(what));
+        return Err(Failure::usage(what));
     }
     Ok((0..=steps).map(|i| if i == steps { to } else { from + length * i as f64 / steps as f64 }).collect())
 }
@@ -173,7 +202,8 @@ pub(super) fn variation(option: &str, text: &str) -> Result<(String, Vec<f64>), 
 /// The number of steps.
 pub(super) fn steps(text: &str) -> Result<usize, Failure> {
     text.trim().parse::<usize>().map_err(|_| {
-        Failure::option("--steps", format!("`{text}` is no number of steps; a whole number from 1 on is needed"))
+        let what = format!("`{text}` is no number of steps; a whole number from 1 to {MOST_STEPS} is needed");
+        Failure::option("--steps", what)
     })
 }
 

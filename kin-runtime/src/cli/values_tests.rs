@@ -15,6 +15,8 @@ fn numbers_are_finite_decimals() {
     for text in ["", "NaN", "nan", "inf", "-inf", "infinity", "1e999", "1,5", "one", "--format", "0x10"] {
         assert!(number("--at", text).is_err_and(|e| e.to_string().starts_with("--at: ")), "{text}");
     }
+    let decimal = "--at: `1,5` is not a number (decimals have a point: 1.5)";
+    assert_eq!(message(number("--at", "1,5")), decimal);
     assert_eq!(message(number("--at", "1e999")), "--at: `1e999` is too large for a number");
 }
 
@@ -36,6 +38,10 @@ fn bad_assignments_say_what_would_be_right() {
     let members = "--set: an array is set member by member; write --set l[0]=…,l[1]=…";
     assert_eq!((bad("l=[1,2]"), bad("l = [1]")), (members.to_owned(), members.to_owned()));
     assert_eq!(bad("l1=1,l1=2"), "--set: `l1` is set twice");
+    let decimal = "--set: `5` is no assignment (decimals have a point, and every value a name); write --set l1=0.1";
+    assert_eq!(bad("l1=0,5"), decimal);
+    // All faults are told at once.
+    assert_eq!(bad("l1,l2=,l3=1").lines().count(), 2);
 }
 
 #[test]

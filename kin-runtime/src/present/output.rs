@@ -5,25 +5,36 @@ use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+/// Symbolic links that lead to one another, at most.
+const LINKS: usize = 40;
+
 /// Writes `contents` to `path`: to a temporary file beside it first, which then takes its place.
 ///
 /// A reader sees the old contents or the new ones, never a part. What is no regular file (a pipe, a terminal) is
-/// written to directly; a symbolic link stays and the file it names is replaced.
+/// written to directly; a symbolic link stays and the file it names is replaced, whether that exists or not. Permissions
+/// stay what they are, and a file that must not be written is not replaced either.
 ///
 /// # Errors
 /// What the file system reports; the temporary file is removed then.
 pub fn write_atomically(path: &Path, contents: &[u8]) -> io::Result<()> {
-    let existing = fs::metadata(path).ok();
+    let existing = match fs::metadata(path) {
+        Ok(metadata) => Some(metadata),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+        Err(error) => return Err(error),
+    };
     if existing.as_ref().is_some_and(|m| m.is_dir()) {
         return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a directory"));
     }
-    if existing.as_ref().is_some_and(|m| !m.is_file()) {
+    if existing.is_some() {
+        // Opened without a change: whether it may be written.
         let mut file = OpenOptions::new().write(true).open(path)?;
-        return file.write_all(contents).and_then(|()| file.flush());
+        if existing.as_ref().is_some_and(|m| !m.is_file()) {
+            return file.write_all(contents).and_then(|()| file.flush());
+        }
     }
     let target = match existing {
         Some(_) => fs::canonicalize(path)?,
-        None => path.to_path_buf(),
+        None => beyond_links(path)?,
     };
     let temporary = temporary_beside(&target)?;
     let written = write_new(&temporary, contents)
@@ -34,6 +45,18 @@ pub fn write_atomically(path: &Path, contents: &[u8]) -> io::Result<()> {
         let _ = fs::remove_file(&temporary);
     }
     written
+}
+
+/// What a path names that does not exist: links are followed as far as they go.
+fn beyond_links(path: &Path) -> io::Result<PathBuf> {
+    let mut path = path.to_path_buf();
+    for _ in 0..LINKS {
+        match fs::read_link(&path) {
+            Ok(next) => path = path.parent().unwrap_or(Path::new("")).join(next),
+            Err(_) => return Ok(path),
+        }
+    }
+    Err(io::Error::other("too many symbolic links"))
 }
 
 fn write_new(path: &Path, contents: &[u8]) -> io::Result<()> {
@@ -84,6 +107,44 @@ mod tests {
         let dir = scratch("directory")?;
         assert!(write_atomically(&dir, b"x").is_err());
         assert!(write_atomically(&dir.join("missing/result.csv"), b"x").is_err());
+        fs::remove_dir_all(&dir)
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_and_permissions_stay_what_they_are() -> io::Result<()> {
+        use std::os::unix::fs::{PermissionsExt, symlink};
+        let dir = scratch("links")?;
+        let (file, link, further) = (dir.join("file.csv"), dir.join("link.csv"), dir.join("further.csv"));
+        symlink("file.csv", &link)?;
+        symlink("link.csv", &further)?;
+        // The first write finds links that lead to nothing yet.
+        for contents in [b"first".as_slice(), b"second"] {
+            write_atomically(&further, contents)?;
+            assert_eq!(fs::read(&file)?, contents);
+            assert!(fs::symlink_metadata(&link)?.is_symlink() && fs::symlink_metadata(&further)?.is_symlink());
+            assert_eq!(fs::metadata(&file)?.permissions().mode() & 0o100, 0);
+        }
+        fs::set_permissions(&file, fs::Permissions::from_mode(0o640))?;
+        write_atomically(&link, b"third")?;
+        assert_eq!((fs::metadata(&file)?.permissions().mode() & 0o777, fs::read(&file)?), (0o640, b"third".to_vec()));
+        let (a, b) = (dir.join("a"), dir.join("b"));
+        symlink(&a, &b)?;
+        symlink(&b, &a)?;
+        assert!(write_atomically(&a, b"x").is_err(), "a circle");
+        assert_eq!(fs::read_dir(&dir)?.count(), 5, "nothing is left over");
+        fs::remove_dir_all(&dir)
+    }
+
+    #[test]
+    fn what_fails_leaves_the_file_whole() -> io::Result<()> {
+        let dir = scratch("whole")?;
+        // A name that is just short enough leaves no room for a temporary one beside it.
+        let path = dir.join("x".repeat(255));
+        fs::write(&path, "first")?;
+        assert!(write_atomically(&path, b"second").is_err());
+        assert_eq!(fs::read(&path)?, b"first");
+        assert_eq!(fs::read_dir(&dir)?.count(), 1);
         fs::remove_dir_all(&dir)
     }
 }

@@ -3,6 +3,13 @@
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
+mod completions;
+mod files;
+mod help;
+#[cfg(target_os = "linux")]
+mod interrupt;
+mod terminal;
+
 use serde_json::Value;
 
 /// What one run gave.
@@ -266,19 +273,6 @@ fn guesses_choose_the_branch() {
         numbers(&solved["q"])[5]
     };
     assert!((angle("0.9,rocker.phi=5.0") - angle("-0.6,rocker.phi=1.4")).abs() > 0.5);
-}
-
-#[test]
-fn a_reader_that_leaves_is_no_panic() {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_several"))
-        .args(["fourbar", "sweep", "--to", "1", "--steps", "5000", "--format", "csv"])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the program starts");
-    drop(child.stdout.take());
-    let output = child.wait_with_output().expect("the program ends");
-    assert_eq!((output.status.code(), String::from_utf8_lossy(&output.stderr).as_ref()), (Some(0), ""));
 }
 
 fn temporary(name: &str) -> PathBuf {

@@ -1,0 +1,105 @@
+//! `completions`: what a shell needs to complete the command line, the mechanism's own names included.
+
+use clap::builder::{PossibleValue, PossibleValuesParser};
+use clap_complete::Shell;
+
+use super::examples::Names;
+use super::failure::Failure;
+use super::help::Help;
+use super::output::{Destination, Form, Target, forms};
+use super::session::Session;
+use crate::model::Model;
+
+/// Completions for a shell, with the names of this mechanism
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct CompletionsArgs {
+    /// The shell
+    #[arg(value_name = "SHELL")]
+    shell: Shell,
+}
+
+pub(super) const HELP: Help = Help {
+    examples: |names: &Names| {
+        let program = names.program.as_str();
+        let bash = "completions bash > ~/.local/share/bash-completion/completions/";
+        vec![
+            Some((format!("{bash}{program}"), "for every bash from now on")),
+            Some((format!("completions zsh > \"${{fpath[1]}}/_{program}\""), "for every zsh from now on")),
+            Some((
+                format!("completions fish > ~/.config/fish/completions/{program}.fish"),
+                "for every fish from now on",
+            )),
+        ]
+    },
+    details: "\
+For this shell alone, in bash: source <(PROGRAM completions bash). Parameters, coordinates,
+inputs, modes, joints and quantities are completed by name. When the mechanism changes, write the
+file anew.",
+};
+
+pub(super) fn run(
+    args: &CompletionsArgs,
+    command: clap::Command,
+    model: &Model,
+    session: &mut Session<'_>,
+) -> Result<(), Failure> {
+    let program = command.get_bin_name().unwrap_or(model.name).to_owned();
+    let mut command = with_names(command, model);
+    let mut script = Vec::new();
+    clap_complete::generate(args.shell, &mut command, &program, &mut script);
+    if args.shell == Shell::Bash {
+        let name = program.replace('-', "__");
+        script.extend_from_slice(no_space(&name, &program).as_bytes());
+    }
+    session.deliver_bytes(&Destination { form: Form::Text, target: Target::Out, ending: None }, &script)
+}
+
+/// bash puts a space behind a completed word; behind `l1=` there comes a value. It also breaks words at `=` and `:`.
+fn no_space(name: &str, program: &str) -> String {
+    format!(
+        "\n_{name}_names() {{\n    _{name} \"$@\"\n    \
+         if [[ ${{#COMPREPLY[@]}} -gt 0 && ${{COMPREPLY[0]}} == *= ]]; then\n        \
+         compopt -o nospace 2>/dev/null\n    fi\n}}\n\
+         complete -F _{name}_names -o bashdefault -o default {program}\n"
+    )
+}
+
+/// The commands with the values that their options may have. Nothing is parsed with these: whoever writes `l1=0.1` writes
+/// none of them.
+fn with_names(command: clap::Command, model: &Model) -> clap::Command {
+    let parameters: Vec<String> = model.parameters.iter().map(|p| format!("{}=", p.name)).collect();
+    let coordinates: Vec<String> = model.coordinates.iter().map(|c| format!("{}=", c.name)).collect();
+    let inputs: Vec<String> = model.inputs.iter().map(|name| format!("{name}=")).collect();
+    let modes = model.plan.modes.iter().flat_map(|mode| ["+", "-"].map(|sign| format!("{}={sign}", mode.name)));
+    let modes: Vec<String> = modes.collect();
+    let joints: Vec<String> = model.joints.iter().map(|joint| joint.name.to_owned()).collect();
+    let carried = model.points.iter().map(|p| p.name).chain(model.bodies.iter().map(|b| b.name));
+    let what: Vec<String> = carried.map(str::to_owned).chain(super::moving::column_names(model)).collect();
+    let of = |id: &str| match id {
+        "set" | "vary" => Some(&parameters),
+        "guess" | "given" => Some(&coordinates),
+        "input" => Some(&inputs),
+        "mode" => Some(&modes),
+        "joints" => Some(&joints),
+        "what" => Some(&what),
+        _ => None,
+    };
+    let named = |command: clap::Command| {
+        let formats: Vec<String> = forms(own_name(&command)).iter().map(|form| form.name().to_owned()).collect();
+        command.mut_args(|arg| match of(arg.get_id().as_str()) {
+            Some(values) if !values.is_empty() => arg.value_parser(possible(values)),
+            _ if arg.get_id() == "format" => arg.value_parser(possible(&formats)),
+            _ => arg,
+        })
+    };
+    named(command).mut_subcommands(named)
+}
+
+/// What the commands are called in their tables: the program itself has no name there.
+fn own_name(command: &clap::Command) -> &str {
+    if command.has_subcommands() { "" } else { command.get_name() }
+}
+
+fn possible(values: &[String]) -> PossibleValuesParser {
+    values.iter().map(PossibleValue::new).collect::<Vec<_>>().into()
+}

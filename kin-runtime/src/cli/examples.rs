@@ -1,0 +1,138 @@
+//! Examples for the help, in the names of the mechanism at hand.
+
+use super::engine::Engine;
+use super::paint;
+use crate::model::{Component, CoordinateKind, Model};
+use crate::present::number::rounded;
+
+/// Columns on the screen that the help may take.
+const COLUMNS: usize = 100;
+/// Columns that the command of an example may take, for its comment to stand beside it.
+const BESIDE: usize = 62;
+
+/// The arguments behind the program's name, and what they do.
+pub(super) type Example = (String, &'static str);
+
+/// Names of this mechanism that an example may use, with values that they have or may have; none where there are none.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(not(all(feature = "plot", feature = "equations")), allow(dead_code, reason = "for their examples"))]
+pub(super) struct Names {
+    pub(super) program: String,
+    /// `l1=0.1`
+    pub(super) set: Option<String>,
+    /// `l1=0.1,l2=0.4`
+    pub(super) set_two: Option<String>,
+    /// `l1=0.09..0.11:5`
+    pub(super) vary: Option<String>,
+    pub(super) guess: Option<String>,
+    /// Only where the drivers leave something open.
+    pub(super) given: Option<String>,
+    pub(super) mode: Option<String>,
+    /// What every analysis needs: inputs.
+    needed: String,
+    /// A coordinate that is not simply driven.
+    pub(super) coordinate: Option<&'static str>,
+    /// A point, or a body whose origin moves.
+    pub(super) path: Option<&'static str>,
+    pub(super) joints: Vec<&'static str>,
+    /// Whether there are unilateral conditions.
+    pub(super) conditions: bool,
+}
+
+impl Names {
+    pub(super) fn new(program: String, engine: &dyn Engine) -> Self {
+        let model = engine.model();
+        let values = engine.parameters();
+        let parameters: Vec<(&str, f64)> =
+            model.parameters.iter().map(|p| p.name).zip(values).filter(|(_, value)| value.is_finite()).collect();
+        let set = |many: usize| {
+            let pairs = parameters.get(..many)?;
+            let pairs: Vec<String> = pairs.iter().map(|(name, value)| format!("{name}={}", rounded(*value))).collect();
+            Some(quoted(pairs.join(",")))
+        };
+        let vary = parameters.first().map(|(name, value)| {
+            let by = if *value == 0.0 { 0.1 } else { 0.1 * value.abs() };
+            quoted(format!("{name}={}..{}:5", rounded(value - by), rounded(value + by)))
+        });
+        let guesses = engine.guesses();
+        let guess = guesses.iter().zip(model.coordinates).find_map(|(guess, coordinate)| {
+            guess.map(|guess| quoted(format!("{}={}", coordinate.name, rounded(guess))))
+        });
+        let open = model.structure.is_some_and(|structure| structure.rank < model.coordinates.len());
+        let coordinate = undriven(model);
+        let given = coordinate.filter(|_| open).map(|name| quoted(format!("{name}=0.3:2")));
+        let mode = model.plan.modes.first().map(|mode| quoted(format!("{}=-", mode.name)));
+        let inputs: Vec<String> = model.inputs.iter().map(|name| format!("{name}=0,1")).collect();
+        let needed = if inputs.is_empty() { String::new() } else { format!(" --input {}", quoted(inputs.join(","))) };
+        Self {
+            program,
+            set: set(1),
+            set_two: set(2),
+            vary,
+            guess,
+            given,
+            mode,
+            needed,
+            coordinate,
+            path: path(model),
+            conditions: !model.conditions.is_empty(),
+            joints: model.joints.iter().map(|joint| joint.name).take(2).collect(),
+        }
+    }
+
+    /// An analysis, with what every analysis needs.
+    pub(super) fn analysis(&self, args: &str, comment: &'static str) -> Option<Example> {
+        Some((format!("{args}{}", self.needed).trim_start().to_owned(), comment))
+    }
+
+    /// As [`analysis`](Self::analysis) with an option, where there is a name for it.
+    pub(super) fn with(&self, args: &str, value: &Option<String>, comment: &'static str) -> Option<Example> {
+        self.analysis(&format!("{args} {}", value.as_ref()?), comment)
+    }
+
+    /// The examples below a heading.
+    pub(super) fn render(&self, examples: &[Option<Example>]) -> String {
+        let lines: Vec<(String, &str)> = (examples.iter().flatten())
+            .map(|(args, comment)| (format!("{} {args}", self.program).trim_end().to_owned(), *comment))
+            .collect();
+        let width = |line: &str| line.chars().count();
+        let longest = lines.iter().map(|(line, _)| width(line)).filter(|w| *w <= BESIDE).max().unwrap_or(0);
+        let mut out = format!("{}\n", paint::heading("Examples:"));
+        for (line, comment) in lines {
+            let literal = paint::literal(&line);
+            match width(&line) {
+                _ if comment.is_empty() => out.push_str(&format!("  {literal}\n")),
+                wide if wide > longest || longest + width(comment) + 4 > COLUMNS => {
+                    out.push_str(&format!("  {literal}\n      {comment}\n"))
+                }
+                narrow => out.push_str(&format!("  {literal}{}  {comment}\n", " ".repeat(longest - narrow))),
+            }
+        }
+        out
+    }
+}
+
+/// A coordinate whose value no driver says directly: the last angle, or else the last of all.
+fn undriven(model: &Model) -> Option<&'static str> {
+    let simply_driven = |place: usize| {
+        model.rows.iter().enumerate().filter(|(_, row)| row.driving).any(|(row, _)| {
+            let mut entries = model.constraint_pattern.entries.iter().filter(|(r, _)| *r == row);
+            entries.next().is_some_and(|(_, column)| *column == place) && entries.next().is_none()
+        })
+    };
+    let angle = |kind| matches!(kind, CoordinateKind::Pose { component: Component::Phi, .. });
+    let mut free = model.coordinates.iter().enumerate().filter(|(place, _)| !simply_driven(*place)).rev();
+    let last = free.clone().next();
+    free.find(|(_, c)| angle(c.kind)).or(last).map(|(_, c)| c.name).or(model.coordinates.first().map(|c| c.name))
+}
+
+fn path(model: &Model) -> Option<&'static str> {
+    let moving = |name: &&str| model.coordinates.iter().any(|c| c.name.strip_prefix(name) == Some(".x"));
+    let body = || model.bodies.iter().rev().map(|body| body.name).find(moving);
+    model.points.first().map(|point| point.name).or_else(body)
+}
+
+/// Brackets mean something to a shell.
+pub(super) fn quoted(text: String) -> String {
+    if text.contains('[') { format!("'{text}'") } else { text }
+}

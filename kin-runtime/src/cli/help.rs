@@ -1,0 +1,103 @@
+//! The help: clap's, with examples and names of the mechanism at hand.
+
+use clap::CommandFactory;
+
+use super::engine::Engine;
+use super::examples::{Example, Names};
+use super::names::listing;
+use super::output::{either, forms};
+use super::{Arguments, animate, check, completions, info, paint, report, solve, sweep};
+use crate::model::Model;
+
+/// What `-h` and `--help` say beside the options.
+pub(super) struct Help {
+    pub(super) examples: fn(&Names) -> Vec<Option<Example>>,
+    pub(super) details: &'static str,
+}
+
+/// The whole command line of a mechanism.
+pub(super) fn command(engine: &dyn Engine, program: String) -> clap::Command {
+    let model = engine.model();
+    let names = Names::new(program.clone(), engine);
+    let with = |command: clap::Command, name: &str, help: &Help| {
+        let command = with_defaults(command, name);
+        let examples = (help.examples)(&names);
+        let few = names.render(&examples.iter().flatten().take(3).cloned().map(Some).collect::<Vec<_>>());
+        let all = names.render(&examples);
+        let listed = listed(model, &command);
+        command.after_help(few).after_long_help(format!("{all}\n{}{listed}", help.details))
+    };
+    let mut command = Arguments::command()
+        .name(model.name)
+        .bin_name(program)
+        .about(if model.doc.is_empty() { "A planar mechanism" } else { model.doc })
+        .version(concat!("(kin ", env!("CARGO_PKG_VERSION"), ")"));
+    for (name, help) in COMMANDS {
+        command = command.mut_subcommand(name, |command| with(command, name, help));
+    }
+    with(command, "", &report::HELP)
+}
+
+const COMMANDS: &[(&str, Help)] = &[
+    ("info", info::HELP),
+    ("solve", solve::HELP),
+    ("sweep", sweep::HELP),
+    ("check", check::HELP),
+    #[cfg(feature = "equations")]
+    ("equations", super::equations::HELP),
+    ("animate", animate::HELP),
+    #[cfg(feature = "plot")]
+    ("plot", super::plot::HELP),
+    ("completions", completions::HELP),
+];
+
+/// Where a motion ends when nobody says.
+const END: &str = " [default: one turn of the driven crank, or 1, later]";
+
+/// Options with what they mean for this command: its forms, and its instants.
+fn with_defaults(command: clap::Command, name: &str) -> clap::Command {
+    let forms = forms(name);
+    let Some(first) = forms.first() else { return command };
+    let named: Vec<&str> = forms.iter().map(|form| form.name()).collect();
+    let endings: Vec<String> = forms.iter().map(|form| format!(".{}", form.endings()[0])).collect();
+    let short = format!("{} [default: as --out ends, or {}]", either(&named), first.name());
+    let long = format!(
+        "{}.\nBy default the ending of --out says it: {}; without a file it is {}.\nWhere --out says something else, --format is right",
+        either(&named),
+        either(&endings),
+        first.name(),
+    );
+    let command = command.mut_arg("format", |arg| arg.help(short).long_help(long));
+    let (steps, end) = match name {
+        "sweep" => (sweep::STEPS, ""),
+        "animate" => (animate::STEPS, END),
+        #[cfg(feature = "plot")]
+        "plot" => (super::plot::STEPS, END),
+        _ => return command,
+    };
+    command
+        .mut_arg("to", |arg| arg.help(format!("The last instant{end}")))
+        .mut_arg("steps", |arg| arg.help(format!("Number of steps; N steps are N + 1 instants [default: {steps}]")))
+}
+
+/// The names that the options of a command can use.
+fn listed(model: &Model, command: &clap::Command) -> String {
+    if !command.get_arguments().any(|arg| arg.get_id() == "set") {
+        return String::new();
+    }
+    let parameters: Vec<&str> = model.parameters.iter().map(|p| p.name).collect();
+    let coordinates: Vec<&str> = model.coordinates.iter().map(|c| c.name).collect();
+    let modes: Vec<&str> = model.plan.modes.iter().map(|mode| mode.name).collect();
+    let kinds = [
+        ("Parameters:  ", parameters.as_slice()),
+        ("Coordinates: ", coordinates.as_slice()),
+        ("Inputs:      ", model.inputs),
+        ("Modes:       ", modes.as_slice()),
+    ];
+    let lines = kinds.into_iter().filter(|(_, names)| !names.is_empty()).map(|(lead, names)| {
+        let text = listing(lead, names);
+        let (head, rest) = text.split_at(lead.trim_end().len());
+        format!("\n{}{rest}", paint::heading(head))
+    });
+    format!("\n{}", lines.collect::<String>())
+}

@@ -1,0 +1,283 @@
+//! Which form a result has, and where it goes: `--format` and `--out` of every command.
+
+use std::path::{Path, PathBuf};
+
+use super::failure::Failure;
+use super::names::nearest;
+
+/// The form of a result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    Text,
+    Json,
+    Csv,
+    #[cfg(feature = "equations")]
+    Latex,
+    Html,
+    Svg,
+    #[cfg(feature = "plot")]
+    Png,
+}
+
+impl Form {
+    const ALL: &[Self] = &[
+        Self::Text,
+        Self::Json,
+        Self::Csv,
+        #[cfg(feature = "equations")]
+        Self::Latex,
+        Self::Html,
+        Self::Svg,
+        #[cfg(feature = "plot")]
+        Self::Png,
+    ];
+
+    /// What `--format` calls it.
+    pub(super) const fn name(self) -> &'static str {
+        match self {
+            Self::Text => "text",
+            Self::Json => "json",
+            Self::Csv => "csv",
+            #[cfg(feature = "equations")]
+            Self::Latex => "latex",
+            Self::Html => "html",
+            Self::Svg => "svg",
+            #[cfg(feature = "plot")]
+            Self::Png => "png",
+        }
+    }
+
+    /// The endings of its files, the usual one first.
+    pub(super) const fn endings(self) -> &'static [&'static str] {
+        match self {
+            Self::Text => &["txt"],
+            Self::Json => &["json"],
+            Self::Csv => &["csv"],
+            #[cfg(feature = "equations")]
+            Self::Latex => &["tex"],
+            Self::Html => &["html", "htm"],
+            Self::Svg => &["svg"],
+            #[cfg(feature = "plot")]
+            Self::Png => &["png"],
+        }
+    }
+}
+
+/// Who writes what; the first is what is written when nobody says. The report has no name.
+const WRITERS: &[(&str, &[Form])] = &[
+    ("", &[Form::Text, Form::Json]),
+    ("info", &[Form::Text, Form::Json]),
+    ("solve", &[Form::Text, Form::Json, Form::Csv]),
+    ("sweep", &[Form::Text, Form::Json, Form::Csv]),
+    ("check", &[Form::Text, Form::Json]),
+    #[cfg(feature = "equations")]
+    ("equations", &[Form::Text, Form::Latex, Form::Html]),
+    ("animate", &[Form::Html, Form::Svg]),
+    #[cfg(feature = "plot")]
+    ("plot", &[Form::Svg, Form::Png]),
+];
+
+/// The forms of a command.
+pub(super) fn forms(command: &str) -> &'static [Form] {
+    WRITERS.iter().find(|(name, _)| *name == command).map_or(&[], |(_, forms)| forms)
+}
+
+/// How results are written, and where to.
+#[derive(Clone, Debug, Default, clap::Args)]
+pub(super) struct OutputArgs {
+    /// The form of the result
+    #[arg(long, value_name = "FORMAT", hide_possible_values = true)]
+    format: Option<String>,
+    /// Write the result to a file, whole or not at all
+    #[arg(
+        long,
+        value_name = "FILE",
+        value_hint = clap::ValueHint::FilePath,
+        long_help = "\
+Write the result to a file, whole or not at all; its ending says the form.
+A file that is there keeps what it has until all of the new result is written.
+`-` is stdout; pipes and devices are written to directly"
+    )]
+    out: Option<PathBuf>,
+}
+
+/// A place for bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Target<'p> {
+    Out,
+    Err,
+    File(&'p Path),
+}
+
+/// A result's form and place.
+#[derive(Clone, Debug)]
+pub(super) struct Destination<'p> {
+    pub(super) form: Form,
+    pub(super) target: Target<'p>,
+    /// The form that the file's name says, where it says one.
+    pub(super) ending: Option<Form>,
+}
+
+impl Destination<'_> {
+    /// A text on a screen, if there is one.
+    pub(super) fn is_for_people(&self) -> bool {
+        self.form == Form::Text && self.target == Target::Out
+    }
+
+    /// What there is to say of a file that is not what its name says. Numbers may well be in a .txt.
+    pub(super) fn contradiction(&self) -> Option<String> {
+        let (Target::File(path), Some(ending)) = (self.target, self.ending) else { return None };
+        let told = ending != self.form && ending != Form::Text;
+        told.then(|| {
+            format!("note: {} is {}, as --format says, in spite of its name", path.display(), self.form.name())
+        })
+    }
+}
+
+impl OutputArgs {
+    /// What `command` is to write, and where to.
+    pub(super) fn destination(&self, command: &str) -> Result<Destination<'_>, Failure> {
+        let forms = forms(command);
+        let target = self.out.as_deref().map_or(Target::Out, target);
+        let extension = |path: &Path| path.extension().map(|e| e.to_string_lossy().to_lowercase());
+        let written = match target {
+            Target::File(path) => extension(path),
+            _ => None,
+        };
+        let of = |ending: &String| Form::ALL.iter().copied().find(|form| form.endings().contains(&ending.as_str()));
+        let ending = written.as_ref().and_then(of);
+        let destination = |form| Destination { form, target, ending };
+        if let Some(name) = &self.format {
+            return form_named(command, name).map(destination);
+        }
+        if let Some(form) = ending.filter(|form| forms.contains(form)) {
+            return Ok(destination(form));
+        }
+        let first = forms.first().copied().unwrap_or(Form::Text);
+        match target {
+            Target::File(path)
+                if ending.is_some() || !(speaks_for_itself(path) || written.is_none() && first == Form::Text) =>
+            {
+                Err(Failure::option("--out", wrong_ending(command, path, ending)))
+            }
+            _ => Ok(destination(first)),
+        }
+    }
+}
+
+/// A file, unless it is one of this program's own streams by another name.
+fn target(path: &Path) -> Target<'_> {
+    match path.to_str() {
+        Some("-") => Target::Out,
+        #[cfg(unix)]
+        Some("/dev/stdout" | "/dev/fd/1" | "/proc/self/fd/1") => Target::Out,
+        #[cfg(unix)]
+        Some("/dev/stderr" | "/dev/fd/2" | "/proc/self/fd/2") => Target::Err,
+        _ => Target::File(path),
+    }
+}
+
+/// A device or a pipe, whose name has no ending to speak of.
+fn speaks_for_itself(path: &Path) -> bool {
+    path.metadata().is_ok_and(|m| !m.is_file())
+}
+
+/// What `--format` says.
+fn form_named(command: &str, name: &str) -> Result<Form, Failure> {
+    let lower = name.trim().to_lowercase();
+    let known = Form::ALL.iter().copied().find(|form| form.name() == lower || form.endings().contains(&lower.as_str()));
+    let who = who(command);
+    let named: Vec<&str> = forms(command).iter().map(|form| form.name()).collect();
+    match known {
+        Some(form) if forms(command).contains(&form) => Ok(form),
+        Some(form) => {
+            let form = form.name();
+            Err(Failure::option(
+                "--format",
+                format!("{who} has no {form} form; write {}{}", either(&named), others(form)),
+            ))
+        }
+        None => {
+            let meant = nearest(&lower, &named).map_or(String::new(), |near| format!(" (did you mean {near}?)"));
+            Err(Failure::option("--format", format!("`{name}` is no form{meant}; {who} writes {}", either(&named))))
+        }
+    }
+}
+
+fn wrong_ending(command: &str, path: &Path, ending: Option<Form>) -> String {
+    let endings: Vec<String> = forms(command).iter().map(|form| format!(".{}", form.endings()[0])).collect();
+    let right = format!("`{}` should end in {}", path.display(), either(&endings));
+    match ending {
+        Some(form) => format!("{right}{}", others(form.name())),
+        None => format!("{right}, or --format say what it is"),
+    }
+}
+
+/// The commands that write a form.
+fn others(form: &str) -> String {
+    let writes = |(name, forms): &&(&str, &[Form])| !name.is_empty() && forms.iter().any(|f| f.name() == form);
+    let names: Vec<String> = WRITERS.iter().filter(writes).map(|(name, _)| format!("`{name}`")).collect();
+    format!("; {form} is written by {}", together(&names, "and"))
+}
+
+fn who(command: &str) -> String {
+    if command.is_empty() { "the report".to_owned() } else { format!("`{command}`") }
+}
+
+/// `a, b or c`.
+pub(super) fn either<S: AsRef<str>>(words: &[S]) -> String {
+    together(words, "or")
+}
+
+fn together<S: AsRef<str>>(words: &[S], last: &str) -> String {
+    match words {
+        [] => String::new(),
+        [one] => one.as_ref().to_owned(),
+        [all @ .., end] => {
+            let all: Vec<&str> = all.iter().map(AsRef::as_ref).collect();
+            format!("{} {last} {}", all.join(", "), end.as_ref())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn destination(command: &str, format: Option<&str>, out: Option<&str>) -> Result<(Form, bool), String> {
+        let args = OutputArgs { format: format.map(str::to_owned), out: out.map(PathBuf::from) };
+        let found = args.destination(command).map_err(|failure| failure.to_string())?;
+        Ok((found.form, found.contradiction().is_some()))
+    }
+
+    #[test]
+    fn the_ending_says_the_form_unless_format_does() {
+        assert_eq!(destination("sweep", None, None), Ok((Form::Text, false)));
+        assert_eq!(destination("sweep", None, Some("a.b/Motion.CSV")), Ok((Form::Csv, false)));
+        assert_eq!(destination("animate", None, Some("page.htm")), Ok((Form::Html, false)));
+        assert_eq!(destination("sweep", None, Some("result")), Ok((Form::Text, false)));
+        assert_eq!(destination("sweep", Some("JSON"), Some("x.csv")), Ok((Form::Json, true)));
+        assert_eq!(destination("sweep", Some("csv"), Some("x.txt")), Ok((Form::Csv, false)));
+        assert_eq!(destination("sweep", Some("csv"), Some("x.dat")), Ok((Form::Csv, false)));
+        assert_eq!(destination("animate", Some("svg"), Some("picture")), Ok((Form::Svg, false)));
+        #[cfg(unix)]
+        for device in ["/dev/null", "/dev/stdout", "-"] {
+            assert_eq!(destination("animate", None, Some(device)), Ok((Form::Html, false)));
+        }
+    }
+
+    #[test]
+    fn what_no_command_writes_is_told_with_what_would_be_right() {
+        let bad = |command, format, out| destination(command, format, out).err().unwrap_or_default();
+        let ends = "--out: `x.dat` should end in .txt, .json or .csv, or --format say what it is";
+        assert_eq!(bad("solve", None, Some("x.dat")), ends);
+        let ends = "--out: `x.svg` should end in .txt or .json; svg is written by `animate`";
+        assert!(bad("info", None, Some("x.svg")).starts_with(ends));
+        let ends = "--out: `picture` should end in .html or .svg, or --format say what it is";
+        assert_eq!(bad("animate", None, Some("picture")), ends);
+        let none = "--format: `info` has no csv form; write text or json; csv is written by `solve` and `sweep`";
+        assert_eq!(bad("info", Some("csv"), None), none);
+        let none = "--format: `jsno` is no form (did you mean json?); the report writes text or json";
+        assert_eq!(bad("", Some("jsno"), None), none);
+    }
+}

@@ -1,0 +1,41 @@
+//! Colours for people at a terminal; whoever calls knows whether there is one.
+
+const BOLD: &str = "\u{1b}[1m";
+const HEADING: &str = "\u{1b}[1m\u{1b}[4m";
+const RED: &str = "\u{1b}[1m\u{1b}[31m";
+const GREEN: &str = "\u{1b}[1m\u{1b}[32m";
+const YELLOW: &str = "\u{1b}[1m\u{1b}[33m";
+const RESET: &str = "\u{1b}[0m";
+
+/// A heading of the help, as clap has them.
+pub(super) fn heading(text: &str) -> String {
+    format!("{HEADING}{text}{RESET}")
+}
+
+/// What is to be typed, as clap has it.
+pub(super) fn literal(text: &str) -> String {
+    format!("{BOLD}{text}{RESET}")
+}
+
+/// A text with its headings, which are the lines that nothing indents, and with its verdict.
+pub(super) fn result(text: &str) -> String {
+    let line = |line: &str| match line.trim_end() {
+        "  passed" => format!("  {GREEN}passed{RESET}\n"),
+        "  FAILED" => format!("  {RED}FAILED{RESET}\n"),
+        heading if heading.starts_with(|c: char| !c.is_whitespace()) => format!("{BOLD}{heading}{RESET}\n"),
+        other => format!("{other}\n"),
+    };
+    text.lines().map(line).collect()
+}
+
+/// What is said beside a result: its first word says how serious it is.
+pub(super) fn remark(text: &str) -> String {
+    let Some((kind, rest)) = text.split_once(':') else { return text.to_owned() };
+    let colour = match kind {
+        "error" => RED,
+        "interrupted" => YELLOW,
+        "note" | "event" => BOLD,
+        _ => return text.to_owned(),
+    };
+    format!("{colour}{kind}:{RESET}{rest}")
+}

@@ -1,0 +1,105 @@
+//! Help that fits the screen, and examples that mean something for the mechanism at hand.
+
+use crate::{good, kin};
+
+const MECHANISMS: [&str; 3] = ["fourbar", "leg", "underdriven"];
+const COMMANDS: [&str; 9] = ["", "info", "solve", "sweep", "check", "equations", "animate", "plot", "completions"];
+
+#[test]
+fn help_fits_the_screen_and_has_examples() {
+    for mechanism in MECHANISMS {
+        for command in COMMANDS {
+            for help in ["-h", "--help"] {
+                let line = format!("{mechanism} {command} {help}");
+                let text = good(&line);
+                assert!(text.contains("\nExamples:\n  several"), "{line}: {text}");
+                // The first line is the mechanism's own documentation; inputs stand behind everything.
+                let mut lines = text.lines().skip(1);
+                let long = lines.find(|l| l.chars().count() > 100 && !l.contains("--input '"));
+                assert_eq!(long, None, "{line}");
+                assert!(!text.contains('\u{1b}'), "{line}: colours in a pipe");
+            }
+        }
+    }
+    let long = good("fourbar sweep --help");
+    for part in ["Parameters:  l1, l2", "Coordinates: crank.x", "Modes:       A-B-D", "--set l1=0.1 ", "--mode A-B-D=-"]
+    {
+        assert!(long.contains(part), "`{part}` is not in\n{long}");
+    }
+    assert!(long.contains("[default: 100]") && good("fourbar plot -h").contains("[default: 360]"));
+    assert!(good("limits sweep --help").contains("--stop-at-events  "), "the mechanism has limits");
+    assert!(!long.contains("--stop-at-events  "), "the mechanism has no limits");
+    assert!(good("underdriven solve -h").contains("solve --given "));
+}
+
+/// What a shell makes of a line of an example, without its comment.
+fn words(line: &str) -> Vec<String> {
+    let (mut words, mut word, mut quoted) = (Vec::new(), String::new(), false);
+    for letter in line.trim().chars() {
+        match letter {
+            '\'' => quoted = !quoted,
+            ' ' if !quoted => words.push(std::mem::take(&mut word)),
+            other => word.push(other),
+        }
+    }
+    words.push(word);
+    // Two spaces end the command.
+    let end = words.iter().position(String::is_empty).unwrap_or(words.len());
+    words.truncate(end);
+    words
+}
+
+/// Every example of every help is understood; where it has no answer, that is the mechanism's.
+#[test]
+fn examples_are_no_usage_errors() {
+    let place = std::env::temp_dir().join(format!("kin-examples-{}", std::process::id()));
+    std::fs::create_dir_all(&place).expect("a directory");
+    let (mut tried, mut answered) = (0, 0);
+    for mechanism in MECHANISMS {
+        for command in COMMANDS {
+            let help = good(&format!("{mechanism} {command} --help"));
+            let examples =
+                help.split("\nExamples:\n").nth(1).expect("examples").split("\n\n").next().unwrap_or_default();
+            for example in examples.lines().filter(|line| line.starts_with("  several") && !line.contains('>')) {
+                let args = words(example);
+                let output = std::process::Command::new(env!("CARGO_BIN_EXE_several"))
+                    .arg(mechanism)
+                    .args(&args[1..])
+                    .current_dir(&place)
+                    .output()
+                    .expect("the program starts");
+                let err = String::from_utf8_lossy(&output.stderr);
+                let known = matches!(output.status.code(), Some(0 | 1)) && !err.contains("panicked");
+                assert!(known, "{mechanism}: {example}\n{err}");
+                tried += 1;
+                answered += usize::from(output.status.success());
+            }
+        }
+    }
+    assert!(tried > 100 && 10 * answered > 8 * tried, "{answered} of {tried} examples have an answer");
+    assert!(place.join("motion.html").is_file() && place.join("paths.svg").is_file());
+    std::fs::remove_dir_all(place).expect("the directory goes");
+}
+
+#[test]
+fn wrong_options_are_told_all_at_once() {
+    let ran = kin("fourbar sweep --from x --steps 0 --to 1 --set l9=1,l1=a --guess l1=3 --mode A-B-D=up --out a.svg");
+    assert_eq!(ran.status, Some(2));
+    for part in [
+        "error: --from: `x` is not a number",
+        "error: --steps: at least 1",
+        "error: --out: `a.svg` should end in .txt, .json or .csv; svg is written by `animate` and `plot`",
+        "error: --set: no parameter named `l9`; did you mean",
+        "error: --set l1: `a` is not a number",
+        "error: --guess: no coordinate named `l1`; it is a parameter, which --set sets",
+        "error: --mode A-B-D: `up` is no sign",
+    ] {
+        assert!(ran.err.contains(part), "`{part}` is not in\n{}", ran.err);
+    }
+    let ran = kin("fourbar plot crank.fi tip:t nothing --vary l1=1..2 --out x.pdf");
+    let parts = ["no quantity named `crank.fi`; did you mean `crank.phi`?", "`tip`", "`nothing`", "--vary", "x.pdf"];
+    assert!(ran.status == Some(2) && parts.iter().all(|part| ran.err.contains(part)), "{}", ran.err);
+    assert_eq!(ran.err.matches("  quantities: t, crank.x, crank.y, crank.phi,").count(), 1, "{}", ran.err);
+    let ran = kin("fourbar equations A X Y");
+    assert!(ran.status == Some(2) && ran.err.contains("named `X`") && ran.err.contains("named `Y`"), "{}", ran.err);
+}
