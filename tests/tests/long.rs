@@ -1,6 +1,6 @@
 //! Mechanisms whose kernels are longer than one block of generated code.
 
-use kin_runtime::{Instant, Kinematics, Mechanism, Subset, mechanism};
+use kin_runtime::{Instant, Kinematics, Mechanism, Planned, Subset, mechanism};
 use kin_tests::works;
 
 /// A chain of forty links, every one driven against the one before, its end tied to a slider.
@@ -159,4 +159,20 @@ fn the_jerk_of_a_long_chain_is_the_slope_of_its_acceleration() {
         assert!((jerk - slope).abs() < 1e-5 * (1.0 + slope.abs()), "{k}: {jerk} and {slope}");
     }
     assert!(derivatives.q[3].iter().any(|jerk| jerk.abs() > 1e-2));
+}
+
+/// A regular linear system whose coefficients move, its condition number 5 however long it is.
+#[mechanism]
+#[coordinates(x[40])]
+#[constraint(first: (3 + 0.1*sin(t))*x[0] + (1 + 0.1*cos(t))*x[1] = 1)]
+#[constraint(row[i in 1..39]: (1 + 0.1*cos(t))*x[i-1] + (3 + 0.1*sin(t))*x[i] + (1 + 0.1*cos(t))*x[i+1] = 1)]
+#[constraint(last: (3 + 0.1*sin(t))*x[39] + (1 + 0.1*cos(t))*x[38] = 1)]
+struct Band;
+
+#[test]
+fn the_margin_of_a_system_does_not_shrink_with_its_size() {
+    let state = Band.solver().state(&Instant::at(0.3)).unwrap();
+    let planned = Planned::new(&Band, &Instant::at(0.3), &state.q).unwrap();
+    assert!(planned.margins().iter().all(|margin| *margin > 0.1), "{:?}", planned.margins());
+    assert!(planned.q().iter().zip(&state.q).all(|(a, b)| (a - b).abs() < 1e-14));
 }

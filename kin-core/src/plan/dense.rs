@@ -4,7 +4,8 @@ use crate::expr::{ExprId, Graph};
 use crate::mechanism::Function;
 
 /// x for every b, and a margin that is 0 where M is singular: for up to three unknowns (det M)² over the product of the
-/// rows' squared norms, beyond |det M| over the product of the rows' sums. One unknown has none.
+/// rows' squared norms, beyond n/Σ 1/sᵢ², the harmonic mean of the squared shares sᵢ that pivots have in their rows: it is
+/// about the square of the smallest one, however many there are. One unknown has none.
 ///
 /// `lengths` says which unknowns are lengths. Beside angles they count as angles times the length that the rows hold
 /// between both, so that margins are the same in metres and in millimetres.
@@ -136,7 +137,7 @@ fn eliminate(
     let mut b: Vec<Vec<ExprId>> = rights.to_vec();
     let (mut rows, mut columns): (Vec<usize>, Vec<usize>) = ((0..n).collect(), (0..n).collect());
     let mut order = Vec::new();
-    let mut margin = graph.number(1.0);
+    let mut losses = graph.zero();
     while !rows.is_empty() {
         let filled = |graph: &Graph, i: usize, j: usize| !graph.is_zero(m[i][j]);
         let score = |i: usize, j: usize| {
@@ -157,8 +158,9 @@ fn eliminate(
             size = graph.add(size, magnitude);
         }
         let pivot = magnitude(graph, m[i][j], j);
-        let share = graph.div(pivot, size);
-        margin = graph.mul(margin, share);
+        let loss = graph.div(size, pivot);
+        let loss = graph.square(loss);
+        losses = graph.add(losses, loss);
         rows.retain(|&r| r != i);
         columns.retain(|&c| c != j);
         let one = graph.number(1.0);
@@ -195,5 +197,6 @@ fn eliminate(
             x
         })
         .collect();
-    (solutions, Some(margin))
+    let count = graph.number(n as f64);
+    (solutions, Some(graph.div(count, losses)))
 }
