@@ -225,6 +225,13 @@ pub enum SolveError {
         /// Its joint.
         joint: &'static str,
     },
+    /// A derivative is more than an `f64` can hold.
+    OutOfRange {
+        /// Time.
+        t: f64,
+        /// Its order.
+        order: usize,
+    },
     /// A sweep cannot go on without leaving its branch.
     StepRefused {
         /// Time of the last good configuration.

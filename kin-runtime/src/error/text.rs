@@ -56,6 +56,9 @@ impl fmt::Display for SolveError {
                 "row `{row_name}` of joint `{joint}` has no derivative of order {order} at t = {t}: a root, a divisor \
                  or an absolute value in it is 0"
             ),
+            Self::OutOfRange { t, order } => {
+                write!(f, "the derivative of order {order} at t = {t} is beyond the range of numbers")
+            }
             Self::StepRefused { t, t_refused, reason: reason @ Refusal::TooManySteps, .. } => {
                 write!(f, "{reason} on the way from t = {t} to t = {t_refused}; ask for instants in between")
             }

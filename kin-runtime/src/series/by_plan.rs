@@ -12,6 +12,7 @@ use super::orders::{HigherOrders, array};
 use super::start::Start;
 use crate::mechanism::LengthError;
 use crate::plan::{Depth, Plan, Solved};
+use crate::planned::PlanError;
 use crate::workspace::{Array, Instant};
 
 impl<M: PowerSeries> HigherOrders<'_, M> {
@@ -19,8 +20,10 @@ impl<M: PowerSeries> HigherOrders<'_, M> {
     /// ([`Mechanism::solve_and_factorise`]) the others begin with. Then [`derivative`](Self::derivative) has the orders
     /// from the third on; as q, q̇ and q̈ they are only good where all margins are positive.
     ///
+    /// What [`begin`](Self::begin) left is gone then: [`order`](Self::order) is 0.
+    ///
     /// # Errors
-    /// When an argument has the wrong length.
+    /// [`PlanError::NoPlan`], and [`PlanError::Length`] when an argument has the wrong length.
     ///
     /// [`Mechanism::solve_and_factorise`]: crate::Mechanism::solve_and_factorise
     pub fn solve_by_plan(
@@ -29,12 +32,15 @@ impl<M: PowerSeries> HigherOrders<'_, M> {
         modes: &[f64],
         start: &[f64],
         solved: Solved<'_, f64>,
-    ) -> Result<(), LengthError> {
+    ) -> Result<(), PlanError> {
+        if let Some(why) = M::model().plan.absent {
+            return Err(PlanError::NoPlan { why });
+        }
         let Solved { q, q_dot, q_ddot, margins } = solved;
         let solved = Solved { q: &mut *q, q_dot: &mut *q_dot, q_ddot: &mut *q_ddot, margins };
         let (parameters, factors) = (self.parameters.as_ref(), Some(&mut self.factors));
         self.mechanism.solve_and_factorise(parameters, at, modes, start, Depth::Acceleration, solved, factors)?;
-        self.solve_all(at, &[], [q, q_dot, q_ddot])
+        Ok(self.solve_all(at, &[], [q, q_dot, q_ddot])?)
     }
 
     /// All orders from the third on at a known position, velocity and acceleration; false where there is no plan, where
@@ -67,13 +73,14 @@ impl<M: PowerSeries> HigherOrders<'_, M> {
         further: &[&[f64]],
         known: [&[f64]; 3],
     ) -> Result<(), LengthError> {
-        (self.missing, self.solved) = (None, 0);
-        if self.highest < 3 {
-            return Ok(());
-        }
+        (self.missing, self.solved, self.order) = (None, 0, 0);
         let [q, q_dot, q_ddot] = known;
         let q: &M::Coordinates<f64> = array("q", M::COORDINATES, q)?;
         let (q_dot, q_ddot) = (array("q_dot", M::COORDINATES, q_dot)?, array("q_ddot", M::COORDINATES, q_ddot)?);
+        self.q = *q;
+        if self.highest < 3 {
+            return Ok(());
+        }
         if M::INPUTS > 0 {
             self.inputs.begin(at, further);
         }

@@ -89,7 +89,9 @@ impl<M: PowerSeries> Solver<'_, M> {
     /// # Errors
     /// As [`velocity`](Self::velocity); [`UnknownDerivative`](SolveError::UnknownDerivative) where an input or a
     /// supplied function is not known far enough, [`NotSmooth`](SolveError::NotSmooth) where a row has no such
-    /// derivative, [`InconsistentDerivative`](SolveError::InconsistentDerivative) where redundant rows disagree.
+    /// derivative, [`OutOfRange`](SolveError::OutOfRange) where it is more than an `f64` can hold, as all of them may be
+    /// beyond order [`HigherOrders::MOST`], [`InconsistentDerivative`](SolveError::InconsistentDerivative) where redundant
+    /// rows disagree.
     pub fn derivatives(&self, state: &State, order: usize) -> Result<Derivatives, SolveError> {
         self.derivatives_with(state, order, &[])
     }
@@ -100,6 +102,9 @@ impl<M: PowerSeries> Solver<'_, M> {
     /// # Errors
     /// As [`derivatives`](Self::derivatives), and [`Length`](SolveError::Length) for more lists than inputs.
     pub fn derivatives_with(&self, state: &State, order: usize, further: &[&[f64]]) -> Result<Derivatives, SolveError> {
+        if order > HigherOrders::<M>::MOST {
+            return Err(SolveError::OutOfRange { t: state.t, order });
+        }
         if further.len() > M::INPUTS {
             let (what, expected, found) = ("inputs", M::INPUTS, further.len());
             return Err(SolveError::Length(LengthError { what, expected, found }));
@@ -141,7 +146,7 @@ fn derivatives(
             if k > 3 {
                 orders.advance(&q[k - 1])?;
             }
-            if let Some(error) = undefined(equations, orders, k) {
+            if let Some(error) = undefined(equations, orders, k, &q[k - 1]) {
                 return Err(error);
             }
             q.push(solve(equations, &factor, orders.right(), k)?);
@@ -165,9 +170,15 @@ fn solve(equations: &Equations<'_>, factor: &Factorization, own: &[f64], k: usiz
     Ok(solution.as_slice().to_vec())
 }
 
-/// Why the k-th derivatives of the rows are no numbers, where they are none.
-fn undefined(equations: &Equations<'_>, orders: &dyn Orders, k: usize) -> Option<SolveError> {
+/// What a derivative exceeds before the next one is out of range; beside a divisor that is 0 it does not.
+const HUGE: f64 = 1e200;
+
+/// Why the k-th derivatives of the rows are no numbers, where they are none, given q⁽ᵏ⁻¹⁾.
+fn undefined(equations: &Equations<'_>, orders: &dyn Orders, k: usize, before: &[f64]) -> Option<SolveError> {
     let row = orders.right().iter().position(|b| !b.is_finite())?;
+    if orders.right()[row].is_infinite() && before.iter().any(|x| x.abs() > HUGE) {
+        return Some(SolveError::OutOfRange { t: equations.t, order: k });
+    }
     let (row_name, joint, t) = (equations.row_name(row), equations.joint_name(row), equations.t);
     Some(unknown(equations, orders.missing(), k).unwrap_or(SolveError::NotSmooth { t, order: k, row_name, joint }))
 }

@@ -45,16 +45,16 @@ pub struct HigherOrders<'m, M: PowerSeries> {
     pub(super) constraints: Tape,
     velocities: Tape,
     observables: Tape,
-    /// q, where the last instant began.
-    q: M::Coordinates<f64>,
+    /// q of the last instant.
+    pub(super) q: M::Coordinates<f64>,
     right: M::Rows<f64>,
     pub(super) factors: M::Factors<f64>,
     /// From the third on, as far as they are solved.
     pub(super) derivatives: Vec<M::Coordinates<f64>>,
     pub(super) solved: usize,
     pub(super) missing: Option<Missing>,
-    /// The order of `right`, and its factorial.
-    order: usize,
+    /// The order of `right`, and its factorial; 0 where it means nothing.
+    pub(super) order: usize,
     factorial: f64,
     pub(super) highest: usize,
     /// Rows of velocity level.
@@ -71,9 +71,12 @@ pub(super) fn array<'a, C: Array<f64>>(
 }
 
 impl<'m, M: PowerSeries> HigherOrders<'m, M> {
-    /// Room for derivatives up to `highest`.
+    /// The highest order that there is: 171! is more than an `f64` can hold.
+    pub const MOST: usize = 170;
+
+    /// Room for derivatives up to `highest`, or up to [`MOST`](Self::MOST).
     pub fn new(mechanism: &'m M, highest: usize) -> Self {
-        let rows = M::model().rows;
+        let (rows, highest) = (M::model().rows, highest.min(Self::MOST));
         let is_of_velocity = |row: &usize| rows.get(*row).is_some_and(|info| info.level == Level::Velocity);
         Self {
             mechanism,
@@ -155,14 +158,14 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
         if expected == found { Ok(()) } else { Err(LengthError { what: "inputs", expected, found }) }
     }
 
-    /// The order k of [`right`](Self::right).
+    /// The order k of [`right`](Self::right); 0 where nothing has begun.
     pub fn order(&self) -> usize {
         self.order
     }
 
-    /// b, s numbers, with Φ_q q⁽ᵏ⁾ = b.
+    /// b, s numbers, with Φ_q q⁽ᵏ⁾ = b; none where nothing has begun.
     pub fn right(&self) -> &[f64] {
-        self.right.as_ref()
+        if self.order == 0 { &[] } else { self.right.as_ref() }
     }
 
     /// Takes the factors of Φ_q by the blocks of the plan, at the instant and the q that it began with, for

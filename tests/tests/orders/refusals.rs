@@ -1,7 +1,9 @@
 //! What has no derivative of an order, or is not known far enough, is refused by name.
 
 use kin_runtime::function::FromFn;
-use kin_runtime::{Instant, Kinematics, Signal, SolveError, mechanism};
+use kin_runtime::plan::Solved;
+use kin_runtime::series::HigherOrders;
+use kin_runtime::{Instant, Kinematics, Mechanism, PlanError, Signal, SolveError, mechanism};
 
 /// A row whose argument passes 0 at t = 1.
 #[mechanism]
@@ -160,4 +162,82 @@ fn states_are_checked() {
     let mut bad = state;
     bad.q_dot[1] = f64::NAN;
     assert!(matches!(Free.solver().derivatives(&bad, 3), Err(SolveError::NonFinite { what: "q_dot", .. })));
+}
+
+/// A four-bar that nothing drives.
+#[mechanism]
+#[bodies(crank, coupler, rocker)]
+#[revolute(C: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (0.1, 0), coupler @ (0, 0))]
+#[revolute(B: coupler @ (0.4, 0), rocker @ (0, 0))]
+#[revolute(D: rocker @ (0.3, 0), ground @ (0.4, 0.1))]
+struct Undriven;
+
+/// A slider-crank.
+#[mechanism]
+#[bodies(crank, rod, slider)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (0.1, 0), rod @ (0, 0))]
+#[revolute(B: rod @ (0.4, 0), slider @ (0, 0))]
+#[translational(guide: ground @ (0, 0), slider @ (0, 0), axis = (1, 0))]
+#[driver(drive: crank.phi = 1000 * t)]
+#[guess(slider.x = 0.5)]
+struct Slider;
+
+#[test]
+fn without_a_plan_nothing_is_solved_by_it() {
+    let n = Undriven::COORDINATES;
+    let [mut q, mut q_dot, mut q_ddot] = [(); 3].map(|()| vec![7.0; n]);
+    let mut orders = HigherOrders::new(&Undriven, 4);
+    let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut [] };
+    let result = orders.solve_by_plan(&Instant::at(0.0), &[], &vec![0.0; n], solved);
+    let why = Undriven::model().plan.absent.unwrap();
+    assert_eq!((Err(PlanError::NoPlan { why }), None, &vec![7.0; n]), (result, orders.derivative(3), &q));
+}
+
+#[test]
+fn what_the_plan_solves_leaves_nothing_of_an_earlier_instant() {
+    let state = |t: f64| Slider.state_at(&Instant::at(t)).unwrap();
+    let (before, now) = (state(0.0003), state(0.0013));
+    let plan = &Slider::model().plan;
+    let (mut modes, mut margins) = (vec![0.0; plan.modes.len()], vec![0.0; plan.margins]);
+    Slider.closures_with(&[], &now.instant(), &now.q, &mut modes).unwrap();
+    modes.iter_mut().for_each(|mode| *mode = mode.signum());
+    let [mut q, mut q_dot, mut q_ddot] = [(); 3].map(|()| vec![0.0; Slider::COORDINATES]);
+    let mut orders = HigherOrders::new(&Slider, 4);
+    assert_eq!((0, &[][..]), (orders.order(), orders.right()));
+    orders.begin(&before.instant(), &before.q, &before.q_dot, &before.q_ddot).unwrap();
+    assert_eq!((3, Slider::ROWS), (orders.order(), orders.right().len()));
+    let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
+    orders.solve_by_plan(&now.instant(), &modes, &now.q, solved).unwrap();
+    let third = orders.derivative(3).unwrap().to_vec();
+    assert_eq!((0, &[][..]), (orders.order(), orders.right()));
+    orders.advance(&third).unwrap();
+    assert_eq!(0, orders.order());
+    // Factors are those of the new q.
+    assert!(orders.factorise(&now.instant()).unwrap());
+    orders.begin(&now.instant(), &now.q, &now.q_dot, &now.q_ddot).unwrap();
+    let mut found = third.clone();
+    orders.solve(&mut found).unwrap();
+    let size = third.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+    assert!(found.iter().zip(&third).all(|(a, b)| (a - b).abs() <= 1e-12 * size));
+}
+
+#[test]
+fn orders_beyond_the_range_of_numbers_are_an_error_of_their_own() {
+    let state = Slider.state_at(&Instant::at(0.0003)).unwrap();
+    let refused = |order: usize| match Slider.solver().derivatives(&state, order) {
+        Ok(found) => assert!(found.q.iter().flatten().all(|x| x.is_finite()), "{order}"),
+        Err(error) => assert_eq!(error.to_string(), SolveError::OutOfRange { t: state.t, order }.to_string()),
+    };
+    assert!(Slider.solver().derivatives(&state, 60).is_ok());
+    assert_eq!(170, HigherOrders::<Slider>::MOST);
+    for order in [171, 172, 1000, usize::MAX] {
+        refused(order);
+        assert_eq!(None, HigherOrders::new(&Slider, order).derivative(order));
+    }
+    // About k! (ω/2)ᵏ, which is too much from here on.
+    let error = Slider.solver().derivatives(&state, 150).unwrap_err();
+    let SolveError::OutOfRange { order, .. } = error else { panic!("{error}") };
+    assert!((70..=85).contains(&order), "{order}");
 }
