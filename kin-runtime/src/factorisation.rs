@@ -2,8 +2,9 @@
 //! densely and with its rank revealed.
 //!
 //! The sparse elimination is for as many rows as coordinates. It is given up, and nalgebra decides, where a multiplier
-//! grows too large in any order, and where the estimated condition number does not say for sure that the rank is full (see
-//! [`Factorization`]). So what is reported of rank and singular configurations is what the dense factorisation says.
+//! grows too large in any order; for solutions, where its smallest pivot is small beside the largest; where the rank is
+//! asked for, too, where the estimated condition number does not say for sure that it is full (see [`Factorization`]). So
+//! what is reported of rank and singular configurations is what the dense factorisation says.
 
 use crate::equations::Equations;
 use crate::linear::{Elimination, Factorization, Ordered};

@@ -123,6 +123,8 @@ impl<'m> Tracker<'m> {
             if follower.advance(equations, at.t).is_ok() {
                 return Ok(self.follower.state());
             }
+            // They belong to a way that was not taken.
+            follower.fallbacks.clear();
         }
         let way = equations.way.get_or_insert_with(|| Way::resting(at));
         way.straighten();

@@ -241,6 +241,29 @@ fn the_branch_is_never_left() {
     }
 }
 
+/// A quintic that swings beyond the dead centre is given up for the straight way, with what it met.
+#[test]
+fn fallbacks_are_those_of_the_way_that_was_taken() {
+    let rocker = Rocker::default();
+    let mut straight = 0;
+    for (short, k) in (1..=12).flat_map(|k| [(1e-3, k), (1e-2, k)]) {
+        let (end, change) = (1.5 - short, 0.04 * f64::from(k));
+        let first = Instant { t: 0.0, inputs: &[Signal::new(end - change, 1.2 * change, 0.0)] };
+        // Back from behind its end, as much as is believed.
+        let swinging = Signal::new(end, -change, -3.6 * change);
+        let still = Instant { t: 0.0, inputs: &[Signal::constant(end - change)] };
+        let mut one = rocker.solver().tracker(&first).unwrap();
+        let mut other = rocker.solver().tracker(&still).unwrap();
+        let (a, b) = (at(&mut one, 1.0, swinging), at(&mut other, 1.0, Signal::constant(end)));
+        let (Ok(a), Ok(b)) = (a, b) else { continue };
+        assert!((a - b).abs() < 1e-6 && (a - angle(end)).abs() < 1e-6);
+        straight += 1;
+        assert!(other.fallbacks().is_empty());
+        assert!(one.fallbacks().is_empty(), "{short}, {change}: {:?}", one.fallbacks());
+    }
+    assert!(straight > 12, "{straight}");
+}
+
 /// Beyond the range: what is said, and that it goes on afterwards.
 #[test]
 fn beyond_the_range_is_an_error_and_no_end() {
