@@ -1,7 +1,9 @@
 //! A mechanism solved by its plan at one instant after the other: what is named in an error, what stays after one.
 
+use kin_runtime::batch::{Column, End, Modes, Motions, Problems, Solutions, Sweeps, always, solve, sweep};
+use kin_runtime::plan::Depth;
 use kin_runtime::planned::{PlanError, Planned, Sign};
-use kin_runtime::{Instant, Kinematics, Mechanism, Signal, mechanism};
+use kin_runtime::{Instant, Kinematics, Lanes, Mechanism, Signal, mechanism};
 use std::f64::consts::TAU;
 
 /// A boom on a cylinder, both of a length that is told, and a stick; time is nowhere in it.
@@ -92,5 +94,125 @@ fn fast_bodies_go_on_counting_over_many_turns() {
         let t = 0.2 * f64::from(k);
         let turned = planned.at(&Instant::at(t)).unwrap().q()[slot] - begun;
         assert!((turned - (100.0 + 50.0 * t) * t).abs() < 0.1, "{t}: {turned}, {} turns", turned / TAU);
+    }
+}
+
+/// A double crank of any size.
+#[mechanism]
+#[bodies(crank, coupler, rocker)]
+#[revolute(C: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (0.30*s, 0), coupler @ (0, 0))]
+#[revolute(B: coupler @ (0.35*s, 0), rocker @ (0, 0))]
+#[revolute(D: rocker @ (0.30*s, 0), ground @ (0.1*s, 0))]
+#[driver(drive: crank.phi = t)]
+#[guess(coupler.phi = 0.9, rocker.phi = 5.0)]
+struct DoubleCrank {
+    #[param(1.0)]
+    s: f64,
+}
+
+/// A platform on three driven cranks, of any size: its plan has an iteration.
+#[mechanism]
+#[bodies(crank[3], link[3], platform)]
+#[revolute(O0: ground @ (0, 0), crank[0] @ (0, 0))]
+#[revolute(O1: ground @ (s, 0), crank[1] @ (0, 0))]
+#[revolute(O2: ground @ (0.5*s, 0.9*s), crank[2] @ (0, 0))]
+#[revolute(A[i in 0..3]: crank[i] @ (0.3*s, 0), link[i] @ (0, 0))]
+#[revolute(B0: link[0] @ (0.4*s, 0), platform @ (-0.12*s, -0.1*s))]
+#[revolute(B1: link[1] @ (0.4*s, 0), platform @ (0.12*s, -0.1*s))]
+#[revolute(B2: link[2] @ (0.4*s, 0), platform @ (0, 0.13*s))]
+#[driver(d0: crank[0].phi = 0.8 + 0.5 * sin(t))]
+#[driver(d1: crank[1].phi = 2.6 + 0.5 * sin(t + 1))]
+#[driver(d2: crank[2].phi = 4.6 + 0.5 * sin(t + 2))]
+#[guess(platform.x = 0.5*s, platform.y = 0.33*s, platform.phi = 0)]
+struct Platform {
+    #[param(1.0)]
+    s: f64,
+}
+
+/// Every angle at every instant, by [`Planned`] and in a batch, or none where there is no answer; and where the batch ends.
+fn angles<M: Kinematics + Sync>(mechanism: &M, times: &[f64]) -> (Vec<Option<Vec<f64>>>, Vec<Vec<f64>>, Option<usize>) {
+    let is_angle = |k: &usize| M::model().coordinates[*k].name.ends_with("phi");
+    let pick = |q: &[f64]| (0..M::COORDINATES).filter(is_angle).map(|k| q[k]).collect::<Vec<_>>();
+    let mut planned = mechanism.solver().planned(&Instant::at(times[0])).unwrap();
+    let start: Vec<_> = planned.q().iter().map(|q| Column::Shared(*q)).collect();
+    let one = times.iter().map(|t| planned.at(&Instant::at(*t)).ok().map(|planned| pick(planned.q()))).collect();
+    let own = mechanism.parameters::<f64>();
+    let parameters: Vec<_> = own.as_ref().iter().map(|p| Column::Shared(*p)).collect();
+    let sweeps = Sweeps { parameters: &parameters, times, inputs: &[], modes: Modes::OfStart, start: &start };
+    let mut out = Motions::new(1, Vec::new());
+    sweep(mechanism, &sweeps, &mut out, &always, |seen: &mut Vec<Vec<f64>>, moment| {
+        let q: Vec<f64> = moment.q.iter().map(|x| x.to_array()[0]).collect();
+        seen.push(pick(&q));
+    })
+    .unwrap();
+    let (seen, end) = (out.blocks().next().unwrap().clone(), out.ends().next().flatten());
+    (one, seen, end.map(|end: End| end.instant))
+}
+
+#[test]
+fn no_unit_of_length_changes_predictions() {
+    let near = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-6);
+    let mut compared = 0;
+    for k in 1..=40 {
+        // Steps of which many are far too long: what is found must not depend on the unit even so.
+        let (far, near_by) = (0.2 + 0.0075 * f64::from(k), TAU / f64::from(4 + k));
+        let times = |step: f64| (0..=20).map(|i| step * f64::from(i)).collect::<Vec<_>>();
+        let cranks = [1e-3, 1.0, 1e3].map(|s| angles(&DoubleCrank { s }, &times(TAU * far)));
+        let platforms = [1e-3, 1.0, 1e3].map(|s| angles(&Platform { s }, &times(near_by)));
+        for [small, own, large] in [cranks, platforms] {
+            for other in [small, large] {
+                assert_eq!(own.2, other.2, "steps number {k}: the batch ends elsewhere");
+                assert!(own.1.iter().zip(&other.1).all(|(a, b)| near(a, b)), "steps number {k} in a batch");
+                for (place, pair) in own.0.iter().zip(&other.0).enumerate() {
+                    let same = match pair {
+                        (Some(a), Some(b)) => near(a, b),
+                        pair => pair.0.is_none() && pair.1.is_none(),
+                    };
+                    assert!(same, "steps number {k}, instant {place}: {pair:?}");
+                    compared += 1;
+                }
+            }
+        }
+    }
+    assert_eq!(compared, 40 * 4 * 21);
+}
+
+#[test]
+fn a_start_that_does_not_decide_a_mode_has_no_answer() {
+    let crank = DoubleCrank::default();
+    let at = |start: f64| {
+        let columns = [Column::Shared(start); 9];
+        let (parameters, t, modes) = (&[Column::Shared(1.0)], Column::Shared(0.7), Modes::OfStart);
+        let problems = Problems { parameters, t, inputs: &[], modes, start: &columns };
+        let mut out = Solutions::<DoubleCrank>::new(1);
+        solve(&crank, Depth::Acceleration, &problems, &mut out, &always).unwrap();
+        let mut ends = Motions::new(1, Lanes::default());
+        let sweeps = Sweeps { parameters, times: &[0.7], inputs: &[], modes, start: &columns };
+        sweep(&crank, &sweeps, &mut ends, &always, |_, _| ()).unwrap();
+        let one = Planned::new(&crank, &Instant::at(0.7), &[start; 9]).map(|planned| planned.q()[8]);
+        let ended = ends.ends().next().flatten().is_some();
+        (one, (out.solved().next() == Some(true) && !ended).then(|| out.q(8).next().unwrap()))
+    };
+    for start in [0.0, -0.0, f64::NAN] {
+        let (one, batch) = at(start);
+        let error = one.unwrap_err();
+        assert!(matches!(error, PlanError::Undecided { t: 0.7, mode: "A-B-D" }), "{start}: {error}");
+        assert_eq!(error.to_string(), "at t = 0.7, the start does not say which closure of A-B-D is meant");
+        assert_eq!(batch, None, "{start}");
+    }
+    for start in [0.5, -0.5] {
+        let (one, batch) = at(start);
+        assert!((one.unwrap() - batch.unwrap()).abs() < 1e-12, "{start}");
+    }
+    // Signs that are given must be signs.
+    let columns = [Column::Shared(0.5); 9];
+    for (sign, good) in [(1.0, true), (-3.0, true), (0.0, false), (-0.0, false), (f64::NAN, false)] {
+        let (parameters, signs) = (&[Column::Shared(1.0)], [Column::Shared(sign)]);
+        let (t, modes) = (Column::Shared(0.7), Modes::Signs(&signs));
+        let problems = Problems { parameters, t, inputs: &[], modes, start: &columns };
+        let mut out = Solutions::<DoubleCrank>::new(1);
+        solve(&crank, Depth::Acceleration, &problems, &mut out, &always).unwrap();
+        assert_eq!(out.solved().next(), Some(good), "{sign}");
     }
 }

@@ -7,14 +7,14 @@ use crate::scalar::Scalar;
 use crate::signal::Instant;
 use crate::workspace::Array;
 
-/// Where the assembly modes of a batch come from.
+/// Where the assembly modes of a batch come from. A configuration with a mode that is not decided has no answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Modes<'a> {
     /// A column of signs, +1 or −1, for every mode of the plan, in the order of
-    /// [`Plan::modes`](crate::plan::Plan::modes); of any other number the sign counts.
+    /// [`Plan::modes`](crate::plan::Plan::modes); of any other number the sign counts, and 0 and NaN are none.
     Signs(&'a [Column<'a>]),
     /// Those that the start has, by [`Mechanism::closures_with`] at the parameters and the instant of the configuration
-    /// itself.
+    /// itself. As for [`Planned`](crate::Planned), a closure that is 0 or no number there decides nothing.
     OfStart,
 }
 
@@ -54,7 +54,8 @@ impl<'a> Modes<'a> {
                 debug_assert!(lengths.is_ok(), "the columns have been counted");
             }
         }
-        modes.iter_mut().for_each(|mode| *mode = mode.signum());
+        // Not a number for 0, so that whatever depends on it is none either.
+        modes.iter_mut().for_each(|mode| *mode = *mode / mode.abs());
         signs
     }
 }

@@ -3,11 +3,12 @@
 use super::BatchError;
 use super::column::{Arguments, Column, Configurations, check_list, check_signals};
 use super::modes::Modes;
-use super::poses::{Limits, Poses, Question, copy_lane};
+use super::poses::{Limits, Poses, Question, copy_lane, set};
 use super::run::{Watch, Work, blocks, run};
 use crate::lanes::Lanes;
 use crate::mechanism::Mechanism;
 use crate::plan::Depth;
+use crate::planned::predict::is_wild;
 use crate::planned::{Limit, Step};
 use crate::scalar::Scalar;
 use crate::signal::{Instant, Signal};
@@ -220,30 +221,28 @@ impl<M: Mechanism> Motion<M> {
     #[inline(always)]
     fn predict(&mut self, h: f64) {
         let Poses { q, q_dot, q_ddot, .. } = &self.poses;
-        let (h, half) = (Lanes::from(h), Lanes::from(0.5 * h));
+        let (step, half) = (Lanes::from(h), Lanes::from(0.5 * h));
+        // A quick look, as there.
         let mut tame = true;
         let rates = q_dot.as_ref().iter().zip(q_ddot.as_ref());
         for ((to, q), (v, a)) in self.predicted.as_mut().iter_mut().zip(q.as_ref()).zip(rates) {
             let bend = half * *a;
-            tame &= (h * bend).is_within(1.0);
-            *to = *q + h * (*v + bend);
+            tame &= (step * bend).is_within(1.0);
+            *to = *q + step * (*v + bend);
         }
         if !tame {
-            self.tame(h, half);
+            self.tame(h);
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn tame(&mut self, h: Lanes, half: Lanes) {
+    fn tame(&mut self, h: f64) {
         let Poses { q, q_dot, q_ddot, .. } = &self.poses;
         for lane in 0..Lanes::COUNT {
-            let of = |x: Lanes| x.to_array()[lane];
-            let wild = q_dot.as_ref().iter().zip(q_ddot.as_ref()).any(|(v, a)| {
-                let bend = of(half * *a).abs();
-                bend > of(v.abs()) && of(h).abs() * bend > 1.0
-            });
-            if wild {
+            let of = |numbers: &[Lanes]| -> M::Coordinates<f64> { Array::generate(|k| numbers[k].to_array()[lane]) };
+            let (v, a) = (of(q_dot.as_ref()), of(q_ddot.as_ref()));
+            if is_wild(M::model(), h, [v.as_ref(), a.as_ref()]) {
                 copy_lane(self.predicted.as_mut(), q.as_ref(), lane, lane);
             }
         }
@@ -287,6 +286,7 @@ impl<M: Mechanism> Motion<M> {
             copy_lane(self.parameters.as_mut(), parameters.as_ref(), other, lane);
             copy_lane(self.modes.as_mut(), modes.as_ref(), other, lane);
             self.poses.copy_lane(&poses, other, lane);
+            set(&mut self.poses.margin, lane, margins[other]);
         }
         true
     }

@@ -76,6 +76,14 @@ pub enum PlanError {
         /// The rows, and by how much: see [`Limit::contradiction`].
         limit: Limit,
     },
+    /// The configuration that should decide the modes leaves one of them open: its closure
+    /// ([`Mechanism::closures_with`](crate::Mechanism::closures_with)) is 0 or no number there.
+    Undecided {
+        /// Time.
+        t: f64,
+        /// The mode.
+        mode: &'static str,
+    },
     /// NaN or infinity in an argument, a parameter or a result.
     NonFinite {
         /// Where: `q`, `t`, `parameters`, `inputs`, `margins`, ….
@@ -118,6 +126,9 @@ impl fmt::Display for PlanError {
             Self::NoPlan { why } => write!(f, "no plan because {why}"),
             Self::Limit { t, limit } | Self::Singular { t, limit } | Self::Contradiction { t, limit } => {
                 write!(f, "at t = {t}, {limit}")
+            }
+            Self::Undecided { t, mode } => {
+                write!(f, "at t = {t}, the start does not say which closure of {mode} is meant")
             }
             Self::NonFinite { what, index, name, t } => {
                 write!(f, "{what}[{index}]")?;

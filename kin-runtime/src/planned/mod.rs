@@ -3,7 +3,7 @@
 mod error;
 mod mode;
 pub(crate) mod passed;
-mod predict;
+pub(crate) mod predict;
 mod step;
 mod text;
 
@@ -32,11 +32,14 @@ use passed::Passed;
 /// as no body turns by more than that away from it between two instants; where the plan has Newton iterations, they
 /// converge to the closure near the prediction, so that instants lie near one another (a few degrees of the fastest body
 /// for one correction or two). Plans without such iterations may go as far as angles allow, in either direction of time.
-/// Beside a limit, where q̈ grows without bounds, a prediction far ahead means nothing: where ½ h² q̈ of a coordinate is more
-/// than 1 and more than h q̇, the prediction is the last good q itself.
+/// Beside a limit, where q̈ grows without bounds, a prediction far ahead means nothing: where ½ h² φ̈ of an angle is more
+/// than 1 and more than h φ̇, the prediction is the last good q itself. Scalar coordinates are judged as angles; x and y are
+/// not, because no unit of length has a meaning of its own, and nothing far from its place closes anyway.
 ///
 /// A solution counts when all margins exceed [`Plan::SMALLEST_MARGIN`] and every number is finite. After an error the
-/// last good state stays, and the next instant is predicted from there.
+/// last good state stays, and the next instant is predicted from there: as far away as the prediction holds. Behind a longer
+/// gap the closures are still those of the modes, but an angle may come out by whole turns beside what it would have counted to,
+/// and an iteration may find another closure or none: [`restart`](Self::restart) there with a configuration that is known.
 ///
 /// Nothing else is checked: [`Tracker`](crate::Tracker) and [`Solver::sweep`](crate::Solver::sweep) hold every answer
 /// against Φ, walk long ways in steps and change over to full Newton where a plan is singular. Redundant rows
@@ -114,7 +117,8 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     /// Parameters are those that the mechanism has now.
     ///
     /// # Errors
-    /// [`PlanError`]: there is no plan, or it has no answer at this instant in these modes.
+    /// [`PlanError`]: there is no plan, or it has no answer at this instant in these modes, or q does not say in which
+    /// ([`PlanError::Undecided`]).
     pub fn new(mechanism: &'m M, at: &Instant<'_>, q: &[f64]) -> Result<Self, PlanError> {
         Self::begin(Held::Borrowed(mechanism), at, q)
     }
@@ -165,8 +169,8 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         let closures = &mut modes.as_mut()[..count];
         self.mechanism.get().closures_with(self.parameters.as_ref(), at, q, closures)?;
         for mode in closures {
-            // Where the closures meet, either sign is right, and the margin says that there is no answer.
-            *mode = if *mode < 0.0 { -1.0 } else { 1.0 };
+            // None where it is not decided: whatever depends on it is no number then.
+            *mode = Sign::of(*mode).map_or(f64::NAN, Sign::value);
         }
         let before = core::mem::replace(&mut self.modes, modes);
         self.predicted.as_mut().copy_from_slice(q);
@@ -189,13 +193,14 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         let half = 0.5 * h;
         let Poses { q, q_dot, q_ddot, .. } = &self.states[self.good];
         let rates = q_dot.as_ref().iter().zip(q_ddot.as_ref());
+        // A quick look that may see trouble where there is none.
         let mut wild = false;
         for ((to, q), (v, a)) in self.predicted.as_mut().iter_mut().zip(q.as_ref()).zip(rates) {
             let bend = (half * a).abs();
             wild |= bend > v.abs() && h.abs() * bend > 1.0;
             *to = q + h * (v + half * a);
         }
-        if wild {
+        if wild && predict::is_wild(M::model(), h, [q_dot.as_ref(), q_ddot.as_ref()]) {
             self.predicted = *q;
         } else if self.iterates {
             self.predict_unknowns(h);
@@ -295,7 +300,13 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         if let Some(index) = place(self.parameters.as_ref()) {
             return error("parameters", index, model.parameters.get(index).map_or("", |p| p.name));
         }
-        for (index, &margin) in tried.margins.as_ref()[..model.plan.margins].iter().enumerate() {
+        let margins = &tried.margins.as_ref()[..model.plan.margins];
+        for (mode, sign) in model.plan.modes.iter().zip(self.modes.as_ref()) {
+            if sign.is_nan() && margins.get(mode.margin).is_some_and(|margin| *margin > Plan::SMALLEST_MARGIN) {
+                return PlanError::Undecided { t, mode: mode.name };
+            }
+        }
+        for (index, &margin) in margins.iter().enumerate() {
             match Step::of_margin(model, index) {
                 Some(step) if margin <= Plan::SMALLEST_MARGIN => {
                     let limit = Limit { step, margin };

@@ -7,6 +7,19 @@
 //! H lies between the two states. The last term makes the quintic have q, q̇ and q̈ of the earlier one, too; its error is of
 //! sixth order in the step, so that one correction is enough where the parabola's third order takes two.
 
+use crate::model::{Component, CoordinateKind, Model};
+
+/// True where ½ h² q̈ of an angle or a scalar is more than 1 and more than h q̇, given q̇ and q̈.
+#[cold]
+#[inline(never)]
+pub(crate) fn is_wild(model: &Model, h: f64, [q_dot, q_ddot]: [&[f64]; 2]) -> bool {
+    let is_length = |kind| matches!(kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. });
+    model.coordinates.iter().zip(q_dot).zip(q_ddot).any(|((coordinate, v), a)| {
+        let bend = (0.5 * h * a).abs();
+        !is_length(coordinate.kind) && bend > v.abs() && h.abs() * bend > 1.0
+    })
+}
+
 /// How far ahead the quintic is carried on, in steps H, and how far back.
 const REACH: core::ops::RangeInclusive<f64> = -1.0..=2.0;
 
