@@ -1,4 +1,4 @@
-#![doc = include_str!("guide.md")]
+#![doc = include_str!("tour.md")]
 #![cfg_attr(not(feature = "std"), no_std)]
 
 #[cfg(feature = "alloc")]
@@ -9,6 +9,7 @@ pub mod batch;
 mod curve;
 pub mod function;
 pub mod generic;
+pub mod guide;
 mod handles;
 #[cfg(feature = "simd")]
 mod lanes;

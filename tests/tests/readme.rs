@@ -1,6 +1,8 @@
-//! The README's first output is what its first command prints.
+//! What stands in the README and in the guide is what the program prints, what compiles, and what the compiler says.
 
 use std::process::ExitCode;
+
+const README: &str = include_str!("../../README.md");
 
 #[allow(dead_code, unreachable_pub, reason = "a program of its own, read as a module")]
 #[path = "../../examples/four_bar.rs"]
@@ -8,8 +10,7 @@ mod four_bar;
 
 /// The first code block of the README, without the command.
 fn first_output() -> String {
-    let readme = include_str!("../../README.md");
-    let block = readme.split("```console\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    let block = README.split("```console\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
     let (command, output) = block.split_once('\n').unwrap();
     assert_eq!(command, "$ cargo run --release --example four_bar");
     output.trim_end().to_owned()
@@ -28,4 +29,68 @@ fn the_first_command_prints_what_the_readme_shows() {
         text.lines().filter(|line| !line.contains("e-1")).map(|line| line.trim_end().to_owned()).collect()
     };
     assert_eq!(comparable(&first_output()), comparable(printed.trim_end()));
+}
+
+/// The blocks of a page whose fence begins with `fence`, in order.
+fn blocks<'a>(page: &'a str, fence: &str) -> Vec<&'a str> {
+    let opening = format!("```{fence}\n");
+    page.split(&*opening).skip(1).filter_map(|rest| rest.split("```").next()).collect()
+}
+
+/// Without the comment at the head of a file.
+fn without_head(source: &str) -> &str {
+    let head: usize = source.split_inclusive('\n').take_while(|line| line.starts_with("//!")).map(str::len).sum();
+    source[head..].trim_start()
+}
+
+#[test]
+fn the_starting_point_is_the_template() {
+    let template = without_head(include_str!("../../examples/template.rs"));
+    assert_eq!(blocks(README, "rust,no_run"), [template]);
+
+    // The examples are built with what the README's manifest asks for.
+    let [manifest, ..] = blocks(README, "toml")[..] else { panic!("a manifest") };
+    let features =
+        |text: &str| text.split("features = ").nth(1).and_then(|rest| rest.split('}').next()).map(str::to_owned);
+    let of_the_examples = features(include_str!("../../examples/Cargo.toml"));
+    assert!(of_the_examples.is_some());
+    assert_eq!(features(manifest), of_the_examples);
+    assert!(manifest.contains("path = \"../kin/kin-runtime\""));
+
+    // The mistake that is shown is one in that file.
+    let mistake = blocks(README, "text").into_iter().find(|block| block.starts_with("error: no body")).unwrap();
+    let place = template.lines().position(|line| line.starts_with("#[revolute(A:")).unwrap();
+    let [first, at, _, line, marks] = mistake.lines().collect::<Vec<_>>()[..] else { panic!("{mistake}") };
+    assert_eq!(first, "error: no body named `crnk`; did you mean `crank`?");
+    assert_eq!(at.trim_start(), format!("--> src/main.rs:{}:15", place + 1));
+    let wrong = template.lines().nth(place).unwrap().replace("A: crank", "A: crnk");
+    assert_eq!(line, format!("{} | {wrong}", place + 1));
+    assert_eq!(marks.trim_start(), format!("| {:>18}", "^^^^"));
+}
+
+/// A message as it is compared: without the number of a line and without the file.
+fn message(text: &str) -> Vec<&str> {
+    text.lines()
+        .filter(|line| !line.contains("--> "))
+        .map(|line| line.trim_end().trim_start_matches(|c: char| c.is_ascii_digit() || c == ' '))
+        .collect()
+}
+
+#[test]
+fn the_errors_of_the_guide_are_those_of_the_compiler() {
+    let page = include_str!("../../kin-runtime/src/guide/errors.md");
+    let source = include_str!("../compile_fail/guide.rs");
+    let said = message(include_str!("../compile_fail/guide.stderr")).join("\n");
+    let listings = blocks(page, "compile_fail");
+    let messages: Vec<&str> = blocks(page, "text").into_iter().filter(|block| block.starts_with("error: ")).collect();
+    assert_eq!((listings.len(), messages.len()), (6, 6));
+    for (listing, shown) in listings.into_iter().zip(messages) {
+        let listing: String = listing.split_inclusive('\n').filter(|line| !line.starts_with("# ")).collect();
+        assert!(source.contains(&listing), "not among the compile-fail cases:\n{listing}");
+        let shown = message(shown).join("\n");
+        assert!(said.contains(&shown), "the compiler does not say:\n{shown}");
+    }
+    // And nothing that the compiler says is left out.
+    let errors = |text: &str| text.lines().filter(|line| line.starts_with("error")).count();
+    assert_eq!(errors(&said), blocks(page, "text").into_iter().map(errors).sum::<usize>());
 }

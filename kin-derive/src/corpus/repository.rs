@@ -89,13 +89,17 @@ pub(super) fn mechanisms_of_pages() -> Vec<Found> {
     blocks.filter_map(parse).flat_map(|file| mechanisms_of(&file)).collect()
 }
 
-/// The code of a page of Markdown, block by block, with the lines that rustdoc hides.
+/// The code of a page of Markdown, block by block, with the lines that rustdoc hides; what is written to be wrong is
+/// left out.
 fn blocks(page: &str) -> Vec<String> {
-    let (mut blocks, mut open) = (Vec::new(), None::<String>);
+    let (mut blocks, mut open, mut wrong) = (Vec::new(), None::<String>, false);
     for line in page.lines() {
         match (&mut open, line.trim_start().starts_with("```")) {
-            (None, true) => open = Some(String::new()),
-            (Some(_), true) => blocks.extend(open.take()),
+            (None, true) => {
+                open = Some(String::new());
+                wrong = line.contains("compile_fail");
+            }
+            (Some(_), true) => blocks.extend(open.take().filter(|_| !wrong)),
             (Some(block), false) => {
                 let shown = line.strip_prefix("# ").unwrap_or(line);
                 block.push_str(if shown == "#" { "" } else { shown });

@@ -27,9 +27,9 @@ use std::process::ExitCode;
 use clap::FromArgMatches;
 use clap::error::{ContextKind, ErrorKind};
 
-use crate::mechanism::Mechanism;
 use engine::{Bound, Engine};
 use failure::Failure;
+pub use program::Program;
 use session::{Session, Surroundings};
 
 mod animate;
@@ -51,6 +51,7 @@ mod output;
 mod paint;
 #[cfg(feature = "plot")]
 mod plot;
+mod program;
 mod report;
 mod session;
 mod solve;
@@ -65,7 +66,7 @@ mod fixture;
 mod tests;
 
 /// Runs the program of the mechanism `M` with the arguments of this process.
-pub fn main<M: Mechanism + Default>() -> ExitCode {
+pub fn main<M: Program>() -> ExitCode {
     run_from::<M>(std::env::args_os())
 }
 
@@ -73,7 +74,7 @@ pub fn main<M: Mechanism + Default>() -> ExitCode {
 ///
 /// For a program that hosts several mechanisms. While a command computes what may take long, Ctrl-C is caught; at all
 /// other times it ends the process, also after this has returned.
-pub fn run_from<M: Mechanism + Default>(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {
+pub fn run_from<M: Program>(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {
     let args = args.into_iter().map(Into::into).collect();
     let mut engine = Bound::new(M::default());
     let (mut out, mut err) = (io::stdout().lock(), io::stderr());
