@@ -44,8 +44,7 @@ fn main() -> ExitCode {
     // In a program of your own:
     let engine = SliderCrank { r: 0.25, ..SliderCrank::default() };
     let state = engine.state_at(&Instant::at(0.1)).expect("the slider-crank assembles");
-    let motion = engine.solver().motion(&state).expect("the same lengths");
-    let slider = motion[SliderCrank::slider];
+    let slider = state[SliderCrank::slider];
     eprintln!("with r = 0.25 m the slider is at {:.4} m, {:.4} m/s", slider.x, slider.x_dot);
 
     // Or as a complete command line:
