@@ -1,5 +1,7 @@
 #![doc = include_str!("tour.md")]
 #![cfg_attr(not(feature = "std"), no_std)]
+// Says on docs.rs which feature a thing needs.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[cfg(feature = "alloc")]
 extern crate alloc;

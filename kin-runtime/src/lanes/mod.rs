@@ -79,6 +79,7 @@ impl Lanes {
     }
 
     /// The smaller number in every lane; of what is not a number, nothing is known.
+    #[cfg(feature = "alloc")]
     #[inline(always)]
     pub(crate) fn least(self, other: Self) -> Self {
         Self(self.0.fast_min(other.0))
