@@ -14,6 +14,10 @@ use crate::model::{
 };
 use crate::plan::{ModeInfo, PlanStep, StepKind};
 
+mod rest;
+
+pub use rest::Rest;
+
 /// A model with packed tables.
 #[derive(Debug)]
 pub struct Unpacked {
@@ -82,57 +86,6 @@ macro_rules! __unpack {
 #[cfg(feature = "std")]
 pub use std::sync::OnceLock;
 pub use {__unpack as unpack, __unpacked as unpacked};
-
-/// What is left of a text and of packed numbers.
-#[derive(Clone, Copy, Debug)]
-pub struct Rest<'w> {
-    text: &'static str,
-    bytes: &'w [u8],
-    /// The next byte. The compiler counts by one faster than it shortens slices.
-    at: usize,
-}
-
-impl<'w> Rest<'w> {
-    const fn new(text: &'static str, bytes: &'w [u8]) -> Self {
-        Self { text, bytes, at: 0 }
-    }
-
-    const fn word(&mut self) -> usize {
-        let (mut word, mut shift) = (0, 0);
-        loop {
-            let byte = self.bytes[self.at] as usize;
-            self.at += 1;
-            word |= (byte & 127) << shift;
-            if byte < 128 {
-                return word;
-            }
-            shift += 7;
-        }
-    }
-
-    const fn name(&mut self) -> &'static str {
-        let (name, rest) = self.text.split_at(self.word());
-        self.text = rest;
-        name
-    }
-
-    /// 0 stands for none.
-    const fn place(&mut self) -> Option<usize> {
-        match self.word() {
-            0 => None,
-            k => Some(k - 1),
-        }
-    }
-
-    /// 0 stands for none, 1 for ground.
-    const fn frame(&mut self) -> Option<Frame> {
-        match self.word() {
-            0 => None,
-            1 => Some(Frame::Ground),
-            k => Some(Frame::Body(k - 2)),
-        }
-    }
-}
 
 /// Defines how a table is unpacked: entry by entry, as a whole by the compiler, and as a whole by a program.
 macro_rules! unpack {
@@ -370,42 +323,4 @@ unpack!(
 );
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::model::Component;
-
-    /// What the compiler unpacks and what a program unpacks, of one and the same bytes.
-    macro_rules! both {
-        ($table:ident, $entries:literal, $($argument:expr),*) => {{
-            let constant = $table::array::<$entries>($($argument),*);
-            #[cfg(feature = "std")]
-            assert_eq!($table::leaked($entries, $($argument),*), constant);
-            constant
-        }};
-    }
-
-    #[test]
-    fn numbers_of_any_length_come_back() {
-        assert_eq!(both!(numbers, 5, "", b"\x00\x7f\x80\x01\xac\x02\xff\xff\x03"), [0, 127, 128, 300, 65535]);
-    }
-
-    #[test]
-    fn names_and_kinds_are_handed_out_in_order() {
-        let kinds = &[CoordinateKind::Scalar, CoordinateKind::Pose { body: 0, component: Component::Phi }];
-        let coordinates = both!(coordinates, 2, "us\u{e4}ge.phi", b"\x01\x00\x00\x09\x05\x01", kinds);
-        assert_eq!(coordinates[0], CoordinateInfo { name: "u", kind: CoordinateKind::Scalar });
-        let kind = CoordinateKind::Pose { body: 5, component: Component::Phi };
-        assert_eq!(coordinates[1], CoordinateInfo { name: "s\u{e4}ge.phi", kind });
-    }
-
-    #[test]
-    fn steps_have_their_own_joints_and_coordinates() {
-        let kind = PlanStep { kind: StepKind::Closure, group: "RRR", singular: "never", ..NO_STEP };
-        let (joints, coordinates): (&[usize], &[(usize, usize)]) = (&[7, 8, 9], &[(1, 7), (2, 8), (3, 9)]);
-        let bytes = b"\x00\x02\x01\x00\x01\x00\x01\x01\x01\x02\x01\x01\x01\x02";
-        let steps = both!(steps, 2, "", bytes, &[NO_STEP, kind], joints, coordinates);
-        let explicit = PlanStep { joints: &[7, 8], coordinates: &[(1, 7)], modes: (0, 1), margins: (0, 1), ..NO_STEP };
-        let closure = PlanStep { joints: &[9], coordinates: &[(2, 8), (3, 9)], modes: (1, 1), margins: (1, 2), ..kind };
-        assert_eq!(steps, [explicit, closure]);
-    }
-}
+mod tests;

@@ -1,0 +1,86 @@
+//! What contacts and geometry say nothing about.
+
+use core::fmt;
+
+/// What is degenerate where bodies touch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub enum Degeneracy {
+    /// The point stands at the centre of a polar curve, where the direction θ has no value.
+    Centre {
+        /// |w|.
+        distance: f64,
+    },
+    /// An implicit curve has no gradient: a double point or a cusp.
+    Gradient {
+        /// Largest entry of the row of Φ_q on the common scale.
+        largest: f64,
+    },
+    /// A parametric curve stands still, c′ = 0, so that a roller has no side to run on.
+    Direction {
+        /// The curve's parameter.
+        parameter: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// The radius of a gear, a pulley or a disc couples nothing.
+    Radius {
+        /// The radius.
+        value: f64,
+    },
+    /// Two discs that roll on one another have one centre.
+    OneCentre {
+        /// The sum of their radii.
+        sum: f64,
+    },
+}
+
+impl fmt::Display for Degeneracy {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Centre { distance } => {
+                write!(
+                    f,
+                    "its point is at distance {distance:.1e} from the centre of the curve, where theta has no value"
+                )
+            }
+            Self::Gradient { largest } => {
+                write!(f, "the curve has no gradient at its point (scaled {largest:.1e}): a double point or a cusp")
+            }
+            Self::Radius { value } => write!(f, "a radius is {value}, so that it couples nothing"),
+            Self::OneCentre { sum } => {
+                write!(f, "the radii add up to {sum}, so that both discs have one centre, where nothing rolls")
+            }
+            Self::Direction { parameter, value } => {
+                write!(f, "the curve stands still at {parameter} = {value}, so that its roller has no side to run on")
+            }
+        }
+    }
+}
+
+/// What the geometry of a joint lacks at the values of the parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum GeometryFault {
+    /// The axis has no direction: its components are 0, or too small or too large to be normalised.
+    Axis,
+    /// The distance that the joint keeps is nothing, and its row has no gradient where it is kept.
+    Length {
+        /// The distance.
+        length: f64,
+    },
+}
+
+impl fmt::Display for GeometryFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Axis => f.write_str(
+                "its axis has no direction: its components cannot be normalised, being 0, too small or too large",
+            ),
+            Self::Length { length } => {
+                write!(f, "its length is {length}; points that coincide are joined with `revolute`")
+            }
+        }
+    }
+}
