@@ -62,9 +62,3 @@ fn other_shells_have_the_names_too() {
     }
     failed("fourbar completions basch", 2, &["basch", "bash"]);
 }
-
-/// What is completed is no limit to what may be written.
-#[test]
-fn parsing_is_no_stricter_for_it() {
-    good("fourbar solve --set l1=0.11,l2=0.4 --guess coupler.phi=0.9");
-}
