@@ -61,7 +61,8 @@ or 130.",
 
 pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (asked, output) = (ledger.take(args.grid.asked(STEPS)), ledger.take(args.output.destination("animate")));
+    let (asked, output) =
+        (ledger.take(args.grid.asked(STEPS)), ledger.take(session.destination(&args.output, "animate")));
     let setup = ledger.take(args.setup.apply_complete(engine));
     let (asked, output, setup) = ledger.close(zip3(asked, output, setup))?;
     let engine = &*engine;

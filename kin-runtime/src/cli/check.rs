@@ -10,6 +10,7 @@ use super::options::{FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::{analysis, driven_state, note_freedom};
+use super::values;
 use super::watch::Watch;
 use crate::cross_check::{Configuration, CrossCheck, CrossCheckOptions, PlanCheck};
 use crate::error::SolveError;
@@ -29,8 +30,8 @@ pub(super) struct CheckArgs {
     #[command(flatten)]
     instant: InstantArgs,
     /// Number of random configurations
-    #[arg(long, value_name = "N", default_value_t = 100)]
-    configurations: u32,
+    #[arg(long, value_name = "N", default_value = "100")]
+    configurations: String,
     #[command(flatten)]
     setup: SetupArgs,
     #[command(flatten)]
@@ -83,9 +84,10 @@ drivers leave degrees of freedom open, it is that of least norm.",
 
 pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (t, output) = (ledger.take(args.instant.time()), ledger.take(args.output.destination("check")));
+    let (t, output) = (ledger.take(args.instant.time()), ledger.take(session.destination(&args.output, "check")));
     let setup = ledger.take(args.setup.apply(engine));
-    let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
+    let configurations = ledger.take(values::configurations(&args.configurations));
+    let ((t, output, setup), configurations) = ledger.close(zip3(t, output, setup).zip(configurations))?;
     let engine = &*engine;
     // The closed forms are right or wrong whatever the inputs are; a solution needs them.
     let solved = match setup.missing_inputs.as_slice() {
@@ -99,7 +101,7 @@ pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Sessi
     };
     let state = solved.as_ref().ok().and_then(Option::as_ref);
     note_freedom(session, state.map_or(0, |state| state.degrees_of_freedom_left));
-    let findings = find(engine, t, state, args.configurations as usize, &session.watch())?;
+    let findings = find(engine, t, state, configurations, &session.watch())?;
     let text = match output.form {
         Form::Json => to_json(&Findings { passed: findings.passed && solved.is_ok(), ..findings.clone() })
             .map_err(Failure::Output)?,

@@ -1,21 +1,22 @@
 //! `completions`: what a shell needs to complete the command line, the mechanism's own names included.
 
+use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap_complete::Shell;
 
 use super::examples::Names;
 use super::failure::Failure;
 use super::help::Help;
-use super::output::{Destination, Form, Target, forms};
+use super::output::{Destination, Form, Target, either, forms};
 use super::session::Session;
 use crate::model::Model;
 
 /// Completions for a shell, with the names of this mechanism
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct CompletionsArgs {
-    /// The shell
+    /// The shell [default: $SHELL]
     #[arg(value_name = "SHELL")]
-    shell: Shell,
+    shell: Option<Shell>,
 }
 
 pub(super) const HELP: Help = Help {
@@ -43,11 +44,15 @@ pub(super) fn run(
     model: &Model,
     session: &mut Session<'_>,
 ) -> Result<(), Failure> {
+    let Some(shell) = args.shell.or_else(Shell::from_env) else {
+        let names: Vec<String> = Shell::value_variants().iter().map(ToString::to_string).collect();
+        return Err(Failure::usage(format!("which shell? write completions {}", either(&names))));
+    };
     let program = command.get_bin_name().unwrap_or(model.name).to_owned();
     let mut command = with_names(command, model);
     let mut script = Vec::new();
-    clap_complete::generate(args.shell, &mut command, &program, &mut script);
-    if args.shell == Shell::Bash {
+    clap_complete::generate(shell, &mut command, &program, &mut script);
+    if shell == Shell::Bash {
         let name = program.replace('-', "__");
         script.extend_from_slice(no_space(&name, &program).as_bytes());
     }
@@ -60,6 +65,7 @@ fn no_space(name: &str, program: &str) -> String {
         "\n_{name}_names() {{\n    _{name} \"$@\"\n    \
          if [[ ${{#COMPREPLY[@]}} -gt 0 && ${{COMPREPLY[0]}} == *= ]]; then\n        \
          compopt -o nospace 2>/dev/null\n    fi\n}}\n\
+         complete -F _{name}_names -o nosort -o bashdefault -o default {program} 2>/dev/null ||\n    \
          complete -F _{name}_names -o bashdefault -o default {program}\n"
     )
 }

@@ -43,7 +43,7 @@ pub(super) fn run(args: &EquationsArgs, engine: &mut dyn Engine, session: &mut S
     }
     let names: Vec<&str> = model.joints.iter().map(|joint| joint.name).collect();
     let mut ledger = Ledger::default();
-    let output = ledger.take(args.output.destination("equations"));
+    let output = ledger.take(session.destination(&args.output, "equations"));
     let find = |name: &String| super::names::find("JOINT", super::names::Kind::Joint, name, &names);
     let chosen: Vec<usize> = args.joints.iter().filter_map(|name| ledger.take(find(name))).collect();
     let output = ledger.close(output)?;

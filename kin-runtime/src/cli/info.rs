@@ -43,7 +43,7 @@ everything else does not. Where none does, the rest is given and the status is 1
 
 pub(super) fn run(args: &InfoArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (t, output) = (ledger.take(args.instant.time()), ledger.take(args.output.destination("info")));
+    let (t, output) = (ledger.take(args.instant.time()), ledger.take(session.destination(&args.output, "info")));
     let setup = ledger.take(args.setup.apply(engine));
     let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
     let engine = &*engine;

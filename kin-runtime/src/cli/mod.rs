@@ -25,7 +25,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use clap::FromArgMatches;
-use clap::error::{ContextKind, ErrorKind};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use engine::{Bound, Engine};
 use failure::Failure;
@@ -122,10 +122,8 @@ fn run(
             return session.help(&error.render());
         }
         Err(error) => {
-            let before =
-                error.kind() == ErrorKind::ArgumentConflict && error.get(ContextKind::InvalidSubcommand).is_some();
-            let hint = if before { "\n\nOptions stand behind the command: solve --at 0.5" } else { "" };
-            return session.refuse(&error.render(), hint);
+            let hint = hint(&error);
+            return session.refuse(&error.render(), &hint);
         }
     };
     let done: Result<(), Failure> = match &arguments.command {
@@ -142,6 +140,25 @@ fn run(
         Some(Command::Completions(args)) => completions::run(args, command, engine.model(), &mut session),
     };
     session.finish(done)
+}
+
+/// What may have been meant by arguments that are none.
+fn hint(error: &clap::Error) -> String {
+    let wrong = match error.get(ContextKind::InvalidArg) {
+        Some(ContextValue::String(arg)) => arg.as_str(),
+        _ => "",
+    };
+    let letters = wrong.strip_prefix('-').is_some_and(|rest| !rest.starts_with('-'));
+    match error.kind() {
+        ErrorKind::ArgumentConflict if error.get(ContextKind::InvalidSubcommand).is_some() => {
+            "\n\nOptions stand behind the command: solve --at 0.5\n".to_owned()
+        }
+        ErrorKind::UnknownArgument if wrong.parse::<f64>().is_ok() => {
+            format!("\n\nAn instant is written --at {wrong}\n")
+        }
+        ErrorKind::UnknownArgument if letters => "\n\nOptions have two dashes: --at 0.5\n".to_owned(),
+        _ => "\n".to_owned(),
+    }
 }
 
 /// The program's name, as the shell that called it has it.

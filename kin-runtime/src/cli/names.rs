@@ -36,6 +36,12 @@ impl Kind {
 }
 
 impl Kind {
+    /// The mode that a joint belongs to.
+    fn of_joint<'n>(self, name: &str, names: &[&'n str]) -> Option<&'n str> {
+        let has = |mode: &&&str| mode.split('-').any(|joint| joint == name);
+        names.iter().find(has).copied().filter(|_| self == Self::Mode)
+    }
+
     /// Whether the names have those of rates among them.
     fn has_rates(self) -> bool {
         match self {
@@ -80,7 +86,7 @@ fn search(option: &str, kind: Kind, name: &str, names: &[&str], elsewhere: Optio
         text.push_str(&format!("; it is an array: name its elements, `{element}`"));
     } else if let Some(hint) = elsewhere {
         text.push_str(&format!("; {hint}"));
-    } else if let Some(near) = nearest(name, names).or(starts('.').copied()) {
+    } else if let Some(near) = nearest(name, names).or(starts('.').copied()).or(kind.of_joint(name, names)) {
         text.push_str(&format!("; did you mean `{near}`?"));
     }
     text.push('\n');
@@ -158,6 +164,8 @@ mod tests {
         assert!(message("something").ends_with("\n  parameters: crank.x, crank.phi, coupler.phi, l[0], l[1]"));
         assert!(message("crank").contains("did you mean `crank.x`?"));
         assert!(message("s").contains("`s`; it is a coordinate: --guess"));
+        let modes = |name| find_in(CrossHead::<DRIVEN>::model(), "--mode", Kind::Mode, name, &["A-B-D", "E-F-G"]);
+        assert!(modes("F").is_err_and(|e| e.to_string().contains("did you mean `E-F-G`?")));
         assert!(message("l").contains("it is an array: name its elements, `l[0]`"));
     }
 

@@ -54,7 +54,8 @@ impl SetupArgs {
         let place = |option: &str, kind: Kind, name: &str, names: &[&str]| find_in(model, option, kind, name, names);
 
         let parameters: Vec<&str> = model.parameters.iter().map(|p| p.name).collect();
-        for (name, value) in ledger.take(values::assignments("--set", "l1=0.12,l2=0.4", &self.set)).unwrap_or_default()
+        for (name, value) in
+            ledger.take(values::assignments("--set", &example(&parameters, "0.12"), &self.set)).unwrap_or_default()
         {
             let found = place("--set", Kind::Parameter, &name, &parameters);
             let value = values::number(&format!("--set {name}"), &value);
@@ -65,14 +66,14 @@ impl SetupArgs {
             }
         }
         let coordinates: Vec<&str> = model.coordinates.iter().map(|c| c.name).collect();
-        let guesses = values::assignments("--guess", "coupler.phi=0.9", &self.guess);
+        let guesses = values::assignments("--guess", &example(&coordinates, "0.9"), &self.guess);
         for (name, value) in ledger.take(guesses).unwrap_or_default() {
             let found = place("--guess", Kind::Coordinate, &name, &coordinates);
             let value = values::number(&format!("--guess {name}"), &value);
             setup.guesses.extend(ledger.take(found).zip(ledger.take(value)));
         }
         for (name, value) in
-            ledger.take(values::assignments("--given", "crank.phi=0.3", &self.given)).unwrap_or_default()
+            ledger.take(values::assignments("--given", &example(&coordinates, "0.3"), &self.given)).unwrap_or_default()
         {
             let found = place("--given", Kind::Coordinate, &name, &coordinates);
             let parts: Vec<&str> = value.split(':').collect();
@@ -80,7 +81,9 @@ impl SetupArgs {
             setup.given.extend(ledger.take(found).zip(ledger.take(signal)));
         }
         let modes: Vec<&str> = model.plan.modes.iter().map(|mode| mode.name).collect();
-        for (name, sign) in ledger.take(values::assignments("--mode", "A-B-D=+", &self.mode)).unwrap_or_default() {
+        for (name, sign) in
+            ledger.take(values::assignments("--mode", &example(&modes, "+"), &self.mode)).unwrap_or_default()
+        {
             let found = match model.plan.absent {
                 Some(why) => {
                     Err(Failure::option("--mode", format!("there are no modes, because there is no plan: {why}")))
@@ -109,6 +112,11 @@ impl SetupArgs {
         setup.complete()?;
         Ok(setup)
     }
+}
+
+/// What an assignment looks like.
+fn example(names: &[&str], value: &str) -> String {
+    format!("{}={value}", names.first().unwrap_or(&"NAME"))
 }
 
 /// What to do about freedom that the drivers leave.

@@ -47,6 +47,18 @@ impl Form {
         }
     }
 
+    /// Whether people read it as it is.
+    pub(super) const fn is_readable(self) -> bool {
+        match self {
+            Self::Text | Self::Json | Self::Csv => true,
+            #[cfg(feature = "equations")]
+            Self::Latex => true,
+            Self::Html | Self::Svg => false,
+            #[cfg(feature = "plot")]
+            Self::Png => false,
+        }
+    }
+
     /// The endings of its files, the usual one first.
     pub(super) const fn endings(self) -> &'static [&'static str] {
         match self {

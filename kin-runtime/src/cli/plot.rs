@@ -88,7 +88,7 @@ or 130.",
 pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let model = engine.model();
     let mut ledger = Ledger::default();
-    let (asked, output) = (ledger.take(args.grid.asked(STEPS)), ledger.take(args.output.destination("plot")));
+    let (asked, output) = (ledger.take(args.grid.asked(STEPS)), ledger.take(session.destination(&args.output, "plot")));
     let setup = ledger.take(args.setup.apply_complete(engine));
     let choices = ledger.take(choices(model, &args.vary));
     // A name that does not exist is told before anything long begins.
@@ -174,6 +174,10 @@ fn one(
     note_freedom(session, left);
     let motions = moving::motions(engine, &trajectory.states, &watch)?;
     trajectory.states.truncate(motions.len());
+    if ended.as_ref().is_some_and(|failure| !matches!(failure, Failure::Interrupted(_))) {
+        let (states, instants) = (trajectory.states.len(), count(times.len(), "instant"));
+        session.note(&format!("the motion ended early: {states} of {instants} drawn"));
+    }
     let numbers = columns(engine.model(), &trajectory.states, &motions).into_iter().map(|(_, values)| values);
     Ok((numbers.collect(), ended))
 }

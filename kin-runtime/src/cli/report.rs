@@ -71,7 +71,7 @@ struct ReportRecord<'a> {
 
 pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (t, output) = (ledger.take(args.instant.time()), ledger.take(args.output.destination("")));
+    let (t, output) = (ledger.take(args.instant.time()), ledger.take(session.destination(&args.output, "")));
     let setup = ledger.take(args.setup.apply(engine));
     let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
     let engine = &*engine;

@@ -8,7 +8,7 @@ use anstream::{AutoStream, ColorChoice};
 
 use super::failure::Failure;
 use super::interrupt::Interrupt;
-use super::output::{Destination, Target};
+use super::output::{Destination, OutputArgs, Target};
 use super::paint;
 use super::watch::Watch;
 use crate::present::output::write_atomically;
@@ -18,6 +18,8 @@ use crate::present::output::write_atomically;
 pub(super) struct Surroundings {
     /// Whether results may be coloured, and whether what is said beside them may.
     pub(super) colours: [bool; 2],
+    /// Whether results appear on a screen.
+    pub(super) screen: bool,
     /// Whether somebody sees a bar on stderr.
     pub(super) bar: bool,
     pub(super) interrupt: Interrupt,
@@ -27,14 +29,15 @@ impl Surroundings {
     /// Files.
     #[cfg(test)]
     pub(super) fn plain() -> Self {
-        Self { colours: [false; 2], bar: false, interrupt: Interrupt::unheard() }
+        Self { colours: [false; 2], screen: false, bar: false, interrupt: Interrupt::unheard() }
     }
 
     /// Those of this process: colours on a terminal alone, as `NO_COLOR` and `CLICOLOR_FORCE` have it.
     pub(super) fn of_process() -> Self {
         let coloured = |choice: ColorChoice| choice != ColorChoice::Never;
         let colours = [AutoStream::choice(&io::stdout()), AutoStream::choice(&io::stderr())].map(coloured);
-        Self { colours, bar: io::stderr().is_terminal(), interrupt: Interrupt::of_process() }
+        let (screen, bar) = (io::stdout().is_terminal(), io::stderr().is_terminal());
+        Self { colours, screen, bar, interrupt: Interrupt::of_process() }
     }
 }
 
@@ -43,18 +46,30 @@ pub(super) struct Session<'a> {
     out: &'a mut dyn Write,
     err: &'a mut dyn Write,
     colours: [bool; 2],
+    screen: bool,
     watch: Rc<Watch>,
 }
 
 impl<'a> Session<'a> {
     pub(super) fn new(out: &'a mut dyn Write, err: &'a mut dyn Write, around: Surroundings) -> Self {
         let watch = Rc::new(Watch::new(around.interrupt, around.bar));
-        Self { out, err, colours: around.colours, watch }
+        Self { out, err, colours: around.colours, screen: around.screen, watch }
     }
 
     /// Who watches what takes long.
     pub(super) fn watch(&self) -> Rc<Watch> {
         Rc::clone(&self.watch)
+    }
+
+    /// What `command` is to write, and where to; pictures and pages are nothing for a screen full of text.
+    pub(super) fn destination<'o>(&self, options: &'o OutputArgs, command: &str) -> Result<Destination<'o>, Failure> {
+        let to = options.destination(command)?;
+        if self.screen && to.target == Target::Out && !to.form.is_readable() {
+            let (form, ending) = (to.form.name(), to.form.endings()[0]);
+            let what = format!("{form} is nothing for a terminal; write --out FILE.{ending}, or pipe it on");
+            return Err(Failure::option("--out", what));
+        }
+        Ok(to)
     }
 
     /// Writes a result where it was asked for.
@@ -105,7 +120,7 @@ impl<'a> Session<'a> {
     /// Prints an error of the arguments; the exit status.
     pub(super) fn refuse(&mut self, text: &clap::builder::StyledStr, more: &str) -> u8 {
         let text = if self.colours[1] { text.ansi().to_string() } else { text.to_string() };
-        let _ = writeln!(self.err, "{}{more}", text.trim_end());
+        let _ = write!(self.err, "{}{more}", text.trim_end());
         2
     }
 

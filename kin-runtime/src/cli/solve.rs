@@ -46,7 +46,7 @@ pub(super) const HELP: Help = Help {
 
 pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (t, output) = (ledger.take(args.instant.time()), ledger.take(args.output.destination("solve")));
+    let (t, output) = (ledger.take(args.instant.time()), ledger.take(session.destination(&args.output, "solve")));
     let setup = ledger.take(args.setup.apply_complete(engine));
     let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
     let solved = solve(engine, &setup, t, args.freedom.least_norm)?;
@@ -55,7 +55,7 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
     let model = engine.model();
     let text = match output.form {
         Form::Json => json(engine, &solved)?,
-        Form::Csv => grid::csv(model, std::slice::from_ref(&solved.state), &[]).map_err(Failure::Output)?,
+        Form::Csv => grid::csv(model, std::slice::from_ref(&solved.state), &[], &|_| ()).map_err(Failure::Output)?,
         _ => format!(
             "{} at t = {}\n{}{}",
             model.name,

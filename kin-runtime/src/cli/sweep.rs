@@ -65,7 +65,8 @@ in the same way, with status 130; a second Ctrl-C ends the program at once.",
 
 pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (asked, output) = (ledger.take(args.grid.asked(STEPS)), ledger.take(args.output.destination("sweep")));
+    let (asked, output) =
+        (ledger.take(args.grid.asked(STEPS)), ledger.take(session.destination(&args.output, "sweep")));
     let setup = ledger.take(args.setup.apply_complete(engine));
     let times = asked.and_then(|asked| ledger.take(asked.times(|_| None)));
     let (times, output, setup) = ledger.close(zip3(times, output, setup))?;
@@ -83,8 +84,13 @@ pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Sessi
             ended = Some(interrupted(&trajectory.states, times.len()));
         }
     }
+    watch.begin("instants written", trajectory.states.len());
+    // What is finished is written whatever happens.
+    let written = |done: usize| {
+        let _ = watch.step(done);
+    };
+    let text = render(output.form, engine, &trajectory, &motions, ended.is_none(), &written)?;
     watch.end();
-    let text = render(output.form, engine, &trajectory, &motions, ended.is_none())?;
     note_motion(session, &trajectory);
     match ended {
         None => {
@@ -111,13 +117,15 @@ fn render(
     trajectory: &Trajectory,
     motions: &[Motion],
     complete: bool,
+    written: &dyn Fn(usize),
 ) -> Result<String, Failure> {
     let (model, states) = (engine.model(), &trajectory.states);
     match form {
-        Form::Csv => grid::csv(model, states, motions).map_err(Failure::Output),
+        Form::Csv => grid::csv(model, states, motions, written).map_err(Failure::Output),
         Form::Json => {
             let parameters = Parameters::new(model, &engine.parameters());
-            to_json(&SweepRecord::new(model, parameters, trajectory, motions, complete)).map_err(Failure::Output)
+            to_json(&SweepRecord::new(model, parameters, trajectory, motions, complete, written))
+                .map_err(Failure::Output)
         }
         _ => {
             let (first, last) = (states.first(), states.last());

@@ -60,7 +60,7 @@ fn assignment(option: &str, example: &str, piece: &str) -> Result<(String, Strin
         return match piece {
             "" => fault("an assignment is missing".to_owned()),
             _ if number(option, piece).is_ok() => {
-                fault(format!("`{piece}` is no assignment (decimals have a point, and every value a name)"))
+                fault(format!("`{piece}` has no name (arrays are set member by member, decimals have a point)"))
             }
             _ => fault(format!("`{piece}` is no assignment")),
         };
@@ -183,7 +183,12 @@ pub(super) fn grid(from: f64, to: f64, steps: usize) -> Result<Vec<f64>, Failure
 /// The values of `--vary`: `l1=0.08..0.12:5`, both ends included, or `l1=0.08,0.1`.
 #[cfg(feature = "plot")]
 pub(super) fn variation(option: &str, text: &str) -> Result<(String, Vec<f64>), Failure> {
-    let shape = || Failure::option(option, format!("`{text}`: write l1=0.08..0.12:5 or l1=0.08,0.1,0.12"));
+    let shape = || {
+        Failure::option(
+            option,
+            format!("`{text}`: write NAME=0.08..0.12:5 (both ends and how many) or NAME=0.08,0.1,0.12"),
+        )
+    };
     let (name, values) = text.split_once('=').ok_or_else(shape)?;
     let Some((from, rest)) = values.split_once("..") else {
         let values = values.split(',').map(|value| number(option, value)).collect::<Result<Vec<f64>, Failure>>()?;
@@ -197,6 +202,14 @@ pub(super) fn variation(option: &str, text: &str) -> Result<(String, Vec<f64>), 
     };
     let at = |k: usize| from + (to - from) * k as f64 / (count - 1) as f64;
     Ok((name.trim().to_owned(), (0..count).map(|k| if k + 1 == count { to } else { at(k) }).collect()))
+}
+
+/// A number of random configurations.
+pub(super) fn configurations(text: &str) -> Result<usize, Failure> {
+    text.trim().parse::<u32>().map(|number| number as usize).map_err(|_| {
+        let what = format!("`{text}` is no number of configurations; a whole number from 0 to {} is needed", u32::MAX);
+        Failure::option("--configurations", what)
+    })
 }
 
 /// The number of steps.

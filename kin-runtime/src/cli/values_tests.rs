@@ -38,7 +38,7 @@ fn bad_assignments_say_what_would_be_right() {
     let members = "--set: an array is set member by member; write --set l[0]=…,l[1]=…";
     assert_eq!((bad("l=[1,2]"), bad("l = [1]")), (members.to_owned(), members.to_owned()));
     assert_eq!(bad("l1=1,l1=2"), "--set: `l1` is set twice");
-    let decimal = "--set: `5` is no assignment (decimals have a point, and every value a name); write --set l1=0.1";
+    let decimal = "--set: `5` has no name (arrays are set member by member, decimals have a point); write --set l1=0.1";
     assert_eq!(bad("l1=0,5"), decimal);
     // All faults are told at once.
     assert_eq!(bad("l1,l2=,l3=1").lines().count(), 2);
@@ -70,6 +70,8 @@ fn a_grid_has_one_instant_more_than_steps() {
     assert!(grid(0.0, 1.0, usize::MAX).is_err());
     assert!(grid(1e16, 1e16 + 2.0, 1000).is_err());
     assert!(grid(-1e308, 1e308, 10).is_err());
+    assert!(configurations("1e3").is_err() && configurations("-1").is_err());
+    assert_eq!(configurations("0"), Ok(0));
     assert!(steps("-1").is_err() && steps("1.5").is_err() && steps("").is_err());
 }
 

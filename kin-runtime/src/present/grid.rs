@@ -52,8 +52,13 @@ fn reported(model: &Model, motions: &[Motion], columns: &mut Vec<Column>) {
     }
 }
 
-/// One header line, then one row per state; numbers read back as the same `f64`.
-pub(crate) fn csv(model: &Model, states: &[State], motions: &[Motion]) -> Result<String, String> {
+/// One header line, then one row per state; numbers read back as the same `f64`. `written` is told every row.
+pub(crate) fn csv(
+    model: &Model,
+    states: &[State],
+    motions: &[Motion],
+    written: &dyn Fn(usize),
+) -> Result<String, String> {
     let columns = columns(model, states, motions);
     let mut writer = csv::Writer::from_writer(Vec::new());
     let failed = |e: csv::Error| format!("cannot write csv: {e}");
@@ -61,6 +66,7 @@ pub(crate) fn csv(model: &Model, states: &[State], motions: &[Motion]) -> Result
     for i in 0..states.len() {
         let row = columns.iter().map(|c| c.1.get(i).copied().map(exact).unwrap_or_default());
         writer.write_record(row).map_err(failed)?;
+        written(i + 1);
     }
     let bytes = writer.into_inner().map_err(|e| format!("cannot write csv: {e}"))?;
     String::from_utf8(bytes).map_err(|e| format!("cannot write csv: {e}"))

@@ -116,7 +116,7 @@ impl<'a> MotionRecord<'a> {
 }
 
 /// A sweep.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Serialize)]
 pub(crate) struct SweepRecord<'a> {
     mechanism: &'static str,
     parameters: Parameters,
@@ -129,7 +129,24 @@ pub(crate) struct SweepRecord<'a> {
     events: Vec<EventRecord<'a>>,
     /// Internal steps of full Newton although there is a plan.
     fallbacks: &'a [Fallback],
-    states: Vec<SweepState<'a>>,
+    states: States<'a>,
+}
+
+/// All instants, each made and told when it is written.
+struct States<'a> {
+    count: usize,
+    state: Box<dyn Fn(usize) -> Option<SweepState<'a>> + 'a>,
+    written: &'a dyn Fn(usize),
+}
+
+impl Serialize for States<'_> {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let states = (0..self.count).filter_map(|place| {
+            (self.written)(place);
+            (self.state)(place)
+        });
+        serializer.collect_seq(states)
+    }
 }
 
 /// One instant of a sweep.
@@ -148,15 +165,16 @@ struct SweepState<'a> {
 }
 
 impl<'a> SweepRecord<'a> {
-    /// `motions` is either empty or as long as `states`.
+    /// `motions` is either empty or as long as `states`; `written` is told every state.
     pub(crate) fn new(
         model: &'static Model,
         parameters: Parameters,
         trajectory: &'a Trajectory,
         motions: &'a [Motion],
         complete: bool,
+        written: &'a dyn Fn(usize),
     ) -> Self {
-        let state = |(i, state): (usize, &'a State)| SweepState {
+        let state = move |i: usize, state: &'a State| SweepState {
             t: state.t,
             q: &state.q,
             q_dot: &state.q_dot,
@@ -176,7 +194,11 @@ impl<'a> SweepRecord<'a> {
             violated_at_start: trajectory.violated_at_start().map(|condition| condition.name).collect(),
             events: trajectory.events.iter().map(EventRecord::new).collect(),
             fallbacks: &trajectory.fallbacks,
-            states: trajectory.states.iter().enumerate().map(state).collect(),
+            states: States {
+                count: trajectory.states.len(),
+                state: Box::new(move |i| trajectory.states.get(i).map(|found| state(i, found))),
+                written,
+            },
         }
     }
 }

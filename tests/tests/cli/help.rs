@@ -1,6 +1,6 @@
 //! Help that fits the screen, and examples that mean something for the mechanism at hand.
 
-use crate::{good, kin};
+use crate::{failed, good, kin};
 
 const MECHANISMS: [&str; 3] = ["fourbar", "leg", "underdriven"];
 const COMMANDS: [&str; 9] = ["", "info", "solve", "sweep", "check", "equations", "animate", "plot", "completions"];
@@ -100,6 +100,12 @@ fn wrong_options_are_told_all_at_once() {
     let parts = ["no quantity named `crank.fi`; did you mean `crank.phi`?", "`tip`", "`nothing`", "--vary", "x.pdf"];
     assert!(ran.status == Some(2) && parts.iter().all(|part| ran.err.contains(part)), "{}", ran.err);
     assert_eq!(ran.err.matches("  quantities: t, crank.x, crank.y, crank.phi,").count(), 1, "{}", ran.err);
+    // Examples in errors have the mechanism's own names, and what was meant is told.
+    failed("fourbar solve --set x --guess y", 2, &["write --set l1=0.12\n", "write --guess crank.x=0.9\n"]);
+    failed("fourbar solve --mode D=+", 2, &["no mode named `D`; did you mean `A-B-D`?"]);
+    failed("fourbar check --configurations 1e3", 2, &["--configurations: `1e3` is no number of configurations"]);
+    failed("fourbar solve 0.5", 2, &["An instant is written --at 0.5\n"]);
+    failed("fourbar solve -at 0.5", 2, &["Options have two dashes: --at 0.5\n"]);
     let ran = kin("fourbar equations A X Y");
     assert!(ran.status == Some(2) && ran.err.contains("named `X`") && ran.err.contains("named `Y`"), "{}", ran.err);
 }
