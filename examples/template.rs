@@ -8,11 +8,11 @@
 //! cargo run --release --example template -- animate --out motion.html
 //! ```
 
-use kin_runtime::{Instant, Kinematics, mechanism};
+use kin_runtime::mechanism;
 use std::process::ExitCode;
 
 /// A slider-crank: a crank turns, a rod pushes a slider along the x axis.
-#[mechanism]
+#[mechanism(cross_check)]
 // What moves. Every body has a frame of its own; `ground` is there already.
 #[bodies(crank, rod, slider)]
 // How it hangs together: points are written `body @ (x, y)`, in the frame of that body.
@@ -40,13 +40,20 @@ pub struct SliderCrank {
     pub omega: f64,
 }
 
+/// A complete command line.
 fn main() -> ExitCode {
-    // In a program of your own:
-    let engine = SliderCrank { r: 0.25, ..SliderCrank::default() };
-    let state = engine.state_at(&Instant::at(0.1)).expect("the slider-crank assembles");
-    let slider = state[SliderCrank::slider];
-    eprintln!("with r = 0.25 m the slider is at {:.4} m, {:.4} m/s", slider.x, slider.x_dot);
-
-    // Or as a complete command line:
     kin_runtime::cli::main::<SliderCrank>()
+}
+
+/// Or in a program of your own, as in this test: `cargo test` runs it, and checks the closed forms.
+#[test]
+fn a_longer_crank() -> Result<(), kin_runtime::SolveError> {
+    use kin_runtime::{Instant, Kinematics};
+
+    let engine = SliderCrank { r: 0.25, ..SliderCrank::default() };
+    let state = engine.state_at(&Instant::at(0.1))?;
+    let (crank, slider) = (state[SliderCrank::crank], state[SliderCrank::slider]);
+    println!("crank at {:.2} rad, slider at {:.4} m, {:.4} m/s", crank.phi, slider.x, slider.x_dot);
+    assert!(slider.x < engine.r + engine.l && slider.x_dot < 0.0);
+    Ok(())
 }
