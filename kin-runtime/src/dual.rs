@@ -51,7 +51,10 @@ macro_rules! dual {
             dual!(@unary tan asin acos atan sqrt exp ln);
 
             fn atan2(self, x: Self) -> Self {
-                DualNum::atan2(&self, x)
+                // That of num-dual divides by x, also where it is 0; only the constant differs between the two quotients.
+                let steep = Scalar::abs(x) < Scalar::abs(self);
+                let quotient = if steep { -DualNum::atan(&(x / self)) } else { DualNum::atan(&(self / x)) };
+                Self { re: Scalar::atan2(self.re, x.re), ..quotient }
             }
 
             fn abs(self) -> Self {
@@ -117,6 +120,10 @@ mod tests {
         check(Scalar::sin_cos(x).0, 0.3_f64.cos());
         check(Scalar::tan(x), 1.0 / 0.3_f64.cos().powi(2));
         check(Scalar::atan2(x, Dual64::from_f64(2.0)), 2.0 / (4.0 + 0.09));
+        // Straight up, where x is 0; and beside it the second derivative, 2xy/(x² + y²)².
+        check(Scalar::atan2(Dual64::from_f64(2.0), x - 0.3), -0.5);
+        let bent = Scalar::atan2(Dual2_64::from_f64(2.0), Dual2_64::new(0.5, 1.0, 0.0));
+        assert!((bent.v2 - 2.0 * 0.5 * 2.0 / 4.25_f64.powi(2)).abs() < 1e-15, "{bent}");
         check(Scalar::abs(-x), 1.0);
         check(Scalar::powf(x, 2.5), 2.5 * 0.3_f64.powf(1.5));
         assert_eq!(Scalar::signum(-x).re, -1.0);
