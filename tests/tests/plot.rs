@@ -97,7 +97,7 @@ fn options_that_make_no_sense_are_named() {
     refused("fourbar plot rocker.ph", &["no quantity named `rocker.ph`; did you mean `rocker.phi`?"]);
     refused("fourbar plot rocker.phi:speed", &["no quantity named `speed`"]);
     refused("fourbar plot --vary l9=1,2", &["--vary", "no parameter named `l9`"]);
-    refused("fourbar plot --vary l1", &["--vary", "write l1=0.08..0.12:5"]);
-    refused("fourbar plot --vary l1=1..2", &["--vary", "write l1=0.08..0.12:5"]);
+    refused("fourbar plot --vary l1", &["--vary", "write NAME=0.08..0.12:5"]);
+    refused("fourbar plot --vary l1=1..2", &["--vary", "write NAME=0.08..0.12:5"]);
     refused("fourbar plot --vary l1=1..2:1", &["--vary", "between 2 and 14 values"]);
 }

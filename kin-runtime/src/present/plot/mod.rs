@@ -8,9 +8,12 @@ use kuva::backend::png::PngBackend;
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::LinePlot;
 use kuva::render::figure::Figure;
-use kuva::render::layout::Layout;
+use kuva::render::layout::{Layout, TickFormat};
 use kuva::render::plots::Plot;
 use kuva::render::render::Scene;
+use std::sync::Arc;
+
+use crate::present::number::rounded;
 
 /// Width of a panel in pixels, its axes and legend included.
 const WIDTH: f64 = 860.0;
@@ -75,5 +78,30 @@ fn plots(panel: &Panel) -> Vec<Plot> {
 fn layout(panel: &Panel, plots: &[Plot]) -> Layout {
     let layout =
         Layout::auto_from_plots(plots).with_x_label(panel.labels[0].clone()).with_y_label(panel.labels[1].clone());
+    let [x, y] = [layout.x_range, layout.y_range].map(|(from, to)| ticks(to - from));
+    let layout = layout.with_x_tick_format(x).with_y_tick_format(y);
     if panel.equal { layout.with_equal_aspect() } else { layout }
+}
+
+/// Numbers at the ticks of an axis of some length, with all their digits: kuva's own format has three decimals, which
+/// makes 0.022 of 0.0225.
+fn ticks(length: f64) -> TickFormat {
+    TickFormat::Custom(Arc::new(move |value| match value.abs() {
+        size if size <= 1e-9 * length.abs() => "0".to_owned(),
+        1e-4..1e6 => rounded(value),
+        _ => TickFormat::Auto.format(value),
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ticks;
+
+    #[test]
+    fn ticks_have_all_their_digits_and_no_noise() {
+        let ticks = ticks(0.02);
+        let texts = [0.0225, 0.02, 1e-18, -0.0175, 1500.0, 2.5e-7].map(|value| ticks.format(value));
+        assert_eq!(texts[..5], ["0.0225", "0.02", "0", "-0.0175", "1500"]);
+        assert!(texts[5].contains("2.5"), "{}", texts[5]);
+    }
 }
