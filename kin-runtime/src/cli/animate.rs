@@ -36,6 +36,9 @@ pub(super) struct AnimateArgs {
     setup: SetupArgs,
     #[command(flatten)]
     freedom: FreedomArgs,
+    /// Names in a picture; a page has a switch for them
+    #[arg(long)]
+    names: bool,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -87,7 +90,8 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     }
     let note = ended.as_ref().map(early);
     let mut runs = vec![run_of(engine, &trajectory.states, &motions, mode_name(model, &own, &own), note)?];
-    if setup.modes.is_empty() && ended.is_none() {
+    // A picture shows one motion.
+    if setup.modes.is_empty() && ended.is_none() && !matches!(output.form, Form::Svg) {
         let room = NUMBERS / (model.coordinates.len() * times.len()).max(1);
         let others: Vec<Vec<Sign>> = others(&own).into_iter().take(room).collect();
         watch.begin("instants of other modes", others.len() * times.len());
@@ -114,7 +118,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     let time = Units::of(model).time().map(str::to_owned);
     let animation = Animation { model, runs, columns, shown, time };
     let text = match output.form {
-        Form::Svg => animation.picture(),
+        Form::Svg => animation.picture(args.names),
         _ => animation.page().map_err(Failure::Output)?,
     };
     session.deliver_bytes(&output, text.as_bytes())?;

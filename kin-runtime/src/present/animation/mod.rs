@@ -112,11 +112,11 @@ impl Animation {
             .replace("{{data}}", &data))
     }
 
-    /// The first motion as a picture that moves.
-    pub(crate) fn picture(&self) -> String {
-        let view = self.view();
+    /// The first motion as a picture that moves; names show what is what in a small mechanism and hide a large one.
+    pub(crate) fn picture(&self, names: bool) -> String {
         let scene = &self.runs[0].scene;
-        animated(scene, &view, &format!("{}: {}", self.model.name, self.model.doc), self.seconds())
+        let title = format!("{}: {}", self.model.name, self.model.doc);
+        animated(scene, &View::of([scene]), &title, self.seconds(), names)
     }
 
     fn view(&self) -> View {

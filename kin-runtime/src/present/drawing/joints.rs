@@ -53,6 +53,19 @@ fn prescribed(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front
     let track = track(subject, joint, Role::P);
     if is_still(&track, links.size()) {
         front.push(upright(track, Part::Foot([0.0; 2])));
+        return;
+    }
+    let along = if joint.kind == JointKind::X { 1 } else { 0 };
+    let bounds = |axis: usize| {
+        track.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(p[axis]), high.max(p[axis])))
+    };
+    let ((least, most), (low, high)) = (bounds(along), bounds(1 - along));
+    // What is prescribed may also move; then there is no rail.
+    if high - low <= 1e-6 * links.size() {
+        let beyond = slides::BEYOND * links.size();
+        let at = |s: f64| if along == 0 { [s, low] } else { [low, s] };
+        links.add(Frame::Ground, Part::Hatching { from: at(least - beyond), to: at(most + beyond) });
+        front.push(upright(track, Part::Pin([0.0; 2])));
     }
 }
 

@@ -1,4 +1,5 @@
-//! The shapes of bodies: a bar through the places where something is attached, or the plate that they span.
+//! The shapes of bodies: a bar through the places where something is attached, the plate that they span, or the arms that
+//! go from an axle to all others; a slot hangs on the nearest of them.
 
 use super::joints::{is_still, upright};
 use super::part::{Ink, Part};
@@ -22,8 +23,16 @@ pub(super) struct Links {
 /// What a body has so far.
 #[derive(Default)]
 struct Body {
-    attached: Vec<[f64; 2]>,
+    attached: Vec<Place>,
+    slots: Vec<[[f64; 2]; 2]>,
     parts: Vec<Part>,
+}
+
+/// Where something is attached to a body.
+struct Place {
+    at: [f64; 2],
+    /// A joint does it, not only a name.
+    held: bool,
 }
 
 impl Links {
@@ -34,7 +43,7 @@ impl Links {
         let mut links = Self { bodies, ground: Vec::new(), pins: Vec::new(), wheels: Vec::new(), size: size(subject) };
         for point in model.points {
             if let Some(&[x, y]) = subject.snapshots[0].geometry.get(point.local..point.local + 2) {
-                links.attach(point.frame, [x, y]);
+                links.place(point.frame, [x, y], false);
             }
         }
         for (body, info) in model.bodies.iter().enumerate() {
@@ -63,14 +72,26 @@ impl Links {
         self.size
     }
 
-    /// Makes a place part of a body's shape; the ground has none.
+    /// Makes a joint's place part of a body's shape; the ground has none.
     pub(super) fn attach(&mut self, frame: Frame, place: [f64; 2]) {
+        self.place(frame, place, true);
+    }
+
+    fn place(&mut self, frame: Frame, at: [f64; 2], held: bool) {
         let same = SAME * self.size;
-        if let Some(body) = self.body(frame)
-            && body.attached.iter().all(|&other| distance(other, place) > same)
-        {
-            body.attached.push(place);
+        let Some(body) = self.body(frame) else { return };
+        match body.attached.iter_mut().find(|other| distance(other.at, at) <= same) {
+            Some(other) => other.held |= held,
+            None => body.attached.push(Place { at, held }),
         }
+    }
+
+    /// Gives a body a slot.
+    pub(super) fn slot(&mut self, frame: Frame, from: [f64; 2], to: [f64; 2]) {
+        if let Some(body) = self.body(frame) {
+            body.slots.push([from, to]);
+        }
+        self.add(frame, Part::Slot { from, to, ink: Ink::of(frame) });
     }
 
     /// Puts a part on a body or on the ground.
@@ -91,11 +112,17 @@ impl Links {
         &self.pins
     }
 
-    /// The middle of what is attached to a body, in its frame.
+    /// The middle of what is attached to a body, in its frame, or that of two places where the middle is one itself.
     pub(super) fn middle(&self, body: usize) -> Option<[f64; 2]> {
         let places = &self.bodies.get(body)?.attached;
-        let count = places.len().max(1) as f64;
-        Some(places.iter().fold([0.0; 2], |[x, y], [u, v]| [x + u / count, y + v / count]))
+        let mean = |places: &[Place]| {
+            let count = places.len().max(1) as f64;
+            places.iter().fold([0.0; 2], |[x, y], Place { at: [u, v], .. }| [x + u / count, y + v / count])
+        };
+        let middle = mean(places);
+        let reach = places.iter().map(|place| distance(place.at, middle)).fold(0.0, f64::max);
+        let taken = places.iter().any(|place| distance(place.at, middle) < 0.1 * reach);
+        Some(if taken { mean(&places[..2]) } else { middle })
     }
 
     /// The toothed wheels so far.
@@ -130,19 +157,47 @@ impl Links {
 
 impl Body {
     fn shape(self, ink: Ink) -> Vec<Part> {
-        let Self { mut attached, parts } = self;
-        if attached.len() == 1 && parts.is_empty() && attached[0] != [0.0; 2] {
+        let Self { mut attached, slots, parts } = self;
+        if attached.len() == 1 && slots.is_empty() && parts.is_empty() && attached[0].at != [0.0; 2] {
             // All that is known of this body is where its frame is and that something holds it.
-            attached.push([0.0; 2]);
+            attached.push(Place { at: [0.0; 2], held: false });
         }
-        let outline = hull(attached);
-        let own = match outline.len() {
-            0 if parts.is_empty() => Some(Part::Dot([0.0; 2], ink)),
-            0 | 1 => None,
-            _ => Some(Part::Bar { points: outline, ink }),
+        let bar = |from, to| Part::Bar { points: vec![from, to], ink };
+        let hung = slots.iter().filter_map(|slot| nearest(slot, &attached)).map(|(from, to)| bar(from, to));
+        let hung: Vec<Part> = hung.collect();
+        let outline = hull(attached.iter().map(|place| place.at).collect());
+        let own = match (outline.len(), axle(&attached, &outline)) {
+            (0, _) if parts.is_empty() => vec![Part::Dot([0.0; 2], ink)],
+            (0 | 1, _) => Vec::new(),
+            (_, Some(axle)) => outline.into_iter().map(|corner| bar(axle, corner)).collect(),
+            (_, None) => vec![Part::Bar { points: outline, ink }],
         };
-        own.into_iter().chain(parts).collect()
+        hung.into_iter().chain(own).chain(parts).collect()
     }
+}
+
+/// A joint within the outline of all joints: what turns around it has arms rather than an outline.
+fn axle(attached: &[Place], outline: &[[f64; 2]]) -> Option<[f64; 2]> {
+    let extent = outline.iter().map(|&corner| distance(corner, outline[0])).fold(0.0, f64::max);
+    let within = |p: [f64; 2]| {
+        let sides = outline.iter().zip(outline.iter().cycle().skip(1));
+        outline.len() > 2 && sides.into_iter().all(|(&a, &b)| turn(a, b, p) > SAME * extent * extent)
+    };
+    let corners_held = attached.iter().filter(|place| outline.contains(&place.at)).all(|place| place.held);
+    attached.iter().find(|place| corners_held && place.held && within(place.at)).map(|place| place.at)
+}
+
+/// The way from a slot to the nearest of some places; none where one lies in the slot.
+fn nearest([from, to]: &[[f64; 2]; 2], places: &[Place]) -> Option<([f64; 2], [f64; 2])> {
+    let (along, length) = ([to[0] - from[0], to[1] - from[1]], distance(*from, *to));
+    let foot = |[x, y]: [f64; 2]| {
+        let part = ((x - from[0]) * along[0] + (y - from[1]) * along[1]) / (length * length).max(f64::MIN_POSITIVE);
+        let part = part.clamp(0.0, 1.0);
+        [from[0] + part * along[0], from[1] + part * along[1]]
+    };
+    let ways = places.iter().map(|place| (foot(place.at), place.at));
+    let shortest = ways.min_by(|(a, b), (c, d)| distance(*a, *b).total_cmp(&distance(*c, *d)));
+    shortest.filter(|(a, b)| distance(*a, *b) > SAME * length)
 }
 
 /// How far the parts of a carrier go from one another.
@@ -178,13 +233,18 @@ fn chain(places: impl Iterator<Item = [f64; 2]>, extent: f64) -> Vec<[f64; 2]> {
     let mut side: Vec<[f64; 2]> = Vec::new();
     for p in places {
         while let [.., a, b] = side[..]
-            && (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) <= SAME * extent * extent
+            && turn(a, b, p) <= SAME * extent * extent
         {
             side.pop();
         }
         side.push(p);
     }
     side
+}
+
+/// Twice the area of a triangle, positive where its corners go counter-clockwise.
+fn turn(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
+    (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
 }
 
 /// The larger extent of the origins and points at the first instant and of the dimensions that joints have; 1 where
@@ -213,7 +273,7 @@ fn size(subject: &Subject<'_>) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::hull;
+    use super::*;
 
     #[test]
     fn a_hull_has_the_corners_alone_and_a_line_its_ends() {
@@ -222,5 +282,30 @@ mod tests {
         let line = [[0.0, 0.0], [2.0, 1.0], [1.0, 0.5]];
         assert_eq!(hull(line.to_vec()), [[0.0, 0.0], [2.0, 1.0]]);
         assert_eq!(hull(vec![[3.0, 1.0]]), [[3.0, 1.0]]);
+    }
+    /// Joints at `held`, names at `named`.
+    fn shape(held: &[[f64; 2]], named: &[[f64; 2]], slots: Vec<[[f64; 2]; 2]>) -> Vec<Vec<[f64; 2]>> {
+        let place = |held: bool| move |&at: &[f64; 2]| Place { at, held };
+        let attached = held.iter().map(place(true)).chain(named.iter().map(place(false))).collect();
+        let parts = Body { attached, slots, parts: Vec::new() }.shape(Ink::Ground);
+        parts.into_iter().map(|part| if let Part::Bar { points, .. } = part { points } else { Vec::new() }).collect()
+    }
+
+    #[test]
+    fn a_joint_amid_others_has_arms_and_a_name_amid_them_lies_on_their_plate() {
+        let (corners, middle) = ([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]], [1.0, 1.0]);
+        let star = shape(&[corners[0], corners[1], corners[2], middle], &[], Vec::new());
+        assert_eq!(star, corners.map(|corner| vec![middle, corner]));
+        assert_eq!(shape(&corners, &[middle], Vec::new()), [corners.to_vec()]);
+    }
+
+    #[test]
+    fn a_slot_hangs_on_the_nearest_place_and_spans_no_plate() {
+        let slot = [[0.0, -1.0], [0.0, 1.0]];
+        assert_eq!(
+            shape(&[[3.0, 0.5], [5.0, 0.5]], &[], vec![slot]),
+            [vec![[0.0, 0.5], [3.0, 0.5]], vec![[3.0, 0.5], [5.0, 0.5]]]
+        );
+        assert_eq!(shape(&[[0.0, 0.5], [5.0, 0.5]], &[], vec![slot]), [vec![[0.0, 0.5], [5.0, 0.5]]]);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::links::Links;
 use super::part::{Kind, Part};
-use super::subject::{Pose, Subject};
+use super::subject::{Pose, Subject, distance};
 use super::{joints, outlines, paths};
 use crate::model::Frame;
 
@@ -57,6 +57,13 @@ fn ground(parts: Vec<Part>, paths: Vec<Part>) -> Carrier {
     Carrier { body: None, poses: vec![[0.0; 3]], parts: paths.into_iter().chain(parts).collect() }
 }
 
+/// What is called something, and where it is at every instant.
+struct Named<'a> {
+    names: Vec<&'a str>,
+    kind: Kind,
+    track: Vec<[f64; 2]>,
+}
+
 /// Names of bodies, pins and points, each upright on a carrier of its own.
 fn names(subject: &Subject<'_>, links: &Links) -> Vec<Carrier> {
     let model = subject.model;
@@ -68,15 +75,31 @@ fn names(subject: &Subject<'_>, links: &Links) -> Vec<Carrier> {
         });
         Some(label(poses.collect(), info.name, Kind::Body))
     });
-    let pins = links
-        .pins()
-        .iter()
-        .map(|(name, track)| label(track.iter().map(|&[x, y]| [x, y, 0.0]).collect(), name, Kind::Joint));
+    // What has one place has one label.
+    let mut places: Vec<Named<'_>> = Vec::new();
+    let pins = links.pins().iter().map(|(name, track)| (name.as_str(), Kind::Joint, track.clone()));
     let points = model.points.iter().enumerate().map(|(place, info)| {
         let at = |k: usize| subject.snapshots[k].points.get(place).copied().unwrap_or_default();
-        label(subject.instants().map(at).map(|[x, y]| [x, y, 0.0]).collect(), info.name, Kind::Point)
+        (info.name, Kind::Point, subject.instants().map(at).collect())
     });
-    bodies.chain(pins).chain(points).collect()
+    for (name, kind, track) in pins.chain(points) {
+        let same = |other: &[[f64; 2]]| {
+            other.len() == track.len() && other.iter().zip(&track).all(|(&a, &b)| distance(a, b) <= 1e-6 * links.size())
+        };
+        match places.iter_mut().find(|place| same(&place.track)) {
+            Some(place) => {
+                place.kind = kind;
+                if !place.names.contains(&name) {
+                    place.names.push(name);
+                }
+            }
+            None => places.push(Named { names: vec![name], kind, track }),
+        }
+    }
+    let places = places.into_iter().map(|Named { names, kind, track }| {
+        label(track.into_iter().map(|[x, y]| [x, y, 0.0]).collect(), &names.join(", "), kind)
+    });
+    bodies.chain(places).collect()
 }
 
 fn label(poses: Vec<Pose>, name: &str, kind: Kind) -> Carrier {

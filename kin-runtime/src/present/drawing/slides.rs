@@ -8,7 +8,7 @@ use super::subject::{Subject, seen_from};
 use crate::model::{Frame, JointInfo, JointKind, Role};
 
 /// How far a rail goes beyond the block's way, relative to the size of the mechanism.
-const BEYOND: f64 = 0.08;
+pub(super) const BEYOND: f64 = 0.08;
 
 /// The rail as long as the way of the block, and the block.
 pub(super) fn slide(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>) {
@@ -23,11 +23,7 @@ pub(super) fn slide(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links,
     let (from, to) = way.ends();
     match i {
         Frame::Ground => links.add(i, Part::Hatching { from, to }),
-        Frame::Body(_) => {
-            links.attach(i, from);
-            links.attach(i, to);
-            links.add(i, Part::Slot { from, to, ink: Ink::of(i) });
-        }
+        Frame::Body(_) => links.slot(i, from, to),
     }
     links.attach(j, q);
     let ink = Ink::of(j);

@@ -17,7 +17,7 @@ pub(crate) fn colour(k: usize) -> &'static str {
 
 /// How names are written.
 const STYLE: &str = "<style>.name{font:12px system-ui,sans-serif;paint-order:stroke;stroke:#fff;stroke-width:3px;\
-stroke-linejoin:round;fill:#1f2937}.joint{font-size:10px;fill:#6b7280}</style>";
+stroke-linejoin:round;fill:#1f2937}.joint{font-size:10px;fill:#6b7280}</style>\n";
 
 /// A picture of one instant.
 pub(crate) struct Still {
@@ -32,16 +32,18 @@ pub(crate) fn still(scene: &Scene, view: &View) -> Still {
 }
 
 /// A picture that moves by itself, once through in `duration` seconds and again from the start.
-pub(crate) fn animated(scene: &Scene, view: &View, title: &str, duration: f64) -> String {
+pub(crate) fn animated(scene: &Scene, view: &View, title: &str, duration: f64, names: bool) -> String {
     let [width, height] = view.size.map(short);
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" \
-         height=\"{height}\" role=\"img\">\n<title>{}</title>\n{STYLE}\n\
+         height=\"{height}\" role=\"img\">\n<title>{}</title>\n{}\
          <rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n",
-        escaped(title)
+        escaped(title),
+        if names { STYLE } else { "" }
     );
     let Still { groups } = still(scene, view);
-    for (carrier, group) in scene.carriers.iter().zip(groups) {
+    let shown = |carrier: &Carrier| names || !matches!(carrier.parts[..], [Part::Name(..)]);
+    for (carrier, group) in scene.carriers.iter().zip(groups).filter(|(carrier, _)| shown(carrier)) {
         let [x, y, angle] = view.pose(scene.pose(carrier, 0)).map(short);
         let _ = write!(out, "<g transform=\"translate({x},{y})\">");
         if moves(carrier) {
@@ -70,12 +72,15 @@ fn animation(
 ) -> String {
     let values: Vec<String> = (0..scene.times.len()).map(|k| value(scene.pose(carrier, k))).collect();
     let (first, last) = (scene.times.first().copied().unwrap_or(0.0), scene.times.last().copied().unwrap_or(1.0));
-    let times: Vec<String> =
-        scene.times.iter().map(|t| format!("{}", ((t - first) / (last - first) * 1e5).round() / 1e5)).collect();
+    let times: Vec<f64> = scene.times.iter().map(|t| ((t - first) / (last - first) * 1e5).round() / 1e5).collect();
+    // Equal steps are what a picture assumes.
+    let step = 1.0 / (times.len().max(2) - 1) as f64;
+    let even = times.iter().enumerate().all(|(k, time)| (time - k as f64 * step).abs() < 2e-5);
+    let times: Vec<String> = times.iter().map(f64::to_string).collect();
+    let key_times = if even { String::new() } else { format!("keyTimes=\"{}\" ", times.join(";")) };
     format!(
         "<animateTransform attributeName=\"transform\" type=\"{kind}\" dur=\"{duration}s\" repeatCount=\"indefinite\" \
-         keyTimes=\"{}\" values=\"{}\"/>",
-        times.join(";"),
+         {key_times}values=\"{}\"/>",
         values.join(";")
     )
 }
@@ -152,8 +157,8 @@ fn part(out: &mut String, part: &Part, view: &View, s: f64) {
             )
         }
         Part::Block(own) => {
-            let (w, h) = (short(2.4 * s), short(1.5 * s));
-            let (x, y, c) = (short(-1.2 * s), short(-0.75 * s), ink(*own));
+            let (w, h) = (short(3.6 * s), short(2.2 * s));
+            let (x, y, c) = (short(-1.8 * s), short(-1.1 * s), ink(*own));
             write!(
                 out,
                 "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" rx=\"1.5\" fill=\"#fff\" stroke=\"{c}\" \

@@ -77,7 +77,7 @@ impl View {
     pub(super) fn symbol(&self, scene: &Scene) -> f64 {
         let symbols = |part: &&Part| matches!(part, Part::Pin(_) | Part::Foot(_) | Part::Block(_) | Part::Weld(_));
         let count = scene.carriers.iter().flat_map(|carrier| &carrier.parts).filter(symbols).count();
-        (26.0 / (4.0 + count as f64).sqrt()).clamp(1.5, 6.0)
+        (24.0 / (4.0 + count as f64).sqrt()).clamp(1.5, 5.0)
     }
 }
 
