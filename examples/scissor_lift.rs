@@ -1,5 +1,6 @@
 //! A scissor lift with twenty stages, written in a dozen lines: how high does it stand, and how fast does it rise, when its
-//! foot is pulled in? At a half width w the height is n √(l² − w²) for n stages of bars of length l.
+//! foot is pulled in? With its feet w apart the height is n √(l² − w²) for n stages of bars of length l, and it rises with
+//! n w / √(l² − w²) times the speed of the foot: fast while it is flat. The dimensions are this example's own.
 //!
 //! ```text
 //! cargo run --release --example scissor_lift
