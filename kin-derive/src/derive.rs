@@ -3,6 +3,7 @@
 use crate::analyse::{Broken, analyse};
 use crate::lower::Lowered;
 use crate::{documentation, expand, fallback};
+use kin_core::plan::{plan_of_rank, plan_with_formulas};
 use proc_macro2::{Span, TokenStream};
 
 /// The items of `#[mechanism(args)] item`.
@@ -10,7 +11,8 @@ pub(crate) fn derive(args: TokenStream, item: TokenStream) -> TokenStream {
     let (cleaned, lowered) = analyse(args.clone(), item.clone());
     let derived = lowered.and_then(|lowered| match system(&lowered) {
         Ok((system, structure)) => {
-            let plan = kin_core::plan::plan_of_rank(&system, structure.rank);
+            let planned = if expand::WRITTEN { plan_with_formulas } else { plan_of_rank };
+            let plan = planned(&system, structure.rank);
             let documentation = documentation::attribute(&args, &item);
             Ok(expand::expand(&lowered, &system, &structure, &plan, &documentation))
         }

@@ -21,8 +21,9 @@ pub(crate) fn text(input: TokenStream) -> String {
     let mut tokens = input.into_iter();
     let Some(proc_macro2::TokenTree::Group(args)) = tokens.next() else { return String::new() };
     let (_, Ok(lowered)) = analyse(args.stream(), tokens.collect()) else { return String::new() };
-    let Ok((system, _)) = crate::derive::system(&lowered) else { return String::new() };
-    kin_core::sheet::Sheet::of_system(&system).docs()
+    let Ok((system, structure)) = crate::derive::system(&lowered) else { return String::new() };
+    let plan = kin_core::plan::plan_with_formulas(&system, structure.rank);
+    kin_core::sheet::Sheet::of_system(&system, &plan).docs()
 }
 
 #[cfg(test)]

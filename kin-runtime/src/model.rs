@@ -252,6 +252,46 @@ pub struct EquationText {
     pub gamma: &'static str,
 }
 
+/// What a step of the solution plan computes, as text in the user's names; a step whose coordinates come at several
+/// places is there several times.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StepText {
+    /// Place in [`Plan::steps`].
+    pub step: usize,
+    /// What it is, in words.
+    pub what: &'static str,
+    /// Lines for q, q̇ and q̈.
+    pub lines: [&'static [LineText]; 3],
+}
+
+/// A line of a [`StepText`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LineText {
+    /// What a name is: a coordinate, a rate or acceleration of one (`_dot`, `_ddot`), or a name that later lines use.
+    Equation {
+        /// The name.
+        left: &'static str,
+        /// Its value.
+        right: &'static str,
+    },
+    /// What an iteration brings to zero.
+    Zero {
+        /// Its name.
+        left: &'static str,
+        /// Its value.
+        right: &'static str,
+    },
+    /// matrix · unknowns = right.
+    System {
+        /// Row by row.
+        matrix: &'static [&'static [&'static str]],
+        /// Coordinates, or their rates or accelerations.
+        unknowns: &'static [&'static str],
+        /// As many as rows.
+        right: &'static [&'static str],
+    },
+}
+
 /// A row that repeats, or contradicts, what other rows say: at every pose and for all dimensions they depend on one
 /// another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -331,6 +371,8 @@ pub struct Model {
     pub operations: OperationCount,
     /// The derivation as text; empty without the feature `equations`.
     pub equations: &'static [EquationText],
+    /// The closed forms of the plan as text; empty without the feature `equations`, and where there is no plan.
+    pub solution: &'static [StepText],
 }
 
 impl Model {

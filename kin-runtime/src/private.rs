@@ -7,8 +7,8 @@ pub use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 pub use crate::model::{
     Body, BodyInfo, Component, ConditionInfo, Coordinate, CoordinateInfo, CoordinateKind, DefineInfo, EquationText,
     FamilyInfo, FamilyKind, Frame, GenericRedundancy, Geometry, Input, JointInfo, JointKind, JointQuantity, Level,
-    Model, Observable, OperationCount, OriginKind, ParameterInfo, Pattern, Point, PointInfo, Quantity, Role, RowInfo,
-    Structure,
+    LineText, Model, Observable, OperationCount, OriginKind, ParameterInfo, Pattern, Point, PointInfo, Quantity, Role,
+    RowInfo, StepText, Structure,
 };
 pub use crate::plan::{Depth, ModeInfo, Plan, PlanStep, Solved, StepKind, iterate};
 pub use crate::scalar::Scalar;

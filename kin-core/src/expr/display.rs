@@ -12,6 +12,10 @@ pub trait Names {
     fn function(&self, index: u32) -> String {
         format!("f{index}")
     }
+    /// The name that stands for an expression wherever it is part of another.
+    fn part(&self, _id: ExprId) -> Option<&str> {
+        None
+    }
 }
 
 /// Plain numbered names.
@@ -80,6 +84,11 @@ impl<N: Names> fmt::Display for Shown<'_, N> {
                 Operand(..) if operands == MAX_OPERANDS => return f.write_str("…"),
                 Operand(id, outer) => {
                     operands += 1;
+                    let part = if operands > 1 { self.names.part(id) } else { None };
+                    if let Some(name) = part {
+                        f.write_str(name)?;
+                        continue;
+                    }
                     let (own, pieces) = self.pieces(id);
                     let parentheses = own < outer;
                     waiting.extend(parentheses.then_some(Text(")")));

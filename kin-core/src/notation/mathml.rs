@@ -73,8 +73,9 @@ fn powered(name: &Name, power: Option<&str>) -> String {
     };
     let dotted = match name.order {
         0 => letter,
-        1 => format!("<mover accent=\"true\">{letter}<mo>˙</mo></mover>"),
-        _ => format!("<mover accent=\"true\">{letter}<mo>¨</mo></mover>"),
+        // As an accent it would touch the letter where there is no font for mathematics.
+        1 => format!("<mover>{letter}<mo scriptlevel=\"0\" stretchy=\"false\">˙</mo></mover>"),
+        _ => format!("<mover>{letter}<mo scriptlevel=\"0\" stretchy=\"false\">¨</mo></mover>"),
     };
     if name.index.is_empty() {
         return power.map_or(dotted.clone(), |power| format!("<msup>{dotted}{power}</msup>"));

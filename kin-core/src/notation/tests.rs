@@ -56,7 +56,14 @@ fn tidied_formulas_lose_brackets_and_keep_their_values() {
         ("sin(a)*cos(b)*c", "c sin a cos b", r"c\,\sin a\,\cos b"),
         ("sin(a)*sin(a)", "(sin a)²", r"\left(\sin a\right)^{2}"),
         ("(-a)*(-b)/(-(c))", "−(a b)/c", r"-\frac{a\,b}{c}"),
-        ("2*2*a", "2 2 a", r"2\,2\,a"),
+        ("2*2*a", "4 a", r"4\,a"),
+        ("0.5*(2*a)", "a", "a"),
+        ("0.1*0.2*a", "0.1 0.2 a", r"0.1\,0.2\,a"),
+        ("0.5*a*b + c + 0.5*a*b", "a b + c", r"a\,b + c"),
+        ("a - a + a", "2 a − a", r"2\,a - a"),
+        ("a/b*(c + d)/e*f", "(a f (c + d))/(b e)", r"\frac{a\,f\,\left(c + d\right)}{b\,e}"),
+        ("6.283185307179586*a/60", "(2 π a)/60", r"\frac{2\,\pi\,a}{60}"),
+        ("0.017453292519943295*a", "(π a)/180", r"\frac{\pi\,a}{180}"),
         ("-(-(a - b))", "a − b", "a - b"),
         ("a*(b*c)*a^2", "a³ b c", r"a^{3}\,b\,c"),
     ] {
@@ -65,7 +72,13 @@ fn tidied_formulas_lose_brackets_and_keep_their_values() {
         assert_eq!([Notation::Unicode, Notation::Latex].map(|n| tidied.write(n)), [unicode, latex], "{text}");
         assert_eq!(tidied, tidied.clone().tidied(), "{text}");
         let value = |formula: &Formula| {
-            let of = |name: &Name| Some(0.3 + name.written.bytes().map(f64::from).sum::<f64>() / 97.0);
+            let of = |name: &Name| {
+                Some(if name.written == "pi" {
+                    std::f64::consts::PI
+                } else {
+                    0.3 + name.written.bytes().map(f64::from).sum::<f64>() / 97.0
+                })
+            };
             formula.evaluate(&of, &|_, _, _| None).expect("a value")
         };
         assert!((value(&parsed) - value(&tidied)).abs() < 1e-12, "{text}");

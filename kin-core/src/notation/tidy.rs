@@ -1,7 +1,9 @@
-//! Formulas as a person would leave them: signs and brackets of sums gone, equal factors as powers, functions last.
+//! Formulas as a person would leave them: signs and brackets of sums gone, equal terms counted, equal factors as powers,
+//! one fraction of several, multiples of π by that letter, functions last.
 //!
 //! Nothing is expanded and nothing cancelled, so that what is written has the operations of what was derived.
 
+use super::name::Name;
 use super::tree::Formula;
 
 impl Formula {
@@ -17,7 +19,8 @@ impl Formula {
     #[must_use]
     pub fn tidied(self) -> Self {
         match self {
-            Self::Number(_) | Self::Name(_) => self,
+            Self::Number(value) => of_pi(value).unwrap_or(self),
+            Self::Name(_) => self,
             Self::Minus(a) => match a.tidied() {
                 Self::Sum(terms) => sum(vec![(true, Self::Sum(terms))]),
                 other => other.negated(),
@@ -49,6 +52,7 @@ fn sum(terms: Vec<(bool, Formula)>) -> Formula {
             other => flat.push((minus, other)),
         }
     }
+    let mut flat = counted(flat);
     match flat.len() {
         1 => {
             let (minus, term) = flat.remove(0);
@@ -56,6 +60,58 @@ fn sum(terms: Vec<(bool, Formula)>) -> Formula {
         }
         _ => Formula::Sum(flat),
     }
+}
+
+/// Equal terms as a multiple of one; what cancels is left.
+fn counted(terms: Vec<(bool, Formula)>) -> Vec<(bool, Formula)> {
+    let mut out: Vec<(f64, Formula, (bool, Formula))> = Vec::new();
+    for (minus, term) in terms {
+        let (count, rest) = match &term {
+            Formula::Product(factors) => match factors.as_slice() {
+                [Formula::Number(count), rest] => (*count, rest.clone()),
+                [Formula::Number(count), rest @ ..] => (*count, Formula::Product(rest.to_vec())),
+                _ => (1.0, term.clone()),
+            },
+            other => (1.0, other.clone()),
+        };
+        let count = if minus { -count } else { count };
+        let same = |(_, other, _): &&mut (f64, Formula, (bool, Formula))| {
+            *other == rest && !matches!(rest, Formula::Number(_))
+        };
+        match out.iter_mut().find(same) {
+            Some((sum, rest, written)) if *sum * count > 0.0 && is_short(*sum + count) => {
+                *sum += count;
+                let product = product(vec![Formula::Number(sum.abs()), rest.clone()]);
+                *written = (*sum < 0.0, product);
+            }
+            _ => out.push((count, rest, (minus, term))),
+        }
+    }
+    out.into_iter().map(|(_, _, written)| written).collect()
+}
+
+/// A number that a person would write out.
+fn is_short(value: f64) -> bool {
+    value.abs().to_string().len() <= 7
+}
+
+/// p π/q with small numbers, where that is what the number is to the last digit.
+fn of_pi(value: f64) -> Option<Formula> {
+    let pi = core::f64::consts::PI;
+    let near = value > 0.0 && value < 13.0 * pi;
+    for q in [1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 180.0] {
+        let p = (value * q / pi).round();
+        if near && (1.0..=12.0).contains(&p) && [p * pi / q, p * (pi / q), pi / (q / p)].contains(&value) {
+            let pi = Formula::Name(Name::new("pi"));
+            let above = if p == 1.0 { pi } else { Formula::Product(vec![Formula::Number(p), pi]) };
+            return Some(if q == 1.0 {
+                above
+            } else {
+                Formula::Quotient(Box::new(above), Box::new(Formula::Number(q)))
+            });
+        }
+    }
+    None
 }
 
 /// Numbers first, functions last, equal factors next to one another as powers; the sign in front of all.
@@ -74,14 +130,31 @@ fn product(factors: Vec<Formula>) -> Formula {
             other => flat.push(other),
         }
     }
+    if let Some(place) = flat.iter().position(|factor| matches!(factor, Formula::Quotient(..)))
+        && flat.len() > 1
+        && let Formula::Quotient(above, below) = flat.remove(place)
+    {
+        flat.push(*above);
+        let (above, below) = match (product(flat), *below) {
+            // Another fraction among the factors.
+            (Formula::Quotient(above, other), below) => (above, product(vec![*other, below])),
+            (above, below) => (Box::new(above), below),
+        };
+        let quotient = match *above {
+            Formula::Minus(above) => Formula::Quotient(above, Box::new(below)).negated(),
+            above => Formula::Quotient(Box::new(above), Box::new(below)),
+        };
+        return if minus { quotient.negated() } else { quotient };
+    }
     flat.sort_by_key(class);
+    let flat = multiplied(flat);
     let mut powers: Vec<(Formula, f64)> = Vec::new();
     for factor in flat {
         let (base, n) = match factor {
             Formula::Power(base, n) if n > 0.0 && n.fract() == 0.0 => (*base, n),
             other => (other, 1.0),
         };
-        // Numbers stay as they were written.
+        // Numbers that were not multiplied stay as they were written.
         match powers.iter_mut().find(|(other, _)| *other == base && !matches!(base, Formula::Number(_))) {
             Some((_, times)) => *times += n,
             None => powers.push((base, n)),
@@ -91,6 +164,20 @@ fn product(factors: Vec<Formula>) -> Formula {
     let mut factors: Vec<Formula> = powers.into_iter().map(power).collect();
     let product = if factors.len() == 1 { factors.remove(0) } else { Formula::Product(factors) };
     if minus { product.negated() } else { product }
+}
+
+/// Numbers, which stand first, as one where that is short; 1 goes where anything else is left.
+fn multiplied(mut factors: Vec<Formula>) -> Vec<Formula> {
+    while let [Formula::Number(a), Formula::Number(b), ..] = factors[..] {
+        if !is_short(a * b) {
+            break;
+        }
+        factors.splice(0..2, [Formula::Number(a * b)]);
+    }
+    if factors.len() > 1 && factors[0] == Formula::Number(1.0) {
+        factors.remove(0);
+    }
+    factors
 }
 
 fn class(factor: &Formula) -> u8 {

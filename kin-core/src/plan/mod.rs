@@ -22,6 +22,7 @@ mod closures;
 mod dense;
 mod display;
 mod form;
+mod formulas;
 mod groups;
 mod known;
 mod margins;
@@ -37,6 +38,7 @@ mod steps;
 mod tree;
 mod watch;
 
+pub use formulas::{Formulas, Line};
 pub use run::{Solution, closures, resolve, run};
 pub use sections::Section;
 pub use steps::{Kind, Mode, Step};
@@ -89,6 +91,8 @@ pub struct SolutionPlan {
     pub turns: Range<usize>,
     /// Among them what is 0 where Φ_q x = b says nothing of x. The last section does not write it: a solution has margins.
     pub regular: Range<usize>,
+    /// The steps as formulas, where they were asked for.
+    pub formulas: Vec<Formulas>,
 }
 
 /// The plan of a mechanism whose rows determine its coordinates; for others, why there is none.
@@ -99,10 +103,19 @@ pub fn plan(system: &KinematicSystem) -> SolutionPlan {
 /// [`plan`] where the generic rank of Φ_q is known: rows of less rank than coordinates say something twice and leave
 /// something open at every configuration, however many there are.
 pub fn plan_of_rank(system: &KinematicSystem, rank: usize) -> SolutionPlan {
-    planned(system, rank).unwrap_or_else(|why| SolutionPlan { absent: Some(why), ..SolutionPlan::default() })
+    or_why(planned(system, rank, false))
 }
 
-fn planned(system: &KinematicSystem, rank: usize) -> Result<SolutionPlan, String> {
+/// [`plan_of_rank`] with its [`formulas`](SolutionPlan::formulas).
+pub fn plan_with_formulas(system: &KinematicSystem, rank: usize) -> SolutionPlan {
+    or_why(planned(system, rank, true))
+}
+
+fn or_why(plan: Result<SolutionPlan, String>) -> SolutionPlan {
+    plan.unwrap_or_else(|why| SolutionPlan { absent: Some(why), ..SolutionPlan::default() })
+}
+
+fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<SolutionPlan, String> {
     let set = &system.set;
     let (n, s) = (set.coordinates.len(), set.rows.len());
     if system.classes.iter().any(|class| !class.holonomic) {
@@ -119,6 +132,7 @@ fn planned(system: &KinematicSystem, rank: usize) -> Result<SolutionPlan, String
     let Chosen { tree, made_of, left_out, agreeing, .. } =
         chosen.ok_or_else(|| "the rows do not determine all coordinates".to_owned())?;
     let listed = Listed::new(system, &graph, &tree, &made_of);
+    let before = written.then(|| graph.clone());
     let mut build = Build::new(system, graph, listed);
     let [velocity, acceleration] = build.all(&tree, &left_out, &agreeing);
     let (resolve, regular) = build.resolve(&tree);
@@ -142,8 +156,22 @@ fn planned(system: &KinematicSystem, rank: usize) -> Result<SolutionPlan, String
         _ => Depth::Position,
     };
     let sections = sections.into_iter().enumerate().map(|(place, section)| (section, depth(place))).collect();
+    let formulas = before.map_or_else(Vec::new, |graph| formulas::formulas(system, graph, &listed, &tree));
     let Listed { steps, modes, margins, .. } = listed;
-    Ok(SolutionPlan { steps, modes, margins, absent: None, sections, held, closures, resolve, factors, turns, regular })
+    Ok(SolutionPlan {
+        steps,
+        modes,
+        margins,
+        absent: None,
+        sections,
+        held,
+        closures,
+        resolve,
+        factors,
+        turns,
+        regular,
+        formulas,
+    })
 }
 
 /// Sines and cosines of the angles in the program of Φ, in its order.

@@ -175,6 +175,16 @@ impl Listed {
         self.steps.push(new_step(&system.set, Kind::Explicit, BTreeSet::from([row]), vec![(coordinate, joint)]));
     }
 
+    /// The step of a core, by its place in the order of the solution.
+    pub(super) fn step_of_core(&self, place: usize) -> usize {
+        self.of_cores[place]
+    }
+
+    /// The step of what is given once the rest of its group is known, likewise.
+    pub(super) fn step_of_attached(&self, place: usize) -> usize {
+        self.of_attached[place]
+    }
+
     /// The step of the next core.
     pub(super) fn core(&mut self) -> usize {
         self.taken += 1;

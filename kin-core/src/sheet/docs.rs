@@ -3,7 +3,7 @@
 //! A block of HTML ends at a blank line, so there is none. Of large mechanisms the equations of some joints are written
 //! out and the rest are named; derivatives are folded.
 
-use super::html::{STYLE, WIDTH, escaped, math, own_equations, table};
+use super::html::{STYLE, WIDTH, escaped, html_step, math, own_equations, table};
 use super::lines::{derivatives, own};
 use super::{Joint, Sheet, symbol};
 use crate::notation::Notation::MathMl;
@@ -37,6 +37,23 @@ impl Sheet {
                 if named.len() == 1 { "Further equations" } else { "The equations of further joints" },
                 enumeration(&named)
             ));
+        }
+        out.push_str("</div>\n");
+        out + &self.docs_solution()
+    }
+
+    /// The steps of the plan in a section of their own, until they are too long.
+    fn docs_solution(&self) -> String {
+        if self.steps.is_empty() {
+            return String::new();
+        }
+        let mut out = String::from("\n\n# Solution\n\n<div class=\"kin-sheet\">\n");
+        for step in &self.steps {
+            if out.len() > LONG {
+                out.push_str("<p>Further steps stand in what the command <code>equations</code> writes.</p>\n");
+                break;
+            }
+            out.push_str(&html_step(step, "h4"));
         }
         out.push_str("</div>\n");
         out

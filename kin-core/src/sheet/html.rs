@@ -1,7 +1,7 @@
 //! As a page with MathML, which browsers show by themselves.
 
 use super::lines::{Line, derivatives, own};
-use super::{Joint, Sheet, vectors};
+use super::{Joint, Sheet, Step, vectors};
 use crate::notation::Notation::MathMl;
 
 /// Columns of plain text for which there is room on a page.
@@ -29,10 +29,37 @@ impl Sheet {
              <style>:root{{color-scheme:light dark}}body{{font:16px/1.5 system-ui,sans-serif;margin:1rem auto;\
              max-width:60rem;padding:0 1rem}}h2{{margin:1.6rem 0 .4rem;font-size:1.1rem}}\
              h2 span{{opacity:.65;font-weight:400}}{STYLE}</style>\n</head>\n<body>\n<h1>{name}</h1>\n<p>{}</p>\n\
-             {sections}</body>\n</html>\n",
-            escaped(&self.doc)
+             {sections}{}</body>\n</html>\n",
+            escaped(&self.doc),
+            self.html_solution("h2")
         )
     }
+}
+
+impl Sheet {
+    /// The steps of the plan under headings of a kind, as many as fit.
+    pub(super) fn html_solution(&self, heading: &str) -> String {
+        let mut out = String::new();
+        if !self.unsolved.is_empty() {
+            out.push_str(&format!("<p>No plan: {}.</p>\n", escaped(&self.unsolved)));
+        }
+        for step in &self.steps {
+            out.push_str(&html_step(step, heading));
+        }
+        out
+    }
+}
+
+/// A step: positions, and the rest folded.
+pub(super) fn html_step(step: &Step, heading: &str) -> String {
+    let [position, velocity, acceleration] =
+        [0, 1, 2].map(|order| table(step.lines[order].iter().flat_map(|line| line.write(MathMl, WIDTH))));
+    format!(
+        "<{heading}>{} <span>{}</span></{heading}>\n{position}<details><summary>Velocity and acceleration</summary>\n\
+         {velocity}{acceleration}</details>\n",
+        step.number,
+        escaped(&step.what)
+    )
 }
 
 fn section(joint: &Joint) -> String {

@@ -1,6 +1,7 @@
 //! As LaTeX: a document, or its inside.
 
 use super::lines::{Line, derivatives, own};
+use super::steps::ORDERS;
 use super::{Joint, Sheet, vectors};
 use crate::notation::Notation::Latex;
 
@@ -21,7 +22,30 @@ impl Sheet {
 
     /// The inside of a document: a paragraph for every joint, each with one display.
     pub fn latex_fragment(&self) -> String {
-        self.joints.iter().map(joint).collect()
+        let joints: String = self.joints.iter().map(joint).collect();
+        joints + &self.latex_solution()
+    }
+
+    /// The steps of the plan; nothing where there are none.
+    fn latex_solution(&self) -> String {
+        if self.steps.is_empty() && self.unsolved.is_empty() {
+            return String::new();
+        }
+        let mut out = String::from("\\section*{Solution}\n");
+        if !self.unsolved.is_empty() {
+            out.push_str(&format!("No plan: {}.\n", prose(&self.unsolved)));
+        }
+        for step in &self.steps {
+            out.push_str(&format!("\\paragraph{{{}}} {}\n", step.number, prose(&step.what)));
+            for (lines, order) in step.lines.iter().zip(ORDERS).filter(|(lines, _)| !lines.is_empty()) {
+                let lines = lines.iter().flat_map(|line| line.write(Latex, WIDTH));
+                out.push_str(&format!(
+                    "% {order}\n{}",
+                    display(&lines.map(|line| equation(&line)).collect::<Vec<_>>())
+                ));
+            }
+        }
+        out
     }
 }
 
@@ -50,5 +74,6 @@ pub(super) fn equation(line: &Line) -> String {
 
 /// A text beside formulas.
 pub(super) fn prose(text: &str) -> String {
-    text.replace('_', r"\_").replace('–', "--").replace('&', r"\&").replace('#', r"\#")
+    let text = text.replace('_', r"\_").replace('–', "--").replace('&', r"\&").replace('#', r"\#");
+    text.replace('σ', r"$\sigma$").replace('±', r"$\pm$").replace('×', r"$\times$")
 }

@@ -22,14 +22,19 @@ impl Shown {
     }
 }
 
+/// = 0.
+pub(super) fn zero(notation: Notation) -> &'static str {
+    match notation {
+        Notation::Unicode | Notation::Latex => " = 0",
+        Notation::MathMl => "<mo>=</mo><mn>0</mn>",
+    }
+}
+
 /// Φ = 0 of a row.
 pub(super) fn own(row: &Row, notation: Notation, width: usize) -> Line {
     let mut right = row.phi.lines(notation, width);
     if let Some(last) = right.last_mut() {
-        last.push_str(match notation {
-            Notation::Unicode | Notation::Latex => " = 0",
-            Notation::MathMl => "<mo>=</mo><mn>0</mn>",
-        });
+        last.push_str(zero(notation));
     }
     Line { left: of_row(phi(row), &row.name, notation), right }
 }

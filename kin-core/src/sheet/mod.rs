@@ -10,10 +10,12 @@ mod latex;
 mod lines;
 mod of_system;
 mod own;
+mod steps;
 mod text;
 mod vectors;
 
 pub use own::Operands;
+pub use steps::{Line, Step};
 
 use crate::notation::{Formula, Name, Notation};
 use vectors::Piece;
@@ -29,6 +31,10 @@ pub struct Sheet {
     pub coordinates: Vec<String>,
     /// Joints, constraints and drivers.
     pub joints: Vec<Joint>,
+    /// How they are solved, step by step.
+    pub steps: Vec<Step>,
+    /// Why there are no steps, where that is worth saying.
+    pub unsolved: String,
 }
 
 /// A joint.

@@ -1,13 +1,14 @@
 //! A sheet from the graph itself.
 
-use super::{Joint, Operands, Row, Sheet, Shown};
+use super::{Joint, Operands, Row, Sheet, Shown, Step};
 use crate::constraint::{Frame, JointInstance, JointTag, Role};
+use crate::plan::SolutionPlan;
 use crate::system::{Equation, KinematicSystem};
 
 impl Sheet {
     /// The derivation of a system, as it is written where the graph is at hand: of a family the first member only, where
-    /// the others differ by their indices alone, and their names.
-    pub fn of_system(system: &KinematicSystem) -> Self {
+    /// the others differ by their indices alone, and their names; and the steps of a plan that was made with its formulas.
+    pub fn of_system(system: &KinematicSystem, plan: &SolutionPlan) -> Self {
         let set = &system.set;
         let mut joints: Vec<Joint> = Vec::new();
         let mut shapes: Vec<(usize, JointTag, Vec<String>)> = Vec::new();
@@ -22,7 +23,8 @@ impl Sheet {
             }
         }
         let coordinates = set.coordinates.iter().map(|coordinate| coordinate.name.clone()).collect();
-        Self { name: set.name.clone(), doc: String::new(), coordinates, joints }
+        let (steps, unsolved) = (Step::of_plan(plan), String::new());
+        Self { name: set.name.clone(), doc: String::new(), coordinates, joints, steps, unsolved }
     }
 }
 

@@ -11,7 +11,28 @@ impl Sheet {
     /// All joints, one below the other.
     pub fn text(&self) -> String {
         let joints = self.joints.iter().map(joint);
-        format!("{}\n{}", self.name, joints.collect::<String>())
+        format!("{}\n{}{}", self.name, joints.collect::<String>(), self.text_solution())
+    }
+}
+
+impl Sheet {
+    /// The steps of the plan; nothing where there are none.
+    fn text_solution(&self) -> String {
+        if self.steps.is_empty() && self.unsolved.is_empty() {
+            return String::new();
+        }
+        let mut out = String::from("\nSolution\n");
+        if !self.unsolved.is_empty() {
+            out.push_str(&format!("    no plan: {}\n", self.unsolved));
+        }
+        for step in &self.steps {
+            out.push_str(&format!("\n{}  {}\n", step.number, step.what));
+            for lines in step.lines.iter().filter(|lines| !lines.is_empty()) {
+                out.push('\n');
+                out.push_str(&aligned(lines.iter().flat_map(|line| line.write(Unicode, usize::MAX)).collect()));
+            }
+        }
+        out
     }
 }
 
@@ -50,20 +71,46 @@ fn shown(text: &str) -> usize {
     text.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count()
 }
 
-/// Broken before a sign that stands between terms.
+/// Broken before signs between terms, those outside of brackets first; a term alone is broken where it must be.
 fn wrap(text: &str, width: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
-    let mut parts = text.split(' ').peekable();
-    while let Some(part) = parts.next() {
-        let Some(line) = lines.last_mut() else { break };
-        let sign = matches!(part, "+" | "−");
-        let next = parts.peek().map_or(0, |next| shown(next));
-        if !line.is_empty() && shown(line) + 1 + shown(part) + usize::from(sign) * (next + 1) > width {
-            lines.push(part.to_owned());
-        } else {
-            line.push_str(if line.is_empty() { "" } else { " " });
-            line.push_str(part);
+    let fits = |line: &str, more: &str| line.is_empty() || shown(line) + 1 + shown(more) <= width;
+    for term in split(text, 0) {
+        let parts = match shown(&term) <= width {
+            true => vec![term],
+            false => split(&term, usize::MAX),
+        };
+        for part in parts {
+            let words = match shown(&part) <= width {
+                true => vec![part.as_str()],
+                false => part.split(' ').collect(),
+            };
+            for word in words {
+                match lines.last_mut() {
+                    Some(line) if fits(line, word) => {
+                        line.push_str(if line.is_empty() { "" } else { " " });
+                        line.push_str(word);
+                    }
+                    _ => lines.push(word.to_owned()),
+                }
+            }
         }
     }
     lines
+}
+
+/// The terms of a sum, each with its sign: those in at most so many brackets.
+fn split(text: &str, brackets: usize) -> Vec<String> {
+    let (mut terms, mut depth) = (Vec::<String>::new(), 0_usize);
+    for part in text.split(' ') {
+        match terms.last_mut() {
+            Some(last) if depth > brackets || !matches!(part, "+" | "−" | "=") => {
+                last.push(' ');
+                last.push_str(part);
+            }
+            _ => terms.push(part.to_owned()),
+        }
+        depth = (depth + part.matches('(').count()).saturating_sub(part.matches(')').count());
+    }
+    terms
 }

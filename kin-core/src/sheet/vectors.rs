@@ -169,5 +169,5 @@ fn bold(letter: char) -> char {
 }
 
 fn accented(letter: char, accent: char) -> String {
-    format!("<mover accent=\"true\"><mi>{}</mi><mo>{accent}</mo></mover>", bold(letter))
+    format!("<mover><mi>{}</mi><mo scriptlevel=\"0\" stretchy=\"false\">{accent}</mo></mover>", bold(letter))
 }

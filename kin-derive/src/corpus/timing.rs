@@ -53,7 +53,11 @@ fn times() {
 #[test]
 #[ignore = "a measurement, not a test"]
 fn stages() {
-    for (name, tokens) in [("with a range", ranged(100)), ("written out", written_out(100))] {
+    for (name, tokens) in [
+        ("alone", written_out(1)),
+        ("a hundred with a range", ranged(100)),
+        ("a hundred written out", written_out(100)),
+    ] {
         let of = |work: &mut dyn FnMut()| ms(shortest(1, work));
         let analysed = of(&mut || drop(crate::analyse::analyse(TokenStream::new(), tokens.clone())));
         let (_, Ok(lowered)) = crate::analyse::analyse(TokenStream::new(), tokens.clone()) else { continue };
@@ -61,10 +65,14 @@ fn stages() {
         let system = kin_core::assemble(&lowered.mechanism).and_then(kin_core::differentiate).unwrap();
         let structure = of(&mut || drop(kin_core::diagnose(&system)));
         let planned = of(&mut || drop(kin_core::plan::plan(&system)));
+        let rank = system.set.coordinates.len();
+        let formulas = of(&mut || drop(kin_core::plan::plan_with_formulas(&system, rank)));
+        let shown = of(&mut || drop(system.equations.iter().map(|e| system.set.show(e.gamma)).collect::<Vec<_>>()));
         let whole = of(&mut || drop(crate::derive(TokenStream::new(), tokens.clone())));
         println!(
-            "a hundred four-bars {name}: parsed {analysed:.0} ms, equations {equations:.0} ms, \
-             structure {structure:.0} ms, plan {planned:.0} ms, all {whole:.0} ms"
+            "four-bars, {name}: parsed {analysed:.0} ms, equations {equations:.0} ms, \
+             structure {structure:.0} ms, plan {planned:.0} ms, with its formulas {formulas:.0} ms, \
+             γ as text {shown:.0} ms, all {whole:.0} ms"
         );
     }
 }

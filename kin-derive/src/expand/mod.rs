@@ -3,6 +3,7 @@
 //! Nothing iterates a hash map on the way here: the same description gives the same tokens.
 
 mod curves;
+mod derivation;
 mod functions;
 mod generics;
 mod handles;
@@ -21,6 +22,7 @@ mod steps;
 mod tables;
 mod test;
 
+pub(crate) use derivation::WRITTEN;
 pub(crate) use generics::placeholder;
 pub(crate) use handles::{mentions, placeholders};
 

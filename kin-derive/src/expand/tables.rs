@@ -1,5 +1,6 @@
 //! The static [`Model`] of a mechanism: names, rows, patterns, geometry.
 
+use super::derivation;
 use super::joints::joints;
 use super::kernel::Layout;
 use super::packed::{Packed, any_is_long};
@@ -63,7 +64,8 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     let guesses = set.guesses.iter().map(|(k, _)| *k as usize);
     let geometry = set.geometry.len();
     let operations = operations(tables.operations);
-    let equations = equations(tables.system);
+    let equations = derivation::equations(tables.system);
+    let solution = derivation::solution(tables.plan);
     let structure = structure(tables.system, tables.structure);
     let plan = super::steps::table(tables.plan, packed);
     let model = quote! {
@@ -92,6 +94,7 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
             plan: #plan,
             operations: #operations,
             equations: &[#(#equations),*],
+            solution: &[#(#solution),*],
         }
     };
     if packed {
@@ -365,29 +368,4 @@ fn structure(system: &KinematicSystem, structure: &Structure) -> TokenStream {
             position_rank_without_driving: #rank_of_position, redundant: &[#(#redundant),*],
         }
     }
-}
-
-/// The derivation as text, only for those who asked for it: a controller does not carry it.
-fn equations(system: &KinematicSystem) -> Vec<TokenStream> {
-    // Snapshots are the same whichever features the rest of a workspace asks for.
-    if !cfg!(feature = "equations") || cfg!(test) {
-        return Vec::new();
-    }
-    let set = &system.set;
-    (set.rows.iter().zip(&system.equations))
-        .map(|(row, equation)| {
-            let value = row.velocity.map_or(equation.phi, |velocity| velocity.eta);
-            let (name, phi) = (&row.name, set.show(value));
-            let (phi_t, gamma) = (set.show(equation.phi_t), set.show(equation.gamma));
-            let entries = equation.phi_q.iter().map(|(k, e)| {
-                let (coordinate, e) = (set.coordinate_name(*k), set.show(*e));
-                quote! { (#coordinate, #e) }
-            });
-            quote! {
-                __kin::EquationText {
-                    row: #name, phi: #phi, phi_q: &[#(#entries),*], phi_t: #phi_t, gamma: #gamma,
-                }
-            }
-        })
-        .collect()
 }

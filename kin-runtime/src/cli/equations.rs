@@ -6,14 +6,17 @@ use super::failure::{Failure, Ledger};
 use super::help::Help;
 use super::output::{Form, OutputArgs};
 use super::session::Session;
-use crate::present::equations;
+use crate::present::equations::{self, Part};
 
-/// The equations Φ, Φ_q, Φ_t and γ, joint by joint, as text, LaTeX or a page with MathML
+/// The equations Φ, Φ_q, Φ_t and γ, joint by joint, and the closed forms of the solution, as text, LaTeX or a page
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct EquationsArgs {
     /// Joints, constraints and drivers; all of them without any
     #[arg(value_name = "JOINT")]
     joints: Vec<String>,
+    /// rows (Φ and its derivatives) or solution (the steps of the plan); both without it
+    #[arg(long, value_name = "PART", value_enum, hide_possible_values = true)]
+    part: Option<Chosen>,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -24,6 +27,7 @@ pub(super) const HELP: Help = Help {
         vec![
             Some(("equations".to_owned(), "")),
             Some((format!("equations {}", names.joints.join(" ")), "of some joints only")),
+            Some(("equations --part solution".to_owned(), "how they are solved, step by step")),
             Some((document("motion.tex"), "a LaTeX document that compiles as it is")),
             Some((document("equations.html"), "for a browser, without network access")),
             Some(("equations --format latex".to_owned(), "the inside of a document, to be included")),
@@ -32,8 +36,17 @@ pub(super) const HELP: Help = Help {
     details: "\
 Each joint begins with its own equation, in vectors: r is the origin of a body, A its rotation,
 s′ a point in its frame, index 0 the ground. Then follow its rows of Φ as they were derived, their
-partial derivatives that are not 0, and γ.",
+partial derivatives that are not 0, and γ. The solution plan comes after them: what each step
+computes, for q, its rates and its accelerations; coordinates of earlier steps are known there, σ is
+the sign of an assembly mode, and angles are taken nearest to where they were.",
 };
+
+/// What is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Chosen {
+    Rows,
+    Solution,
+}
 
 pub(super) fn run(args: &EquationsArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let model = engine.model();
@@ -49,7 +62,12 @@ pub(super) fn run(args: &EquationsArgs, engine: &mut dyn Engine, session: &mut S
     let output = ledger.close(output)?;
     // A file is a document, what goes elsewhere is for one.
     let document = output.ending == Some(Form::Latex);
-    let sheet = equations::sheet(model, &chosen);
+    let part = match args.part {
+        None => Part::Both,
+        Some(Chosen::Rows) => Part::Rows,
+        Some(Chosen::Solution) => Part::Solution,
+    };
+    let sheet = equations::sheet(model, &chosen, part);
     let text = match output.form {
         Form::Latex if document => sheet.latex(),
         Form::Latex => sheet.latex_fragment(),

@@ -93,6 +93,7 @@ const MODEL: Model = Model {
     structure: None,
     operations: OperationCount { add: 4, mul: 5, neg: 1, div: 0, sqrt: 0, sincos: 1, function: 0 },
     equations: &[],
+    solution: &[],
 };
 
 static DRIVEN_MODEL: Model = MODEL;

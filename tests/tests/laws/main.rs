@@ -69,6 +69,11 @@ macro_rules! motion_laws {
         }
 
         #[test]
+        fn typeset_solutions_are_the_analysis() {
+            typeset::typeset_solutions_are_the_analysis::<$Mechanism>($from, $to);
+        }
+
+        #[test]
         fn sweeps_by_plan_equal_newton() {
             plan::sweeps_by_plan_equal_newton::<$Mechanism>($from, $to);
         }

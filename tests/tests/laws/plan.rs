@@ -8,20 +8,25 @@ use kin_tests::compare::{Differences, largest};
 use kin_tests::mechanisms::write_signals;
 
 /// Full Newton, whatever the plan says.
-fn newton<M: Kinematics>(mechanism: &M) -> Solver<'_, M> {
+pub(crate) fn newton<M: Kinematics>(mechanism: &M) -> Solver<'_, M> {
     let options = Options { use_plan: false, ..Options::default() };
     mechanism.solver().with_options(options).with_inputs(&write_signals::<M>)
 }
 
 /// q, q̇, q̈ and margins by the plan.
-struct ByPlan {
+pub(crate) struct ByPlan {
     q: Vec<f64>,
     q_dot: Vec<f64>,
     q_ddot: Vec<f64>,
-    margins: Vec<f64>,
+    pub(crate) margins: Vec<f64>,
 }
 
-fn by_plan<M: Kinematics>(mechanism: &M, at: &kin_runtime::Instant<'_>, modes: &[f64], start: &[f64]) -> ByPlan {
+pub(crate) fn by_plan<M: Kinematics>(
+    mechanism: &M,
+    at: &kin_runtime::Instant<'_>,
+    modes: &[f64],
+    start: &[f64],
+) -> ByPlan {
     let none = || vec![f64::NAN; M::COORDINATES];
     let mut out = ByPlan { q: none(), q_dot: none(), q_ddot: none(), margins: vec![f64::NAN; M::model().plan.margins] };
     let ByPlan { q, q_dot, q_ddot, margins } = &mut out;

@@ -3,19 +3,57 @@
 //! The formulas are those of the graph that the code was emitted from, as the tables of the mechanism hold them; how they
 //! are written is kin-core's.
 
-use crate::model::{EquationText, Frame, JointInfo, JointKind, Level, Model, Role};
+use crate::model::{EquationText, Frame, JointInfo, JointKind, Level, LineText, Model, Role, StepText};
 use kin_core::constraint::JointTag;
-use kin_core::sheet::{Joint, Operands, Row, Sheet, Shown};
+use kin_core::sheet::{Joint, Line, Operands, Row, Sheet, Shown, Step};
 
-/// The joints that are chosen by their places, all where none is.
-pub(crate) fn sheet(model: &Model, chosen: &[usize]) -> Sheet {
+/// What of a sheet is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Part {
+    /// Joints and steps.
+    Both,
+    /// Joints.
+    Rows,
+    /// Steps of the plan.
+    Solution,
+}
+
+/// The joints that are chosen by their places, all where none is, and the steps that they take part in.
+pub(crate) fn sheet(model: &Model, chosen: &[usize], part: Part) -> Sheet {
     let all = model.joints.iter().enumerate();
-    let joints = all.filter(|(place, _)| chosen.is_empty() || chosen.contains(place));
+    let joints = all.filter(|(place, _)| part != Part::Solution && (chosen.is_empty() || chosen.contains(place)));
+    let takes_part = |step: &&StepText| {
+        let own = model.plan.steps.get(step.step).map_or(&[][..], |step| step.joints);
+        part != Part::Rows && (chosen.is_empty() || own.iter().any(|joint| chosen.contains(joint)))
+    };
+    let unsolved = if part == Part::Rows { None } else { model.plan.absent };
     Sheet {
         name: model.name.to_owned(),
         doc: model.doc.to_owned(),
         coordinates: model.coordinates.iter().map(|coordinate| coordinate.name.to_owned()).collect(),
         joints: joints.map(|(_, of)| joint(model, of)).collect(),
+        steps: model.solution.iter().filter(takes_part).map(step).collect(),
+        unsolved: unsolved.unwrap_or_default().to_owned(),
+    }
+}
+
+fn step(step: &StepText) -> Step {
+    let line = |line: &LineText| match *line {
+        LineText::Equation { left, right } => Line::equation(left, right, false),
+        LineText::Zero { left, right } => Line::equation(left, right, true),
+        LineText::System { matrix, unknowns, right } => {
+            let shown = |texts: &[&str]| texts.iter().map(|text| Shown::new(text)).collect();
+            Line::System {
+                matrix: matrix.iter().map(|row| shown(row)).collect(),
+                unknowns: unknowns.iter().map(|&name| name.to_owned()).collect(),
+                right: shown(right),
+            }
+        }
+    };
+    Step {
+        number: step.step + 1,
+        what: step.what.to_owned(),
+        lines: step.lines.map(|of| of.iter().map(line).collect()),
     }
 }
 

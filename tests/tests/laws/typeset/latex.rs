@@ -10,7 +10,7 @@ pub(super) struct Value {
 }
 
 impl Value {
-    fn of(value: f64) -> Self {
+    pub(super) fn of(value: f64) -> Self {
         Self { value, size: value.abs() }
     }
 
@@ -23,7 +23,7 @@ impl Value {
 pub(super) type Function<'a> = dyn Fn(&str, usize, f64) -> Option<f64> + 'a;
 
 pub(super) struct Reader<'a> {
-    pub(super) symbols: &'a HashMap<String, f64>,
+    pub(super) symbols: &'a HashMap<String, Value>,
     pub(super) function: &'a Function<'a>,
 }
 
@@ -132,7 +132,8 @@ impl Reader<'_> {
         let (x, rest) = self.sum(rest)?;
         if let Some(second) = rest.trim_start().strip_prefix(',') {
             let (y, rest) = self.within(second, r"\right)")?;
-            return Ok((Value { value: x.value.atan2(y.value), size: 4.0 * (x.size + y.size).max(1.0) }, rest));
+            let size = 4.0 + (x.size + y.size) / x.value.hypot(y.value);
+            return Ok((Value { value: x.value.atan2(y.value), size }, rest));
         }
         let rest = rest.trim_start().strip_prefix(r"\right)").ok_or("an argument ends")?;
         let value = match name.as_str() {
@@ -147,7 +148,7 @@ impl Reader<'_> {
         let known = self.symbols.iter().filter(|(name, _)| text.starts_with(name.as_str()));
         let (name, value) =
             known.max_by_key(|(name, _)| name.len()).ok_or_else(|| format!("`{text}` begins with no name"))?;
-        Ok((Value::of(*value), &text[name.len()..]))
+        Ok((*value, &text[name.len()..]))
     }
 }
 

@@ -1,8 +1,11 @@
 //! Laws of typeset equations: the LaTeX that is printed, read back and evaluated, is the code.
 
 mod latex;
+mod plan;
 
-use crate::{evaluated, random_configuration};
+pub(crate) use plan::typeset_solutions_are_the_analysis;
+
+use crate::{When, evaluated, random_configuration};
 use kin_core::notation::{Name, Notation};
 use kin_runtime::{Mechanism, cli};
 use kin_tests::random::Random;
@@ -19,6 +22,39 @@ fn lines(document: &str) -> Vec<String> {
     whole.flat_map(|text| text.split(" \\\\\n").map(str::to_owned).collect::<Vec<_>>()).collect()
 }
 
+/// What the program writes of a part.
+fn written<M: Mechanism + Default>(part: &str) -> Vec<String> {
+    let name = format!("kin-typeset-{}-{}-{part}.tex", std::process::id(), M::model().name);
+    let file = std::env::temp_dir().join(name);
+    let _ = cli::run_from::<M>(["program", "equations", "--part", part, "--out", &file.display().to_string()]);
+    let document = fs::read_to_string(&file).expect("the document is written");
+    fs::remove_file(&file).expect("the file is there");
+    lines(&document)
+}
+
+/// What the symbols are worth: t, parameters, inputs, and coordinates with as many derivatives as there are.
+fn symbols<M: Mechanism>(mechanism: &M, when: &When, q: &[&[f64]]) -> HashMap<String, Value> {
+    let (mut symbols, model) = (HashMap::new(), M::model());
+    let mut put = |name: &str, value: f64| symbols.insert(Name::new(name).write(Notation::Latex), Value::of(value));
+    put("t", when.t);
+    put("pi", std::f64::consts::PI);
+    for (info, value) in model.parameters.iter().zip(mechanism.parameters::<f64>().as_ref()) {
+        put(info.name, *value);
+    }
+    let suffixes = ["", "_dot", "_ddot"];
+    for (k, info) in model.coordinates.iter().enumerate() {
+        for (order, suffix) in q.iter().zip(suffixes) {
+            put(&format!("{}{suffix}", info.name), order[k]);
+        }
+    }
+    for (name, u) in model.inputs.iter().zip(&when.inputs) {
+        for (value, suffix) in [u.value, u.rate, u.acceleration].into_iter().zip(suffixes) {
+            put(&format!("{name}{suffix}"), value);
+        }
+    }
+    symbols
+}
+
 fn close(found: Value, expected: f64) -> bool {
     (found.value - expected).abs() <= 1e-12 * found.size.max(expected.abs()).max(1.0)
 }
@@ -26,32 +62,13 @@ fn close(found: Value, expected: f64) -> bool {
 /// Φ, every entry of Φ_q, Φ_t and γ of every row, at random configurations.
 pub(crate) fn typeset_equations_are_the_code<M: Mechanism + Default>() {
     let (mechanism, model) = (M::default(), M::model());
-    let file = std::env::temp_dir().join(format!("kin-typeset-{}-{}.tex", std::process::id(), model.name));
-    let _ = cli::run_from::<M>(["program", "equations", "--out", &file.display().to_string()]);
-    let document = fs::read_to_string(&file).expect("the document is written");
-    fs::remove_file(&file).expect("the file is there");
-    let lines = lines(&document);
+    let lines = written::<M>("rows");
     let mut random = Random::new(83);
     for _ in 0..3 {
         let (when, q, q_dot) = random_configuration::<M>(&mut random);
         let at = when.at();
         let expected = evaluated(&mechanism, &at, &q, &q_dot);
-        let mut symbols = HashMap::new();
-        let mut put = |name: &str, value: f64| symbols.insert(Name::new(name).write(Notation::Latex), value);
-        put("t", when.t);
-        put("pi", std::f64::consts::PI);
-        for (info, value) in model.parameters.iter().zip(mechanism.parameters::<f64>().as_ref()) {
-            put(info.name, *value);
-        }
-        for (k, info) in model.coordinates.iter().enumerate() {
-            put(info.name, q[k]);
-            put(&format!("{}_dot", info.name), q_dot[k]);
-        }
-        for (name, u) in model.inputs.iter().zip(&when.inputs) {
-            put(name, u.value);
-            put(&format!("{name}_dot"), u.rate);
-            put(&format!("{name}_ddot"), u.acceleration);
-        }
+        let symbols = symbols(&mechanism, &when, &[&q, &q_dot]);
         let function = |name: &str, order: usize, x: f64| {
             let place = model.functions.iter().position(|function| *function == name)?;
             mechanism.evaluate_function(place, x)?.get(order).copied()

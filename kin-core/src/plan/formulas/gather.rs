@@ -1,0 +1,131 @@
+//! The parts of a tree in the order in which they are solved, and every expression that needs derivatives.
+
+use crate::expr::{ExprId, Graph, Symbol};
+use crate::plan::steps::Listed;
+use crate::plan::tree::{Block, Core, PairValue, Part, Way};
+
+/// What is solved at once. Expressions are places among the roots.
+pub(super) struct Item {
+    pub(super) step: usize,
+    pub(super) way: Solved,
+}
+
+/// How.
+pub(super) enum Solved {
+    /// A coordinate is an expression.
+    Explicit { k: u32, value: usize },
+    /// Residuals that are linear in the unknowns.
+    Linear { unknowns: Vec<u32>, residuals: Vec<usize>, matrix: Vec<Vec<ExprId>>, right: Vec<ExprId> },
+    /// Residuals for an iteration.
+    Newton { unknowns: Vec<u32>, residuals: Vec<usize> },
+    /// a cos nφ + b sin nφ = c.
+    Angle { k: u32, times: i32, coefficients: [usize; 3] },
+    /// a x² + b x + c = 0.
+    Quadratic { k: u32, coefficients: [usize; 3] },
+    /// A circle e(x² + y²) + l·(x, y) + k = 0 and a line n·(x, y) + m = 0, with both residuals.
+    Circle { at: [u32; 2], coefficients: [usize; 7], residuals: [usize; 2] },
+    /// The cosine and sine of a sum of multiples of angles, times something positive.
+    Turn { k: u32, turn: Vec<(u32, i32)>, cos: usize, sin: usize },
+}
+
+struct Gather<'a> {
+    graph: &'a mut Graph,
+    listed: &'a Listed,
+    /// Cores and attached coordinates so far.
+    taken: [usize; 2],
+    items: Vec<Item>,
+    roots: Vec<ExprId>,
+}
+
+pub(super) fn gather(graph: &mut Graph, listed: &Listed, tree: &Block) -> (Vec<Item>, Vec<ExprId>) {
+    let mut gather = Gather { graph, listed, taken: [0; 2], items: Vec::new(), roots: Vec::new() };
+    gather.block(tree);
+    (gather.items, gather.roots)
+}
+
+impl Gather<'_> {
+    fn block(&mut self, block: &Block) {
+        for part in &block.parts {
+            match part {
+                Part::Core(core) => self.core(core),
+                Part::Block(block) => self.block(block),
+                Part::Pair(pair) => {
+                    self.block(&pair.inner);
+                    let step = self.attached();
+                    let k = pair.coordinate;
+                    let way = match &pair.value {
+                        PairValue::Linear { value, .. } => Solved::Explicit { k, value: self.root(*value) },
+                        PairValue::Angle { turn, cos, sin, .. } => {
+                            Solved::Turn { k, turn: turn.clone(), cos: self.root(*cos), sin: self.root(*sin) }
+                        }
+                    };
+                    self.items.push(Item { step, way });
+                }
+            }
+        }
+        for pivot in block.pivots.iter().rev() {
+            let step = self.attached();
+            let way = Solved::Explicit { k: pivot.coordinate, value: self.root(pivot.value) };
+            self.items.push(Item { step, way });
+        }
+    }
+
+    fn attached(&mut self) -> usize {
+        self.taken[1] += 1;
+        self.listed.step_of_attached(self.taken[1] - 1)
+    }
+
+    fn root(&mut self, id: ExprId) -> usize {
+        self.roots.push(id);
+        self.roots.len() - 1
+    }
+
+    fn core(&mut self, core: &Core) {
+        self.taken[0] += 1;
+        let step = self.listed.step_of_core(self.taken[0] - 1);
+        let unknowns = core.coordinates.clone();
+        let way = match &core.way {
+            Way::Linear { matrix, constant } => {
+                let right = constant.iter().map(|&e| self.graph.neg(e)).collect();
+                let rows = matrix.iter().zip(constant);
+                let residuals = rows.map(|(row, &constant)| self.affine(row, &unknowns, constant)).collect();
+                Solved::Linear { unknowns, residuals, matrix: matrix.clone(), right }
+            }
+            Way::Newton { residuals } => {
+                Solved::Newton { unknowns, residuals: residuals.iter().map(|&e| self.root(e)).collect() }
+            }
+            Way::Angle { times, a, b, c } => {
+                let coefficients = [*a, *b, *c].map(|e| self.root(e));
+                Solved::Angle { k: unknowns[0], times: *times, coefficients }
+            }
+            Way::Quadratic { a, b, c } => {
+                let coefficients = [*a, *b, *c].map(|e| self.root(e));
+                Solved::Quadratic { k: unknowns[0], coefficients }
+            }
+            Way::Circle { e, l, k, n, m, .. } => {
+                let at = [unknowns[0], unknowns[1]];
+                let [x, y] = at.map(|k| self.graph.symbol(Symbol::Coordinate(k)));
+                let squares = self.graph.plain_dot([x, y], [x, y]);
+                let round = self.graph.mul(*e, squares);
+                let circle = self.affine(l, &at, *k);
+                let whole = self.graph.add(round, self.roots[circle]);
+                self.roots[circle] = whole;
+                let line = self.affine(n, &at, *m);
+                let coefficients = [*e, l[0], l[1], *k, n[0], n[1], *m].map(|e| self.root(e));
+                Solved::Circle { at, coefficients, residuals: [circle, line] }
+            }
+        };
+        self.items.push(Item { step, way });
+    }
+
+    /// row · unknowns + constant.
+    fn affine(&mut self, row: &[ExprId], unknowns: &[u32], constant: ExprId) -> usize {
+        let mut sum = constant;
+        for (&k, &entry) in unknowns.iter().zip(row) {
+            let x = self.graph.symbol(Symbol::Coordinate(k));
+            let term = self.graph.mul(entry, x);
+            sum = self.graph.add(sum, term);
+        }
+        self.root(sum)
+    }
+}

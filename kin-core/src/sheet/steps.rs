@@ -1,0 +1,134 @@
+//! The steps of the solution plan on a sheet.
+
+use super::{Shown, lines, symbol};
+use crate::notation::{Formula, Name, Notation};
+use crate::plan;
+
+/// A step: what gives its coordinates, their rates and their accelerations, each by what stands before it.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// Its number in the plan, from 1.
+    pub number: usize,
+    /// What it is, in words.
+    pub what: String,
+    /// Lines for q, q̇ and q̈.
+    pub lines: [Vec<Line>; 3],
+}
+
+/// A line of a step.
+#[derive(Clone, Debug)]
+pub enum Line {
+    /// A name and its value; `zero` where an iteration brings that to 0.
+    Equation {
+        /// The name.
+        left: String,
+        /// The value.
+        right: Shown,
+        /// True for what an iteration brings to 0.
+        zero: bool,
+    },
+    /// matrix · unknowns = right.
+    System {
+        /// Row by row.
+        matrix: Vec<Vec<Shown>>,
+        /// Names.
+        unknowns: Vec<String>,
+        /// As many as rows.
+        right: Vec<Shown>,
+    },
+}
+
+/// What the three groups of lines are called.
+pub(super) const ORDERS: [&str; 3] = ["Position", "Velocity", "Acceleration"];
+
+impl Step {
+    /// The steps of a plan that was made with its formulas.
+    pub(super) fn of_plan(plan: &plan::SolutionPlan) -> Vec<Self> {
+        let line = |line: &plan::Line| match line {
+            plan::Line::Equation { left, right } => Line::equation(left, right, false),
+            plan::Line::Zero { left, right } => Line::equation(left, right, true),
+            plan::Line::System { matrix, unknowns, right } => Line::System {
+                matrix: matrix.iter().map(|row| row.iter().map(|entry| Shown::new(entry)).collect()).collect(),
+                unknowns: unknowns.clone(),
+                right: right.iter().map(|entry| Shown::new(entry)).collect(),
+            },
+        };
+        let step = |formulas: &plan::Formulas| Self {
+            number: formulas.step + 1,
+            what: formulas.what.clone(),
+            lines: [0, 1, 2].map(|order| formulas.lines[order].iter().map(line).collect()),
+        };
+        plan.formulas.iter().map(step).collect()
+    }
+}
+
+impl Line {
+    /// A name and its value.
+    pub fn equation(left: &str, right: &str, zero: bool) -> Self {
+        Self::Equation { left: left.to_owned(), right: Shown::new(right), zero }
+    }
+
+    /// As equations: a system is one of matrices where they are small enough for `width`, otherwise row by row.
+    pub(super) fn write(&self, notation: Notation, width: usize) -> Vec<lines::Line> {
+        match self {
+            Self::Equation { left, right, zero } => {
+                let mut right = right.lines(notation, width);
+                if let (Some(last), true) = (right.last_mut(), zero) {
+                    last.push_str(lines::zero(notation));
+                }
+                vec![lines::Line { left: symbol(left, notation), right }]
+            }
+            Self::System { matrix, unknowns, right } => {
+                let columns = |shown: &Shown| shown.write(Notation::Unicode).chars().count();
+                let widest = |shown: &mut dyn Iterator<Item = &Shown>| shown.map(columns).max().unwrap_or(0);
+                let entries = (0..unknowns.len()).map(|k| widest(&mut matrix.iter().filter_map(|row| row.get(k))) + 2);
+                let total = entries.sum::<usize>() + widest(&mut right.iter()) + 12;
+                if notation != Notation::Unicode && total <= width && matrix.len() > 1 {
+                    return vec![matrices(matrix, unknowns, right, notation)];
+                }
+                let rows = matrix.iter().zip(right);
+                rows.map(|(row, right)| lines::Line {
+                    left: product(row, unknowns).write(notation),
+                    right: right.lines(notation, width),
+                })
+                .collect()
+            }
+        }
+    }
+}
+
+/// row · unknowns.
+fn product(row: &[Shown], unknowns: &[String]) -> Shown {
+    let term = |(entry, name): (&Shown, &String)| match entry {
+        Shown::Formula(entry) if entry.is_zero() => None,
+        Shown::Formula(Formula::Number(1.0)) => Some((false, Formula::Name(Name::new(name)))),
+        Shown::Formula(entry) => Some((false, Formula::Product(vec![entry.clone(), Formula::Name(Name::new(name))]))),
+        Shown::Text(text) => Some((false, Formula::Name(Name::new(text)))),
+    };
+    let terms: Vec<(bool, Formula)> = row.iter().zip(unknowns).filter_map(term).collect();
+    Shown::Formula(if terms.is_empty() { Formula::Number(0.0) } else { Formula::Sum(terms).tidied() })
+}
+
+fn matrices(matrix: &[Vec<Shown>], unknowns: &[String], right: &[Shown], notation: Notation) -> lines::Line {
+    let column = |entries: Vec<String>| entries.into_iter().map(|entry| vec![entry]).collect::<Vec<_>>();
+    let whole = matrix.iter().map(|row| row.iter().map(|entry| entry.write(notation)).collect()).collect();
+    let unknowns = column(unknowns.iter().map(|name| symbol(name, notation)).collect());
+    let right = column(right.iter().map(|entry| entry.write(notation)).collect());
+    let left = format!("{}{}", bracketed(whole, notation), bracketed(unknowns, notation));
+    lines::Line { left, right: vec![bracketed(right, notation)] }
+}
+
+fn bracketed(rows: Vec<Vec<String>>, notation: Notation) -> String {
+    match notation {
+        Notation::MathMl => {
+            let cell = |entry: &String| format!("<mtd>{entry}</mtd>");
+            let row = |row: &Vec<String>| format!("<mtr>{}</mtr>", row.iter().map(cell).collect::<String>());
+            let rows: String = rows.iter().map(row).collect();
+            format!("<mrow><mo>(</mo><mtable>{rows}</mtable><mo>)</mo></mrow>")
+        }
+        _ => {
+            let rows: Vec<String> = rows.into_iter().map(|row| row.join(" & ")).collect();
+            format!(r"\begin{{pmatrix}} {} \end{{pmatrix}}", rows.join(r" \\ "))
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! The derivation as text in the static model, only for those who asked for it: a controller does not carry it.
+
+use kin_core::plan::{Line, SolutionPlan};
+use kin_core::system::KinematicSystem;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// Whether it is written. Snapshots are the same whichever features the rest of a workspace asks for.
+pub(crate) const WRITTEN: bool = cfg!(feature = "equations") && !cfg!(test);
+
+/// Φ, Φ_q, Φ_t and γ, row by row.
+pub(super) fn equations(system: &KinematicSystem) -> Vec<TokenStream> {
+    if !WRITTEN {
+        return Vec::new();
+    }
+    let set = &system.set;
+    (set.rows.iter().zip(&system.equations))
+        .map(|(row, equation)| {
+            let value = row.velocity.map_or(equation.phi, |velocity| velocity.eta);
+            let (name, phi) = (&row.name, set.show(value));
+            let (phi_t, gamma) = (set.show(equation.phi_t), set.show(equation.gamma));
+            let entries = equation.phi_q.iter().map(|(k, e)| {
+                let (coordinate, e) = (set.coordinate_name(*k), set.show(*e));
+                quote! { (#coordinate, #e) }
+            });
+            quote! {
+                __kin::EquationText {
+                    row: #name, phi: #phi, phi_q: &[#(#entries),*], phi_t: #phi_t, gamma: #gamma,
+                }
+            }
+        })
+        .collect()
+}
+
+/// The closed forms of the plan, step by step.
+pub(super) fn solution(plan: &SolutionPlan) -> impl Iterator<Item = TokenStream> {
+    plan.formulas.iter().map(|formulas| {
+        let (step, what) = (formulas.step, &formulas.what);
+        let lines = formulas.lines.iter().map(|lines| {
+            let lines = lines.iter().map(line);
+            quote! { &[#(#lines),*] }
+        });
+        quote! { __kin::StepText { step: #step, what: #what, lines: [#(#lines),*] } }
+    })
+}
+
+fn line(line: &Line) -> TokenStream {
+    match line {
+        Line::Equation { left, right } => {
+            quote! { __kin::LineText::Equation { left: #left, right: #right } }
+        }
+        Line::Zero { left, right } => quote! { __kin::LineText::Zero { left: #left, right: #right } },
+        Line::System { matrix, unknowns, right } => {
+            let matrix = matrix.iter().map(|row| quote! { &[#(#row),*] });
+            quote! {
+                __kin::LineText::System {
+                    matrix: &[#(#matrix),*], unknowns: &[#(#unknowns),*], right: &[#(#right),*],
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! The closed forms of the plan, read back from LaTeX, give what the analysis finds by Newton's iteration.
+
+use super::latex::{Reader, Value};
+use super::{symbols, written};
+use crate::When;
+use crate::motion::grid;
+use crate::plan::{by_plan, newton};
+use kin_core::notation::{Name, Notation};
+use kin_runtime::{Kinematics, State};
+use std::collections::HashMap;
+use std::f64::consts::TAU;
+
+/// Every line of every step at instants of a motion; coordinates of other steps are those of the analysis.
+pub(crate) fn typeset_solutions_are_the_analysis<M: Kinematics + Default>(from: f64, to: f64) {
+    let (mechanism, plan) = (M::default(), &M::model().plan);
+    let lines = written::<M>("solution");
+    if !plan.exists() {
+        assert_eq!(lines, [""; 0]);
+        return;
+    }
+    let mut compared = 0;
+    for state in &newton(&mechanism).sweep(&grid(from, to, 5)).unwrap() {
+        let mut modes = vec![f64::NAN; plan.modes.len()];
+        let parameters = mechanism.parameters::<f64>();
+        mechanism.closures_with(parameters.as_ref(), &state.instant(), &state.q, &mut modes).unwrap();
+        modes.iter_mut().for_each(|w| *w = w.signum());
+        let found = by_plan(&mechanism, &state.instant(), &modes, &state.q);
+        let margin = found.margins.iter().copied().fold(1.0, f64::min);
+        if margin < 1e-4 {
+            continue;
+        }
+        compared += 1;
+        let mut sheet = Sheet::new(&mechanism, state, &modes, margin);
+        lines.iter().for_each(|line| sheet.line(line));
+        assert_eq!(sheet.seen, 3 * M::COORDINATES, "every coordinate, its rate and its acceleration");
+    }
+    assert!(compared > 0, "singular everywhere");
+}
+
+/// What is known while a sheet is read from its beginning.
+struct Sheet<'m, M> {
+    mechanism: &'m M,
+    symbols: HashMap<String, Value>,
+    /// What the analysis has found, with orders of differentiation.
+    expected: HashMap<String, (f64, usize)>,
+    margin: f64,
+    seen: usize,
+}
+
+impl<'m, M: Kinematics> Sheet<'m, M> {
+    fn new(mechanism: &'m M, state: &State, modes: &[f64], margin: f64) -> Self {
+        let model = M::model();
+        let when = When::of::<M>(state.t);
+        let mut symbols = symbols(mechanism, &when, &[&state.q, &state.q_dot, &state.q_ddot]);
+        for (mode, sign) in model.plan.modes.iter().zip(modes) {
+            // A name that the user has not taken.
+            let plain = format!("sigma_{}", mode.step + 1);
+            let names = [plain.clone(), format!("{plain}[2]")].map(|name| Name::new(&name).write(Notation::Latex));
+            let name = names.into_iter().find(|name| !symbols.contains_key(name)).expect("a free name");
+            symbols.insert(name, Value::of(*sign));
+        }
+        let mut expected = HashMap::new();
+        for (order, values) in [&state.q, &state.q_dot, &state.q_ddot].into_iter().enumerate() {
+            for (info, value) in model.coordinates.iter().zip(values) {
+                let name = format!("{}{}", info.name, ["", "_dot", "_ddot"][order]);
+                expected.insert(Name::new(&name).write(Notation::Latex), (*value, order));
+            }
+        }
+        Self { mechanism, symbols, expected, margin, seen: 0 }
+    }
+
+    fn read(&self, text: &str) -> Result<Value, String> {
+        let function = |name: &str, order: usize, x: f64| {
+            let place = M::model().functions.iter().position(|function| *function == name)?;
+            self.mechanism.evaluate_function(place, x)?.get(order).copied()
+        };
+        Reader { symbols: &self.symbols, function: &function }.read(text)
+    }
+
+    fn value(&self, text: &str) -> Value {
+        self.read(text).unwrap_or_else(|error| panic!("{text}: {error}"))
+    }
+
+    fn line(&mut self, line: &str) {
+        let (left, right) = line.split_once(" &= ").unwrap_or_else(|| panic!("{line} is no equation"));
+        if left.starts_with(r"\begin{pmatrix}") {
+            return self.matrices(left, right);
+        }
+        if let Some(residual) = right.strip_suffix(" = 0") {
+            self.seen += 1;
+            return self.agree(line, self.value(residual), Value::of(0.0), 0);
+        }
+        let found = self.value(right);
+        if let Some(&(expected, order)) = self.expected.get(left) {
+            self.seen += 1;
+            let expected = Value::of(expected);
+            if !right.contains("atan2") || order > 0 {
+                return self.agree(line, found, expected, order);
+            }
+            // The angle nearest to where it was; of an n-fold one the nth part of a turn.
+            let turned = |n: f64| {
+                let turns = ((expected.value - found.value) * n / TAU).round() / n;
+                (found.value + turns * TAU - expected.value).abs()
+            };
+            let off = [1.0, 2.0, 3.0, 4.0].map(turned).into_iter().fold(f64::MAX, f64::min);
+            self.agree(line, Value { value: off, ..found }, Value { value: 0.0, ..expected }, order);
+        } else if let Ok(product) = self.read(left) {
+            self.seen += 1;
+            self.agree(line, product, found, usize::from(left.contains("dot")) + usize::from(left.contains("ddot")));
+        } else {
+            self.symbols.insert(left.to_owned(), found);
+        }
+    }
+
+    /// matrix · unknowns = right.
+    fn matrices(&mut self, left: &str, right: &str) {
+        let both: Vec<Vec<Vec<&str>>> = left.split(r"\begin{pmatrix} ").skip(1).map(entries).collect();
+        let [matrix, unknowns] = both.as_slice() else { panic!("{left}") };
+        let right = entries(right.strip_prefix(r"\begin{pmatrix} ").expect("a column"));
+        for (row, right) in matrix.iter().zip(&right) {
+            let (mut sum, mut order) = (Value::of(0.0), 0);
+            for (entry, unknown) in row.iter().zip(unknowns) {
+                let (entry, x) = (self.value(entry), self.value(unknown[0]));
+                sum = Value { value: sum.value + entry.value * x.value, size: sum.size + entry.size * x.size };
+                order = self.expected[unknown[0]].1;
+            }
+            self.seen += 1;
+            self.agree(left, sum, self.value(right[0]), order);
+        }
+    }
+
+    fn agree(&self, line: &str, found: Value, expected: Value, order: usize) {
+        let room = 1e-12 * found.size.max(expected.size).max(1.0) / self.margin.powf(0.5 + order as f64);
+        assert!((found.value - expected.value).abs() <= room, "{line}: {found:?}, {expected:?}, {room:e}");
+    }
+}
+
+/// The rows of the inside of a matrix, as far as it goes.
+fn entries(inside: &str) -> Vec<Vec<&str>> {
+    let inside = inside.split(r" \end{pmatrix}").next().unwrap_or_default();
+    inside.split(r" \\ ").map(|row| row.split(" & ").collect()).collect()
+}
