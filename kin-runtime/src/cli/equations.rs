@@ -8,13 +8,13 @@ use super::output::{Form, OutputArgs};
 use super::session::Session;
 use crate::present::equations::{self, Part};
 
-/// The equations Φ, Φ_q, Φ_t and γ, joint by joint, and the closed forms of the solution, as text, LaTeX or a page
+/// Φ, Φ_q, Φ_t and γ joint by joint, and how they are solved: text, LaTeX, MathML
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct EquationsArgs {
     /// Joints, constraints and drivers; all of them without any
     #[arg(value_name = "JOINT")]
     joints: Vec<String>,
-    /// rows (Φ and its derivatives) or solution (the steps of the plan); both without it
+    /// rows (of Φ) or solution (steps of the plan) [default: both]
     #[arg(long, value_name = "PART", value_enum, hide_possible_values = true)]
     part: Option<Chosen>,
     #[command(flatten)]
