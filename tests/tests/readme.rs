@@ -94,3 +94,46 @@ fn the_errors_of_the_guide_are_those_of_the_compiler() {
     let errors = |text: &str| text.lines().filter(|line| line.starts_with("error")).count();
     assert_eq!(errors(&said), blocks(page, "text").into_iter().map(errors).sum::<usize>());
 }
+
+/// A crank whose pin runs in the slot of an arm, as in the guide's chapter on the derivation.
+#[kin_runtime::mechanism]
+#[body(crank, x = 0, y = h)]
+#[body(arm, x = 0, y = 0)]
+#[point_on_line(slot: arm @ (0, 0), crank @ (r, 0), axis = (1, 0))]
+#[driver(drive: crank.phi = omega * t)]
+#[guess(arm.phi = 1)]
+struct Slot {
+    #[param(0.1)]
+    r: f64,
+    #[param(0.3)]
+    h: f64,
+    #[param(2.0)]
+    omega: f64,
+}
+
+#[test]
+fn the_plan_in_the_guide_is_what_info_prints() {
+    let page = include_str!("../../kin-runtime/src/guide/derivation.md");
+    let shown = blocks(page, "text").into_iter().find(|block| block.starts_with("Solution plan")).unwrap();
+    let path = std::env::temp_dir().join(format!("kin-guide-{}.txt", std::process::id()));
+    let arguments = ["slot".into(), "info".into(), "--out".into(), path.clone().into_os_string()];
+    let code = kin_runtime::cli::run_from::<Slot>(arguments);
+    assert_eq!(format!("{code:?}"), format!("{:?}", ExitCode::SUCCESS));
+    let printed = std::fs::read_to_string(&path).unwrap();
+    std::fs::remove_file(&path).unwrap();
+    assert!(printed.contains(shown), "{printed}");
+}
+
+#[test]
+fn the_files_that_the_guide_names_are_there() {
+    let page = include_str!("../../kin-runtime/src/guide/constraint.md");
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let rooms = ["", "kin-core", "kin-core/src", "kin-derive/src", "kin-runtime/src"];
+    let named = page.split('`').skip(1).step_by(2).filter(|name| name.ends_with(".rs"));
+    let mut seen = 0;
+    for name in named.filter(|name| *name != "constraint/equidistant.rs") {
+        assert!(rooms.iter().any(|room| root.join(room).join(name).is_file()), "no file {name}");
+        seen += 1;
+    }
+    assert!(seen >= 18, "{seen}");
+}
