@@ -1,9 +1,12 @@
 //! Least-norm least-squares solution of A x = b, by LU where A is square and well conditioned, otherwise by a complete
 //! orthogonal decomposition.
 //!
-//! A sparse LU says nothing of the rank by its pivots alone. But the smallest pivot that a column-pivoted QR factorisation
-//! of the n×n matrix B = A D could have is at least 1 / ‖B⁻¹‖₂, the largest at most ‖B‖₁, and so their ratio at least
-//! 1 / (√n ‖B‖₁ ‖B⁻¹‖₁). Where that is far above the tolerance the rank is n, and nothing needs to be revealed.
+//! A sparse LU says nothing of the rank by its pivots alone. But of a column-pivoted QR factorisation of the n×n matrix
+//! B = A D the last pivot is the smallest, and 1 over it the 2-norm of a row of B⁻¹; the first is the largest, and the 2-norm
+//! of a column of B. So the smallest pivot beside the largest is at least 1 / (c r) with the largest of these norms, c and r,
+//! and that at least 1 / (√n ‖B‖₁ ‖B⁻¹‖₁). Where it is far above the tolerance the rank is n, and nothing needs to be
+//! revealed. The second bound costs nothing, because the condition number is reported; the first says more of large
+//! matrices, and is asked where the second leaves a doubt.
 //!
 //! Rank and conditioning are judged on A D, columns on the common scale; "least norm" is the Euclidean norm of x
 //! itself. With the column-pivoted A D P = Q R of rank r, the leading r rows T = R P^T D⁻¹ give T x = (Qᵀ b)₁…ᵣ, and
@@ -60,7 +63,11 @@ impl Factorization {
     ) -> Option<Self> {
         let (norm, inverse) = elimination.norms();
         let doubt = RANK_TRUST * (columns.len() as f64).sqrt() * norm.max(1.0) * inverse * tolerance;
-        (doubt < 1.0).then(|| Self::sparse(elimination, columns, norm * inverse))
+        let no_doubt = doubt < 1.0 || {
+            let (column, row) = elimination.extents();
+            RANK_TRUST * column.max(1.0) * row * tolerance < 1.0
+        };
+        no_doubt.then(|| Self::sparse(elimination, columns, norm * inverse))
     }
 
     fn sparse(elimination: Box<Elimination>, columns: Vec<f64>, condition: f64) -> Self {

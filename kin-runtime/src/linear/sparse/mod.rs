@@ -15,7 +15,7 @@ mod by_faer;
 mod markowitz;
 mod order;
 
-use super::inverse_norm::{Inverse, inverse_norm};
+use super::inverse_norm::{Inverse, inverse_norm, largest_row};
 use order::Order;
 use std::rc::Rc;
 
@@ -145,6 +145,21 @@ impl Elimination {
         let inverse = inverse_norm(&Permuted { elimination: self, order: &order }, &mut work);
         self.work = work;
         (norm, inverse)
+    }
+
+    /// The largest 2-norm of a column of A, and an estimate of that of a row of A⁻¹.
+    pub(crate) fn extents(&mut self) -> (f64, f64) {
+        let Some(order) = self.order.clone() else { return (0.0, 0.0) };
+        let n = order.pivots.len();
+        let mut work = core::mem::take(&mut self.work);
+        work.clear();
+        work.resize(n, 0.0);
+        let entries = order.entries.iter().zip(&self.values);
+        entries.for_each(|(&(_, column), value)| work[column as usize] += value * value);
+        let column = work.iter().copied().fold(0.0, f64::max).sqrt();
+        let row = largest_row(&Permuted { elimination: self, order: &order }, n, &mut work);
+        self.work = work;
+        (column, row)
     }
 
     /// A x = b, with one step of refinement.
