@@ -133,6 +133,26 @@ const LAST: f64 = 3e-9;
 /// A correction this small, for an unknown of size 1, is rounding.
 const ROUNDING: f64 = 1e-13;
 
+/// [`LAST`] and [`ROUNDING`] for a scalar with this rounding: the one goes with its root, the other with itself.
+const fn last_and_rounding(epsilon: f64) -> [f64; 2] {
+    let coarse = epsilon / f64::EPSILON;
+    // Its root by Heron's rule; that of 1 is exact.
+    let (mut root, mut k) = (1.0, 0);
+    while k < 60 {
+        root = 0.5 * (root + coarse / root);
+        k += 1;
+    }
+    [LAST * root, ROUNDING * coarse]
+}
+
+/// The square of how much coarser a scalar is than an `f64`.
+#[doc(hidden)]
+#[inline(always)]
+pub const fn coarseness<T: Scalar>() -> f64 {
+    let coarse = T::EPSILON / f64::EPSILON;
+    coarse * coarse
+}
+
 /// Newton's iteration over the unknowns `places` of `x`: `correction` gives, for the current values, what is to be
 /// subtracted. `lengths` says of each unknown whether it is a length: lengths are as large as all of them together, so
 /// that a mechanism of micrometres is solved to the same digits in metres. Gives 1 where it has converged and 0 where not.
@@ -144,6 +164,7 @@ pub fn iterate<T: Scalar, const N: usize, const M: usize>(
     lengths: [bool; M],
     mut correction: impl FnMut(&[T; N]) -> [T; M],
 ) -> T {
+    let [last_step, rounding_step] = const { last_and_rounding(T::EPSILON) };
     let mut rounding = false;
     for _ in 0..CORRECTIONS {
         let steps = correction(x);
@@ -159,8 +180,8 @@ pub fn iterate<T: Scalar, const N: usize, const M: usize>(
         rounding = true;
         for ((place, step), is_length) in places.into_iter().zip(steps).zip(lengths) {
             let relative = step / (T::from_f64(1.0) + x[place].abs());
-            last &= relative.is_within(LAST) && (!is_length || (step / length).is_within(LAST));
-            rounding &= relative.is_within(ROUNDING);
+            last &= relative.is_within(last_step) && (!is_length || (step / length).is_within(last_step));
+            rounding &= relative.is_within(rounding_step);
         }
         if last {
             return T::from_f64(1.0);

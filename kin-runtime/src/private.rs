@@ -10,7 +10,7 @@ pub use crate::model::{
     LineText, Model, Observable, OperationCount, OriginKind, ParameterInfo, Pattern, Point, PointInfo, Quantity, Role,
     RowInfo, StepText, Structure,
 };
-pub use crate::plan::{Depth, ModeInfo, Plan, PlanStep, Solved, StepKind, iterate};
+pub use crate::plan::{Depth, ModeInfo, Plan, PlanStep, Solved, StepKind, coarseness, iterate};
 pub use crate::scalar::Scalar;
 pub use crate::series::{Arithmetic, PowerSeries};
 pub use crate::tables;

@@ -10,6 +10,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 pub trait Scalar:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
+    /// The distance from 1 to the next larger number: what tolerances inside generated code go by.
+    const EPSILON: f64 = f64::EPSILON;
     /// The constant `value`.
     fn from_f64(value: f64) -> Self;
     /// Sine and cosine together.
@@ -99,6 +101,7 @@ macro_rules! float {
     ($t:ty, $($std:ident $libm:ident),*; $atan2:ident $fabs:ident $pow:ident $sin_cos:path; $($more:item)*) => {
         impl Scalar for $t {
             $($more)*
+            const EPSILON: f64 = <$t>::EPSILON as f64;
             #[inline(always)]
             fn from_f64(value: f64) -> Self {
                 value as $t

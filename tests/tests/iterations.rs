@@ -1,6 +1,11 @@
-//! How often iterations inside plans correct: once, at small steps.
+//! How often iterations inside plans correct: once, at small steps; and how far, by the rounding of their scalar.
 
+use kin_runtime::plan::{Depth, Plan, Solved};
 use kin_runtime::{Instant, Kinematics, ScalarFunction, mechanism};
+use kin_tests::mechanisms::{
+    AndrewsPins, DwellPress, FourbarLectureMid, KlannLeg, MarghituSixLink, Peaucellier, PlanetaryBasic, QuickReturn,
+    RedundantParallelogram, Robot3rrr, ScotchYoke, TogglePress, WattSixbar,
+};
 use std::cell::Cell;
 
 /// A sine that counts how often it is asked.
@@ -52,4 +57,51 @@ fn one_correction_is_enough_at_one_degree() {
     // Half a radian, for comparison: it does count corrections.
     let far = calls(100, 0.5, 3);
     assert!(far > once + 0.9, "{far} calls where {once} are one correction");
+}
+
+/// q, q̇ and q̈ in `f32`, started a little beside, against those in `f64`; margins are the same and good.
+fn single<M: Kinematics + Default>() {
+    let (mechanism, plan) = (M::default(), &M::model().plan);
+    let name = M::model().name;
+    assert!(plan.exists(), "{name}");
+    for t in [0.0, 0.1, 0.25] {
+        let mut planned = mechanism.solver().planned(&Instant::at(0.0)).unwrap();
+        (0..=10).for_each(|k| _ = planned.at(&Instant::at(0.1 * t * f64::from(k))).unwrap());
+        let least = planned.margins().iter().fold(1.0_f64, |least, margin| least.min(*margin));
+        let modes: Vec<f32> = planned.modes().map(|sign| sign.value() as f32).collect();
+        let start: Vec<f32> = planned.q().iter().map(|q| (q + 0.01) as f32).collect();
+        let [mut q, mut q_dot, mut q_ddot] = [(); 3].map(|()| vec![f32::NAN; M::COORDINATES]);
+        let mut margins = vec![f32::NAN; plan.margins];
+        let parameters = mechanism.parameters::<f32>();
+        let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
+        let at = Instant::at(t as f32);
+        mechanism.solve_with(parameters.as_ref(), &at, &modes, &start, Depth::Acceleration, solved).unwrap();
+        for (margin, expected) in margins.iter().zip(planned.margins()) {
+            let off = (f64::from(*margin) - expected).abs();
+            assert!(off < 1e-2 && f64::from(*margin) > Plan::SMALLEST_MARGIN, "{name}, {t}: {margin} for {expected}");
+        }
+        let pairs = [(&q, planned.q()), (&q_dot, planned.q_dot()), (&q_ddot, planned.q_ddot())];
+        for (order, (found, expected)) in pairs.into_iter().enumerate() {
+            let size = expected.iter().fold(1.0_f64, |size, x| size.max(x.abs()));
+            let off = found.iter().zip(expected).map(|(a, b)| (f64::from(*a) - b).abs()).fold(0.0, f64::max);
+            assert!(off <= 1e-5 * size / least.powi(order as i32 + 1), "{name}, {t}: order {order} off by {off:e}");
+        }
+    }
+}
+
+#[test]
+fn plans_in_single_precision_are_those_in_double() {
+    single::<FourbarLectureMid>();
+    single::<QuickReturn>();
+    single::<DwellPress>();
+    single::<KlannLeg>();
+    single::<Robot3rrr>();
+    single::<AndrewsPins>();
+    single::<TogglePress>();
+    single::<Peaucellier>();
+    single::<RedundantParallelogram>();
+    single::<PlanetaryBasic>();
+    single::<WattSixbar>();
+    single::<MarghituSixLink>();
+    single::<ScotchYoke>();
 }

@@ -243,6 +243,38 @@ fn info_and_check_speak_of_rows_that_are_not_used() {
     assert!(check.contains("of the plan's q, q̇, q̈ at") && check.contains("passed"), "{check}");
 }
 
+/// Two motors that say the same in different words, and turn round.
+#[mechanism(allow_redundant)]
+#[bodies(left, right, bar)]
+#[revolute(A: ground @ (0, 0), left @ (0, 0))]
+#[revolute(B: ground @ (1, 0), right @ (0, 0))]
+#[revolute(C: left @ (0.5, 0), bar @ (0, 0))]
+#[revolute(D: right @ (0.5, 0), bar @ (1, 0))]
+#[driver(one: left.phi = 1.5 + sin(t))]
+#[driver(other: right.phi = 1.5 + 2 * sin(t / 2) * cos(t / 2) + faster * t)]
+#[guess(left.phi = 1.8, right.phi = 1.8, bar.phi = 0)]
+struct Motors {
+    #[param(0)]
+    faster: f64,
+}
+
+#[test]
+fn a_motion_that_turns_round_is_no_contradiction() {
+    let motors = Motors::default();
+    let mut planned = motors.solver().planned(&Instant::at(0.3)).unwrap();
+    for k in 1..=3 {
+        let turn = (f64::from(k) - 0.5) * std::f64::consts::PI;
+        for off in [-1e-2, -1e-5, -1e-7, 0.0, 1e-9, 1e-6, 1e-3] {
+            let found = planned.at(&Instant::at(turn + off)).unwrap_or_else(|error| panic!("{off:e}: {error}"));
+            assert!(found.q_dot()[2].abs() <= 2.0 * f64::abs(off) + 1e-15);
+        }
+    }
+    // There, too, one that is faster is seen.
+    let turn = Instant::at(0.5 * std::f64::consts::PI);
+    let found = Planned::new(&Motors { faster: 1e-12 }, &turn, planned.at(&turn).unwrap().q());
+    assert!(matches!(found, Err(PlanError::Contradiction { .. })), "{found:?}");
+}
+
 /// Platforms side by side, the third crank of some of them of another length.
 #[cfg(feature = "simd")]
 #[test]

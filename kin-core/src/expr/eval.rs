@@ -48,6 +48,7 @@ pub fn evaluate(graph: &Graph, roots: &[ExprId], environment: &impl Environment)
         let v = |id: ExprId| values[id.index()];
         values[id.index()] = match graph.node(id) {
             Node::Number(bits) => bits.value(),
+            Node::Symbol(Symbol::Coarseness) => 1.0,
             Node::Symbol(symbol) => environment.symbol(symbol),
             Node::Neg(a) => -v(a),
             Node::Add(a, b) => v(a) + v(b),

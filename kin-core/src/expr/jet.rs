@@ -153,7 +153,12 @@ fn of_symbol(graph: &mut Graph, symbol: Symbol) -> Jet {
     let mut jet = Jet { gradient: Vec::new(), partial_t: zero, rate: zero, rest: zero };
     match symbol {
         Symbol::Parameter(_) | Symbol::Rate(_) => {}
-        Symbol::Mode(_) | Symbol::Start(_) | Symbol::Unknown(_) | Symbol::Held(_) | Symbol::Right(_) => {}
+        Symbol::Mode(_)
+        | Symbol::Start(_)
+        | Symbol::Unknown(_)
+        | Symbol::Held(_)
+        | Symbol::Right(_)
+        | Symbol::Coarseness => {}
         Symbol::Time => {
             jet.partial_t = one;
             jet.rate = one;

@@ -41,6 +41,8 @@ pub enum Symbol {
     Held(u32),
     /// A right-hand side b_k of Φ_q x = b.
     Right(u32),
+    /// The square of how much coarser the scalar is than an `f64`, for tolerances: 1 for an `f64`.
+    Coarseness,
 }
 
 /// The place of the argument of a curve that is drawn, as if it were a coordinate: it is in no q.
@@ -53,7 +55,7 @@ impl Symbol {
     /// Its place in the array that it is of; time is alone.
     pub const fn index(self) -> u32 {
         match self {
-            Self::Time => 0,
+            Self::Time | Self::Coarseness => 0,
             Self::Parameter(k)
             | Self::Input(k, _)
             | Self::Coordinate(k)
@@ -79,6 +81,7 @@ impl Symbol {
             Self::Unknown(_) => Self::Unknown(k),
             Self::Held(_) => Self::Held(k),
             Self::Right(_) => Self::Right(k),
+            Self::Coarseness => Self::Coarseness,
         }
     }
 
@@ -95,6 +98,7 @@ impl Symbol {
             Self::Unknown(_) => (7, 0),
             Self::Held(_) => (8, 0),
             Self::Right(_) => (9, 0),
+            Self::Coarseness => (10, 0),
         };
         mixed(of, u64::from(self.index()) << 16 | u64::from(order) << 8 | kind)
     }
@@ -107,6 +111,7 @@ impl Symbol {
             Self::Unknown(k) => format!("unknown{k}"),
             Self::Held(k) => format!("held{k}"),
             Self::Right(k) => format!("right{k}"),
+            Self::Coarseness => "coarseness".to_owned(),
             _ => String::new(),
         }
     }
@@ -313,7 +318,12 @@ impl Depends {
             Symbol::Input(..) => Self::INPUT,
             Symbol::Coordinate(_) => Self::COORDINATE,
             Symbol::Rate(_) => Self::RATE,
-            Symbol::Mode(_) | Symbol::Start(_) | Symbol::Unknown(_) | Symbol::Held(_) | Symbol::Right(_) => Self::PLAN,
+            Symbol::Mode(_)
+            | Symbol::Start(_)
+            | Symbol::Unknown(_)
+            | Symbol::Held(_)
+            | Symbol::Right(_)
+            | Symbol::Coarseness => Self::PLAN,
         }
     }
 }

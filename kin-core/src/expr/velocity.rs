@@ -29,7 +29,12 @@ fn of_symbol_at_velocity_level(graph: &mut Graph, symbol: Symbol) -> Jet {
         Symbol::Input(k, order) => jet.partial_t = graph.symbol(Symbol::Input(k, order + 1)),
         Symbol::Coordinate(k) => jet.partial_t = graph.symbol(Symbol::Rate(k)),
         Symbol::Rate(k) => jet.gradient.push((k, graph.number(1.0))),
-        Symbol::Mode(_) | Symbol::Start(_) | Symbol::Unknown(_) | Symbol::Held(_) | Symbol::Right(_) => {}
+        Symbol::Mode(_)
+        | Symbol::Start(_)
+        | Symbol::Unknown(_)
+        | Symbol::Held(_)
+        | Symbol::Right(_)
+        | Symbol::Coarseness => {}
     }
     jet
 }

@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! margin = 1 − (ρ/τ)² − (ρ̇/τ̇)² − (ρ̈/τ̈)²
-//! ρ² = Φᵣ²/Σ Φᵣₖ² wₖ,  ρ̇² = (Σ Φᵣₖ q̇ₖ + Φᵣₜ)²/(Σ Φᵣₖ² wₖ · V²),  ρ̈² = (Σ Φᵣₖ q̈ₖ − γᵣ)²/(Σ Φᵣₖ² wₖ · A²)
+//! ρ² = Φᵣ²/Σ Φᵣₖ² wₖ,  ρ̇² = (Σ Φᵣₖ q̇ₖ + Φᵣₜ)²/(Σ Φᵣₖ² wₖ · V²),  ρ̈² = (Σ Φᵣₖ q̈ₖ − γᵣ)²/(Σ Φᵣₖ² wₖ · A²),
+//! all of them with a little of the squared terms of Φᵣ, Φᵣₜ and γᵣ beside the sums,
 //! V² = Σ q̇ₖ²/wₖ,  A² = Σ q̈ₖ²/wₖ + V⁴
 //! ```
 //!
@@ -14,7 +15,7 @@ use super::build::Build;
 use super::closures::{SHARE, squared_terms};
 use super::reduce::Agreeing;
 use crate::constraint::CoordinateKind;
-use crate::expr::ExprId;
+use crate::expr::{ExprId, Symbol};
 use crate::mechanism::Function;
 use crate::program::Slot;
 
@@ -120,7 +121,10 @@ impl Build<'_> {
                     let term = self.graph.mul(entry, solution[k as usize]);
                     rest = self.graph.add(rest, term);
                 }
-                let (square, size) = (self.graph.square(rest), self.graph.mul(watched.sizes[place], all));
+                // Where Φₜ is a small difference of large terms, as a motion turns round, rounding is that of the terms.
+                let (terms, share) = (squared_terms(&mut self.graph, right[row], 6), self.graph.number(SHARE));
+                let (terms, size) = (self.graph.mul(share, terms), self.graph.mul(watched.sizes[place], all));
+                let (square, size) = (self.graph.square(rest), self.graph.add(size, terms));
                 self.take_away(&mut watched, square, size, tolerance);
             }
             self.watched.push(watched);
@@ -139,13 +143,15 @@ impl Build<'_> {
         self.write(Slot::Margin(watched.place), watched.margin);
     }
 
-    /// τ² at a level: TOLERANCE² + ROUNDING² · nearness^level.
+    /// τ² at a level, for the scalar at hand: TOLERANCE² + ROUNDING² · nearness^level of an `f64`.
     fn tolerance(&mut self, nearness: ExprId, level: i32) -> ExprId {
         let graph = &mut self.graph;
         let (tolerance, rounding) = (graph.number(TOLERANCE * TOLERANCE), graph.number(ROUNDING * ROUNDING));
         let power = graph.powi(nearness, level);
         let rounding = graph.mul(rounding, power);
         let sum = graph.add(tolerance, rounding);
+        let coarseness = graph.symbol(Symbol::Coarseness);
+        let sum = graph.mul(coarseness, sum);
         graph.whole(sum)
     }
 

@@ -1,7 +1,7 @@
 //! The interpreter: runs a program in double precision, as an oracle of the emitted code.
 
 use super::{Instruction, Program, Slot, Value};
-use crate::expr::{Environment, function, nearest};
+use crate::expr::{Environment, Symbol, function, nearest};
 
 /// The outputs of `program`.
 pub fn interpret(program: &Program, environment: &impl Environment) -> Vec<(Slot, f64)> {
@@ -10,6 +10,7 @@ pub fn interpret(program: &Program, environment: &impl Environment) -> Vec<(Slot
     for (place, instruction) in program.instructions.iter().enumerate() {
         values[place] = match *instruction {
             Instruction::Number(value) => [value.value(), 0.0, 0.0],
+            Instruction::Load(Symbol::Coarseness) => [1.0, 0.0, 0.0],
             Instruction::Load(symbol) => [environment.symbol(symbol), 0.0, 0.0],
             Instruction::SinOf(pair) => [values[pair.index()][0], 0.0, 0.0],
             Instruction::CosOf(pair) => [values[pair.index()][1], 0.0, 0.0],

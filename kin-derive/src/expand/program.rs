@@ -313,6 +313,7 @@ pub(super) fn load_at(symbol: Symbol, at: &TokenStream) -> TokenStream {
         Symbol::Unknown(_) => quote! { unknowns[#at] },
         Symbol::Held(_) => quote! { held[#at] },
         Symbol::Right(_) => quote! { right[#at] },
+        Symbol::Coarseness => quote! { <__T as __kin::Scalar>::from_f64(__kin::coarseness::<__T>()) },
     }
 }
 

@@ -262,7 +262,8 @@ fn load(symbol: Symbol) -> TokenStream {
         | Symbol::Start(_)
         | Symbol::Unknown(_)
         | Symbol::Held(_)
-        | Symbol::Right(_) => TokenStream::new(),
+        | Symbol::Right(_)
+        | Symbol::Coarseness => TokenStream::new(),
         Symbol::Time => quote! { __kin::Arithmetic::time(x) },
         Symbol::Input(k, order) => {
             let (k, order) = (at(k), at(u32::from(order)));

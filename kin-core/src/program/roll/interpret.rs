@@ -1,7 +1,7 @@
 //! The interpreter of rolled programs: what the loops say, and nothing of the program they came from.
 
 use super::{Part, Piece, Rolled, Source, Step};
-use crate::expr::Environment;
+use crate::expr::{Environment, Symbol};
 use crate::program::interpret::compute;
 use crate::program::{Slot, Value};
 use std::collections::HashMap;
@@ -59,6 +59,7 @@ impl<E: Environment> State<'_, E> {
         match self.rolled.sources[source.index()] {
             Source::Number(bits) => bits.value(),
             Source::Table(table) => self.rolled.tables[table][k].value(),
+            Source::Load(Symbol::Coarseness, _) => 1.0,
             Source::Load(symbol, step) => {
                 self.environment.symbol(symbol.at(advanced(symbol.index() as usize, step) as u32))
             }
