@@ -130,8 +130,16 @@ struct Platform {
     s: f64,
 }
 
-/// Every angle at every instant, by [`Planned`] and in a batch, or none where there is no answer; and where the batch ends.
-fn angles<M: Kinematics + Sync>(mechanism: &M, times: &[f64]) -> (Vec<Option<Vec<f64>>>, Vec<Vec<f64>>, Option<usize>) {
+/// Every angle at every instant.
+struct Angles {
+    /// By [`Planned`], or none where there is no answer.
+    one: Vec<Option<Vec<f64>>>,
+    /// In a batch, and the instant at which that ends.
+    batch: Vec<Vec<f64>>,
+    end: Option<usize>,
+}
+
+fn angles<M: Kinematics + Sync>(mechanism: &M, times: &[f64]) -> Angles {
     let is_angle = |k: &usize| M::model().coordinates[*k].name.ends_with("phi");
     let pick = |q: &[f64]| (0..M::COORDINATES).filter(is_angle).map(|k| q[k]).collect::<Vec<_>>();
     let mut planned = mechanism.solver().planned(&Instant::at(times[0])).unwrap();
@@ -146,8 +154,8 @@ fn angles<M: Kinematics + Sync>(mechanism: &M, times: &[f64]) -> (Vec<Option<Vec
         seen.push(pick(&q));
     })
     .unwrap();
-    let (seen, end) = (out.blocks().next().unwrap().clone(), out.ends().next().flatten());
-    (one, seen, end.map(|end: End| end.instant))
+    let (batch, end) = (out.blocks().next().unwrap().clone(), out.ends().next().flatten());
+    Angles { one, batch, end: end.map(|end: End| end.instant) }
 }
 
 #[test]
@@ -162,9 +170,9 @@ fn no_unit_of_length_changes_predictions() {
         let platforms = [1e-3, 1.0, 1e3].map(|s| angles(&Platform { s }, &times(near_by)));
         for [small, own, large] in [cranks, platforms] {
             for other in [small, large] {
-                assert_eq!(own.2, other.2, "steps number {k}: the batch ends elsewhere");
-                assert!(own.1.iter().zip(&other.1).all(|(a, b)| near(a, b)), "steps number {k} in a batch");
-                for (place, pair) in own.0.iter().zip(&other.0).enumerate() {
+                assert_eq!(own.end, other.end, "steps number {k}: the batch ends elsewhere");
+                assert!(own.batch.iter().zip(&other.batch).all(|(a, b)| near(a, b)), "steps number {k} in a batch");
+                for (place, pair) in own.one.iter().zip(&other.one).enumerate() {
                     let same = match pair {
                         (Some(a), Some(b)) => near(a, b),
                         pair => pair.0.is_none() && pair.1.is_none(),
