@@ -15,7 +15,7 @@
 //!
 //! ```text
 //! cargo run --release --example pantograph -- plot stylus pen --to 6.283 --out hearts.svg
-//! cargo run --release --example pantograph -- animate --to 6.283 --out pantograph.html --set ratio=4
+//! cargo run --release --example pantograph -- animate --to 6.283 --out pantograph.html --set ratio=2
 //! ```
 
 use kin_runtime::mechanism;
