@@ -4,9 +4,10 @@ use super::gear::Pair;
 use super::layout::indexed;
 use super::placed::{PlacedPoint, Pose};
 use super::set::{
-    ConstraintRow, ConstraintSet, CurveInstance, DefineInstance, Family, Frame, Geometry, JointInstance, JointTag,
-    Observable, ObservableKind, PointInstance, Quantity, Role, VelocityRow,
+    ConstraintRow, ConstraintSet, CurveInstance, DefineInstance, Family, Frame, Geometry, JointInstance, Observable,
+    ObservableKind, PointInstance, Quantity, Role, VelocityRow,
 };
+use super::tag::JointTag;
 use super::{
     angle, belt, coordinate, curve, distance, driver, fixed, gear, knife_edge, nonholonomic, point_on_line,
     rack_pinion, revolute, rolling_on_disc, rolling_on_line, speed, translational,

@@ -26,11 +26,13 @@ mod rolling_on_disc;
 mod rolling_on_line;
 mod set;
 mod speed;
+mod tag;
 mod translational;
 
 pub use assembly::assemble;
 pub use set::{
     BodyInstance, ConditionInstance, ConstraintRow, ConstraintSet, Coordinate, CoordinateKind, CurveInstance,
-    DefineInstance, Family, Frame, Geometry, JointInstance, JointTag, Observable, ObservableKind, PointInstance,
-    Quantity, Role, VelocityRow,
+    DefineInstance, Family, Frame, Geometry, JointInstance, Observable, ObservableKind, PointInstance, Quantity, Role,
+    VelocityRow,
 };
+pub use tag::JointTag;
