@@ -112,16 +112,18 @@ struct Slot {
 }
 
 #[test]
-fn the_plan_in_the_guide_is_what_info_prints() {
+fn the_plan_in_the_guide_is_what_the_tool_prints() {
     let page = include_str!("../../kin-runtime/src/guide/derivation.md");
-    let shown = blocks(page, "text").into_iter().find(|block| block.starts_with("Solution plan")).unwrap();
-    let path = std::env::temp_dir().join(format!("kin-guide-{}.txt", std::process::id()));
-    let arguments = ["slot".into(), "info".into(), "--out".into(), path.clone().into_os_string()];
-    let code = kin_runtime::cli::run_from::<Slot>(arguments);
-    assert_eq!(format!("{code:?}"), format!("{:?}", ExitCode::SUCCESS));
-    let printed = std::fs::read_to_string(&path).unwrap();
-    std::fs::remove_file(&path).unwrap();
-    assert!(printed.contains(shown), "{printed}");
+    for (command, begins) in [("info", "Solution plan"), ("equations", "    a₂ ")] {
+        let shown = blocks(page, "text").into_iter().find(|block| block.starts_with(begins)).unwrap();
+        let path = std::env::temp_dir().join(format!("kin-guide-{command}-{}.txt", std::process::id()));
+        let arguments = ["slot".into(), command.into(), "--out".into(), path.clone().into_os_string()];
+        let code = kin_runtime::cli::run_from::<Slot>(arguments);
+        assert_eq!(format!("{code:?}"), format!("{:?}", ExitCode::SUCCESS));
+        let printed = std::fs::read_to_string(&path).unwrap();
+        std::fs::remove_file(&path).unwrap();
+        assert!(printed.contains(shown), "{printed}");
+    }
 }
 
 #[test]
