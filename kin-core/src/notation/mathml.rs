@@ -30,9 +30,12 @@ pub(super) fn write(formula: &Formula) -> String {
     }
 }
 
+/// The signs of sums.
+pub(super) const SIGNS: Signs = Signs { first: "<mo>−</mo>", plus: "<mo>+</mo>", minus: "<mo>−</mo>" };
+
 /// The terms of a sum with their signs.
-pub(super) fn terms(parts: &[(bool, Formula)]) -> Vec<String> {
-    parts::terms(parts, &Signs { first: "<mo>−</mo>", plus: "<mo>+</mo>", minus: "<mo>−</mo>" }, within)
+fn terms(parts: &[(bool, Formula)]) -> Vec<String> {
+    parts::terms(parts, &SIGNS, within)
 }
 
 /// A function whose argument has no brackets.

@@ -96,6 +96,9 @@ fn long_sums_are_broken_before_their_signs() {
         assert_eq!(two.concat(), inner);
     }
     assert_eq!(formula.lines(Notation::Unicode, 12), ["a b − c/d", " + sin φ − e"]);
+    let nested = Formula::parse("-2*((a + b + c)*(d - e) + f)").expect("a formula");
+    assert_eq!(nested.lines(Notation::Unicode, 12), ["−2 ((a + b", " + c) (d − e)", " + f)"]);
+    assert_eq!(nested.lines(Notation::Latex, 40), [nested.write(Notation::Latex)]);
 }
 
 #[test]

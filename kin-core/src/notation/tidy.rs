@@ -134,7 +134,7 @@ fn product(factors: Vec<Formula>) -> Formula {
         && flat.len() > 1
         && let Formula::Quotient(above, below) = flat.remove(place)
     {
-        flat.push(*above);
+        flat.insert(place.min(flat.len()), *above);
         let (above, below) = match (product(flat), *below) {
             // Another fraction among the factors.
             (Formula::Quotient(above, other), below) => (above, product(vec![*other, below])),

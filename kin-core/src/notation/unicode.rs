@@ -20,9 +20,12 @@ pub(super) fn write(formula: &Formula) -> String {
     }
 }
 
+/// The signs of sums.
+pub(super) const SIGNS: Signs = Signs { first: "−", plus: " + ", minus: " − " };
+
 /// The terms of a sum with their signs.
-pub(super) fn terms(parts: &[(bool, Formula)]) -> Vec<String> {
-    parts::terms(parts, &Signs { first: "−", plus: " + ", minus: " − " }, within)
+fn terms(parts: &[(bool, Formula)]) -> Vec<String> {
+    parts::terms(parts, &SIGNS, within)
 }
 
 /// `sin φ` rather than `sin(φ)`.

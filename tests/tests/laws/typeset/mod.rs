@@ -19,6 +19,7 @@ fn lines(document: &str) -> Vec<String> {
     let inside = displays.filter_map(|text| text.split("\n\\end{align*}").next());
     // A right side may go on in the next line.
     let whole = inside.map(|text| text.replace(" \\\\\n&\\quad {} ", " "));
+    let whole = whole.map(|text| text.replace(r"\bigl(", r"\left(").replace(r"\bigr)", r"\right)"));
     whole.flat_map(|text| text.split(" \\\\\n").map(str::to_owned).collect::<Vec<_>>()).collect()
 }
 
