@@ -31,22 +31,22 @@ impl Sheet {
              h2 span{{opacity:.65;font-weight:400}}{STYLE}</style>\n</head>\n<body>\n<h1>{name}</h1>\n<p>{}</p>\n\
              {sections}{}</body>\n</html>\n",
             escaped(&self.doc),
-            self.html_solution("h2")
+            self.html_solution()
         )
     }
 }
 
 impl Sheet {
-    /// The steps of the plan under headings of a kind, as many as fit.
-    pub(super) fn html_solution(&self, heading: &str) -> String {
+    /// The steps of the plan; nothing where there are none.
+    fn html_solution(&self) -> String {
         let mut out = String::new();
+        if !self.steps.is_empty() || !self.unsolved.is_empty() {
+            out.push_str("<h1>Solution</h1>\n");
+        }
         if !self.unsolved.is_empty() {
             out.push_str(&format!("<p>No plan: {}.</p>\n", escaped(&self.unsolved)));
         }
-        for step in &self.steps {
-            out.push_str(&html_step(step, heading));
-        }
-        out
+        out + &self.steps.iter().map(|step| html_step(step, "h2")).collect::<String>()
     }
 }
 

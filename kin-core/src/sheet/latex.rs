@@ -6,7 +6,7 @@ use super::{Joint, Sheet, vectors};
 use crate::notation::Notation::Latex;
 
 /// Columns of plain text for which there is room on a page.
-const WIDTH: usize = 68;
+const WIDTH: usize = 80;
 
 impl Sheet {
     /// A document that compiles as it is, with pdfLaTeX too.
