@@ -41,7 +41,7 @@ fn every_example_has_a_section_with_a_picture() {
     for name in names(&examples(), ".rs").into_iter().filter(shown) {
         let named =
             |section: &&str| section.contains(&format!("`{name}`")) || section.contains(&format!("example {name} "));
-        assert!(sections.iter().any(|section| named(section)), "`{name}` is on the page with no picture");
+        assert!(sections.iter().any(named), "`{name}` is on the page with no picture");
     }
 }
 
