@@ -23,7 +23,10 @@ pub(crate) fn text(input: TokenStream) -> String {
     let (_, Ok(lowered)) = analyse(args.stream(), tokens.collect()) else { return String::new() };
     let Ok((system, structure)) = crate::derive::system(&lowered) else { return String::new() };
     let plan = kin_core::plan::plan_with_formulas(&system, structure.rank);
-    kin_core::sheet::Sheet::of_system(&system, &plan).docs()
+    let sections = kin_core::sheet::Sheet::of_system(&system, &plan).docs();
+    // The first paragraph is what lists show of the struct; a heading says nothing there.
+    let first = if lowered.docs.mechanism.is_empty() { "A planar mechanism." } else { "" };
+    format!("{first}{sections}")
 }
 
 #[cfg(test)]

@@ -5,24 +5,10 @@ mod harmonic;
 mod modified_sine;
 mod modified_trapezoidal;
 mod polynomials;
-/// Its name.
-impl fmt::Display for MotionLaw {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::ConstantVelocity => "constant velocity",
-            Self::Harmonic => "harmonic",
-            Self::Cycloidal => "cycloidal",
-            Self::Polynomial345 => "polynomial 3-4-5",
-            Self::Polynomial4567 => "polynomial 4-5-6-7",
-            Self::ModifiedSine => "modified sine",
-            Self::ModifiedTrapezoidal => "modified trapezoidal",
-        })
-    }
-}
-
 #[cfg(test)]
 mod tests;
 
+use super::ScalarFunction;
 use super::polynomial::all_derivatives;
 use core::fmt;
 
@@ -127,6 +113,19 @@ impl MotionLaw {
     }
 }
 
+/// The normalised law itself: a rise from 0 to 1 while its argument goes from 0 to 1, as in `stroke * rise(t / duration)`.
+impl ScalarFunction for MotionLaw {
+    #[inline]
+    fn evaluate(&self, tau: f64) -> [f64; 3] {
+        self.normalised(tau)
+    }
+
+    fn derivatives(&self, tau: f64, out: &mut [f64]) -> usize {
+        Self::derivatives(*self, tau, out);
+        out.len()
+    }
+}
+
 /// s″ = a sin θ as a piece of a wave: a sin θ, a cos θ, and θ′.
 #[derive(Clone, Copy, Default)]
 struct Wave {
@@ -138,5 +137,20 @@ struct Wave {
 impl Wave {
     fn new(amplitude: f64, (sin, cos): (f64, f64), omega: f64) -> Self {
         Self { sine: amplitude * sin, cosine: amplitude * cos, omega }
+    }
+}
+
+/// Its name.
+impl fmt::Display for MotionLaw {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::ConstantVelocity => "constant velocity",
+            Self::Harmonic => "harmonic",
+            Self::Cycloidal => "cycloidal",
+            Self::Polynomial345 => "polynomial 3-4-5",
+            Self::Polynomial4567 => "polynomial 4-5-6-7",
+            Self::ModifiedSine => "modified sine",
+            Self::ModifiedTrapezoidal => "modified trapezoidal",
+        })
     }
 }

@@ -1,6 +1,7 @@
 //! The constants of the textbooks, and the derivatives by differences.
 
 use super::MotionLaw;
+use crate::function::ScalarFunction;
 
 /// Largest |s′| and |s″|, finely sampled.
 fn peaks(law: MotionLaw) -> [f64; 2] {
@@ -101,4 +102,11 @@ fn higher_derivatives_are_derivatives() {
     let mut resting = [f64::NAN; 5];
     MotionLaw::Cycloidal.derivatives(1.5, &mut resting);
     assert_eq!(resting, [1.0, 0.0, 0.0, 0.0, 0.0]);
+    // As the function of a mechanism it is the same, and known to any order.
+    let mut same = [f64::NAN; 5];
+    let law = MotionLaw::Polynomial4567;
+    assert_eq!((ScalarFunction::derivatives(&law, 0.3, &mut same), law.evaluate(0.3)), (5, law.normalised(0.3)));
+    let mut own = [f64::NAN; 5];
+    law.derivatives(0.3, &mut own);
+    assert_eq!(same, own);
 }

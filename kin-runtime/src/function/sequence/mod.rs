@@ -4,14 +4,6 @@ mod builder;
 mod error;
 mod junction;
 mod segment;
-/// `4 segments from x = 0 to 360, periodic`.
-impl fmt::Display for Sequence {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        counted(f, self.segments.len(), "segment")?;
-        write!(f, " from x = {} to {}{}", self.domain.0, self.domain.1, if self.periodic { ", periodic" } else { "" })
-    }
-}
-
 #[cfg(test)]
 mod tests;
 
@@ -131,5 +123,13 @@ impl ScalarFunction for Sequence {
         }
         let place = self.segments[1..].partition_point(|segment| segment.start <= x);
         self.segments[place].evaluate(x)
+    }
+}
+
+/// `4 segments from x = 0 to 360, periodic`.
+impl fmt::Display for Sequence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        counted(f, self.segments.len(), "segment")?;
+        write!(f, " from x = {} to {}{}", self.domain.0, self.domain.1, if self.periodic { ", periodic" } else { "" })
     }
 }

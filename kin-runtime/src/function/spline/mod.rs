@@ -1,18 +1,6 @@
 //! C² interpolation through a table by cubic splines.
 
 mod error;
-/// `cubic spline through 7 knots from 0 to 6`.
-impl fmt::Display for CubicSpline {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("cubic spline through ")?;
-        counted(f, self.knots.len(), "knot")?;
-        if let [first, .., last] = self.knots[..] {
-            write!(f, " from {first} to {last}")?;
-        }
-        f.write_str(if self.outside == Outside::Periodic { ", periodic" } else { "" })
-    }
-}
-
 #[cfg(test)]
 mod tests;
 mod tridiagonal;
@@ -243,4 +231,16 @@ fn inner(h: &[f64], y: &[f64]) -> (Tridiagonal, Vec<f64>) {
         right[i] = 6.0 * ((y[i + 1] - y[i]) / h[i] - (y[i] - y[i - 1]) / h[i - 1]);
     }
     (system, right)
+}
+
+/// `cubic spline through 7 knots from 0 to 6`.
+impl fmt::Display for CubicSpline {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("cubic spline through ")?;
+        counted(f, self.knots.len(), "knot")?;
+        if let [first, .., last] = self.knots[..] {
+            write!(f, " from {first} to {last}")?;
+        }
+        f.write_str(if self.outside == Outside::Periodic { ", periodic" } else { "" })
+    }
 }
