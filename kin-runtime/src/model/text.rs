@@ -2,9 +2,9 @@
 
 use super::{
     Body, BodyInfo, Component, ConditionInfo, Coordinate, CoordinateInfo, CoordinateKind, DefineInfo, EquationText,
-    FamilyInfo, FamilyKind, Frame, GenericRedundancy, Geometry, Input, JointInfo, JointQuantity, Level, Model,
-    Observable, OperationCount, OriginKind, ParameterInfo, Pattern, Point, PointInfo, Quantity, Role, RowInfo,
-    Structure,
+    FamilyInfo, FamilyKind, Frame, GenericRedundancy, Geometry, Input, JointInfo, JointQuantity, Level, LineText,
+    Model, Observable, OperationCount, OriginKind, ParameterInfo, Pattern, Point, PointInfo, Quantity, Role, RowInfo,
+    StepText, Structure,
 };
 use crate::text::{counted, separated};
 use core::fmt;
@@ -104,6 +104,22 @@ display! {
     };
     /// Φ of the row: `A.x: …`.
     EquationText: |it, f| write!(f, "{}: {}", it.row, it.phi);
+    /// `step 3: dyad RRR …`.
+    StepText: |it, f| write!(f, "step {}: {}", it.step + 1, it.what);
+    /// `phi = …`, what is brought to zero, or the rows of a system.
+    LineText: |it, f| match it {
+        Self::Equation { left, right } => write!(f, "{left} = {right}"),
+        Self::Zero { left, right } => write!(f, "{left} = {right} = 0"),
+        Self::System { matrix, unknowns, right } => {
+            f.write_str("[")?;
+            let row = |f: &mut fmt::Formatter<'_>, row: &&[&str]| separated(f, *row, |f, entry| f.write_str(entry));
+            matrix.iter().enumerate().try_for_each(|(k, entries)| {
+                f.write_str(if k == 0 { "" } else { "; " }).and_then(|()| row(f, entries))
+            })?;
+            f.write_str("] (").and_then(|()| row(f, unknowns)).and_then(|()| f.write_str(") = ("))?;
+            row(f, right).and_then(|()| f.write_str(")"))
+        }
+    };
     /// The row, by place, and the circuit.
     GenericRedundancy: |it, f| {
         write!(f, "row {} repeats ", it.row)?;

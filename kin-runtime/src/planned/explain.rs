@@ -26,6 +26,10 @@ impl<M: Mechanism> Planned<'_, M> {
         if let Some(index) = place(self.parameters.as_ref()) {
             return error("parameters", index, model.parameters.get(index).map_or("", |p| p.name));
         }
+        if let Some(index) = place(self.predicted.as_ref()).filter(|_| self.anew) {
+            // What a restart begins with.
+            return error("q", index, model.coordinates.get(index).map_or("", |c| c.name));
+        }
         let margins = &tried.margins.as_ref()[..model.plan.margins];
         for (mode, sign) in model.plan.modes.iter().zip(self.modes.as_ref()) {
             if sign.is_nan() && margins.get(mode.margin).is_some_and(|margin| *margin > Plan::SMALLEST_MARGIN) {
