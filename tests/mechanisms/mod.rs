@@ -123,8 +123,14 @@ pub fn signals<M: Mechanism>(t: f64) -> Vec<Signal> {
         "MeasuredExcavator" => measured_excavator::signals(t).to_vec(),
         "RateTable" => rate_table::signals(t).to_vec(),
         "SignalTable" => signal_table::signals(t).to_vec(),
-        _ => Vec::new(),
+        _ => (0..M::INPUTS).map(|k| wave(k, t)).collect(),
     }
+}
+
+/// The input at a place of a mechanism that does not say what its inputs are.
+fn wave(place: usize, t: f64) -> Signal {
+    let (base, (sin, cos)) = (1.0 + 0.2 * place as f64, (1.3 * t).sin_cos());
+    Signal::new(base + 0.1 * sin, 0.13 * cos, -0.169 * sin)
 }
 
 /// [`signals`] for `Solver::with_inputs`.

@@ -2,6 +2,7 @@
 
 mod drawing;
 mod equations;
+mod examples;
 mod finite;
 mod four_bars;
 mod motion;
