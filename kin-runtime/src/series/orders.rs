@@ -158,12 +158,12 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
         if expected == found { Ok(()) } else { Err(LengthError { what: "inputs", expected, found }) }
     }
 
-    /// The order k of [`right`](Self::right); 0 where nothing has begun.
+    /// The order k of [`right`](Self::right); 0 where nothing has begun, and after the last order that was asked for.
     pub fn order(&self) -> usize {
         self.order
     }
 
-    /// b, s numbers, with Φ_q q⁽ᵏ⁾ = b; none where nothing has begun.
+    /// b, s numbers, with Φ_q q⁽ᵏ⁾ = b; none where [`order`](Self::order) is 0.
     pub fn right(&self) -> &[f64] {
         if self.order == 0 { &[] } else { self.right.as_ref() }
     }
@@ -183,29 +183,28 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
     /// [`factorise`](Self::factorise) was true.
     ///
     /// # Errors
-    /// When the vector has the wrong length.
+    /// When the vector has the wrong length, and where there is no right-hand side: where [`order`](Self::order) is 0.
     ///
     /// [`Mechanism::solve_factorised`]: crate::Mechanism::solve_factorised
     pub fn solve(&self, derivative: &mut [f64]) -> Result<(), LengthError> {
-        M::solve_factorised(&self.factors, self.right.as_ref(), derivative)
+        M::solve_factorised(&self.factors, self.right(), derivative)
     }
 
-    /// Takes q⁽ᵏ⁾, n numbers, and goes on to the next order, where one was asked for.
+    /// Takes q⁽ᵏ⁾, n numbers, and goes on to the next order, where one was asked for; after the last one
+    /// [`order`](Self::order) is 0.
     ///
     /// # Errors
     /// When the vector has the wrong length.
     pub fn advance(&mut self, derivative: &[f64]) -> Result<(), LengthError> {
         let derivative: &M::Coordinates<f64> = array("derivative", M::COORDINATES, derivative)?;
-        if self.order < 3 || self.order > self.highest {
+        if self.order == 0 || self.order >= self.highest {
+            self.order = 0;
             return Ok(());
         }
         let part = 1.0 / self.factorial;
         let found = M::Coordinates::<f64>::generate(|k| part * derivative.as_ref()[k]);
         self.order += 1;
         self.factorial *= self.order as f64;
-        if self.order > self.highest {
-            return Ok(());
-        }
         let (mut phi, mut eta) = (self.right, self.right);
         let mut next = Next {
             inputs: &self.inputs,

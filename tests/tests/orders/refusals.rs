@@ -3,7 +3,7 @@
 use kin_runtime::function::FromFn;
 use kin_runtime::plan::Solved;
 use kin_runtime::series::HigherOrders;
-use kin_runtime::{Instant, Kinematics, Mechanism, PlanError, Signal, SolveError, mechanism};
+use kin_runtime::{Instant, Kinematics, LengthError, Mechanism, PlanError, Signal, SolveError, mechanism};
 
 /// A row whose argument passes 0 at t = 1.
 #[mechanism]
@@ -214,6 +214,10 @@ fn what_the_plan_solves_leaves_nothing_of_an_earlier_instant() {
     assert_eq!((0, &[][..]), (orders.order(), orders.right()));
     orders.advance(&third).unwrap();
     assert_eq!(0, orders.order());
+    // Nothing is solved with the right-hand side of the earlier one.
+    let mut untouched = vec![7.0; Slider::COORDINATES];
+    assert_eq!(Err(LengthError { what: "b", expected: Slider::ROWS, found: 0 }), orders.solve(&mut untouched));
+    assert_eq!(vec![7.0; Slider::COORDINATES], untouched);
     // Factors are those of the new q.
     assert!(orders.factorise(&now.instant()).unwrap());
     orders.begin(&now.instant(), &now.q, &now.q_dot, &now.q_ddot).unwrap();

@@ -3,7 +3,9 @@
 use allocation_counter::measure;
 use kin_runtime::plan::Solved;
 use kin_runtime::series::HigherOrders;
-use kin_runtime::{Instant, Kinematics, Mechanism, Options, PowerSeries, SolveError, Solver, State, mechanism};
+use kin_runtime::{
+    Instant, Kinematics, LengthError, Mechanism, Options, PowerSeries, SolveError, Solver, State, mechanism,
+};
 use kin_tests::mechanisms::{AndrewsPins, Excavator, PlanetaryBasic, SleighKnifeEdge};
 
 /// Four bars with a crank that turns `omega` per unit of time.
@@ -233,9 +235,29 @@ fn orders_go_one_by_one() {
     assert!(orders.begin(&at, &state.q, &[], &state.q_ddot).is_err());
     orders.begin(&at, &state.q, &state.q_dot, &state.q_ddot).unwrap();
     orders.advance(&state.q_dot).unwrap();
-    assert_eq!(4, orders.order());
-    let before = orders.right().to_vec();
-    orders.advance(&state.q_dot).unwrap();
-    orders.advance(&state.q_dot).unwrap();
-    assert_eq!(before, orders.right());
+    assert_eq!((4, FourBar::ROWS), (orders.order(), orders.right().len()));
+    // Four was the highest: there is no right-hand side of the fifth, and none of the fourth is left for it.
+    assert!(orders.factorise(&at).unwrap());
+    let mut untouched = vec![7.0; FourBar::COORDINATES];
+    for _ in 0..2 {
+        orders.advance(&state.q_dot).unwrap();
+        assert_eq!((0, &[][..]), (orders.order(), orders.right()));
+        let none = LengthError { what: "b", expected: FourBar::ROWS, found: 0 };
+        assert_eq!(Err(none), orders.solve(&mut untouched));
+    }
+    assert_eq!(vec![7.0; FourBar::COORDINATES], untouched);
+}
+
+/// Where no order beyond the third was asked for, or none at all, the third is the last.
+#[test]
+fn the_third_order_may_be_the_last() {
+    let four_bar = FourBar::default();
+    let state = four_bar.state_at(&0.1.into()).unwrap();
+    for highest in [0, 2, 3] {
+        let mut orders = HigherOrders::new(&four_bar, highest);
+        orders.begin(&Instant::at(state.t), &state.q, &state.q_dot, &state.q_ddot).unwrap();
+        assert_eq!((3, FourBar::ROWS), (orders.order(), orders.right().len()));
+        orders.advance(&state.q_dot).unwrap();
+        assert_eq!((0, &[][..]), (orders.order(), orders.right()), "{highest}");
+    }
 }
