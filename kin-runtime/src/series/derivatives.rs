@@ -161,26 +161,32 @@ fn solve(equations: &Equations<'_>, factor: &Factorization, own: &[f64], k: usiz
     let right = DVector::from_fn(equations.rows(), |row, _| own.get(row).copied().unwrap_or(0.0));
     let right = scaled(equations, &right);
     let solution = factor.solve(&right);
+    // Of a right-hand side that is a number: whether it is consistent cannot be said of what is none.
+    if !solution.iter().all(|x| x.is_finite()) {
+        return Err(SolveError::OutOfRange { t: equations.t, order: k });
+    }
     if let Some((row, residual)) = inconsistency(equations, &solution, &right) {
         let (row_name, joint) = (equations.row_name(row), equations.joint_name(row));
         let (t, rank) = (equations.t, factor.rank);
         return Err(SolveError::InconsistentDerivative { t, order: k, residual, row_name, joint, rank });
     }
-    equations.check("derivative", solution.as_slice()).map_err(|error| error.at(equations.t))?;
     Ok(solution.as_slice().to_vec())
 }
 
 /// What a derivative exceeds before the next one is out of range; beside a divisor that is 0 it does not.
 const HUGE: f64 = 1e200;
 
-/// Why the k-th derivatives of the rows are no numbers, where they are none, given q⁽ᵏ⁻¹⁾.
+/// Why the k-th derivatives of the rows are not finite, where they are not, given q⁽ᵏ⁻¹⁾.
 fn undefined(equations: &Equations<'_>, orders: &dyn Orders, k: usize, before: &[f64]) -> Option<SolveError> {
     let row = orders.right().iter().position(|b| !b.is_finite())?;
-    if orders.right()[row].is_infinite() && before.iter().any(|x| x.abs() > HUGE) {
-        return Some(SolveError::OutOfRange { t: equations.t, order: k });
+    let t = equations.t;
+    // What is not known is no number; so is the difference of two that are out of range.
+    let missing = unknown(equations, orders.missing(), k).filter(|_| orders.right()[row].is_nan());
+    if missing.is_none() && before.iter().any(|x| x.abs() > HUGE) {
+        return Some(SolveError::OutOfRange { t, order: k });
     }
-    let (row_name, joint, t) = (equations.row_name(row), equations.joint_name(row), equations.t);
-    Some(unknown(equations, orders.missing(), k).unwrap_or(SolveError::NotSmooth { t, order: k, row_name, joint }))
+    let (row_name, joint) = (equations.row_name(row), equations.joint_name(row));
+    Some(missing.unwrap_or(SolveError::NotSmooth { t, order: k, row_name, joint }))
 }
 
 /// What is not known far enough for order k.

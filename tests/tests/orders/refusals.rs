@@ -3,7 +3,7 @@
 use kin_runtime::function::FromFn;
 use kin_runtime::plan::Solved;
 use kin_runtime::series::HigherOrders;
-use kin_runtime::{Instant, Kinematics, LengthError, Mechanism, PlanError, Signal, SolveError, mechanism};
+use kin_runtime::{Instant, Kinematics, LengthError, Mechanism, Options, PlanError, Signal, SolveError, mechanism};
 
 /// A row whose argument passes 0 at t = 1.
 #[mechanism]
@@ -244,4 +244,42 @@ fn orders_beyond_the_range_of_numbers_are_an_error_of_their_own() {
     let error = Slider.solver().derivatives(&state, 150).unwrap_err();
     let SolveError::OutOfRange { order, .. } = error else { panic!("{error}") };
     assert!((70..=85).contains(&order), "{order}");
+}
+
+/// A right-hand side that is a number, and a divisor that makes its solution none.
+#[mechanism]
+#[coordinates(u, v)]
+#[driver(drive: u = t)]
+#[constraint(lever: 0.001 * v = u * u * u)]
+struct Lever;
+
+/// Two terms that leave the range of numbers on either side.
+#[mechanism]
+#[coordinates(u, v, w)]
+#[driver(drive: u = t)]
+#[driver(other: v = t)]
+#[constraint(difference: w = exp(u) * u - exp(v) * v)]
+struct Difference;
+
+#[test]
+fn solutions_beyond_the_range_of_numbers_are_an_error_of_their_own_too() {
+    for use_plan in [true, false] {
+        let options = Options { use_plan, ..Options::default() };
+        let out_of_range = Err(SolveError::OutOfRange { t: 0.0, order: 3 });
+
+        // v⃛ = 6000 u̇³: at first just within what there is.
+        let mut state = Lever.state_at(&0.0.into()).unwrap();
+        let solver = Lever.solver().with_options(options);
+        state.q_dot[0] = 3e101;
+        let within = solver.derivatives(&state, 3).unwrap();
+        assert!((within.q[3][1] / 1.62e308 - 1.0).abs() < 1e-12, "{within:?}");
+        state.q_dot[0] = 4e101;
+        assert_eq!(out_of_range, solver.derivatives(&state, 3));
+
+        let mut state = Difference.state_at(&0.0.into()).unwrap();
+        let solver = Difference.solver().with_options(options);
+        (state.q_dot[0], state.q_dot[1]) = (1e150, 1e150);
+        (state.q_ddot[0], state.q_ddot[1]) = (1e250, 1e250);
+        assert_eq!(out_of_range, solver.derivatives(&state, 3));
+    }
 }
