@@ -1,5 +1,6 @@
 //! Comparing numbers so that a failure says what differs, where, and by how much.
 
+use kin_runtime::{Motion, State};
 use std::fmt::Display;
 
 /// The largest magnitude of `values`; 0 when there are none.
@@ -81,5 +82,30 @@ impl Differences {
             self.found.iter().take(shown).cloned().collect::<Vec<_>>().join("\n")
         );
         assert!(self.compared > 0, "nothing was compared");
+    }
+}
+
+/// Asserts that the bodies and points that a state carries are those of its motion.
+///
+/// They agree to rounding: the rate of an observable is a sum of products, that of a coordinate stands in the state.
+#[track_caller]
+pub fn assert_shows(state: &State, motion: &Motion) {
+    let same = |what: &dyn Display, shown: [f64; 3], expected: [f64; 3]| {
+        for (a, b) in shown.iter().zip(expected) {
+            let tolerance = 1e-12 * b.abs().max(1.0);
+            assert!((a - b).abs() <= tolerance, "{what} at t = {}: {shown:?} and {expected:?}", state.t);
+        }
+    };
+    assert_eq!((state.bodies.len(), state.points.len()), (motion.bodies.len(), motion.points.len()));
+    for ((shown, expected), info) in state.bodies.iter().zip(&motion.bodies).zip(motion.model.bodies) {
+        same(&info.name, [shown.x, shown.y, shown.phi], [expected.x, expected.y, expected.phi]);
+        same(&info.name, shown.velocity().into(), expected.velocity().into());
+        same(&info.name, shown.acceleration().into(), expected.acceleration().into());
+    }
+    for ((shown, expected), info) in state.points.iter().zip(&motion.points).zip(motion.model.points) {
+        for axis in 0..2 {
+            let of = |p: &kin_runtime::PointMotion| [p.r[axis], p.v[axis], p.a[axis]];
+            same(&info.name, of(shown), of(expected));
+        }
     }
 }

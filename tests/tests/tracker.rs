@@ -1,10 +1,9 @@
 //! The tracker against sweeps, on its branch to the end of the range and back.
 
 use kin_runtime::{
-    BodyMotion, Instant, Kinematics, LengthError, Mechanism, Options, Refusal, Signal, SolveError, State, Tracker,
-    mechanism,
+    Instant, Kinematics, LengthError, Mechanism, Options, Refusal, Signal, SolveError, State, Tracker, mechanism,
 };
-use kin_tests::compare::{Differences, largest};
+use kin_tests::compare::{Differences, assert_shows, largest};
 use kin_tests::mechanisms::{
     DrivenLeg, Excavator, FiveBarLeg, MeasuredExcavator, RateTable, SignalTable, signals, write_signals,
 };
@@ -27,19 +26,7 @@ fn name<M: Mechanism>(place: usize) -> &'static str {
 /// The poses that the state of a tracker carries are those of its own q, q̇ and q̈, whichever way it was reached.
 fn shows_its_motion(tracker: &mut Tracker<'_>) {
     let motion = tracker.motion().unwrap();
-    let state = tracker.state();
-    assert_eq!((state.bodies.len(), state.points.len()), (motion.bodies.len(), motion.points.len()));
-    for (shown, expected) in state.bodies.iter().zip(&motion.bodies) {
-        let all = |body: &BodyMotion| [body.velocity(), body.acceleration(), [body.x, body.y, body.phi].into()];
-        for (a, b) in all(shown).iter().zip(all(expected)) {
-            assert!((a - b).amax() <= 1e-12 * b.amax().max(1.0), "{shown} and {expected}");
-        }
-    }
-    for (shown, expected) in state.points.iter().zip(&motion.points) {
-        for (a, b) in [(shown.r, expected.r), (shown.v, expected.v), (shown.a, expected.a)] {
-            assert!((0..2).all(|k| (a[k] - b[k]).abs() <= 1e-12 * b[k].abs().max(1.0)), "{shown} and {expected}");
-        }
-    }
+    assert_shows(tracker.state(), &motion);
 }
 
 /// Tracked instants are those of a sweep with the inputs as functions.

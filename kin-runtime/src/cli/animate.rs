@@ -100,15 +100,15 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
             let asked = Setup { modes: other.iter().copied().enumerate().collect(), ..setup.clone() };
             // A mode that does not close is no fault of the motion that was asked for.
             let Ok(also) = moved(engine, &asked, &times, false, args.freedom, &watch) else { continue };
-            if watch.interrupted() {
+            let (states, name) = (&also.trajectory.states, mode_name(model, &own, other));
+            let motions = moving::motions(engine, states, &watch)?;
+            if watch.interrupted() || motions.len() < states.len() {
                 ended = Some(Failure::Interrupted(format!("{place} of {} other modes finished", others.len())));
                 break;
             }
-            if also.trajectory.states.len() > 1 {
+            if states.len() > 1 {
                 let note = also.ended.as_ref().map(early);
-                let (states, name) = (&also.trajectory.states, mode_name(model, &own, other));
-                let motions = moving::motions(engine, states, &watch)?;
-                runs.push(run_of(engine, &states[..motions.len()], &motions, name, note)?);
+                runs.push(run_of(engine, states, &motions, name, note)?);
             }
         }
     }

@@ -11,7 +11,7 @@ use super::options::{FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::note_freedom;
-use super::values;
+use super::values::{self, MOST_VALUES};
 use crate::model::Model;
 use crate::present::animation::ColumnInfo;
 use crate::present::grid::columns;
@@ -108,7 +108,10 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
         let name = choice_name(model, choice);
         match one(&*engine, &setup, &times, args.freedom, session) {
             Ok((columns, ended)) => {
-                runs.push(Curves { name, columns });
+                // Without an instant there is no curve, and nothing to write over what stands in the file.
+                if columns.first().is_some_and(|times| !times.is_empty()) {
+                    runs.push(Curves { name, columns });
+                }
                 failure = failure.or(ended);
             }
             // One of several that does not assemble leaves the others as they are.
@@ -148,6 +151,15 @@ fn choices(model: &Model, vary: &[String]) -> Result<Vec<Vec<(usize, f64)>>, Fai
         let with = |choice: &Vec<(usize, f64)>| -> Vec<Vec<(usize, f64)>> {
             values.iter().map(|&value| choice.iter().copied().chain([(place, value)]).collect()).collect()
         };
+        if choices[0].iter().any(|&(varied, _)| varied == place) {
+            ledger.take::<()>(Err(Failure::option("--vary", format!("`{name}` is varied twice"))));
+            continue;
+        }
+        if choices.len() * values.len() > MOST_VALUES {
+            let what = format!("more than {MOST_VALUES} combinations of values; so many curves cannot be told apart");
+            ledger.take::<()>(Err(Failure::option("--vary", what)));
+            break;
+        }
         choices = choices.iter().flat_map(with).collect();
     }
     ledger.close(Some(choices))

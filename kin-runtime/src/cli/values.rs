@@ -6,7 +6,7 @@ use crate::workspace::Signal;
 
 /// Values of a parameter that one diagram shows at most.
 #[cfg(feature = "plot")]
-const MOST_VALUES: usize = 14;
+pub(super) const MOST_VALUES: usize = 14;
 
 /// The most instants that one sweep computes.
 const MOST_STEPS: usize = 1_000_000;
@@ -192,6 +192,10 @@ pub(super) fn variation(option: &str, text: &str) -> Result<(String, Vec<f64>), 
     let (name, values) = text.split_once('=').ok_or_else(shape)?;
     let Some((from, rest)) = values.split_once("..") else {
         let values = values.split(',').map(|value| number(option, value)).collect::<Result<Vec<f64>, Failure>>()?;
+        if values.len() > MOST_VALUES {
+            let what = format!("{} values of {}; at most {MOST_VALUES} can be told apart", values.len(), name.trim());
+            return Err(Failure::option(option, what));
+        }
         return Ok((name.trim().to_owned(), values));
     };
     let (to, count) = rest.split_once(':').ok_or_else(shape)?;

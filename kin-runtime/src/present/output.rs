@@ -1,7 +1,7 @@
 //! Files that are there whole or not at all.
 
 use std::ffi::OsString;
-use std::fs::{self, OpenOptions};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -36,9 +36,12 @@ pub fn write_atomically(path: &Path, contents: &[u8]) -> io::Result<()> {
         Some(_) => fs::canonicalize(path)?,
         None => beyond_links(path)?,
     };
-    let temporary = temporary_beside(&target)?;
-    let written = write_new(&temporary, contents)
-        .and_then(|()| existing.map_or(Ok(()), |m| fs::set_permissions(&temporary, m.permissions())))
+    let (temporary, mut file) = temporary_beside(&target)?;
+    // What nobody else may read is so from its first byte on.
+    let written = existing
+        .map_or(Ok(()), |m| file.set_permissions(m.permissions()))
+        .and_then(|()| file.write_all(contents))
+        .and_then(|()| file.sync_all())
         .and_then(|()| fs::rename(&temporary, &target));
     if written.is_err() {
         // The first error is the one to report; a leftover temporary file is no second one.
@@ -59,25 +62,20 @@ fn beyond_links(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("too many symbolic links"))
 }
 
-fn write_new(path: &Path, contents: &[u8]) -> io::Result<()> {
-    let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
-    file.write_all(contents)?;
-    file.sync_all()
-}
-
-/// A name in the same directory that nobody has.
-fn temporary_beside(path: &Path) -> io::Result<PathBuf> {
+/// A new file in the same directory, under a name that nobody has.
+fn temporary_beside(path: &Path) -> io::Result<(PathBuf, File)> {
     let name = path.file_name().ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "it names no file"))?;
-    let candidate = |n: u32| {
+    for n in 0..100 {
         let mut text = OsString::from(".");
         text.push(name);
         text.push(format!(".{}.{n}.tmp", std::process::id()));
-        path.with_file_name(text)
-    };
-    (0..100)
-        .map(candidate)
-        .find(|p| !p.exists())
-        .ok_or_else(|| io::Error::new(io::ErrorKind::AlreadyExists, "its temporary files are still there"))
+        let temporary = path.with_file_name(text);
+        match OpenOptions::new().write(true).create_new(true).open(&temporary) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            opened => return opened.map(|file| (temporary, file)),
+        }
+    }
+    Err(io::Error::new(io::ErrorKind::AlreadyExists, "its temporary files are still there"))
 }
 
 #[cfg(test)]

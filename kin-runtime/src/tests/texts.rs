@@ -86,3 +86,20 @@ fn texts_say_what_is_there() {
         assert!(text.contains(&format!("{name} = ")), "{name} in {text}");
     }
 }
+
+/// What went wrong underneath comes as a type, down to the first cause.
+#[test]
+fn errors_have_sources() {
+    use crate::{LengthError, PlanError, SolveError};
+    use core::error::Error;
+    let length = LengthError { what: "q", expected: 9, found: 8 };
+    let plan = PlanError::from(length);
+    let solve = SolveError::from(plan);
+    let below = solve.source().expect("the plan's error");
+    assert_eq!(below.downcast_ref::<PlanError>(), Some(&plan));
+    assert_eq!(below.source().and_then(|error| error.downcast_ref::<LengthError>()), Some(&length));
+    assert!(SolveError::from(length).source().is_some_and(|error| error.is::<LengthError>()));
+    let error = PlannedFourBar::default().solver().sweep(&[0.0, f64::NAN]).unwrap_err();
+    assert_eq!(error.source().and_then(|source| source.downcast_ref::<SolveError>()), Some(&error.source));
+    assert!(error.source.source().is_none());
+}

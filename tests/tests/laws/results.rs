@@ -2,7 +2,8 @@
 
 use crate::motion::swept;
 use kin_runtime::model::{Body, Component, Point};
-use kin_runtime::{Kinematics, Rates};
+use kin_runtime::{Kinematics, PointMotion, Rates};
+use kin_tests::compare::assert_shows;
 
 /// The bodies and points that states carry are those of [`Solver::motion`](kin_runtime::Solver::motion), and columns
 /// are their numbers.
@@ -13,32 +14,21 @@ pub(crate) fn states_show_the_motion<M: Kinematics + Default>(from: f64, to: f64
     let column = |name: String| trajectory.column(&name).unwrap_or_else(|| panic!("no column {name}"));
     for (place, state) in trajectory.iter().enumerate() {
         let motion = mechanism.solver().motion(state).unwrap();
-        assert_eq!((motion.bodies.len(), motion.points.len()), (state.bodies.len(), state.points.len()));
-        let same = |name: &str, shown: Rates, expected: Rates| {
-            let pairs = [
-                (shown.value, expected.value),
-                (shown.rate, expected.rate),
-                (shown.acceleration, expected.acceleration),
-            ];
-            for (a, b) in pairs {
-                // Rates of an observable are sums of products, those of a coordinate stand in the state.
-                assert!((a - b).abs() <= 1e-12 * b.abs().max(1.0), "{name} at t = {}: {shown} and {expected}", state.t);
-            }
-            let columns = ["", "_dot", "_ddot"].map(|end| column(format!("{name}{end}"))[place]);
-            assert_eq!(columns, [shown.value, shown.rate, shown.acceleration], "{name}");
+        assert_shows(state, &motion);
+        let columns = |name: String, shown: Rates| {
+            let found = ["", "_dot", "_ddot"].map(|end| column(format!("{name}{end}"))[place]);
+            assert_eq!(found, [shown.value, shown.rate, shown.acceleration], "{name}");
         };
         for (k, info) in model.bodies.iter().enumerate() {
-            for (component, name) in [(Component::X, "x"), (Component::Y, "y"), (Component::Phi, "phi")] {
-                let name = format!("{}.{name}", info.name);
-                same(&name, state[Body(k)].rates(component), motion[Body(k)].rates(component));
+            for component in [Component::X, Component::Y, Component::Phi] {
+                columns(format!("{}.{component}", info.name), state[Body(k)].rates(component));
             }
         }
         for (k, info) in model.points.iter().enumerate() {
-            let (shown, expected) = (state[Point(k)], motion[Point(k)]);
+            let PointMotion { r, v, a } = state[Point(k)];
             for (axis, name) in ["x", "y"].iter().enumerate() {
-                let of =
-                    |p: kin_runtime::PointMotion| Rates { value: p.r[axis], rate: p.v[axis], acceleration: p.a[axis] };
-                same(&format!("{}.{name}", info.name), of(shown), of(expected));
+                let rates = Rates { value: r[axis], rate: v[axis], acceleration: a[axis] };
+                columns(format!("{}.{name}", info.name), rates);
             }
         }
         let text = state.to_string();

@@ -97,12 +97,11 @@ impl<'m, M: Kinematics> Sheet<'m, M> {
             if !right.contains("atan2") || order > 0 {
                 return self.agree(line, found, expected, order);
             }
-            // The angle nearest to where it was; of an n-fold one the nth part of a turn.
-            let turned = |n: f64| {
-                let turns = ((expected.value - found.value) * n / TAU).round() / n;
-                (found.value + turns * TAU - expected.value).abs()
-            };
-            let off = [1.0, 2.0, 3.0, 4.0].map(turned).into_iter().fold(f64::MAX, f64::min);
+            // The angle nearest to where it was; of an n-fold one, which is divided by n, the nth part of a turn.
+            let below = right.strip_suffix('}').and_then(|right| right.rsplit_once("}{"));
+            let n = below.filter(|_| right.starts_with(r"\frac{")).and_then(|(_, n)| n.parse().ok()).unwrap_or(1.0);
+            let turns: f64 = ((expected.value - found.value) * n / TAU).round() / n;
+            let off = (found.value + turns * TAU - expected.value).abs();
             self.agree(line, Value { value: off, ..found }, Value { value: 0.0, ..expected }, order);
         } else if let Ok(product) = self.read(left) {
             self.seen += 1;
