@@ -1,8 +1,10 @@
-//! Every example, as a program of its own: what it typesets is its code.
+//! Every example, as a program of its own: what it typesets is its code, and its commands are run.
 
 #![allow(dead_code, unreachable_pub, missing_docs, reason = "programs of their own")]
 
 use crate::typeset;
+use kin_runtime::cli;
+use std::process::ExitCode;
 
 /// A module for every example, and a test of its equations.
 macro_rules! examples {
@@ -14,6 +16,14 @@ macro_rules! examples {
 
         /// The names of all files are here.
         const NAMES: &[&str] = &[$(stringify!($name)),+];
+
+        /// Runs the program of an example; nothing where there is none of that name.
+        pub(crate) fn run(name: &str, arguments: &[String]) -> Option<ExitCode> {
+            match name {
+                $(stringify!($name) => Some(cli::run_from::<$name::$Mechanism>(arguments)),)+
+                _ => None,
+            }
+        }
 
         mod typeset_equations {
             $(

@@ -1,5 +1,6 @@
 //! Laws that every mechanism obeys, over all test mechanisms.
 
+mod commands;
 mod drawing;
 mod equations;
 mod examples;
@@ -9,6 +10,7 @@ mod motion;
 mod observables;
 mod orders;
 mod plan;
+mod press;
 mod results;
 mod sparse;
 mod structure;
