@@ -72,8 +72,35 @@ pub(super) fn equation(line: &Line) -> String {
     format!("{} &= {}", line.left, right.join(" \\\\\n&\\quad {} "))
 }
 
-/// A text beside formulas.
+/// A text beside formulas: what means something to LaTeX stands for itself.
 pub(super) fn prose(text: &str) -> String {
-    let text = text.replace('_', r"\_").replace('–', "--").replace('&', r"\&").replace('#', r"\#");
-    text.replace('σ', r"$\sigma$").replace('±', r"$\pm$").replace('×', r"$\times$")
+    let mut out = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '_' | '&' | '#' | '%' | '$' | '{' | '}' => out.extend(['\\', letter]),
+            '\\' => out.push_str(r"\textbackslash{}"),
+            '^' => out.push_str(r"\textasciicircum{}"),
+            '~' => out.push_str(r"\textasciitilde{}"),
+            '–' => out.push_str("--"),
+            'σ' => out.push_str(r"$\sigma$"),
+            '±' => out.push_str(r"$\pm$"),
+            '×' => out.push_str(r"$\times$"),
+            _ => out.push(letter),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::prose;
+
+    #[test]
+    fn what_means_something_to_latex_stands_for_itself() {
+        let escaped = r"\# \$ \% \& \_ \{ \} \textbackslash{} \textasciicircum{} \textasciitilde{}";
+        assert_eq!(escaped, prose(r"# $ % & _ { } \ ^ ~"));
+        // One letter after the other: what is written for one is not read again.
+        assert_eq!(r"100 \% of \textbackslash{}\{a\_b\}", prose(r"100 % of \{a_b}"));
+        assert_eq!(r"crank -- rod, $\sigma$ = $\pm$1, 2$\times$2", prose("crank – rod, σ = ±1, 2×2"));
+    }
 }
