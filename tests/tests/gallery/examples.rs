@@ -4,6 +4,10 @@
 pub mod cam;
 #[path = "../../../examples/cam_drive.rs"]
 pub mod cam_drive;
+#[path = "../../../examples/car.rs"]
+pub mod car;
+#[path = "../../../examples/chain.rs"]
+pub mod chain;
 #[path = "../../../examples/excavator.rs"]
 pub mod excavator;
 #[path = "../../../examples/four_bar.rs"]

@@ -6,6 +6,7 @@ mod examples;
 mod gears;
 mod legs;
 mod machines;
+mod open;
 mod page;
 mod parallel;
 mod sliders;

@@ -58,7 +58,12 @@ fn hoeckens_point_goes_as_straight_as_published() {
         close(extent(0) / r, length, 0.000_6);
         close(100.0 * extent(1) / extent(0), error, 0.000_5);
     }
-    let [.., (beta, error, [.., length])] = NORTON;
+    // The example has the dimensions of a row, and the page its figures.
+    let Hoecken { r, d, l, .. } = Hoecken::default();
+    let quoted = |(_, _, [ground, coupler, _]): &(f64, f64, [f64; 3])| {
+        (d / r - ground).abs() < 1e-12 && (l / r - coupler).abs() < 1e-12
+    };
+    let (beta, error, [.., length]) = NORTON.into_iter().find(quoted).expect("a row of the table");
     says(
         "hoecken",
         &format!("over {beta:.0}° of the crank the line is {length} cranks long and {error} % of that wide"),
