@@ -126,6 +126,68 @@ fn the_plan_in_the_guide_is_what_the_tool_prints() {
     }
 }
 
+/// The steps on the way to the press are lines of the whole, which is compiled and run.
+#[test]
+fn the_pieces_of_the_guides_press_are_in_its_listing() {
+    let page = include_str!("../../kin-runtime/src/guide/writing.md");
+    let whole = page.split("# All of it").nth(1).unwrap();
+    let pieces = blocks(page, "text").into_iter().flat_map(str::lines).filter(|line| line.starts_with("#["));
+    let mut seen = 0;
+    for piece in pieces {
+        assert!(whole.lines().any(|line| line == piece), "not a line of the listing: {piece}");
+        seen += 1;
+    }
+    assert_eq!(seen, 4);
+}
+
+#[test]
+fn the_row_of_the_guides_constraint_is_one_that_compiles() {
+    let page = include_str!("../../kin-runtime/src/guide/constraint.md");
+    let source = include_str!("../../kin-core/src/constraint/distance/equidistant.rs");
+    let listing = blocks(page, "text").into_iter().find(|block| block.contains("fn rows")).unwrap();
+    assert!(source.contains(listing), "{listing}");
+}
+
+/// What each `cargo test` of the guide asks for is there: package, and test or filter.
+#[test]
+fn the_tests_that_the_guide_names_are_there() {
+    let page = include_str!("../../kin-runtime/src/guide/constraint.md");
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let [commands] = blocks(page, "console")[..] else { panic!("one block of commands") };
+    for command in commands.lines() {
+        let words: Vec<&str> = command.split(" #").next().unwrap().split_whitespace().collect();
+        let ["$", "cargo", "test", "-p", package, what @ ..] = &words[..] else { panic!("{command}") };
+        let folder = root.join(if *package == "kin-tests" { "tests" } else { package });
+        let manifest = std::fs::read_to_string(folder.join("Cargo.toml")).unwrap_or_default();
+        assert!(manifest.contains(&format!("name = \"{package}\"")), "{command}");
+        let found = match what {
+            [] | ["--lib"] => true,
+            ["--doc", module] => folder.join("src").join(module).is_dir(),
+            ["--test", test] => {
+                folder.join(format!("tests/{test}.rs")).is_file() || folder.join("tests").join(test).is_dir()
+            }
+            _ => false,
+        };
+        assert!(found, "{command}");
+    }
+}
+
+/// The dependency of a controller is of this version, and as the build without std has it.
+#[test]
+fn the_dependency_without_std_is_the_one_that_is_built() {
+    let page = include_str!("../../kin-runtime/src/guide/controller.md");
+    let [shown] = blocks(page, "toml")[..] else { panic!("one manifest") };
+    let built = include_str!("../no_std/Cargo.toml");
+    let switched_off = "kin-runtime = { path = \"../../kin-runtime\", default-features = false }";
+    assert!(built.lines().any(|line| line == switched_off));
+    let (major, minor) = (env!("CARGO_PKG_VERSION_MAJOR"), env!("CARGO_PKG_VERSION_MINOR"));
+    let version = format!("version = \"{major}.{minor}\"");
+    assert_eq!(
+        shown.trim_end().replace(&version, "path = \"../../kin-runtime\""),
+        format!("[dependencies]\n{switched_off}")
+    );
+}
+
 #[test]
 fn the_files_that_the_guide_names_are_there() {
     let page = include_str!("../../kin-runtime/src/guide/constraint.md");

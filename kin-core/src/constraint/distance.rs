@@ -7,6 +7,9 @@
 //! Singular when P and Q coincide: the gradient of the square vanishes there, so e must not be 0; use a revolute
 //! joint for that. Reports the distance. After Haug (1989), section 3.2.
 
+#[cfg(test)]
+mod equidistant;
+
 use super::assembly::{Assembly, Rows};
 use super::placed::PlacedPoint;
 use super::set::Role;

@@ -1,6 +1,6 @@
 //! A short book: from the lecture's four-bar to a controller, and into the works.
 //!
-//! Every listing is compiled and run by the tests, and every number in the text is asserted by one.
+//! The tests compile and run every mechanism of the book, and run every command that it gives to one.
 //!
 //! 1. [From configuration to acceleration](lecture): the lecture's path, by hand, with its four-bar;
 //! 2. [Writing a mechanism](writing): from a sketch to a description that runs;
