@@ -149,32 +149,35 @@ pub(super) fn constant(graph: &mut Graph) -> Jet {
 }
 
 fn of_symbol(graph: &mut Graph, symbol: Symbol) -> Jet {
-    let (zero, one) = (graph.zero(), graph.number(1.0));
-    let mut jet = Jet { gradient: Vec::new(), partial_t: zero, rate: zero, rest: zero };
+    let given = rate_of_given(graph, symbol);
+    let mut jet = Jet { partial_t: given, rate: given, ..constant(graph) };
     match symbol {
-        Symbol::Parameter(_) | Symbol::Rate(_) => {}
-        Symbol::Mode(_)
+        Symbol::Input(k, order) => jet.rest = graph.symbol(Symbol::Input(k, order + 2)),
+        Symbol::Coordinate(k) => {
+            jet.gradient.push((k, graph.number(1.0)));
+            jet.rate = graph.symbol(Symbol::Rate(k));
+        }
+        _ => {}
+    }
+    jet
+}
+
+/// The time derivative of a symbol that is given, as t and inputs are; 0 for q and q̇, whose rules are the level's own,
+/// and for what does not change.
+pub(super) fn rate_of_given(graph: &mut Graph, symbol: Symbol) -> ExprId {
+    match symbol {
+        Symbol::Time => graph.number(1.0),
+        Symbol::Input(k, order) => graph.symbol(Symbol::Input(k, order + 1)),
+        Symbol::Coordinate(_)
+        | Symbol::Rate(_)
+        | Symbol::Parameter(_)
+        | Symbol::Mode(_)
         | Symbol::Start(_)
         | Symbol::Unknown(_)
         | Symbol::Held(_)
         | Symbol::Right(_)
-        | Symbol::Coarseness => {}
-        Symbol::Time => {
-            jet.partial_t = one;
-            jet.rate = one;
-        }
-        Symbol::Input(k, order) => {
-            let rate = graph.symbol(Symbol::Input(k, order + 1));
-            jet.partial_t = rate;
-            jet.rate = rate;
-            jet.rest = graph.symbol(Symbol::Input(k, order + 2));
-        }
-        Symbol::Coordinate(k) => {
-            jet.gradient.push((k, one));
-            jet.rate = graph.symbol(Symbol::Rate(k));
-        }
+        | Symbol::Coarseness => graph.zero(),
     }
-    jet
 }
 
 /// Σ c·jet with coefficients that do not change; no coefficient means 1.

@@ -1,7 +1,7 @@
 //! Derivatives of rows of velocity level, by the same rules with other variables: q̇_k stands where q_k stood.
 
 use super::graph::Graph;
-use super::jet::{Jet, constant, derivatives};
+use super::jet::{Jet, constant, derivatives, rate_of_given};
 use super::node::{ExprId, Symbol};
 
 /// η̇ of a row of velocity level: η̇ = Σ_k ∂η/∂q̇_k q̈_k + (η_q q̇ + η_t).
@@ -22,19 +22,11 @@ pub fn velocity_derivatives(graph: &mut Graph, roots: &[ExprId]) -> Vec<Velocity
 /// Only the first derivatives: q̇_k gives the gradient, everything else the rest. Second derivatives are all 0, so that
 /// nothing is built that nobody reads.
 fn of_symbol_at_velocity_level(graph: &mut Graph, symbol: Symbol) -> Jet {
-    let mut jet = constant(graph);
+    let mut jet = Jet { partial_t: rate_of_given(graph, symbol), ..constant(graph) };
     match symbol {
-        Symbol::Parameter(_) => {}
-        Symbol::Time => jet.partial_t = graph.number(1.0),
-        Symbol::Input(k, order) => jet.partial_t = graph.symbol(Symbol::Input(k, order + 1)),
         Symbol::Coordinate(k) => jet.partial_t = graph.symbol(Symbol::Rate(k)),
         Symbol::Rate(k) => jet.gradient.push((k, graph.number(1.0))),
-        Symbol::Mode(_)
-        | Symbol::Start(_)
-        | Symbol::Unknown(_)
-        | Symbol::Held(_)
-        | Symbol::Right(_)
-        | Symbol::Coarseness => {}
+        _ => {}
     }
     jet
 }
