@@ -129,8 +129,10 @@ impl fmt::Display for State {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let width = self.model.coordinates.iter().map(|c| c.name.chars().count()).max().unwrap_or(0);
         write!(f, "t = {}", self.t)?;
-        for (coordinate, rates) in self.model.coordinates.iter().zip((0..self.q.len()).map(|k| self.rates(k))) {
-            let Rates { value, rate, acceleration } = rates;
+        for (k, coordinate) in self.model.coordinates.iter().enumerate() {
+            // Who has put a state together by hand may have left something out.
+            let [value, rate, acceleration] =
+                [&self.q, &self.q_dot, &self.q_ddot].map(|column| column.get(k).copied().unwrap_or(f64::NAN));
             write!(f, "\n{:width$}  {value:>15.9}  {rate:>15.9}  {acceleration:>15.9}", coordinate.name)?;
         }
         Ok(())

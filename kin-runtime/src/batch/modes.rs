@@ -55,7 +55,8 @@ impl<'a> Modes<'a> {
             }
         }
         // Not a number for 0, so that whatever depends on it is none either.
-        modes.iter_mut().for_each(|mode| *mode = *mode / mode.abs());
+        let zero = Lanes::from(0.0);
+        modes.iter_mut().for_each(|mode| *mode = mode.signum() + zero / mode.abs());
         signs
     }
 }

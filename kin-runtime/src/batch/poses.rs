@@ -172,11 +172,9 @@ impl<M: Mechanism> Poses<M> {
             };
             let (kept, closures, mut signs) = (of(question.modes), of(closures), of(question.modes));
             let (count, margin) = (modes.len(), self.margin);
-            let passed = Passed::new(&kept.as_ref()[..count], &closures.as_ref()[..count]);
-            for attempt in 0..passed.attempts() {
-                if !passed.signs(attempt, &mut signs.as_mut()[..count]) {
-                    continue;
-                }
+            let passed = Passed::new(&kept.as_ref()[..count], &closures.as_ref()[..count], &[]);
+            for attempt in passed.attempts() {
+                passed.signs(attempt, &mut signs.as_mut()[..count]);
                 let spread = |place: usize| signs.as_ref().get(place).map_or(Lanes::default(), |sign| (*sign).into());
                 let own = M::Coordinates::<Lanes>::generate(spread);
                 self.alone(mechanism, &Question { modes: &own.as_ref()[..count], ..*question }, margins, lane);

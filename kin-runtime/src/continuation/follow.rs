@@ -201,11 +201,11 @@ impl Follower {
                     }
                     core::mem::swap(&mut self.here, &mut self.next);
                     moved = true;
-                    if s != target {
-                        equations.observed.pass(self.here.state.t)?;
-                    }
                     if self.stopped(equations).is_some() {
                         return Ok(moved);
+                    }
+                    if s != target {
+                        equations.observed.pass(self.here.state.t)?;
                     }
                     let walked = (s - from).abs();
                     // A step cut short by the target says nothing against the longer one proposed before.

@@ -31,24 +31,26 @@ fn follow(
 ) -> Result<(), SolveError> {
     let (state, factor) = analysis::state(equations, first)?;
     trajectory.states.push(state.clone());
-    equations.observed.finish(state.t, Some(&state))?;
     let watch = Watch::start(equations, &state)?;
+    let told = equations.observed.finish(state.t, Some(&state));
     let mut follower = Follower::new(equations, state, factor)?;
     follower.watch = watch;
     let mut instants = times.iter().enumerate().skip(1);
-    let result = instants.try_for_each(|(index, &t)| {
-        if trajectory.stopped {
-            return Ok(());
-        }
-        finite("times", index, "", t)?;
-        follower.advance(equations, t)?;
-        let event = follower.stopped(equations);
-        trajectory.stopped = event.is_some();
-        let state = event.unwrap_or(follower.state()).clone();
-        let told = equations.observed.finish(state.t, Some(&state));
-        trajectory.states.push(state);
-        // A sweep that its first event ended is whole.
-        if trajectory.stopped { Ok(()) } else { told }
+    let result = told.and_then(|()| {
+        instants.try_for_each(|(index, &t)| {
+            if trajectory.stopped {
+                return Ok(());
+            }
+            finite("times", index, "", t)?;
+            follower.advance(equations, t)?;
+            let event = follower.stopped(equations);
+            trajectory.stopped = event.is_some();
+            let state = event.unwrap_or(follower.state()).clone();
+            let told = equations.observed.finish(state.t, Some(&state));
+            trajectory.states.push(state);
+            // A sweep that its first event ended is whole.
+            if trajectory.stopped { Ok(()) } else { told }
+        })
     });
     trajectory.fallbacks = follower.fallbacks;
     if let Some(watch) = follower.watch {

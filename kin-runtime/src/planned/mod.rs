@@ -86,6 +86,8 @@ pub struct Planned<'m, M: Mechanism> {
     before: f64,
     /// The next state has nothing to do with the last one.
     anew: bool,
+    /// Not 0 for every mode that was asked for since the last good state.
+    asked: M::Coordinates<f64>,
     /// The plan has iterations.
     iterates: bool,
     predicted: M::Coordinates<f64>,
@@ -150,6 +152,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
             good: 0,
             before: f64::NAN,
             anew: true,
+            asked: zeros,
             iterates: steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_))),
             predicted: zeros,
         };
@@ -175,9 +178,10 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         }
         let before = core::mem::replace(&mut self.modes, modes);
         self.predicted.as_mut().copy_from_slice(q);
-        let asked = core::mem::replace(&mut self.anew, true);
+        let anew = core::mem::replace(&mut self.anew, true);
+        let asked = core::mem::replace(&mut self.asked, M::Coordinates::generate(|_| 1.0));
         if let Err(error) = self.solve(at) {
-            (self.modes, self.anew) = (before, asked);
+            (self.modes, self.anew, self.asked) = (before, anew, asked);
             return Err(error);
         }
         Ok(self)
@@ -230,7 +234,11 @@ impl<'m, M: Mechanism> Planned<'m, M> {
             self.before = f64::NAN;
             return Err(self.explain(at));
         }
-        self.before = if core::mem::take(&mut self.anew) { f64::NAN } else { self.t };
+        self.before = self.t;
+        if core::mem::take(&mut self.anew) {
+            self.before = f64::NAN;
+            self.asked = M::Coordinates::generate(|_| 0.0);
+        }
         self.good = 1 - self.good;
         self.t = at.t;
         Ok(())
@@ -263,16 +271,17 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     fn pass(&mut self, at: &Instant<'_>) -> Result<bool, LengthError> {
         let plan = &M::model().plan;
         let margins = self.states[1 - self.good].margins;
-        if self.anew || !passed::is_missed(plan, |place| margins.as_ref()[place]) {
+        if !passed::is_missed(plan, |place| margins.as_ref()[place]) {
             return Ok(false);
         }
         let count = plan.modes.len();
         let (kept, mut closures) = (self.modes, M::Coordinates::<f64>::generate(|_| 0.0));
         let closures = &mut closures.as_mut()[..count];
         self.mechanism.get().closures_with(self.parameters.as_ref(), at, self.predicted.as_ref(), closures)?;
-        let passed = Passed::new(&kept.as_ref()[..count], closures);
-        for attempt in 0..passed.attempts() {
-            if passed.signs(attempt, &mut self.modes.as_mut()[..count]) && self.ask(at)? {
+        let passed = Passed::new(&kept.as_ref()[..count], closures, self.asked.as_ref());
+        for attempt in passed.attempts() {
+            passed.signs(attempt, &mut self.modes.as_mut()[..count]);
+            if self.ask(at)? {
                 return Ok(true);
             }
         }
@@ -286,12 +295,16 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     /// The mechanism is there at once, as if it had been taken apart and put together again; angles still come out within
     /// half a turn of the prediction. Where a Newton iteration follows in the plan, it starts at the old mode and may not
     /// find the new one: [`restart`](Self::restart) with a configuration that
-    /// [`Solver::with_mode`](crate::Solver::with_mode) assembles then.
+    /// [`Solver::with_mode`](crate::Solver::with_mode) assembles then. Asking for what is there already changes nothing.
     ///
     /// # Errors
     /// [`PlanError::UnknownMode`].
     pub fn set_mode<'k>(&mut self, mode: impl Into<ModeKey<'k>>, sign: Sign) -> Result<(), PlanError> {
-        *self.mode_mut(mode.into())? = sign.value();
+        let mode = mode.into();
+        let (have, _) = self.mode_mut(mode)?;
+        if *have != sign.value() {
+            self.flip(mode)?;
+        }
         Ok(())
     }
 
@@ -300,16 +313,19 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     /// # Errors
     /// [`PlanError::UnknownMode`].
     pub fn flip<'k>(&mut self, mode: impl Into<ModeKey<'k>>) -> Result<(), PlanError> {
-        let sign = self.mode_mut(mode.into())?;
+        let (sign, asked) = self.mode_mut(mode.into())?;
         *sign = -*sign;
+        *asked = 1.0;
+        self.anew = true;
         Ok(())
     }
 
-    fn mode_mut(&mut self, mode: ModeKey<'_>) -> Result<&mut f64, PlanError> {
+    /// The sign of a mode, and whether it was asked for.
+    fn mode_mut(&mut self, mode: ModeKey<'_>) -> Result<(&mut f64, &mut f64), PlanError> {
         let modes = M::model().plan.modes;
         let place = mode.place(modes).ok_or(PlanError::UnknownMode { modes })?;
-        self.anew = true;
-        self.modes.as_mut().get_mut(place).ok_or(PlanError::UnknownMode { modes })
+        let both = self.modes.as_mut().get_mut(place).zip(self.asked.as_mut().get_mut(place));
+        both.ok_or(PlanError::UnknownMode { modes })
     }
 
     /// The sign of a mode: that of the last good state, or what was asked for since.

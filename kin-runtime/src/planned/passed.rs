@@ -10,46 +10,49 @@ use crate::plan::{Plan, StepKind};
 const NEAR: f64 = 0.1;
 
 /// How many of them are tried in all combinations.
-const MOST: usize = 4;
+const MOST: usize = 6;
 
 /// Signs of modes that may be right where the ones that were kept are not.
+///
+/// Only what the watched rows see decides: of all combinations those that change fewest signs come first, so that a closure
+/// which they say nothing of keeps its sign, whatever the prediction has.
 pub(crate) struct Passed<'c> {
-    /// Those that were kept, and the closures of the prediction.
+    /// Those that were kept.
     kept: &'c [f64],
-    closures: &'c [f64],
+    /// Places of those that may have changed.
     near: [usize; MOST],
     count: usize,
 }
 
 impl<'c> Passed<'c> {
-    /// From the signs that were `kept` and the `closures` of the prediction.
-    pub(crate) fn new(kept: &'c [f64], closures: &'c [f64]) -> Self {
+    /// From the signs that were `kept` and the `closures` of the prediction: those that are near their limit there or
+    /// beyond it, but for what was `asked` for (not 0; none where that is empty).
+    pub(crate) fn new(kept: &'c [f64], closures: &[f64], asked: &[f64]) -> Self {
         let (mut near, mut count) = ([0; MOST], 0);
-        for (place, closure) in closures.iter().enumerate() {
-            if closure.abs() < NEAR && count < MOST {
+        for (place, (sign, closure)) in kept.iter().zip(closures).enumerate() {
+            let free = asked.get(place).is_none_or(|asked| *asked == 0.0);
+            if free && (closure.abs() < NEAR || sign * closure < 0.0) && count < MOST {
                 near[count] = place;
                 count += 1;
             }
         }
-        Self { kept, closures, near, count }
+        Self { kept, near, count }
     }
 
-    /// How many attempts there are.
-    pub(crate) const fn attempts(&self) -> usize {
-        1 << self.count
+    /// The attempts that there are: sets of closures that change their sign, smaller ones first.
+    pub(crate) fn attempts(&self) -> impl Iterator<Item = u32> + use<> {
+        let (count, all) = (self.count as u32, 1_u32 << self.count);
+        (1..=count).flat_map(move |flips| (1..all).filter(move |attempt| attempt.count_ones() == flips))
     }
 
-    /// Writes the signs of an attempt, those of the prediction first; false where they are the ones that were kept.
-    pub(crate) fn signs(&self, attempt: usize, signs: &mut [f64]) -> bool {
-        for ((sign, kept), closure) in signs.iter_mut().zip(self.kept).zip(self.closures) {
-            *sign = if kept * closure < 0.0 { -kept } else { *kept };
-        }
+    /// Writes the signs of an attempt.
+    pub(crate) fn signs(&self, attempt: u32, signs: &mut [f64]) {
+        signs.copy_from_slice(self.kept);
         for (bit, &place) in self.near[..self.count].iter().enumerate() {
             if attempt >> bit & 1 == 1 {
                 signs[place] = -signs[place];
             }
         }
-        signs.iter().zip(self.kept).any(|(sign, kept)| sign != kept)
     }
 }
 
@@ -64,20 +67,26 @@ mod tests {
     use super::Passed;
 
     #[test]
-    fn every_combination_of_near_closures_is_tried_once_and_the_predicted_one_first() {
-        let (kept, closures) = ([1.0, -1.0, 1.0, 1.0], [0.05, -0.04, -0.6, f64::NAN]);
-        let passed = Passed::new(&kept, &closures);
-        let all: Vec<[f64; 4]> = (0..passed.attempts())
+    fn every_combination_of_near_closures_is_tried_once_and_fewest_changes_first() {
+        let (kept, closures) = ([1.0, -1.0, 1.0, 1.0, -1.0], [0.05, -0.04, -0.6, f64::NAN, 0.01]);
+        let passed = Passed::new(&kept, &closures, &[0.0, 0.0, 0.0, 0.0, 1.0]);
+        let all: Vec<[f64; 5]> = passed
+            .attempts()
             .map(|attempt| {
-                let mut signs = [0.0; 4];
-                assert!(passed.signs(attempt, &mut signs));
+                let mut signs = [0.0; 5];
+                passed.signs(attempt, &mut signs);
                 signs
             })
             .collect();
-        let of = |a: f64, b: f64| [a, b, -1.0, 1.0];
-        assert_eq!(all, [of(1.0, -1.0), of(-1.0, -1.0), of(1.0, 1.0), of(-1.0, 1.0)]);
-        // Far from limits there is nothing to try.
-        let far = Passed::new(&kept[..2], &[0.9, -0.2]);
-        assert_eq!((far.attempts(), far.signs(0, &mut [0.0; 2])), (1, false));
+        let of = |a: f64, b: f64, c: f64| [a, b, c, 1.0, -1.0];
+        let [one, two, three] = [
+            [of(-1.0, -1.0, 1.0), of(1.0, 1.0, 1.0), of(1.0, -1.0, -1.0)],
+            [of(-1.0, 1.0, 1.0), of(-1.0, -1.0, -1.0), of(1.0, 1.0, -1.0)],
+            [of(-1.0, 1.0, -1.0); 3],
+        ];
+        assert_eq!(all, [one[0], one[1], one[2], two[0], two[1], two[2], three[0]]);
+        // Far from limits, or asked for, there is nothing to try.
+        assert_eq!(Passed::new(&kept[..2], &[0.9, -0.2], &[]).attempts().count(), 0);
+        assert_eq!(Passed::new(&kept, &closures, &[1.0; 5]).attempts().count(), 0);
     }
 }

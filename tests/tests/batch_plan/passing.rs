@@ -1,7 +1,7 @@
 //! Limits that only the kept rows of a redundant mechanism have: the motion passes them.
 
 use kin_runtime::batch::{Column, Modes, Moment, Motions, Sweeps, always, sweep};
-use kin_runtime::{Instant, Kinematics, Lanes, PlanError, Planned, mechanism};
+use kin_runtime::{Instant, Kinematics, Lanes, Mechanism, PlanError, Planned, mechanism};
 use std::f64::consts::{PI, TAU};
 
 /// A platform on three parallel cranks whose pins are not on one line.
@@ -70,6 +70,28 @@ struct Locomotive {
     last: f64,
 }
 
+/// The same, where the dyad is all but stretched as the cranks lie flat, and the prediction has it on the other side: the
+/// rows that see the parallelogram say nothing of it.
+#[mechanism(allow_redundant)]
+#[bodies(left, coupler, right, arm, rocker)]
+#[revolute(A: ground @ (0, 0), left @ (0, 0))]
+#[revolute(B: left @ (r, 0), coupler @ (0, 0))]
+#[revolute(C: coupler @ (0.8, 0), right @ (last, 0))]
+#[revolute(D: ground @ (0.8, 0), right @ (0, 0))]
+#[distance(rod: left @ (r/2, 0.15), right @ (r/2, 0.15), length = 0.8)]
+#[revolute(E: coupler @ (0.4, 0.1), arm @ (0, 0))]
+#[revolute(F: arm @ (r + 0.3, 0), rocker @ (r + 0.2001, 0))]
+#[revolute(G: rocker @ (0, 0), ground @ (r + 0.9, 0.1))]
+#[driver(drive: left.phi = t)]
+#[guess(right.phi = 0.6, coupler.phi = 0, arm.phi = -0.6, rocker.phi = 1.2)]
+#[derive(Clone)]
+struct Stretched {
+    #[param(0.3)]
+    r: f64,
+    #[param(0.3)]
+    last: f64,
+}
+
 /// Two turns and more in steps of `step`, by plan and in a batch, against what holds every answer against Φ; the angles
 /// `turned` are those of the crank.
 fn passes<M: Kinematics + Clone + Sync>(mechanism: &M, turned: &[usize], step: f64) {
@@ -124,6 +146,7 @@ fn closures_go_on_behind_limits_that_only_the_kept_rows_have() {
         passes(&Platform::default(), &[5, 8], step);
         passes(&Tower::default(), &[5, 8, 17, 20], step);
         passes(&Locomotive::default(), &[8], step);
+        passes(&Stretched::default(), &[8], step);
     }
 }
 
@@ -161,4 +184,25 @@ fn a_mode_that_is_asked_for_stays_what_it_is() {
     assert!(matches!(planned.at(&Instant::at(3.11)), Err(PlanError::Contradiction { .. })));
     planned.flip(0).unwrap();
     planned.at(&Instant::at(3.11)).unwrap();
+}
+
+#[test]
+fn asking_for_one_closure_does_not_hold_the_others() {
+    let locomotive = Locomotive::default();
+    let mut planned = locomotive.solver().planned(&Instant::at(0.6)).unwrap();
+    planned.at(&Instant::at(1.8)).unwrap();
+    planned.at(&Instant::at(3.0)).unwrap();
+    let dyad = Locomotive::model().plan.modes.iter().position(|mode| mode.name == "E-F-G").unwrap();
+    let sign = |planned: &Planned<'_, Locomotive>| planned.modes().nth(dyad).unwrap();
+    let before = sign(&planned);
+    planned.flip(dyad).unwrap();
+    // The cranks pass their line at π, the dyad is on its other side from here on.
+    assert!((planned.at(&Instant::at(3.3)).unwrap().q()[8] - 3.3).abs() < 1e-11);
+    assert_ne!(before, sign(&planned));
+    // Asking for what is there asks for nothing.
+    let other = (0..Locomotive::model().plan.modes.len()).find(|mode| *mode != dyad).unwrap();
+    planned.at(&Instant::at(6.2)).unwrap();
+    let present = planned.modes().nth(other).unwrap();
+    planned.set_mode(other, present).unwrap();
+    assert!((planned.at(&Instant::at(6.4)).unwrap().q()[8] - 6.4).abs() < 1e-11);
 }
