@@ -1,6 +1,6 @@
 //! Columns: one quantity over all configurations of a batch.
 
-use crate::lanes::Lanes;
+use crate::lanes::Pack;
 use crate::mechanism::{LengthError, Mechanism};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
@@ -73,61 +73,80 @@ pub(super) fn check_signals<M: Mechanism>(inputs: &[Signal<Column<'_>>], count: 
     numbers.into_iter().try_for_each(|column| column.check("a column of the inputs", count))
 }
 
-/// Blocks that are read together: what a column is, is then looked at once for all of them.
-const TILE: usize = 8;
+/// Configurations that are read together: what a column is, is then looked at once for all of them.
+const TILE: usize = 32;
+
+/// Their blocks.
+const fn tile<V: Pack>() -> usize {
+    TILE / V::COUNT
+}
 
 /// The arguments of a tile of blocks, and the columns that they come from.
-pub(super) struct Arguments<'a, M: Mechanism> {
-    parameters: [M::Parameters<Lanes>; TILE],
-    t: [Lanes; TILE],
+pub(super) struct Arguments<'a, M: Mechanism, V: Pack> {
+    /// A list, as those of a large mechanism are more than the stack of a thread should hold.
+    blocks: Vec<Numbers<M, V>>,
     /// Those of one block after those of another; none where the configurations have none.
-    inputs: Vec<Signal<Lanes>>,
-    q: [M::Coordinates<Lanes>; TILE],
-    q_dot: [M::Coordinates<Lanes>; TILE],
+    inputs: Vec<Signal<V>>,
     configurations: &'a Configurations<'a>,
     /// The tile that is there.
     tile: Option<usize>,
 }
 
-/// The arguments of one block.
-pub(super) struct Block<'b> {
-    pub(super) parameters: &'b [Lanes],
-    pub(super) at: Instant<'b, Lanes>,
-    pub(super) q: &'b [Lanes],
-    pub(super) q_dot: &'b [Lanes],
+/// The numbers of one block.
+struct Numbers<M: Mechanism, V: Pack> {
+    parameters: M::Parameters<V>,
+    t: V,
+    q: M::Coordinates<V>,
+    q_dot: M::Coordinates<V>,
 }
 
-impl<'a, M: Mechanism> Arguments<'a, M> {
+impl<M: Mechanism, V: Pack> Clone for Numbers<M, V> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<M: Mechanism, V: Pack> Copy for Numbers<M, V> {}
+
+/// The arguments of one block.
+pub(super) struct Block<'b, V> {
+    pub(super) parameters: &'b [V],
+    pub(super) at: Instant<'b, V>,
+    pub(super) q: &'b [V],
+    pub(super) q_dot: &'b [V],
+}
+
+impl<'a, M: Mechanism, V: Pack> Arguments<'a, M, V> {
     /// Shared numbers in place.
     pub(super) fn new(configurations: &'a Configurations<'a>) -> Self {
-        let shared = |columns: &[Column<'_>], place: usize| columns.get(place).map_or(0.0.into(), Column::shared);
+        let shared = |columns: &[Column<'_>], place: usize| columns.get(place).map_or(V::default(), Column::shared);
+        let numbers = Numbers {
+            parameters: Array::generate(|place| shared(configurations.parameters, place)),
+            t: configurations.t.shared(),
+            q: Array::generate(|place| shared(configurations.q, place)),
+            q_dot: Array::generate(|place| shared(configurations.q_dot, place)),
+        };
         let inputs = configurations.inputs.iter().map(|u| u.map(|column| column.shared()));
-        Self {
-            parameters: [Array::generate(|place| shared(configurations.parameters, place)); TILE],
-            t: [configurations.t.shared(); TILE],
-            inputs: inputs.collect::<Vec<_>>().repeat(TILE),
-            q: [Array::generate(|place| shared(configurations.q, place)); TILE],
-            q_dot: [Array::generate(|place| shared(configurations.q_dot, place)); TILE],
-            configurations,
-            tile: None,
-        }
+        let inputs = inputs.collect::<Vec<_>>().repeat(tile::<V>());
+        Self { blocks: alloc::vec![numbers; tile::<V>()], inputs, configurations, tile: None }
     }
 
     /// The arguments of the block of configurations from `first`.
     #[inline(always)]
-    pub(super) fn block(&mut self, first: usize) -> Block<'_> {
-        let block = first / Lanes::COUNT;
-        let (tile, k) = (block / TILE, block % TILE);
+    pub(super) fn block(&mut self, first: usize) -> Block<'_, V> {
+        let block = first / V::COUNT;
+        let (tile, k) = (block / tile::<V>(), block % tile::<V>());
         let inputs = self.configurations.inputs.len();
         if self.tile != Some(tile) {
-            self.read(tile * TILE * Lanes::COUNT);
+            self.read(tile * TILE);
             self.tile = Some(tile);
         }
+        let Numbers { parameters, t, q, q_dot } = &self.blocks[k];
         Block {
-            parameters: self.parameters[k].as_ref(),
-            at: Instant { t: self.t[k], inputs: &self.inputs[k * inputs..][..inputs] },
-            q: self.q[k].as_ref(),
-            q_dot: self.q_dot[k].as_ref(),
+            parameters: parameters.as_ref(),
+            at: Instant { t: *t, inputs: &self.inputs[k * inputs..][..inputs] },
+            q: q.as_ref(),
+            q_dot: q_dot.as_ref(),
         }
     }
 
@@ -135,21 +154,22 @@ impl<'a, M: Mechanism> Arguments<'a, M> {
     #[inline(never)]
     fn read(&mut self, first: usize) {
         let Configurations { parameters, t, inputs, q, q_dot } = self.configurations;
+        let blocks = &mut self.blocks;
         for (place, column) in parameters.iter().enumerate() {
-            column.read(first, |k, lanes| self.parameters[k].as_mut()[place] = lanes);
+            column.read(first, |k, numbers| blocks[k].parameters.as_mut()[place] = numbers);
         }
         for (place, column) in q.iter().enumerate() {
-            column.read(first, |k, lanes| self.q[k].as_mut()[place] = lanes);
+            column.read(first, |k, numbers| blocks[k].q.as_mut()[place] = numbers);
         }
         for (place, column) in q_dot.iter().enumerate() {
-            column.read(first, |k, lanes| self.q_dot[k].as_mut()[place] = lanes);
+            column.read(first, |k, numbers| blocks[k].q_dot.as_mut()[place] = numbers);
         }
-        t.read(first, |k, lanes| self.t[k] = lanes);
+        t.read(first, |k, numbers| blocks[k].t = numbers);
         for (place, column) in inputs.iter().enumerate() {
             let at = |k: usize| k * inputs.len() + place;
-            column.value.read(first, |k, lanes| self.inputs[at(k)].value = lanes);
-            column.rate.read(first, |k, lanes| self.inputs[at(k)].rate = lanes);
-            column.acceleration.read(first, |k, lanes| self.inputs[at(k)].acceleration = lanes);
+            column.value.read(first, |k, numbers| self.inputs[at(k)].value = numbers);
+            column.rate.read(first, |k, numbers| self.inputs[at(k)].rate = numbers);
+            column.acceleration.read(first, |k, numbers| self.inputs[at(k)].acceleration = numbers);
         }
     }
 }
@@ -173,24 +193,22 @@ impl Column<'_> {
         }
     }
 
-    fn shared(&self) -> Lanes {
+    fn shared<V: Pack>(&self) -> V {
         match self {
-            Self::Shared(value) => (*value).into(),
-            Self::Each(_) => Lanes::default(),
+            Self::Shared(value) => V::from_f64(*value),
+            Self::Each(_) => V::default(),
         }
     }
 
     /// Gives `put` the blocks of the tile from configuration `first`; in the last one the last number is repeated.
     #[inline(always)]
-    fn read(&self, first: usize, mut put: impl FnMut(usize, Lanes)) {
+    fn read<V: Pack>(&self, first: usize, mut put: impl FnMut(usize, V)) {
         let Self::Each(numbers) = self else { return };
         let rest = numbers.get(first..).unwrap_or_default();
-        let (blocks, ragged) = rest[..rest.len().min(TILE * Lanes::COUNT)].as_chunks();
-        for (k, block) in blocks.iter().enumerate() {
-            put(k, Lanes::new(*block));
-        }
+        let rest = &rest[..rest.len().min(TILE)];
+        let ragged = V::read(rest, &mut put);
         if let Some(last) = ragged.last() {
-            put(blocks.len(), Lanes::generate(|lane| *ragged.get(lane).unwrap_or(last)));
+            put(rest.len() / V::COUNT, V::generate(|lane| *ragged.get(lane).unwrap_or(last)));
         }
     }
 }

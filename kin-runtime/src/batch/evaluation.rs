@@ -70,14 +70,14 @@ where
     Workspace<M, Lanes>: Send,
 {
     type Block = Workspace<M, Lanes>;
-    type Scratch = Arguments<'a, M>;
+    type Scratch = Arguments<'a, M, Lanes>;
 
-    fn scratch(&self) -> Arguments<'a, M> {
+    fn scratch(&self) -> Arguments<'a, M, Lanes> {
         Arguments::new(self.configurations)
     }
 
     #[inline]
-    fn block(&self, first: usize, arguments: &mut Arguments<'a, M>, out: &mut Self::Block) {
+    fn block(&self, first: usize, arguments: &mut Arguments<'a, M, Lanes>, out: &mut Self::Block) {
         let Block { parameters, at, q, q_dot } = arguments.block(first);
         let lengths = self.mechanism.evaluate_with(parameters, self.subset, &at, q, q_dot, out);
         debug_assert!(lengths.is_ok(), "the columns have been counted");

@@ -1,11 +1,9 @@
 //! The assembly modes of the configurations of a batch.
 
 use super::column::{Column, check_list};
-use crate::lanes::Lanes;
+use crate::lanes::Pack;
 use crate::mechanism::{LengthError, Mechanism};
-use crate::scalar::Scalar;
 use crate::signal::Instant;
-use crate::workspace::Array;
 
 /// Where the assembly modes of a batch come from. A configuration with a mode that is not decided has no answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,29 +32,26 @@ impl<'a> Modes<'a> {
         }
     }
 
-    /// The signs for a block whose columns of signs, if there are such, hold `given`.
+    /// Writes the signs for a block whose columns of signs, if there are such, hold `given`; there are as many as the plan
+    /// has modes.
     #[inline(always)]
-    pub(super) fn of_block<M: Mechanism>(
+    pub(super) fn of_block<M: Mechanism, V: Pack>(
         &self,
         mechanism: &M,
-        parameters: &[Lanes],
-        at: &Instant<'_, Lanes>,
-        start: &[Lanes],
-        given: &[Lanes],
-    ) -> M::Coordinates<Lanes> {
-        // There are never more modes than coordinates.
-        let mut signs = M::Coordinates::<Lanes>::generate(|_| Lanes::default());
-        let modes = &mut signs.as_mut()[..M::model().plan.modes.len()];
+        parameters: &[V],
+        at: &Instant<'_, V>,
+        start: &[V],
+        given: &[V],
+        modes: &mut [V],
+    ) {
+        // Not a number for 0, so that whatever depends on it is none either.
         match self {
-            Self::Signs(_) => modes.iter_mut().zip(given).for_each(|(mode, given)| *mode = *given),
+            Self::Signs(_) => modes.iter_mut().zip(given).for_each(|(mode, given)| *mode = given.direction()),
             Self::OfStart => {
                 let lengths = mechanism.closures_with(parameters, at, start, modes);
                 debug_assert!(lengths.is_ok(), "the columns have been counted");
+                modes.iter_mut().for_each(|mode| *mode = mode.direction());
             }
         }
-        // Not a number for 0, so that whatever depends on it is none either.
-        let zero = Lanes::from(0.0);
-        modes.iter_mut().for_each(|mode| *mode = mode.signum() + zero / mode.abs());
-        signs
     }
 }

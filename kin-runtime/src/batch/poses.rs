@@ -1,96 +1,94 @@
 //! q, q̇ and q̈ of a block, each lane judged for itself.
 
-use crate::lanes::Lanes;
+use crate::lanes::Pack;
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::planned::passed::{self, Passed};
-use crate::scalar::Scalar;
 use crate::signal::Instant;
 use crate::workspace::Array;
 
-/// A state of every lane.
-pub(super) struct Poses<M: Mechanism> {
-    pub(super) q: M::Coordinates<Lanes>,
-    pub(super) q_dot: M::Coordinates<Lanes>,
-    pub(super) q_ddot: M::Coordinates<Lanes>,
+/// A state of every lane; q, q̇ and q̈ stand in arrays of their own or where results are kept.
+#[derive(Clone, Copy)]
+pub(super) struct Poses<Q, V: Pack> {
+    pub(super) q: Q,
+    pub(super) q_dot: Q,
+    pub(super) q_ddot: Q,
     /// The smallest margin.
-    pub(super) margin: Lanes,
+    pub(super) margin: V,
     /// Which lanes are good.
-    pub(super) good: [bool; Lanes::COUNT],
+    pub(super) good: V::Each<bool>,
 }
 
 /// For every lane the first margin that is not good, its place and its value.
-pub(super) type Limits = [Option<(usize, f64)>; Lanes::COUNT];
+pub(super) type Limits<V> = <V as Pack>::Each<Option<(usize, f64)>>;
 
 /// What a block is solved at.
 #[derive(Clone, Copy)]
-pub(super) struct Question<'b> {
-    pub(super) parameters: &'b [Lanes],
-    pub(super) at: Instant<'b, Lanes>,
+pub(super) struct Question<'b, V> {
+    pub(super) parameters: &'b [V],
+    /// Not a copy: what has just been written in parts is slow to read as a whole.
+    pub(super) at: &'b Instant<'b, V>,
     /// A sign for every mode.
-    pub(super) modes: &'b [Lanes],
-    pub(super) start: &'b [Lanes],
+    pub(super) modes: &'b [V],
+    pub(super) start: &'b [V],
     pub(super) depth: Depth,
 }
 
-impl<M: Mechanism> Clone for Poses<M> {
-    fn clone(&self) -> Self {
-        *self
+impl<Q: Array<V>, V: Pack> Poses<Q, V> {
+    /// Zeros, none of them good.
+    pub(super) fn nothing() -> Self {
+        let [q, q_dot, q_ddot] = [(); 3].map(|()| Q::generate(|_| V::default()));
+        Self { q, q_dot, q_ddot, margin: V::default(), good: V::each(|_| false) }
     }
 }
 
-impl<M: Mechanism> Copy for Poses<M> {}
-
-impl<M: Mechanism> Poses<M> {
-    /// Zeros, none of them good.
-    pub(super) fn nothing() -> Self {
-        let zeros = M::Coordinates::<Lanes>::generate(|_| Lanes::default());
-        Self { q: zeros, q_dot: zeros, q_ddot: zeros, margin: Lanes::default(), good: [false; Lanes::COUNT] }
-    }
-
-    /// Solves the block. Lanes that are not good mean nothing afterwards, and their margin is a number.
+impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> Poses<Q, V> {
+    /// Solves the block, with room for the `margins` of the plan; nothing to say where all lanes are good. Lanes that are
+    /// not mean nothing afterwards, and their margin is a number.
     #[inline(always)]
-    pub(super) fn solve(&mut self, mechanism: &M, question: &Question<'_>) -> Limits {
-        let mut margins = M::Rows::<Lanes>::generate(|_| Lanes::default());
+    pub(super) fn solve<M: Mechanism>(
+        &mut self,
+        mechanism: &M,
+        question: &Question<'_, V>,
+        margins: &mut M::Rows<V>,
+    ) -> Option<Limits<V>> {
         let margins = &mut margins.as_mut()[..M::model().plan.margins];
         let sum = self.ask(mechanism, question, margins);
-        self.margin = margins.iter().fold(1.0.into(), |least: Lanes, margin| least.least(*margin));
+        self.margin = margins.iter().fold(V::from_f64(1.0), |least, margin| least.least(*margin));
         // A quick look that may see trouble where there is none: far from a limit the margin is near 1, and the sum of all
-        // sizes is finite where they are.
-        let far = (self.margin - 1.0.into()).is_within(1.0 - 2.0 * Plan::SMALLEST_MARGIN);
-        self.good = [true; Lanes::COUNT];
+        // numbers is finite where they are and not very large.
+        let far = (self.margin - V::from_f64(1.0)).is_within(1.0 - 2.0 * Plan::SMALLEST_MARGIN);
+        self.good = V::ALL;
         if far & sum.is_within(f64::MAX) {
-            return [None; Lanes::COUNT];
+            return None;
         }
-        self.judge(mechanism, question, margins)
+        Some(self.judge(mechanism, question, margins))
     }
 
-    /// Asks the plan, and gives the sum of the sizes of all numbers.
+    /// Asks the plan, and gives the sum of all numbers: finite only where each of them is.
     #[inline(always)]
-    fn ask(&mut self, mechanism: &M, question: &Question<'_>, margins: &mut [Lanes]) -> Lanes {
+    fn ask<M: Mechanism>(&mut self, mechanism: &M, question: &Question<'_, V>, margins: &mut [V]) -> V {
         let Question { parameters, at, modes, start, depth } = question;
         let Self { q, q_dot, q_ddot, .. } = self;
         let solved = Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins };
         let lengths = mechanism.solve_with(parameters, at, modes, start, *depth, solved);
         debug_assert!(lengths.is_ok(), "the columns have been counted");
-        let sizes = |numbers: &[Lanes]| numbers.iter().fold(Lanes::default(), |sum, x| sum + x.abs());
-        let numbers = sizes(self.q.as_ref()) + sizes(self.q_dot.as_ref()) + sizes(self.q_ddot.as_ref());
-        numbers + sizes(margins) + at.t.abs()
+        // Several sums, so that one addition need not wait for the other.
+        let sum = |numbers: &[V]| numbers.iter().fold(V::default(), |sum, x| sum + *x);
+        let (q, q_dot, q_ddot) = (sum(self.q.as_ref()), sum(self.q_dot.as_ref()), sum(self.q_ddot.as_ref()));
+        (q + q_dot) + (q_ddot + (sum(margins) + at.t))
     }
 
     /// Lane by lane, where one of them may be bad.
     #[cold]
     #[inline(never)]
-    fn judge(&mut self, mechanism: &M, question: &Question<'_>, margins: &mut [Lanes]) -> Limits {
-        let mut limits = [None; Lanes::COUNT];
-        for (lane, limit) in limits.iter_mut().enumerate() {
-            *limit = self.judge_lane(question, margins, lane);
-        }
+    fn judge<M: Mechanism>(&mut self, mechanism: &M, question: &Question<'_, V>, margins: &mut [V]) -> Limits<V> {
+        let mut limits = V::each(|lane| self.judge_lane(question, margins, lane));
         // An iteration goes on until all lanes have converged: one that does not makes all of them fail.
         let iterates = M::model().plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)));
         if iterates {
-            for (lane, limit) in limits.iter_mut().enumerate() {
-                if !self.good[lane] {
+            for (lane, limit) in limits.as_mut().iter_mut().enumerate() {
+                if !self.is_good(lane) {
                     *limit = self.alone(mechanism, question, margins, lane);
                 }
             }
@@ -98,49 +96,49 @@ impl<M: Mechanism> Poses<M> {
         limits
     }
 
-    fn judge_lane(&mut self, question: &Question<'_>, margins: &[Lanes], lane: usize) -> Option<(usize, f64)> {
-        let of = |x: &Lanes| x.to_array()[lane];
-        let finite = |numbers: &[Lanes]| numbers.iter().all(|x| of(x).is_finite());
+    fn judge_lane(&mut self, question: &Question<'_, V>, margins: &[V], lane: usize) -> Option<(usize, f64)> {
+        let of = |x: &V| x.lane(lane);
+        let finite = |numbers: &[V]| numbers.iter().all(|x| of(x).is_finite());
         let margin = margins.iter().map(of).fold(1.0, f64::min);
         let numbers = finite(self.q.as_ref()) && finite(self.q_dot.as_ref()) && finite(self.q_ddot.as_ref());
         let known = margins.iter().all(|margin| !of(margin).is_nan()) && of(&question.at.t).is_finite();
-        self.good[lane] = numbers && known && margin > Plan::SMALLEST_MARGIN;
+        self.good.as_mut()[lane] = numbers && known && margin > Plan::SMALLEST_MARGIN;
         let margin = if known && margin.is_finite() { margin } else { 0.0 };
-        set(&mut self.margin, lane, margin);
+        self.margin.set(lane, margin);
         margins.iter().map(of).enumerate().find(|(_, margin)| *margin <= Plan::SMALLEST_MARGIN)
     }
 
     /// One lane in all lanes, so that no other stands in its way.
-    fn alone(
+    fn alone<M: Mechanism>(
         &mut self,
         mechanism: &M,
-        question: &Question<'_>,
-        margins: &mut [Lanes],
+        question: &Question<'_, V>,
+        margins: &mut [V],
         lane: usize,
     ) -> Option<(usize, f64)> {
-        let spread = |x: &Lanes| Lanes::from(x.to_array()[lane]);
-        let mut parameters = M::Parameters::<Lanes>::generate(|_| Lanes::default());
-        let [mut modes, mut start] = [M::Coordinates::<Lanes>::generate(|_| Lanes::default()); 2];
-        let copy = |to: &mut [Lanes], from: &[Lanes]| to.iter_mut().zip(from).for_each(|(to, x)| *to = spread(x));
+        let spread = |x: &V| V::from_f64(x.lane(lane));
+        let mut parameters = M::Parameters::<V>::generate(|_| V::default());
+        let [mut modes, mut start] = [M::Coordinates::<V>::generate(|_| V::default()); 2];
+        let copy = |to: &mut [V], from: &[V]| to.iter_mut().zip(from).for_each(|(to, x)| *to = spread(x));
         copy(parameters.as_mut(), question.parameters);
         copy(modes.as_mut(), question.modes);
         copy(start.as_mut(), question.start);
         let inputs: alloc::vec::Vec<_> = question.at.inputs.iter().map(|u| u.map(|x| spread(&x))).collect();
         let own = Question {
             parameters: parameters.as_ref(),
-            at: Instant { t: spread(&question.at.t), inputs: &inputs },
+            at: &Instant { t: spread(&question.at.t), inputs: &inputs },
             modes: &modes.as_ref()[..question.modes.len()],
             start: start.as_ref(),
             depth: question.depth,
         };
-        let mut poses = Self::nothing();
+        let mut poses = Poses::<M::Coordinates<V>, V>::nothing();
         poses.ask(mechanism, &own, margins);
         let limit = poses.judge_lane(&own, margins, lane);
-        if poses.good[lane] {
+        if poses.is_good(lane) {
             self.copy_lane(&poses, lane, lane);
         }
-        set(&mut self.margin, lane, poses.margin.to_array()[lane]);
-        self.good[lane] = poses.good[lane];
+        self.margin.set(lane, poses.margin.lane(lane));
+        self.good.as_mut()[lane] = poses.is_good(lane);
         limit
     }
 
@@ -148,26 +146,32 @@ impl<M: Mechanism> Poses<M> {
     /// behind limits that only the kept rows have, in `modes`, which the question has, too.
     #[cold]
     #[inline(never)]
-    pub(super) fn pass(&mut self, mechanism: &M, question: &Question<'_>, modes: &mut [Lanes], limits: &mut Limits) {
+    pub(super) fn pass<M: Mechanism>(
+        &mut self,
+        mechanism: &M,
+        question: &Question<'_, V>,
+        modes: &mut [V],
+        limits: &mut Limits<V>,
+    ) {
         let plan = &M::model().plan;
         if plan.watched().next().is_none() {
             return;
         }
-        let mut margins = M::Rows::<Lanes>::generate(|_| Lanes::default());
+        let mut margins = M::Rows::<V>::generate(|_| V::default());
         let margins = &mut margins.as_mut()[..plan.margins];
-        let mut closures = M::Coordinates::<Lanes>::generate(|_| Lanes::default());
+        let mut closures = M::Coordinates::<V>::generate(|_| V::default());
         let closures = &mut closures.as_mut()[..modes.len()];
-        let lengths = mechanism.closures_with(question.parameters, &question.at, question.start, closures);
+        let lengths = mechanism.closures_with(question.parameters, question.at, question.start, closures);
         debug_assert!(lengths.is_ok(), "the columns have been counted");
-        for (lane, limit) in limits.iter_mut().enumerate().filter(|(_, limit)| limit.is_some()) {
+        for (lane, limit) in limits.as_mut().iter_mut().enumerate().filter(|(_, limit)| limit.is_some()) {
             // Once more, for all its margins.
             self.alone(mechanism, question, margins, lane);
-            if !passed::is_missed(plan, |place| margins[place].to_array()[lane]) {
+            if !passed::is_missed(plan, |place| margins[place].lane(lane)) {
                 continue;
             }
-            let of = |numbers: &[Lanes]| {
+            let of = |numbers: &[V]| {
                 let mut own = M::Coordinates::<f64>::generate(|_| 0.0);
-                own.as_mut().iter_mut().zip(numbers).for_each(|(own, x)| *own = x.to_array()[lane]);
+                own.as_mut().iter_mut().zip(numbers).for_each(|(own, x)| *own = x.lane(lane));
                 own
             };
             let (kept, closures, mut signs) = (of(question.modes), of(closures), of(question.modes));
@@ -175,11 +179,11 @@ impl<M: Mechanism> Poses<M> {
             let passed = Passed::new(&kept.as_ref()[..count], &closures.as_ref()[..count], &[]);
             for attempt in passed.attempts() {
                 passed.signs(attempt, &mut signs.as_mut()[..count]);
-                let spread = |place: usize| signs.as_ref().get(place).map_or(Lanes::default(), |sign| (*sign).into());
-                let own = M::Coordinates::<Lanes>::generate(spread);
+                let spread = |place: usize| signs.as_ref().get(place).map_or(V::default(), |sign| V::from_f64(*sign));
+                let own = M::Coordinates::<V>::generate(spread);
                 self.alone(mechanism, &Question { modes: &own.as_ref()[..count], ..*question }, margins, lane);
-                if self.good[lane] {
-                    modes.iter_mut().zip(signs.as_ref()).for_each(|(mode, sign)| set(mode, lane, *sign));
+                if self.is_good(lane) {
+                    modes.iter_mut().zip(signs.as_ref()).for_each(|(mode, sign)| mode.set(lane, *sign));
                     *limit = None;
                     break;
                 }
@@ -188,37 +192,38 @@ impl<M: Mechanism> Poses<M> {
         }
     }
 
+    /// Whether a lane is good.
+    pub(super) fn is_good(&self, lane: usize) -> bool {
+        self.good.as_ref()[lane]
+    }
+
+    /// Whether all lanes are.
+    #[inline(always)]
+    pub(super) fn all_good(&self) -> bool {
+        self.good.as_ref().iter().all(|good| *good)
+    }
+
     /// What is in lane `from` of `other` into lane `to`.
-    pub(super) fn copy_lane(&mut self, other: &Self, from: usize, to: usize) {
+    pub(super) fn copy_lane(&mut self, other: &Poses<impl AsRef<[V]>, V>, from: usize, to: usize) {
         copy_lane(self.q.as_mut(), other.q.as_ref(), from, to);
         copy_lane(self.q_dot.as_mut(), other.q_dot.as_ref(), from, to);
         copy_lane(self.q_ddot.as_mut(), other.q_ddot.as_ref(), from, to);
     }
 
     /// Zeros in the lanes that are not good.
-    #[inline(always)]
     pub(super) fn clear_bad(&mut self) {
-        if self.good != [true; Lanes::COUNT] {
-            let nothing = Self::nothing();
-            for lane in 0..Lanes::COUNT {
-                if !self.good[lane] {
-                    self.copy_lane(&nothing, lane, lane);
-                }
+        for lane in 0..V::COUNT {
+            if !self.is_good(lane) {
+                let numbers = [self.q.as_mut(), self.q_dot.as_mut(), self.q_ddot.as_mut()];
+                numbers.into_iter().flatten().for_each(|number| number.set(lane, 0.0));
             }
         }
     }
 }
 
-/// A number into a lane.
-pub(super) fn set(to: &mut Lanes, lane: usize, value: f64) {
-    let mut lanes = to.to_array();
-    lanes[lane] = value;
-    *to = Lanes::new(lanes);
-}
-
 /// Lane `from` of every number into lane `to`.
-pub(super) fn copy_lane(numbers: &mut [Lanes], others: &[Lanes], from: usize, to: usize) {
+pub(super) fn copy_lane<V: Pack>(numbers: &mut [V], others: &[V], from: usize, to: usize) {
     for (number, other) in numbers.iter_mut().zip(others) {
-        set(number, to, other.to_array()[from]);
+        number.set(to, other.lane(from));
     }
 }

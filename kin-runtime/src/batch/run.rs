@@ -6,7 +6,7 @@ use core::ops::ControlFlow;
 use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// Blocks between two looks at the watch, and in one piece of work of a core, where a block takes a moment.
-const CHUNK: usize = 512;
+pub(super) const CHUNK: usize = 512;
 
 /// What is done with a block of [`Lanes::COUNT`] configurations.
 pub trait Work: Sync {
@@ -60,44 +60,71 @@ pub fn run<W: Work>(work: &W, count: usize, out: &mut [W::Block], watch: Watch<'
     let Some(out) = out.get_mut(..blocks(count)) else {
         return Err(crate::LengthError { what: "the list of blocks", expected: blocks(count), found }.into());
     };
+    let shape = Shape { count, width: Lanes::COUNT, stride: 1, chunk: work.chunk().max(1) };
+    let block = |first: usize, scratch: &mut W::Scratch, out: &mut [W::Block]| {
+        out.iter_mut().for_each(|out| work.block(first, scratch, out));
+    };
+    drive(&shape, out, watch, || work.scratch(), block)
+}
+
+/// What a batch is cut into.
+pub(super) struct Shape {
+    /// Configurations.
+    pub(super) count: usize,
+    /// Those of a block.
+    pub(super) width: usize,
+    /// Entries that the results of a block take; in the last one there may be fewer.
+    pub(super) stride: usize,
+    /// Blocks between two looks at the watch.
+    pub(super) chunk: usize,
+}
+
+/// Does `block` for the first configuration of every block, with its results and the scratch of the thread.
+pub(super) fn drive<T: Send, S>(
+    shape: &Shape,
+    out: &mut [T],
+    watch: Watch<'_>,
+    scratch: impl Fn() -> S + Sync,
+    block: impl Fn(usize, &mut S, &mut [T]) + Sync,
+) -> Result<(), BatchError> {
+    let &Shape { count, width, stride, chunk } = shape;
     let (done, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
-    let size = work.chunk().max(1);
-    let each = |scratch: &mut W::Scratch, chunk: usize, out: &mut [W::Block]| {
+    let each = |scratch: &mut S, place: usize, out: &mut [T]| {
         if stopped.load(Ordering::Relaxed) {
             return;
         }
-        let start = chunk * size * Lanes::COUNT;
-        for (place, block) in out.iter_mut().enumerate() {
-            work.block(start + place * Lanes::COUNT, scratch, block);
+        let start = place * chunk * width;
+        for (place, out) in out.chunks_mut(stride).enumerate() {
+            block(start + place * width, scratch, out);
         }
-        let own = (out.len() * Lanes::COUNT).min(count - start);
+        let own = (out.len() * width).div_ceil(stride).min(count - start);
         let done = done.fetch_add(own, Ordering::Relaxed) + own;
         if watch(Progress { done, total: count }).is_break() {
             stopped.store(true, Ordering::Relaxed);
         }
     };
-    in_chunks(work, size, out, each);
+    in_chunks(chunk * stride, out, scratch, each);
     let done = done.into_inner();
     // Whoever stops it with the last configuration has all of them.
     if done < count { Err(BatchError::Stopped(Progress { done, total: count })) } else { Ok(()) }
 }
 
 /// `each` chunk with its number: across the cores where there is more than one.
-fn in_chunks<W: Work>(
-    work: &W,
+fn in_chunks<T: Send, S>(
     size: usize,
-    out: &mut [W::Block],
-    each: impl Fn(&mut W::Scratch, usize, &mut [W::Block]) + Sync,
+    out: &mut [T],
+    scratch: impl Fn() -> S + Sync,
+    each: impl Fn(&mut S, usize, &mut [T]) + Sync,
 ) {
     #[cfg(feature = "parallel")]
     if out.len() > size {
         use rayon::iter::{IndexedParallelIterator, ParallelIterator};
         use rayon::slice::ParallelSliceMut;
         let chunks = out.par_chunks_mut(size).enumerate();
-        chunks.for_each_init(|| work.scratch(), |scratch, (chunk, out)| each(scratch, chunk, out));
+        chunks.for_each_init(&scratch, |scratch, (chunk, out)| each(scratch, chunk, out));
         return;
     }
-    let mut scratch = work.scratch();
+    let mut scratch = scratch();
     for (chunk, out) in out.chunks_mut(size).enumerate() {
         each(&mut scratch, chunk, out);
     }

@@ -4,13 +4,15 @@ use super::BatchError;
 use super::column::{Arguments, Column, Configurations, check_list, check_signals};
 use super::modes::Modes;
 use super::poses::{Poses, Question};
-use super::run::{Watch, Work, blocks, run};
-use crate::lanes::Lanes;
+use super::run::{CHUNK, Shape, Watch, drive};
+use crate::lanes::{Octet, Pack};
 use crate::mechanism::Mechanism;
 use crate::plan::Depth;
+use crate::scalar::Scalar;
 use crate::signal::Signal;
 use crate::workspace::Array;
 use alloc::vec::Vec;
+use core::marker::PhantomData;
 
 /// What a batch is to solve, a column for each number that one solution takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,13 +36,21 @@ pub struct Problems<'a> {
 /// q̈ are 0, and the margin says why.
 pub struct Solutions<M: Mechanism> {
     count: usize,
-    blocks: Vec<Poses<M>>,
+    /// For every block q, q̇ and q̈, the smallest margin, and 1 in the lanes that are good.
+    blocks: Vec<Octet>,
+    mechanism: PhantomData<fn(M)>,
 }
 
 impl<M: Mechanism> Solutions<M> {
+    /// Vectors of a block.
+    const STRIDE: usize = 3 * M::COORDINATES + 2;
+    const MARGIN: usize = Self::STRIDE - 2;
+    const GOOD: usize = Self::STRIDE - 1;
+
     /// Room for `count` configurations, none of them solved.
     pub fn new(count: usize) -> Self {
-        Self { count, blocks: alloc::vec![Poses::nothing(); blocks(count)] }
+        let blocks = alloc::vec![Octet::default(); count.div_ceil(Octet::COUNT) * Self::STRIDE];
+        Self { count, blocks, mechanism: PhantomData }
     }
 
     /// How many configurations there are.
@@ -50,36 +60,52 @@ impl<M: Mechanism> Solutions<M> {
 
     /// Whether each configuration is solved.
     pub fn solved(&self) -> impl Iterator<Item = bool> {
-        self.blocks.iter().flat_map(|block| block.good).take(self.count)
+        self.column(Self::GOOD).map(|good| good > 0.0)
     }
 
     /// The smallest margin of each configuration: 1 far from trouble, 0 at a limit, negative beyond it; 0, too, where it is
     /// not a finite number.
     pub fn margin(&self) -> impl Iterator<Item = f64> {
-        self.column(|block| block.margin)
+        self.column(Self::MARGIN)
     }
 
     /// Coordinate number `k`, a number for every configuration.
     ///
     /// # Panics
-    /// This and its sisters, while it is read, where there is no such coordinate.
+    /// This and its sisters, where there is no such coordinate.
     pub fn q(&self, k: usize) -> impl Iterator<Item = f64> {
-        self.column(move |block| block.q.as_ref()[k])
+        self.of_coordinate(0, k)
     }
 
     /// The velocity of coordinate `k`; 0 where it was not asked for.
     pub fn q_dot(&self, k: usize) -> impl Iterator<Item = f64> {
-        self.column(move |block| block.q_dot.as_ref()[k])
+        self.of_coordinate(1, k)
     }
 
     /// The acceleration of coordinate `k`; 0 where it was not asked for.
     pub fn q_ddot(&self, k: usize) -> impl Iterator<Item = f64> {
-        self.column(move |block| block.q_ddot.as_ref()[k])
+        self.of_coordinate(2, k)
     }
 
-    fn column(&self, of: impl Fn(&Poses<M>) -> Lanes) -> impl Iterator<Item = f64> {
-        self.blocks.iter().flat_map(move |block| of(block).to_array()).take(self.count)
+    fn of_coordinate(&self, order: usize, k: usize) -> impl Iterator<Item = f64> {
+        let n = M::COORDINATES;
+        assert!(k < n, "coordinate {k} of {n}");
+        self.column(order * n + k)
     }
+
+    /// A number of every configuration, by its place in the blocks.
+    fn column(&self, place: usize) -> impl Iterator<Item = f64> {
+        let blocks = self.blocks.chunks_exact(Self::STRIDE);
+        blocks.flat_map(move |block| Octet::each(|lane| block[place].lane(lane))).take(self.count)
+    }
+}
+
+/// What one thread needs.
+struct Scratch<'a, M: Mechanism> {
+    arguments: Arguments<'a, M, Octet>,
+    /// There are never more modes than coordinates.
+    modes: M::Coordinates<Octet>,
+    margins: M::Rows<Octet>,
 }
 
 /// The work of [`solve`].
@@ -87,43 +113,37 @@ struct Solve<'a, M> {
     mechanism: &'a M,
     depth: Depth,
     modes: Modes<'a>,
-    /// The start stands at q and the modes at q̇.
-    configurations: &'a Configurations<'a>,
 }
 
-impl<'a, M: Mechanism + Sync> Work for Solve<'a, M>
-where
-    M::Coordinates<Lanes>: Send,
-{
-    type Block = Poses<M>;
-    type Scratch = Arguments<'a, M>;
-
-    fn scratch(&self) -> Arguments<'a, M> {
-        Arguments::new(self.configurations)
-    }
-
+impl<M: Mechanism> Solve<'_, M> {
     #[inline]
-    fn block(&self, first: usize, arguments: &mut Arguments<'a, M>, out: &mut Poses<M>) {
+    fn block(&self, first: usize, scratch: &mut Scratch<'_, M>, out: &mut [Octet]) {
+        let Scratch { arguments, modes, margins } = scratch;
         let block = arguments.block(first);
-        let signs = self.modes.of_block(self.mechanism, block.parameters, &block.at, block.q, block.q_dot);
-        let modes = &signs.as_ref()[..M::model().plan.modes.len()];
-        let (parameters, at, start, depth) = (block.parameters, block.at, block.q, self.depth);
+        let modes = &mut modes.as_mut()[..M::model().plan.modes.len()];
+        self.modes.of_block(self.mechanism, block.parameters, &block.at, block.q, block.q_dot, modes);
+        let (parameters, at, start, depth) = (block.parameters, &block.at, block.q, self.depth);
+        let (q, rest) = out.split_at_mut(M::COORDINATES);
+        let (q_dot, rest) = rest.split_at_mut(M::COORDINATES);
+        let (q_ddot, rest) = rest.split_at_mut(M::COORDINATES);
         if depth < Depth::Acceleration {
             // What an earlier batch has left there is not an answer to this one.
-            (out.q_dot, out.q_ddot) = (zeros::<M>(), zeros::<M>());
+            q_dot.fill(Octet::default());
+            q_ddot.fill(Octet::default());
         }
-        let _ = out.solve(self.mechanism, &Question { parameters, at, modes, start, depth });
-        out.clear_bad();
+        let mut poses = Poses { q, q_dot, q_ddot, margin: Octet::default(), good: Octet::ALL };
+        let mut good = Octet::from_f64(1.0);
+        if poses.solve(self.mechanism, &Question { parameters, at, modes, start, depth }, margins).is_some() {
+            poses.clear_bad();
+            good = Octet::generate(|lane| f64::from(u8::from(poses.is_good(lane))));
+        }
+        (rest[0], rest[1]) = (poses.margin, good);
     }
-}
-
-fn zeros<M: Mechanism>() -> M::Coordinates<Lanes> {
-    Array::generate(|_| Lanes::default())
 }
 
 /// q, q̇ and q̈, as far as `depth` goes, of all configurations by the plan; `out` says how many there are.
 ///
-/// Four of them go through every step together. What is found for one does not depend on its neighbours, to the last bit
+/// Eight of them go through every step together. What is found for one does not depend on its neighbours, to the last bit
 /// where the plan has closed forms only, and within the tolerance of the iteration where it has Newton steps. `watch` is
 /// told how far it is and may stop it.
 ///
@@ -170,10 +190,7 @@ pub fn solve<M: Mechanism + Sync>(
     problems: &Problems<'_>,
     out: &mut Solutions<M>,
     watch: Watch<'_>,
-) -> Result<(), BatchError>
-where
-    M::Coordinates<Lanes>: Send,
-{
+) -> Result<(), BatchError> {
     if let Some(why) = M::model().plan.absent {
         return Err(BatchError::NoPlan(why));
     }
@@ -184,6 +201,13 @@ where
     check_signals::<M>(inputs, out.count)?;
     modes.check::<M>(out.count)?;
     let configurations = Configurations { parameters, t, inputs, q: start, q_dot: modes.columns() };
-    let configurations = &configurations;
-    run(&Solve { mechanism, depth, modes, configurations }, out.count, &mut out.blocks, watch)
+    let work = Solve { mechanism, depth, modes };
+    let shape = Shape { count: out.count, width: Octet::COUNT, stride: Solutions::<M>::STRIDE, chunk: CHUNK };
+    let nothing = |_| Octet::default();
+    let scratch = || Scratch {
+        arguments: Arguments::<M, _>::new(&configurations),
+        modes: Array::generate(nothing),
+        margins: Array::generate(nothing),
+    };
+    drive(&shape, &mut out.blocks, watch, scratch, |first, scratch, out| work.block(first, scratch, out))
 }

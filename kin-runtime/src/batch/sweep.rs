@@ -3,13 +3,11 @@
 use super::BatchError;
 use super::column::{Arguments, Column, Configurations, check_list, check_signals};
 use super::modes::Modes;
-use super::poses::{Limits, Poses, Question, copy_lane, set};
-use super::run::{Watch, Work, blocks, run};
-use crate::lanes::Lanes;
+use super::motion::Motion;
+use super::run::{Shape, Watch, blocks, drive};
+use crate::lanes::{Lanes, Octet, Pack};
 use crate::mechanism::Mechanism;
-use crate::plan::Depth;
-use crate::planned::predict::is_wild;
-use crate::planned::{Limit, Step};
+use crate::planned::Limit;
 use crate::scalar::Scalar;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
@@ -95,7 +93,7 @@ impl Moment<'_> {
 #[derive(Clone, Debug)]
 pub struct Motions<S> {
     count: usize,
-    blocks: Vec<(S, [Option<End>; Lanes::COUNT])>,
+    blocks: Vec<Outcome<S>>,
 }
 
 impl<S: Clone> Motions<S> {
@@ -139,162 +137,106 @@ struct Sweep<'a, M, V, S> {
 
 /// What one thread needs.
 struct Scratch<'a, M: Mechanism> {
-    arguments: Arguments<'a, M>,
-    inputs: Vec<Signal<Lanes>>,
+    arguments: Arguments<'a, M, Octet>,
+    inputs: Vec<Signal<Octet>>,
+    motion: Motion<M>,
+    shown: Shown<M>,
 }
 
-impl<'a, M, V, S> Work for Sweep<'a, M, V, S>
+/// A group of lanes as it is shown.
+struct Shown<M: Mechanism> {
+    parameters: M::Parameters<Lanes>,
+    q: M::Coordinates<Lanes>,
+    q_dot: M::Coordinates<Lanes>,
+    q_ddot: M::Coordinates<Lanes>,
+}
+
+/// What becomes of a group of lanes: a score, and where its sets had to end.
+pub(super) type Outcome<S> = (S, [Option<End>; Lanes::COUNT]);
+
+impl<'a, M, V, S> Sweep<'a, M, V, S>
 where
     M: Mechanism + Sync,
     V: Fn(&mut S, &Moment<'_>) + Sync,
-    S: Send,
 {
-    type Block = (S, [Option<End>; Lanes::COUNT]);
-    type Scratch = Scratch<'a, M>;
-
     fn scratch(&self) -> Scratch<'a, M> {
-        let inputs = alloc::vec![Signal::constant(Lanes::default()); M::INPUTS];
-        Scratch { arguments: Arguments::new(self.configurations), inputs }
+        let four = |_| Lanes::default();
+        Scratch {
+            arguments: Arguments::new(self.configurations),
+            inputs: alloc::vec![Signal::constant(Octet::default()); M::INPUTS],
+            motion: Motion::nothing(),
+            shown: Shown {
+                parameters: Array::generate(four),
+                q: Array::generate(four),
+                q_dot: Array::generate(four),
+                q_ddot: Array::generate(four),
+            },
+        }
     }
 
-    fn block(&self, first: usize, Scratch { arguments, inputs }: &mut Scratch<'a, M>, (score, ends): &mut Self::Block) {
-        *ends = [None; Lanes::COUNT];
+    fn block(&self, first: usize, scratch: &mut Scratch<'a, M>, out: &mut [Outcome<S>]) {
+        let Scratch { arguments, inputs, motion, shown } = scratch;
+        out.iter_mut().for_each(|(_, ends)| *ends = [None; Lanes::COUNT]);
         let block = arguments.block(first);
-        let mut lanes = Motion::<M> {
-            parameters: Array::generate(|place| block.parameters[place]),
-            modes: Array::generate(|_| Lanes::default()),
-            predicted: Array::generate(|place| block.q[place]),
-            poses: Poses::nothing(),
-        };
+        motion.parameters.as_mut().copy_from_slice(block.parameters);
+        motion.predicted.as_mut().copy_from_slice(block.q);
         let mut before = 0.0;
         for (instant, &t) in self.sweeps.times.iter().enumerate() {
             for (input, column) in inputs.iter_mut().zip(self.sweeps.inputs) {
-                *input = column.map(|numbers| numbers.at(instant).into());
+                *input = column.map(|numbers| Octet::from_f64(numbers.at(instant)));
             }
-            let at = Instant { t: Lanes::from(t), inputs };
+            let at = Instant { t: Octet::from_f64(t), inputs };
             if instant == 0 {
-                lanes.modes = self.sweeps.modes.of_block(self.mechanism, block.parameters, &at, block.q, block.q_dot);
+                let modes = &mut motion.modes.as_mut()[..M::model().plan.modes.len()];
+                self.sweeps.modes.of_block(self.mechanism, block.parameters, &at, block.q, block.q_dot, modes);
             } else {
-                lanes.predict(t - before);
+                motion.predict(t - before);
             }
             before = t;
-            let mut limits = lanes.solve(self.mechanism, at);
-            if instant > 0 && lanes.poses.good != [true; Lanes::COUNT] {
-                lanes.pass(self.mechanism, at, &mut limits);
+            if let Some(mut limits) = motion.solve(self.mechanism, &at) {
+                if instant > 0 && !motion.poses.all_good() {
+                    motion.pass(self.mechanism, &at, &mut limits);
+                }
+                if !motion.poses.all_good() && !motion.mask(instant, &limits, out) {
+                    return;
+                }
             }
-            if lanes.poses.good != [true; Lanes::COUNT] && !lanes.mask(instant, &limits, ends) {
-                return;
+            for (group, (score, ends)) in out.iter_mut().enumerate() {
+                if ends.iter().all(Option::is_some) {
+                    continue;
+                }
+                let Motion { parameters, poses, .. } = &*motion;
+                show(shown.parameters.as_mut(), parameters.as_ref(), group);
+                show(shown.q.as_mut(), poses.q.as_ref(), group);
+                show(shown.q_dot.as_mut(), poses.q_dot.as_ref(), group);
+                show(shown.q_ddot.as_mut(), poses.q_ddot.as_ref(), group);
+                let moment = Moment {
+                    first: first + group * Lanes::COUNT,
+                    instant,
+                    t,
+                    parameters: shown.parameters.as_ref(),
+                    q: shown.q.as_ref(),
+                    q_dot: shown.q_dot.as_ref(),
+                    q_ddot: shown.q_ddot.as_ref(),
+                    margin: poses.margin.group(group),
+                    all: ends.iter().all(Option::is_none),
+                    ends,
+                };
+                (self.visit)(score, &moment);
             }
-            let Motion { parameters, poses, .. } = &lanes;
-            let moment = Moment {
-                first,
-                instant,
-                t,
-                parameters: parameters.as_ref(),
-                q: poses.q.as_ref(),
-                q_dot: poses.q_dot.as_ref(),
-                q_ddot: poses.q_ddot.as_ref(),
-                margin: poses.margin,
-                all: ends.iter().all(Option::is_none),
-                ends,
-            };
-            (self.visit)(score, &moment);
         }
-    }
-
-    fn chunk(&self) -> usize {
-        INSTANTS / self.sweeps.times.len().max(1)
     }
 }
 
-/// Four sets on their way.
-struct Motion<M: Mechanism> {
-    parameters: M::Parameters<Lanes>,
-    modes: M::Coordinates<Lanes>,
-    predicted: M::Coordinates<Lanes>,
-    poses: Poses<M>,
-}
-
-impl<M: Mechanism> Motion<M> {
-    /// q + h q̇ + ½ h² q̈; in lanes where the bend of a coordinate means nothing, beside a limit, q itself, as
-    /// [`Planned`](crate::Planned) does.
-    #[inline(always)]
-    fn predict(&mut self, h: f64) {
-        let Poses { q, q_dot, q_ddot, .. } = &self.poses;
-        let (step, half) = (Lanes::from(h), Lanes::from(0.5 * h));
-        // A quick look, as there.
-        let mut tame = true;
-        let rates = q_dot.as_ref().iter().zip(q_ddot.as_ref());
-        for ((to, q), (v, a)) in self.predicted.as_mut().iter_mut().zip(q.as_ref()).zip(rates) {
-            let bend = half * *a;
-            tame &= (step * bend).is_within(1.0);
-            *to = *q + step * (*v + bend);
-        }
-        if !tame {
-            self.tame(h);
-        }
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn tame(&mut self, h: f64) {
-        let Poses { q, q_dot, q_ddot, .. } = &self.poses;
-        for lane in 0..Lanes::COUNT {
-            let of = |numbers: &[Lanes]| -> M::Coordinates<f64> { Array::generate(|k| numbers[k].to_array()[lane]) };
-            let (v, a) = (of(q_dot.as_ref()), of(q_ddot.as_ref()));
-            if is_wild(M::model(), h, [v.as_ref(), a.as_ref()]) {
-                copy_lane(self.predicted.as_mut(), q.as_ref(), lane, lane);
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn solve(&mut self, mechanism: &M, at: Instant<'_, Lanes>) -> Limits {
-        let modes = &self.modes.as_ref()[..M::model().plan.modes.len()];
-        let (parameters, start) = (self.parameters.as_ref(), self.predicted.as_ref());
-        self.poses.solve(mechanism, &Question { parameters, at, modes, start, depth: Depth::Acceleration })
-    }
-
-    /// Goes on in the lanes that have passed limits that only the kept rows have.
-    #[cold]
-    #[inline(never)]
-    fn pass(&mut self, mechanism: &M, at: Instant<'_, Lanes>, limits: &mut Limits) {
-        let (mut modes, count) = (self.modes, M::model().plan.modes.len());
-        let (parameters, start) = (self.parameters.as_ref(), self.predicted.as_ref());
-        let kept = &self.modes.as_ref()[..count];
-        let question = Question { parameters, at, modes: kept, start, depth: Depth::Acceleration };
-        self.poses.pass(mechanism, &question, &mut modes.as_mut()[..count], limits);
-        self.modes = modes;
-    }
-
-    /// Ends the lanes that are not good, and lets them repeat one that is; false where there is none.
-    #[cold]
-    #[inline(never)]
-    fn mask(&mut self, instant: usize, limits: &Limits, ends: &mut [Option<End>; Lanes::COUNT]) -> bool {
-        let good = self.poses.good;
-        let margins = self.poses.margin.to_array();
-        for lane in 0..Lanes::COUNT {
-            if !good[lane] {
-                let limit = |(place, margin)| Step::of_margin(M::model(), place).map(|step| Limit { step, margin });
-                let limit = limits[lane].and_then(limit);
-                ends[lane].get_or_insert(End { instant, margin: margins[lane], limit });
-            }
-        }
-        let Some(other) = (0..Lanes::COUNT).find(|lane| ends[*lane].is_none()) else { return false };
-        let (parameters, modes, poses) = (self.parameters, self.modes, self.poses);
-        for lane in (0..Lanes::COUNT).filter(|lane| ends[*lane].is_some()) {
-            copy_lane(self.parameters.as_mut(), parameters.as_ref(), other, lane);
-            copy_lane(self.modes.as_mut(), modes.as_ref(), other, lane);
-            self.poses.copy_lane(&poses, other, lane);
-            set(&mut self.poses.margin, lane, margins[other]);
-        }
-        true
-    }
+/// A group of lanes of every number.
+#[inline(always)]
+fn show(to: &mut [Lanes], from: &[Octet], group: usize) {
+    to.iter_mut().zip(from).for_each(|(to, from)| *to = from.group(group));
 }
 
 /// The whole motion of many sets of parameters over one time grid; `out` says how many there are.
 ///
-/// Four sets move together, each on its own way: angles go on counting from instant to instant, as
+/// Eight sets move together, each on its own way: angles go on counting from instant to instant, as
 /// [`Planned`](crate::Planned) has them, and modes stay what they are at the first instant, but for closures that redundant
 /// rows carry past a limit of the others. `visit` is called for every block
 /// at every instant, in the order of the grid, from any of the threads, and gathers what it wants in the score of the
@@ -368,5 +310,7 @@ where
     let configurations =
         Configurations { parameters, t: Column::Shared(0.0), inputs: &[], q: start, q_dot: modes.columns() };
     let work = Sweep { mechanism, sweeps, configurations: &configurations, visit, score: PhantomData };
-    run(&work, out.count, &mut out.blocks, watch)
+    let chunk = (INSTANTS / Octet::GROUPS / times.len().max(1)).max(1);
+    let shape = Shape { count: out.count, width: Octet::COUNT, stride: Octet::GROUPS, chunk };
+    drive(&shape, &mut out.blocks, watch, || work.scratch(), |first, scratch, out| work.block(first, scratch, out))
 }

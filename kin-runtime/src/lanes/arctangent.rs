@@ -12,6 +12,7 @@
 //! The largest error found is 1.7 ulp, where num − den and num + den lose most.
 
 use crate::scalar::Scalar;
+use crate::trig::vector::{Compared, Group, Vector};
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use wide::{f64x2, f64x4};
 
@@ -37,53 +38,59 @@ const PI_REST: f64 = 3.898_171_832_519_375_5e-17;
 /// Beyond it num + den may overflow.
 const LONG: f64 = f64::MAX / 8.0;
 
-macro_rules! arctangent {
-    ($($name:ident $polynomial:ident $float:ident),*) => { $(
-        /// atan2(y, x) of the lanes, in [−π, π], and whether a vector was too long for that.
-        #[inline(always)]
-        fn $name(y: $float, x: $float) -> ($float, bool) {
-            let k = $float::splat;
-            let (across, up) = (x.abs(), y.abs());
-            let steep = up.simd_gt(across);
-            let den = steep.select(up, across);
-            let num = steep.select(across, up);
-            let long = den.simd_gt(k(LONG)).any();
-            let diagonal = (num + num).simd_gt(den);
-            // The zero vector has the angle of the axis that its signs are on.
-            let den = den.simd_eq(k(0.0)).select(k(1.0), den);
-            let z = diagonal.select(num - den, num) / ((diagonal & num) + den);
+/// atan2(y, x) of the lanes, in [−π, π], and whether a vector was too long for that.
+#[inline(always)]
+fn angle<V: Compared>(y: V, x: V) -> (V, bool) {
+    let k = V::splat;
+    let (across, up) = (x.magnitude(), y.magnitude());
+    let steep = up.above(across);
+    let den = steep.select(up, across);
+    let num = steep.select(across, up);
+    let long = den.above(k(LONG)).any();
+    let diagonal = (num + num).above(den);
+    // The zero vector has the angle of the axis that its signs are on.
+    let den = den.vanishes().select(k(1.0), den);
+    let z = diagonal.select(num - den, num) / ((diagonal & num) + den);
 
-            // Each reflection turns the sign of what is added to the constant.
-            let left = x & k(-0.0);
-            let sign = left ^ (steep & k(-0.0));
-            let octant = diagonal & k(FRAC_PI_4);
-            let from_vertical = steep.select(octant, k(FRAC_PI_2) - octant);
-            let constant = k(FRAC_PI_2) - (from_vertical ^ left);
-            let z = z ^ sign;
-            let square = z * z;
-            let small = (z * square).mul_add($polynomial(square), constant * k(PI_REST));
-            ((constant + (z + small)) ^ (y & k(-0.0)), long)
-        }
-
-        /// P(z), in pairs of pairs: the chain of dependent operations is a third as long as Horner's.
-        #[inline(always)]
-        fn $polynomial(z: $float) -> $float {
-            let pair = |at: usize| $float::splat(P[at + 1]).mul_add(z, $float::splat(P[at]));
-            let z2 = z * z;
-            let z4 = z2 * z2;
-            let four = |at: usize| pair(at + 2).mul_add(z2, pair(at));
-            four(8).mul_add(z4, four(4)).mul_add(z4, four(0))
-        }
-    )* };
+    // Each reflection turns the sign of what is added to the constant.
+    let left = x & k(-0.0);
+    let sign = left ^ (steep & k(-0.0));
+    let octant = diagonal & k(FRAC_PI_4);
+    let from_vertical = steep.select(octant, k(FRAC_PI_2) - octant);
+    let constant = k(FRAC_PI_2) - (from_vertical ^ left);
+    let z = z ^ sign;
+    let square = z * z;
+    let small = (z * square).mul_add(polynomial(square), constant * k(PI_REST));
+    ((constant + (z + small)) ^ (y & k(-0.0)), long)
 }
 
-arctangent!(two polynomial_of_two f64x2, four polynomial_of_four f64x4);
+/// P(z), in pairs of pairs: the chain of dependent operations is a third as long as Horner's.
+#[inline(always)]
+fn polynomial<V: Vector>(z: V) -> V {
+    let pair = |at: usize| V::splat(P[at + 1]).mul_add(z, V::splat(P[at]));
+    let z2 = z * z;
+    let z4 = z2 * z2;
+    let four = |at: usize| pair(at + 2).mul_add(z2, pair(at));
+    four(8).mul_add(z4, four(4)).mul_add(z4, four(0))
+}
 
 /// atan2(y, x) of the lanes, in [−π, π].
 #[inline(always)]
 pub(super) fn atan2(y: f64x4, x: f64x4) -> f64x4 {
-    let (angle, long) = four(y, x);
+    let (angle, long) = angle(y, x);
     if long { of_long(y, x, angle) } else { angle }
+}
+
+/// Of two vectors of lanes, step by step beside one another: a processor has more to do while it waits.
+#[inline(always)]
+pub(super) fn atan2_of_two(y: [f64x4; 2], x: [f64x4; 2]) -> [f64x4; 2] {
+    let (Group(mut angles), long) = angle(Group(y), Group(x));
+    if long {
+        for k in 0..2 {
+            angles[k] = of_long(y[k], x[k], angles[k]);
+        }
+    }
+    angles
 }
 
 /// The angles of several vectors (y, x).
@@ -98,12 +105,12 @@ pub(crate) fn atan2_all<const N: usize>(vectors: [(f64, f64); N]) -> [f64; N] {
         let x = |k: usize| if first + k < N { vectors[first + k].1 } else { 1.0 };
         if N - first > 2 {
             let vectors = [f64x4::new([y(0), y(1), y(2), y(3)]), f64x4::new([x(0), x(1), x(2), x(3)])];
-            let (angles, long) = four(vectors[0], vectors[1]);
+            let (angles, long) = angle(vectors[0], vectors[1]);
             put(&mut out, first, angles.to_array());
             beyond |= long;
             first += 4;
         } else {
-            let (angles, long) = two(f64x2::new([y(0), y(1)]), f64x2::new([x(0), x(1)]));
+            let (angles, long) = angle(f64x2::new([y(0), y(1)]), f64x2::new([x(0), x(1)]));
             put(&mut out, first, angles.to_array());
             beyond |= long;
             first += 2;

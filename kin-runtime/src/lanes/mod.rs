@@ -1,6 +1,10 @@
 //! Four numbers as one scalar, so that a mechanism is evaluated or solved for four configurations at once.
 
 mod arctangent;
+#[cfg(feature = "alloc")]
+mod octet;
+#[cfg(feature = "alloc")]
+mod pack;
 #[cfg(all(test, feature = "std"))]
 mod tests;
 
@@ -13,6 +17,10 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use wide::f64x4;
 
 pub(crate) use arctangent::atan2_all;
+#[cfg(feature = "alloc")]
+pub(crate) use octet::Octet;
+#[cfg(feature = "alloc")]
+pub(crate) use pack::Pack;
 
 /// Four `f64` that go through every operation together.
 ///
@@ -76,13 +84,6 @@ impl Lanes {
     #[inline(always)]
     pub fn to_array(self) -> [f64; Self::COUNT] {
         self.0.to_array()
-    }
-
-    /// The smaller number in every lane; of what is not a number, nothing is known.
-    #[cfg(feature = "alloc")]
-    #[inline(always)]
-    pub(crate) fn least(self, other: Self) -> Self {
-        Self(self.0.fast_min(other.0))
     }
 
     /// `f` of every lane, one by one.
@@ -182,6 +183,22 @@ impl Scalar for Lanes {
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {
         Self(arctangent::atan2(self.0, x.0))
+    }
+
+    #[inline(always)]
+    fn atan2_all<const N: usize>(vectors: [(Self, Self); N]) -> [Self; N] {
+        let mut out = [Self::default(); N];
+        let mut k = 0;
+        while k + 1 < N {
+            let [(y, x), (v, u)] = [vectors[k], vectors[k + 1]];
+            let [first, second] = arctangent::atan2_of_two([y.0, v.0], [x.0, u.0]);
+            (out[k], out[k + 1]) = (Self(first), Self(second));
+            k += 2;
+        }
+        if k < N {
+            out[k] = vectors[k].0.atan2(vectors[k].1);
+        }
+        out
     }
 
     #[inline(always)]

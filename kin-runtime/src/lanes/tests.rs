@@ -1,6 +1,6 @@
 //! Lanes against std, in units in the last place.
 
-use super::Lanes;
+use super::{Lanes, Octet, Pack};
 use crate::random::Random;
 use crate::scalar::Scalar;
 
@@ -174,4 +174,69 @@ fn supplied_functions_see_one_number_at_a_time() {
     assert_eq!([1.0, 4.0, 9.0, 16.0], f.to_array());
     assert_eq!([2.0, 4.0, 6.0, 8.0], f1.to_array());
     assert_eq!([11.0, 12.0, 13.0, 14.0], f2.to_array());
+}
+
+#[test]
+fn octets_are_two_groups_of_lanes() {
+    let mut random = Random::new(13);
+    let mut special = SPECIAL.into_iter().cycle();
+    let mut drawn = |is_special: bool| -> [f64; 8] {
+        let numbers: [f64; 8] = core::array::from_fn(|_| random.symmetric() * 10_f64.powf(4.0 * random.symmetric()));
+        if is_special { numbers.map(|x| if x < 0.0 { special.next().unwrap_or(x) } else { x }) } else { numbers }
+    };
+    let halves = |x: [f64; 8]| {
+        let [a, b, c, d, e, f, g, h] = x;
+        [Lanes::new([a, b, c, d]), Lanes::new([e, f, g, h])]
+    };
+    let octet = |x: [f64; 8]| Octet::generate(|lane| x[lane]);
+    macro_rules! same {
+        ($what:literal, $most:literal, $f:expr, $g:expr) => {
+            for round in 0..2_000 {
+                let (x, y) = (drawn(round % 4 == 0), drawn(round % 4 == 1));
+                let (f, g): (fn(Octet, Octet) -> Octet, fn(Lanes, Lanes) -> Lanes) = ($f, $g);
+                let (found, [a, b], [c, d]) = (f(octet(x), octet(y)), halves(x), halves(y));
+                let expected = [g(a, c), g(b, d)];
+                for lane in 0..8 {
+                    let (found, expected) = (found.lane(lane), expected[lane / 4].lane(lane % 4));
+                    assert!(ulps(found, expected) <= $most, "{} of {x:?} and {y:?}: {found} for {expected}", $what);
+                }
+            }
+        };
+        ($($what:literal $most:literal $f:expr);*) => { $(same!($what, $most, $f, $f);)* };
+    }
+    // Two groups may take another instruction set than one, where it is chosen at run time.
+    same!(
+        "sum" 0 |x, y| x + y; "difference" 0 |x, y| x - y; "product" 0 |x, y| x * y; "quotient" 0 |x, y| x / y;
+        "opposite" 0 |x, _| -x; "sine" 1 |x, _| x.sin_cos().0; "cosine" 1 |x, _| x.sin_cos().1;
+        "sine of several" 1 |x, y| Scalar::sin_cos_all([y, x])[1].0; "angle" 0 |x, y| x.atan2(y);
+        "angle of several" 0 |x, y| Scalar::atan2_all([(y, x), (x, y), (x, x)])[1]; "nearest" 0 |x, y| x.nearest(y);
+        "tan" 0 |x, _| x.tan(); "asin" 0 |x, _| x.asin(); "acos" 0 |x, _| x.acos(); "atan" 0 |x, _| x.atan();
+        "sqrt" 0 |x, _| x.sqrt(); "exp" 0 |x, _| x.exp(); "ln" 0 |x, _| x.ln(); "abs" 0 |x, _| x.abs();
+        "signum" 0 |x, _| x.signum(); "powi" 0 |x, _| x.powi(-3); "powf" 0 |x, _| x.powf(1.5);
+        "lift" 0 |x, _| x.lift(|x| [x, x * x, 2.0 * x])[1]; "least" 0 |x, y| x.least(y); "direction" 0 |x, _| x.direction()
+    );
+    for lane in 0..8 {
+        let mut x = Octet::from_f64(1.0);
+        x.set(lane, -3.0);
+        assert!((0..8).all(|other| x.lane(other) == if other == lane { -3.0 } else { 1.0 }) && !x.is_within(2.0));
+    }
+}
+
+#[test]
+fn directions() {
+    let of = |x: f64| Lanes::from(x).direction().lane(0);
+    for (x, direction) in [(2.0, 1.0), (-5e-324, -1.0), (f64::INFINITY, 1.0), (f64::NEG_INFINITY, -1.0)] {
+        assert_eq!(direction, of(x), "{x}");
+    }
+    assert!([0.0, -0.0, f64::NAN].into_iter().all(|x| of(x).is_nan()));
+}
+
+#[test]
+fn numbers_are_read_in_blocks() {
+    let numbers: Vec<f64> = (0..19).map(f64::from).collect();
+    let (mut fours, mut eights) = (Vec::new(), Vec::new());
+    assert_eq!(&numbers[16..], Lanes::read(&numbers, |k, x| fours.push((k, x))));
+    assert_eq!(&numbers[16..], Octet::read(&numbers, |k, x| eights.push((k, x))));
+    assert!(fours.into_iter().eq((0..4).map(|k| (k, Lanes::generate(|lane| (4 * k + lane) as f64)))));
+    assert!(eights.into_iter().eq((0..2).map(|k| (k, Octet::generate(|lane| (8 * k + lane) as f64)))));
 }

@@ -7,7 +7,7 @@
 mod cody_waite;
 #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
 mod dispatched;
-mod vector;
+pub(crate) mod vector;
 
 use crate::scalar::sin_cos_of_std;
 use cody_waite::{RANGE, sin_cos};

@@ -1,11 +1,11 @@
-//! What sines and cosines need of a vector.
+//! What sines, cosines and angles need of a vector.
 
-use core::ops::{Add, BitAnd, BitXor, Mul, Sub};
+use core::ops::{Add, BitAnd, BitXor, Div, Mul, Sub};
 use wide::{bytemuck::cast, f64x2, f64x4, i64x2, i64x4};
 
 /// Several `f64` with their bits. [`ROUND`](super::cody_waite) leaves an integer n in the lowest bits of a number; what is
 /// called `quadrant` here is such a number.
-pub(super) trait Vector:
+pub(crate) trait Vector:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + BitAnd<Output = Self> + BitXor<Output = Self>
 {
     /// True where multiplication and addition round once.
@@ -27,8 +27,49 @@ pub(super) trait Vector:
     fn second_bit_of_next(self) -> Self;
 }
 
+/// A vector whose numbers are compared: all bits are set in a lane where it is so, and none where it is not.
+pub(crate) trait Compared: Vector + Div<Output = Self> {
+    /// The numbers without their signs.
+    fn magnitude(self) -> Self;
+    /// Whether a number is larger than another.
+    fn above(self, other: Self) -> Self;
+    /// Whether a number is 0.
+    fn vanishes(self) -> Self;
+    /// `yes` where it is so, `no` elsewhere.
+    fn select(self, yes: Self, no: Self) -> Self;
+    /// Whether it is so in any lane.
+    fn any(self) -> bool;
+}
+
 macro_rules! vector {
     ($($float:ident $int:ident),*) => { $(
+        impl Compared for $float {
+            #[inline(always)]
+            fn magnitude(self) -> Self {
+                $float::abs(self)
+            }
+
+            #[inline(always)]
+            fn above(self, other: Self) -> Self {
+                self.simd_gt(other)
+            }
+
+            #[inline(always)]
+            fn vanishes(self) -> Self {
+                self.simd_eq($float::splat(0.0))
+            }
+
+            #[inline(always)]
+            fn select(self, yes: Self, no: Self) -> Self {
+                $float::select(self, yes, no)
+            }
+
+            #[inline(always)]
+            fn any(self) -> bool {
+                $float::any(self)
+            }
+        }
+
         impl Vector for $float {
             const FUSED: bool = cfg!(any(target_feature = "fma", all(target_arch = "aarch64", target_feature = "neon")));
 
@@ -80,7 +121,7 @@ vector!(f64x2 i64x2, f64x4 i64x4);
 
 /// Several vectors that go through every step together, so that a constant is loaded once for all of them.
 #[derive(Clone, Copy)]
-pub(super) struct Group<const K: usize>(pub(super) [f64x4; K]);
+pub(crate) struct Group<const K: usize>(pub(crate) [f64x4; K]);
 
 macro_rules! operators {
     ($($Operator:ident $operator:ident),*) => { $(
@@ -97,7 +138,7 @@ macro_rules! operators {
     )* };
 }
 
-operators!(Add add, Sub sub, Mul mul, BitAnd bitand, BitXor bitxor);
+operators!(Add add, Sub sub, Mul mul, Div div, BitAnd bitand, BitXor bitxor);
 
 impl<const K: usize> Vector for Group<K> {
     const FUSED: bool = f64x4::FUSED;
@@ -153,5 +194,52 @@ impl<const K: usize> Vector for Group<K> {
             self.0[k] = self.0[k].second_bit_of_next();
         }
         self
+    }
+}
+
+impl<const K: usize> Group<K> {
+    #[inline(always)]
+    fn each(mut self, f: impl Fn(f64x4) -> f64x4) -> Self {
+        for k in 0..K {
+            self.0[k] = f(self.0[k]);
+        }
+        self
+    }
+}
+
+impl<const K: usize> Compared for Group<K> {
+    #[inline(always)]
+    fn magnitude(self) -> Self {
+        self.each(Compared::magnitude)
+    }
+
+    #[inline(always)]
+    fn above(mut self, other: Self) -> Self {
+        for k in 0..K {
+            self.0[k] = self.0[k].above(other.0[k]);
+        }
+        self
+    }
+
+    #[inline(always)]
+    fn vanishes(self) -> Self {
+        self.each(Compared::vanishes)
+    }
+
+    #[inline(always)]
+    fn select(mut self, yes: Self, no: Self) -> Self {
+        for k in 0..K {
+            self.0[k] = Compared::select(self.0[k], yes.0[k], no.0[k]);
+        }
+        self
+    }
+
+    #[inline(always)]
+    fn any(self) -> bool {
+        let mut all = f64x4::splat(0.0);
+        for k in 0..K {
+            all |= self.0[k];
+        }
+        all.any()
     }
 }

@@ -3,12 +3,9 @@
 use super::{close, columns::Crane, results};
 use kin_runtime::batch::{Column, Modes, Problems, Solutions, always, solve};
 use kin_runtime::plan::{Depth, Plan, StepKind};
-use kin_runtime::{Instant, Kinematics, Lanes, Mechanism, Signal, mechanism};
+use kin_runtime::{Instant, Kinematics, Mechanism, Signal, mechanism};
 
-fn solutions<M: Mechanism + Sync>(mechanism: &M, count: usize, problems: &Problems<'_>) -> Solutions<M>
-where
-    M::Coordinates<Lanes>: Send,
-{
+fn solutions<M: Mechanism + Sync>(mechanism: &M, count: usize, problems: &Problems<'_>) -> Solutions<M> {
     let mut out = Solutions::new(count);
     solve(mechanism, Depth::Acceleration, problems, &mut out, &always).unwrap();
     out

@@ -86,11 +86,7 @@ impl Drawn {
         Self { parameters: drawn_parameters(&mechanism, COUNT), inputs: columns, t, start, modes }
     }
 
-    fn batch<M>(&self, range: Range<usize>, of_start: bool) -> Solutions<M>
-    where
-        M: Mechanism + Default + Sync,
-        M::Coordinates<Lanes>: Send,
-    {
+    fn batch<M: Mechanism + Default + Sync>(&self, range: Range<usize>, of_start: bool) -> Solutions<M> {
         let columns = |lists: &'_ [Vec<f64>]| -> Vec<Vec<f64>> {
             lists.iter().map(|list| list[range.clone()].to_vec()).collect()
         };
@@ -154,11 +150,7 @@ fn iterates<M: Mechanism>() -> bool {
     M::model().plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)))
 }
 
-fn solves<M>(from: f64, to: f64)
-where
-    M: Kinematics + Default + Sync,
-    M::Coordinates<Lanes>: Send,
-{
+fn solves<M: Kinematics + Default + Sync>(from: f64, to: f64) {
     let name = M::model().name;
     let mut drawn = Drawn::new::<M>(from, to);
     let whole = drawn.batch::<M>(0..COUNT, false);
@@ -215,7 +207,7 @@ fn same<M: Mechanism>(found: [Vec<f64>; 3], expected: [Vec<f64>; 3]) {
 }
 
 /// What a batch of motions has seen, state by state: for four sets, a list of the three for every instant.
-type Seen = Vec<[Vec<Lanes>; 3]>;
+type Seen = Vec<[Vec<Lanes>; 4]>;
 
 fn moves<M: Kinematics + Default + Sync>(from: f64, to: f64) {
     let name = M::model().name;
@@ -238,7 +230,12 @@ fn moves<M: Kinematics + Default + Sync>(from: f64, to: f64) {
     let mut out = Motions::new(SETS, Seen::new());
     let see = |seen: &mut Seen, moment: &Moment<'_>| {
         assert_eq!(seen.len(), moment.instant);
-        seen.push([moment.q, moment.q_dot, moment.q_ddot].map(<[Lanes]>::to_vec));
+        // It is of the sets that it says.
+        for lane in (0..Lanes::COUNT).filter(|lane| moment.first + lane < SETS && moment.moves(*lane)) {
+            let own = parameters.iter().map(|list| list[moment.first + lane]);
+            assert!(moment.parameters.iter().map(|x| x.to_array()[lane]).eq(own), "{name}");
+        }
+        seen.push([moment.q, moment.q_dot, moment.q_ddot, &[moment.margin]].map(<[Lanes]>::to_vec));
     };
     sweep(&mechanism, &sweeps, &mut out, &always, see).unwrap();
     let ends: Vec<Option<End>> = out.ends().collect();
@@ -273,18 +270,16 @@ fn moves<M: Kinematics + Default + Sync>(from: f64, to: f64) {
             assert!(ends[set].is_none_or(|end| end.instant > instant), "{name} {set}: {:?}", ends[set]);
             let margin = planned.margins().iter().fold(1.0_f64, |least, margin| least.min(*margin));
             let expected = [planned.q(), planned.q_dot(), planned.q_ddot()];
-            for (order, (found, expected)) in seen(instant).iter().zip(expected).enumerate() {
+            let seen = seen(instant);
+            assert!((seen[3][0] - margin).abs() < 1e-9, "{name} {set}: margin {} for {margin}", seen[3][0]);
+            for (order, (found, expected)) in seen.iter().zip(expected).enumerate() {
                 close(name, found, expected, 1e-11 / margin.powi(order as i32 + 1));
             }
         }
     }
 }
 
-fn refuses<M>()
-where
-    M: Mechanism + Default + Sync,
-    M::Coordinates<Lanes>: Send,
-{
+fn refuses<M: Mechanism + Default + Sync>() {
     let why = BatchError::NoPlan(M::model().plan.absent.expect("it has none"));
     let (modes, start) = (Modes::OfStart, &[]);
     let problems = Problems { parameters: &[], t: Column::Shared(0.0), inputs: &[], modes, start };

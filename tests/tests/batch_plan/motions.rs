@@ -34,7 +34,7 @@ fn couplers<S: Clone + Send>(
 fn count(seen: &mut [Lanes; 2], moment: &Moment<'_>) {
     // Lanes that do not move repeat one that does.
     let lane = |lane: usize| {
-        let lists = [moment.parameters, moment.q, moment.q_dot, moment.q_ddot];
+        let lists = [moment.parameters, moment.q, moment.q_dot, moment.q_ddot, &[moment.margin]];
         lists.map(|list| list.iter().map(|x| x.to_array()[lane]).collect::<Vec<_>>())
     };
     let other = (0..Lanes::COUNT).find(|lane| moment.moves(*lane)).expect("one that moves");
@@ -80,6 +80,12 @@ fn sets_at_their_limits_are_masked_and_leave_the_others_alone() {
             assert_eq!(sums[place].to_bits(), found[place].to_bits());
         }
         assert!(ends[1].is_some_and(|end| end.margin.is_finite() && end.instant as f64 == seen[1]), "{bad}: {ends:?}");
+    }
+    // In the second of two groups that go together, and all but the last of both.
+    for closes in [[1, 1, 1, 1, 0, 1, 0, 1, 1], [0, 0, 0, 0, 0, 0, 0, 1, 1], [0, 1, 0, 0, 0, 0, 0, 0, 0]] {
+        let length = |k: usize| if closes[k] == 1 { good + 1e-3 * k as f64 } else { 100.0 };
+        let lengths: [f64; 9] = core::array::from_fn(length);
+        assert_eq!(closes.map(|closes| 121.0 * f64::from(closes)).to_vec(), run(&lengths).0);
     }
     // All of a block.
     let (seen, sums, ends) = run(&[100.0; 4]);

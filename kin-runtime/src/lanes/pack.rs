@@ -1,0 +1,78 @@
+//! What a batch needs of the scalar that its blocks are made of.
+
+use super::Lanes;
+use crate::scalar::Scalar;
+use wide::f64x4;
+
+/// Several numbers that go through every operation together, one for every configuration of a block.
+pub(crate) trait Pack: Scalar + Default {
+    /// How many numbers there are.
+    const COUNT: usize;
+    /// `[X; COUNT]`.
+    type Each<X: Copy>: Copy + AsRef<[X]> + AsMut<[X]>;
+    /// Yes for every lane.
+    const ALL: Self::Each<bool>;
+
+    /// Something for every lane.
+    fn each<X: Copy>(of: impl FnMut(usize) -> X) -> Self::Each<X>;
+    /// Gives `put` the numbers block by block, and returns those that are left.
+    fn read(numbers: &[f64], put: impl FnMut(usize, Self)) -> &[f64];
+    /// The number of a lane.
+    fn lane(&self, lane: usize) -> f64;
+    /// `value` in a lane, whatever the others have.
+    fn set(&mut self, lane: usize, value: f64);
+    /// The smaller number in every lane; of what is not a number, nothing is known.
+    fn least(self, other: Self) -> Self;
+    /// 1 with the sign of the number; not a number for 0 and for what is not a number.
+    fn direction(self) -> Self;
+
+    /// A number for every lane.
+    fn generate(mut of: impl FnMut(usize) -> f64) -> Self {
+        let mut numbers = Self::default();
+        (0..Self::COUNT).for_each(|lane| numbers.set(lane, of(lane)));
+        numbers
+    }
+}
+
+impl Pack for Lanes {
+    const COUNT: usize = Self::COUNT;
+    type Each<X: Copy> = [X; Self::COUNT];
+    const ALL: [bool; Self::COUNT] = [true; Self::COUNT];
+
+    #[inline(always)]
+    fn each<X: Copy>(of: impl FnMut(usize) -> X) -> [X; Self::COUNT] {
+        core::array::from_fn(of)
+    }
+
+    #[inline(always)]
+    fn read(numbers: &[f64], mut put: impl FnMut(usize, Self)) -> &[f64] {
+        let (blocks, rest) = numbers.as_chunks();
+        for (k, block) in blocks.iter().enumerate() {
+            put(k, Self::new(*block));
+        }
+        rest
+    }
+
+    #[inline(always)]
+    fn lane(&self, lane: usize) -> f64 {
+        self.to_array()[lane]
+    }
+
+    #[inline(always)]
+    fn set(&mut self, lane: usize, value: f64) {
+        let mut numbers = self.to_array();
+        numbers[lane] = value;
+        *self = Self::new(numbers);
+    }
+
+    #[inline(always)]
+    fn least(self, other: Self) -> Self {
+        Self(self.0.fast_min(other.0))
+    }
+
+    #[inline(always)]
+    fn direction(self) -> Self {
+        let sign = (self.0 & f64x4::splat(-0.0)) | f64x4::splat(1.0);
+        Self(self.0.abs().simd_gt(f64x4::splat(0.0)).select(sign, f64x4::splat(f64::NAN)))
+    }
+}
