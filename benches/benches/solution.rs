@@ -11,8 +11,9 @@ use std::hint::black_box;
 
 const STEPS: usize = 360;
 
-/// q, q̇, q̈ by hand: Newton from the prediction q + h q̇ + ½ h² q̈, dense LU.
+/// q, q̇, q̈ by hand: Newton with dense LU, from the prediction q + h q̇ + ½ h² q̈ or from the last solution.
 struct Newton {
+    predicts: bool,
     q: [f64; 9],
     q_dot: [f64; 9],
     q_ddot: [f64; 9],
@@ -25,7 +26,7 @@ type Vector = SVector<f64, 9>;
 
 impl Newton {
     fn step(&mut self, four_bar: &FourBar, t: f64) {
-        let h = t - self.t;
+        let h = if self.predicts { t - self.t } else { 0.0 };
         let mut q: [f64; 9] = core::array::from_fn(|k| self.q[k] + h * (self.q_dot[k] + 0.5 * h * self.q_ddot[k]));
         let jacobian = |hand: &ByHand| Matrix::from_fn(|i, j| hand.phi_q[i][j]);
         for _ in 0..8 {
@@ -167,13 +168,15 @@ fn main() {
     let four_bar = FourBar::default();
     let state = four_bar.solver().state(&Instant::at(0.0)).expect("it closes at t = 0");
     let array = |v: &[f64]| -> [f64; 9] { v.try_into().expect("nine coordinates") };
-    let mut newton = Placed::new(|| Newton {
+    let newton = |predicts| Newton {
+        predicts,
         q: array(&state.q),
         q_dot: array(&state.q_dot),
         q_ddot: array(&state.q_ddot),
         t: 0.0,
         hand: ByHand::default(),
-    });
+    };
+    let [mut newton, mut unpredicted] = [true, false].map(|predicts| Placed::new(move || newton(predicts)));
     let parameters = four_bar.parameters::<f64>();
     let mut modes = [0.0; 1];
     four_bar.closures_with(&parameters, &Instant::at(0.0), &state.q, &mut modes).expect("one mode");
@@ -192,6 +195,17 @@ fn main() {
                 }
                 newton.q[2] -= 360_f64.to_radians();
                 newton.t = -1_f64.to_radians() / four_bar.omega;
+            }),
+        },
+        Contender {
+            name: "the same from the last solution, as without a prediction",
+            work: Box::new(|| {
+                let newton = unpredicted.carried();
+                for &t in &times {
+                    newton.step(black_box(&four_bar), black_box(t));
+                    black_box(&newton.q_ddot);
+                }
+                newton.q[2] -= 360_f64.to_radians();
             }),
         },
         Contender {
