@@ -80,12 +80,12 @@ fn polynomial<V: Vector>(z: V, c: [f64; 6]) -> V {
 fn reduced<V: Vector>(x: V, n: V) -> (V, V) {
     let k = V::splat;
     if V::FUSED {
-        let [first, second, third] = WHOLE.map(k);
+        let (first, second, third) = (k(WHOLE[0]), k(WHOLE[1]), k(WHOLE[2]));
         let exact = n.mul_neg_add(first, x);
         let r = n.mul_neg_add(second, exact);
         return (r, n.mul_neg_add(third, n.mul_neg_add(second, exact - r)));
     }
-    let [first, second, third] = SPLIT.map(k);
+    let (first, second, third) = (k(SPLIT[0]), k(SPLIT[1]), k(SPLIT[2]));
     let exact = x - n * first;
     let second = n * second;
     let r = exact - second;

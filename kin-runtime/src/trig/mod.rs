@@ -1,8 +1,8 @@
 //! Sine and cosine of several angles at once, in SIMD lanes.
 //!
 //! [`cody_waite`] has the arithmetic, for angles up to [`RANGE`]; beyond it the standard library computes. With the feature
-//! `dispatch`, several vectors of lanes take the instruction set that `dispatched` finds at run time, unless the build has AVX2
-//! anyway. One vector alone, or a few angles in `f64`, are done before the call of another function would be worth its while.
+//! `dispatch`, several vectors of lanes, and more than a [`FEW`] angles in `f64`, take the instruction set that `dispatched` finds
+//! at run time, unless the build has AVX2 anyway. Less is done before the call of another function would be worth its while.
 
 mod cody_waite;
 #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
@@ -91,10 +91,22 @@ fn one_beyond(angle: f64) -> (f64, f64) {
     sin_cos_of_std(angle)
 }
 
+/// Angles whose sines and cosines are part of whoever asks for them. More of them are worth a call, of code that is
+/// compiled with kin and not once for every mechanism.
+const FEW: usize = 4;
+
 /// Sine and cosine of every angle.
 #[inline(always)]
 pub(crate) fn sin_cos_all<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
     let mut out = [(0.0, 0.0); N];
+    if const { N > FEW } {
+        let [mut sin, mut cos] = [[0.0; N]; 2];
+        of_many(&angles, &mut sin, &mut cos);
+        for k in 0..N {
+            out[k] = (sin[k], cos[k]);
+        }
+        return out;
+    }
     let mut beyond = false;
     let mut first = 0;
     while first < N {
@@ -116,9 +128,41 @@ pub(crate) fn sin_cos_all<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
     if beyond {
         // Number by number: copied as a whole, the good case would go through the memory of this one.
         let exact = one_by_one(angles);
-        return core::array::from_fn(|k| (exact[k][0], exact[k][1]));
+        for k in 0..N {
+            out[k] = (exact[k][0], exact[k][1]);
+        }
     }
     out
+}
+
+/// Sine and cosine of every angle of a list.
+#[inline(never)]
+fn of_many(angles: &[f64], sin: &mut [f64], cos: &mut [f64]) {
+    let (eights, rest) = angles.as_chunks::<8>();
+    let ((sin_eights, sin_rest), (cos_eights, cos_rest)) = (sin.as_chunks_mut(), cos.as_chunks_mut());
+    for ((angles, sin), cos) in eights.iter().zip(sin_eights).zip(cos_eights) {
+        (*sin, *cos) = of_eight(angles);
+    }
+    if !rest.is_empty() {
+        // Lanes to spare have the angle 0.
+        let mut angles = [0.0; 8];
+        angles[..rest.len()].copy_from_slice(rest);
+        let (sin, cos) = of_eight(&angles);
+        sin_rest.copy_from_slice(&sin[..rest.len()]);
+        cos_rest.copy_from_slice(&cos[..rest.len()]);
+    }
+}
+
+/// Sines and cosines of eight angles.
+#[inline(always)]
+fn of_eight(angles: &[f64; 8]) -> ([f64; 8], [f64; 8]) {
+    let &[a, b, c, d, e, f, g, h] = angles;
+    let [(s, c), (t, d)] = sin_cos_lanes([f64x4::new([a, b, c, d]), f64x4::new([e, f, g, h])]);
+    let join = |x: f64x4, y: f64x4| {
+        let ([a, b, c, d], [e, f, g, h]) = (x.to_array(), y.to_array());
+        [a, b, c, d, e, f, g, h]
+    };
+    (join(s, t), join(c, d))
 }
 
 #[inline(always)]
@@ -134,10 +178,13 @@ fn put<const N: usize, const L: usize>(out: &mut [(f64, f64); N], first: usize, 
 #[cold]
 #[inline(never)]
 fn one_by_one<const N: usize>(angles: [f64; N]) -> [[f64; 2]; N] {
-    angles.map(|angle| {
-        let (sin, cos) = sin_cos_of_std(angle);
-        [sin, cos]
-    })
+    // A loop, here and above, as it is less code for a compiler than `map`, for every N anew.
+    let mut out = [[0.0; 2]; N];
+    for k in 0..N {
+        let (sin, cos) = sin_cos_of_std(angles[k]);
+        out[k] = [sin, cos];
+    }
+    out
 }
 
 #[cfg(all(test, feature = "std"))]
@@ -152,7 +199,8 @@ mod tests {
     fn compare<const N: usize>(angles: [f64; N]) {
         for (angle, (sin, cos)) in angles.into_iter().zip(sin_cos_all(angles)) {
             let exact = angle.sin_cos();
-            assert_eq!((sin, cos), sin_cos_one(angle));
+            // Many of them may take another instruction set.
+            assert!(N > FEW || (sin, cos) == sin_cos_one(angle), "{angle}");
             assert!(ulps(sin, exact.0) <= 1 && ulps(cos, exact.1) <= 1, "{angle}: {sin} {cos} and {exact:?}");
         }
     }
@@ -163,7 +211,8 @@ mod tests {
         for size in [1e-9, 0.8, 3.2, 100.0, 1e4, RANGE] {
             for _ in 0..20_000 {
                 compare([0; 3].map(|_| size * random.symmetric()));
-                compare([0; 6].map(|_| size * random.symmetric()));
+                compare([0; 4].map(|_| size * random.symmetric()));
+                compare([0; 11].map(|_| size * random.symmetric()));
             }
         }
     }
@@ -236,7 +285,9 @@ mod tests {
 
     #[test]
     fn beyond_the_range_and_without_a_number() {
+        compare([1e9, 1.0, -3e15]);
         compare([1e9, 1.0, -3e15, 0.5, 1e300]);
+        compare([0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1e9, 1.0, -3e15, 0.5, 1e300, 0.1, 0.2, -0.7]);
         assert!(sin_cos_one(f64::NAN).0.is_nan() && sin_cos_one(f64::NEG_INFINITY).1.is_nan());
         assert!(sin_cos_all([f64::NAN, 1.0])[0].0.is_nan() && sin_cos_all([1.0, f64::INFINITY])[1].1.is_nan());
         assert_eq!(sin_cos_all([1.0, f64::NAN])[0].0, 1.0_f64.sin());
