@@ -4,6 +4,7 @@ mod support;
 
 use kin_core::expr::{Environment, ExprId, Graph, Symbol};
 use kin_core::mechanism::{Formula, Function, JointKind, Mechanism};
+use kin_core::plan::plan;
 use kin_core::program::{Piece, Program, Rolled, Slot, Worth, interpret, interpret_rolled, lower, roll};
 use kin_core::{assemble, differentiate};
 use support::*;
@@ -90,6 +91,30 @@ fn a_chain_is_as_long_to_write_whatever_its_length() {
         assert!(sizes.iter().all(|size| *size == sizes[0]), "{sizes:?}");
         // One four-bar has 27 rows of Φ, Φ_t and γ, 29 entries, and 47 operations on 3 pairs.
         assert!(sizes[0].0 + sizes[0].1 < 3 * (27 + 29 + 47 + 3), "{sizes:?}");
+    }
+}
+
+/// Angles of vectors are brought together in straight code alone: here that would make one loop of three members.
+#[test]
+fn so_is_the_plan_of_a_chain() {
+    for chain in [chain, chain_written_out] {
+        let sizes = [20, 40, 80].map(|loops| {
+            let system = differentiate(assemble(&chain(loops)).expect("a sound mechanism")).expect("it is smooth");
+            let plan = plan(&system);
+            let sections = plan.sections.iter().map(|(section, _)| section.program());
+            let rolled = sections.map(|program| {
+                let rolled = roll(program, Worth::default()).expect("it repeats");
+                same(program, &rolled, &Numbers);
+                let (straight, looped) = written(&rolled);
+                straight + looped
+            });
+            rolled.sum::<usize>()
+        });
+        assert!(sizes.iter().all(|size| *size == sizes[0]), "{sizes:?}");
+        let one = plan(&differentiate(assemble(&chain(1)).expect("sound")).expect("smooth"));
+        let steps = one.sections.iter().map(|(section, _)| section.program());
+        let steps: usize = steps.map(|program| program.instructions.len() + program.outputs.len()).sum();
+        assert!(sizes[0] < 4 * steps, "{sizes:?} for {steps}");
     }
 }
 

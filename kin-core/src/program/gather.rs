@@ -1,12 +1,35 @@
 //! Angles of vectors side by side: atan2 of several vectors at once costs little more than of one.
+//!
+//! For straight code alone: in a program with loops it would tear apart what repeats.
 
-use super::Instruction;
+use super::{Instruction, Program, Value};
 
 /// How far apart two of them may be.
 const WINDOW: usize = 96;
 
-/// An order of instructions, with atan2s that do not need one another together, as far as no sine stands between them.
-pub(super) fn gather(mut order: Vec<usize>, instructions: &[Instruction]) -> Vec<usize> {
+/// `program` with atan2s that do not need one another together, as far as no sine stands between them.
+pub fn gather(program: &Program) -> Program {
+    program.reordered(&order(&program.instructions))
+}
+
+impl Program {
+    /// The instructions in another order, operands first; those that are not in it are dropped.
+    pub(super) fn reordered(&self, order: &[usize]) -> Self {
+        let mut renumbered = vec![Value(0); self.instructions.len()];
+        for (new, old) in order.iter().enumerate() {
+            renumbered[*old] = Value(new as u32);
+        }
+        let to = |value: Value| renumbered[value.index()];
+        Self {
+            instructions: order.iter().map(|old| self.instructions[*old].map_operands(to)).collect(),
+            outputs: self.outputs.iter().map(|(slot, value)| (*slot, to(*value))).collect(),
+            families: self.families.clone(),
+        }
+    }
+}
+
+fn order(instructions: &[Instruction]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..instructions.len()).collect();
     let is_atan2 = |place: usize| matches!(instructions[place], Instruction::Atan2(..));
     let mut late = vec![false; instructions.len()];
     let mut first = 0;

@@ -3,7 +3,6 @@
 //! Values are numbered locally: two equal instructions are one value. Signs travel with the values (see `signs.rs`).
 //! At the end the instructions are ordered so that all sines and cosines that can be taken at once stand together.
 
-use super::gather::gather;
 use super::signs::{self, Signs};
 use super::{Instruction, Program, Slot, Value};
 use crate::expr::{Bits, ExprId, Graph, IdMap, Node, Rotation};
@@ -301,7 +300,7 @@ impl Lowering<'_> {
 /// Drops what no output needs and orders the rest: angles come first, those of one depth in sines and cosines with what
 /// they need, so that their sines and cosines stand together; everything else follows where it is first used.
 fn schedule(program: Program) -> Program {
-    let Program { instructions, mut outputs, families } = program;
+    let Program { instructions, outputs, families } = program;
     let is_pair = |place: usize| matches!(instructions[place], Instruction::SinCos(_));
     let mut depth = vec![0_usize; instructions.len()];
     for (place, instruction) in instructions.iter().enumerate() {
@@ -328,13 +327,5 @@ fn schedule(program: Program) -> Program {
     let phase = |place: usize| if is_pair(place) { (depth[place], true) } else { (serves[place], false) };
     let mut order: Vec<usize> = (0..instructions.len()).filter(|place| needed[*place]).collect();
     order.sort_by_key(|place| phase(*place));
-    let order = gather(order, &instructions);
-    let mut renumbered = vec![Value(0); instructions.len()];
-    for (new, old) in order.iter().enumerate() {
-        renumbered[*old] = Value(new as u32);
-    }
-    let instructions =
-        order.iter().map(|old| instructions[*old].map_operands(|value| renumbered[value.index()])).collect();
-    outputs.iter_mut().for_each(|(_, value)| *value = renumbered[value.index()]);
-    Program { instructions, outputs, families }
+    Program { instructions, outputs, families }.reordered(&order)
 }

@@ -10,6 +10,7 @@ mod raise;
 mod roll;
 mod signs;
 
+pub use gather::gather;
 pub use interpret::interpret;
 pub use lower::lower;
 pub use roll::{Keep, Part, Piece, Rolled, Source, Step, Worth, interpret_rolled, roll};
@@ -285,7 +286,7 @@ pub struct Family {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Program {
     /// The instructions, operands first. Sines and cosines that do not depend on one another
-    /// stand side by side, and so do the angles of vectors.
+    /// stand side by side, and after [`gather`] so do the angles of vectors.
     pub instructions: Vec<Instruction>,
     /// What is written where, in the order given to [`lower`].
     pub outputs: Vec<(Slot, Value)>,

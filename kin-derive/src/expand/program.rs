@@ -3,7 +3,7 @@
 use super::statements::{Statement, blocks};
 use kin_core::expr::Symbol;
 use kin_core::mechanism::Function;
-use kin_core::program::{Instruction, Program, Slot, Value, Worth, roll};
+use kin_core::program::{Instruction, Program, Slot, Value, Worth, gather, roll};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::BTreeSet;
@@ -59,7 +59,7 @@ pub(crate) fn body(program: &Program) -> TokenStream {
     if let Some(rolled) = roll(program, Worth::default()) {
         return super::rolled::body(&rolled);
     }
-    let emitter = Emitter { program };
+    let emitter = Emitter { program: &gather(program) };
     let mut statements = emitter.statements();
     emitter.place_outputs(&mut statements);
     blocks(&statements)
