@@ -37,4 +37,8 @@ fn what_stays_at_its_limit_is_violated_at_the_start() {
     assert_eq!(sweep(&Hand, &[0.0]).violated_at_start, [3]);
     assert_eq!(sweep(&Hand, &[0.0, 0.0]).violated_at_start, [3]);
     assert_eq!(sweep(&Hand, &[0.0, 0.1]).violated_at_start, [0; 0]);
+    // Also where whoever listens stops the sweep at once.
+    let stop = |_: kin_runtime::Reached<'_>| std::ops::ControlFlow::Break(());
+    let stopped = Hand.solver().with_observer(&stop).sweep(&[0.0, 0.1, 0.2]).unwrap_err();
+    assert_eq!((stopped.trajectory.len(), stopped.trajectory.violated_at_start), (1, vec![3]));
 }
