@@ -5,7 +5,9 @@ mod support;
 use kin_core::expr::{Environment, ExprId, Graph, Symbol};
 use kin_core::mechanism::{Formula, Function, JointKind, Mechanism};
 use kin_core::plan::plan;
-use kin_core::program::{Piece, Program, Rolled, Slot, Worth, interpret, interpret_rolled, lower, roll};
+use kin_core::program::{
+    Instruction, Piece, Program, Rolled, Slot, Worth, gather, interpret, interpret_rolled, lower, roll,
+};
 use kin_core::{assemble, differentiate};
 use support::*;
 
@@ -116,6 +118,22 @@ fn so_is_the_plan_of_a_chain() {
         let steps: usize = steps.map(|program| program.instructions.len() + program.outputs.len()).sum();
         assert!(sizes[0] < 4 * steps, "{sizes:?} for {steps}");
     }
+}
+
+/// Straight code takes the two angles of a dyad at once, and does what it did.
+#[test]
+fn angles_of_vectors_stand_together_in_straight_code() {
+    let system = differentiate(assemble(&chain(1)).expect("a sound mechanism")).expect("it is smooth");
+    let plan = plan(&system);
+    let program = plan.sections[0].0.program();
+    let gathered = gather(program);
+    assert_eq!(bits(interpret(program, &Numbers)), bits(interpret(&gathered, &Numbers)));
+    assert_eq!(program.operations(), gathered.operations());
+    let runs = |program: &Program| {
+        let angles: Vec<bool> = program.instructions.iter().map(|i| matches!(i, Instruction::Atan2(..))).collect();
+        angles.chunk_by(|a, b| a == b).filter(|run| run[0]).map(<[bool]>::len).collect::<Vec<_>>()
+    };
+    assert_eq!((runs(program), runs(&gathered)), (vec![1, 1], vec![2]));
 }
 
 #[test]

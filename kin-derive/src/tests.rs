@@ -32,6 +32,25 @@ fn slider_on_an_inclined_guide() {
     ));
 }
 
+/// One call for both, which costs little more than one of them.
+#[test]
+fn the_two_angles_of_a_dyad_are_taken_at_once() {
+    let code = expansion(
+        quote! {},
+        quote! {
+            #[bodies(crank, coupler, rocker)]
+            #[revolute(C: ground @ (0, 0), crank @ (0, 0))]
+            #[revolute(A: crank @ (0.1, 0), coupler @ (0, 0))]
+            #[revolute(B: coupler @ (0.4, 0), rocker @ (0, 0))]
+            #[revolute(D: rocker @ (0.3, 0), ground @ (0.4, 0.1))]
+            #[driver(drive: crank.phi = t)]
+            struct FourBar;
+        },
+    );
+    let calls: Vec<&str> = code.split("atan2_all([").skip(1).filter_map(|rest| rest.split("])").next()).collect();
+    assert!(matches!(calls[..], [vectors] if vectors.matches('(').count() == 2), "{calls:?}");
+}
+
 #[test]
 fn a_follower_with_supplied_functions() {
     insta::assert_snapshot!(expansion(

@@ -1,9 +1,10 @@
 //! Many configurations of one mechanism at once: columns of numbers in, blocks of lanes out.
 //!
 //! Four configurations go through every operation together ([`Lanes`](crate::Lanes)), or eight where they are solved; with
-//! the feature `parallel` large batches go across the cores. Parameters, time, inputs, q and q̇ come as [`Column`]s, each either a number per configuration or
-//! one for all. Results come in blocks, a workspace of lanes for every four configurations, which the equations write
-//! directly, and are read as columns. What is found is the same to the last bit wherever a configuration stands.
+//! the feature `parallel` large batches go across the cores. Parameters, time, inputs, q and q̇ come as [`Column`]s, each
+//! either a number per configuration or one for all. Results come in blocks, which the equations write directly – of
+//! evaluations a workspace of lanes for every four configurations – and are read as columns. What is found is the same to
+//! the last bit wherever a configuration stands.
 //!
 //! ```
 //! use kin_runtime::batch::{Column, Configurations, Evaluations, Progress, evaluate};

@@ -29,8 +29,8 @@ use passed::Passed;
 /// q(t + h) ≈ q + h q̇ + ½ h² q̈
 /// ```
 ///
-/// and the plan starts there, iterations even nearer, on the quintic that the last two states have in common: angles come out within half a turn of the prediction, so that they go on counting as long
-/// as no body turns by more than that away from it between two instants; where the plan has Newton iterations, they
+/// and the plan starts there, iterations even nearer, on the quintic that the last two states have in common: angles come
+/// out within half a turn of the prediction, so that they go on counting as long as no body turns by more than that away from it between two instants; where the plan has Newton iterations, they
 /// converge to the closure near the prediction, so that instants lie near one another (a few degrees of the fastest body
 /// for one correction or two). Plans without such iterations may go as far as angles allow, in either direction of time.
 /// Beside a limit, where q̈ grows without bounds, a prediction far ahead means nothing: where ½ h² φ̈ of an angle is more
