@@ -11,6 +11,7 @@ use crate::planned::Limit;
 use crate::scalar::Scalar;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
+use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::marker::PhantomData;
 
@@ -139,8 +140,9 @@ struct Sweep<'a, M, V, S> {
 struct Scratch<'a, M: Mechanism> {
     arguments: Arguments<'a, M, Octet>,
     inputs: Vec<Signal<Octet>>,
-    motion: Motion<M>,
-    shown: Shown<M>,
+    /// Elsewhere than on the stack, which a large mechanism's own code needs.
+    motion: Box<Motion<M>>,
+    shown: Box<Shown<M>>,
 }
 
 /// A group of lanes as it is shown.
@@ -164,13 +166,13 @@ where
         Scratch {
             arguments: Arguments::new(self.configurations),
             inputs: alloc::vec![Signal::constant(Octet::default()); M::INPUTS],
-            motion: Motion::nothing(),
-            shown: Shown {
+            motion: Box::new(Motion::nothing()),
+            shown: Box::new(Shown {
                 parameters: Array::generate(four),
                 q: Array::generate(four),
                 q_dot: Array::generate(four),
                 q_ddot: Array::generate(four),
-            },
+            }),
         }
     }
 
@@ -205,7 +207,7 @@ where
                 if ends.iter().all(Option::is_some) {
                     continue;
                 }
-                let Motion { parameters, poses, .. } = &*motion;
+                let Motion { parameters, poses, .. } = &**motion;
                 show(shown.parameters.as_mut(), parameters.as_ref(), group);
                 show(shown.q.as_mut(), poses.q.as_ref(), group);
                 show(shown.q_dot.as_mut(), poses.q_dot.as_ref(), group);
