@@ -100,4 +100,7 @@ fn options_that_make_no_sense_are_named() {
     refused("fourbar plot --vary l1", &["--vary", "write NAME=0.08..0.12:5"]);
     refused("fourbar plot --vary l1=1..2", &["--vary", "write NAME=0.08..0.12:5"]);
     refused("fourbar plot --vary l1=1..2:1", &["--vary", "between 2 and 14 values"]);
+    refused("fourbar plot --vary l1=0.1,0.11 --vary l1=0.12", &["--vary", "`l1` is varied twice"]);
+    refused("fourbar plot --vary l1=0.1..0.11:4 --vary l2=0.4..0.42:4", &["--vary", "more than 14 combinations"]);
+    refused("fourbar plot --vary l1=1,2,3,4,5,6,7,8,9,10,11,12,13,14,15", &["--vary", "15 values of l1", "at most 14"]);
 }

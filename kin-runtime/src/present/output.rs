@@ -101,6 +101,16 @@ mod tests {
     }
 
     #[test]
+    fn a_temporary_file_of_someone_else_stays() -> io::Result<()> {
+        let dir = scratch("others")?;
+        let others = dir.join(format!(".results.csv.{}.0.tmp", std::process::id()));
+        fs::write(&others, "theirs")?;
+        write_atomically(&dir.join("results.csv"), b"mine")?;
+        assert_eq!((fs::read(&others)?, fs::read(dir.join("results.csv"))?), (b"theirs".to_vec(), b"mine".to_vec()));
+        fs::remove_dir_all(dir)
+    }
+
+    #[test]
     fn a_directory_is_refused() -> io::Result<()> {
         let dir = scratch("directory")?;
         assert!(write_atomically(&dir, b"x").is_err());
