@@ -52,6 +52,33 @@ fn the_two_angles_of_a_dyad_are_taken_at_once() {
 }
 
 #[test]
+fn the_sines_and_cosines_of_a_family_are_taken_at_once() {
+    let code = expansion(
+        quote! {},
+        quote! {
+            #[bodies(link[40])]
+            #[revolute(pin[i in 0..40]: ground @ (i, 0), link[i] @ (a[i], 0))]
+            #[driver(drive[i in 0..40]: link[i].phi = t)]
+            struct Fan {
+                a: [f64; 40],
+            }
+        },
+    );
+    let kernel = code.split("fn everything").nth(1).and_then(|rest| rest.split("\n    fn ").next()).unwrap_or_default();
+    let calls: Vec<&str> = kernel.split("sin_cos_in_place(").skip(1).collect();
+    assert!(calls.len() == 1 && calls[0].contains("[0..40]") && !kernel.contains("sin_cos_all"), "{kernel}");
+}
+
+#[test]
+fn literals_are_short_and_say_the_number() {
+    for value in [1e-300, -2.5e-7, 1e-4, 0.1, -3.0, 9e15, 1.5e16, f64::MAX, f64::MIN_POSITIVE, 5e-324, 0.0] {
+        let written = crate::expand::literal(value).to_string().replace(' ', "");
+        assert_eq!(written.strip_suffix("f64").and_then(|digits| digits.parse().ok()), Some(value), "{written}");
+        assert!(written.len() < 30, "{written}");
+    }
+}
+
+#[test]
 fn a_follower_with_supplied_functions() {
     insta::assert_snapshot!(expansion(
         quote! {},

@@ -137,7 +137,7 @@ pub trait Mechanism: Sized {
         phi: &mut Self::Rows<T>,
     ) -> Result<(), LengthError> {
         let mut workspace = Self::workspace::<T>();
-        let rest = Self::Coordinates::<T>::generate(|_| T::from_f64(0.0));
+        let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
         self.evaluate_with(parameters, Subset::PHI, at, q, rest.as_ref(), &mut workspace)?;
         *phi = *workspace.parts_mut().0;
         Ok(())
@@ -157,7 +157,7 @@ pub trait Mechanism: Sized {
     ) -> Result<(), LengthError> {
         // Without rows of velocity level there is nothing to evaluate.
         let _ = (parameters, at, q, q_dot);
-        *eta = Self::Rows::<T>::generate(|_| T::from_f64(0.0));
+        *eta = Self::Rows::<T>::filled(T::from_f64(0.0));
         Ok(())
     }
 
@@ -257,7 +257,7 @@ pub trait Mechanism: Sized {
         b: &[T],
         x: &mut [T],
     ) -> Result<(), LengthError> {
-        let mut factors = Self::Factors::<T>::generate(|_| T::from_f64(0.0));
+        let mut factors = Self::Factors::<T>::filled(T::from_f64(0.0));
         self.factorise_with(parameters, at, q, &mut factors)?;
         Self::solve_factorised(&factors, b, x)
     }
@@ -352,7 +352,7 @@ pub trait Mechanism: Sized {
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn constraints<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::Rows<T>, LengthError> {
-        let mut phi = Self::Rows::<T>::generate(|_| T::from_f64(0.0));
+        let mut phi = Self::Rows::<T>::filled(T::from_f64(0.0));
         self.constraints_with(self.parameters::<T>().as_ref(), at, q, &mut phi)?;
         Ok(phi)
     }
@@ -363,7 +363,7 @@ pub trait Mechanism: Sized {
     /// As [`evaluate_with`](Self::evaluate_with).
     fn jacobian<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::NonZeros<T>, LengthError> {
         let mut workspace = Self::workspace::<T>();
-        let rest = Self::Coordinates::<T>::generate(|_| T::from_f64(0.0));
+        let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
         self.evaluate(Subset::JACOBIAN, at, q, rest.as_ref(), &mut workspace)?;
         Ok(*workspace.parts_mut().1)
     }
@@ -374,7 +374,7 @@ pub trait Mechanism: Sized {
     /// As [`evaluate_with`](Self::evaluate_with).
     fn time_derivative<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::Rows<T>, LengthError> {
         let mut workspace = Self::workspace::<T>();
-        let rest = Self::Coordinates::<T>::generate(|_| T::from_f64(0.0));
+        let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
         self.evaluate(Subset::TIME_DERIVATIVE, at, q, rest.as_ref(), &mut workspace)?;
         Ok(*workspace.parts_mut().2)
     }

@@ -21,6 +21,14 @@ pub trait Scalar:
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
         angles.map(Self::sin_cos)
     }
+    /// The sines of a list of angles in their place, and the cosines, as far as both lists go; a type that can do better
+    /// than one by one overrides it.
+    #[inline]
+    fn sin_cos_in_place(angles: &mut [Self], cosines: &mut [Self]) {
+        for (angle, cosine) in angles.iter_mut().zip(cosines) {
+            (*angle, *cosine) = angle.sin_cos();
+        }
+    }
     /// Tangent.
     fn tan(self) -> Self;
     /// Inverse sine.
@@ -174,6 +182,11 @@ float!(
     #[inline(always)]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
         crate::trig::sin_cos_all(angles)
+    }
+    #[cfg(feature = "simd")]
+    #[inline(always)]
+    fn sin_cos_in_place(angles: &mut [Self], cosines: &mut [Self]) {
+        crate::trig::sin_cos_in_place(angles, cosines);
     }
     #[cfg(feature = "simd")]
     #[inline(always)]

@@ -40,6 +40,8 @@ impl Subset {
 pub trait Array<T>: Copy + AsRef<[T]> + AsMut<[T]> {
     /// The array of `f(0), f(1), …`.
     fn generate(f: impl FnMut(usize) -> T) -> Self;
+    /// The array of `value` and nothing else; less to compile than [`generate`](Self::generate).
+    fn filled(value: T) -> Self;
     /// A list as such an array, where it has the length.
     fn view(list: &[T]) -> Option<&Self>;
 }
@@ -47,6 +49,11 @@ pub trait Array<T>: Copy + AsRef<[T]> + AsMut<[T]> {
 impl<T: Copy, const N: usize> Array<T> for [T; N] {
     fn generate(f: impl FnMut(usize) -> T) -> Self {
         core::array::from_fn(f)
+    }
+
+    #[inline(always)]
+    fn filled(value: T) -> Self {
+        [value; N]
     }
 
     #[inline(always)]
@@ -76,8 +83,7 @@ impl<R, J> Evaluation<R, J> {
         J: Array<T>,
     {
         let zero = T::from_f64(0.0);
-        let rows = R::generate(|_| zero);
-        let mut phi_q = J::generate(|_| zero);
+        let (rows, mut phi_q) = (R::filled(zero), J::filled(zero));
         for &(place, value) in pattern.constants {
             if let Some(entry) = phi_q.as_mut().get_mut(place) {
                 *entry = T::from_f64(value);

@@ -25,6 +25,8 @@ mod test;
 pub(crate) use derivation::WRITTEN;
 pub(crate) use generics::placeholder;
 pub(crate) use handles::{mentions, placeholders};
+#[cfg(test)]
+pub(crate) use program::literal;
 
 use crate::lower::Lowered;
 use kernel::{Kernel, Layout, kernel};
@@ -183,6 +185,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
                 __kin::Ok(())
             }
 
+            #[inline]
             fn observe_with<__T: __kin::Scalar>(
                 &self,
                 parameters: &[__T],
@@ -196,6 +199,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
                 __kin::Ok(())
             }
 
+            #[inline]
             fn write_geometry<__T: __kin::Scalar>(
                 &self,
                 parameters: &[__T],

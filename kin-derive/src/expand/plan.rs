@@ -128,6 +128,7 @@ fn solve(lowered: &Lowered, system: &KinematicSystem, plan: &SolutionPlan) -> So
     }
     let lengths = position_lengths(&Ident::new("__T", Span::call_site()), "start");
     let method = quote! {
+        #[inline]
         fn solve_and_factorise<__T: __kin::Scalar>(
             &self,
             parameters: &[__T],
@@ -166,6 +167,7 @@ fn closures_method(kernel: &Kernel) -> TokenStream {
     let lengths = position_lengths(&Ident::new("__T", Span::call_site()), "q");
     let call = &kernel.call;
     quote! {
+        #[inline]
         fn closures_with<__T: __kin::Scalar>(
             &self,
             parameters: &[__T],
@@ -187,6 +189,7 @@ fn resolve_methods(factorise: &Kernel, solve: &Kernel) -> TokenStream {
     let lengths = position_lengths(&Ident::new("__T", Span::call_site()), "q");
     let (factorise, solve) = (&factorise.call, &solve.call);
     quote! {
+        #[inline]
         fn factorise_with<__T: __kin::Scalar>(
             &self,
             parameters: &[__T],

@@ -278,7 +278,12 @@ fn binary(a: TokenStream, operator: TokenStream, b: TokenStream) -> TokenStream 
 
 /// A literal with its sign; finite by construction.
 pub(crate) fn literal(value: f64) -> TokenStream {
-    let magnitude = Literal::f64_suffixed(value.abs());
+    let plain = Literal::f64_suffixed(value.abs());
+    // Without an exponent a small or a large one is hundreds of digits.
+    let magnitude = match value.abs() {
+        0.0 | 1e-4..1e16 => plain,
+        far => format!("{far:e}f64").parse().unwrap_or(plain),
+    };
     if value.is_sign_negative() && value != 0.0 {
         quote! { -#magnitude }
     } else {

@@ -1,16 +1,13 @@
 //! A rolled program as the body of a function: straight parts as they are, loops as `for`.
 //!
 //! Arrays have the loops' lengths and every index is affine in the loop's variable, so that the compiler can see that
-//! it is in bounds. The sines and cosines of a loop whose angles are known before it are taken several members at a time.
+//! it is in bounds. The sines and cosines of a loop whose angles are known before it are taken of all members at once.
 
 use super::program::{ANGLES, definition, literal, load_at, name, names_of, target_at};
 use super::statements::{Statement, blocks};
 use kin_core::program::{Instruction, Keep, Part, Piece, Rolled, Source, Step, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
-
-/// Angles that a loop takes together: a few times as many as the widest lanes hold.
-const GATHERED: usize = 16;
 
 /// The statements that compute `rolled` and write its outputs.
 pub(super) fn body(rolled: &Rolled) -> TokenStream {
@@ -47,7 +44,7 @@ fn repeated(rolled: &Rolled, count: usize, body: &[Step]) -> Statement {
     if known_before(rolled, body) {
         return gathered(rolled, count, body);
     }
-    let emitter = Emitter { rolled, member: Member { each: 1, offset: 0, varies: true } };
+    let emitter = Emitter { rolled, member: Member { varies: true } };
     let statements = emitter.steps(body);
     let (uses, tokens) = (uses(&statements), blocks(&statements));
     let count = Literal::usize_unsuffixed(count);
@@ -70,37 +67,39 @@ fn known_before(rolled: &Rolled, body: &[Step]) -> bool {
     })
 }
 
-/// A loop that takes sines and cosines and nothing else: several members at a time.
+/// A loop that takes sines and cosines and nothing else: of the angles of all members at once, in the arrays that keep
+/// them where there are such.
 fn gathered(rolled: &Rolled, count: usize, body: &[Step]) -> Statement {
-    let each = (GATHERED / body.len()).clamp(1, count);
-    let members = |offsets: core::ops::Range<usize>, each: usize, varies: bool| {
-        let mut angles = TokenStream::new();
-        let mut kept = TokenStream::new();
-        let mut number = 0;
-        for offset in offsets {
-            let emitter = Emitter { rolled, member: Member { each, offset, varies } };
-            for step in body {
-                let Step::Compute { instruction: Instruction::SinCos(angle), keeps, .. } = step else { continue };
-                let (angle, place) = (emitter.operand(*angle), Literal::usize_unsuffixed(number));
-                angles.extend(quote! { #angle, });
-                kept.extend(keeps.iter().map(|keep| {
-                    let part = Literal::usize_unsuffixed(usize::from(keep.part == Part::Cos));
-                    emitter.keep(keep, &quote! { __pairs[#place].#part })
-                }));
-                number += 1;
-            }
-        }
-        quote! { let __pairs = <__T as __kin::Scalar>::sin_cos_all([#angles]); #kept }
-    };
-    let chunks = count / each;
-    let (chunk, chunks_literal) = (members(0..each, each, true), Literal::usize_unsuffixed(chunks));
-    let mut tokens = quote! { for __k in 0..#chunks_literal { #chunk } };
-    if chunks * each < count {
-        let rest = members(chunks * each..count, 1, false);
-        tokens.extend(quote! { { #rest } });
+    let emitter = Emitter { rolled, member: Member { varies: true } };
+    let length = Literal::usize_unsuffixed(count);
+    let mut tokens = TokenStream::new();
+    for step in body {
+        let Step::Compute { instruction: Instruction::SinCos(angle), keeps, .. } = step else { continue };
+        let kept = |part: Part| match keeps.iter().find(|keep| keep.part == part) {
+            Some(keep) => (array(keep.array), keep.first),
+            None => (format_ident!("__spare"), 0),
+        };
+        let [(sines, first), (cosines, first_cosine)] = [Part::Sin, Part::Cos].map(kept);
+        let (place, angle) = (emitter.member.index(first, 1), emitter.operand(*angle));
+        let [sine_places, cosine_places] = [first, first_cosine].map(|first| places(first, count));
+        // One of them is kept, or nobody would take them.
+        let spare = (keeps.len() < 2).then(|| {
+            quote! { let mut __spare = [<__T as __kin::Scalar>::from_f64(0.0); #length]; }
+        });
+        tokens.extend(quote! { {
+            #spare
+            for __k in 0..#length { #sines[#place] = #angle; }
+            __kin::Scalar::sin_cos_in_place(&mut #sines[#sine_places], &mut #cosines[#cosine_places]);
+        } });
     }
     let uses = body.iter().flat_map(|step| step_uses(rolled, step)).collect();
     Statement { uses, tokens, ..Statement::default() }
+}
+
+/// The places of `count` elements of an array.
+fn places(first: usize, count: usize) -> TokenStream {
+    let [first, end] = [first, first + count].map(Literal::usize_unsuffixed);
+    quote! { #first..#end }
 }
 
 pub(super) fn uses(statements: &[Statement]) -> Vec<Value> {
@@ -122,34 +121,30 @@ pub(super) fn step_uses(rolled: &Rolled, step: &Step) -> Vec<Value> {
     uses
 }
 
-/// The member of a loop that is written: iteration `each`·k + `offset`.
+/// The member of a loop that is written: iteration k, or straight code.
 #[derive(Clone, Copy)]
 pub(super) struct Member {
-    pub(super) each: usize,
-    pub(super) offset: usize,
     /// False where k is 0.
     pub(super) varies: bool,
 }
 
 impl Member {
     /// Straight code.
-    pub(super) const ONE: Self = Self { each: 1, offset: 0, varies: false };
+    pub(super) const ONE: Self = Self { varies: false };
 
-    /// The index `first` + `step`·iteration.
+    /// The index `first` + `step`·k.
     pub(super) fn index(self, first: usize, step: i64) -> TokenStream {
-        let start_is = (first as i64 + step * self.offset as i64) as usize;
-        let start = Literal::usize_unsuffixed(start_is);
-        let advance = step * self.each as i64;
-        if !self.varies || advance == 0 {
+        let start = Literal::usize_unsuffixed(first);
+        if !self.varies || step == 0 {
             return quote! { #start };
         }
-        let size = Literal::usize_unsuffixed(advance.unsigned_abs() as usize);
-        let multiple = if advance.abs() == 1 {
+        let size = Literal::usize_unsuffixed(step.unsigned_abs() as usize);
+        let multiple = if step.abs() == 1 {
             quote! { __k }
         } else {
             quote! { #size * __k }
         };
-        match (start_is, advance) {
+        match (first, step) {
             (0, 1..) => multiple,
             (_, 1..) => quote! { #multiple + #start },
             _ => quote! { #start - #multiple },

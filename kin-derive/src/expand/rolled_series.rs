@@ -51,7 +51,7 @@ pub(super) fn body(program: &Program) -> Option<TokenStream> {
                 statements.extend(steps.iter().map(|step| emitter.step(step)));
             }
             Piece::Loop { count, body } => {
-                let member = Member { each: 1, offset: 0, varies: true };
+                let member = Member { varies: true };
                 let emitter = Emitter { rolled: &rolled, member };
                 let body: Vec<Statement> = body.iter().map(|step| emitter.step(step)).collect();
                 let (uses, tokens) = (uses(&body), blocks(&body));

@@ -37,7 +37,7 @@ pub(super) struct Question<'b, V> {
 impl<Q: Array<V>, V: Pack> Poses<Q, V> {
     /// Zeros, none of them good.
     pub(super) fn nothing() -> Self {
-        let [q, q_dot, q_ddot] = [(); 3].map(|()| Q::generate(|_| V::default()));
+        let [q, q_dot, q_ddot] = [(); 3].map(|()| Q::filled(V::default()));
         Self { q, q_dot, q_ddot, margin: V::default(), good: V::each(|_| false) }
     }
 }
@@ -117,8 +117,8 @@ impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> Poses<Q, V> {
         lane: usize,
     ) -> Option<(usize, f64)> {
         let spread = |x: &V| V::from_f64(x.lane(lane));
-        let mut parameters = M::Parameters::<V>::generate(|_| V::default());
-        let [mut modes, mut start] = [M::Coordinates::<V>::generate(|_| V::default()); 2];
+        let mut parameters = M::Parameters::<V>::filled(V::default());
+        let [mut modes, mut start] = [M::Coordinates::<V>::filled(V::default()); 2];
         let copy = |to: &mut [V], from: &[V]| to.iter_mut().zip(from).for_each(|(to, x)| *to = spread(x));
         copy(parameters.as_mut(), question.parameters);
         copy(modes.as_mut(), question.modes);
@@ -157,9 +157,9 @@ impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> Poses<Q, V> {
         if plan.watched().next().is_none() {
             return;
         }
-        let mut margins = M::Rows::<V>::generate(|_| V::default());
+        let mut margins = M::Rows::<V>::filled(V::default());
         let margins = &mut margins.as_mut()[..plan.margins];
-        let mut closures = M::Coordinates::<V>::generate(|_| V::default());
+        let mut closures = M::Coordinates::<V>::filled(V::default());
         let closures = &mut closures.as_mut()[..modes.len()];
         let lengths = mechanism.closures_with(question.parameters, question.at, question.start, closures);
         debug_assert!(lengths.is_ok(), "the columns have been counted");
@@ -170,7 +170,7 @@ impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> Poses<Q, V> {
                 continue;
             }
             let of = |numbers: &[V]| {
-                let mut own = M::Coordinates::<f64>::generate(|_| 0.0);
+                let mut own = M::Coordinates::<f64>::filled(0.0);
                 own.as_mut().iter_mut().zip(numbers).for_each(|(own, x)| *own = x.lane(lane));
                 own
             };

@@ -79,7 +79,7 @@ fn eta<M: Mechanism>(
     let q: Vec<Dual64> = at.q.iter().zip(&at.q_dot).map(|(&x, &v)| Dual64::new(x, along * v)).collect();
     let inputs: Vec<Signal<Dual64>> = at.inputs.iter().map(|u| moving(u, along)).collect();
     let instant = Instant { t: Dual64::new(at.t, along), inputs: &inputs };
-    let mut eta = M::Rows::<Dual64>::generate(|_| Dual64::from_re(0.0));
+    let mut eta = M::Rows::<Dual64>::filled(Dual64::from_re(0.0));
     mechanism.velocity_constraints_with(&parameters, &instant, &q, rates, &mut eta)?;
     Ok(eta.as_ref().to_vec())
 }
@@ -105,7 +105,7 @@ fn first<M: Mechanism>(
     let q: Vec<Dual64> = at.q.iter().enumerate().map(|(k, &x)| Dual64::new(x, f64::from(column == Some(k)))).collect();
     let inputs: Vec<Signal<Dual64>> = at.inputs.iter().map(|u| moving(u, time)).collect();
     let instant = Instant { t: Dual64::new(at.t, time), inputs: &inputs };
-    let mut phi = M::Rows::<Dual64>::generate(|_| Dual64::from_re(0.0));
+    let mut phi = M::Rows::<Dual64>::filled(Dual64::from_re(0.0));
     mechanism.constraints_with(&parameters, &instant, &q, &mut phi)?;
     let phi = phi.as_ref();
     Ok((phi.iter().map(|p| p.re).collect(), phi.iter().map(|p| p.eps).collect()))
@@ -126,7 +126,7 @@ fn second<M: Mechanism>(mechanism: &M, parameters: &[f64], at: &Configuration) -
         })
         .collect();
     let instant = Instant { t: Dual2_64::new(at.t, 1.0, 0.0), inputs: &inputs };
-    let mut phi = M::Rows::<Dual2_64>::generate(|_| constant(0.0));
+    let mut phi = M::Rows::<Dual2_64>::filled(constant(0.0));
     mechanism.constraints_with(&parameters, &instant, &q, &mut phi)?;
     Ok(phi.as_ref().iter().map(|p| -p.v2).collect())
 }

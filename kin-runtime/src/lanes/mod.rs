@@ -159,6 +159,20 @@ impl Scalar for Lanes {
         out
     }
 
+    // Not in line: code of kin's own, that is not compiled anew for every mechanism.
+    fn sin_cos_in_place(angles: &mut [Self], cosines: &mut [Self]) {
+        let count = angles.len().min(cosines.len());
+        let (pairs, rest) = angles[..count].as_chunks_mut::<2>();
+        let (cos_pairs, cos_rest) = cosines[..count].as_chunks_mut::<2>();
+        for (angles, cosines) in pairs.iter_mut().zip(cos_pairs) {
+            let [(s, c), (t, d)] = Self::sin_cos_all(*angles);
+            (*angles, *cosines) = ([s, t], [c, d]);
+        }
+        for (angle, cosine) in rest.iter_mut().zip(cos_rest) {
+            (*angle, *cosine) = angle.sin_cos();
+        }
+    }
+
     #[inline(always)]
     fn tan(self) -> Self {
         let (sin, cos) = self.sin_cos();

@@ -97,6 +97,33 @@ fn sines_and_cosines() {
     }
 }
 
+/// As one by one, whatever the lengths of the two lists are: what is longer stays as it is.
+#[test]
+fn sines_and_cosines_of_lists() {
+    fn check<T: Scalar + PartialEq + core::fmt::Debug>(value: impl Fn(usize) -> T, tolerance: impl Fn(T, T) -> bool) {
+        for (angles, cosines) in [(0, 3), (1, 1), (2, 2), (3, 3), (7, 9), (17, 17), (40, 37)] {
+            let list: Vec<T> = (0..angles).map(&value).collect();
+            let (mut sines, mut found) = (list.clone(), vec![T::from_f64(7.0); cosines]);
+            T::sin_cos_in_place(&mut sines, &mut found);
+            for k in 0..angles.max(cosines) {
+                if k < angles.min(cosines) {
+                    let (sin, cos) = list[k].sin_cos();
+                    assert!(tolerance(sines[k], sin) && tolerance(found[k], cos), "{k} of {angles}, {cosines}");
+                } else {
+                    assert!(sines.get(k) == list.get(k) && found.get(k).is_none_or(|cos| *cos == T::from_f64(7.0)));
+                }
+            }
+        }
+    }
+    let angle = |k: usize| 1.7 * k as f64 - if k == 5 { 4e7 } else { 9.0 };
+    check(angle, |a, b| (a - b).abs() < 2e-16);
+    check(|k| angle(k) as f32, |a, b| (a - b).abs() < 2e-7);
+    check(
+        |k| Lanes::generate(|lane| angle(k + lane)),
+        |a, b| a.to_array().iter().zip(b.to_array()).all(|(a, b)| (a - b).abs() < 2e-16),
+    );
+}
+
 #[test]
 fn inverse_functions() {
     unary("atan", 2, 1e6, Scalar::atan, f64::atan);

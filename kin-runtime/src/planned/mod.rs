@@ -138,8 +138,8 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         if let Some(why) = M::model().plan.absent {
             return Err(PlanError::NoPlan { why });
         }
-        let zeros = M::Coordinates::<f64>::generate(|_| 0.0);
-        let margins = M::Rows::<f64>::generate(|_| 0.0);
+        let zeros = M::Coordinates::<f64>::filled(0.0);
+        let margins = M::Rows::<f64>::filled(0.0);
         let nothing = Poses { q: zeros, q_dot: zeros, q_ddot: zeros, margins };
         let parameters = mechanism.get().parameters();
         let steps = M::model().plan.steps;
@@ -169,7 +169,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
             return Err(LengthError { what: "q", expected: M::COORDINATES, found: q.len() }.into());
         }
         let count = M::model().plan.modes.len();
-        let mut modes = M::Coordinates::<f64>::generate(|_| 0.0);
+        let mut modes = M::Coordinates::<f64>::filled(0.0);
         let closures = &mut modes.as_mut()[..count];
         self.mechanism.get().closures_with(self.parameters.as_ref(), at, q, closures)?;
         for mode in closures {
@@ -179,7 +179,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         let before = core::mem::replace(&mut self.modes, modes);
         self.predicted.as_mut().copy_from_slice(q);
         let anew = core::mem::replace(&mut self.anew, true);
-        let asked = core::mem::replace(&mut self.asked, M::Coordinates::generate(|_| 1.0));
+        let asked = core::mem::replace(&mut self.asked, M::Coordinates::filled(1.0));
         if let Err(error) = self.solve(at) {
             (self.modes, self.anew, self.asked) = (before, anew, asked);
             return Err(error);
@@ -237,7 +237,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         self.before = self.t;
         if core::mem::take(&mut self.anew) {
             self.before = f64::NAN;
-            self.asked = M::Coordinates::generate(|_| 0.0);
+            self.asked = M::Coordinates::filled(0.0);
         }
         self.good = 1 - self.good;
         self.t = at.t;
@@ -275,7 +275,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
             return Ok(false);
         }
         let count = plan.modes.len();
-        let (kept, mut closures) = (self.modes, M::Coordinates::<f64>::generate(|_| 0.0));
+        let (kept, mut closures) = (self.modes, M::Coordinates::<f64>::filled(0.0));
         let closures = &mut closures.as_mut()[..count];
         self.mechanism.get().closures_with(self.parameters.as_ref(), at, self.predicted.as_ref(), closures)?;
         let passed = Passed::new(&kept.as_ref()[..count], closures, self.asked.as_ref());

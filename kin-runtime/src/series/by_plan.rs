@@ -85,8 +85,8 @@ impl<M: PowerSeries> HigherOrders<'_, M> {
             self.inputs.begin(at, further);
         }
         self.inputs.t = at.t;
-        let zero = M::Coordinates::<f64>::generate(|_| 0.0);
-        let mut right = M::Rows::<f64>::generate(|_| 0.0);
+        let zero = M::Coordinates::<f64>::filled(0.0);
+        let mut right = M::Rows::<f64>::filled(0.0);
         let (first, end) = M::TURNS;
         let mut run = Start::<_, _, _, 4, false> {
             inputs: &self.inputs,

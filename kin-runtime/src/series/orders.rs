@@ -85,10 +85,10 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
             constraints: Tape::new(highest.max(3)),
             velocities: Tape::new(highest.max(3)),
             observables: Tape::new(highest.max(3)),
-            q: Array::generate(|_| 0.0),
-            right: Array::generate(|_| 0.0),
-            factors: Array::generate(|_| 0.0),
-            derivatives: vec![Array::generate(|_| 0.0); (highest + 1).saturating_sub(3)],
+            q: Array::filled(0.0),
+            right: Array::filled(0.0),
+            factors: Array::filled(0.0),
+            derivatives: vec![Array::filled(0.0); (highest + 1).saturating_sub(3)],
             solved: 0,
             missing: None,
             order: 0,
@@ -122,7 +122,7 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
         self.inputs.t = at.t;
         (self.q, self.order, self.factorial, self.missing, self.solved) = (*q, 3, 6.0, None, 0);
         let keep = self.highest > 3;
-        let zero = M::Coordinates::<f64>::generate(|_| 0.0);
+        let zero = M::Coordinates::<f64>::filled(0.0);
         let known = [q, q_dot, q_ddot, &zero, &zero];
         let (mut phi, mut eta) = (self.right, self.right);
         let mut start = Start::<_, _, _, 4, false> {
@@ -292,12 +292,12 @@ impl<M: PowerSeries> Orders for HigherOrders<'_, M> {
         }
         self.inputs.t = at.t;
         self.missing = None;
-        let zero = M::Coordinates::<f64>::generate(|_| 0.0);
+        let zero = M::Coordinates::<f64>::filled(0.0);
         let mut known = [&zero; 5];
         for (known, derivative) in known.iter_mut().zip(q) {
             *known = array("q", M::COORDINATES, derivative)?;
         }
-        let mut rows = vec![<M::Observables<f64> as Array<f64>>::generate(|_| 0.0); self.highest.max(3) + 1];
+        let mut rows = vec![<M::Observables<f64> as Array<f64>>::filled(0.0); self.highest.max(3) + 1];
         let mut start = Start::<_, _, _, 4, true> {
             inputs: &self.inputs,
             q: known,

@@ -100,8 +100,8 @@ const FEW: usize = 4;
 pub(crate) fn sin_cos_all<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
     let mut out = [(0.0, 0.0); N];
     if const { N > FEW } {
-        let [mut sin, mut cos] = [[0.0; N]; 2];
-        of_many(&angles, &mut sin, &mut cos);
+        let (mut sin, mut cos) = (angles, [0.0; N]);
+        sin_cos_in_place(&mut sin, &mut cos);
         for k in 0..N {
             out[k] = (sin[k], cos[k]);
         }
@@ -135,21 +135,23 @@ pub(crate) fn sin_cos_all<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
     out
 }
 
-/// Sine and cosine of every angle of a list.
+/// The sines of a list of angles in their place, and the cosines, as far as both lists go.
 #[inline(never)]
-fn of_many(angles: &[f64], sin: &mut [f64], cos: &mut [f64]) {
-    let (eights, rest) = angles.as_chunks::<8>();
-    let ((sin_eights, sin_rest), (cos_eights, cos_rest)) = (sin.as_chunks_mut(), cos.as_chunks_mut());
-    for ((angles, sin), cos) in eights.iter().zip(sin_eights).zip(cos_eights) {
-        (*sin, *cos) = of_eight(angles);
+pub(crate) fn sin_cos_in_place(angles: &mut [f64], cosines: &mut [f64]) {
+    let count = angles.len().min(cosines.len());
+    let (eights, rest) = angles[..count].as_chunks_mut::<8>();
+    let (cos_eights, cos_rest) = cosines[..count].as_chunks_mut::<8>();
+    for (angles, cosines) in eights.iter_mut().zip(cos_eights) {
+        (*angles, *cosines) = of_eight(angles);
     }
     if !rest.is_empty() {
         // Lanes to spare have the angle 0.
         let mut angles = [0.0; 8];
         angles[..rest.len()].copy_from_slice(rest);
-        let (sin, cos) = of_eight(&angles);
-        sin_rest.copy_from_slice(&sin[..rest.len()]);
-        cos_rest.copy_from_slice(&cos[..rest.len()]);
+        let (sines, cosines) = of_eight(&angles);
+        let count = rest.len();
+        rest.copy_from_slice(&sines[..count]);
+        cos_rest.copy_from_slice(&cosines[..count]);
     }
 }
 
