@@ -65,7 +65,7 @@ impl<M: Mechanism> Motion<M> {
         }
     }
 
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn solve(&mut self, mechanism: &M, at: &Instant<'_, Octet>) -> Option<Limits<Octet>> {
         let modes = &self.modes.as_ref()[..M::model().plan.modes.len()];
         let (parameters, start) = (self.parameters.as_ref(), self.predicted.as_ref());
