@@ -335,6 +335,7 @@ pub trait Mechanism: Sized {
     ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
+    #[inline(always)]
     fn evaluate<T: Scalar>(
         &self,
         subset: Subset,

@@ -171,6 +171,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
 
             #plan_methods
 
+            #[inline(always)]
             fn evaluate_with<__T: __kin::Scalar>(
                 &self,
                 parameters: &[__T],

@@ -52,8 +52,8 @@ const COS: [f64; 6] = [
 pub(super) fn sin_cos<V: Vector>(x: V) -> (V, V) {
     let k = V::splat;
     // Sine is odd also where it is 0: of the magnitude, with the sign put back.
-    let sign = x & k(-0.0);
-    let x = x ^ sign;
+    let signed = x;
+    let x = x ^ (x & k(-0.0));
     let quadrant = x.mul_add(k(core::f64::consts::FRAC_2_PI), k(ROUND));
     let (r, epsilon) = reduced(x, quadrant - k(ROUND));
 
@@ -61,10 +61,7 @@ pub(super) fn sin_cos<V: Vector>(x: V) -> (V, V) {
     let sin = r + (r * z).mul_add(polynomial(z, SIN), epsilon);
     let cos = k(1.0) + polynomial(z, COS).mul_add(z, k(-0.5)).mul_sub(z, r * epsilon);
 
-    // Odd quadrants exchange the two; signs follow the quadrant.
-    let (up, across) = V::exchange_if_odd(quadrant, sin, cos);
-    let (half_turn, quarter_turn) = (quadrant.second_bit(), quadrant.second_bit_of_next());
-    (up ^ half_turn ^ sign, across ^ quarter_turn)
+    V::turned(quadrant, signed, sin, cos)
 }
 
 /// Σ cₖ zᵏ, in pairs: half as many operations wait for one another as in Horner's way.

@@ -81,19 +81,12 @@ impl<const FUSED: bool> Vector for One<FUSED> {
     }
 
     #[inline(always)]
-    fn exchange_if_odd(quadrant: Self, a: Self, b: Self) -> (Self, Self) {
-        let odd = Self(f64::from_bits(0_u64.wrapping_sub(quadrant.0.to_bits() & 1)));
-        let exchange = (a ^ b) & odd;
-        (a ^ exchange, b ^ exchange)
-    }
-
-    #[inline(always)]
-    fn second_bit(self) -> Self {
-        Self(f64::from_bits(self.0.to_bits() << 62)) & Self(-0.0)
-    }
-
-    #[inline(always)]
-    fn second_bit_of_next(self) -> Self {
-        Self(f64::from_bits((self.0.to_bits() << 62).wrapping_add(1 << 62))) & Self(-0.0)
+    fn turned(quadrant: Self, x: Self, sin: Self, cos: Self) -> (Self, Self) {
+        let bits = |bits: u64| Self(f64::from_bits(bits));
+        let n = quadrant.0.to_bits();
+        let (odd, half) = (n << 63, n << 62);
+        let [up, across] = [half ^ x.0.to_bits(), half ^ odd].map(|signs| bits(signs & 1 << 63));
+        let exchange = (sin ^ cos) & bits(0_u64.wrapping_sub(n & 1));
+        (sin ^ exchange ^ up, cos ^ exchange ^ across)
     }
 }

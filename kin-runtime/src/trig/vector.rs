@@ -19,12 +19,8 @@ pub(crate) trait Vector:
     fn mul_sub(self, a: Self, b: Self) -> Self;
     /// b − `self`·a.
     fn mul_neg_add(self, a: Self, b: Self) -> Self;
-    /// (a, b), or (b, a) where n is odd.
-    fn exchange_if_odd(quadrant: Self, a: Self, b: Self) -> (Self, Self);
-    /// A minus sign where the second bit of n is set.
-    fn second_bit(self) -> Self;
-    /// A minus sign where the second bit of n + 1 is set.
-    fn second_bit_of_next(self) -> Self;
+    /// Sine and cosine of x from those of |x| − n π/2: exchanged where n is odd, with signs that follow n and x.
+    fn turned(quadrant: Self, x: Self, sin: Self, cos: Self) -> (Self, Self);
 }
 
 /// A vector whose numbers are compared: all bits are set in a lane where it is so, and none where it is not.
@@ -94,24 +90,20 @@ macro_rules! vector {
             }
 
             #[inline(always)]
-            fn exchange_if_odd(quadrant: Self, a: Self, b: Self) -> (Self, Self) {
-                let n: $int = cast(quadrant);
-                // By logic, which more of the units of a processor do than blends.
-                let odd: $float = cast($int::splat(0) - (n & $int::splat(1)));
-                let exchange = (a ^ b) & odd;
-                (a ^ exchange, b ^ exchange)
-            }
-
-            #[inline(always)]
-            fn second_bit(self) -> Self {
-                let n: $int = cast(self);
-                cast((n << 62) & $int::splat(i64::MIN))
-            }
-
-            #[inline(always)]
-            fn second_bit_of_next(self) -> Self {
-                let n: $int = cast(self);
-                cast(((n << 62) + $int::splat(1 << 62)) & $int::splat(i64::MIN))
+            fn turned(quadrant: Self, x: Self, sin: Self, cos: Self) -> (Self, Self) {
+                let (n, x): ($int, $int) = (cast(quadrant), cast(x));
+                // The lowest and the second bit of n where signs are.
+                let (odd, half, signs) = (n << 63, n << 62, $int::splat(i64::MIN));
+                let (up, across): ($float, $float) = (cast((half ^ x) & signs), cast((half ^ odd) & signs));
+                if cfg!(target_feature = "avx") {
+                    // A blend looks at signs alone.
+                    let odd: $float = cast(odd);
+                    (odd.select(cos, sin) ^ up, odd.select(sin, cos) ^ across)
+                } else {
+                    let odd: $float = cast($int::splat(0) - (n & $int::splat(1)));
+                    let exchange = (sin ^ cos) & odd;
+                    (sin ^ exchange ^ up, cos ^ exchange ^ across)
+                }
             }
         }
     )* };
@@ -173,27 +165,11 @@ impl<const K: usize> Vector for Group<K> {
     }
 
     #[inline(always)]
-    fn exchange_if_odd(quadrant: Self, mut a: Self, mut b: Self) -> (Self, Self) {
+    fn turned(quadrant: Self, x: Self, mut sin: Self, mut cos: Self) -> (Self, Self) {
         for k in 0..K {
-            (a.0[k], b.0[k]) = f64x4::exchange_if_odd(quadrant.0[k], a.0[k], b.0[k]);
+            (sin.0[k], cos.0[k]) = f64x4::turned(quadrant.0[k], x.0[k], sin.0[k], cos.0[k]);
         }
-        (a, b)
-    }
-
-    #[inline(always)]
-    fn second_bit(mut self) -> Self {
-        for k in 0..K {
-            self.0[k] = self.0[k].second_bit();
-        }
-        self
-    }
-
-    #[inline(always)]
-    fn second_bit_of_next(mut self) -> Self {
-        for k in 0..K {
-            self.0[k] = self.0[k].second_bit_of_next();
-        }
-        self
+        (sin, cos)
     }
 }
 
