@@ -6,7 +6,7 @@
 //! random angles. A processor learns a few hundred of them by heart, so there are more, some of them in every round.
 
 use kin_benches::dual::{ByDuals, by_duals, by_few_duals};
-use kin_benches::four_bar::{ByHand, FourBar, by_hand};
+use kin_benches::four_bar::{ByHand, FourBar, by_hand, by_hand_in_lanes};
 use kin_benches::paired::{Contender, compare};
 use kin_benches::placed::Placed;
 use kin_benches::random::Draws;
@@ -22,11 +22,11 @@ type Configuration = (f64, [f64; 9], [f64; 9]);
 
 fn against_one_another(title: &str, configurations: &[Configuration]) {
     let four_bar = FourBar::default();
-    let [mut hand, mut few] = [(); 2].map(|()| Placed::new(ByHand::default));
+    let [mut hand, mut lanes, mut few] = [(); 3].map(|()| Placed::new(ByHand::default));
     let mut duals = Placed::new(ByDuals::default);
     let [mut workspace, mut phi] = [(); 2].map(|()| Placed::new(FourBar::workspace::<f64>));
-    let mut sets = [(); 5].map(|()| configurations.chunks(IN_A_ROUND).cycle());
-    let [by_hand_sets, dual_sets, few_sets, kin_sets, step_sets] = &mut sets;
+    let mut sets = [(); 6].map(|()| configurations.chunks(IN_A_ROUND).cycle());
+    let [by_hand_sets, lane_sets, dual_sets, few_sets, kin_sets, step_sets] = &mut sets;
     let mut contenders = [
         Contender {
             name: "by hand, sin and cos of the standard library",
@@ -35,6 +35,16 @@ fn against_one_another(title: &str, configurations: &[Configuration]) {
                 for (t, q, w) in by_hand_sets.next().into_iter().flatten() {
                     by_hand(black_box(&four_bar), black_box(*t), black_box(q), black_box(w), hand);
                     black_box(&*hand);
+                }
+            }),
+        },
+        Contender {
+            name: "by hand, kin's sines and cosines",
+            work: Box::new(|| {
+                let lanes = lanes.here();
+                for (t, q, w) in lane_sets.next().into_iter().flatten() {
+                    by_hand_in_lanes(black_box(&four_bar), black_box(*t), black_box(q), black_box(w), lanes);
+                    black_box(&*lanes);
                 }
             }),
         },

@@ -1,6 +1,6 @@
 //! The lecture's four-bar as kin derives it, and by hand.
 
-use kin_runtime::mechanism;
+use kin_runtime::{Scalar, mechanism};
 
 /// The lecture's four-bar, joint by joint.
 #[mechanism]
@@ -73,10 +73,23 @@ impl Default for ByHand {
 /// What an engineer writes after the lecture: straight-line, with the sines and cosines of the standard library.
 #[inline(never)]
 pub fn by_hand(four_bar: &FourBar, t: f64, q: &[f64; 9], w: &[f64; 9], out: &mut ByHand) {
+    let turns = [q[2], q[5], q[8]].map(|angle| (angle.sin(), angle.cos()));
+    straight(four_bar, t, q, w, turns, out);
+}
+
+/// The same with kin's sines and cosines: what there is to be had beside them.
+#[inline(never)]
+pub fn by_hand_in_lanes(four_bar: &FourBar, t: f64, q: &[f64; 9], w: &[f64; 9], out: &mut ByHand) {
+    straight(four_bar, t, q, w, f64::sin_cos_all([q[2], q[5], q[8]]), out);
+}
+
+#[inline(always)]
+fn straight(four_bar: &FourBar, t: f64, q: &[f64; 9], w: &[f64; 9], turns: [(f64, f64); 3], out: &mut ByHand) {
     let [a, b, c] = [0.5 * four_bar.l1, 0.5 * four_bar.l2, 0.5 * four_bar.l3];
-    let (x1, y1) = (a * q[2].cos(), a * q[2].sin());
-    let (x2, y2) = (b * q[5].cos(), b * q[5].sin());
-    let (x3, y3) = (c * q[8].cos(), c * q[8].sin());
+    let [(s1, c1), (s2, c2), (s3, c3)] = turns;
+    let (x1, y1) = (a * c1, a * s1);
+    let (x2, y2) = (b * c2, b * s2);
+    let (x3, y3) = (c * c3, c * s3);
     out.phi = [
         q[0] - x1,
         q[1] - y1,
@@ -120,12 +133,16 @@ mod tests {
         let four_bar = FourBar::default();
         let q: [f64; 9] = core::array::from_fn(|k| 0.3 + 0.7 * k as f64);
         let w: [f64; 9] = core::array::from_fn(|k| 1.0 - 0.2 * k as f64);
-        let (at, mut hand) = (Instant::at(0.4), ByHand::default());
+        let at = Instant::at(0.4);
+        let [mut hand, mut in_lanes] = [(); 2].map(|()| ByHand::default());
         by_hand(&four_bar, 0.4, &q, &w, &mut hand);
+        by_hand_in_lanes(&four_bar, 0.4, &q, &w, &mut in_lanes);
         let close = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-13);
         assert!(close(four_bar.constraints_dense(&at, &q).unwrap().as_slice(), &hand.phi));
         assert!(close(four_bar.time_derivative_dense(&at, &q).unwrap().as_slice(), &hand.phi_t));
         assert!(close(four_bar.gamma_dense(&at, &q, &w).unwrap().as_slice(), &hand.gamma));
+        assert!(close(&in_lanes.phi, &hand.phi) && close(in_lanes.phi_q.as_flattened(), hand.phi_q.as_flattened()));
+        assert!(close(&in_lanes.phi_t, &hand.phi_t) && close(&in_lanes.gamma, &hand.gamma));
         let jacobian = four_bar.jacobian_dense(&at, &q).unwrap();
         for (row, entries) in hand.phi_q.iter().enumerate() {
             let row: Vec<f64> = jacobian.row(row).iter().copied().collect();

@@ -3,10 +3,11 @@
 //! Values are numbered locally: two equal instructions are one value. Signs travel with the values (see `signs.rs`).
 //! At the end the instructions are ordered so that all sines and cosines that can be taken at once stand together.
 
+use super::numbered::Numbered;
 use super::signs::{self, Signs};
+use super::sums;
 use super::{Instruction, Program, Slot, Value};
 use crate::expr::{Bits, ExprId, Graph, IdMap, Node, Rotation};
-use crate::hash::Table;
 use crate::mechanism::Function;
 
 /// A value with a sign: the expression is the value, or its opposite.
@@ -19,22 +20,25 @@ struct Signed {
 /// Lowers `outputs`.
 pub fn lower(graph: &Graph, outputs: &[(Slot, ExprId)]) -> Program {
     let signs = signs::choose(graph, outputs.iter().map(|(_, id)| *id));
-    let mut lowering = Lowering { graph, signs, known: IdMap::default(), values: Table::default(), out: Vec::new() };
+    let mut lowering = Lowering { graph, signs, known: IdMap::default(), out: Numbered::default() };
     let mut written = Vec::with_capacity(outputs.len());
     for (slot, id) in outputs {
         lowering.reach(*id);
         let value = lowering.positive(*id);
         written.push((*slot, value));
     }
-    schedule(Program { instructions: lowering.out, outputs: written, families: Vec::new() })
+    sums::early_terms_first(schedule(Program {
+        instructions: lowering.out.instructions,
+        outputs: written,
+        families: Vec::new(),
+    }))
 }
 
 struct Lowering<'g> {
     graph: &'g Graph,
     signs: Signs,
     known: IdMap<Signed>,
-    values: Table,
-    out: Vec<Instruction>,
+    out: Numbered,
 }
 
 impl Lowering<'_> {
@@ -67,19 +71,7 @@ impl Lowering<'_> {
     }
 
     fn emit(&mut self, instruction: Instruction) -> Value {
-        let canonical = match instruction {
-            Instruction::Add(a, b) => Instruction::Add(a.min(b), a.max(b)),
-            Instruction::Mul(a, b) => Instruction::Mul(a.min(b), a.max(b)),
-            other => other,
-        };
-        let hash = canonical.hashed();
-        if let Some(place) = self.values.find(hash, |place| self.out[place] == canonical) {
-            return Value(place as u32);
-        }
-        let value = Value(self.out.len() as u32);
-        self.out.push(canonical);
-        self.values.insert(hash, value.index());
-        value
+        self.out.emit(instruction)
     }
 
     fn number(&mut self, value: f64) -> Value {
@@ -98,14 +90,14 @@ impl Lowering<'_> {
 
     /// −value, folded into a literal where there is one; −(a + a) is −2a.
     fn negate(&mut self, value: Value) -> Value {
-        match self.out[value.index()] {
+        match self.out.instructions[value.index()] {
             Instruction::Number(number) => self.number(-number.value()),
             Instruction::Neg(inner) => inner,
             Instruction::Add(a, b) if a == b => {
                 let minus_two = self.number(-2.0);
                 self.emit(Instruction::Mul(a, minus_two))
             }
-            Instruction::Mul(a, b) => match (self.out[a.index()], self.out[b.index()]) {
+            Instruction::Mul(a, b) => match (self.out.instructions[a.index()], self.out.instructions[b.index()]) {
                 (Instruction::Number(number), _) => {
                     let opposite = self.number(-number.value());
                     self.emit(Instruction::Mul(opposite, b))
@@ -294,6 +286,14 @@ impl Lowering<'_> {
         let power = product.unwrap_or(one);
         let value = if n < 0 { self.emit(Instruction::Div(one, power)) } else { power };
         Signed { value, negative }
+    }
+}
+
+impl Program {
+    /// The outputs that `keep` keeps, with what they need: to the last bit what the whole gives. Families are not noted.
+    pub fn only(&self, keep: impl Fn(Slot) -> bool) -> Self {
+        let outputs = self.outputs.iter().copied().filter(|(slot, _)| keep(*slot)).collect();
+        schedule(Self { instructions: self.instructions.clone(), outputs, families: Vec::new() })
     }
 }
 

@@ -6,9 +6,11 @@ mod display;
 mod gather;
 mod interpret;
 mod lower;
+mod numbered;
 mod raise;
 mod roll;
 mod signs;
+mod sums;
 
 pub use gather::gather;
 pub use interpret::interpret;

@@ -16,38 +16,38 @@ pub(crate) struct Layout {
     pub(crate) entries: Vec<(usize, usize)>,
     /// Entries that are literal constants.
     pub(crate) constants: Vec<(usize, f64)>,
-    outputs: Vec<(Slot, ExprId)>,
+    /// Everything that there is to write.
+    whole: Program,
     families: Vec<Family>,
 }
 
 impl Layout {
     /// Lays out equations; literal entries of Φ_q and literal zeros of Φ_t and γ are never written by a kernel.
     pub(crate) fn new(graph: &Graph, equations: &[Equation], families: &[Family]) -> Self {
-        let families = families.to_vec();
-        let mut layout = Self { entries: Vec::new(), constants: Vec::new(), outputs: Vec::new(), families };
+        let (mut entries, mut constants) = (Vec::new(), Vec::new());
+        let mut outputs: Vec<(Slot, ExprId)> = Vec::new();
         for (row, equation) in equations.iter().enumerate() {
-            layout.outputs.push((Slot::Phi(row), equation.phi));
+            outputs.push((Slot::Phi(row), equation.phi));
             for (column, e) in &equation.phi_q {
-                let place = layout.entries.len();
-                layout.entries.push((row, *column as usize));
+                let place = entries.len();
+                entries.push((row, *column as usize));
                 match graph.literal(*e) {
-                    Some(value) => layout.constants.push((place, value)),
-                    None => layout.outputs.push((Slot::PhiQ(place), *e)),
+                    Some(value) => constants.push((place, value)),
+                    None => outputs.push((Slot::PhiQ(place), *e)),
                 }
             }
             for (slot, e) in [(Slot::PhiT(row), equation.phi_t), (Slot::Gamma(row), equation.gamma)] {
                 if !graph.is_zero(e) {
-                    layout.outputs.push((slot, e));
+                    outputs.push((slot, e));
                 }
             }
         }
-        layout
+        Self { entries, constants, whole: lower(graph, &outputs), families: families.to_vec() }
     }
 
-    /// The program of the outputs that `keep` keeps.
-    pub(crate) fn program(&self, graph: &Graph, keep: impl Fn(Slot) -> bool) -> Program {
-        let outputs: Vec<_> = self.outputs.iter().copied().filter(|(slot, _)| keep(*slot)).collect();
-        let mut program = lower(graph, &outputs);
+    /// The program of the outputs that `keep` keeps; each to the last bit what the program of all of them gives.
+    pub(crate) fn program(&self, keep: impl Fn(Slot) -> bool) -> Program {
+        let mut program = self.whole.only(keep);
         for family in &self.families {
             let layout = [family.first, family.members, family.stride];
             program.note_family(&family.name, layout, |slot| self.row_of(slot));

@@ -80,7 +80,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
     let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
     let constraints = Layout::new(&set.graph, &system.equations, &set.row_families);
     let observables = Layout::new(&set.graph, &system.observables, &[]);
-    let all = constraints.program(&set.graph, |_| true);
+    let all = constraints.program(|_| true);
     let planned = plan::planned(lowered, system, plan);
     let tables = tables::model(&tables::Tables {
         mechanism: &lowered.mechanism,
@@ -271,7 +271,7 @@ struct Evaluations {
 
 /// Φ alone, in a function of its own: what is only evaluated for Φ (dual numbers) compiles nothing else.
 fn values(lowered: &Lowered, system: &KinematicSystem, layout: &Layout) -> Kernel {
-    let program = layout.program(&system.set.graph, |slot| matches!(slot, Slot::Phi(_)));
+    let program = layout.program(|slot| matches!(slot, Slot::Phi(_)));
     let targets = targets(system.set.rows.len(), layout.entries.len());
     kernel("values", lowered, &program, &targets)
 }
@@ -309,12 +309,11 @@ fn velocity_constraints(lowered: &Lowered, system: &KinematicSystem, lengths: &T
 }
 
 fn evaluate(lowered: &Lowered, system: &KinematicSystem, layout: &Layout, all: &Program, values: &Kernel) -> Kernel {
-    let graph = &system.set.graph;
     let targets = targets(system.set.rows.len(), layout.entries.len());
     let named = |name: &str, program: &Program| kernel(name, lowered, program, &targets);
-    let position = layout.program(graph, |slot| matches!(slot, Slot::Phi(_) | Slot::PhiQ(_)));
+    let position = layout.program(|slot| matches!(slot, Slot::Phi(_) | Slot::PhiQ(_)));
     let position = named("values_and_jacobian", &position);
-    let velocity = layout.program(graph, |slot| matches!(slot, Slot::PhiQ(_) | Slot::PhiT(_)));
+    let velocity = layout.program(|slot| matches!(slot, Slot::PhiQ(_) | Slot::PhiT(_)));
     let velocity = named("jacobian_and_rates", &velocity);
     let all = named("everything", all);
     let items = [&position, &velocity, &all].map(|kernel| &kernel.item);
@@ -339,7 +338,7 @@ fn evaluate(lowered: &Lowered, system: &KinematicSystem, layout: &Layout, all: &
 
 fn observe(lowered: &Lowered, system: &KinematicSystem, layout: &Layout) -> Kernel {
     let targets = targets(system.set.observables.len(), layout.entries.len());
-    let program = layout.program(&system.set.graph, |_| true);
+    let program = layout.program(|_| true);
     let Kernel { item, call } = kernel("observe", lowered, &program, &targets);
     Kernel {
         item,

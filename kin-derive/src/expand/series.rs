@@ -28,11 +28,11 @@ pub(super) fn implementation(
     let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
     let set = &system.set;
     let only_values = |slot| matches!(slot, Slot::Phi(_));
-    let phi = method(lowered, "constraint_series", &constraints.program(&set.graph, only_values));
+    let phi = method(lowered, "constraint_series", &constraints.program(only_values));
     let etas = set.rows.iter().enumerate().filter_map(|(row, info)| Some((Slot::Entry(row), info.velocity?.eta)));
     let etas: Vec<_> = etas.collect();
     let eta = (!etas.is_empty()).then(|| method(lowered, "velocity_series", &lower(&set.graph, &etas)));
-    let seen = method(lowered, "observable_series", &observables.program(&set.graph, only_values));
+    let seen = method(lowered, "observable_series", &observables.program(only_values));
     quote! {
         #[automatically_derived]
         impl #impl_generics __kin::PowerSeries for #name #type_generics #where_clause {

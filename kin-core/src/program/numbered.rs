@@ -1,0 +1,30 @@
+//! Local value numbering: of two equal instructions there is one.
+
+use super::{Instruction, Value};
+use crate::hash::Table;
+
+/// Instructions, every one of them once.
+#[derive(Default)]
+pub(super) struct Numbered {
+    pub(super) instructions: Vec<Instruction>,
+    values: Table,
+}
+
+impl Numbered {
+    /// The value of an instruction, computed where it is new; the operands of sums and products stand in their order.
+    pub(super) fn emit(&mut self, instruction: Instruction) -> Value {
+        let canonical = match instruction {
+            Instruction::Add(a, b) => Instruction::Add(a.min(b), a.max(b)),
+            Instruction::Mul(a, b) => Instruction::Mul(a.min(b), a.max(b)),
+            other => other,
+        };
+        let hash = canonical.hashed();
+        if let Some(place) = self.values.find(hash, |place| self.instructions[place] == canonical) {
+            return Value(place as u32);
+        }
+        let value = Value(self.instructions.len() as u32);
+        self.instructions.push(canonical);
+        self.values.insert(hash, value.index());
+        value
+    }
+}
