@@ -70,6 +70,30 @@ fn the_sines_and_cosines_of_a_family_are_taken_at_once() {
 }
 
 #[test]
+fn the_rows_of_a_member_are_one_loop() {
+    let code = expansion(
+        quote! {},
+        quote! {
+            #[bodies(crank[30], coupler[30], rocker[30])]
+            #[revolute(C[i in 0..30]: ground @ (0, 0), crank[i] @ (-l[i]/2, 0))]
+            #[revolute(A[i in 0..30]: crank[i] @ (l[i]/2, 0), coupler[i] @ (-0.2, 0))]
+            #[revolute(B[i in 0..30]: coupler[i] @ (0.2, 0), rocker[i] @ (-0.15, 0))]
+            #[revolute(D[i in 0..30]: rocker[i] @ (0.15, 0), ground @ (0.4, 0.1))]
+            #[gear(mesh[i in 1..30]: rocker[i - 1], crank[i], radii = (1, 1))]
+            #[driver(drive: crank[0].phi = t)]
+            struct Chain {
+                l: [f64; 30],
+            }
+        },
+    );
+    let kernel = code.split("fn everything").nth(1).and_then(|rest| rest.split("\n    fn ").next()).unwrap_or_default();
+    // Three kinds of angles into arrays of their own, and all but the first member; nothing is kept from loop to loop.
+    let loops: Vec<&str> = kernel.matches("for __k in 0..30").chain(kernel.matches("for __k in 0..29")).collect();
+    assert_eq!(loops.len(), 4, "{kernel}");
+    assert!(kernel.contains("let mut __a5") && !kernel.contains("let mut __a6"), "{kernel}");
+}
+
+#[test]
 fn literals_are_short_and_say_the_number() {
     for value in [1e-300, -2.5e-7, 1e-4, 0.1, -3.0, 9e15, 1.5e16, f64::MAX, f64::MIN_POSITIVE, 5e-324, 0.0] {
         let written = crate::expand::literal(value).to_string().replace(' ', "");

@@ -11,11 +11,22 @@ pub(super) struct Numbered {
 }
 
 impl Numbered {
-    /// The value of an instruction, computed where it is new; the operands of sums and products stand in their order.
+    /// The value of an instruction, computed where it is new; the operands of sums and products stand in their order, behind
+    /// literals, which only who is first computes.
     pub(super) fn emit(&mut self, instruction: Instruction) -> Value {
+        let in_order = |a: Value, b: Value| {
+            let is_literal = |value: Value| matches!(self.instructions[value.index()], Instruction::Number(_));
+            if (is_literal(b), a) > (is_literal(a), b) { (b, a) } else { (a, b) }
+        };
         let canonical = match instruction {
-            Instruction::Add(a, b) => Instruction::Add(a.min(b), a.max(b)),
-            Instruction::Mul(a, b) => Instruction::Mul(a.min(b), a.max(b)),
+            Instruction::Add(a, b) => {
+                let (a, b) = in_order(a, b);
+                Instruction::Add(a, b)
+            }
+            Instruction::Mul(a, b) => {
+                let (a, b) = in_order(a, b);
+                Instruction::Mul(a, b)
+            }
             other => other,
         };
         let hash = canonical.hashed();

@@ -42,7 +42,12 @@ impl Layout {
                 }
             }
         }
-        Self { entries, constants, whole: lower(graph, &outputs), families: families.to_vec() }
+        let row_of = |slot| match slot {
+            Slot::PhiQ(place) => entries[place].0,
+            slot => slot.index(),
+        };
+        let whole = member_by_member(graph, &outputs, families, row_of);
+        Self { entries, constants, whole, families: families.to_vec() }
     }
 
     /// The program of the outputs that `keep` keeps; each to the last bit what the program of all of them gives.
@@ -63,6 +68,36 @@ impl Layout {
             _ => None,
         }
     }
+}
+
+/// Lowers the first member of every family of rows, then the second of every family, and so on: what one row of a member
+/// shares with another stays at hand, and all of it is one loop. Outputs stand as they were.
+fn member_by_member(
+    graph: &Graph,
+    outputs: &[(Slot, ExprId)],
+    families: &[Family],
+    row_of: impl Fn(Slot) -> usize,
+) -> Program {
+    let begin = families.iter().map(|family| family.first).min().unwrap_or_default();
+    let longest = families.iter().map(|family| family.members).max().unwrap_or_default();
+    let member = |place: &usize| {
+        let row = row_of(outputs[*place].0);
+        let own = |family: &&Family| (family.first..family.first + family.members * family.stride).contains(&row);
+        match families.iter().find(own) {
+            // What links members is one less, and belongs to the second of them.
+            Some(family) => longest - family.members + (row - family.first) / family.stride,
+            // What is declared behind them stays behind them.
+            None if row < begin => 0,
+            None => usize::MAX,
+        }
+    };
+    let mut order: Vec<usize> = (0..outputs.len()).collect();
+    order.sort_by_key(member);
+    let mut program = lower(graph, &order.iter().map(|place| outputs[*place]).collect::<Vec<_>>());
+    let mut written = program.outputs.clone();
+    order.iter().zip(&program.outputs).for_each(|(place, output)| written[*place] = *output);
+    program.outputs = written;
+    program
 }
 
 /// A supplied function as generated code sees it: a closure over a field, or over an element of an array field.
