@@ -12,6 +12,7 @@
 //! - [`system`]: Φ_q, Φ_t, γ and the class of every row.
 //! - [`structure`]: what the equations say before any number is known: generic rank, redundant rows.
 //! - [`program`]: straight-line code shared by all outputs, with an interpreter as oracle.
+//! - [`rows`]: the program of Φ, Φ_q, Φ_t and γ.
 //! - [`sheet`]: the derivation for people.
 //!
 //! Each room imports only those above it in this list's reading (`constraint` uses `mechanism` and `expr`; `program`
@@ -25,6 +26,7 @@ pub mod mechanism;
 pub mod notation;
 pub mod plan;
 pub mod program;
+pub mod rows;
 pub mod sheet;
 pub mod structure;
 pub mod system;

@@ -47,6 +47,7 @@ pub use watch::TOLERANCE;
 use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
 use crate::program::{Program, Slot, lower};
+use crate::rows::Rows;
 use crate::system::KinematicSystem;
 use build::Build;
 use choice::Chosen;
@@ -176,8 +177,8 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<Solut
 
 /// Sines and cosines of the angles in the program of Φ, in its order.
 fn turns(graph: &mut Graph, system: &KinematicSystem) -> Vec<ExprId> {
-    let outputs = system.equations.iter().enumerate().map(|(row, equation)| (Slot::Phi(row), equation.phi));
-    let program = lower(&system.set.graph, &outputs.collect::<Vec<_>>());
+    let rows = Rows::new(&system.set.graph, &system.equations, &system.set.row_families);
+    let program = rows.program.only(|slot| matches!(slot, Slot::Phi(_)));
     program.angles(graph).into_iter().flat_map(|angle| [graph.sin(angle), graph.cos(angle)]).collect()
 }
 

@@ -4,55 +4,28 @@ use super::functions::functions;
 use super::program::{Reads, body, function_name, target_name};
 use crate::lower::Lowered;
 use kin_core::constraint::Family;
-use kin_core::expr::{ExprId, Graph};
-use kin_core::program::{Program, Slot, lower};
+use kin_core::expr::Graph;
+use kin_core::program::{Program, Slot};
+use kin_core::rows::Rows;
 use kin_core::system::Equation;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 /// The rows of a system as outputs, with the pattern of its Jacobian.
 pub(crate) struct Layout {
-    /// (row, column) of every entry, row by row.
-    pub(crate) entries: Vec<(usize, usize)>,
-    /// Entries that are literal constants.
-    pub(crate) constants: Vec<(usize, f64)>,
-    /// Everything that there is to write.
-    whole: Program,
+    pub(crate) rows: Rows,
     families: Vec<Family>,
 }
 
 impl Layout {
-    /// Lays out equations; literal entries of Φ_q and literal zeros of Φ_t and γ are never written by a kernel.
+    /// Lays out equations.
     pub(crate) fn new(graph: &Graph, equations: &[Equation], families: &[Family]) -> Self {
-        let (mut entries, mut constants) = (Vec::new(), Vec::new());
-        let mut outputs: Vec<(Slot, ExprId)> = Vec::new();
-        for (row, equation) in equations.iter().enumerate() {
-            outputs.push((Slot::Phi(row), equation.phi));
-            for (column, e) in &equation.phi_q {
-                let place = entries.len();
-                entries.push((row, *column as usize));
-                match graph.literal(*e) {
-                    Some(value) => constants.push((place, value)),
-                    None => outputs.push((Slot::PhiQ(place), *e)),
-                }
-            }
-            for (slot, e) in [(Slot::PhiT(row), equation.phi_t), (Slot::Gamma(row), equation.gamma)] {
-                if !graph.is_zero(e) {
-                    outputs.push((slot, e));
-                }
-            }
-        }
-        let row_of = |slot| match slot {
-            Slot::PhiQ(place) => entries[place].0,
-            slot => slot.index(),
-        };
-        let whole = member_by_member(graph, &outputs, families, row_of);
-        Self { entries, constants, whole, families: families.to_vec() }
+        Self { rows: Rows::new(graph, equations, families), families: families.to_vec() }
     }
 
     /// The program of the outputs that `keep` keeps; each to the last bit what the program of all of them gives.
     pub(crate) fn program(&self, keep: impl Fn(Slot) -> bool) -> Program {
-        let mut program = self.whole.only(keep);
+        let mut program = self.rows.program.only(keep);
         for family in &self.families {
             let layout = [family.first, family.members, family.stride];
             program.note_family(&family.name, layout, |slot| self.row_of(slot));
@@ -64,40 +37,10 @@ impl Layout {
     fn row_of(&self, slot: Slot) -> Option<usize> {
         match slot {
             Slot::Phi(row) | Slot::PhiT(row) | Slot::Gamma(row) => Some(row),
-            Slot::PhiQ(place) => self.entries.get(place).map(|entry| entry.0),
+            Slot::PhiQ(place) => self.rows.entries.get(place).map(|entry| entry.0),
             _ => None,
         }
     }
-}
-
-/// Lowers the first member of every family of rows, then the second of every family, and so on: what one row of a member
-/// shares with another stays at hand, and all of it is one loop. Outputs stand as they were.
-fn member_by_member(
-    graph: &Graph,
-    outputs: &[(Slot, ExprId)],
-    families: &[Family],
-    row_of: impl Fn(Slot) -> usize,
-) -> Program {
-    let begin = families.iter().map(|family| family.first).min().unwrap_or_default();
-    let longest = families.iter().map(|family| family.members).max().unwrap_or_default();
-    let member = |place: &usize| {
-        let row = row_of(outputs[*place].0);
-        let own = |family: &&Family| (family.first..family.first + family.members * family.stride).contains(&row);
-        match families.iter().find(own) {
-            // What links members is one less, and belongs to the second of them.
-            Some(family) => longest - family.members + (row - family.first) / family.stride,
-            // What is declared behind them stays behind them.
-            None if row < begin => 0,
-            None => usize::MAX,
-        }
-    };
-    let mut order: Vec<usize> = (0..outputs.len()).collect();
-    order.sort_by_key(member);
-    let mut program = lower(graph, &order.iter().map(|place| outputs[*place]).collect::<Vec<_>>());
-    let mut written = program.outputs.clone();
-    order.iter().zip(&program.outputs).for_each(|(place, output)| written[*place] = *output);
-    program.outputs = written;
-    program
 }
 
 /// A supplied function as generated code sees it: a closure over a field, or over an element of an array field.

@@ -94,7 +94,8 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
         plan,
     });
     let (n, s, p, u) = (set.coordinates.len(), set.rows.len(), set.parameters.len(), set.inputs.len());
-    let (entries, seen, seen_entries) = (constraints.entries.len(), set.observables.len(), observables.entries.len());
+    let (entries, seen, seen_entries) =
+        (constraints.rows.entries.len(), set.observables.len(), observables.rows.entries.len());
     let parameters = parameters::read(lowered);
     let set_parameter = parameters::write(lowered);
     let (helpers, functions) = (functions::helpers(lowered), functions::access(lowered, system));
@@ -272,7 +273,7 @@ struct Evaluations {
 /// Φ alone, in a function of its own: what is only evaluated for Φ (dual numbers) compiles nothing else.
 fn values(lowered: &Lowered, system: &KinematicSystem, layout: &Layout) -> Kernel {
     let program = layout.program(|slot| matches!(slot, Slot::Phi(_)));
-    let targets = targets(system.set.rows.len(), layout.entries.len());
+    let targets = targets(system.set.rows.len(), layout.rows.entries.len());
     kernel("values", lowered, &program, &targets)
 }
 
@@ -309,7 +310,7 @@ fn velocity_constraints(lowered: &Lowered, system: &KinematicSystem, lengths: &T
 }
 
 fn evaluate(lowered: &Lowered, system: &KinematicSystem, layout: &Layout, all: &Program, values: &Kernel) -> Kernel {
-    let targets = targets(system.set.rows.len(), layout.entries.len());
+    let targets = targets(system.set.rows.len(), layout.rows.entries.len());
     let named = |name: &str, program: &Program| kernel(name, lowered, program, &targets);
     let position = layout.program(|slot| matches!(slot, Slot::Phi(_) | Slot::PhiQ(_)));
     let position = named("values_and_jacobian", &position);
@@ -337,7 +338,7 @@ fn evaluate(lowered: &Lowered, system: &KinematicSystem, layout: &Layout, all: &
 }
 
 fn observe(lowered: &Lowered, system: &KinematicSystem, layout: &Layout) -> Kernel {
-    let targets = targets(system.set.observables.len(), layout.entries.len());
+    let targets = targets(system.set.observables.len(), layout.rows.entries.len());
     let program = layout.program(|_| true);
     let Kernel { item, call } = kernel("observe", lowered, &program, &targets);
     Kernel {

@@ -108,7 +108,7 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
 fn is_packed(tables: &Tables<'_>) -> bool {
     let set = &tables.system.set;
     let parameters = tables.mechanism.parameters.iter().map(|parameter| parameter.len.unwrap_or(1)).sum();
-    let [constraints, observables] = [tables.constraints, tables.observables].map(|layout| layout.entries.len());
+    let [constraints, observables] = [tables.constraints, tables.observables].map(|layout| layout.rows.entries.len());
     let (coordinates, rows, joints) = (set.coordinates.len(), set.rows.len(), set.joints.len());
     any_is_long(&[
         coordinates,
@@ -315,25 +315,25 @@ fn families(system: &KinematicSystem) -> impl Iterator<Item = TokenStream> {
 
 fn pattern(layout: &Layout, rows: usize, packed: bool) -> TokenStream {
     let entries = if packed {
-        let mut packed = Packed::<()>::new(layout.entries.len());
-        for (row, column) in &layout.entries {
+        let mut packed = Packed::<()>::new(layout.rows.entries.len());
+        for (row, column) in &layout.rows.entries {
             packed.word(*row);
             packed.word(*column);
         }
         packed.unpacked("entries", &TokenStream::new())
     } else {
-        let entries = layout.entries.iter().map(|(row, column)| quote! { (#row, #column) });
+        let entries = layout.rows.entries.iter().map(|(row, column)| quote! { (#row, #column) });
         quote! { &[#(#entries),*] }
     };
     let constants = if packed {
-        let mut packed = Packed::new(layout.constants.len());
-        for (place, value) in &layout.constants {
+        let mut packed = Packed::new(layout.rows.constants.len());
+        for (place, value) in &layout.rows.constants {
             packed.word(*place);
             packed.kind(*value);
         }
         packed.with_kinds("constants", |value| literal(*value))
     } else {
-        let constants = layout.constants.iter().map(|(place, value)| {
+        let constants = layout.rows.constants.iter().map(|(place, value)| {
             let value = literal(*value);
             quote! { (#place, #value) }
         });

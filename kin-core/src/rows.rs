@@ -1,0 +1,80 @@
+//! Rows as a program: what an evaluation writes, and in which order it is computed.
+//!
+//! Imports `constraint`, `expr`, `program`, `system`.
+
+use crate::constraint::Family;
+use crate::expr::{ExprId, Graph};
+use crate::program::{Program, Slot, lower};
+use crate::system::Equation;
+
+/// The program of Φ, Φ_q, Φ_t and γ, with the pattern of Φ_q.
+#[derive(Clone, Debug)]
+pub struct Rows {
+    /// (row, column) of every entry, row by row.
+    pub entries: Vec<(usize, usize)>,
+    /// Entries that are literal constants, by their place.
+    pub constants: Vec<(usize, f64)>,
+    /// Everything else. Whoever needs a part of it takes it by [`Program::only`], and has the same sines and cosines in
+    /// the same order.
+    pub program: Program,
+}
+
+impl Rows {
+    /// Lays out equations; literal entries of Φ_q and literal zeros of Φ_t and γ are never written.
+    pub fn new(graph: &Graph, equations: &[Equation], families: &[Family]) -> Self {
+        let (mut entries, mut constants) = (Vec::new(), Vec::new());
+        let mut outputs: Vec<(Slot, ExprId)> = Vec::new();
+        for (row, equation) in equations.iter().enumerate() {
+            outputs.push((Slot::Phi(row), equation.phi));
+            for (column, e) in &equation.phi_q {
+                let place = entries.len();
+                entries.push((row, *column as usize));
+                match graph.literal(*e) {
+                    Some(value) => constants.push((place, value)),
+                    None => outputs.push((Slot::PhiQ(place), *e)),
+                }
+            }
+            for (slot, e) in [(Slot::PhiT(row), equation.phi_t), (Slot::Gamma(row), equation.gamma)] {
+                if !graph.is_zero(e) {
+                    outputs.push((slot, e));
+                }
+            }
+        }
+        let row_of = |slot| match slot {
+            Slot::PhiQ(place) => entries[place].0,
+            slot => slot.index(),
+        };
+        let whole = member_by_member(graph, &outputs, families, row_of);
+        Self { entries, constants, program: whole }
+    }
+}
+
+/// Lowers the first member of every family of rows, then the second of every family, and so on: what one row of a member
+/// shares with another stays at hand, and all of it is one loop. Outputs stand as they were.
+fn member_by_member(
+    graph: &Graph,
+    outputs: &[(Slot, ExprId)],
+    families: &[Family],
+    row_of: impl Fn(Slot) -> usize,
+) -> Program {
+    let begin = families.iter().map(|family| family.first).min().unwrap_or_default();
+    let longest = families.iter().map(|family| family.members).max().unwrap_or_default();
+    let member = |place: &usize| {
+        let row = row_of(outputs[*place].0);
+        let own = |family: &&Family| (family.first..family.first + family.members * family.stride).contains(&row);
+        match families.iter().find(own) {
+            // What links members is one less, and belongs to the second of them.
+            Some(family) => longest - family.members + (row - family.first) / family.stride,
+            // What is declared behind them stays behind them.
+            None if row < begin => 0,
+            None => usize::MAX,
+        }
+    };
+    let mut order: Vec<usize> = (0..outputs.len()).collect();
+    order.sort_by_key(member);
+    let mut program = lower(graph, &order.iter().map(|place| outputs[*place]).collect::<Vec<_>>());
+    let mut written = program.outputs.clone();
+    order.iter().zip(&program.outputs).for_each(|(place, output)| written[*place] = *output);
+    program.outputs = written;
+    program
+}
