@@ -14,8 +14,7 @@ pub struct Rows {
     pub entries: Vec<(usize, usize)>,
     /// Entries that are literal constants, by their place.
     pub constants: Vec<(usize, f64)>,
-    /// Everything else. Whoever needs a part of it takes it by [`Program::only`], and has the same sines and cosines in
-    /// the same order.
+    /// Everything else. Whoever needs a part of it takes it by [`Program::only`]: to the last bit the same.
     pub program: Program,
 }
 
@@ -47,6 +46,13 @@ impl Rows {
         let whole = member_by_member(graph, &outputs, families, row_of);
         Self { entries, constants, program: whole }
     }
+}
+
+/// Φ alone, row by row: what power series compute. The plan leaves its sines and cosines in the order in which they are in
+/// this program.
+pub fn values(graph: &Graph, equations: &[Equation]) -> Program {
+    let outputs = equations.iter().enumerate().map(|(row, equation)| (Slot::Phi(row), equation.phi));
+    lower(graph, &outputs.collect::<Vec<_>>())
 }
 
 /// Lowers the first member of every family of rows, then the second of every family, and so on: what one row of a member

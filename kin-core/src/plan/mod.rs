@@ -47,7 +47,7 @@ pub use watch::TOLERANCE;
 use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
 use crate::program::{Program, Slot, lower};
-use crate::rows::Rows;
+use crate::rows;
 use crate::system::KinematicSystem;
 use build::Build;
 use choice::Chosen;
@@ -177,8 +177,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<Solut
 
 /// Sines and cosines of the angles in the program of Φ, in its order.
 fn turns(graph: &mut Graph, system: &KinematicSystem) -> Vec<ExprId> {
-    let rows = Rows::new(&system.set.graph, &system.equations, &system.set.row_families);
-    let program = rows.program.only(|slot| matches!(slot, Slot::Phi(_)));
+    let program = rows::values(&system.set.graph, &system.equations);
     program.angles(graph).into_iter().flat_map(|angle| [graph.sin(angle), graph.cos(angle)]).collect()
 }
 

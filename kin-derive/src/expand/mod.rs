@@ -117,7 +117,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
     let geometry = list(lowered, system, set.geometry.iter().copied());
     let curves = curves::curves(lowered, system);
     let guesses = list(lowered, system, set.guesses.iter().map(|(_, value)| *value));
-    let series = series::implementation(lowered, system, &constraints, &observables);
+    let series = series::implementation(lowered, system, &observables);
     quote! {
         type __Parameters<__T> = [__T; #p];
         type __Inputs<__T> = [__kin::Signal<__T>; #u];

@@ -12,27 +12,22 @@ use super::series_statements::Emitter;
 use super::statements::BLOCK;
 use crate::lower::Lowered;
 use kin_core::program::{Program, Slot, lower};
+use kin_core::rows;
 use kin_core::system::KinematicSystem;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 /// The implementation of `PowerSeries`.
-pub(super) fn implementation(
-    lowered: &Lowered,
-    system: &KinematicSystem,
-    constraints: &Layout,
-    observables: &Layout,
-) -> TokenStream {
+pub(super) fn implementation(lowered: &Lowered, system: &KinematicSystem, observables: &Layout) -> TokenStream {
     let name = &lowered.item.ident;
     let generics = generics::bounded(lowered, "Parameter");
     let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
     let set = &system.set;
-    let only_values = |slot| matches!(slot, Slot::Phi(_));
-    let phi = method(lowered, "constraint_series", &constraints.program(only_values));
+    let phi = method(lowered, "constraint_series", &rows::values(&set.graph, &system.equations));
     let etas = set.rows.iter().enumerate().filter_map(|(row, info)| Some((Slot::Entry(row), info.velocity?.eta)));
     let etas: Vec<_> = etas.collect();
     let eta = (!etas.is_empty()).then(|| method(lowered, "velocity_series", &lower(&set.graph, &etas)));
-    let seen = method(lowered, "observable_series", &observables.program(only_values));
+    let seen = method(lowered, "observable_series", &observables.program(|slot| matches!(slot, Slot::Phi(_))));
     quote! {
         #[automatically_derived]
         impl #impl_generics __kin::PowerSeries for #name #type_generics #where_clause {

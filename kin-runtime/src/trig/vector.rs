@@ -92,14 +92,17 @@ macro_rules! vector {
             #[inline(always)]
             fn turned(quadrant: Self, x: Self, sin: Self, cos: Self) -> (Self, Self) {
                 let (n, x): ($int, $int) = (cast(quadrant), cast(x));
-                // The lowest and the second bit of n where signs are.
-                let (odd, half, signs) = (n << 63, n << 62, $int::splat(i64::MIN));
-                let (up, across): ($float, $float) = (cast((half ^ x) & signs), cast((half ^ odd) & signs));
+                // The second bit of n, and that of n + 1, where signs are.
+                let (half, signs) = (n << 62, $int::splat(i64::MIN));
                 if cfg!(target_feature = "avx") {
+                    let odd = n << 63;
+                    let (up, across): ($float, $float) = (cast((half ^ x) & signs), cast((half ^ odd) & signs));
                     // A blend looks at signs alone.
                     let odd: $float = cast(odd);
                     (odd.select(cos, sin) ^ up, odd.select(sin, cos) ^ across)
                 } else {
+                    let next = half + $int::splat(1 << 62);
+                    let (up, across): ($float, $float) = (cast((half ^ x) & signs), cast(next & signs));
                     let odd: $float = cast($int::splat(0) - (n & $int::splat(1)));
                     let exchange = (sin ^ cos) & odd;
                     (sin ^ exchange ^ up, cos ^ exchange ^ across)
