@@ -21,7 +21,7 @@ pub(crate) fn state(equations: &mut Equations<'_>, position: Position) -> Result
         t: equations.t,
         inputs: equations.inputs.clone(),
         degrees_of_freedom_left: q.len() - factor.rank,
-        condition: factor.condition,
+        condition: Some(factor.condition),
         q,
         q_dot,
         q_ddot,

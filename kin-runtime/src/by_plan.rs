@@ -26,11 +26,13 @@ pub(crate) fn exists(equations: &Equations<'_>) -> bool {
 /// Writes the sign of every mode of q; 0 where it is not decided.
 pub(crate) fn modes(equations: &Equations<'_>, q: &[f64], modes: &mut Vec<f64>) {
     modes.clear();
-    modes.resize(equations.model.plan.modes.len(), 0.0);
+    let plan = &equations.model.plan;
+    modes.resize(plan.signs(), 0.0);
     let at = equations.instant();
     if equations.system.closures(&at, q, modes).is_err() {
         modes.fill(0.0);
     }
+    modes.truncate(plan.modes.len());
     for mode in modes {
         *mode = if mode.abs() > UNDECIDED { mode.signum() } else { 0.0 };
     }
@@ -41,7 +43,7 @@ impl Answer {
     pub(crate) fn new(equations: &Equations<'_>) -> Self {
         let n = vec![0.0; equations.coordinates()];
         let plan = &equations.model.plan;
-        let (margins, closures) = (vec![0.0; plan.margins], vec![0.0; plan.modes.len()]);
+        let (margins, closures) = (vec![0.0; plan.margins], vec![0.0; plan.signs()]);
         Self { q: n.clone(), q_dot: n.clone(), q_ddot: n, margins, closures }
     }
 
@@ -68,7 +70,7 @@ impl Answer {
     }
 
     fn limit(&self, equations: &Equations<'_>, margin: usize) -> Option<Limit> {
-        Step::of_margin(equations.model, margin).map(|step| Limit { step, margin: self.margins[margin] })
+        Step::of_margin(equations.model, margin).map(|step| Limit { step, margin: self.margins[margin], at: None, kind: None })
     }
 
     /// True if q is in these modes for sure.
@@ -89,12 +91,13 @@ pub(crate) fn limit(equations: &mut Equations<'_>, q: &[f64]) -> Option<Limit> {
     limit_in(equations, &signs, q)
 }
 
-/// [`limit`] in given modes; where one is not decided it is taken as +.
+/// [`limit`] in the modes that these signs, or closures with these signs, are; where one is not decided it is taken as +.
 pub(crate) fn limit_in(equations: &mut Equations<'_>, modes: &[f64], q: &[f64]) -> Option<Limit> {
     if !equations.options.use_plan || !exists(equations) {
         return None;
     }
-    let modes: Vec<f64> = modes.iter().map(|&mode| if mode == 0.0 { 1.0 } else { mode }).collect();
+    let modes = modes.iter().take(equations.model.plan.modes.len());
+    let modes: Vec<f64> = modes.map(|&mode| if mode == 0.0 { 1.0 } else { mode.signum() }).collect();
     let answer = Answer::new(equations).solve(equations, &modes, q, Depth::Position);
     answer.err().flatten().filter(|limit| limit.step.closes())
 }

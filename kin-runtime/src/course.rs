@@ -15,6 +15,7 @@
 use crate::workspace::{Instant, Signal};
 
 /// Inputs as functions of time.
+#[cfg(feature = "std")]
 pub(crate) type InputFunction<'a> = Option<&'a dyn Fn(f64, &mut [Signal])>;
 
 /// Deviation of a signal's end from what its other end foretells, relative to its change, up to which rates and
@@ -35,7 +36,121 @@ pub(crate) enum Kind {
     Frozen,
 }
 
+/// How the inputs go between two instants with equally many of them: smoothly where t goes on and the rates at both ends
+/// agree with the change between them, straight where they do not, frozen where t stands still.
+pub(crate) fn kind(from: &Instant<'_>, to: &Instant<'_>) -> Kind {
+    let h = to.t - from.t;
+    let believed = |(a, b): (&Signal, &Signal)| {
+        let allowed = BELIEVED * (b.value - a.value).abs();
+        (a.after(h).value - b.value).abs() <= allowed && (b.after(-h).value - a.value).abs() <= allowed
+    };
+    let nothing = NEIGHBOURS * f64::EPSILON * from.t.abs().max(to.t.abs());
+    match h {
+        h if h.abs() <= nothing => Kind::Frozen,
+        h if h > 0.0 && from.inputs.iter().zip(to.inputs).all(believed) => Kind::Smooth,
+        _ => Kind::Straight,
+    }
+}
+
+/// The time at a place between two times.
+fn time(kind: Kind, [start, end]: [f64; 2], s: f64) -> f64 {
+    match kind {
+        Kind::Frozen if s == 1.0 => end,
+        Kind::Frozen => start + s * (end - start),
+        Kind::Smooth | Kind::Straight => s,
+    }
+}
+
+/// First and last place.
+fn ends(kind: Kind, t: [f64; 2]) -> [f64; 2] {
+    if kind == Kind::Frozen { [0.0, 1.0] } else { t }
+}
+
+/// Writes the inputs at a place.
+fn write(kind: Kind, t: [f64; 2], [from, to]: [&[Signal]; 2], s: f64, inputs: &mut [Signal]) {
+    let [start, end] = ends(kind, t);
+    let x = if s == end { 1.0 } else { (s - start) / (end - start) };
+    for ((u, a), b) in inputs.iter_mut().zip(from).zip(to) {
+        *u = match kind {
+            Kind::Smooth => quintic(a, b, end - start, x),
+            Kind::Straight | Kind::Frozen => {
+                let change = b.value - a.value;
+                let value = if x == 1.0 { b.value } else { a.value + x * change };
+                Signal::new(value, change / (end - start), 0.0)
+            }
+        };
+    }
+}
+
+/// What is followed: where it leads, and the instants on it.
+pub(crate) trait Course {
+    /// First and last place.
+    fn ends(&self) -> [f64; 2];
+    /// Writes the inputs at a place and gives the time there.
+    fn at(&self, s: f64, inputs: &mut [Signal]) -> f64;
+    /// True where time stands still, so that derivatives are by s.
+    fn is_frozen(&self) -> bool;
+    /// True where its last place has the rates of the instant that it leads to, too.
+    fn has_rates_of_end(&self) -> bool;
+}
+
+/// From one instant to another, by what is known of the inputs at both.
+pub(crate) struct Between<'a> {
+    pub(crate) kind: Kind,
+    pub(crate) from: Instant<'a>,
+    pub(crate) to: Instant<'a>,
+}
+
+impl Course for Between<'_> {
+    fn ends(&self) -> [f64; 2] {
+        ends(self.kind, [self.from.t, self.to.t])
+    }
+
+    fn at(&self, s: f64, inputs: &mut [Signal]) -> f64 {
+        let t = [self.from.t, self.to.t];
+        write(self.kind, t, [self.from.inputs, self.to.inputs], s, inputs);
+        time(self.kind, t, s)
+    }
+
+    fn is_frozen(&self) -> bool {
+        self.kind == Kind::Frozen
+    }
+
+    fn has_rates_of_end(&self) -> bool {
+        self.kind == Kind::Smooth || self.to.inputs.is_empty() && self.kind == Kind::Straight
+    }
+}
+
+/// From one time to another, with inputs that are functions of time.
+#[cfg(feature = "std")]
+pub(crate) struct Timed<'a> {
+    pub(crate) from: f64,
+    pub(crate) to: f64,
+    pub(crate) inputs: &'a dyn Fn(f64, &mut [Signal]),
+}
+
+#[cfg(feature = "std")]
+impl Course for Timed<'_> {
+    fn ends(&self) -> [f64; 2] {
+        [self.from, self.to]
+    }
+
+    fn at(&self, s: f64, inputs: &mut [Signal]) -> f64 {
+        (self.inputs)(s, inputs);
+        s
+    }
+
+    fn is_frozen(&self) -> bool {
+        false
+    }
+
+    fn has_rates_of_end(&self) -> bool {
+        true
+    }
+}
+
 /// From one instant to another; its buffers are used again for the next.
+#[cfg(feature = "std")]
 #[derive(Clone, Debug)]
 pub(crate) struct Way {
     pub(crate) kind: Kind,
@@ -44,6 +159,7 @@ pub(crate) struct Way {
     to: Vec<Signal>,
 }
 
+#[cfg(feature = "std")]
 impl Way {
     /// A way that leads nowhere yet; derivatives are by time.
     pub(crate) fn resting(at: &Instant<'_>) -> Self {
@@ -55,25 +171,14 @@ impl Way {
         Self { kind: Kind::Frozen, t: [0.0; 2], from: Vec::new(), to: Vec::new() }
     }
 
-    /// Makes it the way between two instants with equally many inputs: smooth where t goes on and the rates at both
-    /// ends agree with the change between them, straight where not, frozen where t stands still.
+    /// Makes it the way between two instants with equally many inputs.
     pub(crate) fn lead(&mut self, from: &Instant<'_>, to: &Instant<'_>) {
         self.t = [from.t, to.t];
         self.from.clear();
         self.from.extend_from_slice(from.inputs);
         self.to.clear();
         self.to.extend_from_slice(to.inputs);
-        let h = to.t - from.t;
-        let believed = |(a, b): (&Signal, &Signal)| {
-            let allowed = BELIEVED * (b.value - a.value).abs();
-            (a.after(h).value - b.value).abs() <= allowed && (b.after(-h).value - a.value).abs() <= allowed
-        };
-        let nothing = NEIGHBOURS * f64::EPSILON * from.t.abs().max(to.t.abs());
-        self.kind = match h {
-            h if h.abs() <= nothing => Kind::Frozen,
-            h if h > 0.0 && self.from.iter().zip(&self.to).all(believed) => Kind::Smooth,
-            _ => Kind::Straight,
-        };
+        self.kind = kind(from, to);
     }
 
     /// Forgets rates and accelerations.
@@ -85,7 +190,7 @@ impl Way {
 
     /// First and last place.
     pub(crate) fn ends(&self) -> [f64; 2] {
-        if self.kind == Kind::Frozen { [0.0, 1.0] } else { self.t }
+        ends(self.kind, self.t)
     }
 
     /// True where neither time nor a value changes on the way.
@@ -95,28 +200,12 @@ impl Way {
 
     /// Time at a place.
     pub(crate) fn time(&self, s: f64) -> f64 {
-        let [start, end] = self.t;
-        match self.kind {
-            Kind::Frozen if s == 1.0 => end,
-            Kind::Frozen => start + s * (end - start),
-            Kind::Smooth | Kind::Straight => s,
-        }
+        time(self.kind, self.t, s)
     }
 
     /// Writes the inputs at a place.
     pub(crate) fn write(&self, s: f64, inputs: &mut [Signal]) {
-        let [start, end] = self.ends();
-        let x = if s == end { 1.0 } else { (s - start) / (end - start) };
-        for ((u, a), b) in inputs.iter_mut().zip(&self.from).zip(&self.to) {
-            *u = match self.kind {
-                Kind::Smooth => quintic(a, b, end - start, x),
-                Kind::Straight | Kind::Frozen => {
-                    let change = b.value - a.value;
-                    let value = if x == 1.0 { b.value } else { a.value + x * change };
-                    Signal::new(value, change / (end - start), 0.0)
-                }
-            };
-        }
+        write(self.kind, self.t, [&self.from, &self.to], s, inputs);
     }
 }
 
@@ -139,7 +228,7 @@ fn quintic(a: &Signal, b: &Signal, h: f64, x: f64) -> Signal {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "std"))]
 mod tests {
     use super::*;
 

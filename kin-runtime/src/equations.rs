@@ -110,6 +110,11 @@ impl<'a> Equations<'a> {
         degenerate.map_or(Ok(equations), Err)
     }
 
+    /// The inputs as functions of time, where they are known so.
+    pub(crate) const fn input_function(&self) -> InputFunction<'a> {
+        self.input_function
+    }
+
     /// Number of coordinates n.
     pub(crate) fn coordinates(&self) -> usize {
         self.still.len()

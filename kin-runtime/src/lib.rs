@@ -8,6 +8,7 @@ extern crate alloc;
 
 #[cfg(all(feature = "simd", feature = "alloc"))]
 pub mod batch;
+mod course;
 mod curve;
 pub mod function;
 pub mod generic;
@@ -78,8 +79,6 @@ mod contact;
 #[cfg(feature = "std")]
 mod continuation;
 #[cfg(feature = "std")]
-mod course;
-#[cfg(feature = "std")]
 mod dual;
 #[cfg(feature = "std")]
 mod equations;
@@ -101,6 +100,8 @@ mod position;
 mod radii;
 #[cfg(feature = "std")]
 mod random;
+#[cfg(feature = "std")]
+mod residual;
 #[cfg(feature = "std")]
 mod scale;
 #[cfg(all(feature = "serde", feature = "std"))]
@@ -126,7 +127,7 @@ pub use kin_derive::mechanism;
 #[cfg(feature = "simd")]
 pub use lanes::Lanes;
 pub use mechanism::{LengthError, Mechanism, Observations, Workspace};
-pub use planned::{Limit, ModeKey, PlanError, Planned, Sign};
+pub use planned::{Limit, LimitKind, ModeKey, PlanError, Planned, Sign};
 pub use scalar::Scalar;
 pub use series::PowerSeries;
 pub use signal::{Instant, Signal};

@@ -4,6 +4,7 @@ use crate::curve::CurvePoint;
 use crate::model::Model;
 use crate::plan::{Depth, Solved};
 use crate::scalar::Scalar;
+use crate::signal::Signal;
 use crate::workspace::{Array, Evaluation, Instant, Subset};
 
 /// A workspace for Φ, Φ_q, Φ_t and γ of the mechanism `M`.
@@ -56,6 +57,8 @@ pub trait Mechanism: Sized {
 
     /// `[T; PARAMETERS]`.
     type Parameters<T: Scalar>: Array<T>;
+    /// `[Signal<T>; INPUTS]`.
+    type Inputs<T: Scalar>: Array<Signal<T>>;
     /// `[T; COORDINATES]`.
     type Coordinates<T: Scalar>: Array<T>;
     /// `[T; ROWS]`.
@@ -204,7 +207,9 @@ pub trait Mechanism: Sized {
     }
 
     /// For every mode of the plan, a number in −1 ≤ w ≤ 1 whose sign is the mode of the configuration q and whose
-    /// size says how far the two closures are apart: 0 where they meet.
+    /// size says how far the two closures are apart: 0 where they meet. Behind them stands such a number for every group
+    /// that the plan solves by iteration ([`Plan::orientations`](crate::plan::Plan::orientations)): the determinant of its
+    /// own small system, normalised.
     ///
     /// # Errors
     /// When an argument has the wrong length.

@@ -16,7 +16,7 @@ mod convert;
 mod poses;
 mod text;
 
-pub(crate) use poses::poses;
+pub(crate) use poses::{poses, shows_coordinates, write_coordinates, write_poses};
 
 /// A value with its first and second time derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

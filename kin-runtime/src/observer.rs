@@ -64,6 +64,11 @@ impl<'a> Observed<'a> {
         Self { observer, done: 0, total }
     }
 
+    /// True where there is an observer.
+    pub(crate) const fn is_there(&self) -> bool {
+        self.observer.is_some()
+    }
+
     /// Another one is finished; an error where the observer ends it and there are more.
     pub(crate) fn finish(&mut self, t: f64, state: Option<&State>) -> Result<(), SolveError> {
         self.done += 1;

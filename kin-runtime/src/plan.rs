@@ -41,6 +41,9 @@ pub struct Plan {
     pub steps: &'static [PlanStep],
     /// The assembly modes.
     pub modes: &'static [ModeInfo],
+    /// The groups that are solved by iteration: neighbouring solutions of each are told apart by the sign of the
+    /// determinant of its own small system. Unlike modes they cannot be asked for.
+    pub orientations: &'static [ModeInfo],
     /// How many margins a solution has.
     pub margins: usize,
     /// Why there is no plan.
@@ -105,7 +108,18 @@ impl Plan {
 
     /// No plan, and why.
     pub const fn absent(why: &'static str) -> Self {
-        Self { steps: &[], modes: &[], margins: 0, absent: Some(why) }
+        Self { steps: &[], modes: &[], orientations: &[], margins: 0, absent: Some(why) }
+    }
+
+    /// How many signs tell one branch of the motion from another: one for every mode, then one for every iteration.
+    pub const fn signs(&self) -> usize {
+        self.modes.len() + self.orientations.len()
+    }
+
+    /// The margin of a sign: its square root is how far the group is from where the sign changes.
+    pub(crate) fn margin_of_sign(&self, sign: usize) -> Option<usize> {
+        let of_iteration = || self.orientations.get(sign - self.modes.len());
+        self.modes.get(sign).or_else(of_iteration).map(|info| info.margin)
     }
 
     /// True where there is a plan.

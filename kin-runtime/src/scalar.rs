@@ -4,6 +4,8 @@
 //! arithmetic through the operators, and the functions of the user's language. For `f64` every method compiles to
 //! the instruction or library call that hand-written code would use.
 
+pub(crate) mod compare;
+
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A number that the equations of a mechanism can be evaluated with.

@@ -35,13 +35,15 @@ pub(crate) struct Scale {
     pub(crate) length: f64,
     /// Places of angles in q.
     angles: Vec<usize>,
+    /// Whether it is that of the mechanism: scaling is done where something is judged by it.
+    pub(crate) is_known: bool,
 }
 
 impl Scale {
     /// No scaling.
     pub(crate) fn unit(rows: usize, columns: usize) -> Self {
         let ones = vec![1.0; columns];
-        Self { rows: vec![1.0; rows], columns: ones.clone(), inverse: ones, length: 1.0, angles: Vec::new() }
+        Self { rows: vec![1.0; rows], columns: ones.clone(), inverse: ones, length: 1.0, angles: Vec::new(), is_known: false }
     }
 
     /// Scales at the current instant, from configurations around `q`.
@@ -65,7 +67,7 @@ impl Scale {
             entries.iter().zip(&mut sizes).map(|(&(i, j), size)| (i, j, median_of_samples(size))).collect();
         typical.extend(equations.entries().skip(entries.len()).map(|((row, column), _)| (row, column, 1.0)));
         let angles = (0..n).filter(|&k| is_angle(equations.model.coordinates[k].kind)).collect();
-        let mut scale = Self { length, angles, ..Self::unit(s, n) };
+        let mut scale = Self { length, angles, is_known: true, ..Self::unit(s, n) };
         scale.start(equations, &typical);
         scale.raise_angles(&mut typical);
         scale.equilibrate(&typical);

@@ -29,6 +29,7 @@ use crate::workspace::{Instant, Signal};
 use core::fmt;
 use nalgebra::DMatrix;
 
+mod by_plan;
 mod settings;
 
 /// An assembled position.
@@ -80,7 +81,10 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// every other analysis.
     pub fn assemble(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError> {
         let wanted = self.wanted()?;
-        self.analyse(at, |equations| Ok(assemble_in(equations, &wanted)?.q))
+        match self.position_by_plan(at) {
+            Some(position) => Ok(position.q),
+            None => self.analyse(at, |equations| Ok(assemble_in(equations, &wanted)?.q)),
+        }
     }
 
     /// The modes of a configuration: the sign of each, and how far it is from its limit.
@@ -109,7 +113,10 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`assemble`](Self::assemble).
     pub fn position(&self, at: &Instant<'_>, start: &[f64]) -> Result<Position, SolveError> {
-        self.analyse(at, |equations| position(equations, start))
+        match self.position_near(at, start) {
+            Some(position) => Ok(position),
+            None => self.analyse(at, |equations| position(equations, start)),
+        }
     }
 
     /// Velocity analysis of an assembled configuration: q̇ with Φ_q q̇ = −Φ_t.
@@ -145,6 +152,9 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`assemble`](Self::assemble), [`velocity`](Self::velocity) and [`acceleration`](Self::acceleration).
     pub fn state(&self, at: &Instant<'_>) -> Result<State, SolveError> {
+        if let Some(state) = self.state_by_plan(at) {
+            return Ok(state);
+        }
         let wanted = self.wanted()?;
         self.analyse(at, |equations| {
             let position = assemble_in(equations, &wanted)?;
@@ -157,6 +167,9 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`state`](Self::state).
     pub fn state_from(&self, at: &Instant<'_>, start: &[f64]) -> Result<State, SolveError> {
+        if let Some(state) = self.state_near(at, start) {
+            return Ok(state);
+        }
         self.analyse(at, |equations| {
             let position = position(equations, start)?;
             Ok(analysis::state(equations, position)?.0)
@@ -170,7 +183,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// As [`state`](Self::state) for the first instant; then [`Singular`](SolveError::Singular) or
     /// [`StepRefused`](SolveError::StepRefused) where the branch ends, with the states before it.
     pub fn sweep(&self, times: &[f64]) -> Result<Trajectory, SweepError> {
-        self.follow(times, |equations| assemble_in(equations, &self.wanted()?))
+        self.follow(times, |at| self.state_by_plan(at), |equations| assemble_in(equations, &self.wanted()?))
     }
 
     /// [`sweep`](Self::sweep) from a complete start, n numbers.
@@ -178,7 +191,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`sweep`](Self::sweep).
     pub fn sweep_from(&self, start: &[f64], times: &[f64]) -> Result<Trajectory, SweepError> {
-        self.follow(times, |equations| position(equations, start))
+        self.follow(times, |at| self.state_near(at, start), |equations| position(equations, start))
     }
 
     /// Motion of bodies, points, defines and joints.
@@ -187,6 +200,21 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn motion(&self, state: &State) -> Result<Motion, SolveError> {
         self.analyse(&state.instant(), |equations| motion(equations, state))
+    }
+
+    /// Estimated condition number of the scaled Φ_q at a state: see [`State::condition`].
+    ///
+    /// # Errors
+    /// As [`velocity`](Self::velocity).
+    pub fn condition(&self, state: &State) -> Result<f64, SolveError> {
+        if let Some(condition) = state.condition {
+            return Ok(condition);
+        }
+        self.analyse(&state.instant(), |equations| {
+            equations.check("q", &state.q)?;
+            equations.scale = Scale::around(equations, &state.q);
+            Ok(factorize(equations, &state.q, None)?.condition)
+        })
     }
 
     /// Degrees of freedom, independent coordinates, redundant rows and conditioning at a configuration.
@@ -300,10 +328,11 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         analysis(&mut Equations::new(evaluator, self.options, &self.given, self.inputs, at)?)
     }
 
-    /// A sweep from the position that `first` finds.
+    /// A sweep from the state that the plan finds or, where it finds none, from the position that `first` finds.
     fn follow(
         &self,
         times: &[f64],
+        by_plan: impl FnOnce(&Instant<'_>) -> Option<State>,
         first: impl FnOnce(&mut Equations<'_>) -> Result<Position, SolveError>,
     ) -> Result<Trajectory, SweepError> {
         let nothing = || Trajectory::new(M::model());
@@ -316,11 +345,21 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
         let at = Instant { t, inputs: &inputs };
         let started = Equations::new(evaluator, self.options, &self.given, self.inputs, &at)
-            .and_then(|mut equations| first(&mut equations).map(|position| (equations, position)));
+            .and_then(|mut equations| {
+                let first = match by_plan(&at) {
+                    Some(state) => (state, None),
+                    None => {
+                        let position = first(&mut equations)?;
+                        let (state, factor) = analysis::state(&mut equations, position)?;
+                        (state, Some(factor))
+                    }
+                };
+                Ok((equations, first))
+            });
         match started {
-            Ok((mut equations, position)) => {
+            Ok((mut equations, first)) => {
                 equations.observed = Observed::new(self.observer, times.len());
-                kinematic(&mut equations, position, times)
+                kinematic(&mut equations, first, times)
             }
             Err(source) => Err(SweepError { trajectory: Box::new(nothing()), source }),
         }

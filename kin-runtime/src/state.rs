@@ -34,8 +34,9 @@ pub struct State {
     /// Iterations of the position analysis.
     pub iterations: usize,
     /// Estimated condition number of the scaled Φ_q: ‖A‖₁ ‖A⁻¹‖₁ where it is square and regular, hardly ever too small by
-    /// more than a factor of three; otherwise largest over smallest pivot within the rank.
-    pub condition: f64,
+    /// more than a factor of three; otherwise largest over smallest pivot within the rank. None where the plan has solved,
+    /// which needs no factorisation of Φ_q: [`Solver::condition`](crate::Solver::condition) has it for any state.
+    pub condition: Option<f64>,
     /// n − rank of all rows; 0 when fully driven.
     pub degrees_of_freedom_left: usize,
 }
@@ -100,7 +101,7 @@ impl PartialEq for State {
             && [q, q_dot, q_ddot] == [&other.q, &other.q_dot, &other.q_ddot]
             && *bodies == other.bodies
             && *points == other.points
-            && [*residual, *condition] == [other.residual, other.condition]
+            && (*residual, *condition) == (other.residual, other.condition)
             && [*iterations, self.degrees_of_freedom_left] == [other.iterations, other.degrees_of_freedom_left]
     }
 }

@@ -6,8 +6,11 @@
 use crate::curve::CurvePoint;
 use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 use crate::model::{Model, Pattern};
+use crate::course::InputFunction;
 use crate::motion::Rates;
 use crate::plan::{Depth, Solved};
+use crate::planned::PlanError;
+use crate::planned::follower::{Control, Follower};
 use crate::state::State;
 use crate::workspace::{Instant, Subset};
 use core::borrow::Borrow;
@@ -80,6 +83,47 @@ pub(crate) trait System {
     }
     /// Local points, axes and values.
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, LengthError>;
+    /// Puts the follower of the plan at an instant, in the modes of q.
+    fn follow_from(&mut self, at: &Instant<'_>, q: &[f64]) -> Result<(), PlanError> {
+        let _ = (at, q);
+        Err(PlanError::NoPlan { why: self.model().plan.absent.unwrap_or("nothing is followed") })
+    }
+    /// Moves the follower of the plan to another instant on its branch, whose inputs are functions of time or not.
+    fn follow(
+        &mut self,
+        at: &Instant<'_>,
+        inputs: InputFunction<'_>,
+        control: &Control,
+    ) -> Result<Followed<'_>, PlanError> {
+        let _ = (inputs, control);
+        self.follow_from(at, &[])?;
+        Err(PlanError::NoPlan { why: "nothing is followed" })
+    }
+    /// What [`follow`](Self::follow) would give at an instant; the follower stays where it is.
+    fn glance(
+        &mut self,
+        at: &Instant<'_>,
+        inputs: InputFunction<'_>,
+        control: &Control,
+        see: &mut dyn FnMut(Followed<'_>),
+    ) -> Result<(), PlanError> {
+        self.follow(at, inputs, control).map(see)
+    }
+}
+
+/// What a follower has found.
+#[derive(Clone, Copy)]
+pub(crate) struct Followed<'f> {
+    pub(crate) q: &'f [f64],
+    pub(crate) q_dot: &'f [f64],
+    pub(crate) q_ddot: &'f [f64],
+}
+
+impl<'f, M: Mechanism> From<&'f Follower<M>> for Followed<'f> {
+    fn from(follower: &'f Follower<M>) -> Self {
+        let state = follower.state();
+        Self { q: state.q.as_ref(), q_dot: state.q_dot.as_ref(), q_ddot: state.q_ddot.as_ref() }
+    }
 }
 
 /// The [`System`] of a [`Mechanism`], borrowed or owned.
@@ -88,13 +132,20 @@ pub(crate) struct Evaluator<B, M: Mechanism> {
     parameters: M::Parameters<f64>,
     workspace: Box<Workspace<M>>,
     observations: Box<Observations<M>>,
+    follower: Option<Box<Follower<M>>>,
 }
 
 impl<B: Borrow<M>, M: Mechanism> Evaluator<B, M> {
     /// Takes the struct's parameters and makes workspaces.
     pub(crate) fn new(mechanism: B) -> Self {
         let parameters = mechanism.borrow().parameters();
-        Self { mechanism, parameters, workspace: Box::new(M::workspace()), observations: Box::new(M::observations()) }
+        Self {
+            mechanism,
+            parameters,
+            workspace: Box::new(M::workspace()),
+            observations: Box::new(M::observations()),
+            follower: None,
+        }
     }
 }
 
@@ -142,6 +193,45 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
 
     fn closures(&self, at: &Instant<'_>, q: &[f64], closures: &mut [f64]) -> Result<(), LengthError> {
         self.mechanism.borrow().closures_with(self.parameters.as_ref(), at, q, closures)
+    }
+
+    fn follow_from(&mut self, at: &Instant<'_>, q: &[f64]) -> Result<(), PlanError> {
+        let mechanism = self.mechanism.borrow();
+        match &mut self.follower {
+            Some(follower) => follower.restart(mechanism, at, q),
+            None => {
+                self.follower = Some(Box::new(Follower::new(mechanism, at, q)?));
+                Ok(())
+            }
+        }
+    }
+
+    fn follow(
+        &mut self,
+        at: &Instant<'_>,
+        inputs: InputFunction<'_>,
+        control: &Control,
+    ) -> Result<Followed<'_>, PlanError> {
+        let Some(follower) = &mut self.follower else { return Err(PlanError::NoPlan { why: "nothing is followed" }) };
+        let mechanism = self.mechanism.borrow();
+        match inputs {
+            Some(inputs) => follower.update_timed(mechanism, at, inputs, control)?,
+            None => follower.update(mechanism, at, control)?,
+        }
+        Ok(Followed::from(&**follower))
+    }
+
+    fn glance(
+        &mut self,
+        at: &Instant<'_>,
+        inputs: InputFunction<'_>,
+        control: &Control,
+        see: &mut dyn FnMut(Followed<'_>),
+    ) -> Result<(), PlanError> {
+        let kept = self.follower.clone();
+        let found = self.follow(at, inputs, control).map(see);
+        self.follower = kept;
+        found
     }
 
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, LengthError> {

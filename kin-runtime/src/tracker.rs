@@ -86,11 +86,15 @@ impl<'m> Tracker<'m> {
         solver: &Solver<'_, M>,
         system: Box<dyn System + 'm>,
         at: &Instant<'_>,
+        by_plan: Option<State>,
         first: impl FnOnce(&mut Equations<'_>, &Wanted) -> Result<Position, SolveError>,
     ) -> Result<Self, SolveError> {
         let wanted = solver.wanted()?;
         let mut equations = Equations::new(system, solver.options, &solver.given, None, at)?;
-        let follower = begin(&mut equations, &wanted, first)?;
+        let follower = match by_plan {
+            Some(state) => Follower::new(&mut equations, state, None)?,
+            None => begin(&mut equations, &wanted, first)?,
+        };
         Ok(Self { equations, follower, wanted })
     }
 
@@ -115,12 +119,15 @@ impl<'m> Tracker<'m> {
         let Self { equations, follower, .. } = self;
         equations.check_instant(at)?;
         follower.fallbacks.clear();
+        if follower.advance_by_plan(equations, at)? {
+            return Ok(self.follower.state());
+        }
         let from = follower.state().instant();
         let way = equations.way.get_or_insert_with(|| Way::resting(at));
         way.lead(&from, at);
         if way.kind == Kind::Smooth {
             follower.depart_in_time();
-            if follower.advance(equations, at.t).is_ok() {
+            if follower.advance(equations, at.t, false).is_ok() {
                 return Ok(self.follower.state());
             }
             // They belong to a way that was not taken.
@@ -215,7 +222,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`state`](Self::state).
     pub fn tracker(&self, at: &Instant<'_>) -> Result<Tracker<'m>, SolveError> {
-        Tracker::new(self, Box::new(Evaluator::<_, M>::new(self.mechanism)), at, assemble_in)
+        let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
+        Tracker::new(self, evaluator, at, self.state_by_plan(at), assemble_in)
     }
 
     /// [`tracker`](Self::tracker) from a complete start, n numbers.
@@ -224,7 +232,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// As [`state_from`](Self::state_from).
     pub fn tracker_from(&self, at: &Instant<'_>, start: &[f64]) -> Result<Tracker<'m>, SolveError> {
         let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
-        Tracker::new(self, evaluator, at, |equations, _| position(equations, start))
+        Tracker::new(self, evaluator, at, self.state_near(at, start), |equations, _| position(equations, start))
     }
 
     /// [`tracker`](Self::tracker) with a copy of the mechanism, so that a controller can keep it.
@@ -235,7 +243,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     where
         M: Clone + 'static,
     {
-        Tracker::new(self, Box::new(Evaluator::<M, M>::new(self.mechanism.clone())), at, assemble_in)
+        let evaluator = Box::new(Evaluator::<M, M>::new(self.mechanism.clone()));
+        Tracker::new(self, evaluator, at, self.state_by_plan(at), assemble_in)
     }
 }
 
@@ -247,7 +256,7 @@ fn begin(
 ) -> Result<Follower, SolveError> {
     let position = first(equations, wanted)?;
     let (state, factor) = analysis::state(equations, position)?;
-    Follower::new(equations, state, factor)
+    Follower::new(equations, state, Some(factor))
 }
 
 /// The last good instant.

@@ -9,7 +9,6 @@ use crate::error::SolveError;
 use crate::factorisation::Wanted;
 use crate::linear::Factorization;
 use crate::position::given_conflict;
-use crate::scale::largest_product;
 use crate::singular;
 use crate::workspace::Subset;
 use nalgebra::DVector;
@@ -78,23 +77,4 @@ pub(crate) fn inconsistency(equations: &Equations<'_>, x: &DVector<f64>, right: 
         .enumerate()
         .fold((0, 0.0), |best: (usize, f64), (k, r)| if r.abs() > best.1 { (k, r.abs()) } else { best });
     (worst > equations.options.consistency_tolerance * size).then(|| (row, worst / size))
-}
-
-/// True if Φ_q q̇ = −Φ_t and Φ_q q̈ = γ to rounding, row by row; `rest` is room for what is left of them.
-pub(crate) fn consistent(equations: &Equations<'_>, q_dot: &[f64], q_ddot: &[f64], rest: &mut Vec<[f64; 2]>) -> bool {
-    let (rows, tolerance) = (&equations.scale.rows, equations.options.consistency_tolerance);
-    let (phi_t, gamma) = (equations.phi_t.as_slice(), equations.gamma.as_slice());
-    rest.clear();
-    rest.extend(phi_t.iter().zip(gamma).map(|(phi_t, gamma)| [*phi_t, -gamma]));
-    for ((row, column), entry) in equations.entries() {
-        let rest = &mut rest[row];
-        *rest = [rest[0] + entry * q_dot[column], rest[1] + entry * q_ddot[column]];
-    }
-    let within = |which: usize, size: f64| {
-        let rest = rest.iter().zip(rows);
-        rest.fold(true, |all, (rest, row)| all & ((rest[which] * row).abs() <= tolerance * size))
-    };
-    [(phi_t, q_dot), (gamma, q_ddot)].into_iter().enumerate().all(|(which, (right, rates))| {
-        within(which, largest_product(right, rows)) || within(which, equations.scale.size(rates))
-    })
 }

@@ -41,6 +41,8 @@ pub(super) struct Build<'a> {
     pub(super) iterations: u32,
     /// (row, place of the margin, place that says whether it has converged) of every iteration.
     pub(super) pending: Vec<(usize, usize, u32)>,
+    /// (first row, step, place of the margin) of every iteration.
+    pub(super) iterated: Vec<(usize, usize, usize)>,
     /// What was divided by.
     pub(super) divisors: Vec<Divisor>,
     /// The closures' indicators at a given q.
@@ -65,6 +67,7 @@ impl<'a> Build<'a> {
             listed,
             iterations: 0,
             pending,
+            iterated: Vec::new(),
             divisors: Vec::new(),
             closures,
             margins,
@@ -248,7 +251,8 @@ impl<'a> Build<'a> {
                 let right: Vec<ExprId> = constant.iter().map(|&e| self.known_value(e)).collect();
                 let right = right.into_iter().map(|e| self.graph.neg(e)).collect();
                 let lengths = super::lengths(&self.system.set.coordinates, &core.coordinates);
-                let (solutions, margin) = dense::solve(&mut self.graph, &matrix, &[right], &lengths);
+                let dense::Solved { solutions, margin, .. } =
+                    dense::solve(&mut self.graph, &matrix, &[right], &lengths);
                 match (matrix.as_slice(), margin) {
                     ([row], _) => {
                         let rows = self.listed.steps[step].rows.iter().copied().collect();
@@ -321,7 +325,7 @@ impl<'a> Build<'a> {
             matrix.push(row.into_iter().map(|e| self.known_value(e)).collect::<Vec<_>>());
         }
         let lengths = super::lengths(&self.system.set.coordinates, &core.coordinates);
-        let (corrections, _) = dense::solve(&mut self.graph, &matrix, &[right], &lengths);
+        let corrections = dense::solve(&mut self.graph, &matrix, &[right], &lengths).solutions;
         let (unknowns, converged) = (core.coordinates.clone(), self.iterations);
         let corrections = corrections.into_iter().flatten().collect();
         self.stages.push(Stage::Newton { unknowns, corrections, converged });
@@ -329,17 +333,21 @@ impl<'a> Build<'a> {
         self.iterations += 1;
         let place = self.listed.margin(step);
         self.pending.push((core.rows[0], place, converged));
+        self.iterated.push((core.rows[0], step, place));
     }
 
-    /// x with Φ_q x = b at a given q, entries of b as symbols; and what is 0 where a divisor is.
-    pub(super) fn resolve(&mut self, tree: &Block) -> (Vec<(Slot, ExprId)>, Vec<ExprId>) {
+    /// x with Φ_q x = b at a given q, entries of b as symbols; what is 0 where a divisor is; and for every iteration, in
+    /// their order, the determinant of its own system there, as [`dense::Solved::orientation`] has it.
+    pub(super) fn resolve(&mut self, tree: &Block) -> (Vec<(Slot, ExprId)>, Vec<ExprId>, Vec<ExprId>) {
         let right = (0..self.system.equations.len()).map(|row| self.graph.symbol(Symbol::Right(row as u32))).collect();
         let entries = self.system.equations.iter().map(|equation| equation.phi_q.iter().copied().collect()).collect();
         let mut rates = Rates::new(&mut self.graph, entries, right, &self.system.set.coordinates, FastMap::default());
         rates.block(tree);
         let zero = rates.graph.zero();
         let solution = rates.solution.iter().enumerate().map(|(k, value)| (Slot::Entry(k), value.unwrap_or(zero)));
-        (solution.collect(), rates.regular)
+        let (solution, regular, orientations) = (solution.collect(), rates.regular, rates.orientations);
+        let of_iteration = |(row, ..): &(usize, usize, usize)| orientations.get(row).copied().unwrap_or(zero);
+        (solution, regular, self.iterated.iter().map(of_iteration).collect())
     }
 
     /// The last stage: expressions in q, written one after another where the solution is known.

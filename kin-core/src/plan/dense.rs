@@ -3,6 +3,16 @@
 use crate::expr::{ExprId, Graph};
 use crate::mechanism::Function;
 
+/// What [`solve`] finds.
+pub(super) struct Solved {
+    /// x for every b.
+    pub(super) solutions: Vec<Vec<ExprId>>,
+    /// A number that is 0 where M is singular; none for a single unknown.
+    pub(super) margin: Option<ExprId>,
+    /// A number with the sign of det M, up to a sign that never changes, whose square is the margin; none for a single unknown.
+    pub(super) orientation: Option<ExprId>,
+}
+
 /// x for every b, and a margin that is 0 where M is singular: for up to three unknowns (det M)² over the product of the
 /// rows' squared norms, beyond n/Σ 1/sᵢ², the harmonic mean of the squared shares sᵢ that pivots have in their rows: it is
 /// about the square of the smallest one, however many there are. One unknown has none.
@@ -14,18 +24,23 @@ pub(super) fn solve(
     matrix: &[Vec<ExprId>],
     rights: &[Vec<ExprId>],
     lengths: &[bool],
-) -> (Vec<Vec<ExprId>>, Option<ExprId>) {
+) -> Solved {
     match matrix.len() {
-        0 => (rights.iter().map(|_| Vec::new()).collect(), None),
+        0 => alone(rights.iter().map(|_| Vec::new()).collect()),
         1 => {
             let one = graph.number(1.0);
             let inverse = graph.div(one, matrix[0][0]);
             let inverse = graph.whole(inverse);
-            (rights.iter().map(|b| vec![graph.mul(b[0], inverse)]).collect(), None)
+            alone(rights.iter().map(|b| vec![graph.mul(b[0], inverse)]).collect())
         }
         2 | 3 => cramer(graph, matrix, rights, lengths),
         _ => eliminate(graph, matrix, rights, lengths),
     }
+}
+
+/// Solutions of at most one unknown.
+fn alone(solutions: Vec<Vec<ExprId>>) -> Solved {
+    Solved { solutions, margin: None, orientation: None }
 }
 
 /// The square of what a length's entries are multiplied by: the squared entries of angles over those of lengths, in the
@@ -57,7 +72,7 @@ fn cramer(
     matrix: &[Vec<ExprId>],
     rights: &[Vec<ExprId>],
     lengths: &[bool],
-) -> (Vec<Vec<ExprId>>, Option<ExprId>) {
+) -> Solved {
     let n = matrix.len();
     let cofactors: Vec<Vec<ExprId>> = (0..n).map(|i| (0..n).map(|j| cofactor(graph, matrix, i, j)).collect()).collect();
     let det = sum(graph, (0..n).map(|j| (matrix[0][j], cofactors[0][j])));
@@ -93,7 +108,15 @@ fn cramer(
         let all = graph.powi(unit, i32::try_from(count).unwrap_or(0));
         square = graph.mul(all, square);
     }
-    (solutions, Some(graph.div(square, product)))
+    let margin = graph.div(square, product);
+    let orientation = Some(signed_root(graph, det, margin));
+    Solved { solutions, margin: Some(margin), orientation }
+}
+
+/// √margin with the sign of another expression.
+fn signed_root(graph: &mut Graph, signed: ExprId, margin: ExprId) -> ExprId {
+    let (sign, root) = (graph.sign(signed), graph.call(Function::Sqrt, margin));
+    graph.mul(sign, root)
 }
 
 /// The signed minor of M without row i and column j, for two or three rows.
@@ -123,7 +146,7 @@ fn eliminate(
     matrix: &[Vec<ExprId>],
     rights: &[Vec<ExprId>],
     lengths: &[bool],
-) -> (Vec<Vec<ExprId>>, Option<ExprId>) {
+) -> Solved {
     let unit = squared_length(graph, matrix, lengths).map(|square| graph.call(Function::Sqrt, square));
     let magnitude = |graph: &mut Graph, entry: ExprId, column: usize| {
         let magnitude = graph.call(Function::Abs, entry);
@@ -138,6 +161,8 @@ fn eliminate(
     let (mut rows, mut columns): (Vec<usize>, Vec<usize>) = ((0..n).collect(), (0..n).collect());
     let mut order = Vec::new();
     let mut losses = graph.zero();
+    // The product of the pivots' signs is that of the determinant, but for the order of rows and columns, which is fixed.
+    let mut sign = graph.number(1.0);
     while !rows.is_empty() {
         let filled = |graph: &Graph, i: usize, j: usize| !graph.is_zero(m[i][j]);
         let score = |i: usize, j: usize| {
@@ -149,7 +174,8 @@ fn eliminate(
         let best = entries.filter(|&(i, j)| filled(graph, i, j)).map(|(i, j)| score(i, j)).min();
         // A column of zeros: whoever asked knows from the margin.
         let Some((_, _, i, j)) = best else {
-            return (rights.iter().map(|_| vec![graph.zero(); n]).collect(), Some(graph.zero()));
+            let solutions = rights.iter().map(|_| vec![graph.zero(); n]).collect();
+            return Solved { solutions, margin: Some(graph.zero()), orientation: Some(graph.zero()) };
         };
         // Beside its row as it was given: what is left of a row that others are made of is small, the last pivot, too.
         let mut size = graph.zero();
@@ -158,6 +184,8 @@ fn eliminate(
             size = graph.add(size, magnitude);
         }
         let pivot = magnitude(graph, m[i][j], j);
+        let own_sign = graph.sign(m[i][j]);
+        sign = graph.mul(sign, own_sign);
         let loss = graph.div(size, pivot);
         let loss = graph.square(loss);
         losses = graph.add(losses, loss);
@@ -198,5 +226,7 @@ fn eliminate(
         })
         .collect();
     let count = graph.number(n as f64);
-    (solutions, Some(graph.div(count, losses)))
+    let margin = graph.div(count, losses);
+    let orientation = Some(signed_root(graph, sign, margin));
+    Solved { solutions, margin: Some(margin), orientation }
 }

@@ -74,6 +74,9 @@ pub struct SolutionPlan {
     pub steps: Vec<Step>,
     /// The assembly modes.
     pub modes: Vec<Mode>,
+    /// The groups that are solved by iteration: neighbouring solutions of each are told apart by the sign of the determinant
+    /// of its own small system.
+    pub orientations: Vec<Mode>,
     /// How many margins a solution has.
     pub margins: usize,
     /// Why there is no plan.
@@ -82,7 +85,7 @@ pub struct SolutionPlan {
     pub sections: Vec<(Section, Depth)>,
     /// How many values the sections hold for one another.
     pub held: u32,
-    /// What tells the modes of a configuration: one entry per mode.
+    /// What tells the modes of a configuration: one entry per mode, then one per iteration, which tells its orientation.
     pub closures: Program,
     /// For x with Φ_q x = b at a configuration: what depends on Φ_q alone, `factors` values held; then x from these and b.
     pub resolve: [Program; 2],
@@ -136,7 +139,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<Solut
     let before = written.then(|| graph.clone());
     let mut build = Build::new(system, graph, listed);
     let [velocity, acceleration] = build.all(&tree, &left_out, &agreeing);
-    let (resolve, regular) = build.resolve(&tree);
+    let (resolve, regular, orientations) = build.resolve(&tree);
     let mut more = turns(&mut build.graph, system);
     let [turns, count] = [more.len(), regular.len()];
     more.extend(regular);
@@ -146,8 +149,8 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<Solut
     let turns = regular.start - turns..regular.start;
     let beginnings = build.stages.len();
     build.last(&left[..turns.end]);
-    let Build { mut graph, stages, listed, iterations, closures, .. } = build;
-    let indicators: Vec<_> = closures.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
+    let Build { mut graph, stages, listed, iterations, closures, iterated, .. } = build;
+    let indicators: Vec<_> = closures.into_iter().chain(orientations).enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let closures = lower(&graph, &indicators);
     let (sections, held) = sections::sections(&mut graph, stages, iterations);
     let depth = |place| match place {
@@ -158,10 +161,12 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<Solut
     };
     let sections = sections.into_iter().enumerate().map(|(place, section)| (section, depth(place))).collect();
     let formulas = before.map_or_else(Vec::new, |graph| formulas::formulas(system, graph, &listed, &tree));
+    let orientations = iterated.into_iter().map(|(_, step, margin)| listed.iteration(system, step, margin)).collect();
     let Listed { steps, modes, margins, .. } = listed;
     Ok(SolutionPlan {
         steps,
         modes,
+        orientations,
         margins,
         absent: None,
         sections,

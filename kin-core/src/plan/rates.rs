@@ -28,6 +28,8 @@ pub(super) struct Rates<'g> {
     pub(super) solution: Vec<Option<ExprId>>,
     /// The margins of cores, by their first row.
     pub(super) margins: BTreeMap<usize, ExprId>,
+    /// The determinants of cores, by their first row: see [`dense::Solved::orientation`].
+    pub(super) orientations: BTreeMap<usize, ExprId>,
     /// For every division by something that moves, what is 0 where that is 0: squares over those of their terms.
     pub(super) regular: Vec<ExprId>,
     /// What stands for expressions of the tree; those that are missing stand for themselves.
@@ -49,6 +51,7 @@ impl<'g> Rates<'g> {
             solution: vec![None; coordinates.len()],
             coordinates,
             margins: BTreeMap::new(),
+            orientations: BTreeMap::new(),
             regular: Vec::new(),
             known,
         }
@@ -130,13 +133,17 @@ impl<'g> Rates<'g> {
             core.rows.iter().map(|&row| core.coordinates.iter().map(|&k| entry(row, k)).collect()).collect();
         let right: Vec<ExprId> = core.rows.iter().map(|&row| self.right[row]).collect();
         let lengths = super::lengths(self.coordinates, &core.coordinates);
-        let (solutions, margin) = dense::solve(self.graph, &matrix, &[right], &lengths);
+        let dense::Solved { solutions, margin, orientation } =
+            dense::solve(self.graph, &matrix, &[right], &lengths);
         for (&k, value) in core.coordinates.iter().zip(solutions.into_iter().flatten()) {
             self.solution[k as usize] = Some(self.graph.whole(value));
         }
         if let (Some(margin), Some(&row)) = (margin, core.rows.first()) {
             self.margins.insert(row, margin);
             self.regular.push(margin);
+        }
+        if let (Some(orientation), Some(&row)) = (orientation, core.rows.first()) {
+            self.orientations.insert(row, orientation);
         }
         if let [row] = matrix.as_slice() {
             let (square, size) = (self.graph.square(row[0]), squared_size(self.graph, row[0], DEPTH));

@@ -72,6 +72,8 @@ pub(super) struct Listed {
     taken_attached: usize,
     /// The steps of margins.
     of_margins: Vec<usize>,
+    /// The numbers of margins, once they have been numbered, in the order in which they were found.
+    places: Vec<usize>,
 }
 
 impl Listed {
@@ -203,6 +205,13 @@ impl Listed {
         self.of_margins.len() - 1
     }
 
+    /// A group that is solved by iteration, by the place that its margin had when it was found.
+    pub(super) fn iteration(&self, system: &KinematicSystem, step: usize, margin: usize) -> Mode {
+        let names = self.steps[step].joints.iter().map(|&joint| system.set.joints[joint].name.as_str());
+        let name = names.collect::<Vec<_>>().join("-");
+        Mode { name, step, margin: self.places.get(margin).copied().unwrap_or(margin) }
+    }
+
     /// Numbers margins in the order of the steps; gives the place of each as they were found.
     pub(super) fn number_margins(&mut self) -> Vec<usize> {
         self.margins = self.of_margins.len();
@@ -217,6 +226,7 @@ impl Listed {
             next += own;
         }
         self.modes.iter_mut().for_each(|mode| mode.margin = places[mode.margin]);
+        self.places.clone_from(&places);
         places
     }
 

@@ -140,6 +140,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
             const PARAMETERS: usize = #p;
             const INPUTS: usize = #u;
             type Parameters<__T: __kin::Scalar> = [__T; #p];
+            type Inputs<__T: __kin::Scalar> = [__kin::Signal<__T>; #u];
             type Coordinates<__T: __kin::Scalar> = [__T; #n];
             type Rows<__T: __kin::Scalar> = [__T; #s];
             type NonZeros<__T: __kin::Scalar> = [__T; #entries];

@@ -27,7 +27,8 @@ pub(super) fn planned(lowered: &Lowered, system: &KinematicSystem, plan: &Soluti
     let at_q = |name: &str, program: &Program, outputs: usize| {
         kernel(name, lowered, program, &[("out", quote! { [__T; #outputs] })])
     };
-    let closures = at_q("tell_modes", &plan.closures, modes);
+    let closures = modes + plan.orientations.len();
+    let tell = at_q("tell_modes", &plan.closures, closures);
     let factors = plan.factors;
     let factorise = kernel("factorise_rows", lowered, &plan.resolve[0], &[("held", quote! { __Factors<__T> })]);
     let n = system.set.coordinates.len();
@@ -39,9 +40,10 @@ pub(super) fn planned(lowered: &Lowered, system: &KinematicSystem, plan: &Soluti
         "__Factors",
         &quote! { #[inline] },
     );
-    let kernels = solve.kernels.iter().chain([&closures.item, &factorise.item, &resolve.item]);
+    let kernels = solve.kernels.iter().chain([&tell.item, &factorise.item, &resolve.item]);
     let items = quote! {
         type __Modes<__T> = [__T; #modes];
+        type __Closures<__T> = [__T; #closures];
         type __Held<__T> = [__T; #held];
         type __Rows<__T> = [__T; #rows];
         type __Factors<__T> = [__T; #factors];
@@ -55,7 +57,7 @@ pub(super) fn planned(lowered: &Lowered, system: &KinematicSystem, plan: &Soluti
         const TURNS: (usize, usize) = #turns;
         const REGULAR: (usize, usize) = #regular;
     };
-    let methods = [places, solve.method, closures_method(&closures), resolve_methods(&factorise, &resolve)];
+    let methods = [places, solve.method, closures_method(&tell), resolve_methods(&factorise, &resolve)];
     Planned { items, methods: quote! { #(#methods)* } }
 }
 
@@ -176,7 +178,7 @@ fn closures_method(kernel: &Kernel) -> TokenStream {
             closures: &mut [__T],
         ) -> __kin::Result<(), __kin::LengthError> {
             #lengths
-            let out: &mut __Modes<__T> = __kin::fixed_mut("closures", closures)?;
+            let out: &mut __Closures<__T> = __kin::fixed_mut("closures", closures)?;
             let _ = (p, u, q, &out);
             #call
             __kin::Ok(())

@@ -1,7 +1,7 @@
 //! The solution plan in the static model: its steps and its modes.
 
 use super::packed::Packed;
-use kin_core::plan::{Kind, SolutionPlan, Step};
+use kin_core::plan::{Kind, Mode, SolutionPlan, Step};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -10,9 +10,15 @@ pub(super) fn table(plan: &SolutionPlan, packed: bool) -> TokenStream {
     if let Some(why) = &plan.absent {
         return quote! { __kin::Plan::absent(#why) };
     }
-    let (steps, modes) = if packed { (packed_steps(plan), packed_modes(plan)) } else { (steps(plan), modes(plan)) };
+    let steps = if packed { packed_steps(plan) } else { steps(plan) };
+    let [modes, orientations] =
+        [&plan.modes, &plan.orientations].map(|list| if packed { packed_modes(list) } else { modes(list) });
     let margins = plan.margins;
-    quote! { __kin::Plan { steps: #steps, modes: #modes, margins: #margins, absent: __kin::None } }
+    quote! {
+        __kin::Plan {
+            steps: #steps, modes: #modes, orientations: #orientations, margins: #margins, absent: __kin::None,
+        }
+    }
 }
 
 /// A step with these joints, coordinates, modes and margins.
@@ -52,8 +58,8 @@ fn steps(plan: &SolutionPlan) -> TokenStream {
     quote! { &[#(#steps),*] }
 }
 
-fn modes(plan: &SolutionPlan) -> TokenStream {
-    let modes = plan.modes.iter().map(|mode| {
+fn modes(modes: &[Mode]) -> TokenStream {
+    let modes = modes.iter().map(|mode| {
         let (name, step, margin) = (&mode.name, mode.step, mode.margin);
         quote! { __kin::ModeInfo { name: #name, step: #step, margin: #margin } }
     });
@@ -96,9 +102,9 @@ fn packed_steps(plan: &SolutionPlan) -> TokenStream {
     packed.unpacked("steps", &quote! { , #kinds, #joints, #coordinates })
 }
 
-fn packed_modes(plan: &SolutionPlan) -> TokenStream {
-    let mut packed = Packed::<()>::new(plan.modes.len());
-    for mode in &plan.modes {
+fn packed_modes(modes: &[Mode]) -> TokenStream {
+    let mut packed = Packed::<()>::new(modes.len());
+    for mode in modes {
         packed.name(&mode.name);
         packed.word(mode.step);
         packed.word(mode.margin);

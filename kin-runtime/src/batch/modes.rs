@@ -32,8 +32,8 @@ impl<'a> Modes<'a> {
         }
     }
 
-    /// Writes the signs for a block whose columns of signs, if there are such, hold `given`; there are as many as the plan
-    /// has modes.
+    /// Writes the signs for a block whose columns of signs, if there are such, hold `given`, one for every mode; `modes` has
+    /// room for all signs of the plan.
     #[inline(always)]
     pub(super) fn of_block<M: Mechanism, V: Pack>(
         &self,
@@ -44,7 +44,7 @@ impl<'a> Modes<'a> {
         given: &[V],
         modes: &mut [V],
     ) {
-        // Not a number for 0, so that whatever depends on it is none either.
+        // NaN for 0, so that whatever depends on it is NaN, too.
         match self {
             Self::Signs(_) => modes.iter_mut().zip(given).for_each(|(mode, given)| *mode = given.direction()),
             Self::OfStart => {

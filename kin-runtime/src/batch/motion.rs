@@ -1,117 +1,295 @@
 //! Sets of parameters on their way from instant to instant.
+//!
+//! Eight sets go through the follower's usual step together: predict, solve, and judge by what was expected. A set for
+//! which that step does not count takes it alone, by the follower itself, so that every set goes where it would go alone.
 
 use super::poses::{Limits, Poses, Question, copy_lane};
 use super::sweep::{End, Outcome};
 use crate::lanes::{Lanes, Octet, Pack};
 use crate::mechanism::Mechanism;
-use crate::plan::Depth;
-use crate::planned::predict::is_wild;
-use crate::planned::{Limit, Step};
+use crate::plan::{Depth, Plan};
+use crate::planned::branch::{Branch, certainty, certainty_of};
+use crate::planned::follower::{Control, Follower, NEGLIGIBLE};
+use crate::planned::predict::{parabola, turned, weights};
+use crate::planned::{Limit, PlanError, Step};
 use crate::scalar::Scalar;
-use crate::signal::Instant;
+use crate::scalar::compare::Compare;
+use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
 /// Eight sets on their way.
 pub(super) struct Motion<M: Mechanism> {
     pub(super) parameters: M::Parameters<Octet>,
-    pub(super) modes: M::Coordinates<Octet>,
+    pub(super) branch: Branch<M::Coordinates<Octet>>,
     pub(super) predicted: M::Coordinates<Octet>,
+    distances: M::Coordinates<Octet>,
     margins: M::Rows<Octet>,
-    pub(super) poses: Poses<M::Coordinates<Octet>, Octet>,
+    /// The last instant, and the one that is being tried.
+    poses: [Poses<M::Coordinates<Octet>, Octet>; 2],
+    good: usize,
+    /// The margins of the last instant, and its inputs, which all sets share.
+    margins_before: M::Rows<Octet>,
+    inputs: M::Inputs<f64>,
+    t: f64,
+    /// Radians that a unit of each coordinate counts for.
+    weights: M::Coordinates<f64>,
+    /// Whether rates of distances from limits are known.
+    has_slopes: bool,
 }
+
+/// Why a set has no answer: the margin to report, and the step of the plan where one is to blame.
+type Refusals = [Option<(f64, Option<Limit>)>; Octet::COUNT];
 
 impl<M: Mechanism> Motion<M> {
     /// Room for them.
     pub(super) fn nothing() -> Self {
         let nothing = |_| Octet::default();
+        let zeros = M::Coordinates::<Octet>::generate(nothing);
         Self {
             parameters: Array::generate(nothing),
-            modes: Array::generate(nothing),
-            predicted: Array::generate(nothing),
+            branch: Branch { signs: zeros, distances: zeros, slopes: zeros },
+            predicted: zeros,
+            distances: zeros,
             margins: Array::generate(nothing),
-            poses: Poses::nothing(),
+            poses: [Poses::nothing(); 2],
+            good: 0,
+            margins_before: Array::generate(nothing),
+            inputs: Array::filled(Signal::constant(0.0)),
+            t: 0.0,
+            weights: Array::filled(0.0),
+            has_slopes: false,
         }
     }
 
-    /// q + h q̇ + ½ h² q̈; in lanes where the bend of a coordinate means nothing, beside a limit, q itself, as
-    /// [`Planned`](crate::Planned) does.
-    #[inline(always)]
-    pub(super) fn predict(&mut self, h: f64) {
-        let Poses { q, q_dot, q_ddot, .. } = &self.poses;
-        let (step, half) = (Octet::from_f64(h), Octet::from_f64(0.5 * h));
-        // A quick look, as there.
-        let mut tame = true;
-        let rates = q_dot.as_ref().iter().zip(q_ddot.as_ref());
-        for ((to, q), (v, a)) in self.predicted.as_mut().iter_mut().zip(q.as_ref()).zip(rates) {
-            let bend = half * *a;
-            tame &= (step * bend).is_within(1.0);
-            *to = *q + step * (*v + bend);
-        }
-        if !tame {
-            self.tame(h);
+    /// The state of the last instant.
+    pub(super) fn poses(&self) -> &Poses<M::Coordinates<Octet>, Octet> {
+        &self.poses[self.good]
+    }
+
+    /// The first instant, from a start that stands in `predicted`.
+    pub(super) fn begin(&mut self, mechanism: &M, at: &Instant<'_, Octet>) -> Option<Refusals> {
+        let limits = self.solve(mechanism, at);
+        let plan = &M::model().plan;
+        let zero = Octet::default();
+        certainty(plan, self.margins.as_ref(), &self.branch, zero, self.distances.as_mut());
+        self.orient(mechanism, at);
+        let q = self.poses[1 - self.good].q;
+        let first: M::Coordinates<f64> = Array::generate(|k| q.as_ref()[k].lane(0));
+        weights(M::model(), first.as_ref(), self.weights.as_mut());
+        self.has_slopes = false;
+        self.keep(at, f64::NAN);
+        let poses = self.poses();
+        let limits = limits?;
+        let refused = |lane: usize| (!poses.is_good(lane)).then(|| (poses.margin.lane(lane), limit_of::<M>(limits[lane])));
+        Some(Octet::each(refused))
+    }
+
+    /// What tells the branches of all groups apart, at the state that is being tried.
+    fn found(&self, mechanism: &M, at: &Instant<'_, Octet>) -> M::Coordinates<Octet> {
+        let mut found = M::Coordinates::<Octet>::generate(|_| Octet::default());
+        let q = self.poses[1 - self.good].q;
+        let count = M::model().plan.signs();
+        let lengths =
+            mechanism.closures_with(self.parameters.as_ref(), at, q.as_ref(), &mut found.as_mut()[..count]);
+        debug_assert!(lengths.is_ok(), "the columns have been counted");
+        found
+    }
+
+    /// The signs of iterated groups, as they were found.
+    fn orient(&mut self, mechanism: &M, at: &Instant<'_, Octet>) {
+        let plan = &M::model().plan;
+        if !plan.orientations.is_empty() {
+            let found = self.found(mechanism, at);
+            let signs = self.branch.signs.as_mut().iter_mut().zip(found.as_ref());
+            signs.take(plan.signs()).skip(plan.modes.len()).for_each(|(sign, found)| *sign = found.direction());
         }
     }
 
+    /// Negative in lanes in which an iterated group has another orientation than before.
     #[cold]
     #[inline(never)]
-    fn tame(&mut self, h: f64) {
-        let Poses { q, q_dot, q_ddot, .. } = &self.poses;
-        for lane in 0..Octet::COUNT {
-            let of = |numbers: &[Octet]| -> M::Coordinates<f64> { Array::generate(|k| numbers[k].lane(lane)) };
-            let (v, a) = (of(q_dot.as_ref()), of(q_ddot.as_ref()));
-            if is_wild(M::model(), h, [v.as_ref(), a.as_ref()]) {
-                copy_lane(self.predicted.as_mut(), q.as_ref(), lane, lane);
-            }
+    fn kept_orientation(&self, mechanism: &M, at: &Instant<'_, Octet>) -> Octet {
+        let plan = &M::model().plan;
+        let found = self.found(mechanism, at);
+        let signs = self.branch.signs.as_ref().iter().zip(found.as_ref()).take(plan.signs()).skip(plan.modes.len());
+        signs.fold(Octet::from_f64(1.0), |least, (sign, found)| least.least(*sign * *found))
+    }
+
+    /// The next instant; refusals where a set has no answer.
+    #[inline(always)]
+    pub(super) fn advance(&mut self, mechanism: &M, at: &Instant<'_, Octet>, t: f64) -> Option<Refusals> {
+        let h = t - self.t;
+        let Poses { q, q_dot, q_ddot, .. } = &self.poses[self.good];
+        let rates = [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()];
+        let turn = parabola(self.predicted.as_mut(), rates, self.weights.as_ref(), h);
+        let limits = self.solve(mechanism, at);
+        let plan = &M::model().plan;
+        let certain = if self.has_slopes {
+            let step = Octet::from_f64(h);
+            certainty(plan, self.margins.as_ref(), &self.branch, step, self.distances.as_mut())
+        } else {
+            self.certainty_of_prediction(mechanism, at)
+        };
+        let tried = &self.poses[1 - self.good];
+        let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
+        let control = Control::USUAL;
+        let allowed = Octet::from_f64(control.correction) * turn + Octet::from_f64(NEGLIGIBLE);
+        // All that must not be negative, as one number.
+        let rotation = Octet::from_f64(control.rotation) - turn;
+        let mut least = certain.least(rotation).least(allowed - away);
+        if !plan.orientations.is_empty() {
+            least = least.least(self.kept_orientation(mechanism, at));
         }
+        let tried = &self.poses[1 - self.good];
+        let half = Octet::from_f64(0.5);
+        // No group is so near to its limit that rates may mean nothing, and nothing is NaN.
+        let far = (tried.margin - Octet::from_f64(1.0)).is_within(1.0 - 1e-6);
+        if limits.is_none() & far & (least - half).is_within(0.5) {
+            self.keep(at, h);
+            return None;
+        }
+        let refusals = self.alone(mechanism, at, least);
+        self.keep(at, h);
+        refusals
+    }
+
+    /// How certain it is that all groups have stayed on their branches, by what tells them apart at the prediction.
+    #[cold]
+    #[inline(never)]
+    fn certainty_of_prediction(&mut self, mechanism: &M, at: &Instant<'_, Octet>) -> Octet {
+        let plan = &M::model().plan;
+        let zero = Octet::default();
+        certainty(plan, self.margins.as_ref(), &self.branch, zero, self.distances.as_mut());
+        let mut foretold = M::Coordinates::<Octet>::generate(|_| Octet::default());
+        let foretold = &mut foretold.as_mut()[..plan.signs()];
+        let start = self.predicted.as_ref();
+        let lengths = mechanism.closures_with(self.parameters.as_ref(), at, start, foretold);
+        debug_assert!(lengths.is_ok(), "the columns have been counted");
+        let groups = foretold.iter().zip(self.branch.signs.as_ref()).zip(self.distances.as_ref());
+        groups.fold(Octet::from_f64(1.0), |least, ((w, sign), now)| least.least(certainty_of(*now, *sign * *w)))
     }
 
     #[inline(never)]
-    pub(super) fn solve(&mut self, mechanism: &M, at: &Instant<'_, Octet>) -> Option<Limits<Octet>> {
-        let modes = &self.modes.as_ref()[..M::model().plan.modes.len()];
+    fn solve(&mut self, mechanism: &M, at: &Instant<'_, Octet>) -> Option<Limits<Octet>> {
+        let modes = &self.branch.signs.as_ref()[..M::model().plan.modes.len()];
         let (parameters, start) = (self.parameters.as_ref(), self.predicted.as_ref());
         let question = Question { parameters, at, modes, start, depth: Depth::Acceleration };
-        self.poses.solve(mechanism, &question, &mut self.margins)
+        self.poses[1 - self.good].solve(mechanism, &question, &mut self.margins)
     }
 
-    /// Goes on in the lanes that have passed limits that only the kept rows have.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn pass(&mut self, mechanism: &M, at: &Instant<'_, Octet>, limits: &mut Limits<Octet>) {
-        let (mut modes, count) = (self.modes, M::model().plan.modes.len());
-        let (parameters, start) = (self.parameters.as_ref(), self.predicted.as_ref());
-        let kept = &self.modes.as_ref()[..count];
-        let question = Question { parameters, at, modes: kept, start, depth: Depth::Acceleration };
-        self.poses.pass(mechanism, &question, &mut modes.as_mut()[..count], limits);
-        self.modes = modes;
+    /// What was tried is the last instant now, a step h after the one before.
+    #[inline(always)]
+    fn keep(&mut self, at: &Instant<'_, Octet>, h: f64) {
+        let count = M::model().plan.signs();
+        if h != 0.0 {
+            let inverse = Octet::from_f64(1.0 / h);
+            let slopes = self.branch.slopes.as_mut().iter_mut().zip(self.branch.distances.as_ref());
+            for ((slope, before), now) in slopes.zip(self.distances.as_ref()).take(count) {
+                *slope = (*now - *before) * inverse;
+            }
+        }
+        self.has_slopes = h.is_finite() && h != 0.0;
+        self.branch.distances = self.distances;
+        self.margins_before = self.margins;
+        self.good = 1 - self.good;
+        self.t = at.t.lane(0);
+        self.inputs.as_mut().iter_mut().zip(at.inputs).for_each(|(to, from)| *to = from.map(|x| x.lane(0)));
     }
 
-    /// Ends the lanes that are not good, and lets them repeat one that is; false where there is none.
+    /// The sets whose step does not count, one by one.
     #[cold]
     #[inline(never)]
-    pub(super) fn mask<S>(&mut self, instant: usize, limits: &Limits<Octet>, out: &mut [Outcome<S>]) -> bool {
-        let margins = self.poses.margin;
-        // Groups of lanes behind the last set have no place of their own, and are nobody's example.
+    fn alone(&mut self, mechanism: &M, at: &Instant<'_, Octet>, least: Octet) -> Option<Refusals> {
+        let mut refusals: Refusals = [None; Octet::COUNT];
+        for (lane, refusal) in refusals.iter_mut().enumerate() {
+            let margin = self.poses[1 - self.good].margin.lane(lane);
+            let counts = self.poses[1 - self.good].is_good(lane) && margin >= 1e-6 && least.lane(lane) >= 0.0;
+            if counts {
+                continue;
+            }
+            if let Err(error) = self.one(mechanism, at, lane) {
+                let limit = error.limit().copied();
+                // Where the instant itself has an answer, a limit stands before it.
+                let margin = limit.map_or(margin, |limit| limit.margin);
+                let margin = if margin > Plan::SMALLEST_MARGIN && limit.is_some() { 0.0 } else { margin };
+                *refusal = Some((if margin.is_finite() { margin } else { 0.0 }, limit));
+                self.poses[1 - self.good].refuse(lane);
+            }
+        }
+        refusals.iter().any(Option::is_some).then_some(refusals)
+    }
+
+    /// One set by the follower.
+    fn one(&mut self, mechanism: &M, at: &Instant<'_, Octet>, lane: usize) -> Result<(), PlanError> {
+        let pick = |list: &[Octet]| -> M::Coordinates<f64> { Array::generate(|k| list[k].lane(lane)) };
+        let before = &self.poses[self.good];
+        let parameters = Array::generate(|k| self.parameters.as_ref()[k].lane(lane));
+        let margins = Array::generate(|k| self.margins_before.as_ref()[k].lane(lane));
+        let state = [pick(before.q.as_ref()), pick(before.q_dot.as_ref()), pick(before.q_ddot.as_ref())];
+        let from = Instant { t: self.t, inputs: self.inputs.as_ref() };
+        let signs = pick(self.branch.signs.as_ref());
+        let mut follower = Follower::<M>::resume(parameters, signs, &from, state, margins);
+        let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
+        inputs.as_mut().iter_mut().zip(at.inputs).for_each(|(to, from)| *to = from.map(|x| x.lane(lane)));
+        let at = Instant { t: at.t.lane(lane), inputs: inputs.as_ref() };
+        follower.update(mechanism, &at, &Control::USUAL)?;
+        let set = |to: &mut [Octet], from: &[f64]| to.iter_mut().zip(from).for_each(|(to, x)| to.set(lane, *x));
+        let (found, margins) = (follower.state(), M::model().plan.margins);
+        let tried = &mut self.poses[1 - self.good];
+        set(tried.q.as_mut(), found.q.as_ref());
+        set(tried.q_dot.as_mut(), found.q_dot.as_ref());
+        set(tried.q_ddot.as_mut(), found.q_ddot.as_ref());
+        let least = found.margins.as_ref()[..margins].iter().fold(1.0, |least: f64, margin| least.min(*margin));
+        tried.accept(lane, least);
+        set(&mut self.margins.as_mut()[..margins], &found.margins.as_ref()[..margins]);
+        set(self.branch.signs.as_mut(), follower.signs());
+        set(self.distances.as_mut(), follower.distances());
+        Ok(())
+    }
+
+    /// Ends the sets that have no answer, and lets their lanes repeat one that has; false where there is none.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn mask<S>(&mut self, instant: usize, refusals: &Refusals, out: &mut [Outcome<S>]) -> bool {
+        // Lanes behind the last set have no outcome of their own: nothing is ever copied from them.
         let mut ended = [true; Octet::COUNT];
         let ends = out.iter_mut().flat_map(|(_, ends)| ends);
         for (lane, (end, ended)) in ends.zip(&mut ended).enumerate() {
-            if !self.poses.is_good(lane) {
-                let limit = |(place, margin)| Step::of_margin(M::model(), place).map(|step| Limit { step, margin });
-                let limit = limits[lane].and_then(limit);
-                end.get_or_insert(End { instant, margin: margins.lane(lane), limit });
+            if let Some((margin, limit)) = refusals[lane] {
+                end.get_or_insert(End { instant, margin, limit });
             }
             *ended = end.is_some();
         }
         let Some(first) = ended.iter().position(|ended| !ended) else { return false };
-        let (parameters, modes, poses) = (self.parameters, self.modes, self.poses);
         for lane in (0..Octet::COUNT).filter(|lane| ended[*lane]) {
             // One of its own group, where there is one: nobody sees the others.
             let group = lane - lane % Lanes::COUNT;
             let other = (group..group + Lanes::COUNT).find(|other| !ended[*other]).unwrap_or(first);
-            copy_lane(self.parameters.as_mut(), parameters.as_ref(), other, lane);
-            copy_lane(self.modes.as_mut(), modes.as_ref(), other, lane);
-            self.poses.copy_lane(&poses, other, lane);
-            self.poses.margin.set(lane, margins.lane(other));
+            self.repeat(other, lane);
         }
         true
     }
+
+    /// Lane `from` into lane `to`.
+    fn repeat(&mut self, from: usize, to: usize) {
+        fn own(numbers: &mut (impl AsRef<[Octet]> + AsMut<[Octet]> + Copy), from: usize, to: usize) {
+            let others = *numbers;
+            copy_lane(numbers.as_mut(), others.as_ref(), from, to);
+        }
+        own(&mut self.parameters, from, to);
+        own(&mut self.branch.signs, from, to);
+        own(&mut self.branch.distances, from, to);
+        own(&mut self.branch.slopes, from, to);
+        own(&mut self.margins_before, from, to);
+        let poses = &mut self.poses[self.good];
+        let others = *poses;
+        poses.copy_lane(&others, from, to);
+        poses.accept(to, others.margin.lane(from));
+    }
+}
+
+/// The step of the plan that a margin belongs to.
+fn limit_of<M: Mechanism>(found: Option<(usize, f64)>) -> Option<Limit> {
+    let (place, margin) = found?;
+    Step::of_margin(M::model(), place).map(|step| Limit { step, margin, at: None, kind: None })
 }

@@ -3,7 +3,6 @@
 use crate::lanes::Pack;
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan, Solved, StepKind};
-use crate::planned::passed::{self, Passed};
 use crate::signal::Instant;
 use crate::workspace::Array;
 
@@ -142,65 +141,20 @@ impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> Poses<Q, V> {
         limit
     }
 
-    /// Lane by lane what [`Planned`](crate::Planned) does where redundant rows contradict: the signs that closures have
-    /// behind limits that only the kept rows have, in `modes`, which the question has, too.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn pass<M: Mechanism>(
-        &mut self,
-        mechanism: &M,
-        question: &Question<'_, V>,
-        modes: &mut [V],
-        limits: &mut Limits<V>,
-    ) {
-        let plan = &M::model().plan;
-        if plan.watched().next().is_none() {
-            return;
-        }
-        let mut margins = M::Rows::<V>::filled(V::default());
-        let margins = &mut margins.as_mut()[..plan.margins];
-        let mut closures = M::Coordinates::<V>::filled(V::default());
-        let closures = &mut closures.as_mut()[..modes.len()];
-        let lengths = mechanism.closures_with(question.parameters, question.at, question.start, closures);
-        debug_assert!(lengths.is_ok(), "the columns have been counted");
-        for (lane, limit) in limits.as_mut().iter_mut().enumerate().filter(|(_, limit)| limit.is_some()) {
-            // Once more, for all its margins.
-            self.alone(mechanism, question, margins, lane);
-            if !passed::is_missed(plan, |place| margins[place].lane(lane)) {
-                continue;
-            }
-            let of = |numbers: &[V]| {
-                let mut own = M::Coordinates::<f64>::filled(0.0);
-                own.as_mut().iter_mut().zip(numbers).for_each(|(own, x)| *own = x.lane(lane));
-                own
-            };
-            let (kept, closures, mut signs) = (of(question.modes), of(closures), of(question.modes));
-            let (count, margin) = (modes.len(), self.margin);
-            let passed = Passed::new(&kept.as_ref()[..count], &closures.as_ref()[..count], &[]);
-            for attempt in passed.attempts() {
-                passed.signs(attempt, &mut signs.as_mut()[..count]);
-                let spread = |place: usize| signs.as_ref().get(place).map_or(V::default(), |sign| V::from_f64(*sign));
-                let own = M::Coordinates::<V>::generate(spread);
-                self.alone(mechanism, &Question { modes: &own.as_ref()[..count], ..*question }, margins, lane);
-                if self.is_good(lane) {
-                    modes.iter_mut().zip(signs.as_ref()).for_each(|(mode, sign)| mode.set(lane, *sign));
-                    *limit = None;
-                    break;
-                }
-                self.margin = margin;
-            }
-        }
-    }
-
     /// Whether a lane is good.
     pub(super) fn is_good(&self, lane: usize) -> bool {
         self.good.as_ref()[lane]
     }
 
-    /// Whether all lanes are.
-    #[inline(always)]
-    pub(super) fn all_good(&self) -> bool {
-        self.good.as_ref().iter().all(|good| *good)
+    /// A lane is good, with this least margin.
+    pub(super) fn accept(&mut self, lane: usize, margin: f64) {
+        self.good.as_mut()[lane] = true;
+        self.margin.set(lane, margin);
+    }
+
+    /// A lane is not good.
+    pub(super) fn refuse(&mut self, lane: usize) {
+        self.good.as_mut()[lane] = false;
     }
 
     /// What is in lane `from` of `other` into lane `to`.

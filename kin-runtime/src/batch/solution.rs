@@ -120,8 +120,10 @@ impl<M: Mechanism> Solve<'_, M> {
     fn block(&self, first: usize, scratch: &mut Scratch<'_, M>, out: &mut [Octet]) {
         let Scratch { arguments, modes, margins } = scratch;
         let block = arguments.block(first);
-        let modes = &mut modes.as_mut()[..M::model().plan.modes.len()];
-        self.modes.of_block(self.mechanism, block.parameters, &block.at, block.q, block.q_dot, modes);
+        let plan = &M::model().plan;
+        let signs = &mut modes.as_mut()[..plan.signs()];
+        self.modes.of_block(self.mechanism, block.parameters, &block.at, block.q, block.q_dot, signs);
+        let modes = &signs[..plan.modes.len()];
         let (parameters, at, start, depth) = (block.parameters, &block.at, block.q, self.depth);
         let (q, rest) = out.split_at_mut(M::COORDINATES);
         let (q_dot, rest) = rest.split_at_mut(M::COORDINATES);

@@ -182,33 +182,29 @@ where
         let block = arguments.block(first);
         motion.parameters.as_mut().copy_from_slice(block.parameters);
         motion.predicted.as_mut().copy_from_slice(block.q);
-        let mut before = 0.0;
         for (instant, &t) in self.sweeps.times.iter().enumerate() {
             for (input, column) in inputs.iter_mut().zip(self.sweeps.inputs) {
                 *input = column.map(|numbers| Octet::from_f64(numbers.at(instant)));
             }
             let at = Instant { t: Octet::from_f64(t), inputs };
-            if instant == 0 {
-                let modes = &mut motion.modes.as_mut()[..M::model().plan.modes.len()];
-                self.sweeps.modes.of_block(self.mechanism, block.parameters, &at, block.q, block.q_dot, modes);
+            let refusals = if instant == 0 {
+                let signs = &mut motion.branch.signs.as_mut()[..M::model().plan.signs()];
+                self.sweeps.modes.of_block(self.mechanism, block.parameters, &at, block.q, block.q_dot, signs);
+                motion.begin(self.mechanism, &at)
             } else {
-                motion.predict(t - before);
-            }
-            before = t;
-            if let Some(mut limits) = motion.solve(self.mechanism, &at) {
-                if instant > 0 && !motion.poses.all_good() {
-                    motion.pass(self.mechanism, &at, &mut limits);
-                }
-                if !motion.poses.all_good() && !motion.mask(instant, &limits, out) {
-                    return;
-                }
+                motion.advance(self.mechanism, &at, t)
+            };
+            if let Some(refusals) = refusals
+                && !motion.mask(instant, &refusals, out)
+            {
+                return;
             }
             for (group, (score, ends)) in out.iter_mut().enumerate() {
                 if ends.iter().all(Option::is_some) {
                     continue;
                 }
-                let Motion { parameters, poses, .. } = &**motion;
-                show(shown.parameters.as_mut(), parameters.as_ref(), group);
+                let poses = motion.poses();
+                show(shown.parameters.as_mut(), motion.parameters.as_ref(), group);
                 show(shown.q.as_mut(), poses.q.as_ref(), group);
                 show(shown.q_dot.as_mut(), poses.q_dot.as_ref(), group);
                 show(shown.q_ddot.as_mut(), poses.q_ddot.as_ref(), group);

@@ -6,7 +6,7 @@ use crate::model::{
     Model, Observable, OperationCount, OriginKind, ParameterInfo, Pattern, PointInfo, RowInfo,
 };
 use crate::scalar::Scalar;
-use crate::workspace::{Instant, Subset};
+use crate::workspace::{Instant, Signal, Subset};
 
 /// What the second row is.
 pub(super) const DRIVEN: u8 = 0;
@@ -115,6 +115,7 @@ impl<const KIND: u8> Mechanism for CrossHead<KIND> {
     const INPUTS: usize = if KIND == WITH_INPUT { 1 } else { 0 };
 
     type Parameters<T: Scalar> = [T; 3];
+    type Inputs<T: Scalar> = [Signal<T>; 1];
     type Coordinates<T: Scalar> = [T; 2];
     type Rows<T: Scalar> = [T; 2];
     type NonZeros<T: Scalar> = [T; 4];

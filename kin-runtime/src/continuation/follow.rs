@@ -1,23 +1,26 @@
 //! Step control: from one instant to another on the same branch.
 
 use super::branch::Orientation;
+use super::groups;
 use super::integrate::integrate;
+use super::planned::ByPlan;
 use super::refusal::refusal;
-use super::step::{Fault, Node, Scratch, Start, step};
+use super::step::{Basis, Fault, Node, Scratch, Start, step};
 use crate::acceleration::acceleration;
-use crate::by_plan;
 use crate::equations::Equations;
 use crate::error::{Refusal, SolveError};
 use crate::events::Watch;
+use crate::factorisation::Wanted;
 use crate::linear::Factorization;
 use crate::motion::poses;
+use crate::scale::Scale;
 use crate::state::State;
 use crate::trajectory::Fallback;
 use crate::velocity;
 use crate::workspace::{Instant, Subset};
 
-/// One step to a place, which writes the node there and gives by how much the next step may be longer. The flag says that
-/// the place was asked for.
+/// One step by full Newton to a place, which writes the node there and gives by how much the next step may be longer. The
+/// flag says that the place was asked for.
 type Step = fn(&mut Equations<'_>, &mut Scratch, Start<'_>, &mut Node, f64, bool) -> Result<f64, Fault>;
 
 /// A branch and the instant reached on it. All nodes and buffers are used again for the next one.
@@ -31,7 +34,9 @@ pub(crate) struct Follower {
     /// The last internal step towards the next instant, and the one being tried.
     here: Node,
     next: Node,
-    /// How the next node is found: continuation of Φ, or integration of the velocities.
+    /// The plan, where it is used.
+    plan: Option<ByPlan>,
+    /// How full Newton finds the next node: continuation of Φ, or integration of the velocities.
     step: Step,
     /// Length of the next internal step.
     proposed: f64,
@@ -43,34 +48,29 @@ pub(crate) struct Follower {
 }
 
 impl Follower {
-    /// Starts at a state of the current instant, where Φ_q was evaluated last and has the factorisation `factor`.
-    pub(crate) fn new(equations: &Equations<'_>, state: State, factor: Factorization) -> Result<Self, SolveError> {
-        let (t, rank) = (state.t, factor.rank);
-        let singular = || SolveError::Singular {
-            t,
-            rank: rank.saturating_sub(1),
-            expected_rank: rank,
-            rows: Vec::new(),
-            condition: f64::INFINITY,
-            limit: None,
-        };
-        let orientation = Orientation::here(equations, &factor).ok_or_else(singular)?;
-        let scratch = Scratch::new(equations);
-        let mut modes = Vec::new();
-        if scratch.answer.is_some() {
-            by_plan::modes(equations, &state.q, &mut modes);
+    /// Starts at a state of the current instant, where Φ_q was evaluated last and has the factorisation `factor`; without
+    /// one the state is one of the plan.
+    pub(crate) fn new(
+        equations: &mut Equations<'_>,
+        state: State,
+        factor: Option<Factorization>,
+    ) -> Result<Self, SolveError> {
+        let plan = ByPlan::new(equations);
+        let mut node = Node { s: state.t, state, basis: None, fallback: None };
+        if let Some(factor) = factor {
+            node.basis = Some(basis_with(equations, &node.state, factor)?);
         }
-        let node = Node { s: t, state, orientation, factor, modes, fallback: None };
-        let step = if equations.rows_where(|e, row| !e.holonomic(row)).is_empty() { step } else { integrate };
+        let integrates = !equations.rows_where(|e, row| !e.holonomic(row)).is_empty();
         Ok(Self {
-            s: t,
+            s: node.s,
             q_dot: node.state.q_dot.clone(),
             q_ddot: node.state.q_ddot.clone(),
             here: node.clone(),
             next: node.clone(),
-            step,
+            plan,
+            step: if integrates { integrate } else { step },
             proposed: f64::INFINITY,
-            scratch,
+            scratch: Scratch::new(equations),
             watch: None,
             fallbacks: Vec::new(),
             node,
@@ -101,17 +101,50 @@ impl Follower {
     pub(crate) fn depart(&mut self, equations: &mut Equations<'_>, s: f64) -> Result<(), SolveError> {
         self.s = s;
         self.proposed = f64::INFINITY;
+        let Self { node, q_dot, q_ddot, .. } = self;
+        equations.by_time(|equations| found_on(equations, node))?;
         equations.move_to(s)?;
-        let Node { state, factor, .. } = &self.node;
-        equations.evaluate(Subset::VELOCITY, &state.q, None)?;
-        rates(equations, &state.q, factor, &mut self.q_dot, &mut self.q_ddot)
+        equations.evaluate(Subset::VELOCITY, &node.state.q, None)?;
+        let Some(basis) = &node.basis else { return Ok(()) };
+        rates(equations, &node.state.q, &basis.factor, q_dot, q_ddot)
+    }
+
+    /// Goes to an instant by the plan alone, whatever its inputs are; false where the plan has no answer.
+    pub(crate) fn advance_by_plan(
+        &mut self,
+        equations: &mut Equations<'_>,
+        at: &Instant<'_>,
+    ) -> Result<bool, SolveError> {
+        let Self { node, here, plan, .. } = self;
+        let Some(plan) = plan else { return Ok(false) };
+        equations.by_time(|equations| {
+            if !plan.stand(equations, &node.state) {
+                return Ok(false);
+            }
+            equations.set_instant(at)?;
+            here.basis = None;
+            here.fallback = None;
+            if plan.solve(equations, &mut here.state)? {
+                here.s = at.t;
+                core::mem::swap(node, here);
+                return Ok(true);
+            }
+            Ok(false)
+        })
     }
 
     /// Goes to the place `target` of the course, in internal steps, or past the first event when the sweep is to end
-    /// there. After an error the instant reached stays what it was.
-    pub(crate) fn advance(&mut self, equations: &mut Equations<'_>, target: f64) -> Result<(), SolveError> {
-        if self.follow(equations, target)? {
-            poses(equations, &mut self.here.state)?;
+    /// there; where the plan is not to be asked, by full Newton. After an error the instant reached stays what it was.
+    pub(crate) fn advance(
+        &mut self,
+        equations: &mut Equations<'_>,
+        target: f64,
+        by_plan: bool,
+    ) -> Result<(), SolveError> {
+        if self.follow(equations, target, by_plan)? {
+            if self.here.basis.is_some() {
+                poses(equations, &mut self.here.state)?;
+            }
             core::mem::swap(&mut self.node, &mut self.here);
             self.s = self.node.s;
             self.q_dot.clone_from(&self.node.state.q_dot);
@@ -122,19 +155,21 @@ impl Follower {
         Ok(())
     }
 
-    /// As [`advance`](Self::advance) to the end of a course along which rates are others than in time; those of the
-    /// instant `at` there are written.
+    /// As [`advance`](Self::advance) by full Newton to the end of a course along which rates are others than in time; those
+    /// of the instant `at` there are written.
     pub(crate) fn arrive(
         &mut self,
         equations: &mut Equations<'_>,
         target: f64,
         at: &Instant<'_>,
     ) -> Result<(), SolveError> {
-        if !self.follow(equations, target)? {
+        if !self.follow(equations, target, false)? {
             return self.stay(equations, at);
         }
-        let Node { state, factor, .. } = &mut self.here;
-        at_instant(equations, at, state, factor)?;
+        let Node { state, basis, .. } = &mut self.here;
+        if let Some(basis) = basis {
+            at_instant(equations, at, state, &basis.factor)?;
+        }
         poses(equations, state)?;
         core::mem::swap(&mut self.node, &mut self.here);
         Ok(())
@@ -142,39 +177,51 @@ impl Follower {
 
     /// New rates at the place reached, where neither time nor a value has changed.
     pub(crate) fn stay(&mut self, equations: &mut Equations<'_>, at: &Instant<'_>) -> Result<(), SolveError> {
+        equations.by_time(|equations| found_on(equations, &mut self.node))?;
         let spare = &mut self.here.state;
         spare.clone_from(&self.node.state);
         spare.iterations = 0;
-        at_instant(equations, at, spare, &self.node.factor)?;
+        if let Some(basis) = &self.node.basis {
+            at_instant(equations, at, spare, &basis.factor)?;
+        }
         poses(equations, spare)?;
         core::mem::swap(&mut self.node.state, spare);
         Ok(())
     }
 
     /// Internal steps to `target`, the last of which is left in `here`; false when none was needed.
-    fn follow(&mut self, equations: &mut Equations<'_>, target: f64) -> Result<bool, SolveError> {
+    fn follow(&mut self, equations: &mut Equations<'_>, target: f64, by_plan: bool) -> Result<bool, SolveError> {
         let options = equations.options;
         let mut iterations = 0;
         let mut smallest = None;
         let mut moved = false;
+        let looked_at = self.watch.is_some() || equations.observed.is_there();
+        let mut by_plan = by_plan && self.plan.is_some();
         for _ in 0..options.max_steps {
-            let start = if moved {
-                Start::at(&self.here)
-            } else {
-                Start { node: &self.node, s: self.s, q_dot: &self.q_dot, q_ddot: &self.q_ddot }
-            };
-            let from = start.s;
+            let from = if moved { self.here.s } else { self.s };
             let remaining = target - from;
             if remaining == 0.0 {
                 self.here.state.iterations = iterations;
                 return Ok(moved);
             }
-            let natural = natural_step(equations, &start);
+            let length = if by_plan && !looked_at {
+                f64::INFINITY
+            } else {
+                let rates = if moved {
+                    [&self.here.state.q_dot, &self.here.state.q_ddot]
+                } else {
+                    [&self.q_dot, &self.q_ddot]
+                };
+                if !equations.scale.is_known {
+                    let q = if moved { &self.here.state.q } else { &self.node.state.q };
+                    equations.scale = Scale::around(equations, q);
+                }
+                natural_step(equations, rates).min(if by_plan { f64::INFINITY } else { self.proposed })
+            };
             let smallest = *smallest.get_or_insert_with(|| {
-                let shortest = options.min_step * natural.min(remaining.abs());
+                let shortest = options.min_step * length.min(remaining.abs());
                 shortest.max(4.0 * f64::EPSILON * from.abs().max(target.abs()))
             });
-            let length = natural.min(self.proposed);
             // The last two steps are of equal length, so that none is a sliver.
             let share = remaining.abs() / length;
             let s = match share {
@@ -182,43 +229,56 @@ impl Follower {
                 share if share < 2.0 => from + 0.5 * remaining,
                 _ => from + length.copysign(remaining),
             };
-            if s == from {
-                // Between neighbouring numbers there is no step to take.
-                return Err(refusal(equations, &start, target, Fault::Coarse(0.5)));
-            }
-            match (self.step)(equations, &mut self.scratch, start, &mut self.next, s, s == target) {
-                Ok(growth) => {
-                    iterations += self.next.state.iterations;
-                    self.fallbacks.extend(self.next.fallback.take());
-                    if let Some(watch) = &mut self.watch {
-                        let (state, scratch, step) = (&self.next.state, &mut self.scratch, self.step);
-                        let mut between =
-                            |equations: &mut Equations<'_>, s| state_between(equations, step, scratch, start, s);
-                        watch.pass(equations, state, &mut between)?;
-                        if options.stop_at_events {
-                            watch.keep_first();
+            if by_plan {
+                by_plan = self.step_by_plan(equations, moved, s)?;
+                if !by_plan {
+                    continue;
+                }
+                iterations += 1;
+                self.see(equations, moved, from)?;
+            } else {
+                let limit = self.plan.as_ref().and_then(ByPlan::limit);
+                let Self { node, here, next, q_dot, q_ddot, scratch, .. } = self;
+                let node = if moved { here } else { node };
+                found_on(equations, node)?;
+                let (node, Some(basis)) = (&*node, &node.basis) else { continue };
+                let rates = if moved { [&node.state.q_dot, &node.state.q_ddot] } else { [&*q_dot, &*q_ddot] };
+                let start = Start { node, basis, s: from, q_dot: rates[0], q_ddot: rates[1] };
+                if s == from {
+                    // Between neighbouring numbers there is no step to take.
+                    return Err(refusal(equations, &start, target, Fault::Coarse(0.5), limit));
+                }
+                match (self.step)(equations, scratch, start, next, s, s == target) {
+                    Ok(growth) => {
+                        iterations += self.next.state.iterations;
+                        if let Some(plan) = &mut self.plan {
+                            plan.stands = false;
+                            self.fallbacks.push(Fallback { t: self.next.state.t, limit });
                         }
+                        self.see(equations, moved, from)?;
+                        let walked = (s - from).abs();
+                        // A step cut short by the target says nothing against the longer one proposed before.
+                        self.proposed =
+                            if share <= 2.0 { self.proposed.max(growth * walked) } else { growth * walked };
                     }
-                    core::mem::swap(&mut self.here, &mut self.next);
-                    moved = true;
-                    if self.stopped(equations).is_some() {
-                        return Ok(moved);
+                    Err(fault) => {
+                        let factor = if let Fault::Coarse(factor) = fault { factor } else { 0.5 };
+                        let shorter = factor * (s - from).abs();
+                        if shorter < smallest {
+                            return Err(refusal(equations, &start, s, fault, limit));
+                        }
+                        self.proposed = shorter;
+                        continue;
                     }
-                    if s != target {
-                        equations.observed.pass(self.here.state.t)?;
-                    }
-                    let walked = (s - from).abs();
-                    // A step cut short by the target says nothing against the longer one proposed before.
-                    self.proposed = if share <= 2.0 { self.proposed.max(growth * walked) } else { growth * walked };
                 }
-                Err(fault) => {
-                    let factor = if let Fault::Coarse(factor) = fault { factor } else { 0.5 };
-                    let shorter = factor * (s - from).abs();
-                    if shorter < smallest {
-                        return Err(refusal(equations, &start, s, fault));
-                    }
-                    self.proposed = shorter;
-                }
+            }
+            core::mem::swap(&mut self.here, &mut self.next);
+            moved = true;
+            if self.stopped(equations).is_some() {
+                return Ok(moved);
+            }
+            if s != target {
+                equations.observed.pass(self.here.state.t)?;
             }
         }
         let last = if moved { &self.here } else { &self.node };
@@ -231,13 +291,82 @@ impl Follower {
             limit: None,
         })
     }
+
+    /// One step by the plan; false where it has no answer.
+    fn step_by_plan(&mut self, equations: &mut Equations<'_>, moved: bool, s: f64) -> Result<bool, SolveError> {
+        let Self { node, here, next, plan, .. } = self;
+        let Some(plan) = plan else { return Ok(false) };
+        let from = if moved { &here.state } else { &node.state };
+        Ok(plan.stand(equations, from) && plan.step(equations, next, s)?)
+    }
+
+    /// Shows the step that was taken to who watches conditions.
+    fn see(&mut self, equations: &mut Equations<'_>, moved: bool, from: f64) -> Result<(), SolveError> {
+        let Self { node, here, next, plan, step, scratch, watch, q_dot, q_ddot, .. } = self;
+        let Some(watch) = watch else { return Ok(()) };
+        let (node, rates): (&Node, [&[f64]; 2]) =
+            if moved { (here, [&here.state.q_dot, &here.state.q_ddot]) } else { (node, [q_dot, q_ddot]) };
+        let by_plan = next.basis.is_none();
+        let mut between = |equations: &mut Equations<'_>, s: f64| match (&mut *plan, &node.basis) {
+            (Some(plan), _) if by_plan => {
+                equations.move_to(s).ok()?;
+                let mut state = node.state.clone();
+                plan.glance(equations, &mut state).map(|()| state)
+            }
+            (_, Some(basis)) => {
+                let start = Start { node, basis, s: from, q_dot: rates[0], q_ddot: rates[1] };
+                state_between(equations, *step, scratch, start, s)
+            }
+            _ => None,
+        };
+        watch.pass(equations, &next.state, &mut between)?;
+        if equations.options.stop_at_events {
+            watch.keep_first();
+        }
+        Ok(())
+    }
 }
 
 impl<'n> Start<'n> {
     /// A node on the course.
-    fn at(node: &'n Node) -> Self {
-        Self { node, s: node.s, q_dot: &node.state.q_dot, q_ddot: &node.state.q_ddot }
+    fn at(node: &'n Node) -> Option<Self> {
+        let State { q_dot, q_ddot, .. } = &node.state;
+        Some(Self { node, basis: node.basis.as_ref()?, s: node.s, q_dot, q_ddot })
     }
+}
+
+/// Finds what full Newton goes on from, where the plan has solved.
+fn found_on(equations: &mut Equations<'_>, node: &mut Node) -> Result<(), SolveError> {
+    if node.basis.is_some() {
+        return Ok(());
+    }
+    let q = &node.state.q;
+    let (t, inputs) = (equations.t, equations.inputs.clone());
+    equations.set_instant(&node.state.instant())?;
+    if !equations.scale.is_known {
+        equations.scale = Scale::around(equations, q);
+    }
+    equations.evaluate(Subset::VELOCITY, q, None)?;
+    let factor = equations.factorise(Wanted::Rank, None);
+    node.basis = Some(basis_with(equations, &node.state, factor)?);
+    equations.set_instant(&Instant { t, inputs: &inputs })
+}
+
+/// The same with a factorisation of Φ_q, which was evaluated last.
+fn basis_with(equations: &Equations<'_>, state: &State, factor: Factorization) -> Result<Basis, SolveError> {
+    let (t, rank) = (state.t, factor.rank);
+    let singular = || SolveError::Singular {
+        t,
+        rank: rank.saturating_sub(1),
+        expected_rank: rank,
+        rows: Vec::new(),
+        condition: f64::INFINITY,
+        limit: None,
+    };
+    let orientation = Orientation::here(equations, &factor).ok_or_else(singular)?;
+    let mut groups = Vec::new();
+    groups::write(equations, &state.q, &mut groups);
+    Ok(Basis { orientation, factor, groups })
 }
 
 /// The state at `s` on the way from a node to one that was reached in one step; it is closed to the end.
@@ -252,7 +381,8 @@ fn state_between(
     if step(equations, scratch, from, &mut reached, s, true).is_err() {
         let mut middle = from.node.clone();
         step(equations, scratch, from, &mut middle, from.s + 0.5 * (s - from.s), false).ok()?;
-        step(equations, scratch, Start::at(&middle), &mut reached, s, true).ok()?;
+        reached = middle.clone();
+        step(equations, scratch, Start::at(&middle)?, &mut reached, s, true).ok()?;
     }
     Some(reached.state)
 }
@@ -290,10 +420,10 @@ fn rates(
 }
 
 /// The step within which nothing turns by more than is allowed.
-fn natural_step(equations: &Equations<'_>, start: &Start<'_>) -> f64 {
+fn natural_step(equations: &Equations<'_>, [q_dot, q_ddot]: [&Vec<f64>; 2]) -> f64 {
     let scale = &equations.scale;
     let most = equations.options.max_rotation_per_step;
-    let by_velocity = most / scale.turn(start.q_dot);
-    let by_acceleration = (2.0 * most / scale.turn(start.q_ddot)).sqrt();
+    let by_velocity = most / scale.turn(q_dot);
+    let by_acceleration = (2.0 * most / scale.turn(q_ddot)).sqrt();
     by_velocity.min(by_acceleration)
 }

@@ -36,7 +36,7 @@ pub(super) fn integrate(
 ) -> Result<f64, Fault> {
     let h = s - from.s;
     let q = &from.node.state.q;
-    let rank = from.node.factor.rank;
+    let rank = from.basis.factor.rank;
     let taken = take(from.s, h, q, from.q_dot, |s, q| velocity(equations, rank, s, q))?;
     let tolerance = equations.options.integration_tolerance;
     let effort = error(equations, q, &taken) / tolerance;

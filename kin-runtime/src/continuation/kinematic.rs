@@ -1,17 +1,19 @@
 //! Kinematic analysis: position, velocity and acceleration over a time grid.
 
 use super::follow::Follower;
-use crate::analysis;
 use crate::equations::{Equations, finite};
 use crate::error::{SolveError, SweepError};
 use crate::events::Watch;
-use crate::solver::Position;
+use crate::linear::Factorization;
+use crate::scale::Scale;
+use crate::state::State;
 use crate::trajectory::Trajectory;
 
-/// The states at `times`, on the branch of `first`, which is the position at the first of them.
+/// The states at `times`, on the branch of `first`, which is the one at the first of them; with the factorisation of Φ_q
+/// where that was evaluated there last.
 pub(crate) fn kinematic(
     equations: &mut Equations<'_>,
-    first: Position,
+    first: (State, Option<Factorization>),
     times: &[f64],
 ) -> Result<Trajectory, SweepError> {
     let mut trajectory = Trajectory::new(equations.model);
@@ -25,16 +27,17 @@ pub(crate) fn kinematic(
 /// Appends one state per instant until one fails or the sweep is to stop at an event.
 fn follow(
     equations: &mut Equations<'_>,
-    first: Position,
+    (state, factor): (State, Option<Factorization>),
     times: &[f64],
     trajectory: &mut Trajectory,
 ) -> Result<(), SolveError> {
-    let (state, factor) = analysis::state(equations, first)?;
     trajectory.states.push(state.clone());
-    let watch = Watch::start(equations, &state)?;
+    if !equations.model.conditions.is_empty() && !equations.scale.is_known {
+        equations.scale = Scale::around(equations, &state.q);
+    }
     let told = equations.observed.finish(state.t, Some(&state));
     let mut follower = Follower::new(equations, state, factor)?;
-    follower.watch = watch;
+    follower.watch = Watch::start(equations, follower.state())?;
     let mut instants = times.iter().enumerate().skip(1);
     let result = told.and_then(|()| {
         instants.try_for_each(|(index, &t)| {
@@ -42,7 +45,7 @@ fn follow(
                 return Ok(());
             }
             finite("times", index, "", t)?;
-            follower.advance(equations, t)?;
+            follower.advance(equations, t, true)?;
             let event = follower.stopped(equations);
             trajectory.stopped = event.is_some();
             let state = event.unwrap_or(follower.state()).clone();

@@ -6,6 +6,7 @@ use crate::contact;
 use crate::equations::Equations;
 use crate::error::{Refusal, SolveError};
 use crate::linear::{Factorization, null_space};
+use crate::planned::Limit;
 use crate::singular::dependent_rows;
 use crate::state::State;
 use crate::workspace::Subset;
@@ -13,8 +14,14 @@ use crate::workspace::Subset;
 /// Pivots below this, at the last configuration before a refused step, say that the motion ends in a singular one.
 const NEARLY_SINGULAR: f64 = 1e-4;
 
-/// Why there is no way on from `start` to the place `refused`.
-pub(super) fn refusal(equations: &mut Equations<'_>, start: &Start<'_>, refused: f64, fault: Fault) -> SolveError {
+/// Why there is no way on from `start` to the place `refused`; `located` is where the plan has found the limit.
+pub(super) fn refusal(
+    equations: &mut Equations<'_>,
+    start: &Start<'_>,
+    refused: f64,
+    fault: Fault,
+    located: Option<Limit>,
+) -> SolveError {
     let (row, reason) = match fault {
         Fault::Error(error) => return error,
         Fault::Open(row) => (Some(row), Refusal::NotAssembled),
@@ -22,13 +29,19 @@ pub(super) fn refusal(equations: &mut Equations<'_>, start: &Start<'_>, refused:
         Fault::Coarse(_) => (None, Refusal::StepTooSmall),
     };
     let t_refused = equations.time_at(refused);
-    let Node { state: State { q, .. }, modes, .. } = start.node;
-    let limit = equations.move_to(refused).ok().and_then(|()| by_plan::limit_in(equations, modes, q));
+    let Node { state: State { q, .. }, .. } = start.node;
+    let groups = &start.basis.groups;
+    let there = |equations: &mut Equations<'_>| {
+        equations.move_to(refused).ok().and_then(|()| by_plan::limit_in(equations, groups, q))
+    };
+    let limit = located.filter(|limit| limit.at.is_some()).or_else(|| there(equations));
     let evaluated = equations.move_to(start.s).and_then(|()| equations.evaluate(Subset::VELOCITY, q, None));
     if let Err(error) = evaluated {
         return error;
     }
-    let (t, expected_rank) = (equations.t, start.node.factor.rank);
+    let expected_rank = start.basis.factor.rank;
+    // The limit itself, where the motion was followed up to it.
+    let t = limit.and_then(|limit| limit.at).filter(|at| is_between(*at, equations.t, t_refused)).unwrap_or(equations.t);
     let all: Vec<usize> = (0..equations.rows()).collect();
     let columns = &equations.scale.columns;
     let factor = Factorization::revealing(&equations.scaled_rows(&all), columns, NEARLY_SINGULAR);
@@ -44,4 +57,10 @@ pub(super) fn refusal(equations: &mut Equations<'_>, start: &Start<'_>, refused:
     let names = |row| (equations.row_name(row), equations.joint_name(row));
     let (row_name, joint) = row.map_or(("", ""), names);
     SolveError::StepRefused { t, t_refused, row_name, joint, reason, limit }
+}
+
+/// True for a time on the way between two others, or beside them by rounding.
+fn is_between(t: f64, a: f64, b: f64) -> bool {
+    let beside = 1e-6 * (a - b).abs() + 1e-9 * a.abs().max(b.abs());
+    t >= a.min(b) - beside && t <= a.max(b) + beside
 }

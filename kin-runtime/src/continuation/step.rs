@@ -1,19 +1,17 @@
 //! One step of the continuation: predict, correct, judge.
 
 use super::branch::Orientation;
+use super::groups;
 use crate::acceleration::acceleration;
-use crate::by_plan::{self, Answer};
 use crate::contact;
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::factorisation::Wanted;
 use crate::linear::Factorization;
 use crate::newton::rounding;
-use crate::plan::Depth;
-use crate::planned::Limit;
 use crate::state::State;
 use crate::trajectory::Fallback;
-use crate::velocity::{consistent, inconsistency, scaled};
+use crate::velocity::{inconsistency, scaled};
 use crate::workspace::Subset;
 use nalgebra::DVector;
 
@@ -34,19 +32,26 @@ pub(crate) struct Node {
     /// Place on the course: time, unless the course is frozen.
     pub(crate) s: f64,
     pub(crate) state: State,
-    pub(crate) orientation: Orientation,
-    /// Φ_q here.
-    pub(crate) factor: Factorization,
-    /// The sign of every mode of the plan, 0 where it is not decided; empty where no plan is used.
-    pub(crate) modes: Vec<f64>,
+    /// What Newton's iteration goes on from; none where the plan has solved.
+    pub(crate) basis: Option<Basis>,
     /// Why full Newton had to find this node, where there is a plan.
     pub(crate) fallback: Option<Fallback>,
+}
+
+/// Φ_q at a configuration, and on which branch it is.
+#[derive(Clone, Debug)]
+pub(crate) struct Basis {
+    pub(crate) orientation: Orientation,
+    pub(crate) factor: Factorization,
+    /// What tells the branches of every group of the plan apart; empty where there is none.
+    pub(crate) groups: Vec<f64>,
 }
 
 /// Where a step begins: a node, its place on the course, and its rates along it.
 #[derive(Clone, Copy)]
 pub(crate) struct Start<'n> {
     pub(crate) node: &'n Node,
+    pub(crate) basis: &'n Basis,
     pub(crate) s: f64,
     pub(crate) q_dot: &'n [f64],
     pub(crate) q_ddot: &'n [f64],
@@ -77,19 +82,15 @@ pub(crate) struct Scratch {
     motion: Vec<f64>,
     pub(super) predicted: Vec<f64>,
     difference: Vec<f64>,
-    rest: Vec<[f64; 2]>,
     /// Rows of position level.
     closing: Vec<usize>,
-    /// What the plan says, where it is used.
-    pub(super) answer: Option<Answer>,
+    /// What tells the branches of groups apart at the prediction, and at what was found.
+    groups: [Vec<f64>; 2],
 }
 
 impl Scratch {
     pub(crate) fn new(equations: &Equations<'_>) -> Self {
-        let closing = equations.rows_where(Equations::holonomic);
-        let planned = equations.options.use_plan && by_plan::exists(equations);
-        let answer = planned.then(|| Answer::new(equations));
-        Self { closing, answer, ..Self::default() }
+        Self { closing: equations.rows_where(Equations::holonomic), ..Self::default() }
     }
 }
 
@@ -110,27 +111,9 @@ pub(crate) fn step(
     fill(motion, from.q_dot.iter().zip(from.q_ddot).map(|(v, a)| h * (v + 0.5 * h * a)));
     fill(predicted, from.node.state.q.iter().zip(motion.iter()).map(|(q, d)| q + d));
     let allowed = equations.options.prediction_tolerance * equations.scale.size(motion) + NEGLIGIBLE;
-    let mut fallback = None;
-    if scratch.answer.is_some() {
-        match planned(equations, scratch, &from, &mut to.state.q, allowed) {
-            Ok(corrected) => match finish(equations, scratch, from, to, corrected, (s, allowed, last)) {
-                Ok(growth) => {
-                    to.modes.clone_from(&from.node.modes);
-                    to.fallback = None;
-                    return Ok(growth);
-                }
-                Err(_) => fallback = Some(Fallback { t: equations.t, limit: None }),
-            },
-            Err(limit) => fallback = Some(Fallback { t: equations.t, limit }),
-        }
-    }
     let corrected = correct(equations, scratch, &mut to.state.q, allowed, if last { 1e-9 } else { 1e-6 })?;
-    let growth = finish(equations, scratch, from, to, corrected, (s, allowed, last))?;
-    if fallback.is_some() {
-        by_plan::modes(equations, &to.state.q, &mut to.modes);
-    }
-    to.fallback = fallback;
-    Ok(growth)
+    to.fallback = None;
+    finish(equations, scratch, from, to, corrected, (s, allowed, last))
 }
 
 /// Completes and judges a step whose q was found; gives by how much the next one may be longer.
@@ -151,37 +134,6 @@ fn finish(
     Ok(if effort <= 0.3 / 64.0 { 4.0 } else { (0.3 / effort).cbrt().clamp(0.5, 4.0) })
 }
 
-/// q by the plan from the prediction in `scratch`, in the modes of the node.
-///
-/// The prediction must be in the same modes: where it is not, the motion may pass a configuration in which two branches
-/// cross, and a sign that is kept there would leave the branch.
-///
-/// # Errors
-/// The group that is no good, where one is to blame.
-fn planned(
-    equations: &mut Equations<'_>,
-    scratch: &mut Scratch,
-    from: &Start<'_>,
-    q: &mut Vec<f64>,
-    allowed: f64,
-) -> Result<Corrected, Option<Limit>> {
-    let Scratch { predicted, difference: travel, answer, .. } = scratch;
-    let answer = answer.as_mut().ok_or(None)?;
-    let modes = &from.node.modes;
-    if modes.contains(&0.0) {
-        return Err(None);
-    }
-    let rated = !equations.is_frozen();
-    answer.solve(equations, modes, predicted, if rated { Depth::Acceleration } else { Depth::Position })?;
-    q.clone_from(&answer.q);
-    fill(travel, q.iter().zip(predicted.iter()).map(|(a, b)| a - b));
-    let correction = equations.scale.size(travel);
-    if correction > allowed || !answer.is_in(equations, modes, predicted) {
-        return Err(None);
-    }
-    Ok(Corrected { iterations: 1, worst: 0, correction, rated })
-}
-
 /// Completes the node at the place `s`, whose q was found, if it is on the branch of `from`.
 pub(super) fn settle(
     equations: &mut Equations<'_>,
@@ -192,14 +144,10 @@ pub(super) fn settle(
     s: f64,
     last: bool,
 ) -> Result<(), Fault> {
-    let Corrected { iterations, worst, rated, .. } = corrected;
-    let Scratch { closing, rest, answer, .. } = scratch;
+    let Corrected { iterations, worst, .. } = corrected;
+    let Scratch { closing, groups: [predicted_groups, groups], predicted, .. } = scratch;
     let state = &mut to.state;
-    let rates = answer.as_ref().filter(|_| rated);
-    match rates {
-        Some(answer) => equations.evaluate(Subset::ALL, &state.q, Some(&answer.q_dot))?,
-        None => equations.evaluate(Subset { phi: true, ..Subset::VELOCITY }, &state.q, None)?,
-    }
+    equations.evaluate(Subset { phi: true, ..Subset::VELOCITY }, &state.q, None)?;
     let gap = closing.iter().map(|&row| (equations.phi[row] * equations.scale.rows[row]).abs()).fold(0.0, f64::max);
     if gap > equations.options.tolerance && gap > closed(equations, &state.q) {
         return Err(Fault::Open(worst));
@@ -207,38 +155,38 @@ pub(super) fn settle(
     if let Some(row) = contact::turned_about(equations, &from.node.state.q, &state.q) {
         return Err(Fault::Jump(row));
     }
-    let wanted = if last { Wanted::Rank } else { Wanted::Solutions };
-    to.factor = equations.factorise(wanted, Some(to.factor.take()));
-    let rank = to.factor.rank;
-    if rank != from.node.factor.rank {
+    let Basis { orientation, factor, groups: before } = from.basis;
+    let memory = to.basis.take();
+    let (memory, mut oriented) = memory.map_or((None, orientation.clone()), |basis| (Some(basis.factor), basis.orientation));
+    let found = equations.factorise(Wanted::Rank, memory);
+    let rank = found.rank;
+    if rank != factor.rank || !orientation.keep(equations, &found, &mut oriented) {
         return Err(Fault::Jump(worst));
     }
-    if !from.node.orientation.keep(equations, &to.factor, &mut to.orientation) {
+    groups::write(equations, predicted, predicted_groups);
+    groups::write(equations, &state.q, groups);
+    if !groups::stay(before, predicted_groups, groups) {
         return Err(Fault::Jump(worst));
     }
-    if let Some(answer) = rates {
-        if !consistent(equations, &answer.q_dot, &answer.q_ddot, rest) {
-            return Err(Fault::Open(worst));
-        }
-        state.q_dot.clone_from(&answer.q_dot);
-        state.q_ddot.clone_from(&answer.q_ddot);
-    } else {
-        let right = -scaled(equations, &equations.phi_t);
-        let q_dot = to.factor.solve(&right);
-        if inconsistency(equations, &q_dot, &right).is_some() {
-            return Err(Fault::Open(worst));
-        }
-        equations.check("q_dot", q_dot.as_slice())?;
-        fill(&mut state.q_dot, q_dot.iter().copied());
-        state.q_ddot = acceleration(equations, &state.q, &state.q_dot, &to.factor)?;
+    let right = -scaled(equations, &equations.phi_t);
+    let q_dot = found.solve(&right);
+    if inconsistency(equations, &q_dot, &right).is_some() {
+        return Err(Fault::Open(worst));
+    }
+    equations.check("q_dot", q_dot.as_slice())?;
+    fill(&mut state.q_dot, q_dot.iter().copied());
+    state.q_ddot = acceleration(equations, &state.q, &state.q_dot, &found)?;
+    if last && groups::are_blurred(equations, groups, &state.q_dot, &state.q_ddot) {
+        return Err(Fault::Jump(worst));
     }
     to.s = s;
     state.t = equations.t;
     state.inputs.clone_from(&equations.inputs);
     state.degrees_of_freedom_left = state.q.len() - rank;
-    state.condition = to.factor.condition;
+    state.condition = Some(found.condition);
     state.residual = closing.iter().map(|&row| equations.phi[row].abs()).fold(0.0, f64::max);
     state.iterations = iterations;
+    to.basis = Some(Basis { orientation: oriented, factor: found, groups: groups.clone() });
     Ok(())
 }
 
@@ -255,8 +203,6 @@ pub(super) struct Corrected {
     worst: usize,
     /// Distance from the prediction, on the common scale.
     correction: f64,
-    /// Whether the plan gave rates too.
-    rated: bool,
 }
 
 /// Full Newton steps from the prediction in `scratch` until one is below `last_step`; q is written.
@@ -296,7 +242,7 @@ pub(super) fn correct(
             }
         }
         if length <= last_step {
-            return Ok(Corrected { iterations, worst, correction, rated: false });
+            return Ok(Corrected { iterations, worst, correction });
         }
         before = length;
     }
@@ -312,9 +258,9 @@ fn closed(equations: &Equations<'_>, q: &[f64]) -> f64 {
 fn expected(equations: &Equations<'_>, change: &mut Vec<f64>, from: &Start<'_>, h: f64, q_dot: &[f64]) -> bool {
     let scale = &equations.scale;
     fill(change, q_dot.iter().zip(from.q_dot).zip(from.q_ddot).map(|((new, old), a)| new - (old + h * a)));
-    let (change, size) = (scale.size(change), scale.size(q_dot));
-    let whole = || size.max(scale.size(from.q_dot)).max(h.abs() * scale.size(from.q_ddot));
-    change <= VELOCITY * size || change <= VELOCITY * whole() || h.abs() * whole() <= INSTANTANEOUS
+    let (change, size) = (scale.size(change), scale.size(q_dot).max(scale.size(from.q_dot)));
+    // Accelerations are no excuse: near a singular configuration they are large, or rounding.
+    change <= VELOCITY * size || h.abs() * size <= INSTANTANEOUS
 }
 
 /// `iamax` that accepts an empty vector.

@@ -61,7 +61,7 @@ pub(crate) fn samples(equations: &mut Equations<'_>, state: &State) -> Result<Ve
     let at = Instant { t: state.t, inputs: &state.inputs };
     equations.system.observe(&at, &state.q, &state.q_dot)?;
     let parts = equations.system.observables();
-    let rounding = 4.0 * f64::EPSILON * (4.0 + state.condition.clamp(1.0, WORST_CONDITION));
+    let rounding = 4.0 * f64::EPSILON * (4.0 + state.condition.map_or(1.0, |condition| condition.clamp(1.0, WORST_CONDITION)));
     let columns = &equations.scale.columns;
     let largest = |v: &[f64]| v.iter().zip(columns).fold(0.0, |m: f64, (v, d)| m.max((v / d).abs()));
     let (velocity, acceleration_size) = (largest(&state.q_dot), largest(&state.q_ddot));

@@ -181,7 +181,7 @@ fn watched(limit: f64, solved: usize) -> (f64, f64, usize) {
         points: Vec::new(),
         residual: 0.0,
         iterations: 0,
-        condition: 1.0,
+        condition: Some(1.0),
         degrees_of_freedom_left: 0,
     };
     let mut watch = Watch::start(&mut equations, &state(0.0)).unwrap().unwrap();

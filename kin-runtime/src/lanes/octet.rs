@@ -6,6 +6,7 @@
 use super::pack::Pack;
 use super::{Lanes, arctangent};
 use crate::scalar::Scalar;
+use crate::scalar::compare::Compare;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Eight `f64`, for blocks inside of batches.
@@ -160,14 +161,21 @@ impl Pack for Octet {
     fn set(&mut self, lane: usize, value: f64) {
         self.0[lane / Lanes::COUNT].set(lane % Lanes::COUNT, value);
     }
+}
 
+impl Compare for Octet {
     #[inline(always)]
     fn least(self, other: Self) -> Self {
-        self.pairs(other, Pack::least)
+        self.pairs(other, Compare::least)
+    }
+
+    #[inline(always)]
+    fn greatest(self, other: Self) -> Self {
+        self.pairs(other, Compare::greatest)
     }
 
     #[inline(always)]
     fn direction(self) -> Self {
-        self.both(Pack::direction)
+        self.both(Compare::direction)
     }
 }

@@ -1,11 +1,11 @@
 //! What a batch needs of the scalar that its blocks are made of.
 
 use super::Lanes;
-use crate::scalar::Scalar;
+use crate::scalar::compare::Compare;
 use wide::f64x4;
 
 /// Several numbers that go through every operation together, one for every configuration of a block.
-pub(crate) trait Pack: Scalar + Default {
+pub(crate) trait Pack: Compare {
     /// How many numbers there are.
     const COUNT: usize;
     /// `[X; COUNT]`.
@@ -21,16 +21,30 @@ pub(crate) trait Pack: Scalar + Default {
     fn lane(&self, lane: usize) -> f64;
     /// `value` in a lane, whatever the others have.
     fn set(&mut self, lane: usize, value: f64);
-    /// The smaller number in every lane; of what is not a number, nothing is known.
-    fn least(self, other: Self) -> Self;
-    /// 1 with the sign of the number; not a number for 0 and for what is not a number.
-    fn direction(self) -> Self;
 
     /// A number for every lane.
     fn generate(mut of: impl FnMut(usize) -> f64) -> Self {
         let mut numbers = Self::default();
         (0..Self::COUNT).for_each(|lane| numbers.set(lane, of(lane)));
         numbers
+    }
+}
+
+impl Compare for Lanes {
+    #[inline(always)]
+    fn least(self, other: Self) -> Self {
+        Self(self.0.fast_min(other.0))
+    }
+
+    #[inline(always)]
+    fn greatest(self, other: Self) -> Self {
+        Self(self.0.fast_max(other.0))
+    }
+
+    #[inline(always)]
+    fn direction(self) -> Self {
+        let sign = (self.0 & f64x4::splat(-0.0)) | f64x4::splat(1.0);
+        Self(self.0.abs().simd_gt(f64x4::splat(0.0)).select(sign, f64x4::splat(f64::NAN)))
     }
 }
 
@@ -63,16 +77,5 @@ impl Pack for Lanes {
         let mut numbers = self.to_array();
         numbers[lane] = value;
         *self = Self::new(numbers);
-    }
-
-    #[inline(always)]
-    fn least(self, other: Self) -> Self {
-        Self(self.0.fast_min(other.0))
-    }
-
-    #[inline(always)]
-    fn direction(self) -> Self {
-        let sign = (self.0 & f64x4::splat(-0.0)) | f64x4::splat(1.0);
-        Self(self.0.abs().simd_gt(f64x4::splat(0.0)).select(sign, f64x4::splat(f64::NAN)))
     }
 }

@@ -1,5 +1,6 @@
 //! Lanes against std, in units in the last place.
 
+use crate::scalar::compare::Compare;
 use super::{Lanes, Octet, Pack};
 use crate::random::Random;
 use crate::scalar::Scalar;

@@ -38,7 +38,6 @@ pub(crate) struct Factorization {
 
 #[derive(Clone, Debug)]
 enum Kind {
-    Empty,
     Sparse(Box<Elimination>),
     Lu(LU<f64, Dyn, Dyn>),
     /// rank = number of columns.
@@ -73,12 +72,6 @@ impl Factorization {
     fn sparse(elimination: Box<Elimination>, columns: Vec<f64>, condition: f64) -> Self {
         let rank = columns.len();
         Self { kind: Kind::Sparse(elimination), columns, rank, condition, full_condition: condition }
-    }
-
-    /// Itself, which leaves the factorisation of an empty matrix.
-    pub(crate) fn take(&mut self) -> Self {
-        let empty = Self { kind: Kind::Empty, columns: Vec::new(), rank: 0, condition: 1.0, full_condition: 1.0 };
-        core::mem::replace(self, empty)
     }
 
     /// The memory of an elimination and of its columns, to be used again.
@@ -159,7 +152,6 @@ impl Factorization {
     /// The x of least norm among those that minimise |A x − b|.
     pub(crate) fn solve(&self, b: &DVector<f64>) -> DVector<f64> {
         match &self.kind {
-            Kind::Empty => DVector::zeros(0),
             Kind::Sparse(elimination) => self.unscaled(DVector::from_vec(elimination.solve(b.as_slice()))),
             Kind::Lu(lu) => {
                 let mut y = b.clone();

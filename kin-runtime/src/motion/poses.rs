@@ -5,20 +5,33 @@ use crate::equations::{Equations, finite};
 use crate::error::SolveError;
 use crate::model::Model;
 use crate::state::State;
+use crate::system::Parts;
 use crate::workspace::Instant;
 
+/// True where nothing is held or carried, and no point is named: then all poses are coordinates.
+pub(crate) fn shows_coordinates(model: &Model) -> bool {
+    model.points.is_empty() && model.bodies.iter().all(|body| !body.coordinates.contains(&None))
+}
+
+/// Writes the motion of bodies where it is that of their coordinates.
+pub(crate) fn write_coordinates(state: &mut State) {
+    write(state.model, state, |state, _, coordinate| coordinate.map_or_else(Rates::default, |k| state.rates(k)));
+}
+
 /// Writes the motion of bodies and points, for the q, q̇ and q̈ of the state.
-///
-/// Where nothing is held or carried, and no point is named, they are coordinates and nothing is evaluated.
 pub(crate) fn poses(equations: &mut Equations<'_>, state: &mut State) -> Result<(), SolveError> {
-    let model = equations.model;
-    if model.points.is_empty() && model.bodies.iter().all(|body| !body.coordinates.contains(&None)) {
-        write(model, state, |state, _, coordinate| coordinate.map_or_else(Rates::default, |k| state.rates(k)));
+    if shows_coordinates(equations.model) {
+        write_coordinates(state);
         return Ok(());
     }
     let at = Instant { t: state.t, inputs: &state.inputs };
     equations.system.observe(&at, &state.q, &state.q_dot)?;
-    let parts = equations.system.observables();
+    write_poses(&equations.system.observables(), state)
+}
+
+/// Writes the motion of bodies and points by the observables, which were evaluated at the q and q̇ of the state.
+pub(crate) fn write_poses(parts: &Parts<'_>, state: &mut State) -> Result<(), SolveError> {
+    let model = state.model;
     let mut fault = None;
     write(model, state, |state, observable, coordinate| {
         let rates =

@@ -14,6 +14,32 @@ pub struct Limit {
     /// Its margin: 0 at the limit, negative where it cannot close. It is 1 − (m/r)², where the group closes as long as
     /// |m| ≤ r; far beyond the limit it may be any negative number.
     pub margin: f64,
+    /// The time at which the limit itself is, to rounding, where the motion was followed up to it.
+    pub at: Option<f64>,
+    /// What kind of limit it is, where that is known.
+    pub kind: Option<LimitKind>,
+}
+
+/// What ends the motion of a group.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub enum LimitKind {
+    /// Both closures meet, and beyond it the group does not close: the motion could only turn back.
+    DeadCentre,
+    /// Both closures meet, and beyond it both are there again: two branches of the motion cross, and nothing says which of
+    /// them goes on.
+    BranchPoint,
+}
+
+/// `dead centre`.
+impl fmt::Display for LimitKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::DeadCentre => "dead centre",
+            Self::BranchPoint => "branch point",
+        })
+    }
 }
 
 impl Limit {
@@ -31,17 +57,51 @@ impl Limit {
 
 impl fmt::Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { step, margin } = self;
+        let Self { step, margin, at, kind } = self;
         if let Some(miss) = self.contradiction() {
-            return write!(f, "{step} missed by {miss:.1e} of the mechanism's size and motion: margin {margin:.3e}");
+            return write!(f, "{step} missed by {miss:.1e} of the mechanism's size and motion");
+        }
+        if let (Some(at), Some(kind)) = (at, kind) {
+            let bodies = step.bodies().count();
+            for (k, body) in step.bodies().enumerate() {
+                f.write_str(if k == 0 { "" } else if k + 1 == bodies { " and " } else { ", " })?;
+                f.write_str(body)?;
+            }
+            let verb = if bodies > 1 { "lock" } else { "locks" };
+            f.write_str(if bodies > 0 { " of " } else { "" })?;
+            write!(f, "{step} {verb} at t = {}: {} ({kind})", rounded(*at), step.info().singular)?;
+            return match step.driver() {
+                Some(driver) => write!(f, ", the driver {driver} is at the end of its range"),
+                None => Ok(()),
+            };
         }
         let what = match (step.closes(), *margin < 0.0) {
             (true, true) => "cannot close",
             (true, false) => "is at its limit",
             (false, _) => "says nothing",
         };
-        write!(f, "{step} {what}: margin {margin:.3e}")
+        write!(f, "{step} {what}")?;
+        // How far beyond its limit a group is, as a share of what it reaches: the margin is 1 − (m/r)².
+        let beyond = crate::scalar::Scalar::sqrt(1.0 - margin.min(0.0)) - 1.0;
+        if step.closes() && beyond > 1e-6 && beyond.is_finite() {
+            return write!(f, ": it would have to reach {:.3} % farther", 100.0 * beyond);
+        }
+        Ok(())
     }
+}
+
+/// A time with as many digits as a person reads.
+pub(crate) fn rounded(t: f64) -> f64 {
+    if t == 0.0 || !t.is_finite() {
+        return t;
+    }
+    let mut scale = 1.0;
+    while t.abs() * scale < 1e5 && scale < 1e12 {
+        scale *= 10.0;
+    }
+    // 1.5·2⁵² rounds to an integer without a call.
+    const ROUND: f64 = 1.5 / f64::EPSILON;
+    if t.abs() * scale < 1e15 { ((t * scale + ROUND) - ROUND) / scale } else { t }
 }
 
 /// Why the plan gives no answer at an instant, with numbers and names.
@@ -83,6 +143,20 @@ pub enum PlanError {
         t: f64,
         /// The mode.
         mode: &'static str,
+    },
+    /// The motion jumps: a driver or an input goes from one place to another in no time, however short the steps are.
+    Jump {
+        /// Time of the last state before it.
+        t: f64,
+        /// The instant that was asked for.
+        t_refused: f64,
+    },
+    /// More steps than allowed on the way to an instant.
+    TooManySteps {
+        /// The time reached.
+        t: f64,
+        /// The instant that was asked for.
+        t_refused: f64,
     },
     /// NaN or infinity in an argument, a parameter or a result.
     NonFinite {
@@ -129,6 +203,10 @@ impl fmt::Display for PlanError {
             }
             Self::Undecided { t, mode } => {
                 write!(f, "at t = {t}, the start does not say which closure of {mode} is meant")
+            }
+            Self::Jump { t, t_refused } => write!(f, "the motion jumps behind t = {t}, on the way to t = {t_refused}"),
+            Self::TooManySteps { t, t_refused } => {
+                write!(f, "too many internal steps on the way from t = {t} to t = {t_refused}; ask for instants in between")
             }
             Self::NonFinite { what, index, name, t } => {
                 write!(f, "{what}[{index}]")?;

@@ -9,6 +9,9 @@ use crate::plan::{Plan, StepKind};
 /// Closures of a prediction that are nearer to 0 than this are of either sign; it is the sine of half an angle or so.
 const NEAR: f64 = 0.1;
 
+/// Closures this near to 0 may reach it and come back within one step of the length that is usual.
+pub(super) const CLOSE: f64 = 0.15;
+
 /// How many of them are tried in all combinations.
 const MOST: usize = 6;
 

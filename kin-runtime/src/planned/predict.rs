@@ -1,6 +1,8 @@
-//! Where iterations start: the quintic through the last two states, carried on.
+//! What is expected of the next configuration: the parabola of the last one, and for unknowns of iterations the quintic
+//! through the last two.
 //!
 //! ```text
+//! q(t + h) ≈ q + h q̇ + ½ h² q̈
 //! q(t + h) ≈ q + h q̇ + ½ h² q̈ + x³ (c₃ + c₄ x + c₅ x²),   x = h/H
 //! ```
 //!
@@ -8,15 +10,41 @@
 //! sixth order in the step, so that one correction is enough where the parabola's third order takes two.
 
 use crate::model::{Component, CoordinateKind, Model};
+use crate::scalar::compare::Compare;
 
-/// True where ½ h² q̈ of an angle or a scalar is more than 1 and more than h q̇, given q̇ and q̈.
-#[cold]
-#[inline(never)]
-pub(crate) fn is_wild(model: &Model, h: f64, [q_dot, q_ddot]: [&[f64]; 2]) -> bool {
-    let is_length = |kind| matches!(kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. });
-    model.coordinates.iter().zip(q_dot).zip(q_ddot).any(|((coordinate, v), a)| {
-        let bend = (0.5 * h * a).abs();
-        !is_length(coordinate.kind) && bend > v.abs() && h.abs() * bend > 1.0
+/// Writes what a unit of each coordinate counts for in radians, at a configuration q: angles count as they are, lengths not
+/// at all, because no unit of length has a meaning of its own, and scalar coordinates, of which it is not known what they
+/// are, by their own size where that is more than 1.
+pub(crate) fn weights(model: &Model, q: &[f64], weights: &mut [f64]) {
+    for ((weight, coordinate), q) in weights.iter_mut().zip(model.coordinates).zip(q) {
+        *weight = match coordinate.kind {
+            CoordinateKind::Pose { component: Component::Phi, .. } => 1.0,
+            CoordinateKind::Pose { .. } => 0.0,
+            CoordinateKind::Scalar => 1.0 / (1.0 + q.abs()),
+        };
+    }
+}
+
+/// Writes the parabola; gives by how much it turns, at most, counting both of its terms.
+#[inline(always)]
+pub(crate) fn parabola<V: Compare>(to: &mut [V], [q, q_dot, q_ddot]: [&[V]; 3], weights: &[f64], h: f64) -> V {
+    let (step, half) = (V::from_f64(h), V::from_f64(0.5 * h));
+    let mut turn = V::from_f64(0.0);
+    let rates = q_dot.iter().zip(q_ddot).zip(weights);
+    for ((to, q), ((v, a), weight)) in to.iter_mut().zip(q).zip(rates) {
+        let bend = half * *a;
+        *to = *q + step * (*v + bend);
+        turn = turn.greatest((step * V::from_f64(*weight)).abs() * v.abs().greatest(bend.abs()));
+    }
+    turn
+}
+
+/// By how much a configuration turns away from another, at most.
+#[inline(always)]
+pub(crate) fn turned<V: Compare>(a: &[V], b: &[V], weights: &[f64]) -> V {
+    let differences = a.iter().zip(b).zip(weights);
+    differences.fold(V::from_f64(0.0), |turn, ((a, b), weight)| {
+        turn.greatest((*a - *b).abs() * V::from_f64(*weight))
     })
 }
 

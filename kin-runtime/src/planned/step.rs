@@ -1,6 +1,6 @@
 //! A step of a plan with the names of its joints, for messages.
 
-use crate::model::Model;
+use crate::model::{CoordinateKind, Model};
 use crate::plan::{PlanStep, StepKind};
 use core::fmt;
 
@@ -40,6 +40,27 @@ impl Step {
     pub fn joints(&self) -> impl Iterator<Item = &'static str> + use<> {
         let joints = self.model.joints;
         self.info().joints.iter().filter_map(|&joint| joints.get(joint)).map(|joint| joint.name)
+    }
+
+    /// The names of the bodies that it places, in order of declaration.
+    pub fn bodies(&self) -> impl Iterator<Item = &'static str> + use<> {
+        let (model, info) = (self.model, self.info());
+        let places = move |body: usize| {
+            let of = |&(k, _): &(usize, usize)| match model.coordinates.get(k).map(|coordinate| coordinate.kind) {
+                Some(CoordinateKind::Pose { body: of, .. }) => of == body,
+                _ => false,
+            };
+            info.coordinates.iter().any(of)
+        };
+        model.bodies.iter().enumerate().filter(move |(body, _)| places(*body)).map(|(_, body)| body.name)
+    }
+
+    /// The driver among its joints, where there is one: its limit is that of the driver's range.
+    pub fn driver(&self) -> Option<&'static str> {
+        let rows = self.model.rows;
+        let drives = |joint: &&usize| rows.iter().any(|row| row.joint == **joint && row.driving);
+        let joint = self.info().joints.iter().find(drives)?;
+        self.model.joints.get(*joint).map(|joint| joint.name)
     }
 
     /// True for redundant rows whose residual is watched.

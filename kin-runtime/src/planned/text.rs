@@ -9,7 +9,7 @@ impl<M: Mechanism> fmt::Debug for Planned<'_, M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Planned")
             .field("mechanism", &M::model().name)
-            .field("t", &self.t)
+            .field("t", &self.t())
             .field("q", &self.q())
             .field("q_dot", &self.q_dot())
             .field("q_ddot", &self.q_ddot())

@@ -160,7 +160,7 @@ struct SweepState<'a> {
     motion: Option<MotionRecord<'a>>,
     inputs: Named<Rates>,
     residual: f64,
-    condition: f64,
+    condition: Option<f64>,
     degrees_of_freedom_left: usize,
 }
 

@@ -1,0 +1,132 @@
+//! Instants by the plan: solved by its follower, held against all rows, and completed to a state.
+
+use super::step::Node;
+use crate::equations::Equations;
+use crate::error::SolveError;
+use crate::factorisation::Wanted;
+use crate::motion::poses;
+use crate::options::Options;
+use crate::planned::follower::Control;
+use crate::planned::{Limit, PlanError};
+use crate::residual::{Tolerances, closed};
+use crate::state::State;
+use crate::system::Followed;
+use crate::workspace::{Instant, Subset};
+
+/// The plan of a motion, where one is used.
+#[derive(Clone, Debug)]
+pub(super) struct ByPlan {
+    control: Control,
+    /// Whether the follower stands where the motion does.
+    pub(super) stands: bool,
+    /// Why the plan had no answer, the last time that it had none.
+    pub(super) refused: Option<PlanError>,
+    rooms: [Vec<f64>; 3],
+}
+
+impl Control {
+    /// As the options of a solver say.
+    pub(crate) fn of(options: &Options) -> Self {
+        Self {
+            rotation: options.max_rotation_per_step,
+            correction: options.prediction_tolerance,
+            min_step: options.min_step,
+            max_steps: options.max_steps,
+        }
+    }
+}
+
+impl ByPlan {
+    /// None where the plan is not to be used, or there is none.
+    pub(super) fn new(equations: &Equations<'_>) -> Option<Self> {
+        let used = equations.options.use_plan && equations.model.plan.exists() && equations.given() == 0;
+        let rooms = [(); 3].map(|()| vec![0.0; equations.rows()]);
+        used.then(|| Self { control: Control::of(&equations.options), stands: false, refused: None, rooms })
+    }
+
+    /// What is to blame for the last refusal.
+    pub(super) fn limit(&self) -> Option<Limit> {
+        self.refused.as_ref().and_then(PlanError::limit).copied()
+    }
+
+    /// Puts the follower where the motion stands; false where it has no answer there.
+    pub(super) fn stand(&mut self, equations: &mut Equations<'_>, state: &State) -> bool {
+        if !self.stands {
+            self.refused = equations.system.follow_from(&state.instant(), &state.q).err();
+            self.stands = self.refused.is_none();
+        }
+        self.stands
+    }
+
+    /// Writes the state at the equations' instant, on the branch of the follower; false where the plan has none that closes.
+    pub(super) fn solve(&mut self, equations: &mut Equations<'_>, state: &mut State) -> Result<bool, SolveError> {
+        let at = Instant { t: equations.t, inputs: &equations.inputs };
+        let inputs = equations.input_function();
+        let found = match equations.system.follow(&at, inputs, &self.control) {
+            Ok(found) => {
+                copy(state, found);
+                None
+            }
+            Err(error) => Some(error),
+        };
+        self.refused = found;
+        if self.refused.is_some() || !self.complete(equations, state)? {
+            self.stands = false;
+            return Ok(false);
+        }
+        Ok(true)
+    }
+
+    /// Writes the state at the equations' instant, the follower staying where it is.
+    pub(super) fn glance(&mut self, equations: &mut Equations<'_>, state: &mut State) -> Option<()> {
+        let at = Instant { t: equations.t, inputs: &equations.inputs };
+        let inputs = equations.input_function();
+        equations.system.glance(&at, inputs, &self.control, &mut |found| copy(state, found)).ok()?;
+        self.complete(equations, state).ok()?.then_some(())
+    }
+
+    /// Completes a state with this q, q̇ and q̈; false where they do not satisfy all rows.
+    fn complete(&mut self, equations: &mut Equations<'_>, state: &mut State) -> Result<bool, SolveError> {
+        let at = Instant { t: equations.t, inputs: &equations.inputs };
+        equations.system.evaluate(Subset::ALL, &at, &state.q, &state.q_dot)?;
+        let tolerances =
+            Tolerances { position: equations.options.tolerance, rates: equations.options.consistency_tolerance };
+        let [size, velocity, acceleration] = &mut self.rooms;
+        let solution = [state.q.as_slice(), &state.q_dot, &state.q_ddot];
+        let parts = equations.system.constraints();
+        let Some(residual) = closed(equations.model, &parts, solution, tolerances, [size, velocity, acceleration]) else {
+            return Ok(false);
+        };
+        state.t = equations.t;
+        state.inputs.clone_from(&equations.inputs);
+        state.residual = residual;
+        state.iterations = 1;
+        state.condition = None;
+        state.degrees_of_freedom_left = 0;
+        if !equations.model.conditions.is_empty() {
+            // What counts as rounding of a condition goes by it.
+            equations.evaluate(Subset::VELOCITY, &state.q, None)?;
+            state.condition = Some(equations.factorise(Wanted::Rank, None).condition);
+        }
+        poses(equations, state)?;
+        Ok(true)
+    }
+
+    /// One step by the plan from the node where the follower stands, to the equations' instant at the place `s`.
+    pub(super) fn step(&mut self, equations: &mut Equations<'_>, to: &mut Node, s: f64) -> Result<bool, SolveError> {
+        equations.move_to(s)?;
+        to.s = s;
+        to.basis = None;
+        to.fallback = None;
+        self.solve(equations, &mut to.state)
+    }
+}
+
+fn copy(state: &mut State, found: Followed<'_>) {
+    for (to, from) in
+        [(&mut state.q, found.q), (&mut state.q_dot, found.q_dot), (&mut state.q_ddot, found.q_ddot)]
+    {
+        to.clear();
+        to.extend_from_slice(from);
+    }
+}

@@ -1,0 +1,312 @@
+//! Why a motion ends, and where: at a fold, behind which a group does not close, or at a crossing of branches.
+//!
+//! The margin of a group, w², is a smooth function of the place even where w has a corner. It changes its sign at a
+//! fold, and touches 0 at a crossing. So the end of a motion that was stopped at a group is a root of its margin, or its
+//! minimum.
+
+use super::error::{Limit, LimitKind, PlanError};
+use super::follower::{Fault, Follower};
+use super::step::Step;
+use super::walk::Blocked;
+use crate::course::Course;
+use crate::mechanism::Mechanism;
+use crate::model::{Component, CoordinateKind};
+use crate::plan::{Depth, Plan, Solved, StepKind};
+use crate::signal::{Instant, Signal};
+use crate::workspace::Array;
+
+/// Distances |w| below which rates have lost so many digits that it must be asked whether they still mean something:
+/// rounding of 1e-16 in w² is one of 1e-9 in q̇ there.
+const BLURRED: f64 = 5e-4;
+
+/// At a fold |w q̈| is about q̇², however near it is. At a crossing both are finite while w goes to 0.
+const FOLD: f64 = 0.1;
+
+/// How far from 0 a margin may be at a crossing, where it touches 0: its own rounding.
+const TOUCHES: f64 = 1e-9;
+
+/// Halvings, and sections of the search for a minimum: each is as many as digits need.
+const HALVINGS: usize = 80;
+const SECTIONS: usize = 90;
+
+impl<M: Mechanism> Follower<M> {
+    /// True where the state that is being tried is so near to a crossing of branches that its rates mean nothing.
+    #[inline]
+    pub(super) fn is_blurred(&self) -> bool {
+        let count = M::model().plan.signs();
+        self.distances.as_ref()[..count].iter().any(|w| *w < BLURRED) && self.blurred().is_some()
+    }
+
+    /// The group that is so near to a crossing of branches that rates mean nothing.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn blurred(&self) -> Option<usize> {
+        let model = M::model();
+        let tried = &self.states[1 - self.good];
+        blurred_sign(model.plan.signs(), self.distances.as_ref(), [tried.q_dot.as_ref(), tried.q_ddot.as_ref()], |k| {
+            !matches!(
+                model.coordinates[k].kind,
+                CoordinateKind::Pose { component: Component::X | Component::Y, .. }
+            )
+        })
+    }
+
+    /// That rates mean nothing at the state that is being tried.
+    #[cold]
+    pub(super) fn explain_blurred(&self, t: f64) -> PlanError {
+        let place = self.blurred().and_then(|sign| M::model().plan.margin_of_sign(sign)).unwrap_or(0);
+        let margin = self.states[1 - self.good].margins.as_ref()[place];
+        match Step::of_margin(M::model(), place) {
+            Some(step) => {
+                let limit = Limit { step, margin, at: Some(t), kind: Some(LimitKind::BranchPoint) };
+                PlanError::Limit { t, limit }
+            }
+            None => PlanError::NonFinite { what: "margins", index: place, name: "", t },
+        }
+    }
+
+    /// What an instant, or a parameter, has that is not finite.
+    pub(super) fn unusable(&self, at: &Instant<'_>) -> Option<PlanError> {
+        let (model, t) = (M::model(), at.t);
+        let error = |what, index, name| Some(PlanError::NonFinite { what, index, name, t });
+        if !t.is_finite() {
+            return error("t", 0, "t");
+        }
+        for (index, u) in at.inputs.iter().enumerate() {
+            if ![u.value, u.rate, u.acceleration].iter().all(|x| x.is_finite()) {
+                return error("inputs", index, model.inputs.get(index).copied().unwrap_or(""));
+            }
+        }
+        let index = self.parameters.as_ref().iter().position(|x| !x.is_finite())?;
+        error("parameters", index, model.parameters.get(index).map_or("", |p| p.name))
+    }
+
+    /// Why what was tried is not good: arguments first, then steps of the plan in their order, then results.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn explain(&self, at: &Instant<'_>) -> PlanError {
+        if let Some(error) = self.unusable(at) {
+            return error;
+        }
+        let model = M::model();
+        let tried = &self.states[1 - self.good];
+        let t = at.t;
+        let error = |what, index, name| PlanError::NonFinite { what, index, name, t };
+        let place = |numbers: &[f64]| numbers.iter().position(|x| !x.is_finite());
+        let coordinate = |index: usize| model.coordinates.get(index).map_or("", |c| c.name);
+        if let Some(index) = place(self.predicted.as_ref()).filter(|_| self.anew) {
+            // What a restart begins with.
+            return error("q", index, coordinate(index));
+        }
+        let margins = &tried.margins.as_ref()[..model.plan.margins];
+        for (mode, sign) in model.plan.modes.iter().zip(self.branch.signs.as_ref()) {
+            if sign.is_nan() && margins.get(mode.margin).is_some_and(|margin| *margin > Plan::SMALLEST_MARGIN) {
+                return PlanError::Undecided { t, mode: mode.name };
+            }
+        }
+        for (index, &margin) in margins.iter().enumerate() {
+            match Step::of_margin(model, index) {
+                Some(step) if margin <= Plan::SMALLEST_MARGIN => {
+                    return of_kind(t, Limit { step, margin, at: None, kind: None });
+                }
+                _ if margin.is_nan() => return error("margins", index, ""),
+                _ => {}
+            }
+        }
+        for (what, numbers) in [("q", &tried.q), ("q_dot", &tried.q_dot), ("q_ddot", &tried.q_ddot)] {
+            if let Some(index) = place(numbers.as_ref()) {
+                return error(what, index, coordinate(index));
+            }
+        }
+        error("margins", 0, "")
+    }
+
+    /// Why a walk to the instant `at` was stopped: the group at its limit, with the place of the limit.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn refusal(
+        &mut self,
+        mechanism: &M,
+        course: &dyn Course,
+        at: &Instant<'_>,
+        blocked: &Blocked<M>,
+    ) -> PlanError {
+        if let Some(error) = self.unusable(at) {
+            return error;
+        }
+        let t = at.t;
+        let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
+        let reached = course.at(blocked.places[0], inputs.as_mut());
+        let Some(fault) = blocked.fault else { return PlanError::TooManySteps { t: reached, t_refused: t } };
+        let plan = &M::model().plan;
+        let place = match fault {
+            Fault::Margin(place) => Some(place),
+            Fault::Sign(sign) => plan.margin_of_sign(sign),
+            Fault::Coarse | Fault::NonFinite => None,
+        };
+        let step = place.and_then(|place| Step::of_margin(M::model(), place).map(|step| (place, step)));
+        let Some((place, step)) = step else {
+            // Nothing of the plan is to blame for where it was stopped.
+            self.predicted = blocked.here.q;
+            return match self.ask(mechanism, at) {
+                Ok(false) => self.explain(at),
+                Ok(true) => PlanError::Jump { t: reached, t_refused: t },
+                Err(error) => error.into(),
+            };
+        };
+        let is_sign = (0..plan.signs()).any(|sign| plan.margin_of_sign(sign) == Some(place));
+        if !is_sign {
+            let margin = self.margin_at(mechanism, course, blocked.places[1], place, blocked);
+            return of_kind(t, Limit { step, margin, at: Some(reached), kind: None });
+        }
+        let (s, margin) = self.locate(mechanism, course, place, blocked);
+        let kind = if margin <= TOUCHES && margin > -TOUCHES && self.comes_back(mechanism, course, s, place, blocked) {
+            LimitKind::BranchPoint
+        } else {
+            LimitKind::DeadCentre
+        };
+        let limit_at = course.at(s, inputs.as_mut());
+        // The margin at the instant that was asked for says how far beyond its limit the group would be.
+        let asked = self.margin_at(mechanism, course, course.ends()[1], place, blocked);
+        let margin = if asked <= Plan::SMALLEST_MARGIN { asked } else { margin };
+        of_kind(t, Limit { step, margin, at: Some(limit_at), kind: Some(kind) })
+    }
+
+    /// A margin at a place of the course, in the modes that are kept.
+    fn margin_at(
+        &mut self,
+        mechanism: &M,
+        course: &dyn Course,
+        s: f64,
+        place: usize,
+        blocked: &Blocked<M>,
+    ) -> f64 {
+        let plan = &M::model().plan;
+        let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
+        let t = course.at(s, inputs.as_mut());
+        let start = blocked.here.q;
+        let spare = &mut self.states[1 - self.good];
+        let margins = &mut spare.margins.as_mut()[..plan.margins];
+        let (q, q_dot, q_ddot) = (spare.q.as_mut(), spare.q_dot.as_mut(), spare.q_ddot.as_mut());
+        let solved = Solved { q, q_dot, q_ddot, margins };
+        let modes = &self.branch.signs.as_ref()[..plan.modes.len()];
+        let at = Instant { t, inputs: inputs.as_ref() };
+        let solution = mechanism.solve_with(
+            self.parameters.as_ref(),
+            &at,
+            modes,
+            start.as_ref(),
+            // The margins of iterations need the rates of the tree.
+            if plan.orientations.is_empty() { Depth::Position } else { Depth::Velocity },
+            solved,
+        );
+        let margin = self.states[1 - self.good].margins.as_ref()[place];
+        // Where nothing can be said of it, there is none.
+        if solution.is_ok() && !margin.is_nan() { margin } else { -1.0 }
+    }
+
+    /// The place at which a margin is 0, or least, from the last place reached on; and the margin there.
+    fn locate(&mut self, mechanism: &M, course: &dyn Course, place: usize, blocked: &Blocked<M>) -> (f64, f64) {
+        let [from, refused] = blocked.places;
+        let end = course.ends()[1];
+        let mut margin = |s: f64| self.margin_at(mechanism, course, s, place, blocked);
+        // Away from the last place in growing strides, until the margin is gone or grows again.
+        let direction = if end < from { -1.0 } else { 1.0 };
+        let mut stride = (refused - from).abs().max(4.0 * f64::EPSILON * from.abs());
+        let (mut a, mut b, mut at_b) = (from, from, margin(from));
+        let mut c = b;
+        for _ in 0..HALVINGS {
+            c = b + direction * stride;
+            let beyond = if direction > 0.0 { c >= end } else { c <= end };
+            if beyond {
+                c = end;
+            }
+            let at_c = margin(c);
+            if at_c <= 0.0 {
+                return root(&mut margin, b, c);
+            }
+            if at_c > at_b || beyond {
+                break;
+            }
+            (a, b, at_b) = (b, c, at_c);
+            stride *= 2.0;
+        }
+        let (least, at_least) = minimum(&mut margin, a, c);
+        if at_least < 0.0 { root(&mut margin, a, least) } else { (least, at_least) }
+    }
+
+    /// True where the margin grows again behind a place.
+    fn comes_back(
+        &mut self,
+        mechanism: &M,
+        course: &dyn Course,
+        s: f64,
+        place: usize,
+        blocked: &Blocked<M>,
+    ) -> bool {
+        let [start, end] = course.ends();
+        let beyond = s + 1e-4 * (end - start).abs().max((s - blocked.places[0]).abs()) * (end - start).signum();
+        self.margin_at(mechanism, course, beyond, place, blocked) > TOUCHES
+    }
+}
+
+/// The error of a step whose margin is not positive.
+fn of_kind(t: f64, limit: Limit) -> PlanError {
+    match limit.step.info().kind {
+        StepKind::Closure if limit.step.closes() => PlanError::Limit { t, limit },
+        StepKind::Watched(_) => PlanError::Contradiction { t, limit },
+        _ => PlanError::Singular { t, limit },
+    }
+}
+
+/// The group, of those that signs tell apart, that is so near to a crossing of branches that rates mean nothing.
+pub(crate) fn blurred_sign(
+    signs: usize,
+    distances: &[f64],
+    [q_dot, q_ddot]: [&[f64]; 2],
+    counts: impl Fn(usize) -> bool,
+) -> Option<usize> {
+    let largest = |rates: &[f64]| {
+        rates.iter().enumerate().filter(|(k, _)| counts(*k)).map(|(_, x)| x.abs()).fold(0.0, f64::max)
+    };
+    let (velocity, acceleration) = (largest(q_dot), largest(q_ddot));
+    let crosses = |w: f64| w < BLURRED && w * acceleration <= FOLD * velocity * velocity;
+    (0..signs).find(|&sign| crosses(distances[sign]))
+}
+
+/// Where a function changes its sign, positive at `a` and not at `b`, and its value there.
+fn root(f: &mut impl FnMut(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
+    let mut at_b = f(b);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (a + b);
+        if middle == a || middle == b {
+            break;
+        }
+        let found = f(middle);
+        if found > 0.0 {
+            a = middle;
+        } else {
+            (b, at_b) = (middle, found);
+        }
+    }
+    (b, at_b)
+}
+
+/// Where a function is least between two places, by golden sections (Kiefer 1953), and its value there.
+fn minimum(f: &mut impl FnMut(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
+    const SHARE: f64 = 0.618_033_988_749_894_9;
+    let (mut c, mut d) = (b - SHARE * (b - a), a + SHARE * (b - a));
+    let (mut at_c, mut at_d) = (f(c), f(d));
+    for _ in 0..SECTIONS {
+        if at_c < at_d {
+            (b, d, at_d) = (d, c, at_c);
+            c = b - SHARE * (b - a);
+            at_c = f(c);
+        } else {
+            (a, c, at_c) = (c, d, at_d);
+            d = a + SHARE * (b - a);
+            at_d = f(d);
+        }
+    }
+    if at_c < at_d { (c, at_c) } else { (d, at_d) }
+}

@@ -1,0 +1,243 @@
+//! From one instant to another in as many steps as the branch takes.
+//!
+//! A step h is short enough if nothing turns by more than [`Control::rotation`] by velocity or acceleration alone, the plan
+//! solves at its end, the solution is where the parabola predicted it, and every group is as far from its limit as the
+//! prediction has it. A step that is not is halved. So a group whose two closures come near one another is followed round
+//! the bend in steps that resolve it, and one that reaches its limit stops the walk just before it.
+
+use super::branch::may_dip;
+use super::follower::{Control, Fault, Follower, NEGLIGIBLE, Poses};
+use super::predict::{parabola, turned};
+use crate::course::Course;
+use crate::mechanism::{LengthError, Mechanism};
+use crate::scalar::Scalar;
+use crate::signal::{Instant, Signal};
+use crate::workspace::Array;
+
+/// Of the smaller of its distances at both ends of a step, how far a group must be from its limit in the middle.
+const MIDDLE: f64 = 0.25;
+
+/// Where a walk was stopped.
+pub(crate) struct Blocked<M: Mechanism> {
+    /// The last place reached, and the place that was not.
+    pub(super) places: [f64; 2],
+    /// The state at the last place.
+    pub(super) here: Poses<M>,
+    /// Why; none where there were too many steps.
+    pub(super) fault: Option<Fault>,
+}
+
+impl<M: Mechanism> Follower<M> {
+    /// Walks along the course and solves at the instant at its end; the state there is the one that is tried.
+    pub(super) fn walk(
+        &mut self,
+        mechanism: &M,
+        course: &dyn Course,
+        at: &Instant<'_>,
+        control: &Control,
+    ) -> Result<(), Blocked<M>> {
+        let [mut s, end] = course.ends();
+        let mut here = self.states[self.good];
+        let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
+        if course.is_frozen() || !course.has_rates_of_end() {
+            // Rates at the start are those along the course.
+            self.predicted = here.q;
+            let good = self.solve_at(mechanism, course, s, &mut inputs).unwrap_or(false);
+            if good {
+                here = self.states[1 - self.good];
+            }
+        }
+        let (mut proposed, mut smallest) = (f64::INFINITY, None);
+        for _ in 0..control.max_steps {
+            let remaining = end - s;
+            if remaining == 0.0 {
+                return self.arrive(mechanism, course, at, here);
+            }
+            let natural = natural_step([here.q_dot.as_ref(), here.q_ddot.as_ref()], self.weights.as_ref(), control);
+            let smallest = *smallest.get_or_insert_with(|| {
+                let shortest = control.min_step * natural.min(remaining.abs());
+                shortest.max(4.0 * f64::EPSILON * s.abs().max(end.abs()))
+            });
+            let length = natural.min(proposed);
+            let share = remaining.abs() / length;
+            // The last two steps are of equal length, so that none is a sliver.
+            let next = match share {
+                share if share <= 1.0 => end,
+                share if share < 2.0 => s + 0.5 * remaining,
+                _ => s + length.copysign(remaining),
+            };
+            let blocked = |fault| Blocked { places: [s, next], here, fault: Some(fault) };
+            if next == s {
+                return Err(blocked(Fault::Coarse));
+            }
+            let walked = (next - s).abs();
+            match self.step(mechanism, course, [s, next], &mut inputs, &here, control) {
+                Ok(growth) => {
+                    here = self.states[1 - self.good];
+                    self.branch.distances = self.distances;
+                    s = next;
+                    // A step cut short by the end says nothing against the longer one proposed before.
+                    proposed = if share <= 2.0 { proposed.max(growth * walked) } else { growth * walked };
+                }
+                Err(fault) => {
+                    if 0.5 * walked < smallest {
+                        return Err(blocked(fault));
+                    }
+                    proposed = 0.5 * walked;
+                }
+            }
+        }
+        Err(Blocked { places: [s, end], here, fault: None })
+    }
+
+    /// Solves at the instant that the walk has led to.
+    fn arrive(
+        &mut self,
+        mechanism: &M,
+        course: &dyn Course,
+        at: &Instant<'_>,
+        here: Poses<M>,
+    ) -> Result<(), Blocked<M>> {
+        let end = course.ends()[1];
+        let blocked = |fault| Blocked { places: [end, end], here, fault: Some(fault) };
+        if !course.has_rates_of_end() {
+            self.predicted = here.q;
+            if !self.ask(mechanism, at).unwrap_or(false) {
+                return Err(blocked(self.fault()));
+            }
+            self.measure();
+        }
+        match self.blurred() {
+            Some(sign) => Err(blocked(Fault::Sign(sign))),
+            None => Ok(()),
+        }
+    }
+
+    /// One step; gives by how much the next one may be longer.
+    fn step(
+        &mut self,
+        mechanism: &M,
+        course: &dyn Course,
+        [s, next]: [f64; 2],
+        inputs: &mut M::Inputs<f64>,
+        here: &Poses<M>,
+        control: &Control,
+    ) -> Result<f64, Fault> {
+        let h = next - s;
+        let rates = [here.q.as_ref(), here.q_dot.as_ref(), here.q_ddot.as_ref()];
+        let weights = self.weights;
+        let turn = parabola(self.predicted.as_mut(), rates, weights.as_ref(), h);
+        let signs = self.branch.signs;
+        let allowed = control.correction * turn + NEGLIGIBLE;
+        let result = self.judge(mechanism, course, [s, next], inputs, (here, &signs), allowed);
+        if result.is_err() {
+            self.branch.signs = signs;
+        }
+        result.map(|effort| if effort <= 0.3 / 64.0 { 4.0 } else { (0.3 / effort).powf(1.0 / 3.0).clamp(0.5, 4.0) })
+    }
+
+    /// Solves at the end of a step and judges it; gives its correction, relative to what is allowed.
+    fn judge(
+        &mut self,
+        mechanism: &M,
+        course: &dyn Course,
+        [s, next]: [f64; 2],
+        inputs: &mut M::Inputs<f64>,
+        (here, kept): (&Poses<M>, &M::Coordinates<f64>),
+        allowed: f64,
+    ) -> Result<f64, Fault> {
+        let wrong = |_: LengthError| Fault::NonFinite;
+        let mut good = self.solve_at(mechanism, course, next, inputs).map_err(wrong)?;
+        let t = course.at(next, inputs.as_mut());
+        if !good && !course.is_frozen() {
+            good = self.pass(mechanism, &Instant { t, inputs: inputs.as_ref() }).map_err(wrong)?;
+        }
+        if !good {
+            return Err(self.fault());
+        }
+        self.measure();
+        let tried = &self.states[1 - self.good];
+        let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
+        if !(away <= allowed) {
+            return Err(Fault::Coarse);
+        }
+        let at = Instant { t, inputs: inputs.as_ref() };
+        if let Some(sign) = self.uncertain(mechanism, &at, self.predicted.as_ref()).map_err(wrong)? {
+            return Err(Fault::Sign(sign));
+        }
+        let signs = M::model().plan.signs();
+        let (before, now) = (self.branch.distances, self.distances);
+        let near = |sign: &usize| may_dip(before.as_ref()[*sign], now.as_ref()[*sign]);
+        if (0..signs).any(|sign| near(&sign)) {
+            let mut middle = M::Coordinates::<f64>::filled(0.0);
+            let rates = [here.q.as_ref(), here.q_dot.as_ref(), here.q_ddot.as_ref()];
+            parabola(middle.as_mut(), rates, self.weights.as_ref(), 0.5 * (next - s));
+            let mut closures = M::Coordinates::<f64>::filled(0.0);
+            let closures = &mut closures.as_mut()[..signs];
+            let t = course.at(s + 0.5 * (next - s), inputs.as_mut());
+            let at = Instant { t, inputs: inputs.as_ref() };
+            mechanism.closures_with(self.parameters.as_ref(), &at, middle.as_ref(), closures).map_err(wrong)?;
+            let dips = |sign: &usize| {
+                let w = closures[*sign].abs();
+                !(w >= MIDDLE * before.as_ref()[*sign].min(now.as_ref()[*sign]))
+            };
+            // Redundant rows carry a motion past limits that the kept rows alone have: w changes its sign on the way.
+            let passed = |sign: &usize| self.branch.signs.as_ref()[*sign] != kept.as_ref()[*sign];
+            if let Some(sign) = (0..signs).filter(near).find(|sign| dips(sign) && !passed(sign)) {
+                return Err(Fault::Sign(sign));
+            }
+        }
+        Ok(away / allowed)
+    }
+
+    /// Solves from the prediction at a place of the course, with rates along it; true where the solution is good.
+    fn solve_at(
+        &mut self,
+        mechanism: &M,
+        course: &dyn Course,
+        s: f64,
+        inputs: &mut M::Inputs<f64>,
+    ) -> Result<bool, LengthError> {
+        let t = course.at(s, inputs.as_mut());
+        let good = self.ask(mechanism, &Instant { t, inputs: inputs.as_ref() })?;
+        if !good || !course.is_frozen() {
+            return Ok(good);
+        }
+        // What time itself contributes is taken out: rates are linear in those of the inputs, accelerations quadratic.
+        let along = self.states[1 - self.good];
+        let other = |this: &mut Self, factor: f64| {
+            let mut changed = *inputs;
+            changed.as_mut().iter_mut().for_each(|u| *u = Signal::new(u.value, factor * u.rate, 0.0));
+            let good = this.ask(mechanism, &Instant { t, inputs: changed.as_ref() })?;
+            Ok::<_, LengthError>((good, this.states[1 - this.good]))
+        };
+        let ((first, still), (second, back)) = (other(self, 0.0)?, other(self, -1.0)?);
+        let tried = &mut self.states[1 - self.good];
+        *tried = along;
+        for (v, still) in tried.q_dot.as_mut().iter_mut().zip(still.q_dot.as_ref()) {
+            *v -= still;
+        }
+        let others = still.q_ddot.as_ref().iter().zip(back.q_ddot.as_ref());
+        for (a, (still, back)) in tried.q_ddot.as_mut().iter_mut().zip(others) {
+            *a = 0.5 * (*a + back) - still;
+        }
+        Ok(first && second)
+    }
+
+    /// Why the state that is being tried is not good.
+    pub(super) fn fault(&self) -> Fault {
+        let plan = &M::model().plan;
+        let margins = &self.states[1 - self.good].margins.as_ref()[..plan.margins];
+        let bad = margins.iter().position(|margin| *margin <= crate::plan::Plan::SMALLEST_MARGIN);
+        bad.map_or(Fault::NonFinite, Fault::Margin)
+    }
+}
+
+/// The step within which nothing turns by more than is allowed.
+fn natural_step([q_dot, q_ddot]: [&[f64]; 2], weights: &[f64], control: &Control) -> f64 {
+    let largest =
+        |rates: &[f64]| rates.iter().zip(weights).map(|(rate, weight)| (rate * weight).abs()).fold(0.0, f64::max);
+    let by_velocity = control.rotation / largest(q_dot);
+    let by_acceleration = Scalar::sqrt(2.0 * control.rotation / largest(q_ddot));
+    by_velocity.min(by_acceleration)
+}

@@ -1,0 +1,282 @@
+//! Analyses of one instant by the plan: what an ordinary call does wherever there is one.
+//!
+//! Nothing is made that belongs to the general path: no scale, no order of elimination. The plan solves, every row is
+//! evaluated at its answer, and where one is not satisfied, or there is no answer, the general path decides.
+//!
+//! **What a guess means.** A complete configuration has the modes that its closures have. Of a partial guess every group
+//! whose coordinates are guessed takes the closure that is nearer to them, group by group in the order of the plan. A group
+//! of which nothing is guessed is left to the general path.
+
+use super::{Position, Solver};
+use crate::mechanism::Mechanism;
+use crate::model::{Component, CoordinateKind, Model, Role};
+use crate::motion::{shows_coordinates, write_coordinates, write_poses};
+use crate::plan::{Depth, Plan, Solved, StepKind};
+use crate::planned::follower::Follower;
+use crate::residual::{Tolerances, closed, closed_position};
+use crate::state::State;
+use crate::system::Parts;
+use crate::workspace::{Array, Evaluation, Instant, Subset};
+
+/// Where the plan starts: angles come out within half a turn of these, in these modes.
+struct Start<M: Mechanism> {
+    q: M::Coordinates<f64>,
+    signs: M::Coordinates<f64>,
+}
+
+/// Squared distances of two closures from a guess that are as near to one another as this do not say which is meant.
+const UNDECIDED: f64 = 1e-9;
+
+impl<M: Mechanism> Solver<'_, M> {
+    /// The state that the guesses lead to; none where the general path must decide.
+    pub(crate) fn state_by_plan(&self, at: &Instant<'_>) -> Option<State> {
+        if !self.goes_by_plan(at) {
+            return None;
+        }
+        let parameters = self.mechanism.parameters::<f64>();
+        let start = self.start_of_guess(&parameters, at)?;
+        self.finished(&self.follower(parameters, at, &start)?, at)
+    }
+
+    /// The state near a complete start; none where the general path must decide.
+    pub(crate) fn state_near(&self, at: &Instant<'_>, start: &[f64]) -> Option<State> {
+        if !self.goes_by_plan(at) {
+            return None;
+        }
+        let parameters = self.mechanism.parameters::<f64>();
+        let start = self.start_of(&parameters, at, start)?;
+        self.finished(&self.follower(parameters, at, &start)?, at)
+    }
+
+    /// The position that the guesses lead to; none where the general path must decide.
+    pub(crate) fn position_by_plan(&self, at: &Instant<'_>) -> Option<Position> {
+        if !self.goes_by_plan(at) {
+            return None;
+        }
+        let parameters = self.mechanism.parameters::<f64>();
+        self.position_of(&parameters, at, &self.start_of_guess(&parameters, at)?)
+    }
+
+    /// The position near a complete start; none where the general path must decide.
+    pub(crate) fn position_near(&self, at: &Instant<'_>, start: &[f64]) -> Option<Position> {
+        if !self.goes_by_plan(at) {
+            return None;
+        }
+        let parameters = self.mechanism.parameters::<f64>();
+        self.position_of(&parameters, at, &self.start_of(&parameters, at, start)?)
+    }
+
+    /// True where the plan determines everything and the geometry of the joints is sound.
+    fn goes_by_plan(&self, at: &Instant<'_>) -> bool {
+        let plan = &M::model().plan;
+        let usable = self.options.use_plan && plan.exists() && self.given.is_empty();
+        let sound = || !has_sizes(M::model()) || self.is_sound(at);
+        usable && self.options.check().is_ok() && at.inputs.len() == M::INPUTS && sound()
+    }
+
+    /// True where no size of a joint is degenerate at these parameters.
+    fn is_sound(&self, at: &Instant<'_>) -> bool {
+        let model = M::model();
+        let parameters = self.mechanism.parameters::<f64>();
+        let mut numbers = vec![0.0; model.geometry];
+        if self.mechanism.write_geometry(parameters.as_ref(), at, &mut numbers).is_err() {
+            return false;
+        }
+        let pieces = model.joints.iter().flat_map(|joint| joint.geometry);
+        pieces.into_iter().all(|piece| match (piece.role, numbers.get(piece.offset..)) {
+            (Role::Axis, Some([x, y, ..])) => (x * x + y * y - 1.0).abs() <= 1e-9,
+            (Role::Radius, Some([radius, ..])) => *radius != 0.0,
+            (Role::Value, Some([value, ..])) => value.is_finite(),
+            _ => true,
+        })
+    }
+
+    /// A complete start and its modes.
+    fn start_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &[f64]) -> Option<Start<M>> {
+        let mut signs = M::Coordinates::<f64>::filled(0.0);
+        let count = M::model().plan.signs();
+        self.mechanism.closures_with(parameters.as_ref(), at, start, &mut signs.as_mut()[..count]).ok()?;
+        let q = *M::Coordinates::<f64>::view(start)?;
+        Some(Start { q, signs })
+    }
+
+    /// What the guesses mean.
+    fn start_of_guess(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>) -> Option<Start<M>> {
+        let plan = &M::model().plan;
+        // NaN for what is not guessed.
+        let guess = self.guessed(parameters)?;
+        let start = M::Coordinates::<f64>::generate(|k| {
+            let guess = guess.as_ref()[k];
+            if guess.is_nan() { 0.0 } else { guess }
+        });
+        let is_guessed = |k: usize| !guess.as_ref()[k].is_nan();
+        for step in plan.steps {
+            if let StepKind::Newton(unknowns) = step.kind
+                && !step.coordinates.iter().take(unknowns).all(|&(k, _)| is_guessed(k))
+            {
+                return None;
+            }
+        }
+        if self.modes.iter().any(|(_, place, _)| place.is_none()) {
+            return None;
+        }
+        let mut signs = M::Coordinates::<f64>::filled(1.0);
+        for (place, mode) in plan.modes.iter().enumerate() {
+            if let Some((.., sign)) = self.modes.iter().rev().find(|(_, asked, _)| *asked == Some(place)) {
+                signs.as_mut()[place] = sign.value();
+                continue;
+            }
+            let coordinates = plan.steps.get(mode.step)?.coordinates;
+            if !coordinates.iter().any(|&(k, _)| is_guessed(k)) {
+                return None;
+            }
+            let [plus, minus] = [1.0, -1.0].map(|sign| {
+                signs.as_mut()[place] = sign;
+                let q = self.closed_in(parameters, at, &start, &signs)?;
+                let guessed = coordinates.iter().map(|&(k, _)| k).filter(|&k| is_guessed(k));
+                Some(guessed.map(|k| squared_distance::<M>(k, start.as_ref()[k], q.as_ref()[k])).sum::<f64>())
+            });
+            let (plus, minus) = (plus?, minus?);
+            // Neither for NaN.
+            if !((plus - minus).abs() > UNDECIDED) {
+                return None;
+            }
+            signs.as_mut()[place] = if plus < minus { 1.0 } else { -1.0 };
+        }
+        Some(Start { q: start, signs })
+    }
+
+    /// The guesses, NaN for what is not guessed; none where one is for a coordinate that does not exist.
+    fn guessed(&self, parameters: &M::Parameters<f64>) -> Option<M::Coordinates<f64>> {
+        let own = M::model().guesses;
+        // There are never more guesses than coordinates.
+        let mut values = M::Coordinates::<f64>::filled(0.0);
+        let values = values.as_mut().get_mut(..own.len())?;
+        self.mechanism.write_guesses(parameters.as_ref(), values).ok()?;
+        let mut guess = M::Coordinates::<f64>::filled(f64::NAN);
+        let all = own.iter().copied().zip(values.iter().copied()).chain(self.guesses.iter().copied());
+        for (coordinate, value) in all {
+            *guess.as_mut().get_mut(coordinate)? = value;
+        }
+        Some(guess)
+    }
+
+    /// q by the plan, whatever its margins.
+    fn closed_in(
+        &self,
+        parameters: &M::Parameters<f64>,
+        at: &Instant<'_>,
+        start: &M::Coordinates<f64>,
+        signs: &M::Coordinates<f64>,
+    ) -> Option<M::Coordinates<f64>> {
+        let mut margins = M::Rows::<f64>::filled(0.0);
+        self.solved(parameters, at, start, signs, &mut margins)
+    }
+
+    /// q by the plan, with its margins as far as they belong to positions.
+    fn solved(
+        &self,
+        parameters: &M::Parameters<f64>,
+        at: &Instant<'_>,
+        start: &M::Coordinates<f64>,
+        signs: &M::Coordinates<f64>,
+        margins: &mut M::Rows<f64>,
+    ) -> Option<M::Coordinates<f64>> {
+        let plan = &M::model().plan;
+        let [mut q, mut q_dot, mut q_ddot] = [M::Coordinates::<f64>::filled(0.0); 3];
+        let margins = margins.as_mut().get_mut(..plan.margins)?;
+        let solved = Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins };
+        let modes = signs.as_ref().get(..plan.modes.len())?;
+        let (parameters, start) = (parameters.as_ref(), start.as_ref());
+        // The margins of iterations need the linear level, and so do redundant rows.
+        let depth = if plan.orientations.is_empty() { Depth::Position } else { Depth::Velocity };
+        self.mechanism.solve_with(parameters, at, modes, start, depth, solved).ok()?;
+        Some(q)
+    }
+
+    /// The follower at an instant; none where it has no answer.
+    fn follower(&self, parameters: M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<Follower<M>> {
+        Follower::begin(self.mechanism, parameters, at, start.q.as_ref(), start.signs).ok()
+    }
+
+    /// The state of a follower, held against all rows.
+    fn finished(&self, follower: &Follower<M>, at: &Instant<'_>) -> Option<State> {
+        let model = M::model();
+        let poses = follower.state();
+        let solution = [poses.q.as_ref(), poses.q_dot.as_ref(), poses.q_ddot.as_ref()];
+        let [q, q_dot, q_ddot] = solution;
+        let parameters = follower.parameters();
+        let mut workspace = M::workspace::<f64>();
+        self.mechanism.evaluate_with(parameters, Subset::ALL, at, q, q_dot, &mut workspace).ok()?;
+        let [mut a, mut b, mut c] = [M::Rows::<f64>::filled(0.0); 3];
+        let tolerances = Tolerances { position: self.options.tolerance, rates: self.options.consistency_tolerance };
+        let rooms = [a.as_mut(), b.as_mut(), c.as_mut()];
+        let residual = closed(model, &parts(&workspace), solution, tolerances, rooms)?;
+        let mut state = State {
+            model,
+            t: at.t,
+            inputs: at.inputs.to_vec(),
+            q: q.to_vec(),
+            q_dot: q_dot.to_vec(),
+            q_ddot: q_ddot.to_vec(),
+            bodies: Vec::new(),
+            points: Vec::new(),
+            residual,
+            iterations: 1,
+            condition: None,
+            degrees_of_freedom_left: 0,
+        };
+        if shows_coordinates(model) {
+            write_coordinates(&mut state);
+        } else {
+            let mut observations = M::observations::<f64>();
+            self.mechanism.observe_with(parameters, at, q, q_dot, &mut observations).ok()?;
+            write_poses(&parts(&observations), &mut state).ok()?;
+        }
+        Some(state)
+    }
+
+    /// The position by the plan, held against all rows.
+    fn position_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<Position> {
+        let model = M::model();
+        let mut margins = M::Rows::<f64>::filled(0.0);
+        let q = self.solved(parameters, at, &start.q, &start.signs, &mut margins)?;
+        let positive = margins.as_ref()[..model.plan.margins].iter().all(|margin| *margin > Plan::SMALLEST_MARGIN);
+        // Rows that the plan does without have margins of their own, over rates too: those are left to states.
+        let is_plain = model.plan.watched().next().is_none();
+        if !positive || !is_plain || !q.as_ref().iter().all(|x| x.is_finite()) {
+            return None;
+        }
+        let mut workspace = M::workspace::<f64>();
+        let still = M::Coordinates::<f64>::filled(0.0);
+        let subset = Subset::POSITION;
+        let (numbers, q_ref) = (parameters.as_ref(), q.as_ref());
+        self.mechanism.evaluate_with(numbers, subset, at, q_ref, still.as_ref(), &mut workspace).ok()?;
+        let [mut a, mut b] = [M::Rows::<f64>::filled(0.0); 2];
+        let rooms = [a.as_mut(), b.as_mut()];
+        let residual = closed_position(model, &parts(&workspace), q_ref, self.options.tolerance, rooms)?;
+        Some(Position { q: q_ref.to_vec(), iterations: 1, residual })
+    }
+}
+
+/// An evaluation as slices.
+fn parts<R: AsRef<[f64]>, J: AsRef<[f64]>>(evaluation: &Evaluation<R, J>) -> Parts<'_> {
+    let (phi, phi_q) = (evaluation.phi(), evaluation.phi_q());
+    Parts { phi, phi_q, phi_t: evaluation.phi_t(), gamma: evaluation.gamma() }
+}
+
+/// True where a joint has an axis, a radius or a value that parameters may spoil.
+fn has_sizes(model: &Model) -> bool {
+    let pieces = model.joints.iter().flat_map(|joint| joint.geometry);
+    pieces.into_iter().any(|piece| matches!(piece.role, Role::Axis | Role::Radius | Role::Value))
+}
+
+/// The squared distance of a coordinate from its guess; of lengths relative to their size.
+fn squared_distance<M: Mechanism>(k: usize, guess: f64, found: f64) -> f64 {
+    let square = (guess - found) * (guess - found);
+    match M::model().coordinates[k].kind {
+        CoordinateKind::Pose { component: Component::Phi, .. } => square,
+        CoordinateKind::Pose { .. } => square / (guess * guess + found * found + f64::MIN_POSITIVE),
+        CoordinateKind::Scalar => square / (1.0 + guess * guess),
+    }
+}
