@@ -29,7 +29,7 @@ pub(crate) fn modes(equations: &Equations<'_>, q: &[f64], modes: &mut Vec<f64>) 
     let plan = &equations.model.plan;
     modes.resize(plan.signs(), 0.0);
     let at = equations.instant();
-    if equations.system.closures(&at, q, modes).is_err() {
+    if equations.system.branches(&at, q, modes).is_err() {
         modes.fill(0.0);
     }
     modes.truncate(plan.modes.len());
@@ -76,7 +76,7 @@ impl Answer {
     /// True if q is in these modes for sure.
     pub(crate) fn is_in(&mut self, equations: &Equations<'_>, modes: &[f64], q: &[f64]) -> bool {
         let at = equations.instant();
-        equations.system.closures(&at, q, &mut self.closures).is_ok()
+        equations.system.branches(&at, q, &mut self.closures).is_ok()
             && modes.iter().zip(&self.closures).all(|(mode, closure)| mode * closure > UNDECIDED)
     }
 }

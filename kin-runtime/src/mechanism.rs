@@ -207,9 +207,7 @@ pub trait Mechanism: Sized {
     }
 
     /// For every mode of the plan, a number in −1 ≤ w ≤ 1 whose sign is the mode of the configuration q and whose
-    /// size says how far the two closures are apart: 0 where they meet. Behind them stands such a number for every group
-    /// that the plan solves by iteration ([`Plan::orientations`](crate::plan::Plan::orientations)): the determinant of its
-    /// own small system, normalised.
+    /// size says how far the two closures are apart: 0 where they meet.
     ///
     /// # Errors
     /// When an argument has the wrong length.
@@ -222,6 +220,22 @@ pub trait Mechanism: Sized {
     ) -> Result<(), LengthError> {
         let _ = (parameters, at, q, closures);
         Ok(())
+    }
+
+    /// What tells the branches of every group of the plan apart at the configuration q: the numbers of
+    /// [`closures_with`](Self::closures_with), and behind them such a number for every group that is solved by iteration
+    /// ([`Plan::orientations`](crate::plan::Plan::orientations)), the determinant of its own small system, normalised.
+    ///
+    /// # Errors
+    /// When an argument has the wrong length.
+    fn branches_with<T: Scalar>(
+        &self,
+        parameters: &[T],
+        at: &Instant<'_, T>,
+        q: &[T],
+        branches: &mut [T],
+    ) -> Result<(), LengthError> {
+        self.closures_with(parameters, at, q, branches)
     }
 
     /// What x with Φ_q x = b needs of Φ_q at q, by the blocks of the plan; nothing is written where there is no plan.

@@ -43,7 +43,7 @@ pub(crate) fn modes(equations: &Equations<'_>, q: &[f64]) -> Result<Vec<Mode>, S
         return Err(SolveError::Plan(PlanError::NoPlan { why }));
     }
     let mut closures = vec![0.0; plan.signs()];
-    equations.system.closures(&equations.instant(), q, &mut closures)?;
+    equations.system.branches(&equations.instant(), q, &mut closures)?;
     let mode = |(info, closure): (&crate::plan::ModeInfo, f64)| {
         let step = Step::new(equations.model, info.step);
         Mode {

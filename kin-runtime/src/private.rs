@@ -31,7 +31,7 @@ pub mod locals {
     }
     names! {
         arguments at eta gamma geometry guesses index joint k observations out p parameters phi phi_q phi_t q
-        acceleration b closures correction depth held margins modes position q_dot right s solved start subset t this u unknowns value velocity w
+        acceleration b branches closures correction depth held margins modes position q_dot right s solved start subset t this u unknowns value velocity w
         workspace x
     }
 }

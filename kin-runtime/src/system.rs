@@ -76,8 +76,8 @@ pub(crate) trait System {
         let _ = (at, modes, start, depth, solved);
         Ok(())
     }
-    /// How far apart the closures of each mode are at q, with the sign of the mode.
-    fn closures(&self, at: &Instant<'_>, q: &[f64], closures: &mut [f64]) -> Result<(), LengthError> {
+    /// What tells the branches of every group apart at q, with the sign of the group.
+    fn branches(&self, at: &Instant<'_>, q: &[f64], closures: &mut [f64]) -> Result<(), LengthError> {
         let _ = (at, q, closures);
         Ok(())
     }
@@ -191,8 +191,8 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
         self.mechanism.borrow().solve_with(self.parameters.as_ref(), at, modes, start, depth, solved)
     }
 
-    fn closures(&self, at: &Instant<'_>, q: &[f64], closures: &mut [f64]) -> Result<(), LengthError> {
-        self.mechanism.borrow().closures_with(self.parameters.as_ref(), at, q, closures)
+    fn branches(&self, at: &Instant<'_>, q: &[f64], closures: &mut [f64]) -> Result<(), LengthError> {
+        self.mechanism.borrow().branches_with(self.parameters.as_ref(), at, q, closures)
     }
 
     fn follow_from(&mut self, at: &Instant<'_>, q: &[f64]) -> Result<(), PlanError> {

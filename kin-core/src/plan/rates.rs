@@ -8,10 +8,11 @@
 
 use super::closures::squared_size;
 use super::dense;
-use super::tree::{Block, Core, Pair, PairValue, Part};
+use super::tree::{Block, Core, Pair, PairValue, Part, Way};
 use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
 use crate::hash::FastMap;
+use crate::mechanism::Function;
 use std::collections::BTreeMap;
 
 /// How deep the terms of a divisor are looked for.
@@ -148,6 +149,13 @@ impl<'g> Rates<'g> {
         if let [row] = matrix.as_slice() {
             let (square, size) = (self.graph.square(row[0]), squared_size(self.graph, row[0], DEPTH));
             self.hold_against(square, size);
+            if let (Way::Newton { .. }, Some(&first)) = (&core.way, core.rows.first()) {
+                // A single unknown is told from its neighbours by the sign of its coefficient.
+                let (margin, root) = (self.graph.div(square, size), self.graph.call(Function::Sqrt, size));
+                let orientation = self.graph.div(row[0], root);
+                self.margins.insert(first, margin);
+                self.orientations.insert(first, orientation);
+            }
         }
     }
 

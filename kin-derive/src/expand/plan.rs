@@ -57,7 +57,7 @@ pub(super) fn planned(lowered: &Lowered, system: &KinematicSystem, plan: &Soluti
         const TURNS: (usize, usize) = #turns;
         const REGULAR: (usize, usize) = #regular;
     };
-    let methods = [places, solve.method, closures_method(&tell), resolve_methods(&factorise, &resolve)];
+    let methods = [places, solve.method, closures_methods(&tell, plan), resolve_methods(&factorise, &resolve)];
     Planned { items, methods: quote! { #(#methods)* } }
 }
 
@@ -165,10 +165,37 @@ fn depth_tokens(depth: Depth) -> TokenStream {
     }
 }
 
-fn closures_method(kernel: &Kernel) -> TokenStream {
+/// What tells modes apart, and what tells all branches apart where there are iterations, too.
+fn closures_methods(kernel: &Kernel, plan: &SolutionPlan) -> TokenStream {
     let lengths = position_lengths(&Ident::new("__T", Span::call_site()), "q");
     let call = &kernel.call;
+    let method = |name: &str, list: &str| {
+        let [name, list_name] = [name, list].map(|name| Ident::new(name, Span::call_site()));
+        quote! {
+            #[inline]
+            fn #name<__T: __kin::Scalar>(
+                &self,
+                parameters: &[__T],
+                at: &__kin::Instant<'_, __T>,
+                q: &[__T],
+                #list_name: &mut [__T],
+            ) -> __kin::Result<(), __kin::LengthError> {
+                #lengths
+                let out: &mut __Closures<__T> = __kin::fixed_mut(#list, #list_name)?;
+                let _ = (p, u, q, &out);
+                #call
+                __kin::Ok(())
+            }
+        }
+    };
+    if plan.orientations.is_empty() {
+        return method("closures_with", "closures");
+    }
+    let branches = method("branches_with", "branches");
+    let (modes, all) = (plan.modes.len(), plan.modes.len() + plan.orientations.len());
     quote! {
+        #branches
+
         #[inline]
         fn closures_with<__T: __kin::Scalar>(
             &self,
@@ -177,10 +204,10 @@ fn closures_method(kernel: &Kernel) -> TokenStream {
             q: &[__T],
             closures: &mut [__T],
         ) -> __kin::Result<(), __kin::LengthError> {
-            #lengths
-            let out: &mut __Closures<__T> = __kin::fixed_mut("closures", closures)?;
-            let _ = (p, u, q, &out);
-            #call
+            let out: &mut __Modes<__T> = __kin::fixed_mut("closures", closures)?;
+            let mut branches = [<__T as __kin::Scalar>::from_f64(0.0); #all];
+            <Self as __kin::Mechanism>::branches_with(self, parameters, at, q, &mut branches)?;
+            out.copy_from_slice(&branches[..#modes]);
             __kin::Ok(())
         }
     }

@@ -48,7 +48,7 @@ impl<'a> Modes<'a> {
         match self {
             Self::Signs(_) => modes.iter_mut().zip(given).for_each(|(mode, given)| *mode = given.direction()),
             Self::OfStart => {
-                let lengths = mechanism.closures_with(parameters, at, start, modes);
+                let lengths = mechanism.branches_with(parameters, at, start, modes);
                 debug_assert!(lengths.is_ok(), "the columns have been counted");
                 modes.iter_mut().for_each(|mode| *mode = mode.direction());
             }

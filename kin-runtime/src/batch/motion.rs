@@ -17,6 +17,9 @@ use crate::scalar::compare::Compare;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
+/// Margins above this leave rates enough digits for all sets to be judged together.
+const FAR: f64 = 1e-6;
+
 /// Eight sets on their way.
 pub(super) struct Motion<M: Mechanism> {
     pub(super) parameters: M::Parameters<Octet>,
@@ -90,7 +93,7 @@ impl<M: Mechanism> Motion<M> {
         let q = self.poses[1 - self.good].q;
         let count = M::model().plan.signs();
         let lengths =
-            mechanism.closures_with(self.parameters.as_ref(), at, q.as_ref(), &mut found.as_mut()[..count]);
+            mechanism.branches_with(self.parameters.as_ref(), at, q.as_ref(), &mut found.as_mut()[..count]);
         debug_assert!(lengths.is_ok(), "the columns have been counted");
         found
     }
@@ -143,7 +146,8 @@ impl<M: Mechanism> Motion<M> {
         let tried = &self.poses[1 - self.good];
         let half = Octet::from_f64(0.5);
         // No group is so near to its limit that rates may mean nothing, and nothing is NaN.
-        let far = (tried.margin - Octet::from_f64(1.0)).is_within(1.0 - 1e-6);
+        let nearer = tried.margin.least(self.poses[self.good].margin);
+        let far = (nearer - Octet::from_f64(1.0)).is_within(1.0 - FAR);
         if limits.is_none() & far & (least - half).is_within(0.5) {
             self.keep(at, h);
             return None;
@@ -163,7 +167,7 @@ impl<M: Mechanism> Motion<M> {
         let mut foretold = M::Coordinates::<Octet>::generate(|_| Octet::default());
         let foretold = &mut foretold.as_mut()[..plan.signs()];
         let start = self.predicted.as_ref();
-        let lengths = mechanism.closures_with(self.parameters.as_ref(), at, start, foretold);
+        let lengths = mechanism.branches_with(self.parameters.as_ref(), at, start, foretold);
         debug_assert!(lengths.is_ok(), "the columns have been counted");
         let groups = foretold.iter().zip(self.branch.signs.as_ref()).zip(self.distances.as_ref());
         groups.fold(Octet::from_f64(1.0), |least, ((w, sign), now)| least.least(certainty_of(*now, *sign * *w)))
@@ -203,7 +207,8 @@ impl<M: Mechanism> Motion<M> {
         let mut refusals: Refusals = [None; Octet::COUNT];
         for (lane, refusal) in refusals.iter_mut().enumerate() {
             let margin = self.poses[1 - self.good].margin.lane(lane);
-            let counts = self.poses[1 - self.good].is_good(lane) && margin >= 1e-6 && least.lane(lane) >= 0.0;
+            let nearer = margin.min(self.poses[self.good].margin.lane(lane));
+            let counts = self.poses[1 - self.good].is_good(lane) && nearer >= FAR && least.lane(lane) >= 0.0;
             if counts {
                 continue;
             }

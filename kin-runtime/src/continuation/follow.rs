@@ -13,6 +13,7 @@ use crate::events::Watch;
 use crate::factorisation::Wanted;
 use crate::linear::Factorization;
 use crate::motion::poses;
+use crate::planned::follower::{Control, most_turn};
 use crate::scale::Scale;
 use crate::state::State;
 use crate::trajectory::Fallback;
@@ -216,7 +217,9 @@ impl Follower {
                     let q = if moved { &self.here.state.q } else { &self.node.state.q };
                     equations.scale = Scale::around(equations, q);
                 }
-                natural_step(equations, rates).min(if by_plan { f64::INFINITY } else { self.proposed })
+                let node = if moved { &self.here } else { &self.node };
+                let nearest = node.basis.as_ref().map_or(1.0, |basis| groups::nearest(&basis.groups));
+                natural_step(equations, rates, nearest).min(if by_plan { f64::INFINITY } else { self.proposed })
             };
             let smallest = *smallest.get_or_insert_with(|| {
                 let shortest = options.min_step * length.min(remaining.abs());
@@ -419,10 +422,11 @@ fn rates(
     Ok(())
 }
 
-/// The step within which nothing turns by more than is allowed.
-fn natural_step(equations: &Equations<'_>, [q_dot, q_ddot]: [&Vec<f64>; 2]) -> f64 {
+/// The step within which nothing turns by more than is allowed, from a node whose nearest group has this distance from its
+/// limit.
+fn natural_step(equations: &Equations<'_>, [q_dot, q_ddot]: [&Vec<f64>; 2], nearest: f64) -> f64 {
     let scale = &equations.scale;
-    let most = equations.options.max_rotation_per_step;
+    let most = most_turn(&Control::of(&equations.options), nearest);
     let by_velocity = most / scale.turn(q_dot);
     let by_acceleration = (2.0 * most / scale.turn(q_ddot)).sqrt();
     by_velocity.min(by_acceleration)

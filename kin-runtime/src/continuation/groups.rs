@@ -19,15 +19,18 @@ pub(super) fn write(equations: &Equations<'_>, q: &[f64], groups: &mut Vec<f64>)
         return;
     }
     groups.resize(equations.model.plan.signs(), 0.0);
-    if equations.system.closures(&equations.instant(), q, groups).is_err() {
+    if equations.system.branches(&equations.instant(), q, groups).is_err() {
         groups.fill(f64::NAN);
     }
 }
 
 /// True where every group has stayed on its branch, from a configuration `before` over a prediction to what was found.
-pub(super) fn stay(before: &[f64], predicted: &[f64], found: &[f64]) -> bool {
+///
+/// With redundant rows a group of the kept ones may have a limit that the mechanism passes: then the sign may change, as
+/// the prediction has it.
+pub(super) fn stay(before: &[f64], predicted: &[f64], found: &[f64], is_redundant: bool) -> bool {
     before.iter().zip(predicted).zip(found).all(|((before, predicted), found)| {
-        let sign = before.signum();
+        let sign = if is_redundant { predicted.signum() } else { before.signum() };
         sign * found > SMALLEST && certainty_of(sign * found, sign * predicted) >= 0.0
     })
 }
@@ -40,4 +43,9 @@ pub(super) fn are_blurred(equations: &Equations<'_>, groups: &[f64], q_dot: &[f6
         !matches!(kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
     };
     blurred_sign(distances.len(), &distances, [q_dot, q_ddot], counts).is_some()
+}
+
+/// How near the nearest group is to where its branches meet.
+pub(super) fn nearest(groups: &[f64]) -> f64 {
+    groups.iter().fold(1.0, |least, w| f64::min(least, w.abs()))
 }

@@ -165,7 +165,8 @@ pub(super) fn settle(
     }
     groups::write(equations, predicted, predicted_groups);
     groups::write(equations, &state.q, groups);
-    if !groups::stay(before, predicted_groups, groups) {
+    let is_redundant = equations.model.plan.watched().next().is_some();
+    if !groups::stay(before, predicted_groups, groups, is_redundant) {
         return Err(Fault::Jump(worst));
     }
     let right = -scaled(equations, &equations.phi_t);
@@ -176,7 +177,7 @@ pub(super) fn settle(
     equations.check("q_dot", q_dot.as_slice())?;
     fill(&mut state.q_dot, q_dot.iter().copied());
     state.q_ddot = acceleration(equations, &state.q, &state.q_dot, &found)?;
-    if last && groups::are_blurred(equations, groups, &state.q_dot, &state.q_ddot) {
+    if last && !is_redundant && groups::are_blurred(equations, groups, &state.q_dot, &state.q_ddot) {
         return Err(Fault::Jump(worst));
     }
     to.s = s;

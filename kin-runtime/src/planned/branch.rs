@@ -26,7 +26,7 @@ pub(crate) struct Branch<A> {
     pub(crate) signs: A,
     /// |w|.
     pub(crate) distances: A,
-    /// Rates of |w| along the motion, NaN where they are not known.
+    /// Rates of |w| along the motion, where they are known.
     pub(crate) slopes: A,
 }
 
@@ -49,7 +49,7 @@ pub(crate) fn certainty<V: Compare, A: AsRef<[V]>>(
     least
 }
 
-/// How certain it is that |w| is where it was expected: not at all for less than 0, and for NaN.
+/// How certain it is that |w| is where it was expected: not at all for less than 0.
 #[inline(always)]
 pub(crate) fn certainty_of<V: Compare>(now: V, expected: V) -> V {
     V::from_f64(EXPECTED) * now.least(expected) - (now - expected).abs()

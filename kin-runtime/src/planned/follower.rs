@@ -34,6 +34,12 @@ impl Control {
     pub(crate) const USUAL: Self = Self { rotation: 0.3, correction: 0.1, min_step: 1e-13, max_steps: 200_000 };
 }
 
+/// Most radians of one step from a state whose nearest group is at the distance w from its limit: rounding of q̈, which is
+/// about ε q̇²/w³ beside a crossing of branches, must not decide where the step leads.
+pub(crate) fn most_turn(control: &Control, w: f64) -> f64 {
+    f64::min(control.rotation, 0.01 / f64::EPSILON * w * w * w)
+}
+
 /// Corrections (rad) that are always small enough: where the motion starts from rest.
 pub(crate) const NEGLIGIBLE: f64 = 1e-4;
 
@@ -71,6 +77,10 @@ pub(crate) struct Follower<M: Mechanism> {
     /// Not 0 for every mode that was asked for since the last good state.
     pub(super) asked: M::Coordinates<f64>,
     pub(super) predicted: M::Coordinates<f64>,
+    /// Whether the rates of |w| are known.
+    has_slopes: bool,
+    /// The smallest |w| of the good state.
+    pub(super) nearest: f64,
     /// |w| of the state that is being tried.
     pub(super) distances: M::Coordinates<f64>,
     /// Radians that a unit of each coordinate counts for.
@@ -114,6 +124,8 @@ impl<M: Mechanism> Follower<M> {
             anew: true,
             asked: zeros,
             predicted: zeros,
+            has_slopes: false,
+            nearest: 1.0,
             distances: zeros,
             weights: zeros,
         }
@@ -168,8 +180,8 @@ impl<M: Mechanism> Follower<M> {
         for sign in 0..plan.signs() {
             let margin = plan.margin_of_sign(sign).map_or(f64::NAN, |place| margins.as_ref()[place]);
             follower.branch.distances.as_mut()[sign] = crate::scalar::Scalar::sqrt(margin.abs());
-            follower.branch.slopes.as_mut()[sign] = f64::NAN;
         }
+        follower.nearest = nearest(follower.branch.distances.as_ref(), plan.signs());
         follower
     }
 
@@ -180,7 +192,7 @@ impl<M: Mechanism> Follower<M> {
         }
         let mut signs = M::Coordinates::<f64>::filled(0.0);
         let count = M::model().plan.signs();
-        mechanism.closures_with(self.parameters.as_ref(), at, q, &mut signs.as_mut()[..count])?;
+        mechanism.branches_with(self.parameters.as_ref(), at, q, &mut signs.as_mut()[..count])?;
         self.restart_in(mechanism, at, q, signs)
     }
 
@@ -267,7 +279,7 @@ impl<M: Mechanism> Follower<M> {
         let kept = self.branch;
         match self.walk(mechanism, course, at, control) {
             Ok(()) => {
-                self.keep(at, f64::NAN);
+                self.keep(at, None);
                 Ok(())
             }
             Err(blocked) => {
@@ -324,15 +336,14 @@ impl<M: Mechanism> Follower<M> {
             let mut found = M::Coordinates::<f64>::filled(0.0);
             let count = plan.signs();
             let q = self.states[1 - self.good].q;
-            mechanism.closures_with(self.parameters.as_ref(), at, q.as_ref(), &mut found.as_mut()[..count])?;
+            mechanism.branches_with(self.parameters.as_ref(), at, q.as_ref(), &mut found.as_mut()[..count])?;
             for sign in plan.modes.len()..count {
                 self.branch.signs.as_mut()[sign] = found.as_ref()[sign].direction();
             }
         }
         let q = self.states[1 - self.good].q;
         weights(M::model(), q.as_ref(), self.weights.as_mut());
-        self.keep(at, f64::NAN);
-        self.before = f64::NAN;
+        self.keep(at, None);
         self.anew = false;
         self.asked = M::Coordinates::filled(0.0);
         Ok(())
@@ -347,7 +358,7 @@ impl<M: Mechanism> Follower<M> {
         turn: f64,
         control: &Control,
     ) -> Result<bool, LengthError> {
-        if !self.ask(mechanism, at)? || !(turn <= control.rotation) {
+        if !self.ask(mechanism, at)? || !(turn <= most_turn(control, self.nearest)) {
             return Ok(false);
         }
         let plan = &M::model().plan;
@@ -355,11 +366,12 @@ impl<M: Mechanism> Follower<M> {
         let tried = &self.states[1 - self.good];
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
         let certain = certainty(plan, tried.margins.as_ref(), &self.branch, h, self.distances.as_mut());
+        let certain = certain >= 0.0 && self.has_slopes;
         let near = away <= control.correction * turn + NEGLIGIBLE;
-        if !near || !(certain >= 0.0 || self.stays_on_its_branch(mechanism, at)?) || self.is_blurred() {
+        if !near || !(certain || self.stays_on_its_branch(mechanism, at)?) || self.is_blurred() {
             return Ok(false);
         }
-        self.keep(at, h);
+        self.keep(at, Some(h));
         Ok(true)
     }
 
@@ -386,7 +398,7 @@ impl<M: Mechanism> Follower<M> {
         let plan = &M::model().plan;
         let (count, modes) = (plan.signs(), plan.modes.len());
         let mut foretold = M::Coordinates::<f64>::filled(0.0);
-        mechanism.closures_with(self.parameters.as_ref(), at, predicted, &mut foretold.as_mut()[..count])?;
+        mechanism.branches_with(self.parameters.as_ref(), at, predicted, &mut foretold.as_mut()[..count])?;
         let signs = self.branch.signs.as_ref();
         let on_branch = |sign: usize| {
             let certain = certainty_of(self.distances.as_ref()[sign], signs[sign] * foretold.as_ref()[sign]);
@@ -398,7 +410,7 @@ impl<M: Mechanism> Follower<M> {
         if count > modes {
             let q = self.states[1 - self.good].q;
             let mut found = M::Coordinates::<f64>::filled(0.0);
-            mechanism.closures_with(self.parameters.as_ref(), at, q.as_ref(), &mut found.as_mut()[..count])?;
+            mechanism.branches_with(self.parameters.as_ref(), at, q.as_ref(), &mut found.as_mut()[..count])?;
             return Ok((modes..count).find(|&sign| signs[sign] * found.as_ref()[sign] <= 0.0));
         }
         Ok(None)
@@ -410,14 +422,22 @@ impl<M: Mechanism> Follower<M> {
         certainty(&M::model().plan, margins.as_ref(), &self.branch, 0.0, self.distances.as_mut());
     }
 
-    /// The state that was tried is the good one now; |w| changed over a step h, or it is not known how.
-    fn keep(&mut self, at: &Instant<'_>, h: f64) {
-        for sign in 0..M::model().plan.signs() {
-            let (now, before) = (self.distances.as_ref()[sign], self.branch.distances.as_ref()[sign]);
-            self.branch.slopes.as_mut()[sign] = (now - before) / h;
+    /// The state that was tried is the good one now, after one step h from the one before; or it is not known how it came.
+    fn keep(&mut self, at: &Instant<'_>, h: Option<f64>) {
+        let count = M::model().plan.signs();
+        self.before = f64::NAN;
+        self.has_slopes = false;
+        if let Some(h) = h {
+            self.before = self.t;
+            self.has_slopes = h != 0.0;
+            let inverse = 1.0 / h;
+            let slopes = self.branch.slopes.as_mut().iter_mut().zip(self.branch.distances.as_ref());
+            for ((slope, before), now) in slopes.zip(self.distances.as_ref()).take(count) {
+                *slope = (now - before) * inverse;
+            }
         }
         self.branch.distances = self.distances;
-        self.before = if h.is_nan() { f64::NAN } else { self.t };
+        self.nearest = nearest(self.distances.as_ref(), count);
         self.good = 1 - self.good;
         self.t = at.t;
         self.keep_inputs(at.inputs);
@@ -460,7 +480,7 @@ impl<M: Mechanism> Follower<M> {
         let count = plan.modes.len();
         let (kept, mut closures) = (self.branch.signs, M::Coordinates::<f64>::filled(0.0));
         let closures = &mut closures.as_mut()[..plan.signs()];
-        mechanism.closures_with(self.parameters.as_ref(), at, self.predicted.as_ref(), closures)?;
+        mechanism.branches_with(self.parameters.as_ref(), at, self.predicted.as_ref(), closures)?;
         let passed = Passed::new(&kept.as_ref()[..count], &closures[..count], self.asked.as_ref());
         for attempt in passed.attempts() {
             passed.signs(attempt, &mut self.branch.signs.as_mut()[..count]);
@@ -494,4 +514,9 @@ impl<M: Mechanism> Follower<M> {
     pub(crate) fn signs(&self) -> &[f64] {
         &self.branch.signs.as_ref()[..M::model().plan.signs()]
     }
+}
+
+/// The smallest of the first distances.
+pub(super) fn nearest(distances: &[f64], count: usize) -> f64 {
+    distances[..count].iter().fold(1.0, |least, w| f64::min(least, *w))
 }

@@ -6,7 +6,7 @@
 //! the bend in steps that resolve it, and one that reaches its limit stops the walk just before it.
 
 use super::branch::may_dip;
-use super::follower::{Control, Fault, Follower, NEGLIGIBLE, Poses};
+use super::follower::{Control, Fault, Follower, NEGLIGIBLE, Poses, most_turn, nearest};
 use super::predict::{parabola, turned};
 use crate::course::Course;
 use crate::mechanism::{LengthError, Mechanism};
@@ -53,7 +53,8 @@ impl<M: Mechanism> Follower<M> {
             if remaining == 0.0 {
                 return self.arrive(mechanism, course, at, here);
             }
-            let natural = natural_step([here.q_dot.as_ref(), here.q_ddot.as_ref()], self.weights.as_ref(), control);
+            let most = most_turn(control, nearest(self.branch.distances.as_ref(), M::model().plan.signs()));
+            let natural = natural_step([here.q_dot.as_ref(), here.q_ddot.as_ref()], self.weights.as_ref(), most);
             let smallest = *smallest.get_or_insert_with(|| {
                 let shortest = control.min_step * natural.min(remaining.abs());
                 shortest.max(4.0 * f64::EPSILON * s.abs().max(end.abs()))
@@ -176,7 +177,7 @@ impl<M: Mechanism> Follower<M> {
             let closures = &mut closures.as_mut()[..signs];
             let t = course.at(s + 0.5 * (next - s), inputs.as_mut());
             let at = Instant { t, inputs: inputs.as_ref() };
-            mechanism.closures_with(self.parameters.as_ref(), &at, middle.as_ref(), closures).map_err(wrong)?;
+            mechanism.branches_with(self.parameters.as_ref(), &at, middle.as_ref(), closures).map_err(wrong)?;
             let dips = |sign: &usize| {
                 let w = closures[*sign].abs();
                 !(w >= MIDDLE * before.as_ref()[*sign].min(now.as_ref()[*sign]))
@@ -233,11 +234,11 @@ impl<M: Mechanism> Follower<M> {
     }
 }
 
-/// The step within which nothing turns by more than is allowed.
-fn natural_step([q_dot, q_ddot]: [&[f64]; 2], weights: &[f64], control: &Control) -> f64 {
+/// The step within which nothing turns by more than `most`.
+fn natural_step([q_dot, q_ddot]: [&[f64]; 2], weights: &[f64], most: f64) -> f64 {
     let largest =
         |rates: &[f64]| rates.iter().zip(weights).map(|(rate, weight)| (rate * weight).abs()).fold(0.0, f64::max);
-    let by_velocity = control.rotation / largest(q_dot);
-    let by_acceleration = Scalar::sqrt(2.0 * control.rotation / largest(q_ddot));
+    let by_velocity = most / largest(q_dot);
+    let by_acceleration = Scalar::sqrt(2.0 * most / largest(q_ddot));
     by_velocity.min(by_acceleration)
 }

@@ -95,7 +95,7 @@ impl<M: Mechanism> Solver<'_, M> {
     fn start_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &[f64]) -> Option<Start<M>> {
         let mut signs = M::Coordinates::<f64>::filled(0.0);
         let count = M::model().plan.signs();
-        self.mechanism.closures_with(parameters.as_ref(), at, start, &mut signs.as_mut()[..count]).ok()?;
+        self.mechanism.branches_with(parameters.as_ref(), at, start, &mut signs.as_mut()[..count]).ok()?;
         let q = *M::Coordinates::<f64>::view(start)?;
         Some(Start { q, signs })
     }
