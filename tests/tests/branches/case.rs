@@ -1,0 +1,166 @@
+//! What is known of a motion without kin, and how an answer is judged by it.
+
+use crate::jet::Jet;
+use kin_runtime::Signal;
+use std::f64::consts::TAU;
+
+/// How far from a fold or a crossing, in time, an answer may say that it is: all motions here have speeds of about one.
+pub(crate) const NEAR: f64 = 2e-3;
+/// Largest errors of q, q̇ and q̈ that need no excuse, relative to the largest number of the kind.
+const FLOORS: [f64; 3] = [1e-8, 1e-6, 1e-4];
+/// Relative change of dimensions and time of which answers may be the exact ones.
+const BACKWARD: f64 = 1e-13;
+/// A position that is farther away is on another branch, whatever the conditioning.
+const FAR: f64 = 1e-3;
+
+/// Coordinates over time, in the order of q: the analytic branch through the start, with all dimensions and the time
+/// changed by a relative `off`. None where the mechanism does not close.
+pub(crate) type Branch = Box<dyn Fn(f64, f64) -> Option<Vec<Jet>>>;
+
+/// Writes value, rate and acceleration of every input at a time.
+pub(crate) type Inputs = Box<dyn Fn(f64, &mut [Signal])>;
+
+/// A mechanism, and what is known of its motion.
+pub(crate) struct Case<M> {
+    pub(crate) mechanism: M,
+    pub(crate) branch: Branch,
+    /// Where the branch ends.
+    pub(crate) folds: Vec<f64>,
+    /// Where it crosses another one.
+    pub(crate) crossings: Vec<f64>,
+    /// What the description of the mechanism does not say.
+    pub(crate) note: String,
+}
+
+/// Mechanisms that move over the same instants.
+pub(crate) struct Group<M> {
+    pub(crate) times: Vec<f64>,
+    pub(crate) cases: Vec<Case<M>>,
+    pub(crate) inputs: Inputs,
+}
+
+impl<M> Group<M> {
+    pub(crate) fn new(times: Vec<f64>, cases: Vec<Case<M>>) -> Self {
+        Self { times, cases, inputs: Box::new(|_, _| ()) }
+    }
+}
+
+/// What is right at an instant: numbers with what they may be off by, or no answer.
+pub(crate) type Expected = Option<(Vec<Jet>, Vec<[f64; 3]>)>;
+
+/// What an answer gives: q, q̇ and q̈ at the first instants, and why not at the others.
+pub(crate) struct Answer {
+    pub(crate) states: Vec<[Vec<f64>; 3]>,
+    pub(crate) refusal: Option<Refusal>,
+}
+
+/// Why an answer ends.
+pub(crate) struct Refusal {
+    /// Where it says that the limit is; none where it does not say more than which instant it does not reach.
+    pub(crate) t: Option<f64>,
+    /// Whether it is of a kind that speaks of limits and crossings.
+    pub(crate) typed: bool,
+    pub(crate) words: String,
+}
+
+/// What becomes of an answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Verdict {
+    /// All instants, and all numbers right.
+    Right,
+    /// Right up to a fold or a crossing, and refused there.
+    Refused,
+    /// Refused where nothing is in the way.
+    Early,
+    /// A state as good whose numbers are off by more than conditioning allows.
+    Inexact,
+    /// A state as good on another branch, or where there is none.
+    Flip,
+}
+
+/// What is right at every instant: nothing any more behind the first fold.
+pub(crate) fn expected<M>(case: &Case<M>, times: &[f64]) -> Vec<Expected> {
+    let mut ended = false;
+    let mut last = times[0];
+    let at = |t: f64| {
+        let from = std::mem::replace(&mut last, t);
+        ended |= case.folds.iter().any(|fold| from.min(t) < *fold && *fold < from.max(t));
+        let found = if ended { None } else { (case.branch)(t, 0.0) };
+        ended |= found.is_none();
+        let found = found?;
+        let size = |part: fn(&Jet) -> f64| found.iter().fold(1.0_f64, |most, jet| most.max(part(jet).abs()));
+        let sizes = [size(|jet| jet.x), size(|jet| jet.v), size(|jet| jet.a)];
+        let mut allowed = vec![std::array::from_fn(|order| FLOORS[order] * sizes[order]); found.len()];
+        for off in [BACKWARD, -BACKWARD] {
+            let beside = (case.branch)(t, off);
+            for (place, allowed) in allowed.iter_mut().enumerate() {
+                // So near to a fold that nothing is certain.
+                let Some(beside) = &beside else {
+                    *allowed = [FAR, f64::INFINITY, f64::INFINITY];
+                    continue;
+                };
+                let (a, b) = (beside[place], found[place]);
+                for (allowed, difference) in allowed.iter_mut().zip([turn(a.x - b.x), a.v - b.v, a.a - b.a]) {
+                    *allowed += difference.abs();
+                }
+            }
+        }
+        Some((found, allowed))
+    };
+    times.iter().copied().map(at).collect()
+}
+
+/// A difference of angles, without full turns; smaller differences of lengths stay as they are.
+fn turn(difference: f64) -> f64 {
+    difference - TAU * (difference / TAU).round()
+}
+
+/// Judges an answer; says what is wrong with it.
+pub(crate) fn judge<M>(case: &Case<M>, times: &[f64], expected: &[Expected], answer: &Answer) -> (Verdict, String) {
+    let mut found = (Verdict::Right, String::new());
+    let mut worse = |verdict: Verdict, words: String| {
+        if verdict > found.0 {
+            found = (verdict, words);
+        }
+    };
+    for ((t, expected), state) in times.iter().zip(expected).zip(&answer.states) {
+        let Some((jets, allowed)) = expected else {
+            worse(Verdict::Flip, format!("a state at t = {t:?}, behind the end of the branch"));
+            continue;
+        };
+        let [q, q_dot, q_ddot] = state;
+        for (place, (jet, allowed)) in jets.iter().zip(allowed).enumerate() {
+            let off = [turn(q[place] - jet.x), q_dot[place] - jet.v, q_ddot[place] - jet.a].map(f64::abs);
+            // Also where it is not a number.
+            let bad = (0..3).find(|order| off[*order].is_nan() || off[*order] > allowed[*order]);
+            let Some(order) = bad else { continue };
+            let verdict = if off[0] <= FAR.max(allowed[0]) { Verdict::Inexact } else { Verdict::Flip };
+            let what = ["q", "q̇", "q̈"][order];
+            let words =
+                format!("{what}[{place}] is off by {:e} ({:e} allowed) at t = {t:?}", off[order], allowed[order]);
+            worse(verdict, words);
+        }
+    }
+    let done = answer.states.len();
+    match &answer.refusal {
+        None if done != times.len() => worse(Verdict::Flip, format!("only {done} of {} states", times.len())),
+        None => {}
+        Some(refusal) => {
+            let (from, to) = (times[done.saturating_sub(1)], times[done.min(times.len() - 1)]);
+            let slack = NEAR.max(1e-3 * (to - from).abs());
+            let (low, high) = (from.min(to) - slack, from.max(to) + slack);
+            let there =
+                |place: &&f64| (low..=high).contains(*place) && refusal.t.is_none_or(|t| (t - **place).abs() <= slack);
+            let places = || case.folds.iter().chain(&case.crossings);
+            if refusal.typed && places().any(|place| there(&place)) {
+                worse(Verdict::Refused, String::new());
+            } else {
+                let nearest =
+                    places().map(|place| (place - refusal.t.unwrap_or(to)).abs()).fold(f64::INFINITY, f64::min);
+                let words = format!("behind t = {from:?}, {nearest:e} from any limit: {}", refusal.words);
+                worse(Verdict::Early, words);
+            }
+        }
+    }
+    found
+}

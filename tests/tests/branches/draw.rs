@@ -1,0 +1,66 @@
+//! Drawing dimensions, grids and distances from a limit.
+
+use crate::closure::{FourBar, dyadic};
+use kin_tests::random::Random;
+
+/// What the families draw.
+pub(crate) trait Draw {
+    /// True with this probability.
+    fn chance(&mut self, probability: f64) -> bool;
+    /// +1 or −1.
+    fn sign(&mut self) -> f64;
+    /// A power of ten with an exponent between these, of either sign.
+    fn small(&mut self, low: f64, high: f64) -> f64;
+    /// A length with few binary places.
+    fn length(&mut self) -> f64;
+    /// A whole number from `low` to `high`.
+    fn whole(&mut self, low: usize, high: usize) -> usize;
+    /// Instants from 0 to `end`, in even or uneven steps of a length drawn for all of them.
+    fn grid(&mut self, end: f64) -> Vec<f64>;
+}
+
+impl Draw for Random {
+    fn chance(&mut self, probability: f64) -> bool {
+        self.between(0.0, 1.0) < probability
+    }
+
+    fn sign(&mut self) -> f64 {
+        if self.chance(0.5) { 1.0 } else { -1.0 }
+    }
+
+    fn small(&mut self, low: f64, high: f64) -> f64 {
+        self.sign() * 10_f64.powf(self.between(low, high))
+    }
+
+    fn length(&mut self) -> f64 {
+        dyadic(self.between(0.15, 1.0))
+    }
+
+    fn whole(&mut self, low: usize, high: usize) -> usize {
+        self.between(low as f64, high as f64 + 1.0) as usize
+    }
+
+    fn grid(&mut self, end: f64) -> Vec<f64> {
+        let step = 10_f64.powf(self.between(-1.4, -0.3));
+        let count = ((end.abs() / step).ceil() as usize).max(2);
+        let uneven = if self.chance(0.5) { 0.9 } else { 0.0 };
+        let width = end / count as f64;
+        let inner = |k: usize, share: f64| width * (k as f64 + uneven * (share - 0.5));
+        let mut times = vec![0.0];
+        times.extend((1..count).map(|k| inner(k, self.between(0.0, 1.0))));
+        times.push(end);
+        times
+    }
+}
+
+/// A four-bar with a crossing, or with a limit that is near to one by `off`.
+pub(crate) fn near_a_crossing(random: &mut Random, outer: bool, off: f64) -> FourBar {
+    loop {
+        let (a, b, c) = (random.length(), random.length(), random.length());
+        let d = if outer { b + c - a } else { a + random.sign() * (b - c).abs() };
+        // A crank as long as the ground link goes through the ground pin.
+        if d > 0.1 && (a - d).abs() > 0.02 {
+            return FourBar { a, b, c, d: d + off, sign: random.sign() };
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! Counting what becomes of many motions, and the law that they must obey.
+
+use crate::case::Verdict;
+use crate::ways::WAYS;
+use std::fmt::Write;
+
+/// Sweeps in a usual run, all families together; `KIN_SWEEPS` asks for more.
+const USUAL: f64 = 1500.0;
+
+/// How many motions a family with this share of all sweeps has: each is followed in all ways.
+pub(crate) fn motions(share: f64) -> usize {
+    let asked = std::env::var("KIN_SWEEPS").ok().and_then(|number| number.parse().ok());
+    (share * asked.unwrap_or(USUAL) / WAYS.len() as f64).ceil() as usize
+}
+
+/// Counts by way and verdict, with the first case of everything that should not be.
+#[derive(Default)]
+pub(crate) struct Tally {
+    counts: [[usize; 5]; WAYS.len()],
+    first: Vec<(usize, Verdict, String)>,
+}
+
+impl Tally {
+    pub(crate) fn count(&mut self, way: usize, verdict: Verdict, words: impl FnOnce() -> String) {
+        let count = &mut self.counts[way][verdict as usize];
+        *count += 1;
+        if *count == 1 && verdict > Verdict::Refused {
+            self.first.push((way, verdict, words()));
+        }
+    }
+
+    /// No state is ever wrong, and less than one motion in a hundred is refused without need.
+    #[track_caller]
+    pub(crate) fn obeys(&self, family: &str) {
+        let mut table = format!("{family}: right, refused in place, refused early, inexact, on another branch\n");
+        let mut bad = false;
+        for (name, counts) in WAYS.iter().zip(&self.counts) {
+            let [.., early, inexact, flips] = counts;
+            let all: usize = counts.iter().sum();
+            bad |= inexact + flips > 0 || 100 * early >= all.max(1);
+            let _ = writeln!(table, "  {name:14} {counts:?} of {all}");
+        }
+        for (way, verdict, words) in &self.first {
+            let _ = writeln!(table, "  first {verdict:?} of {}: {words}", WAYS[*way]);
+        }
+        assert!(!bad, "{table}");
+    }
+}

@@ -1,0 +1,146 @@
+//! All ways in which kin follows a motion: they must give the same branch.
+
+use crate::case::{Answer, Group, Refusal, expected, judge};
+use crate::tally::Tally;
+use kin_runtime::batch::{Column, Modes, Motions, Sweeps, always, sweep};
+use kin_runtime::{Instant, Kinematics, Lanes, Options, PlanError, Planned, Signal, SolveError};
+use std::fmt::Debug;
+
+/// Names of the ways, in the order of their counts.
+pub(crate) const WAYS: [&str; 5] = ["sweep", "without plan", "tracker", "planned", "batch"];
+
+/// Inputs at an instant.
+fn told<M: Kinematics>(group: &Group<M>, t: f64) -> Vec<Signal> {
+    let mut inputs = vec![Signal::default(); M::INPUTS];
+    (group.inputs)(t, &mut inputs);
+    inputs
+}
+
+fn refusal(error: &SolveError) -> Refusal {
+    let t = match error {
+        SolveError::Singular { t, .. } | SolveError::StepRefused { t, .. } => Some(*t),
+        _ => None,
+    };
+    Refusal { t, typed: t.is_some() || error.limit().is_some(), words: error.to_string() }
+}
+
+/// Follows the motions of a group in every way, and counts what becomes of it.
+pub(crate) fn follow<M: Kinematics + Sync + Debug>(tally: &mut Tally, group: &Group<M>) {
+    let Group { times, cases, .. } = group;
+    let has_plan = M::model().plan.exists();
+    let mut batch = if has_plan { in_a_batch(group) } else { Vec::new() };
+    batch.reverse();
+    for case in cases {
+        let expected = expected(case, times);
+        let Some((jets, _)) = &expected[0] else { panic!("{:?} does not close at the start", case.mechanism) };
+        let start: Vec<f64> = jets.iter().map(|jet| jet.x).collect();
+        let mut count = |way: usize, answer: &Answer| {
+            let (verdict, words) = judge(case, times, &expected, answer);
+            tally.count(way, verdict, || {
+                format!("{words}\n    {:?} {}\n    times {times:?}\n    from {start:?}", case.mechanism, case.note)
+            });
+        };
+        count(0, &swept(group, &case.mechanism, &start, true));
+        count(1, &swept(group, &case.mechanism, &start, false));
+        count(2, &tracked(group, &case.mechanism, &start));
+        if has_plan {
+            count(3, &planned(group, &case.mechanism, &start));
+        }
+        if let Some(answer) = batch.pop() {
+            count(4, &answer);
+        }
+    }
+}
+
+fn swept<M: Kinematics>(group: &Group<M>, mechanism: &M, start: &[f64], use_plan: bool) -> Answer {
+    let options = Options { use_plan, ..Options::default() };
+    let mut solver = mechanism.solver().with_options(options);
+    if M::INPUTS > 0 {
+        solver = solver.with_inputs(&*group.inputs);
+    }
+    let (trajectory, refusal) = match solver.sweep_from(start, &group.times) {
+        Ok(trajectory) => (trajectory, None),
+        Err(error) => (*error.trajectory, Some(refusal(&error.source))),
+    };
+    let states = trajectory.states.into_iter().map(|state| [state.q, state.q_dot, state.q_ddot]).collect();
+    Answer { states, refusal }
+}
+
+fn tracked<M: Kinematics>(group: &Group<M>, mechanism: &M, start: &[f64]) -> Answer {
+    let mut answer = Answer { states: Vec::new(), refusal: None };
+    let first = told(group, group.times[0]);
+    let mut tracker = match mechanism.solver().tracker_from(&Instant { t: group.times[0], inputs: &first }, start) {
+        Ok(tracker) => tracker,
+        Err(error) => return Answer { refusal: Some(refusal(&error)), ..answer },
+    };
+    for &t in &group.times {
+        match tracker.update(&Instant { t, inputs: &told(group, t) }) {
+            Ok(state) => answer.states.push([&state.q, &state.q_dot, &state.q_ddot].map(Clone::clone)),
+            Err(error) => return Answer { refusal: Some(refusal(&error)), ..answer },
+        }
+    }
+    answer
+}
+
+fn planned<M: Kinematics>(group: &Group<M>, mechanism: &M, start: &[f64]) -> Answer {
+    let mut answer = Answer { states: Vec::new(), refusal: None };
+    let refusal = |error: PlanError| {
+        let words = error.to_string();
+        let typed = error.limit().is_some() || matches!(error, PlanError::Undecided { .. });
+        // It says no more than which instant it cannot reach.
+        Some(Refusal { t: None, typed, words })
+    };
+    let first = told(group, group.times[0]);
+    let mut planned = match Planned::new(mechanism, &Instant { t: group.times[0], inputs: &first }, start) {
+        Ok(planned) => planned,
+        Err(error) => return Answer { refusal: refusal(error), ..answer },
+    };
+    for &t in &group.times {
+        match planned.at(&Instant { t, inputs: &told(group, t) }) {
+            Ok(found) => answer.states.push([found.q(), found.q_dot(), found.q_ddot()].map(<[f64]>::to_vec)),
+            Err(error) => return Answer { refusal: refusal(error), ..answer },
+        }
+    }
+    answer
+}
+
+/// The states of a block, instant by instant.
+type Seen = Vec<[Vec<Lanes>; 3]>;
+
+fn in_a_batch<M: Kinematics + Sync>(group: &Group<M>) -> Vec<Answer> {
+    let Group { times, cases, .. } = group;
+    let each = |of: &dyn Fn(usize) -> Vec<f64>, rows: usize| -> Vec<Vec<f64>> {
+        let all: Vec<Vec<f64>> = (0..cases.len()).map(of).collect();
+        (0..rows).map(|k| all.iter().map(|list| list[k]).collect()).collect()
+    };
+    let parameters = each(&|case| cases[case].mechanism.parameters::<f64>().as_ref().to_vec(), M::PARAMETERS);
+    let first = |case: usize| {
+        let jets = (cases[case].branch)(times[0], 0.0).unwrap_or_default();
+        jets.iter().map(|jet| jet.x).collect()
+    };
+    let start = each(&first, M::COORDINATES);
+    let inputs: Vec<Vec<Signal>> = times.iter().map(|t| told(group, *t)).collect();
+    let list = |of: fn(&Signal) -> f64, u: usize| inputs.iter().map(|list| of(&list[u])).collect::<Vec<_>>();
+    let lists: Vec<_> =
+        (0..M::INPUTS).map(|u| [list(|u| u.value, u), list(|u| u.rate, u), list(|u| u.acceleration, u)]).collect();
+    let inputs: Vec<_> =
+        lists.iter().map(|[u, v, a]| Signal::new(Column::Each(u), Column::Each(v), Column::Each(a))).collect();
+    let parameters: Vec<_> = parameters.iter().map(|list| Column::Each(list)).collect();
+    let start: Vec<_> = start.iter().map(|list| Column::Each(list)).collect();
+    let sweeps = Sweeps { parameters: &parameters, times, inputs: &inputs, modes: Modes::OfStart, start: &start };
+    let mut out = Motions::new(cases.len(), Seen::new());
+    let done = sweep(&cases[0].mechanism, &sweeps, &mut out, &always, |seen: &mut Seen, moment| {
+        seen.push([moment.q, moment.q_dot, moment.q_ddot].map(<[Lanes]>::to_vec));
+    });
+    assert!(done.is_ok(), "a batch of {} does not run: {done:?}", M::model().name);
+    let blocks: Vec<&Seen> = out.blocks().collect();
+    let answer = |(set, end): (usize, Option<kin_runtime::batch::End>)| {
+        let until = end.map_or(times.len(), |end| end.instant);
+        let lane = |list: &Vec<Lanes>| list.iter().map(|x| x.to_array()[set % Lanes::COUNT]).collect();
+        let of = |state: &[Vec<Lanes>; 3]| state.each_ref().map(lane);
+        let states = blocks[set / Lanes::COUNT].iter().take(until).map(of).collect();
+        let refusal = end.map(|end| Refusal { t: None, typed: end.limit.is_some(), words: format!("{end:?}") });
+        Answer { states, refusal }
+    };
+    out.ends().enumerate().map(answer).collect()
+}
