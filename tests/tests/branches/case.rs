@@ -30,6 +30,17 @@ pub(crate) struct Case<M> {
     pub(crate) crossings: Vec<f64>,
     /// What the description of the mechanism does not say.
     pub(crate) note: String,
+    pub(crate) sampled: Sampled,
+}
+
+/// What is right for those who are told the inputs instant by instant.
+pub(crate) enum Sampled {
+    /// The same: there are no inputs.
+    AsWell,
+    /// Another branch, on which an answer may end at other places.
+    As { branch: Branch, places: Vec<f64> },
+    /// That cannot be said.
+    Unknown,
 }
 
 /// Mechanisms that move over the same instants.
@@ -79,20 +90,20 @@ pub(crate) enum Verdict {
 }
 
 /// What is right at every instant: nothing any more behind the first fold.
-pub(crate) fn expected<M>(case: &Case<M>, times: &[f64]) -> Vec<Expected> {
+pub(crate) fn expected(branch: &Branch, folds: &[f64], times: &[f64]) -> Vec<Expected> {
     let mut ended = false;
     let mut last = times[0];
     let at = |t: f64| {
         let from = std::mem::replace(&mut last, t);
-        ended |= case.folds.iter().any(|fold| from.min(t) < *fold && *fold < from.max(t));
-        let found = if ended { None } else { (case.branch)(t, 0.0) };
+        ended |= folds.iter().any(|fold| from.min(t) < *fold && *fold < from.max(t));
+        let found = if ended { None } else { branch(t, 0.0) };
         ended |= found.is_none();
         let found = found?;
         let size = |part: fn(&Jet) -> f64| found.iter().fold(1.0_f64, |most, jet| most.max(part(jet).abs()));
         let sizes = [size(|jet| jet.x), size(|jet| jet.v), size(|jet| jet.a)];
         let mut allowed = vec![std::array::from_fn(|order| FLOORS[order] * sizes[order]); found.len()];
         for off in [BACKWARD, -BACKWARD] {
-            let beside = (case.branch)(t, off);
+            let beside = branch(t, off);
             for (place, allowed) in allowed.iter_mut().enumerate() {
                 // So near to a fold that nothing is certain.
                 let Some(beside) = &beside else {
@@ -116,7 +127,7 @@ fn turn(difference: f64) -> f64 {
 }
 
 /// Judges an answer; says what is wrong with it.
-pub(crate) fn judge<M>(case: &Case<M>, times: &[f64], expected: &[Expected], answer: &Answer) -> (Verdict, String) {
+pub(crate) fn judge(places: &[f64], times: &[f64], expected: &[Expected], answer: &Answer) -> (Verdict, String) {
     let mut found = (Verdict::Right, String::new());
     let mut worse = |verdict: Verdict, words: String| {
         if verdict > found.0 {
@@ -151,12 +162,11 @@ pub(crate) fn judge<M>(case: &Case<M>, times: &[f64], expected: &[Expected], ans
             let (low, high) = (from.min(to) - slack, from.max(to) + slack);
             let there =
                 |place: &&f64| (low..=high).contains(*place) && refusal.t.is_none_or(|t| (t - **place).abs() <= slack);
-            let places = || case.folds.iter().chain(&case.crossings);
-            if refusal.typed && places().any(|place| there(&place)) {
+            if refusal.typed && places.iter().any(|place| there(&place)) {
                 worse(Verdict::Refused, String::new());
             } else {
                 let nearest =
-                    places().map(|place| (place - refusal.t.unwrap_or(to)).abs()).fold(f64::INFINITY, f64::min);
+                    places.iter().map(|place| (place - refusal.t.unwrap_or(to)).abs()).fold(f64::INFINITY, f64::min);
                 let words = format!("behind t = {from:?}, {nearest:e} from any limit: {}", refusal.words);
                 worse(Verdict::Early, words);
             }

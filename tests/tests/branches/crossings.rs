@@ -1,7 +1,7 @@
 //! One loop whose branches cross exactly, or come near to it: parallelograms, their crossed counterparts, kites, other
 //! four-bars with a change point, slider-cranks with a rod as long as the crank.
 
-use crate::case::{Case, Group};
+use crate::case::{Case, Group, Sampled};
 use crate::closure::FourBar;
 use crate::draw::{Draw, near_a_crossing};
 use crate::jet::Jet;
@@ -93,6 +93,7 @@ pub(crate) trait Bar: Sized {
             folds: in_time(folds),
             crossings: in_time(crossings),
             note: format!("sign {}", bar.sign),
+            sampled: Sampled::AsWell,
         }
     }
 }
@@ -151,6 +152,7 @@ pub(crate) fn slider([r, l]: [f64; 2], sign: f64, start: f64, [from, to]: [f64; 
         folds: Vec::new(),
         crossings: Vec::new(),
         note: format!("sign {sign}"),
+        sampled: Sampled::AsWell,
     };
     let width = if l < r { (((r - l) * (r + l)).sqrt() / r).asin() } else { 0.0 };
     for turn in -4..=4 {

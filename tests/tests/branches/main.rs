@@ -4,13 +4,18 @@
 //! Every motion is followed in all ways that there are: a sweep by the plan and one without it, a tracker, a follower of the
 //! plan, a batch. `KIN_SWEEPS` asks for more sweeps than a usual run has.
 
+mod approaches;
 mod case;
 mod chains;
 mod closure;
 mod crossings;
+mod cylinders;
 mod draw;
 mod jet;
 mod lifts;
+mod platforms;
+mod redundant;
+mod rig;
 mod tally;
 mod twins;
 mod ways;

@@ -1,7 +1,7 @@
 //! Two four-bars on one crank whose limits coincide, or nearly: the sign of the determinant of Φ_q does not change where
 //! both change their closures at once.
 
-use crate::case::{Case, Group};
+use crate::case::{Case, Group, Sampled};
 use crate::closure::FourBar;
 use crate::draw::{Draw, near_a_crossing};
 use crate::jet::Jet;
@@ -74,7 +74,14 @@ fn twins([one, other]: [FourBar; 2], turned: f64, ahead: f64, start: f64, span: 
     crossings.extend(more_crossings.iter().map(|place| place + ahead));
     let in_time = |places: Vec<f64>| places.into_iter().map(|place| place - start).collect();
     let note = format!("signs {} {}", one.sign, other.sign);
-    Case { mechanism, branch: Box::new(branch), folds: in_time(folds), crossings: in_time(crossings), note }
+    Case {
+        mechanism,
+        branch: Box::new(branch),
+        folds: in_time(folds),
+        crossings: in_time(crossings),
+        note,
+        sampled: Sampled::AsWell,
+    }
 }
 
 /// Four pairs of twins over one grid that leads each of them past its limit.

@@ -1,6 +1,6 @@
 //! All ways in which kin follows a motion: they must give the same branch.
 
-use crate::case::{Answer, Group, Refusal, expected, judge};
+use crate::case::{Answer, Expected, Group, Refusal, Sampled, expected, judge};
 use crate::tally::Tally;
 use kin_runtime::batch::{Column, Modes, Motions, Sweeps, always, sweep};
 use kin_runtime::{Instant, Kinematics, Lanes, Options, PlanError, Planned, Signal, SolveError};
@@ -31,23 +31,28 @@ pub(crate) fn follow<M: Kinematics + Sync + Debug>(tally: &mut Tally, group: &Gr
     let mut batch = if has_plan { in_a_batch(group) } else { Vec::new() };
     batch.reverse();
     for case in cases {
-        let expected = expected(case, times);
-        let Some((jets, _)) = &expected[0] else { panic!("{:?} does not close at the start", case.mechanism) };
+        let known = expected(&case.branch, &case.folds, times);
+        let Some((jets, _)) = &known[0] else { panic!("{:?} does not close at the start", case.mechanism) };
         let start: Vec<f64> = jets.iter().map(|jet| jet.x).collect();
-        let mut count = |way: usize, answer: &Answer| {
-            let (verdict, words) = judge(case, times, &expected, answer);
+        let places = [case.folds.as_slice(), &case.crossings].concat();
+        let mut count = |way: usize, known: &[Expected], places: &[f64], answer: &Answer| {
+            let (verdict, words) = judge(places, times, known, answer);
             tally.count(way, verdict, || {
                 format!("{words}\n    {:?} {}\n    times {times:?}\n    from {start:?}", case.mechanism, case.note)
             });
         };
-        count(0, &swept(group, &case.mechanism, &start, true));
-        count(1, &swept(group, &case.mechanism, &start, false));
-        count(2, &tracked(group, &case.mechanism, &start));
-        if has_plan {
-            count(3, &planned(group, &case.mechanism, &start));
-        }
-        if let Some(answer) = batch.pop() {
-            count(4, &answer);
+        count(0, &known, &places, &swept(group, &case.mechanism, &start, true));
+        count(1, &known, &places, &swept(group, &case.mechanism, &start, false));
+        let batch = batch.pop();
+        let (known, places) = match &case.sampled {
+            Sampled::AsWell => (known, places),
+            Sampled::As { branch, places } => (expected(branch, &[], times), places.clone()),
+            Sampled::Unknown => continue,
+        };
+        count(2, &known, &places, &tracked(group, &case.mechanism, &start));
+        if let Some(batch) = batch {
+            count(3, &known, &places, &planned(group, &case.mechanism, &start));
+            count(4, &known, &places, &batch);
         }
     }
 }
@@ -76,7 +81,12 @@ fn tracked<M: Kinematics>(group: &Group<M>, mechanism: &M, start: &[f64]) -> Ans
     for &t in &group.times {
         match tracker.update(&Instant { t, inputs: &told(group, t) }) {
             Ok(state) => answer.states.push([&state.q, &state.q_dot, &state.q_ddot].map(Clone::clone)),
-            Err(error) => return Answer { refusal: Some(refusal(&error)), ..answer },
+            Err(error) => {
+                let found = refusal(&error);
+                // In between, inputs go as the tracker thinks.
+                let t = found.t.filter(|_| M::INPUTS == 0);
+                return Answer { refusal: Some(Refusal { t, ..found }), ..answer };
+            }
         }
     }
     answer
