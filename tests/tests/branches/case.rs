@@ -31,6 +31,20 @@ pub(crate) struct Case<M> {
     /// What the description of the mechanism does not say.
     pub(crate) note: String,
     pub(crate) sampled: Sampled,
+    /// Where the rows that the plan goes by are singular and the mechanism is not: a follower of the plan alone may end.
+    pub(crate) plan_ends: Vec<f64>,
+}
+
+impl<M> Case<M> {
+    pub(crate) fn new(
+        mechanism: M,
+        branch: impl Fn(f64, f64) -> Option<Vec<Jet>> + 'static,
+        [folds, crossings]: [Vec<f64>; 2],
+        note: String,
+    ) -> Self {
+        let (branch, sampled, plan_ends) = (Box::new(branch), Sampled::AsWell, Vec::new());
+        Self { mechanism, branch, folds, crossings, note, sampled, plan_ends }
+    }
 }
 
 /// What is right for those who are told the inputs instant by instant.

@@ -1,7 +1,7 @@
 //! Parallelograms that drive one another, two to four of them: change points at once, or one after the other. The last one
 //! may be any four-bar that is near to a crossing.
 
-use crate::case::{Case, Group, Sampled};
+use crate::case::{Case, Group};
 use crate::closure::FourBar;
 use crate::draw::Draw;
 use crate::jet::Jet;
@@ -38,9 +38,9 @@ macro_rules! chain {
         #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
         #[revolute(A0: crank @ (radius[0]*cos(ahead[0]), radius[0]*sin(ahead[0])), coupler[0] @ (0, 0))]
         #[revolute(A[i in 0..$less]: rocker[i] @ (radius[i+1]*cos(ahead[i+1]), radius[i+1]*sin(ahead[i+1])),
-                                            coupler[i+1] @ (0, 0))]
+                                                            coupler[i+1] @ (0, 0))]
         #[revolute(B[i in 0..$count]: coupler[i] @ (length[i], 0),
-                                            rocker[i] @ (own[i]*cos(ahead[i]), own[i]*sin(ahead[i])))]
+                                                            rocker[i] @ (own[i]*cos(ahead[i]), own[i]*sin(ahead[i])))]
         #[revolute(D[i in 0..$count]: ground @ (x[i], y[i]), rocker[i] @ (0, 0))]
         #[driver(drive: crank.phi = start + t)]
         #[derive(Clone, Debug)]
@@ -161,7 +161,7 @@ impl Dimensions {
             }
             Some(q)
         };
-        Case { mechanism, branch: Box::new(branch), folds, crossings, note, sampled: Sampled::AsWell }
+        Case::new(mechanism, branch, [folds, crossings], note)
     }
 }
 
@@ -175,7 +175,7 @@ fn drawn<M: Chain>(random: &mut Random, exact: bool) -> Group<M> {
 #[test]
 fn chains_of_change_points() {
     let (mut random, mut tally) = (Random::new(221), Tally::default());
-    for round in 0..motions(0.1).div_ceil(6) {
+    for round in 0..motions(0.05).div_ceil(6) {
         let exact = round % 2 == 0;
         follow(&mut tally, &drawn::<Two>(&mut random, exact));
         follow(&mut tally, &drawn::<Three>(&mut random, exact));

@@ -1,7 +1,7 @@
 //! One loop whose branches cross exactly, or come near to it: parallelograms, their crossed counterparts, kites, other
 //! four-bars with a change point, slider-cranks with a rod as long as the crank.
 
-use crate::case::{Case, Group, Sampled};
+use crate::case::{Case, Group};
 use crate::closure::FourBar;
 use crate::draw::{Draw, near_a_crossing};
 use crate::jet::Jet;
@@ -87,14 +87,8 @@ pub(crate) trait Bar: Sized {
             Some(Self::coordinates(bar, [phi, coupler, rocker]))
         };
         let in_time = |places: Vec<f64>| places.into_iter().map(|place| place - start).collect();
-        Case {
-            mechanism: Self::new(bar, start),
-            branch: Box::new(branch),
-            folds: in_time(folds),
-            crossings: in_time(crossings),
-            note: format!("sign {}", bar.sign),
-            sampled: Sampled::AsWell,
-        }
+        let note = format!("sign {}", bar.sign);
+        Case::new(Self::new(bar, start), branch, [folds, crossings].map(in_time), note)
     }
 }
 
@@ -146,24 +140,17 @@ pub(crate) fn slider([r, l]: [f64; 2], sign: f64, start: f64, [from, to]: [f64; 
         let zero = Jet::default();
         Some(vec![zero, zero, phi, cos, sin, rod, cos + root * sign, zero, zero])
     };
-    let mut case = Case {
-        mechanism: Slider { r, l, start },
-        branch: Box::new(branch),
-        folds: Vec::new(),
-        crossings: Vec::new(),
-        note: format!("sign {sign}"),
-        sampled: Sampled::AsWell,
-    };
+    let (mut folds, mut crossings) = (Vec::new(), Vec::new());
     let width = if l < r { (((r - l) * (r + l)).sqrt() / r).asin() } else { 0.0 };
     for turn in -4..=4 {
         for side in [-width, width] {
             let place = FRAC_PI_2 + PI * f64::from(turn) + side - start;
             if l <= r && from.min(to) - 0.1 < place && place < from.max(to) + 0.1 {
-                if l == r { &mut case.crossings } else { &mut case.folds }.push(place);
+                if l == r { &mut crossings } else { &mut folds }.push(place);
             }
         }
     }
-    case
+    Case::new(Slider { r, l, start }, branch, [folds, crossings], format!("sign {sign}"))
 }
 
 /// A four-bar that crosses exactly: a parallelogram, a kite of either kind, or any other.
@@ -244,4 +231,32 @@ fn slider_cranks_of_equal_lengths() {
         follow(&mut tally, &sliders(&mut random, round % 2 == 0));
     }
     tally.obeys("slider-cranks");
+}
+
+/// At a crossing, the branch that is called the same one goes on with the velocity that it came with.
+#[test]
+fn closed_forms_are_smooth_at_crossings() {
+    let mut random = Random::new(214);
+    let mut seen = 0;
+    for _ in 0..500 {
+        let (bar, limit) = crossing(&mut random);
+        let [start, r] = [limit - 1.0, random.length()];
+        let slider = slider([r, r], random.sign(), 0.5, [0.0, 6.0]);
+        for (branch, crossings) in [Ends::case(bar, start, [0.0, 6.0])]
+            .map(|case| (case.branch, case.crossings))
+            .into_iter()
+            .chain([(slider.branch, slider.crossings)])
+        {
+            for place in crossings {
+                let [Some(before), Some(behind)] = [-1e-6, 1e-6].map(|h| branch(place + h, 0.0)) else { continue };
+                for (a, b) in before.iter().zip(&behind) {
+                    let fast = 1.0 + a.v.abs();
+                    assert!((a.v - b.v).abs() < 1e-3 * fast, "{bar:?} at {place}: {} and {}", a.v, b.v);
+                    assert!((a.x - b.x).sin().abs() < 1e-5 * fast, "{bar:?} at {place}: {} and {}", a.x, b.x);
+                }
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 1000, "{seen} crossings");
 }

@@ -131,7 +131,7 @@ fn booms([one, other]: [Boom; 2], ram: Ram, end: f64) -> Case<Booms> {
     };
     let mechanism = Booms { foot: one.foot, arm: one.arm, foot2: other.foot, arm2: other.arm };
     let note = format!("{one:?} {other:?} {ram:?}");
-    Case { mechanism, branch: Box::new(branch(false)), folds, crossings, note, sampled }
+    Case { sampled, ..Case::new(mechanism, branch(false), [folds, crossings], note) }
 }
 
 fn drawn(random: &mut Random) -> Group<Booms> {

@@ -1,6 +1,6 @@
 //! Scissor lifts that are pulled flat, a little less than flat, or a little more than they can be.
 
-use crate::case::{Case, Group, Sampled};
+use crate::case::{Case, Group};
 use crate::draw::Draw;
 use crate::jet::Jet;
 use crate::tally::{Tally, motions};
@@ -92,14 +92,7 @@ fn lift<M: Lift>(amplitude: f64, sign: f64, end: f64) -> Case<M> {
     let (folds, crossings) = if spare < 0.0 { (places, vec![]) } else { (vec![], places) };
     // Short of flat, nothing crosses.
     let crossings = if spare > 0.0 { vec![] } else { crossings };
-    Case {
-        mechanism: M::new(amplitude),
-        branch: Box::new(branch),
-        folds,
-        crossings,
-        note: format!("sign {sign}"),
-        sampled: Sampled::AsWell,
-    }
+    Case::new(M::new(amplitude), branch, [folds, crossings], format!("sign {sign}"))
 }
 
 /// Four lifts over one grid: far beyond flat, by 10^-2 to 10^-10 of the stroke, and exactly.

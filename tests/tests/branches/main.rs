@@ -17,5 +17,6 @@ mod platforms;
 mod redundant;
 mod rig;
 mod tally;
+mod turning;
 mod twins;
 mod ways;

@@ -1,7 +1,7 @@
 //! Platforms on three driven cranks that are driven to a singular pose and back: a little less far, or a little farther
 //! than it. There is no closed form; the truth is a continuation of the test's own, along the arc.
 
-use crate::case::{Case, Group, Sampled};
+use crate::case::{Case, Group};
 use crate::draw::Draw;
 use crate::jet::Jet;
 use crate::rig::Rig;
@@ -54,14 +54,8 @@ fn case(random: &mut Random) -> Case<Platform> {
             q.extend([x, y, phi]);
             Some(q)
         };
-        return Case {
-            mechanism: Platform { x, y, r, l, px, py, start, rate, reach },
-            branch: Box::new(branch),
-            folds,
-            crossings: vec![],
-            note: format!("pose {pose:?}"),
-            sampled: Sampled::AsWell,
-        };
+        let mechanism = Platform { x, y, r, l, px, py, start, rate, reach };
+        return Case::new(mechanism, branch, [folds, vec![]], format!("pose {pose:?}"));
     }
 }
 

@@ -1,13 +1,14 @@
 //! A platform on three parallel cranks: where two of them lie along the line of their pins, the third one says how they go on.
 //! Branches do not cross there, and the motion must pass.
 
-use crate::case::{Case, Group, Sampled};
+use crate::case::{Case, Group};
 use crate::draw::Draw;
 use crate::jet::Jet;
 use crate::tally::{Tally, motions};
 use crate::ways::follow;
 use kin_runtime::mechanism;
 use kin_tests::random::Random;
+use std::f64::consts::PI;
 
 /// Ground pins at (0, 0), (b, 0) and (x, y); all cranks as long, all angles alike.
 #[mechanism(allow_redundant)]
@@ -54,14 +55,9 @@ fn case<M>(mechanism: M, bodies: Vec<([f64; 2], f64, f64)>, start: f64) -> Case<
         };
         Some(bodies.iter().flat_map(body).collect())
     };
-    Case {
-        mechanism,
-        branch: Box::new(branch),
-        folds: vec![],
-        crossings: vec![],
-        note: String::new(),
-        sampled: Sampled::AsWell,
-    }
+    // Where the first two cranks are in line.
+    let plan_ends = (-5..=5).map(|half| PI * f64::from(half) - start).collect();
+    Case { plan_ends, ..Case::new(mechanism, branch, [vec![], vec![]], String::new()) }
 }
 
 fn drawn<M>(random: &mut Random, new: impl Fn(f64, f64, [f64; 2], f64) -> Case<M>) -> Group<M> {

@@ -1,8 +1,9 @@
 //! Two four-bars on one crank whose limits coincide, or nearly: the sign of the determinant of Φ_q does not change where
 //! both change their closures at once.
 
-use crate::case::{Case, Group, Sampled};
+use crate::case::{Case, Group};
 use crate::closure::FourBar;
+use crate::crossings::crossing;
 use crate::draw::{Draw, near_a_crossing};
 use crate::jet::Jet;
 use crate::tally::{Tally, motions};
@@ -74,14 +75,7 @@ fn twins([one, other]: [FourBar; 2], turned: f64, ahead: f64, start: f64, span: 
     crossings.extend(more_crossings.iter().map(|place| place + ahead));
     let in_time = |places: Vec<f64>| places.into_iter().map(|place| place - start).collect();
     let note = format!("signs {} {}", one.sign, other.sign);
-    Case {
-        mechanism,
-        branch: Box::new(branch),
-        folds: in_time(folds),
-        crossings: in_time(crossings),
-        note,
-        sampled: Sampled::AsWell,
-    }
+    Case::new(mechanism, branch, [folds, crossings].map(in_time), note)
 }
 
 /// Four pairs of twins over one grid that leads each of them past its limit.
@@ -91,15 +85,22 @@ fn drawn(random: &mut Random, equal: bool) -> Group<Twins> {
     let mut cases = Vec::new();
     while cases.len() < 4 {
         let outer = random.chance(0.5);
-        let off = |random: &mut Random| if random.chance(0.1) { 0.0 } else { random.small(-9.0, -3.0) };
-        let offs = [off(random), off(random)];
-        let one = near_a_crossing(random, outer, offs[0]);
+        let bar = |random: &mut Random| {
+            let off = if random.chance(0.1) { 0.0 } else { random.small(-9.0, -3.0) };
+            // Parallelograms and kites among them.
+            let (bar, limit) = crossing(random);
+            if random.chance(0.3) && limit == if outer { PI } else { TAU } {
+                FourBar { d: bar.d + off, ..bar }
+            } else {
+                near_a_crossing(random, outer, off)
+            }
+        };
+        let (one, other) = (bar(random), bar(random));
         let sign = random.sign();
         let (other, ahead) = if equal {
             (FourBar { sign, ..one }, 0.0)
         } else {
-            let ahead = if random.chance(0.5) { 0.0 } else { random.small(-9.0, -2.0) };
-            (near_a_crossing(random, outer, offs[1]), ahead)
+            (other, if random.chance(0.5) { 0.0 } else { random.small(-9.0, -2.0) })
         };
         let turned = if random.chance(0.3) { 0.0 } else { random.between(-PI, PI) };
         // The limit is in the first two thirds of the way.

@@ -1,13 +1,15 @@
 //! All ways in which kin follows a motion: they must give the same branch.
 
 use crate::case::{Answer, Expected, Group, Refusal, Sampled, expected, judge};
+use crate::jet::Jet;
 use crate::tally::Tally;
 use kin_runtime::batch::{Column, Modes, Motions, Sweeps, always, sweep};
 use kin_runtime::{Instant, Kinematics, Lanes, Options, PlanError, Planned, Signal, SolveError};
+use kin_tests::compare::largest;
 use std::fmt::Debug;
 
 /// Names of the ways, in the order of their counts.
-pub(crate) const WAYS: [&str; 5] = ["sweep", "without plan", "tracker", "planned", "batch"];
+pub(crate) const WAYS: [&str; 6] = ["sweep", "without plan", "tracker", "planned", "batch", "states"];
 
 /// Inputs at an instant.
 fn told<M: Kinematics>(group: &Group<M>, t: f64) -> Vec<Signal> {
@@ -21,7 +23,8 @@ fn refusal(error: &SolveError) -> Refusal {
         SolveError::Singular { t, .. } | SolveError::StepRefused { t, .. } => Some(*t),
         _ => None,
     };
-    Refusal { t, typed: t.is_some() || error.limit().is_some(), words: error.to_string() }
+    let typed = t.is_some() || matches!(error, SolveError::NotAssembled { .. });
+    Refusal { t, typed, words: error.to_string() }
 }
 
 /// Follows the motions of a group in every way, and counts what becomes of it.
@@ -33,28 +36,90 @@ pub(crate) fn follow<M: Kinematics + Sync + Debug>(tally: &mut Tally, group: &Gr
     for case in cases {
         let known = expected(&case.branch, &case.folds, times);
         let Some((jets, _)) = &known[0] else { panic!("{:?} does not close at the start", case.mechanism) };
+        closes(group, &case.mechanism, &known);
         let start: Vec<f64> = jets.iter().map(|jet| jet.x).collect();
         let places = [case.folds.as_slice(), &case.crossings].concat();
-        let mut count = |way: usize, known: &[Expected], places: &[f64], answer: &Answer| {
+        let mut count = |way: usize, times: &[f64], known: &[Expected], places: &[f64], answer: &Answer| {
             let (verdict, words) = judge(places, times, known, answer);
             tally.count(way, verdict, || {
                 format!("{words}\n    {:?} {}\n    times {times:?}\n    from {start:?}", case.mechanism, case.note)
             });
         };
-        count(0, &known, &places, &swept(group, &case.mechanism, &start, true));
-        count(1, &known, &places, &swept(group, &case.mechanism, &start, false));
+        count(0, times, &known, &places, &swept(group, &case.mechanism, &start, true));
+        count(1, times, &known, &places, &swept(group, &case.mechanism, &start, false));
+        let (near, answer) = states(group, &case.mechanism, &known, &places);
+        let here: Vec<f64> = near.iter().map(|&k| times[k]).collect();
+        let known_here: Vec<Expected> =
+            near.iter().map(|&k| known[k].clone().map(|known| alone(known, times[k], &case.crossings))).collect();
+        count(5, &here, &known_here, &places, &answer);
         let batch = batch.pop();
         let (known, places) = match &case.sampled {
             Sampled::AsWell => (known, places),
             Sampled::As { branch, places } => (expected(branch, &[], times), places.clone()),
             Sampled::Unknown => continue,
         };
-        count(2, &known, &places, &tracked(group, &case.mechanism, &start));
+        count(2, times, &known, &places, &tracked(group, &case.mechanism, &start));
         if let Some(batch) = batch {
-            count(3, &known, &places, &planned(group, &case.mechanism, &start));
-            count(4, &known, &places, &batch);
+            let places = [places, case.plan_ends.clone()].concat();
+            count(3, times, &known, &places, &planned(group, &case.mechanism, &start));
+            count(4, times, &known, &places, &batch);
         }
     }
+}
+
+/// What is known fits the mechanism as it is written down: Φ = 0, and Φ_q q̇ + Φ_t = 0 where that can be told.
+fn closes<M: Kinematics + Debug>(group: &Group<M>, mechanism: &M, known: &[Expected]) {
+    for (t, known) in group.times.iter().zip(known) {
+        let Some((jets, allowed)) = known else { continue };
+        let (inputs, q) = (told(group, *t), jets.iter().map(|jet| jet.x).collect::<Vec<_>>());
+        let at = Instant { t: *t, inputs: &inputs };
+        let (Ok(phi), Ok(jacobian), Ok(phi_t)) =
+            (mechanism.constraints(&at, &q), mechanism.jacobian(&at, &q), mechanism.time_derivative(&at, &q))
+        else {
+            panic!("{mechanism:?}: so many coordinates has it not")
+        };
+        assert!(largest(phi.as_ref()) < 1e-12, "{mechanism:?} does not close at t = {t:?}: {q:?}");
+        let mut rates = phi_t.as_ref().to_vec();
+        for (&(row, column), entry) in M::model().constraint_pattern.entries.iter().zip(jacobian.as_ref()) {
+            rates[row] += entry * jets[column].v;
+        }
+        let loose = allowed.iter().fold(1e-9, |most: f64, allowed| most.max(allowed[1]));
+        assert!(largest(&rates) < loose, "{mechanism:?} does not move like this at t = {t:?}: {rates:?}");
+    }
+}
+
+/// A state alone knows nothing of the way on which a crossing is none: beside one, errors of its dimensions grow.
+fn alone((jets, mut allowed): (Vec<Jet>, Vec<[f64; 3]>), t: f64, crossings: &[f64]) -> (Vec<Jet>, Vec<[f64; 3]>) {
+    let distance = crossings.iter().map(|place| (place - t).abs()).fold(1.0, f64::min);
+    for allowed in &mut allowed {
+        (0..3).for_each(|order| allowed[order] += 1e-14 / distance.powi(order as i32 + 1));
+    }
+    (jets, allowed)
+}
+
+/// Single states from what they should be: at the start, and at the instants that are nearest to a fold or a crossing.
+fn states<M: Kinematics>(group: &Group<M>, mechanism: &M, known: &[Expected], places: &[f64]) -> (Vec<usize>, Answer) {
+    let distance = |k: usize| places.iter().map(|place| (place - group.times[k]).abs()).fold(f64::INFINITY, f64::min);
+    let mut near: Vec<usize> = (1..group.times.len()).filter(|k| known[*k].is_some()).collect();
+    near.sort_by(|a, b| distance(*a).total_cmp(&distance(*b)));
+    near.truncate(if known.len() < 12 { 9 } else { 2 });
+    // What is nearest comes last: there an answer may be refused.
+    near.push(0);
+    near.reverse();
+    let mut answer = Answer { states: Vec::new(), refusal: None };
+    for &k in &near {
+        let Some((jets, _)) = &known[k] else { continue };
+        let (t, start) = (group.times[k], jets.iter().map(|jet| jet.x).collect::<Vec<_>>());
+        let inputs = told(group, t);
+        match mechanism.solver().state_from(&Instant { t, inputs: &inputs }, &start) {
+            Ok(state) => answer.states.push([state.q, state.q_dot, state.q_ddot]),
+            Err(error) => {
+                answer.refusal = Some(Refusal { t: Some(t), ..refusal(&error) });
+                break;
+            }
+        }
+    }
+    (near, answer)
 }
 
 fn swept<M: Kinematics>(group: &Group<M>, mechanism: &M, start: &[f64], use_plan: bool) -> Answer {
