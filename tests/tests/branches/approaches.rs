@@ -1,9 +1,10 @@
 //! Instants just before a fold or a crossing, 0.1 to 10⁻⁹ before it, and at times just behind: every number that is given is
 //! right. At a fold they grow without bound, and so may errors; at a crossing they are smooth.
 
+use crate::bars::{Angles, Bar, Ends, Middles, Slider, slider};
 use crate::case::{Case, Group};
 use crate::closure::FourBar;
-use crate::crossings::{Angles, Bar, Ends, Middles, Slider, crossing, slider};
+use crate::crossings::crossing;
 use crate::draw::{Draw, near_a_crossing};
 use crate::tally::{Tally, motions};
 use crate::ways::follow;

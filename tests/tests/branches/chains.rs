@@ -98,7 +98,7 @@ impl Dimensions {
         self.ahead[last] - self.turned[last]
     }
 
-    fn drawn(random: &mut Random, count: usize, end: f64, exact: bool) -> Self {
+    fn drawn(random: &mut Random, count: usize, times: &[f64], exact: bool) -> Self {
         let at_once = random.chance(0.5);
         loop {
             let mut list = |low: f64, high: f64| -> Vec<f64> {
@@ -120,7 +120,7 @@ impl Dimensions {
                 // An antiparallelogram whose branch crosses where the parallelograms do.
                 last.sign = -1.0;
             }
-            let start = -end * random.between(0.05, 0.9) + if at_once { 0.0 } else { turned[0] - ahead[0] };
+            let start = -random.meeting(times, 0.05, 0.9) + if at_once { 0.0 } else { turned[0] - ahead[0] };
             let found = Self { radii, couplers, grounds, ahead, turned, last, start };
             let apart = |(ahead, turned): (&f64, &f64)| (start + ahead - turned).sin().abs() > 0.05;
             if found.ahead.iter().zip(&found.turned).all(apart) && last.is_free(start + found.offset(), 0.05) {
@@ -168,7 +168,7 @@ impl Dimensions {
 fn drawn<M: Chain>(random: &mut Random, exact: bool) -> Group<M> {
     let end = random.sign() * random.between(1.5, 4.5);
     let times = random.grid(end);
-    let cases = (0..2).map(|_| Dimensions::drawn(random, M::COUNT, end, exact).case(end)).collect();
+    let cases = (0..2).map(|_| Dimensions::drawn(random, M::COUNT, &times, exact).case(end)).collect();
     Group::new(times, cases)
 }
 

@@ -9,7 +9,7 @@ use crate::tally::{Tally, motions};
 use crate::ways::follow;
 use kin_runtime::{Signal, mechanism};
 use kin_tests::random::Random;
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 /// Two booms side by side on cylinders of one length.
 #[mechanism]
@@ -75,7 +75,7 @@ impl Boom {
         for (spare, at) in self.spare(ram).into_iter().zip([FRAC_PI_2, -FRAC_PI_2]) {
             for turn in -3..=3 {
                 let place = at + TAU * f64::from(turn);
-                if place < end.min(0.0) - 1.0 || place > end.max(0.0) + 1.0 {
+                if place < end.min(0.0) - PI || place > end.max(0.0) + PI {
                     continue;
                 }
                 if spare.abs() < 1e-4 {
@@ -136,7 +136,8 @@ fn booms([one, other]: [Boom; 2], ram: Ram, end: f64) -> Case<Booms> {
 
 fn drawn(random: &mut Random) -> Group<Booms> {
     let end = random.sign() * random.between(2.0, 7.0);
-    let times = random.grid(end);
+    let mut times = random.grid(end);
+    random.hit(&mut times, end.signum() * FRAC_PI_2);
     let ram = Ram { middle: dyadic(random.between(0.6, 1.2)), stroke: dyadic(random.between(0.1, 0.4)) };
     let mut one = || {
         let off = if random.chance(0.15) { 0.0 } else { random.small(-10.0, -2.0) };

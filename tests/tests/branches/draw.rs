@@ -15,6 +15,11 @@ pub(crate) trait Draw {
     fn length(&mut self) -> f64;
     /// A whole number from `low` to `high`.
     fn whole(&mut self, low: usize, high: usize) -> usize;
+    /// When a place on the way is met, between these shares of it: as a rule in between two instants, at times at one of them
+    /// or just beside.
+    fn meeting(&mut self, times: &[f64], low: f64, high: f64) -> f64;
+    /// Moves the instant that is nearest to `place` there, or just beside, at times.
+    fn hit(&mut self, times: &mut [f64], place: f64);
     /// Instants from 0 to `end`, in even or uneven steps of a length drawn for all of them.
     fn grid(&mut self, end: f64) -> Vec<f64>;
 }
@@ -38,6 +43,32 @@ impl Draw for Random {
 
     fn whole(&mut self, low: usize, high: usize) -> usize {
         self.between(low as f64, high as f64 + 1.0) as usize
+    }
+
+    fn meeting(&mut self, times: &[f64], low: f64, high: f64) -> f64 {
+        let end = times[times.len() - 1];
+        if self.chance(0.8) {
+            return end * self.between(low, high);
+        }
+        let inner = |t: &&f64| (low..high).contains(&(**t / end));
+        let inner: Vec<&f64> = times.iter().filter(inner).collect();
+        if inner.is_empty() {
+            return end * self.between(low, high);
+        }
+        let beside = if self.chance(0.3) { 0.0 } else { self.small(-9.0, -2.0) };
+        inner[self.whole(0, inner.len() - 1)] + beside
+    }
+
+    fn hit(&mut self, times: &mut [f64], place: f64) {
+        let last = times.len() - 1;
+        let distance = |k: &usize| (times[*k] - place).abs();
+        let Some(k) = (1..last).min_by(|a, b| distance(a).total_cmp(&distance(b))) else { return };
+        let beside = if self.chance(0.3) { 0.0 } else { self.small(-9.0, -2.0) };
+        let way = times[last].signum();
+        let fits = |t: f64| (t - times[k - 1]) * way > 0.0 && (times[k + 1] - t) * way > 0.0;
+        if self.chance(0.2) && fits(place + beside) {
+            times[k] = place + beside;
+        }
     }
 
     fn grid(&mut self, end: f64) -> Vec<f64> {

@@ -98,7 +98,8 @@ fn lift<M: Lift>(amplitude: f64, sign: f64, end: f64) -> Case<M> {
 /// Four lifts over one grid: far beyond flat, by 10^-2 to 10^-10 of the stroke, and exactly.
 fn drawn<M: Lift>(random: &mut Random) -> Group<M> {
     let end = if random.chance(0.5) { random.between(2.0, 4.5) } else { -random.between(5.0, 7.5) };
-    let times = random.grid(end);
+    let mut times = random.grid(end);
+    random.hit(&mut times, if end > 0.0 { FRAC_PI_2 } else { -3.0 * FRAC_PI_2 });
     let mut one = || {
         let off = if random.chance(0.1) { 0.0 } else { random.small(-10.0, -2.0) };
         lift(0.05 * (1.0 + off), random.sign(), end)

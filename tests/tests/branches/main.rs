@@ -3,8 +3,12 @@
 //!
 //! Every motion is followed in all ways that there are: a sweep by the plan and one without it, a tracker, a follower of the
 //! plan, a batch. `KIN_SWEEPS` asks for more sweeps than a usual run has.
+#![cfg(feature = "simd")]
 
+mod alone;
 mod approaches;
+mod arithmetic;
+mod bars;
 mod case;
 mod chains;
 mod closure;
@@ -16,6 +20,7 @@ mod lifts;
 mod platforms;
 mod redundant;
 mod rig;
+mod side_by_side;
 mod tally;
 mod turning;
 mod twins;

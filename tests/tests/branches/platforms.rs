@@ -64,7 +64,8 @@ fn platforms_near_singular_poses() {
     let (mut random, mut tally) = (Random::new(271), Tally::default());
     for _ in 0..motions(0.08).div_ceil(4) {
         let end = random.between(1.7, 3.1);
-        let times = random.grid(end);
+        let mut times = random.grid(end);
+        random.hit(&mut times, std::f64::consts::FRAC_PI_2);
         let cases = (0..4).map(|_| case(&mut random)).collect();
         follow(&mut tally, &Group::new(times, cases));
     }

@@ -1,5 +1,6 @@
 //! A platform on three driven cranks, followed along the arc by a small continuation that owes nothing to kin.
 
+use crate::arithmetic::{along, determinant, dot, solve};
 use crate::jet::Jet;
 use kin_tests::random::Random;
 
@@ -28,37 +29,6 @@ pub(crate) struct Arc {
     nodes: Vec<([f64; 4], [f64; 4])>,
     /// Where s turns back.
     pub(crate) fold: Option<f64>,
-}
-
-/// Gaussian elimination with partial pivoting; None where a pivot vanishes.
-pub(crate) fn solve<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> Option<[f64; N]> {
-    for k in 0..N {
-        let pivot = (k..N).max_by(|i, j| a[*i][k].abs().total_cmp(&a[*j][k].abs()))?;
-        a.swap(k, pivot);
-        b.swap(k, pivot);
-        if a[k][k] == 0.0 {
-            return None;
-        }
-        let (row, right) = (a[k], b[k]);
-        for i in k + 1..N {
-            let factor = a[i][k] / row[k];
-            a[i].iter_mut().zip(row).for_each(|(x, y)| *x -= factor * y);
-            b[i] -= factor * right;
-        }
-    }
-    for k in (0..N).rev() {
-        let known: f64 = (k + 1..N).map(|j| a[k][j] * b[j]).sum();
-        b[k] = (b[k] - known) / a[k][k];
-    }
-    Some(b)
-}
-
-fn dot(a: &[f64; 4], b: &[f64; 4]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn along(z: &[f64; 4], h: f64, direction: &[f64; 4]) -> [f64; 4] {
-    std::array::from_fn(|k| z[k] + h * direction[k])
 }
 
 impl Rig {
@@ -144,19 +114,21 @@ impl Rig {
 
     /// Closes z at right angles to `across`, and gives how far it had to go.
     fn close(&self, mut z: [f64; 4], across: &[f64; 4], off: f64) -> Option<([f64; 4], f64)> {
-        let mut way = 0.0;
-        for _ in 0..12 {
+        let (mut way, mut before) = (0.0, f64::INFINITY);
+        for _ in 0..20 {
             let gaps = self.gaps(z.map(Jet::from), off);
             let [a, b, c] = self.rows(&z);
             let step = solve([a, b, c, *across], [-gaps[0].x, -gaps[1].x, -gaps[2].x, 0.0])?;
             z = along(&z, 1.0, &step);
             let length = dot(&step, &step).sqrt();
             way += length;
-            if length < 1e-14 {
+            // Until rounding is all that is left, which near a singular pose is more.
+            if length < 1e-15 || length > 0.1 * before && length < 1e-8 {
                 return Some((z, way));
             }
+            before = length;
         }
-        (way < 1e-6).then_some((z, way))
+        None
     }
 
     /// The direction of the arc, on the side of `before`.
@@ -251,10 +223,6 @@ impl Rig {
         let rows = self.rows(z);
         determinant(std::array::from_fn(|i| std::array::from_fn(|k| rows[i][k])))
     }
-}
-
-fn determinant([a, b, c]: [[f64; 3]; 3]) -> f64 {
-    a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
 }
 
 /// The place with this s on the cubic between two nodes.

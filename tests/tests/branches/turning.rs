@@ -29,7 +29,8 @@ struct Swinging {
     swing: f64,
 }
 
-fn swinging(bar: FourBar, middle: f64, swing: f64, end: f64) -> Case<Swinging> {
+fn swinging(bar: FourBar, middle: f64, swing: f64, grid: &[f64]) -> Case<Swinging> {
+    let end = grid[grid.len() - 1];
     let FourBar { a, b, c, d, sign } = bar;
     let branch = move |t: f64, off: f64| {
         let phi = (Jet::time(t) * (1.0 + off)).sin() * swing + middle;
@@ -44,7 +45,13 @@ fn swinging(bar: FourBar, middle: f64, swing: f64, end: f64) -> Case<Swinging> {
         for place in places {
             let sine = (place - middle) / swing;
             if (sine.abs() - 1.0).abs() * width < NEAR {
-                times.extend((-3..3).map(|turn| FRAC_PI_2 * sine.signum() + TAU * f64::from(turn)));
+                // The crank is slow there, and near for a while.
+                times.extend(grid.iter().filter(|t| (t.sin() - sine).abs() * width < NEAR));
+                let steps = ((3.0 * NEAR / width).sqrt() / NEAR) as i32;
+                for turn in -3..3 {
+                    let turn = FRAC_PI_2 * sine.signum() + TAU * f64::from(turn);
+                    times.extend((-steps..=steps).map(|k| turn + NEAR * f64::from(k)));
+                }
             }
             if sine.abs() < 1.0 {
                 let first = sine.asin();
@@ -75,7 +82,8 @@ fn fold_times(folds: &[f64], middle: f64, swing: f64) -> Vec<f64> {
 /// Four cranks that swing to within 10^-2 to 10^-10 of their places, on either side.
 fn drawn(random: &mut Random, fold: bool) -> Group<Swinging> {
     let end = random.sign() * random.between(2.0, 5.0);
-    let times = random.grid(end);
+    let mut times = random.grid(end);
+    random.hit(&mut times, if end > 0.0 { FRAC_PI_2 } else { -3.0 * FRAC_PI_2 });
     let mut cases = Vec::new();
     while cases.len() < 4 {
         let (bar, place) = if fold {
@@ -95,7 +103,7 @@ fn drawn(random: &mut Random, fold: bool) -> Group<Swinging> {
         let (middle, swing) = (place + from, -from * (1.0 + off));
         let way = (1..40).map(|k| middle + swing * f64::from(k) / 41.0);
         if bar.d > 0.1 && bar.is_free(middle, 0.05) && way.into_iter().all(|phi| bar.is_free(phi, 0.0)) {
-            cases.push(swinging(bar, middle, swing, end));
+            cases.push(swinging(bar, middle, swing, &times));
         }
     }
     Group::new(times, cases)

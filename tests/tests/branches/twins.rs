@@ -105,7 +105,7 @@ fn drawn(random: &mut Random, equal: bool) -> Group<Twins> {
         let turned = if random.chance(0.3) { 0.0 } else { random.between(-PI, PI) };
         // The limit is in the first two thirds of the way.
         let limit = if outer { PI } else { TAU };
-        let start = limit - end * random.between(0.05, 0.65);
+        let start = limit - random.meeting(&times, 0.05, 0.65);
         if one.is_free(start, 0.05) && other.is_free(start - ahead, 0.05) {
             cases.push(twins([one, other], turned, ahead, start, [0.0, end]));
         }

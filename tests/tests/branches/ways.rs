@@ -1,10 +1,10 @@
 //! All ways in which kin follows a motion: they must give the same branch.
 
+use crate::alone::{alone, states};
 use crate::case::{Answer, Expected, Group, Refusal, Sampled, expected, judge};
-use crate::jet::Jet;
+use crate::side_by_side::in_a_batch;
 use crate::tally::Tally;
-use kin_runtime::batch::{Column, Modes, Motions, Sweeps, always, sweep};
-use kin_runtime::{Instant, Kinematics, Lanes, Options, PlanError, Planned, Signal, SolveError};
+use kin_runtime::{Instant, Kinematics, Options, PlanError, Planned, Signal, SolveError};
 use kin_tests::compare::largest;
 use std::fmt::Debug;
 
@@ -12,7 +12,7 @@ use std::fmt::Debug;
 pub(crate) const WAYS: [&str; 6] = ["sweep", "without plan", "tracker", "planned", "batch", "states"];
 
 /// Inputs at an instant.
-fn told<M: Kinematics>(group: &Group<M>, t: f64) -> Vec<Signal> {
+pub(crate) fn told<M: Kinematics>(group: &Group<M>, t: f64) -> Vec<Signal> {
     let mut inputs = vec![Signal::default(); M::INPUTS];
     (group.inputs)(t, &mut inputs);
     inputs
@@ -88,40 +88,6 @@ fn closes<M: Kinematics + Debug>(group: &Group<M>, mechanism: &M, known: &[Expec
     }
 }
 
-/// A state alone knows nothing of the way on which a crossing is none: beside one, errors of its dimensions grow.
-fn alone((jets, mut allowed): (Vec<Jet>, Vec<[f64; 3]>), t: f64, crossings: &[f64]) -> (Vec<Jet>, Vec<[f64; 3]>) {
-    let distance = crossings.iter().map(|place| (place - t).abs()).fold(1.0, f64::min);
-    for allowed in &mut allowed {
-        (0..3).for_each(|order| allowed[order] += 1e-14 / distance.powi(order as i32 + 1));
-    }
-    (jets, allowed)
-}
-
-/// Single states from what they should be: at the start, and at the instants that are nearest to a fold or a crossing.
-fn states<M: Kinematics>(group: &Group<M>, mechanism: &M, known: &[Expected], places: &[f64]) -> (Vec<usize>, Answer) {
-    let distance = |k: usize| places.iter().map(|place| (place - group.times[k]).abs()).fold(f64::INFINITY, f64::min);
-    let mut near: Vec<usize> = (1..group.times.len()).filter(|k| known[*k].is_some()).collect();
-    near.sort_by(|a, b| distance(*a).total_cmp(&distance(*b)));
-    near.truncate(if known.len() < 12 { 9 } else { 2 });
-    // What is nearest comes last: there an answer may be refused.
-    near.push(0);
-    near.reverse();
-    let mut answer = Answer { states: Vec::new(), refusal: None };
-    for &k in &near {
-        let Some((jets, _)) = &known[k] else { continue };
-        let (t, start) = (group.times[k], jets.iter().map(|jet| jet.x).collect::<Vec<_>>());
-        let inputs = told(group, t);
-        match mechanism.solver().state_from(&Instant { t, inputs: &inputs }, &start) {
-            Ok(state) => answer.states.push([state.q, state.q_dot, state.q_ddot]),
-            Err(error) => {
-                answer.refusal = Some(Refusal { t: Some(t), ..refusal(&error) });
-                break;
-            }
-        }
-    }
-    (near, answer)
-}
-
 fn swept<M: Kinematics>(group: &Group<M>, mechanism: &M, start: &[f64], use_plan: bool) -> Answer {
     let options = Options { use_plan, ..Options::default() };
     let mut solver = mechanism.solver().with_options(options);
@@ -177,45 +143,4 @@ fn planned<M: Kinematics>(group: &Group<M>, mechanism: &M, start: &[f64]) -> Ans
         }
     }
     answer
-}
-
-/// The states of a block, instant by instant.
-type Seen = Vec<[Vec<Lanes>; 3]>;
-
-fn in_a_batch<M: Kinematics + Sync>(group: &Group<M>) -> Vec<Answer> {
-    let Group { times, cases, .. } = group;
-    let each = |of: &dyn Fn(usize) -> Vec<f64>, rows: usize| -> Vec<Vec<f64>> {
-        let all: Vec<Vec<f64>> = (0..cases.len()).map(of).collect();
-        (0..rows).map(|k| all.iter().map(|list| list[k]).collect()).collect()
-    };
-    let parameters = each(&|case| cases[case].mechanism.parameters::<f64>().as_ref().to_vec(), M::PARAMETERS);
-    let first = |case: usize| {
-        let jets = (cases[case].branch)(times[0], 0.0).unwrap_or_default();
-        jets.iter().map(|jet| jet.x).collect()
-    };
-    let start = each(&first, M::COORDINATES);
-    let inputs: Vec<Vec<Signal>> = times.iter().map(|t| told(group, *t)).collect();
-    let list = |of: fn(&Signal) -> f64, u: usize| inputs.iter().map(|list| of(&list[u])).collect::<Vec<_>>();
-    let lists: Vec<_> =
-        (0..M::INPUTS).map(|u| [list(|u| u.value, u), list(|u| u.rate, u), list(|u| u.acceleration, u)]).collect();
-    let inputs: Vec<_> =
-        lists.iter().map(|[u, v, a]| Signal::new(Column::Each(u), Column::Each(v), Column::Each(a))).collect();
-    let parameters: Vec<_> = parameters.iter().map(|list| Column::Each(list)).collect();
-    let start: Vec<_> = start.iter().map(|list| Column::Each(list)).collect();
-    let sweeps = Sweeps { parameters: &parameters, times, inputs: &inputs, modes: Modes::OfStart, start: &start };
-    let mut out = Motions::new(cases.len(), Seen::new());
-    let done = sweep(&cases[0].mechanism, &sweeps, &mut out, &always, |seen: &mut Seen, moment| {
-        seen.push([moment.q, moment.q_dot, moment.q_ddot].map(<[Lanes]>::to_vec));
-    });
-    assert!(done.is_ok(), "a batch of {} does not run: {done:?}", M::model().name);
-    let blocks: Vec<&Seen> = out.blocks().collect();
-    let answer = |(set, end): (usize, Option<kin_runtime::batch::End>)| {
-        let until = end.map_or(times.len(), |end| end.instant);
-        let lane = |list: &Vec<Lanes>| list.iter().map(|x| x.to_array()[set % Lanes::COUNT]).collect();
-        let of = |state: &[Vec<Lanes>; 3]| state.each_ref().map(lane);
-        let states = blocks[set / Lanes::COUNT].iter().take(until).map(of).collect();
-        let refusal = end.map(|end| Refusal { t: None, typed: end.limit.is_some(), words: format!("{end:?}") });
-        Answer { states, refusal }
-    };
-    out.ends().enumerate().map(answer).collect()
 }

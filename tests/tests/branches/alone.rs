@@ -1,0 +1,51 @@
+//! Single states, each for itself.
+
+use crate::case::{Answer, Expected, Group, Refusal};
+use crate::jet::Jet;
+use crate::ways::told;
+use kin_runtime::{Instant, Kinematics, SolveError};
+
+/// A state alone knows nothing of the way on which a crossing is none: beside one, errors of its dimensions grow.
+pub(crate) fn alone(
+    (jets, mut allowed): (Vec<Jet>, Vec<[f64; 3]>),
+    t: f64,
+    crossings: &[f64],
+) -> (Vec<Jet>, Vec<[f64; 3]>) {
+    let distance = crossings.iter().map(|place| (place - t).abs()).fold(1.0, f64::min);
+    for allowed in &mut allowed {
+        (0..3).for_each(|order| allowed[order] += 1e-14 / distance.powi(order as i32 + 1));
+    }
+    (jets, allowed)
+}
+
+/// Single states from what they should be: at the start, and at the instants that are nearest to a fold or a crossing.
+pub(crate) fn states<M: Kinematics>(
+    group: &Group<M>,
+    mechanism: &M,
+    known: &[Expected],
+    places: &[f64],
+) -> (Vec<usize>, Answer) {
+    let distance = |k: usize| places.iter().map(|place| (place - group.times[k]).abs()).fold(f64::INFINITY, f64::min);
+    let mut near: Vec<usize> = (1..group.times.len()).filter(|k| known[*k].is_some()).collect();
+    near.sort_by(|a, b| distance(*a).total_cmp(&distance(*b)));
+    near.truncate(if known.len() < 12 { 9 } else { 2 });
+    // What is nearest comes last: there an answer may be refused.
+    near.push(0);
+    near.reverse();
+    let mut answer = Answer { states: Vec::new(), refusal: None };
+    for &k in &near {
+        let Some((jets, _)) = &known[k] else { continue };
+        let (t, start) = (group.times[k], jets.iter().map(|jet| jet.x).collect::<Vec<_>>());
+        let inputs = told(group, t);
+        match mechanism.solver().state_from(&Instant { t, inputs: &inputs }, &start) {
+            Ok(state) => answer.states.push([state.q, state.q_dot, state.q_ddot]),
+            Err(error) => {
+                let words = error.to_string();
+                answer.refusal =
+                    Some(Refusal { t: Some(t), typed: !matches!(error, SolveError::NonFinite { .. }), words });
+                break;
+            }
+        }
+    }
+    (near, answer)
+}
