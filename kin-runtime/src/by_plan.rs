@@ -81,6 +81,16 @@ impl Answer {
     }
 }
 
+/// The margins of a solution at the current instant from q, in the modes that these numbers have the signs of.
+pub(crate) fn margins(equations: &mut Equations<'_>, modes: &[f64], q: &[f64]) -> Vec<f64> {
+    let modes = modes.iter().take(equations.model.plan.modes.len());
+    let modes: Vec<f64> = modes.map(|mode| mode.signum()).collect();
+    let mut answer = Answer::new(equations);
+    // Whatever is wrong with it, its margins say it.
+    let _ = answer.solve(equations, &modes, q, Depth::Velocity);
+    answer.margins
+}
+
 /// The first group that is at its limit or cannot close at the current instant, in the modes of q.
 pub(crate) fn limit(equations: &mut Equations<'_>, q: &[f64]) -> Option<Limit> {
     if !equations.options.use_plan || !exists(equations) {

@@ -139,17 +139,23 @@ impl<'g> Rates<'g> {
         for (&k, value) in core.coordinates.iter().zip(solutions.into_iter().flatten()) {
             self.solution[k as usize] = Some(self.graph.whole(value));
         }
-        if let (Some(margin), Some(&row)) = (margin, core.rows.first()) {
-            self.margins.insert(row, margin);
+        let iterates = matches!(core.way, Way::Newton { .. });
+        if let (Some(mut margin), Some(&row)) = (margin, core.rows.first()) {
             self.regular.push(margin);
-        }
-        if let (Some(orientation), Some(&row)) = (orientation, core.rows.first()) {
-            self.orientations.insert(row, orientation);
+            if let (true, Some(orientation)) = (iterates, orientation) {
+                // The determinant beside the rows as they are says nothing of a row that vanishes as a whole.
+                let share = self.share_of_rows(&matrix);
+                let root = self.graph.call(Function::Sqrt, share);
+                let orientation = self.graph.mul(orientation, root);
+                self.orientations.insert(row, orientation);
+                margin = self.graph.mul(margin, share);
+            }
+            self.margins.insert(row, margin);
         }
         if let [row] = matrix.as_slice() {
             let (square, size) = (self.graph.square(row[0]), squared_size(self.graph, row[0], DEPTH));
             self.hold_against(square, size);
-            if let (Way::Newton { .. }, Some(&first)) = (&core.way, core.rows.first()) {
+            if let (true, Some(&first)) = (iterates, core.rows.first()) {
                 // A single unknown is told from its neighbours by the sign of its coefficient.
                 let (margin, root) = (self.graph.div(square, size), self.graph.call(Function::Sqrt, size));
                 let orientation = self.graph.div(row[0], root);
@@ -157,6 +163,27 @@ impl<'g> Rates<'g> {
                 self.orientations.insert(first, orientation);
             }
         }
+    }
+
+    /// How much is left of the rows of a matrix: over all rows the product of the mean of the squares of a row's entries, each
+    /// over what it could be. It has no unit, and is 0 where a row vanishes.
+    fn share_of_rows(&mut self, matrix: &[Vec<ExprId>]) -> ExprId {
+        let mut product = self.graph.number(1.0);
+        for row in matrix {
+            let (mut sum, mut count) = (self.graph.zero(), 0.0);
+            for &entry in row {
+                if !self.graph.is_zero(entry) {
+                    let (square, size) = (self.graph.square(entry), squared_size(self.graph, entry, DEPTH));
+                    let share = self.graph.div(square, size);
+                    sum = self.graph.add(sum, share);
+                    count += 1.0;
+                }
+            }
+            let inverse = self.graph.number(1.0 / f64::max(count, 1.0));
+            let mean = self.graph.mul(sum, inverse);
+            product = self.graph.mul(product, mean);
+        }
+        product
     }
 
     /// Notes a divisor, unless it never moves: its square beside `size`.

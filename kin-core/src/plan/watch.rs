@@ -23,7 +23,7 @@ use crate::program::Slot;
 pub const TOLERANCE: f64 = 3e-11;
 
 /// What rounding makes of a solution far from limits; 1/√margin times that beside one, and once more for every order.
-const ROUNDING: f64 = 1e-14;
+const ROUNDING: f64 = 1e-13;
 
 /// What no size is smaller than, so that 0 of 0 is 0.
 const LEAST: f64 = f32::MIN_POSITIVE as f64;

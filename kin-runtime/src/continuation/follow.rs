@@ -7,6 +7,7 @@ use super::planned::ByPlan;
 use super::refusal::refusal;
 use super::step::{Basis, Fault, Node, Scratch, Start, step};
 use crate::acceleration::acceleration;
+use crate::by_plan;
 use crate::equations::Equations;
 use crate::error::{Refusal, SolveError};
 use crate::events::Watch;
@@ -218,7 +219,9 @@ impl Follower {
                     equations.scale = Scale::around(equations, q);
                 }
                 let node = if moved { &self.here } else { &self.node };
-                let nearest = node.basis.as_ref().map_or(1.0, |basis| groups::nearest(&basis.groups));
+                // Redundant rows carry a motion past limits of the others.
+                let basis = node.basis.as_ref().filter(|_| equations.model.plan.watched().next().is_none());
+                let nearest = basis.map_or(1.0, |basis| groups::nearest(&basis.groups));
                 natural_step(equations, rates, nearest).min(if by_plan { f64::INFINITY } else { self.proposed })
             };
             let smallest = *smallest.get_or_insert_with(|| {
@@ -351,6 +354,17 @@ fn found_on(equations: &mut Equations<'_>, node: &mut Node) -> Result<(), SolveE
     }
     equations.evaluate(Subset::VELOCITY, q, None)?;
     let factor = equations.factorise(Wanted::Rank, None);
+    if factor.rank + node.state.degrees_of_freedom_left < equations.coordinates() {
+        // The plan has come nearer to a singular configuration than a factorisation of Φ_q can.
+        return Err(SolveError::Singular {
+            t: node.state.t,
+            rank: factor.rank,
+            expected_rank: equations.coordinates() - node.state.degrees_of_freedom_left,
+            rows: Vec::new(),
+            condition: factor.full_condition,
+            limit: by_plan::limit(equations, &node.state.q),
+        });
+    }
     node.basis = Some(basis_with(equations, &node.state, factor)?);
     equations.set_instant(&Instant { t, inputs: &inputs })
 }

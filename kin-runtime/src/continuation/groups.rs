@@ -4,13 +4,18 @@
 //! each group on its own side of where its branches meet, and as far from there as the prediction has it. One sign for
 //! the whole mechanism would not do: two groups that change theirs in one step leave it as it was.
 
+use crate::by_plan;
 use crate::equations::Equations;
-use crate::model::{Component, CoordinateKind};
 use crate::planned::branch::certainty_of;
-use crate::planned::limit::blurred_sign;
+use crate::planned::limit::blurred_group;
 
 /// Nearer than this to where its branches meet a group is on neither of them: as near as rounding lets it be told.
 const SMALLEST: f64 = 1e-6;
+
+/// Deviation of a closure from its prediction, relative to the larger one, where redundant rows carry the motion past its
+/// limit; and how near to it both may be.
+const PASSING: f64 = 0.5;
+const FLAT: f64 = 1e-3;
 
 /// Writes what tells the branches of every group apart at q; nothing where there is no plan.
 pub(super) fn write(equations: &Equations<'_>, q: &[f64], groups: &mut Vec<f64>) {
@@ -30,19 +35,26 @@ pub(super) fn write(equations: &Equations<'_>, q: &[f64], groups: &mut Vec<f64>)
 /// the prediction has it.
 pub(super) fn stay(before: &[f64], predicted: &[f64], found: &[f64], is_redundant: bool) -> bool {
     before.iter().zip(predicted).zip(found).all(|((before, predicted), found)| {
-        let sign = if is_redundant { predicted.signum() } else { before.signum() };
+        if is_redundant {
+            let size = found.abs().max(predicted.abs());
+            return (found - predicted).abs() <= PASSING * size || size <= FLAT;
+        }
+        let sign = before.signum();
         sign * found > SMALLEST && certainty_of(sign * found, sign * predicted) >= 0.0
     })
 }
 
-/// True where rates mean nothing, beside a crossing of branches.
-pub(super) fn are_blurred(equations: &Equations<'_>, groups: &[f64], q_dot: &[f64], q_ddot: &[f64]) -> bool {
-    let distances: Vec<f64> = groups.iter().map(|w| w.abs()).collect();
-    let counts = |k: usize| {
-        let kind = equations.model.coordinates[k].kind;
-        !matches!(kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
-    };
-    blurred_sign(distances.len(), &distances, [q_dot, q_ddot], counts).is_some()
+/// True where rates mean nothing, so near to a crossing of branches.
+pub(super) fn are_blurred(equations: &mut Equations<'_>, groups: &[f64], [q, q_dot, q_ddot]: [&[f64]; 3]) -> bool {
+    if groups.is_empty() {
+        return false;
+    }
+    // What the plan divides by may be small where its closures are far apart.
+    let margins = by_plan::margins(equations, groups, q);
+    let plan = &equations.model.plan;
+    let by_margin = |sign: usize| plan.margin_of_sign(sign).map_or(1.0, |place| margins[place].max(0.0).sqrt());
+    let distances: Vec<f64> = groups.iter().enumerate().map(|(sign, w)| w.abs().min(by_margin(sign))).collect();
+    blurred_group(equations.model, groups, &distances, [q_dot, q_ddot]).is_some()
 }
 
 /// How near the nearest group is to where its branches meet.

@@ -176,8 +176,13 @@ pub(super) fn settle(
     }
     equations.check("q_dot", q_dot.as_slice())?;
     fill(&mut state.q_dot, q_dot.iter().copied());
-    state.q_ddot = acceleration(equations, &state.q, &state.q_dot, &found)?;
-    if last && !is_redundant && groups::are_blurred(equations, groups, &state.q_dot, &state.q_ddot) {
+    // Beside a singular configuration it is rounding that contradicts.
+    state.q_ddot =
+        acceleration(equations, &state.q, &state.q_dot, &found).map_err(|error| match error {
+            SolveError::InconsistentAcceleration { .. } if rank == state.q.len() => Fault::Jump(worst),
+            error => Fault::Error(error),
+        })?;
+    if last && !is_redundant && groups::are_blurred(equations, groups, [&state.q, &state.q_dot, &state.q_ddot]) {
         return Err(Fault::Jump(worst));
     }
     to.s = s;

@@ -326,8 +326,8 @@ impl<M: Mechanism> Follower<M> {
         }
         let plan = &M::model().plan;
         self.measure();
-        if self.is_blurred() {
-            let error = self.explain_blurred(at.t);
+        if self.is_blurred(mechanism, at) {
+            let error = self.explain_blurred(mechanism, at);
             self.branch.signs = kept;
             return Err(error);
         }
@@ -366,13 +366,28 @@ impl<M: Mechanism> Follower<M> {
         let tried = &self.states[1 - self.good];
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
         let certain = certainty(plan, tried.margins.as_ref(), &self.branch, h, self.distances.as_mut());
-        let certain = certain >= 0.0 && self.has_slopes;
+        let certain = certain >= 0.0 && self.has_slopes && self.keeps_orientations(mechanism, at)?;
         let near = away <= control.correction * turn + NEGLIGIBLE;
-        if !near || !(certain || self.stays_on_its_branch(mechanism, at)?) || self.is_blurred() {
+        if !near || !(certain || self.stays_on_its_branch(mechanism, at)?) || self.is_blurred(mechanism, at) {
             return Ok(false);
         }
         self.keep(at, Some(h));
         Ok(true)
+    }
+
+    /// True if no iterated group has changed the sign of its determinant.
+    #[inline]
+    fn keeps_orientations(&self, mechanism: &M, at: &Instant<'_>) -> Result<bool, LengthError> {
+        let plan = &M::model().plan;
+        if plan.orientations.is_empty() {
+            return Ok(true);
+        }
+        let q = self.states[1 - self.good].q;
+        let mut found = M::Coordinates::<f64>::filled(0.0);
+        let found = &mut found.as_mut()[..plan.signs()];
+        mechanism.branches_with(self.parameters.as_ref(), at, q.as_ref(), found)?;
+        let signs = self.branch.signs.as_ref().iter().zip(found).skip(plan.modes.len());
+        Ok(signs.into_iter().all(|(sign, found)| sign * *found > 0.0))
     }
 
     /// True if every group is where the prediction has it; not where one is so near to its limit that it may have been there
@@ -396,24 +411,18 @@ impl<M: Mechanism> Follower<M> {
         predicted: &[f64],
     ) -> Result<Option<usize>, LengthError> {
         let plan = &M::model().plan;
-        let (count, modes) = (plan.signs(), plan.modes.len());
+        let count = plan.signs();
         let mut foretold = M::Coordinates::<f64>::filled(0.0);
         mechanism.branches_with(self.parameters.as_ref(), at, predicted, &mut foretold.as_mut()[..count])?;
-        let signs = self.branch.signs.as_ref();
+        let q = self.states[1 - self.good].q;
+        let mut found = M::Coordinates::<f64>::filled(0.0);
+        mechanism.branches_with(self.parameters.as_ref(), at, q.as_ref(), &mut found.as_mut()[..count])?;
+        let (signs, foretold, found) = (self.branch.signs.as_ref(), foretold.as_ref(), found.as_ref());
         let on_branch = |sign: usize| {
-            let certain = certainty_of(self.distances.as_ref()[sign], signs[sign] * foretold.as_ref()[sign]);
-            certain >= 0.0
+            let now = signs[sign] * found[sign];
+            now > 0.0 && certainty_of(now, signs[sign] * foretold[sign]) >= 0.0
         };
-        if let Some(sign) = (0..count).find(|sign| !on_branch(*sign)) {
-            return Ok(Some(sign));
-        }
-        if count > modes {
-            let q = self.states[1 - self.good].q;
-            let mut found = M::Coordinates::<f64>::filled(0.0);
-            mechanism.branches_with(self.parameters.as_ref(), at, q.as_ref(), &mut found.as_mut()[..count])?;
-            return Ok((modes..count).find(|&sign| signs[sign] * found.as_ref()[sign] <= 0.0));
-        }
-        Ok(None)
+        Ok((0..count).find(|sign| !on_branch(*sign)))
     }
 
     /// Writes |w| of the state that is being tried.

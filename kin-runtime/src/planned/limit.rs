@@ -10,17 +10,26 @@ use super::step::Step;
 use super::walk::Blocked;
 use crate::course::Course;
 use crate::mechanism::Mechanism;
-use crate::model::{Component, CoordinateKind};
-use crate::plan::{Depth, Plan, Solved, StepKind};
+use crate::model::{Component, CoordinateKind, Model};
+use crate::plan::{Depth, Plan, PlanStep, Solved, StepKind};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
-/// Distances |w| below which rates have lost so many digits that it must be asked whether they still mean something:
-/// rounding of 1e-16 in w² is one of 1e-9 in q̇ there.
-const BLURRED: f64 = 5e-4;
+/// Distances |w| below which it is asked whether rates have lost too many digits.
+const NEAR: f64 = 0.1;
+
+/// √margin over |w| below which pins meet.
+const PINS: f64 = 0.5;
+
+/// Angles of the drive from a crossing of branches below which they have: rounding of w², 1e-16, is one of q̇ in the ninth
+/// digit there, and one of q̈ in the fifth.
+const BLURRED: f64 = 1e-3;
+
+/// Where a group turns faster than its drive by more than this, other limits are near, too.
+const MOST_GAIN: f64 = 10.0;
 
 /// At a fold |w q̈| is about q̇², however near it is. At a crossing both are finite while w goes to 0.
-const FOLD: f64 = 0.1;
+const FOLD: f64 = 0.03;
 
 /// How far from 0 a margin may be at a crossing, where it touches 0: its own rounding.
 const TOUCHES: f64 = 1e-9;
@@ -32,29 +41,29 @@ const SECTIONS: usize = 90;
 impl<M: Mechanism> Follower<M> {
     /// True where the state that is being tried is so near to a crossing of branches that its rates mean nothing.
     #[inline]
-    pub(super) fn is_blurred(&self) -> bool {
+    pub(super) fn is_blurred(&self, mechanism: &M, at: &Instant<'_>) -> bool {
         let count = M::model().plan.signs();
-        self.distances.as_ref()[..count].iter().any(|w| *w < BLURRED) && self.blurred().is_some()
+        self.distances.as_ref()[..count].iter().any(|w| *w < NEAR) && self.blurred(mechanism, at).is_some()
     }
 
     /// The group that is so near to a crossing of branches that rates mean nothing.
     #[cold]
     #[inline(never)]
-    pub(super) fn blurred(&self) -> Option<usize> {
-        let model = M::model();
+    pub(super) fn blurred(&self, mechanism: &M, at: &Instant<'_>) -> Option<usize> {
         let tried = &self.states[1 - self.good];
-        blurred_sign(model.plan.signs(), self.distances.as_ref(), [tried.q_dot.as_ref(), tried.q_ddot.as_ref()], |k| {
-            !matches!(
-                model.coordinates[k].kind,
-                CoordinateKind::Pose { component: Component::X | Component::Y, .. }
-            )
-        })
+        let count = M::model().plan.signs();
+        let mut groups = M::Coordinates::<f64>::filled(0.0);
+        let groups = &mut groups.as_mut()[..count];
+        mechanism.branches_with(self.parameters.as_ref(), at, tried.q.as_ref(), groups).ok()?;
+        let rates = [tried.q_dot.as_ref(), tried.q_ddot.as_ref()];
+        blurred_group(M::model(), groups, &self.distances.as_ref()[..count], rates)
     }
 
     /// That rates mean nothing at the state that is being tried.
     #[cold]
-    pub(super) fn explain_blurred(&self, t: f64) -> PlanError {
-        let place = self.blurred().and_then(|sign| M::model().plan.margin_of_sign(sign)).unwrap_or(0);
+    pub(super) fn explain_blurred(&self, mechanism: &M, at: &Instant<'_>) -> PlanError {
+        let t = at.t;
+        let place = self.blurred(mechanism, at).and_then(|sign| M::model().plan.margin_of_sign(sign)).unwrap_or(0);
         let margin = self.states[1 - self.good].margins.as_ref()[place];
         match Step::of_margin(M::model(), place) {
             Some(step) => {
@@ -259,19 +268,39 @@ fn of_kind(t: f64, limit: Limit) -> PlanError {
     }
 }
 
-/// The group, of those that signs tell apart, that is so near to a crossing of branches that rates mean nothing.
-pub(crate) fn blurred_sign(
-    signs: usize,
+/// The group that is so near to a crossing of branches that rates mean nothing, given w of every group, and √margin.
+///
+/// Where √margin is much less than |w|, both closures are apart, and it is the pins at both ends of the group that meet.
+/// With g the ratio in which the group turns faster than what drives it, w/g is about the angle by which the drive is from
+/// the crossing.
+pub(crate) fn blurred_group(
+    model: &Model,
+    groups: &[f64],
     distances: &[f64],
     [q_dot, q_ddot]: [&[f64]; 2],
-    counts: impl Fn(usize) -> bool,
 ) -> Option<usize> {
-    let largest = |rates: &[f64]| {
-        rates.iter().enumerate().filter(|(k, _)| counts(*k)).map(|(_, x)| x.abs()).fold(0.0, f64::max)
+    let turns = |k: usize| {
+        !matches!(model.coordinates[k].kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
     };
-    let (velocity, acceleration) = (largest(q_dot), largest(q_ddot));
-    let crosses = |w: f64| w < BLURRED && w * acceleration <= FOLD * velocity * velocity;
-    (0..signs).find(|&sign| crosses(distances[sign]))
+    let largest = |places: &mut dyn Iterator<Item = usize>, rates: &[f64]| {
+        places.filter(|k| turns(*k)).map(|k| rates[k].abs()).fold(0.0, f64::max)
+    };
+    let plan = &model.plan;
+    let meet = |sign: &usize| distances[*sign] < NEAR.min(PINS * groups[*sign].abs());
+    if let Some(sign) = (0..plan.modes.len()).find(meet) {
+        return Some(sign);
+    }
+    let steps = plan.modes.iter().chain(plan.orientations).map(|group| group.step);
+    steps.zip(distances).enumerate().filter(|(_, (_, w))| **w < NEAR).find_map(|(sign, (step, w))| {
+        let of = |step: &'static PlanStep| step.coordinates.iter().map(|&(k, _)| k);
+        let own = |rates: &[f64]| largest(&mut plan.steps.iter().skip(step).take(1).flat_map(of), rates);
+        let before = largest(&mut plan.steps.iter().take(step).flat_map(of), q_dot);
+        let (velocity, acceleration) = (own(q_dot), own(q_ddot));
+        // What tells iterated groups apart is no angle.
+        let closes = sign < plan.modes.len() && before > 0.0;
+        let gain = if closes { (velocity / before).clamp(1.0, MOST_GAIN) } else { 1.0 };
+        (*w < BLURRED * gain && w * acceleration <= FOLD * velocity * velocity).then_some(sign)
+    })
 }
 
 /// Where a function changes its sign, positive at `a` and not at `b`, and its value there.

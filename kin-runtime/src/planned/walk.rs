@@ -108,7 +108,7 @@ impl<M: Mechanism> Follower<M> {
             }
             self.measure();
         }
-        match self.blurred() {
+        match self.blurred(mechanism, at) {
             Some(sign) => Err(blocked(Fault::Sign(sign))),
             None => Ok(()),
         }
