@@ -3,6 +3,7 @@
 //! processor learns the branches of the standard library's sines by heart where they return, and no batch does that.
 
 use kin_benches::four_bar::{ByHand, FourBar, by_hand};
+use kin_benches::library;
 use kin_benches::paired::{Contender, compare};
 use kin_benches::placed::Placed;
 use kin_benches::random::Draws;
@@ -45,12 +46,12 @@ impl Set {
 fn main() {
     let four_bar = FourBar::default();
     let sets: Vec<Set> = (0..SETS).map(Set::drawn).collect();
-    let mut in_turn = [(); 5].map(|()| sets.iter().cycle());
-    let [by_hand_sets, kept_sets, single_sets, lane_sets, column_sets] = &mut in_turn;
+    let mut in_turn = [(); 6].map(|()| sets.iter().cycle());
+    let [by_hand_sets, kept_sets, single_sets, lane_sets, column_sets, elsewhere_sets] = &mut in_turn;
     let mut hand = Placed::new(ByHand::default);
     let (mut workspace, mut lanes) = (Placed::new(FourBar::workspace::<f64>), Placed::new(FourBar::workspace::<Lanes>));
     // Results of a whole batch span all places of a page wherever they begin; one list of them stays in the cache.
-    let mut evaluations = Evaluations::<FourBar>::new(CONFIGURATIONS);
+    let [mut evaluations, mut more_evaluations] = [(); 2].map(|()| Evaluations::<FourBar>::new(CONFIGURATIONS));
     let mut kept: Vec<ByHand> = (0..CONFIGURATIONS).map(|_| ByHand::default()).collect();
     let parameters = four_bar.parameters::<Lanes>();
     let shared = four_bar.parameters::<f64>().map(Column::Shared);
@@ -113,6 +114,21 @@ fn main() {
                 };
                 evaluate(&four_bar, Subset::ALL, black_box(&columns), &mut evaluations, &always).expect("nine columns");
                 black_box(evaluations.blocks());
+            }),
+        },
+        Contender {
+            name: "kin, the same in a function of another crate",
+            work: Box::new(|| {
+                let Some(Set { t, q, w, .. }) = elsewhere_sets.next() else { return };
+                let columns = Configurations {
+                    parameters: &shared,
+                    t: Column::Each(t),
+                    inputs: &[],
+                    q: &q.each_ref().map(|column| Column::Each(column)),
+                    q_dot: &w.each_ref().map(|column| Column::Each(column)),
+                };
+                library::columns(&four_bar, black_box(&columns), &mut more_evaluations).expect("nine columns");
+                black_box(more_evaluations.blocks());
             }),
         },
     ];

@@ -1,60 +1,81 @@
-//! Φ, Φ_q, Φ_t, γ of a hundred four-bar loops geared in series, per loop, against one loop:
+//! Φ, Φ_q, Φ_t, γ of ten and of a hundred four-bar loops geared in series, per loop, against one loop:
 //! `cargo bench -p kin-benches --bench chain`, as in `benches/table.sh` for other instruction sets.
 
-use kin_benches::chain::{Chain, LOOPS};
+use kin_benches::chain::{self, Chain};
 use kin_benches::four_bar::FourBar;
+use kin_benches::library;
 use kin_benches::paired::{Contender, compare};
 use kin_benches::placed::Placed;
-use kin_runtime::{Instant, Mechanism, Subset};
+use kin_benches::ten::{self, Ranged, WrittenOut};
+use kin_runtime::{Instant, LengthError, Mechanism, Subset, Workspace};
 use std::hint::black_box;
 
-/// Chains that are evaluated in a round.
-const CHAINS: usize = 8;
+/// Loops that are evaluated in a round.
+const LOOPS: usize = 800;
 
-/// Numbers over several turns.
-fn some(i: usize, k: usize) -> f64 {
-    ((i * 31 + k * 17) as f64 * 0.7).sin() * 6.0
+/// t, q, q̇ of a mechanism, as numbers over several turns.
+fn configurations<const N: usize>(count: usize) -> Vec<(f64, [f64; N], [f64; N])> {
+    let some = |i: usize, k: usize| ((i * 31 + k * 17) as f64 * 0.7).sin() * 6.0;
+    (0..count)
+        .map(|i| (some(i, 20), core::array::from_fn(|k| some(i, k)), core::array::from_fn(|k| some(i, k + 9))))
+        .collect()
+}
+
+/// A mechanism of `loops` loops with `N` coordinates, evaluated by `evaluate`.
+fn contender<'a, M: Mechanism + 'a, const N: usize>(
+    name: &'static str,
+    loops: usize,
+    evaluate: impl Fn(f64, &[f64; N], &[f64; N], &mut Workspace<M>) -> Result<(), LengthError> + 'a,
+) -> Contender<'a> {
+    let configurations = configurations::<N>(LOOPS / loops);
+    let mut workspace = Placed::new(M::workspace::<f64>);
+    let work = move || {
+        let workspace = workspace.here();
+        for (t, q, w) in &configurations {
+            evaluate(black_box(*t), black_box(q), black_box(w), workspace).expect("as many coordinates");
+            black_box(&*workspace);
+        }
+    };
+    Contender { name, work: Box::new(work) }
+}
+
+/// The same with the mechanism in the bench's own crate.
+fn here<'a, M: Mechanism + Default + 'a, const N: usize>(
+    name: &'static str,
+    loops: usize,
+    subset: Subset,
+) -> Contender<'a> {
+    let mechanism = M::default();
+    contender::<M, N>(name, loops, move |t, q, w, workspace| {
+        black_box(&mechanism).evaluate(subset, &Instant::at(t), q, w, workspace)
+    })
 }
 
 fn main() {
-    let (four_bar, chain) = (FourBar::default(), Chain::default());
-    let loops: Vec<(f64, [f64; 9], [f64; 9])> = (0..CHAINS * LOOPS)
-        .map(|i| (some(i, 20), core::array::from_fn(|k| some(i, k)), core::array::from_fn(|k| some(i, k + 9))))
-        .collect();
-    type State = [f64; 9 * LOOPS];
-    let chains: Vec<(f64, State, State)> = (0..CHAINS)
-        .map(|i| (some(i, 20), core::array::from_fn(|k| some(i, k)), core::array::from_fn(|k| some(i, k + 9))))
-        .collect();
+    const TEN: usize = 9 * ten::LOOPS;
+    const HUNDRED: usize = 9 * chain::LOOPS;
     for (title, subset) in [("Φ, Φ_q, Φ_t, γ", Subset::ALL), ("Φ and Φ_q", Subset::POSITION)] {
-        let mut one = Placed::new(FourBar::workspace::<f64>);
-        let mut all = Placed::new(Chain::workspace::<f64>);
-        let (parameters, parameters_of_chain) = (four_bar.parameters::<f64>(), chain.parameters::<f64>());
         let mut contenders = [
-            Contender {
-                name: "one loop",
-                work: Box::new(|| {
-                    let one = one.here();
-                    for (t, q, w) in &loops {
-                        let (at, p) = (Instant::at(black_box(*t)), black_box(&parameters));
-                        (four_bar.evaluate_with(p, subset, &at, black_box(q), black_box(w), one))
-                            .expect("nine coordinates");
-                        black_box(&*one);
-                    }
-                }),
-            },
-            Contender {
-                name: "one of a hundred loops in a chain",
-                work: Box::new(|| {
-                    let all = all.here();
-                    for (t, q, w) in &chains {
-                        let (at, p) = (Instant::at(black_box(*t)), black_box(&parameters_of_chain));
-                        (chain.evaluate_with(p, subset, &at, black_box(q), black_box(w), all))
-                            .expect("nine hundred coordinates");
-                        black_box(&*all);
-                    }
-                }),
-            },
+            here::<FourBar, 9>("one loop", 1, subset),
+            here::<WrittenOut, TEN>("one of ten loops, written out", ten::LOOPS, subset),
+            here::<Ranged, TEN>("one of ten loops, with ranges", ten::LOOPS, subset),
+            here::<Chain, HUNDRED>("one of a hundred loops, with ranges", chain::LOOPS, subset),
         ];
-        compare(&format!("{title} of geared four-bar loops, per loop"), CHAINS * LOOPS, &mut contenders);
+        compare(&format!("{title} of geared four-bar loops, per loop"), LOOPS, &mut contenders);
     }
+    let (four_bar, written_out, ranged, chain) =
+        (FourBar::default(), WrittenOut::default(), Ranged::default(), Chain::default());
+    let mut contenders = [
+        contender::<FourBar, 9>("one loop", 1, |t, q, w, out| library::four_bar(&four_bar, t, q, w, out)),
+        contender::<WrittenOut, TEN>("one of ten loops, written out", ten::LOOPS, |t, q, w, out| {
+            library::written_out(&written_out, t, q, w, out)
+        }),
+        contender::<Ranged, TEN>("one of ten loops, with ranges", ten::LOOPS, |t, q, w, out| {
+            library::ranged(&ranged, t, q, w, out)
+        }),
+        contender::<Chain, HUNDRED>("one of a hundred loops, with ranges", chain::LOOPS, |t, q, w, out| {
+            library::chain(&chain, t, q, w, out)
+        }),
+    ];
+    compare("Φ, Φ_q, Φ_t, γ of the same by functions of another crate, per loop", LOOPS, &mut contenders);
 }

@@ -7,6 +7,7 @@
 
 use kin_benches::dual::{ByDuals, by_duals, by_few_duals};
 use kin_benches::four_bar::{ByHand, FourBar, by_hand, by_hand_in_lanes};
+use kin_benches::library;
 use kin_benches::paired::{Contender, compare};
 use kin_benches::placed::Placed;
 use kin_benches::random::Draws;
@@ -24,9 +25,9 @@ fn against_one_another(title: &str, configurations: &[Configuration]) {
     let four_bar = FourBar::default();
     let [mut hand, mut lanes, mut few] = [(); 3].map(|()| Placed::new(ByHand::default));
     let mut duals = Placed::new(ByDuals::default);
-    let [mut workspace, mut phi] = [(); 2].map(|()| Placed::new(FourBar::workspace::<f64>));
-    let mut sets = [(); 6].map(|()| configurations.chunks(IN_A_ROUND).cycle());
-    let [by_hand_sets, lane_sets, dual_sets, few_sets, kin_sets, step_sets] = &mut sets;
+    let [mut workspace, mut elsewhere, mut phi] = [(); 3].map(|()| Placed::new(FourBar::workspace::<f64>));
+    let mut sets = [(); 7].map(|()| configurations.chunks(IN_A_ROUND).cycle());
+    let [by_hand_sets, lane_sets, dual_sets, few_sets, kin_sets, elsewhere_sets, step_sets] = &mut sets;
     let mut contenders = [
         Contender {
             name: "by hand, sin and cos of the standard library",
@@ -77,6 +78,17 @@ fn against_one_another(title: &str, configurations: &[Configuration]) {
                     // References to arrays: a slice through `black_box` is two words that come back as one.
                     let (q, w): (&[f64; 9], &[f64; 9]) = (black_box(q), black_box(w));
                     black_box(&four_bar).evaluate(Subset::ALL, &at, q, w, workspace).expect("nine coordinates");
+                    black_box(&*workspace);
+                }
+            }),
+        },
+        Contender {
+            name: "kin, evaluate in a function of another crate",
+            work: Box::new(|| {
+                let workspace = elsewhere.here();
+                for (t, q, w) in elsewhere_sets.next().into_iter().flatten() {
+                    let (q, w): (&[f64; 9], &[f64; 9]) = (black_box(q), black_box(w));
+                    library::four_bar(black_box(&four_bar), black_box(*t), q, w, workspace).expect("nine coordinates");
                     black_box(&*workspace);
                 }
             }),

@@ -6,7 +6,8 @@ use kin_benches::paired::{Contender, compare};
 use kin_benches::placed::Placed;
 use kin_runtime::nalgebra::{SMatrix, SVector};
 use kin_runtime::plan::{Depth, Solved};
-use kin_runtime::{Instant, Kinematics, Mechanism};
+use kin_runtime::{Instant, Kinematics, Mechanism, Scalar};
+use std::f64::consts::TAU;
 use std::hint::black_box;
 
 const STEPS: usize = 360;
@@ -49,11 +50,32 @@ impl Newton {
     }
 }
 
-/// What an expert derives for this very four-bar: the dyad A B D in closed form, all nine coordinates and their rates.
+/// What an expert derives for this very four-bar: the dyad A B D in closed form, all nine coordinates and their rates, with
+/// the functions of the standard library.
 #[inline(never)]
 fn dyad_by_hand(m: &FourBar, t: f64, q: &mut [f64; 9], v: &mut [f64; 9], a: &mut [f64; 9], start: &[f64; 9]) {
+    let near = |angle: f64, start: f64| angle + TAU * ((start - angle) * (1.0 / TAU)).round_ties_even();
+    dyad(m, t, [q, v, a], start, f64::sin_cos, |vectors| vectors.map(|(y, x)| y.atan2(x)), near);
+}
+
+/// The same with kin's functions: what there is to be had beside them.
+#[inline(never)]
+fn dyad_in_lanes(m: &FourBar, t: f64, q: &mut [f64; 9], v: &mut [f64; 9], a: &mut [f64; 9], start: &[f64; 9]) {
+    dyad(m, t, [q, v, a], start, Scalar::sin_cos, Scalar::atan2_all, Scalar::nearest);
+}
+
+#[inline(always)]
+fn dyad(
+    m: &FourBar,
+    t: f64,
+    [q, v, a]: [&mut [f64; 9]; 3],
+    start: &[f64; 9],
+    sin_cos: impl Fn(f64) -> (f64, f64),
+    angles: impl Fn([(f64, f64); 2]) -> [f64; 2],
+    near: impl Fn(f64, f64) -> f64,
+) {
     let phi1 = m.phi0 + m.omega * t;
-    let (s1, c1) = phi1.sin_cos();
+    let (s1, c1) = sin_cos(phi1);
     let (ax, ay) = (m.l1 * c1, m.l1 * s1);
     let (kx, ky) = (m.d1 - ax, m.d2 - ay);
     let k2 = kx * kx + ky * ky;
@@ -64,9 +86,8 @@ fn dyad_by_hand(m: &FourBar, t: f64, q: &mut [f64; 9], v: &mut [f64; 9], a: &mut
     let (c2, s2) = ((kx * c + ky * w) * inverse, (ky * c - kx * w) * inverse);
     let (x2, y2) = (m.l2 * c2, m.l2 * s2);
     let (x3, y3) = (kx - x2, ky - y2);
-    let near =
-        |angle: f64, start: f64| angle + core::f64::consts::TAU * ((start - angle) / core::f64::consts::TAU).round();
-    let (phi2, phi3) = (near(y2.atan2(x2), start[5]), near(y3.atan2(x3), start[8]));
+    let [phi2, phi3] = angles([(y2, x2), (y3, x3)]);
+    let (phi2, phi3) = (near(phi2, start[5]), near(phi3, start[8]));
     *q = [0.5 * ax, 0.5 * ay, phi1, ax + 0.5 * x2, ay + 0.5 * y2, phi2, m.d1 - 0.5 * x3, m.d2 - 0.5 * y3, phi3];
     let det = 1.0 / (x2 * y3 - y2 * x3);
     let (bx, by) = (ay * m.omega, -ax * m.omega);
@@ -117,8 +138,8 @@ fn in_lanes<'a>(four_bar: &'a FourBar, q: &[f64], mode: f64) -> Contender<'a> {
 #[cfg(feature = "simd")]
 fn in_batches<'a>(four_bar: &'a FourBar, q: &[f64], mode: f64) -> Vec<Contender<'a>> {
     use kin_benches::random::Draws;
+    use kin_runtime::Lanes;
     use kin_runtime::batch::{Column, Modes, Motions, Problems, Solutions, Sweeps, always, solve, sweep};
-    use kin_runtime::{Lanes, Scalar};
     /// As many as the steps of the others.
     const CONFIGURATIONS: usize = STEPS;
     const SETS: usize = 24;
@@ -182,7 +203,7 @@ fn main() {
     four_bar.closures_with(&parameters, &Instant::at(0.0), &state.q, &mut modes).expect("one mode");
     let modes = modes.map(f64::signum);
     let mut planned = Placed::new(|| (array(&state.q), [0.0; 9], [0.0; 9], [0.0; 1]));
-    let mut dyad = Placed::new(|| (array(&state.q), [0.0; 9], [0.0; 9]));
+    let [mut dyad, mut dyad_lanes] = [(); 2].map(|()| Placed::new(|| (array(&state.q), [0.0; 9], [0.0; 9])));
     let times: Vec<f64> = (0..STEPS).map(|k| (k as f64).to_radians() / four_bar.omega).collect();
     let contenders = [
         Contender {
@@ -226,12 +247,24 @@ fn main() {
             }),
         },
         Contender {
-            name: "the dyad by hand",
+            name: "the dyad by hand, functions of the standard library",
             work: Box::new(|| {
                 let (q, q_dot, q_ddot) = dyad.carried();
                 for &t in &times {
                     let start = *q;
                     dyad_by_hand(black_box(&four_bar), black_box(t), q, q_dot, q_ddot, &start);
+                    black_box((&*q, &*q_dot, &*q_ddot));
+                }
+                q[2] -= 360_f64.to_radians();
+            }),
+        },
+        Contender {
+            name: "the dyad by hand, kin's sines, cosines and angles",
+            work: Box::new(|| {
+                let (q, q_dot, q_ddot) = dyad_lanes.carried();
+                for &t in &times {
+                    let start = *q;
+                    dyad_in_lanes(black_box(&four_bar), black_box(t), q, q_dot, q_ddot, &start);
                     black_box((&*q, &*q_dot, &*q_ddot));
                 }
                 q[2] -= 360_f64.to_radians();

@@ -3,7 +3,9 @@
 pub mod chain;
 pub mod dual;
 pub mod four_bar;
+pub mod library;
 pub mod paired;
 pub mod placed;
 pub mod random;
 pub mod robot;
+pub mod ten;

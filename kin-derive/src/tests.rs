@@ -87,10 +87,12 @@ fn the_rows_of_a_member_are_one_loop() {
         },
     );
     let kernel = code.split("fn everything").nth(1).and_then(|rest| rest.split("\n    fn ").next()).unwrap_or_default();
-    // Three kinds of angles into arrays of their own, and all but the first member; nothing is kept from loop to loop.
+    // Three kinds of angles side by side in one array, with one call for all of them, and all but the first member; nothing
+    // else is kept from loop to loop.
     let loops: Vec<&str> = kernel.matches("for __k in 0..30").chain(kernel.matches("for __k in 0..29")).collect();
     assert_eq!(loops.len(), 4, "{kernel}");
-    assert!(kernel.contains("let mut __a5") && !kernel.contains("let mut __a6"), "{kernel}");
+    assert!(kernel.contains("let mut __a1") && !kernel.contains("let mut __a2"), "{kernel}");
+    assert_eq!(kernel.matches("sin_cos_in_place(&mut __a1[0..90], &mut __a0[0..90])").count(), 1, "{kernel}");
 }
 
 #[test]

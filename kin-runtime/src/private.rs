@@ -49,6 +49,17 @@ pub fn fixed_mut<'a, T, const N: usize>(what: &'static str, slice: &'a mut [T]) 
     slice.try_into().map_err(|_| LengthError { what, expected: N, found })
 }
 
+/// Stands in the body of a loop over members and, with AVX-512, keeps the compiler from computing several members in one
+/// vector. The numbers of one member stand far from those of the next: such a loop becomes gathers and scatters, which
+/// take longer than one member after the other. Without AVX-512 there are no scatters, and compilers choose well.
+#[inline(always)]
+pub fn one_by_one() {
+    if cfg!(target_feature = "avx512f") {
+        // No instruction, but nothing that a compiler may move reads and writes of memory across.
+        core::hint::black_box(());
+    }
+}
+
 /// A field that holds parameters: a number or an array of numbers.
 #[diagnostic::on_unimplemented(
     message = "a parameter of a mechanism is a number or an array of numbers, and `{Self}` is neither",

@@ -15,7 +15,7 @@ mod sums;
 pub use gather::gather;
 pub use interpret::interpret;
 pub use lower::lower;
-pub use roll::{Keep, Part, Piece, Rolled, Source, Step, Worth, interpret_rolled, roll};
+pub use roll::{Angles, Keep, Part, Piece, Rolled, Source, Step, Worth, interpret_rolled, roll};
 
 use crate::expr::{Bits, Symbol};
 use crate::hash::mixed;

@@ -5,7 +5,7 @@
 
 use super::program::{ANGLES, definition, literal, load_at, name, names_of, target_at};
 use super::statements::{Statement, blocks};
-use kin_core::program::{Instruction, Keep, Part, Piece, Rolled, Source, Step, Value};
+use kin_core::program::{Angles, Instruction, Keep, Part, Piece, Rolled, Source, Step, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -21,8 +21,12 @@ pub(super) fn body(rolled: &Rolled) -> TokenStream {
         quote! { static #table: [f64; #length] = [#(#literals),*]; }
     });
     let mut statements = Vec::new();
-    for piece in &rolled.pieces {
+    let mut pieces = rolled.pieces.as_slice();
+    while let [piece, tail @ ..] = pieces {
+        let gathers = gathers(rolled, pieces);
+        pieces = if gathers.is_empty() { tail } else { &pieces[gathers.len()..] };
         match piece {
+            _ if !gathers.is_empty() => statements.push(gathered(rolled, &gathers)),
             Piece::Straight(steps) => statements.extend(Emitter { rolled, member: Member::ONE }.steps(steps)),
             Piece::Loop { count, body } => statements.push(repeated(rolled, *count, body)),
         }
@@ -41,59 +45,85 @@ pub(super) fn table(number: usize) -> Ident {
 
 /// A loop as a statement.
 fn repeated(rolled: &Rolled, count: usize, body: &[Step]) -> Statement {
-    if known_before(rolled, body) {
-        return gathered(rolled, count, body);
-    }
     let emitter = Emitter { rolled, member: Member { varies: true } };
     let statements = emitter.steps(body);
     let (uses, tokens) = (uses(&statements), blocks(&statements));
+    Statement { uses, tokens: members(count, &tokens), ..Statement::default() }
+}
+
+/// `tokens` for every member.
+fn members(count: usize, tokens: &TokenStream) -> TokenStream {
     let count = Literal::usize_unsuffixed(count);
-    Statement { uses, tokens: quote! { for __k in 0..#count { #tokens } }, ..Statement::default() }
+    quote! { for __k in 0..#count { __kin::one_by_one(); #tokens } }
 }
 
-/// True for a loop that takes sines and cosines and nothing else, of angles that it does not compute itself.
-fn known_before(rolled: &Rolled, body: &[Step]) -> bool {
-    let mut angles = Vec::new();
-    let mut own = Vec::new();
-    for step in body {
-        let Step::Compute { instruction: Instruction::SinCos(angle), keeps, .. } = step else { return false };
-        angles.push(rolled.sources[angle.index()]);
-        own.extend(keeps.iter().map(|keep| keep.array));
-    }
-    angles.iter().all(|angle| match angle {
-        Source::Element { array, .. } => !own.contains(array),
-        Source::Local(_, part) => *part == Part::Whole,
-        _ => true,
-    })
+/// The loops at the beginning of `pieces` that take sines and cosines and nothing else.
+fn gathers<'r>(rolled: &Rolled, pieces: &'r [Piece]) -> Vec<(usize, Vec<Angles<'r>>)> {
+    pieces.iter().map_while(|piece| rolled.angles(piece)).collect()
 }
 
-/// A loop that takes sines and cosines and nothing else: of the angles of all members at once, in the arrays that keep
-/// them where there are such.
-fn gathered(rolled: &Rolled, count: usize, body: &[Step]) -> Statement {
-    let emitter = Emitter { rolled, member: Member { varies: true } };
-    let length = Literal::usize_unsuffixed(count);
-    let mut tokens = TokenStream::new();
-    for step in body {
-        let Step::Compute { instruction: Instruction::SinCos(angle), keeps, .. } = step else { continue };
-        let kept = |part: Part| match keeps.iter().find(|keep| keep.part == part) {
-            Some(keep) => (array(keep.array), keep.first),
-            None => (format_ident!("__spare"), 0),
+/// The elements of arrays in which a call finds angles and leaves sines and cosines.
+struct Call {
+    /// Arrays and first elements; one that is not kept has none.
+    sines: Option<(usize, usize)>,
+    cosines: Option<(usize, usize)>,
+    count: usize,
+}
+
+impl Call {
+    /// True where the elements of `next` stand behind these in the same arrays.
+    fn is_before(&self, next: &Self) -> bool {
+        let behind = |one: Option<(usize, usize)>, other: Option<(usize, usize)>| {
+            one.is_some() && one.map(|(array, first)| (array, first + self.count)) == other
         };
-        let [(sines, first), (cosines, first_cosine)] = [Part::Sin, Part::Cos].map(kept);
+        behind(self.sines, next.sines) && behind(self.cosines, next.cosines)
+    }
+}
+
+/// Loops that take sines and cosines and nothing else: of the angles of all members at once, in the arrays that keep
+/// them where there are such.
+fn gathered(rolled: &Rolled, loops: &[(usize, Vec<Angles<'_>>)]) -> Statement {
+    let emitter = Emitter { rolled, member: Member { varies: true } };
+    let mut uses = Vec::new();
+    let mut calls: Vec<(Call, TokenStream)> = Vec::new();
+    for (count, Angles { angle, keeps }) in
+        loops.iter().flat_map(|(count, steps)| steps.iter().map(|step| (*count, step)))
+    {
+        uses.extend(local_value(rolled, *angle));
+        let kept = |part: Part| keeps.iter().find(|keep| keep.part == part).map(|keep| (keep.array, keep.first));
+        let call = Call { sines: kept(Part::Sin), cosines: kept(Part::Cos), count };
+        let (angles, first) = kept_in(call.sines);
         let (place, angle) = (emitter.member.index(first, 1), emitter.operand(*angle));
-        let [sine_places, cosine_places] = [first, first_cosine].map(|first| places(first, count));
+        let fill = members(count, &quote! { #angles[#place] = #angle; });
+        match calls.last_mut() {
+            Some((last, fills)) if last.is_before(&call) => {
+                last.count += count;
+                fills.extend(fill);
+            }
+            _ => calls.push((call, fill)),
+        }
+    }
+    let tokens = calls.iter().map(|(call, fills)| {
+        let Call { sines, cosines, count } = *call;
         // One of them is kept, or nobody would take them.
-        let spare = (keeps.len() < 2).then(|| {
+        let spare = (sines.is_none() || cosines.is_none()).then(|| {
+            let length = Literal::usize_unsuffixed(count);
             quote! { let mut __spare = [<__T as __kin::Scalar>::from_f64(0.0); #length]; }
         });
-        tokens.extend(quote! { {
+        let ((sines, first), (cosines, first_cosine)) = (kept_in(sines), kept_in(cosines));
+        let [sine_places, cosine_places] = [first, first_cosine].map(|first| places(first, count));
+        quote! { {
             #spare
-            for __k in 0..#length { #sines[#place] = #angle; }
+            #fills
             __kin::Scalar::sin_cos_in_place(&mut #sines[#sine_places], &mut #cosines[#cosine_places]);
-        } });
-    }
-    let uses = body.iter().flat_map(|step| step_uses(rolled, step)).collect();
-    Statement { uses, tokens, ..Statement::default() }
+        } }
+    });
+    Statement { tokens: tokens.collect(), uses, ..Statement::default() }
+}
+
+/// An array by its name, and the first element.
+fn kept_in(place: Option<(usize, usize)>) -> (Ident, usize) {
+    place.map_or_else(|| (format_ident!("__spare"), 0), |(number, first)| (array(number), first))
 }
 
 /// The places of `count` elements of an array.
@@ -106,14 +136,18 @@ pub(super) fn uses(statements: &[Statement]) -> Vec<Value> {
     statements.iter().flat_map(|statement| &statement.uses).copied().collect()
 }
 
+/// The value that an operand reads under its name.
+fn local_value(rolled: &Rolled, operand: Value) -> Option<Value> {
+    match rolled.sources[operand.index()] {
+        Source::Local(value, _) => Some(value),
+        _ => None,
+    }
+}
+
 /// The values that a step reads under their names.
 pub(super) fn step_uses(rolled: &Rolled, step: &Step) -> Vec<Value> {
     let mut uses = Vec::new();
-    let mut read = |operand: Value| {
-        if let Source::Local(value, _) = rolled.sources[operand.index()] {
-            uses.push(value);
-        }
-    };
+    let mut read = |operand: Value| uses.extend(local_value(rolled, operand));
     match step {
         Step::Compute { instruction, .. } => instruction.for_each_operand(read),
         Step::Write { source, .. } => read(*source),

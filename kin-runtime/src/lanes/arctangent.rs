@@ -106,12 +106,12 @@ pub(crate) fn atan2_all<const N: usize>(vectors: [(f64, f64); N]) -> [f64; N] {
         if N - first > 2 {
             let vectors = [f64x4::new([y(0), y(1), y(2), y(3)]), f64x4::new([x(0), x(1), x(2), x(3)])];
             let (angles, long) = angle(vectors[0], vectors[1]);
-            put(&mut out, first, angles.to_array());
+            copy(&mut out, first, angles.to_array());
             beyond |= long;
             first += 4;
         } else {
             let (angles, long) = angle(f64x2::new([y(0), y(1)]), f64x2::new([x(0), x(1)]));
-            put(&mut out, first, angles.to_array());
+            copy(&mut out, first, angles.to_array());
             beyond |= long;
             first += 2;
         }
@@ -124,13 +124,12 @@ pub(crate) fn atan2_all<const N: usize>(vectors: [(f64, f64); N]) -> [f64; N] {
     out
 }
 
+/// As many of the angles as there are places for. A copy of constant length, not a loop over places, which compilers turn
+/// into scatters on the stack for AVX-512.
 #[inline(always)]
-fn put<const N: usize, const L: usize>(out: &mut [f64; N], first: usize, angles: [f64; L]) {
-    for (k, angle) in angles.into_iter().enumerate() {
-        if first + k < N {
-            out[first + k] = angle;
-        }
-    }
+fn copy<const N: usize, const L: usize>(out: &mut [f64; N], first: usize, angles: [f64; L]) {
+    let count = if N - first < L { N - first } else { L };
+    out[first..first + count].copy_from_slice(&angles[..count]);
 }
 
 /// With the standard library.

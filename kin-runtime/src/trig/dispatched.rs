@@ -16,6 +16,24 @@ pub(super) fn best<const N: usize>(x: &[[f64; 4]; N], sin: &mut [[f64; 4]; N], c
     if target_cfg_f!(target_feature = "fma") { each::<true, N>(x, sin, cos) } else { each::<false, N>(x, sin, cos) }
 }
 
+/// Sines and cosines of four angles, and whether one of them is beyond the range, by the best instruction set that the
+/// processor has.
+///
+/// Four zeros stand behind them: a loop over eight numbers becomes vectors, and what comes of the zeros is left out. A loop
+/// over four would be written out before that, and its parts put into vectors as they come.
+#[multiversion(targets("x86_64+avx2+fma"))]
+pub(super) fn best_of_four(a: f64, b: f64, c: f64, d: f64, sin: &mut [f64; 4], cos: &mut [f64; 4]) -> bool {
+    let x = [[a, b, c, d], [0.0; 4]];
+    let [mut sines, mut cosines] = [[[0.0; 4]; 2]; 2];
+    let far = if target_cfg_f!(target_feature = "fma") {
+        each::<true, 2>(&x, &mut sines, &mut cosines)
+    } else {
+        each::<false, 2>(&x, &mut sines, &mut cosines)
+    };
+    (*sin, *cos) = (sines[0], cosines[0]);
+    far
+}
+
 /// With or without fused operations.
 #[inline(always)]
 pub(super) fn each<const FUSED: bool, const N: usize>(

@@ -1,7 +1,7 @@
 //! Sine and cosine of several angles at once, in SIMD lanes.
 //!
 //! [`cody_waite`] has the arithmetic, for angles up to [`RANGE`]; beyond it the standard library computes. With the feature
-//! `dispatch`, several vectors of lanes, and more than a [`FEW`] angles in `f64`, take the instruction set that `dispatched` finds
+//! `dispatch`, several vectors of lanes, and more than two angles in `f64`, take the instruction set that `dispatched` finds
 //! at run time, unless the build has AVX2 anyway. Less is done before the call of another function would be worth its while.
 
 mod cody_waite;
@@ -91,67 +91,132 @@ fn one_beyond(angle: f64) -> (f64, f64) {
     sin_cos_of_std(angle)
 }
 
-/// Angles whose sines and cosines are part of whoever asks for them. More of them are worth a call, of code that is
-/// compiled with kin and not once for every mechanism.
-const FEW: usize = 4;
+/// Up to so many angles are computed by code that is inlined into the caller. More of them are worth a call, of code that
+/// is compiled with kin and not once for every mechanism, and so are three where only a call reaches AVX2.
+const FEW: usize =
+    if cfg!(all(feature = "dispatch", target_arch = "x86_64", not(target_feature = "avx2"))) { 2 } else { 4 };
 
 /// Sine and cosine of every angle.
+///
+/// Nothing here is a loop over places with a condition for each: for AVX-512 compilers turn that into gathers and scatters
+/// on the stack, which take longer than the arithmetic.
 #[inline(always)]
 pub(crate) fn sin_cos_all<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
+    let lane = |k: usize| if k < N { angles[k] } else { 0.0 };
     let mut out = [(0.0, 0.0); N];
     if const { N > FEW } {
-        let (mut sin, mut cos) = (angles, [0.0; N]);
-        sin_cos_in_place(&mut sin, &mut cos);
-        for k in 0..N {
-            out[k] = (sin[k], cos[k]);
+        let of_four = |first: usize| of_four(lane(first), lane(first + 1), lane(first + 2), lane(first + 3));
+        let mut first = 0;
+        let (fours, rest) = out.as_chunks_mut();
+        for four in fours {
+            *four = of_four(first);
+            first += 4;
+        }
+        if !rest.is_empty() {
+            rest.copy_from_slice(&of_four(first)[..N % 4]);
         }
         return out;
     }
-    let mut beyond = false;
-    let mut first = 0;
-    while first < N {
-        let lane = |k: usize| if first + k < N { angles[first + k] } else { 0.0 };
-        if N - first > 2 {
-            let x = f64x4::new([lane(0), lane(1), lane(2), lane(3)]);
-            beyond |= x.abs().simd_gt(f64x4::splat(RANGE)).any();
-            let (sin, cos) = sin_cos(x);
-            put(&mut out, first, sin.to_array(), cos.to_array());
-            first += 4;
-        } else {
-            let x = f64x2::new([lane(0), lane(1)]);
-            beyond |= x.abs().simd_gt(f64x2::splat(RANGE)).any();
-            let (sin, cos) = sin_cos(x);
-            put(&mut out, first, sin.to_array(), cos.to_array());
-            first += 2;
-        }
+    let beyond;
+    if const { N > 2 } {
+        let x = f64x4::new([lane(0), lane(1), lane(2), lane(3)]);
+        beyond = x.abs().simd_gt(f64x4::splat(RANGE)).any();
+        let (sin, cos) = sin_cos(x);
+        put(&mut out, &pairs(sin.to_array(), cos.to_array()));
+    } else {
+        let x = f64x2::new([lane(0), lane(1)]);
+        beyond = x.abs().simd_gt(f64x2::splat(RANGE)).any();
+        let (sin, cos) = sin_cos(x);
+        let ([s, t], [c, d]) = (sin.to_array(), cos.to_array());
+        put(&mut out, &[(s, c), (t, d)]);
     }
     if beyond {
         // Number by number: copied as a whole, the good case would go through the memory of this one.
-        let exact = one_by_one(angles);
+        let exact = four_beyond(lane(0), lane(1), lane(2), lane(3));
         for k in 0..N {
-            out[k] = (exact[k][0], exact[k][1]);
+            out[k] = (exact[k].0, exact[k].1);
         }
     }
     out
+}
+
+/// As many of the pairs as there are places for, four at most.
+#[inline(always)]
+fn put<const N: usize, const L: usize>(out: &mut [(f64, f64); N], pairs: &[(f64, f64); L]) {
+    if const { N > 0 } {
+        out[0] = pairs[0];
+    }
+    if const { N > 1 } {
+        out[1] = pairs[1];
+    }
+    if const { N > 2 && L > 2 } {
+        out[2] = pairs[2];
+    }
+    if const { N > 3 && L > 3 } {
+        out[3] = pairs[3];
+    }
+}
+
+/// Sines and cosines of four angles, by a call. Angles are handed over in registers: a vector that is read where single
+/// numbers have just been written waits until these have left the processor.
+#[cfg(all(feature = "dispatch", target_arch = "x86_64", not(target_feature = "avx2")))]
+#[inline(always)]
+fn of_four(a: f64, b: f64, c: f64, d: f64) -> [(f64, f64); 4] {
+    let [mut sin, mut cos] = [[0.0; 4]; 2];
+    if dispatched::best_of_four(a, b, c, d, &mut sin, &mut cos) {
+        return four_beyond(a, b, c, d);
+    }
+    pairs(sin, cos)
+}
+
+/// Sines and cosines of four angles, by a call. Angles are handed over in registers: a vector that is read where single
+/// numbers have just been written waits until these have left the processor.
+#[cfg(not(all(feature = "dispatch", target_arch = "x86_64", not(target_feature = "avx2"))))]
+#[inline(never)]
+fn of_four(a: f64, b: f64, c: f64, d: f64) -> [(f64, f64); 4] {
+    let x = f64x4::new([a, b, c, d]);
+    if x.abs().simd_gt(f64x4::splat(RANGE)).any() {
+        return four_beyond(a, b, c, d);
+    }
+    let (sin, cos) = sin_cos(x);
+    pairs(sin.to_array(), cos.to_array())
+}
+
+/// Without lanes, where an angle is beyond the range.
+#[cold]
+#[inline(never)]
+fn four_beyond(a: f64, b: f64, c: f64, d: f64) -> [(f64, f64); 4] {
+    [a, b, c, d].map(sin_cos_of_std)
+}
+
+#[inline(always)]
+fn pairs(sin: [f64; 4], cos: [f64; 4]) -> [(f64, f64); 4] {
+    [(sin[0], cos[0]), (sin[1], cos[1]), (sin[2], cos[2]), (sin[3], cos[3])]
 }
 
 /// The sines of a list of angles in their place, and the cosines, as far as both lists go.
 #[inline(never)]
 pub(crate) fn sin_cos_in_place(angles: &mut [f64], cosines: &mut [f64]) {
     let count = angles.len().min(cosines.len());
-    let (eights, rest) = angles[..count].as_chunks_mut::<8>();
-    let (cos_eights, cos_rest) = cosines[..count].as_chunks_mut::<8>();
-    for (angles, cosines) in eights.iter_mut().zip(cos_eights) {
-        (*angles, *cosines) = of_eight(angles);
+    let (angles, cosines) = (&mut angles[..count], &mut cosines[..count]);
+    if let Some(&last) = angles.last_chunk::<8>() {
+        for (angles, cosines) in angles.as_chunks_mut::<8>().0.iter_mut().zip(cosines.as_chunks_mut::<8>().0) {
+            (*angles, *cosines) = of_eight(angles);
+        }
+        if !count.is_multiple_of(8)
+            && let (Some(angles), Some(cosines)) = (angles.last_chunk_mut(), cosines.last_chunk_mut())
+        {
+            // Some of the last eight have been computed already, and get the same numbers once more.
+            (*angles, *cosines) = of_eight(&last);
+        }
+        return;
     }
-    if !rest.is_empty() {
-        // Lanes to spare have the angle 0.
-        let mut angles = [0.0; 8];
-        angles[..rest.len()].copy_from_slice(rest);
-        let (sines, cosines) = of_eight(&angles);
-        let count = rest.len();
-        rest.copy_from_slice(&sines[..count]);
-        cos_rest.copy_from_slice(&cosines[..count]);
+    // Lanes to spare have the angle 0. Place by place: a copy whose length is not known is a call.
+    let (sines, own) = of_eight(&core::array::from_fn(|k| angles.get(k).copied().unwrap_or(0.0)));
+    for k in 0..8 {
+        if let (Some(angle), Some(cosine)) = (angles.get_mut(k), cosines.get_mut(k)) {
+            (*angle, *cosine) = (sines[k], own[k]);
+        }
     }
 }
 
@@ -165,28 +230,6 @@ fn of_eight(angles: &[f64; 8]) -> ([f64; 8], [f64; 8]) {
         [a, b, c, d, e, f, g, h]
     };
     (join(s, t), join(c, d))
-}
-
-#[inline(always)]
-fn put<const N: usize, const L: usize>(out: &mut [(f64, f64); N], first: usize, sin: [f64; L], cos: [f64; L]) {
-    for k in 0..L {
-        if first + k < N {
-            out[first + k] = (sin[k], cos[k]);
-        }
-    }
-}
-
-/// Without lanes, where an angle is beyond the range.
-#[cold]
-#[inline(never)]
-fn one_by_one<const N: usize>(angles: [f64; N]) -> [[f64; 2]; N] {
-    // A loop, here and above, as it is less code for a compiler than `map`, for every N anew.
-    let mut out = [[0.0; 2]; N];
-    for k in 0..N {
-        let (sin, cos) = sin_cos_of_std(angles[k]);
-        out[k] = [sin, cos];
-    }
-    out
 }
 
 #[cfg(all(test, feature = "std"))]
@@ -215,6 +258,26 @@ mod tests {
                 compare([0; 3].map(|_| size * random.symmetric()));
                 compare([0; 4].map(|_| size * random.symmetric()));
                 compare([0; 11].map(|_| size * random.symmetric()));
+            }
+        }
+    }
+
+    #[test]
+    fn in_place_as_far_as_both_lists_go() {
+        let mut random = crate::random::Random::new(10);
+        for (count, cosine_count) in (0..40).flat_map(|count| [(count, count), (count, count / 2), (count, count + 3)])
+        {
+            let angles: Vec<f64> =
+                (0..count).map(|k| if k % 17 == 5 { 1e9 } else { 10.0 * random.symmetric() }).collect();
+            let (mut sines, mut cosines) = (angles.clone(), vec![7.0; cosine_count]);
+            sin_cos_in_place(&mut sines, &mut cosines);
+            for (k, angle) in angles.iter().enumerate() {
+                let exact = if k < cosine_count { angle.sin() } else { *angle };
+                assert!(ulps(sines[k], exact) <= 1, "{k} of {count}: {angle}");
+            }
+            for (k, cosine) in cosines.iter().enumerate() {
+                let exact = angles.get(k).map_or(7.0, |angle| angle.cos());
+                assert!(ulps(*cosine, exact) <= 1, "{k} of {count}");
             }
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! Program → stream of items → loops of the stream → Rolled
-//!          stream            detect              resolve
+//!          stream            detect              resolve, join
 //! ```
 //!
 //! Nothing is asked of whoever wrote the program: a chain that is written out rolls as one that is written with a
@@ -14,10 +14,12 @@
 
 mod detect;
 mod interpret;
+mod join;
 mod resolve;
 mod stream;
 
 pub use interpret::interpret_rolled;
+pub use join::Angles;
 
 use super::{Instruction, OperationCount, Program, Slot, Value};
 use crate::expr::{Bits, Symbol};
@@ -144,7 +146,12 @@ pub fn roll(program: &Program, worth: Worth) -> Option<Rolled> {
     let stream = stream::Stream::of(program);
     let loops = detect::loops(&stream, worth.members.max(2));
     let saved: usize = loops.iter().map(|span| span.saved()).sum();
-    if saved < worth.saved.max(1) { None } else { Some(resolve::resolve(program, &stream, &loops)) }
+    if saved < worth.saved.max(1) {
+        return None;
+    }
+    let mut rolled = resolve::resolve(program, &stream, &loops);
+    join::join(&mut rolled);
+    Some(rolled)
 }
 
 impl Rolled {

@@ -1,0 +1,109 @@
+//! Arrays of sines and of cosines that stand beside one another, so that one call takes those of several loops.
+//!
+//! Members of several kinds have angles of several kinds, a loop and an array for each. A call takes eight angles at a
+//! time and fills up what is missing: one call of thirty angles is less work than three calls of ten.
+
+use super::{Keep, Part, Piece, Rolled, Source, Step};
+use crate::program::{Instruction, Value};
+
+/// A step that takes sines and cosines.
+pub struct Angles<'r> {
+    /// The angle: a place in [`Rolled::sources`].
+    pub angle: Value,
+    /// The arrays that remember them.
+    pub keeps: &'r [Keep],
+}
+
+impl Rolled {
+    /// The iterations and the steps of a loop that takes sines and cosines and nothing else, of angles that it does not
+    /// compute itself.
+    pub fn angles<'r>(&self, piece: &'r Piece) -> Option<(usize, Vec<Angles<'r>>)> {
+        let Piece::Loop { count, body } = piece else { return None };
+        let steps: Option<Vec<Angles<'r>>> = (body.iter())
+            .map(|step| match step {
+                Step::Compute { instruction: Instruction::SinCos(angle), keeps, .. } => {
+                    Some(Angles { angle: *angle, keeps })
+                }
+                _ => None,
+            })
+            .collect();
+        let steps = steps?;
+        let own: Vec<usize> = steps.iter().flat_map(|step| step.keeps).map(|keep| keep.array).collect();
+        steps.iter().all(|step| self.is_known_before(step.angle, &own)).then_some((*count, steps))
+    }
+
+    /// True for an angle that neither stands in one of the arrays `own` nor is a sine or cosine of the same iteration.
+    fn is_known_before(&self, angle: Value, own: &[usize]) -> bool {
+        match self.sources[angle.index()] {
+            Source::Element { array, .. } => !own.contains(&array),
+            Source::Local(_, part) => part == Part::Whole,
+            _ => true,
+        }
+    }
+
+    /// The arrays of sines and of cosines that a loop fills from end to end, step by step; nothing when it does anything
+    /// else.
+    fn filled(&self, piece: &Piece, known: &[[usize; 2]]) -> Option<Vec<[usize; 2]>> {
+        let (count, steps) = self.angles(piece)?;
+        let array = |step: &Angles<'_>, part: Part| {
+            let keep = step.keeps.iter().find(|keep| keep.part == part)?;
+            (keep.first == 0 && self.arrays[keep.array] == count).then_some(keep.array)
+        };
+        let pair = |step: &Angles<'_>| {
+            let alone = step.keeps.len() == 2 && self.is_known_before(step.angle, known.as_flattened());
+            alone.then(|| Some([array(step, Part::Sin)?, array(step, Part::Cos)?])).flatten()
+        };
+        steps.iter().map(pair).collect()
+    }
+}
+
+/// Joins the arrays of loops that follow one another.
+pub(super) fn join(rolled: &mut Rolled) {
+    // For every array, the one that it becomes a part of, and its first element there.
+    let mut places: Vec<(usize, usize)> = (0..rolled.arrays.len()).map(|array| (array, 0)).collect();
+    let mut run: Vec<[usize; 2]> = Vec::new();
+    for piece in &rolled.pieces {
+        let Some(pairs) = rolled.filled(piece, &run).or_else(|| {
+            run.clear();
+            rolled.filled(piece, &run)
+        }) else {
+            continue;
+        };
+        for pair in pairs {
+            if let (Some(&first), Some(last)) = (run.first(), run.last()) {
+                for (of_pair, array) in pair.into_iter().enumerate() {
+                    places[array] = (first[of_pair], places[last[of_pair]].1 + rolled.arrays[last[of_pair]]);
+                }
+            }
+            run.push(pair);
+        }
+    }
+    let mut lengths: Vec<usize> = vec![0; places.len()];
+    for (&(whole, first), length) in places.iter().zip(&rolled.arrays) {
+        lengths[whole] = lengths[whole].max(first + length);
+    }
+    // Numbers without gaps.
+    let mut numbers = Vec::new();
+    let mut left = 0..;
+    for length in &lengths {
+        numbers.push(if *length > 0 { left.next().unwrap_or(0) } else { 0 });
+    }
+    rolled.arrays = lengths.into_iter().filter(|length| *length > 0).collect();
+    let moved = |array: &mut usize, first: &mut usize| {
+        let (whole, offset) = places[*array];
+        (*array, *first) = (numbers[whole], *first + offset);
+    };
+    for source in &mut rolled.sources {
+        if let Source::Element { array, first, .. } = source {
+            moved(array, first);
+        }
+    }
+    for piece in &mut rolled.pieces {
+        let (Piece::Straight(steps) | Piece::Loop { body: steps, .. }) = piece;
+        for step in steps {
+            if let Step::Compute { keeps, .. } = step {
+                keeps.iter_mut().for_each(|keep| moved(&mut keep.array, &mut keep.first));
+            }
+        }
+    }
+}
