@@ -7,7 +7,7 @@
 use crate::by_plan;
 use crate::equations::Equations;
 use crate::planned::branch::certainty_of;
-use crate::planned::limit::blurred_group;
+use crate::planned::limit::{blurred_group, largest_angle};
 
 /// Nearer than this to where its branches meet a group is on neither of them: as near as rounding lets it be told.
 const SMALLEST: f64 = 1e-6;
@@ -54,7 +54,12 @@ pub(super) fn are_blurred(equations: &mut Equations<'_>, groups: &[f64], [q, q_d
     let plan = &equations.model.plan;
     let by_margin = |sign: usize| plan.margin_of_sign(sign).map_or(1.0, |place| margins[place].max(0.0).sqrt());
     let distances: Vec<f64> = groups.iter().enumerate().map(|(sign, w)| w.abs().min(by_margin(sign))).collect();
-    blurred_group(equations.model, groups, &distances, [q_dot, q_ddot]).is_some()
+    let further = 1e-6 / largest_angle(equations.model, q_dot);
+    let ahead: Vec<f64> = q.iter().zip(q_dot).map(|(q, v)| q + further * v).collect();
+    let mut rates = Vec::new();
+    write(equations, &ahead, &mut rates);
+    rates.iter_mut().zip(groups).for_each(|(then, now)| *then = (*then - now) / further);
+    blurred_group(equations.model, [groups, &rates], &distances, [q_dot, q_ddot]).is_some()
 }
 
 /// How near the nearest group is to where its branches meet.

@@ -21,12 +21,11 @@ const NEAR: f64 = 0.1;
 /// √margin over |w| below which pins meet.
 const PINS: f64 = 0.5;
 
-/// Angles of the drive from a crossing of branches below which they have: rounding of w², 1e-16, is one of q̇ in the ninth
-/// digit there, and one of q̈ in the fifth.
-const BLURRED: f64 = 1e-3;
+/// What rounding may make of q̈ beside a crossing of branches, relative to q̇².
+const NOISE: f64 = 1e-6;
 
-/// Where a group turns faster than its drive by more than this, other limits are near, too.
-const MOST_GAIN: f64 = 10.0;
+/// An angle so small that configurations go along a straight line.
+const LITTLE: f64 = 1e-6;
 
 /// At a fold |w q̈| is about q̇², however near it is. At a crossing both are finite while w goes to 0.
 const FOLD: f64 = 0.03;
@@ -52,11 +51,17 @@ impl<M: Mechanism> Follower<M> {
     pub(super) fn blurred(&self, mechanism: &M, at: &Instant<'_>) -> Option<usize> {
         let tried = &self.states[1 - self.good];
         let count = M::model().plan.signs();
-        let mut groups = M::Coordinates::<f64>::filled(0.0);
-        let groups = &mut groups.as_mut()[..count];
-        mechanism.branches_with(self.parameters.as_ref(), at, tried.q.as_ref(), groups).ok()?;
-        let rates = [tried.q_dot.as_ref(), tried.q_ddot.as_ref()];
-        blurred_group(M::model(), groups, &self.distances.as_ref()[..count], rates)
+        let (q, q_dot) = (tried.q.as_ref(), tried.q_dot.as_ref());
+        // A little further on, as far as that goes along a straight line.
+        let further = LITTLE / largest_angle(M::model(), q_dot);
+        let ahead = M::Coordinates::<f64>::generate(|k| q[k] + further * q_dot[k]);
+        let [mut now, mut then] = [M::Coordinates::<f64>::filled(0.0); 2];
+        let (now, then) = (&mut now.as_mut()[..count], &mut then.as_mut()[..count]);
+        mechanism.branches_with(self.parameters.as_ref(), at, q, now).ok()?;
+        mechanism.branches_with(self.parameters.as_ref(), at, ahead.as_ref(), then).ok()?;
+        then.iter_mut().zip(&*now).for_each(|(then, now)| *then = (*then - now) / further);
+        let rates = [q_dot, tried.q_ddot.as_ref()];
+        blurred_group(M::model(), [now, then], &self.distances.as_ref()[..count], rates)
     }
 
     /// That rates mean nothing at the state that is being tried.
@@ -268,38 +273,41 @@ fn of_kind(t: f64, limit: Limit) -> PlanError {
     }
 }
 
-/// The group that is so near to a crossing of branches that rates mean nothing, given w of every group, and √margin.
+/// The largest rate of an angle, or of a scalar.
+pub(crate) fn largest_angle(model: &Model, rates: &[f64]) -> f64 {
+    largest_of(model, &mut (0..rates.len()), rates)
+}
+
+fn largest_of(model: &Model, places: &mut dyn Iterator<Item = usize>, rates: &[f64]) -> f64 {
+    let turns = |k: &usize| {
+        !matches!(model.coordinates[*k].kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
+    };
+    places.filter(turns).map(|k| rates[k].abs()).fold(0.0, f64::max)
+}
+
+/// The group that is so near to a crossing of branches that rates mean nothing, given w and ẇ of every group, and √margin.
 ///
-/// Where √margin is much less than |w|, both closures are apart, and it is the pins at both ends of the group that meet.
-/// With g the ratio in which the group turns faster than what drives it, w/g is about the angle by which the drive is from
-/// the crossing.
+/// With x = q̇ w/ẇ, the angle by which the group is from the crossing, rounding of w² makes about ε/(w x²) of q̈/q̇². Where
+/// √margin is much less than |w|, both closures are apart, and it is the pins at both ends of the group that meet.
 pub(crate) fn blurred_group(
     model: &Model,
-    groups: &[f64],
+    [groups, rates_of_groups]: [&[f64]; 2],
     distances: &[f64],
     [q_dot, q_ddot]: [&[f64]; 2],
 ) -> Option<usize> {
-    let turns = |k: usize| {
-        !matches!(model.coordinates[k].kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
-    };
-    let largest = |places: &mut dyn Iterator<Item = usize>, rates: &[f64]| {
-        places.filter(|k| turns(*k)).map(|k| rates[k].abs()).fold(0.0, f64::max)
-    };
     let plan = &model.plan;
     let meet = |sign: &usize| distances[*sign] < NEAR.min(PINS * groups[*sign].abs());
     if let Some(sign) = (0..plan.modes.len()).find(meet) {
         return Some(sign);
     }
     let steps = plan.modes.iter().chain(plan.orientations).map(|group| group.step);
-    steps.zip(distances).enumerate().filter(|(_, (_, w))| **w < NEAR).find_map(|(sign, (step, w))| {
+    steps.enumerate().filter(|(sign, _)| distances[*sign] < NEAR).find_map(|(sign, step)| {
         let of = |step: &'static PlanStep| step.coordinates.iter().map(|&(k, _)| k);
-        let own = |rates: &[f64]| largest(&mut plan.steps.iter().skip(step).take(1).flat_map(of), rates);
-        let before = largest(&mut plan.steps.iter().take(step).flat_map(of), q_dot);
-        let (velocity, acceleration) = (own(q_dot), own(q_ddot));
-        // What tells iterated groups apart is no angle.
-        let closes = sign < plan.modes.len() && before > 0.0;
-        let gain = if closes { (velocity / before).clamp(1.0, MOST_GAIN) } else { 1.0 };
-        (*w < BLURRED * gain && w * acceleration <= FOLD * velocity * velocity).then_some(sign)
+        let own = |rates: &[f64]| largest_of(model, &mut plan.steps.iter().skip(step).take(1).flat_map(of), rates);
+        let (velocity, acceleration, w) = (own(q_dot), own(q_ddot), distances[sign]);
+        let x = velocity * (w / rates_of_groups[sign]).abs();
+        let crosses = w * acceleration <= FOLD * velocity * velocity;
+        (crosses && f64::EPSILON > NOISE * w * x * x).then_some(sign)
     })
 }
 
