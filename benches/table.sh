@@ -2,14 +2,14 @@
 # The ratios of the README: every bench of this package for every instruction set that the processor has, each in its own
 # target directory.
 #
-#   benches/table.sh [BENCH…]        all of them unless some are named: evaluation batch solution groups chain large orders sweep
+#   benches/table.sh [BENCH…]        all of them unless some are named: evaluation batch solution groups chain large orders sweep calls
 #
 # In the profile `bench` every contender is optimised across crates. The benches that call functions of another crate are
 # measured in the profile `plain` once more, which is cargo's own for releases. LEVELS and PROFILES choose among them.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 benches=("$@")
-[ ${#benches[@]} -gt 0 ] || benches=(evaluation batch solution groups chain large orders sweep)
+[ ${#benches[@]} -gt 0 ] || benches=(evaluation batch solution groups chain large orders sweep calls)
 # Benches that also call functions of another crate.
 across='^(evaluation|batch|chain)$'
 flags=$(grep -m1 '^flags' /proc/cpuinfo 2> /dev/null || true)

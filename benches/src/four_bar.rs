@@ -10,6 +10,7 @@ use kin_runtime::{Scalar, mechanism};
 #[revolute(B: coupler @ (l2/2, 0), rocker @ (-l3/2, 0))]
 #[revolute(D: rocker @ (l3/2, 0), ground @ (d1, d2))]
 #[driver(drive: crank.phi = phi0 + omega * t)]
+#[guess(coupler.phi = 0.9, rocker.phi = 5.0)]
 pub struct FourBar {
     /// Crank.
     #[param(0.1, unit = "m")]

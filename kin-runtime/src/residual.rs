@@ -14,11 +14,6 @@ use crate::model::{Component, CoordinateKind, Level, Model};
 use crate::newton::rounding;
 use crate::system::Parts;
 
-/// True for x and y of a body.
-fn is_length(model: &Model, k: usize) -> bool {
-    matches!(model.coordinates[k].kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
-}
-
 /// What counts as closed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tolerances {
@@ -28,83 +23,78 @@ pub(crate) struct Tolerances {
     pub(crate) rates: f64,
 }
 
-/// Writes Rᵢ; gives L. `room` is for as many numbers as there are rows.
-fn sizes(model: &Model, phi_q: &[f64], sizes: &mut [f64], room: &mut [f64]) -> f64 {
-    let entries = model.constraint_pattern.entries;
-    sizes.fill(0.0);
-    room.fill(0.0);
-    for (&(i, j), a) in entries.iter().zip(phi_q) {
-        let of_kind = if is_length(model, j) { &mut *sizes } else { &mut *room };
-        of_kind[i] += a.abs();
+/// Sums over a row of Φ_q.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Row {
+    /// Σ |∂Φᵢ/∂qⱼ| over lengths.
+    lengths: f64,
+    /// The same over angles and scalars.
+    angles: f64,
+    /// Φ_q q̇.
+    velocity: f64,
+    /// Φ_q q̈.
+    acceleration: f64,
+}
+
+/// Writes 1 for every coordinate that is x or y of a body, and 0 for the others.
+pub(crate) fn write_lengths(model: &Model, lengths: &mut [f64]) {
+    for (length, coordinate) in lengths.iter_mut().zip(model.coordinates) {
+        let is_length =
+            matches!(coordinate.kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. });
+        *length = f64::from(u8::from(is_length));
     }
-    let arms = sizes.iter().zip(room.iter());
-    let arm = arms.map(|(length, angle)| if *length > 0.0 { angle / length } else { 0.0 }).fold(0.0, f64::max);
-    let unit = if arm > 0.0 && arm.is_finite() { arm } else { 1.0 };
-    sizes.iter_mut().zip(room.iter()).for_each(|(size, angles)| *size = *size * unit + angles);
-    unit
 }
 
 /// max |xⱼ|/cⱼ.
-fn largest(model: &Model, x: &[f64], inverse: f64) -> f64 {
-    let scaled = x.iter().enumerate().map(|(k, x)| if is_length(model, k) { inverse * x.abs() } else { x.abs() });
-    scaled.fold(0.0, f64::max)
+fn largest(x: &[f64], lengths: &[f64], inverse: f64) -> f64 {
+    x.iter().zip(lengths).fold(0.0, |most, (x, length)| {
+        let size = x.abs() * if *length > 0.0 { inverse } else { 1.0 };
+        if size > most { size } else { most }
+    })
 }
 
-/// Largest |Φᵢ| where all rows of position level are closed; none where one is not. `rooms` are for a number of every row.
-pub(crate) fn closed_position(
-    model: &Model,
-    parts: &Parts<'_>,
-    q: &[f64],
-    position: f64,
-    rooms: [&mut [f64]; 2],
-) -> Option<f64> {
-    position_and_unit(model, parts, q, position, rooms).map(|(residual, _)| residual)
+/// L.
+fn arm(rows: &[Row]) -> f64 {
+    let arms = rows.iter().map(|row| if row.lengths > 0.0 { row.angles / row.lengths } else { 0.0 });
+    let arm = arms.fold(0.0, |most, arm| if arm > most { arm } else { most });
+    if arm > 0.0 && arm.is_finite() { arm } else { 1.0 }
 }
 
-/// [`closed_position`], and L.
-fn position_and_unit(
-    model: &Model,
-    parts: &Parts<'_>,
-    q: &[f64],
-    position: f64,
-    [size, room]: [&mut [f64]; 2],
-) -> Option<(f64, f64)> {
-    let unit = sizes(model, parts.phi_q, size, room);
-    let allowed = position.max(rounding(largest(model, q, 1.0 / unit)));
-    let mut residual = 0.0;
-    for ((row, phi), size) in model.rows.iter().zip(parts.phi).zip(&*size) {
-        if row.level == Level::Position {
-            if !(phi.abs() <= allowed * *size) {
-                return None;
-            }
-            residual = f64::max(residual, phi.abs());
-        }
-    }
-    Some((residual, unit))
-}
-
-/// The same where q̇ and q̈ must satisfy their equations, too.
+/// Largest |Φᵢ| where all rows hold at q; with q̇ and q̈ also those of velocity and acceleration. None where one does not.
+/// `lengths` is what [`write_lengths`] writes, `rows` room for every row.
 pub(crate) fn closed(
     model: &Model,
     parts: &Parts<'_>,
     [q, q_dot, q_ddot]: [&[f64]; 3],
+    lengths: &[f64],
     tolerances: Tolerances,
-    [size, velocity, acceleration]: [&mut [f64]; 3],
+    rows: &mut [Row],
 ) -> Option<f64> {
-    let (residual, unit) = position_and_unit(model, parts, q, tolerances.position, [&mut *size, &mut *velocity])?;
-    let [fast, faster] = [q_dot, q_ddot].map(|rates| largest(model, rates, 1.0 / unit));
-    velocity.copy_from_slice(parts.phi_t);
-    acceleration.iter_mut().zip(parts.gamma).for_each(|(rest, gamma)| *rest = -gamma);
+    rows.fill(Row::default());
     for (&(i, j), a) in model.constraint_pattern.entries.iter().zip(parts.phi_q) {
-        velocity[i] += a * q_dot[j];
-        acceleration[i] += a * q_ddot[j];
+        let (row, size, length) = (&mut rows[i], a.abs(), lengths[j]);
+        row.lengths += length * size;
+        row.angles += (1.0 - length) * size;
+        row.velocity += a * q_dot[j];
+        row.acceleration += a * q_ddot[j];
     }
+    let unit = arm(rows);
+    let inverse = 1.0 / unit;
+    let allowed = tolerances.position.max(rounding(largest(q, lengths, inverse)));
+    let [fast, faster] = [q_dot, q_ddot].map(|rates| tolerances.rates * largest(rates, lengths, inverse));
     let delta = tolerances.rates;
-    let rows = size.iter().zip(parts.phi_t).zip(parts.gamma).zip(velocity.iter().zip(acceleration.iter()));
-    let all = rows.fold(true, |all, (((size, phi_t), gamma), (v, a))| {
-        let v_closed = v.abs() <= delta * f64::max(size * fast, phi_t.abs());
-        let a_closed = a.abs() <= delta * f64::max(size * faster, gamma.abs());
-        all & v_closed & a_closed
-    });
+    let (mut residual, mut all) = (0.0, true);
+    let right = parts.phi.iter().zip(parts.phi_t).zip(parts.gamma);
+    for ((row, info), ((phi, phi_t), gamma)) in rows.iter().zip(model.rows).zip(right) {
+        let size = row.lengths * unit + row.angles;
+        if info.level == Level::Position {
+            let phi = phi.abs();
+            all &= phi <= allowed * size;
+            residual = if phi > residual { phi } else { residual };
+        }
+        let (v, a) = ((row.velocity + phi_t).abs(), (row.acceleration - gamma).abs());
+        all &= v <= f64::max(size * fast, delta * phi_t.abs());
+        all &= a <= f64::max(size * faster, delta * gamma.abs());
+    }
     all.then_some(residual)
 }

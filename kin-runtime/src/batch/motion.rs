@@ -8,8 +8,9 @@ use super::sweep::{End, Outcome};
 use crate::lanes::{Lanes, Octet, Pack};
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan};
-use crate::planned::branch::{Branch, certainty, certainty_of};
+use crate::planned::branch::{Branch, OUT_OF_REACH, certainty_of, distances, resolves};
 use crate::planned::follower::{Control, Follower, NEGLIGIBLE};
+use crate::planned::passed::CLOSE;
 use crate::planned::predict::{parabola, turned, weights};
 use crate::planned::{Limit, PlanError, Step};
 use crate::scalar::Scalar;
@@ -18,7 +19,7 @@ use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
 /// Margins above this leave rates enough digits for all sets to be judged together.
-const FAR: f64 = 1e-6;
+const FAR: f64 = 1e-2;
 
 /// Eight sets on their way.
 pub(super) struct Motion<M: Mechanism> {
@@ -36,8 +37,6 @@ pub(super) struct Motion<M: Mechanism> {
     t: f64,
     /// Radians that a unit of each coordinate counts for.
     weights: M::Coordinates<f64>,
-    /// Whether rates of distances from limits are known.
-    has_slopes: bool,
 }
 
 /// Why a set has no answer: the margin to report, and the step of the plan where one is to blame.
@@ -50,7 +49,7 @@ impl<M: Mechanism> Motion<M> {
         let zeros = M::Coordinates::<Octet>::generate(nothing);
         Self {
             parameters: Array::generate(nothing),
-            branch: Branch { signs: zeros, distances: zeros, slopes: zeros },
+            branch: Branch { signs: zeros, distances: zeros },
             predicted: zeros,
             distances: zeros,
             margins: Array::generate(nothing),
@@ -60,7 +59,6 @@ impl<M: Mechanism> Motion<M> {
             inputs: Array::filled(Signal::constant(0.0)),
             t: 0.0,
             weights: Array::filled(0.0),
-            has_slopes: false,
         }
     }
 
@@ -72,15 +70,11 @@ impl<M: Mechanism> Motion<M> {
     /// The first instant, from a start that stands in `predicted`.
     pub(super) fn begin(&mut self, mechanism: &M, at: &Instant<'_, Octet>) -> Option<Refusals> {
         let limits = self.solve(mechanism, at);
-        let plan = &M::model().plan;
-        let zero = Octet::default();
-        certainty(plan, self.margins.as_ref(), &self.branch, zero, self.distances.as_mut());
         self.orient(mechanism, at);
         let q = self.poses[1 - self.good].q;
         let first: M::Coordinates<f64> = Array::generate(|k| q.as_ref()[k].lane(0));
         weights(M::model(), first.as_ref(), self.weights.as_mut());
-        self.has_slopes = false;
-        self.keep(at, f64::NAN);
+        self.keep(at);
         let poses = self.poses();
         let limits = limits?;
         let refused = |lane: usize| (!poses.is_good(lane)).then(|| (poses.margin.lane(lane), limit_of::<M>(limits[lane])));
@@ -127,50 +121,55 @@ impl<M: Mechanism> Motion<M> {
         let turn = parabola(self.predicted.as_mut(), rates, self.weights.as_ref(), h);
         let limits = self.solve(mechanism, at);
         let plan = &M::model().plan;
-        let certain = if self.has_slopes {
-            let step = Octet::from_f64(h);
-            certainty(plan, self.margins.as_ref(), &self.branch, step, self.distances.as_mut())
-        } else {
-            self.certainty_of_prediction(mechanism, at)
-        };
         let tried = &self.poses[1 - self.good];
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
         let control = Control::USUAL;
         let allowed = Octet::from_f64(control.correction) * turn + Octet::from_f64(NEGLIGIBLE);
         // All that must not be negative, as one number.
         let rotation = Octet::from_f64(control.rotation) - turn;
-        let mut least = certain.least(rotation).least(allowed - away);
-        if !plan.orientations.is_empty() {
-            least = least.least(self.kept_orientation(mechanism, at));
-        }
-        let tried = &self.poses[1 - self.good];
-        let half = Octet::from_f64(0.5);
-        // No group is so near to its limit that rates may mean nothing, and nothing is NaN.
+        let mut least = rotation.least(allowed - away);
         let nearer = tried.margin.least(self.poses[self.good].margin);
+        let reach = Octet::from_f64(OUT_OF_REACH) * turn;
+        let beyond = nearer - reach * reach;
+        if !is_positive(beyond) || !plan.orientations.is_empty() {
+            let certain = self.certainty_of_prediction(mechanism, at, nearer.abs().sqrt(), turn);
+            // Out of reach of all limits nothing need be certain.
+            least = least.least(certain.greatest(beyond));
+            if !plan.orientations.is_empty() {
+                least = least.least(self.kept_orientation(mechanism, at));
+            }
+        }
+        // No group is so near to its limit that rates may mean nothing, and nothing is NaN.
         let far = (nearer - Octet::from_f64(1.0)).is_within(1.0 - FAR);
-        if limits.is_none() & far & (least - half).is_within(0.5) {
-            self.keep(at, h);
+        if limits.is_none() & far & is_positive(least) {
+            self.keep(at);
             return None;
         }
         let refusals = self.alone(mechanism, at, least);
-        self.keep(at, h);
+        self.keep(at);
         refusals
     }
 
     /// How certain it is that all groups have stayed on their branches, by what tells them apart at the prediction.
-    #[cold]
     #[inline(never)]
-    fn certainty_of_prediction(&mut self, mechanism: &M, at: &Instant<'_, Octet>) -> Octet {
+    fn certainty_of_prediction(
+        &mut self,
+        mechanism: &M,
+        at: &Instant<'_, Octet>,
+        nearest: Octet,
+        turn: Octet,
+    ) -> Octet {
         let plan = &M::model().plan;
-        let zero = Octet::default();
-        certainty(plan, self.margins.as_ref(), &self.branch, zero, self.distances.as_mut());
+        distances(plan, self.margins.as_ref(), self.distances.as_mut());
         let mut foretold = M::Coordinates::<Octet>::generate(|_| Octet::default());
         let foretold = &mut foretold.as_mut()[..plan.signs()];
         let start = self.predicted.as_ref();
         let lengths = mechanism.branches_with(self.parameters.as_ref(), at, start, foretold);
         debug_assert!(lengths.is_ok(), "the columns have been counted");
         let groups = foretold.iter().zip(self.branch.signs.as_ref()).zip(self.distances.as_ref());
-        groups.fold(Octet::from_f64(1.0), |least, ((w, sign), now)| least.least(certainty_of(*now, *sign * *w)))
+        // Where a group may have come to its limit and back, the follower looks.
+        let start = resolves(nearest, turn).least(nearest - Octet::from_f64(CLOSE));
+        groups.fold(start, |least, ((w, sign), now)| least.least(certainty_of(*now, *sign * *w)))
     }
 
     #[inline(never)]
@@ -181,19 +180,9 @@ impl<M: Mechanism> Motion<M> {
         self.poses[1 - self.good].solve(mechanism, &question, &mut self.margins)
     }
 
-    /// What was tried is the last instant now, a step h after the one before.
+    /// What was tried is the last instant now.
     #[inline(always)]
-    fn keep(&mut self, at: &Instant<'_, Octet>, h: f64) {
-        let count = M::model().plan.signs();
-        if h != 0.0 {
-            let inverse = Octet::from_f64(1.0 / h);
-            let slopes = self.branch.slopes.as_mut().iter_mut().zip(self.branch.distances.as_ref());
-            for ((slope, before), now) in slopes.zip(self.distances.as_ref()).take(count) {
-                *slope = (*now - *before) * inverse;
-            }
-        }
-        self.has_slopes = h.is_finite() && h != 0.0;
-        self.branch.distances = self.distances;
+    fn keep(&mut self, at: &Instant<'_, Octet>) {
         self.margins_before = self.margins;
         self.good = 1 - self.good;
         self.t = at.t.lane(0);
@@ -248,7 +237,6 @@ impl<M: Mechanism> Motion<M> {
         tried.accept(lane, least);
         set(&mut self.margins.as_mut()[..margins], &found.margins.as_ref()[..margins]);
         set(self.branch.signs.as_mut(), follower.signs());
-        set(self.distances.as_mut(), follower.distances());
         Ok(())
     }
 
@@ -283,14 +271,19 @@ impl<M: Mechanism> Motion<M> {
         }
         own(&mut self.parameters, from, to);
         own(&mut self.branch.signs, from, to);
-        own(&mut self.branch.distances, from, to);
-        own(&mut self.branch.slopes, from, to);
         own(&mut self.margins_before, from, to);
         let poses = &mut self.poses[self.good];
         let others = *poses;
         poses.copy_lane(&others, from, to);
         poses.accept(to, others.margin.lane(from));
     }
+}
+
+/// True where the numbers of all lanes are positive and not large, and none is NaN.
+#[inline(always)]
+fn is_positive(x: Octet) -> bool {
+    let half = Octet::from_f64(0.5);
+    (x.least(Octet::from_f64(1.0)) - half).is_within(0.5) & (x - x).is_within(0.0)
 }
 
 /// The step of the plan that a margin belongs to.

@@ -6,7 +6,7 @@
 
 use crate::by_plan;
 use crate::equations::Equations;
-use crate::planned::branch::certainty_of;
+use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
 use crate::planned::limit::{blurred_group, largest_angle};
 
 /// Nearer than this to where its branches meet a group is on neither of them: as near as rounding lets it be told.
@@ -33,14 +33,17 @@ pub(super) fn write(equations: &Equations<'_>, q: &[f64], groups: &mut Vec<f64>)
 ///
 /// With redundant rows a group of the kept ones may have a limit that the mechanism passes: then the sign may change, as
 /// the prediction has it.
-pub(super) fn stay(before: &[f64], predicted: &[f64], found: &[f64], is_redundant: bool) -> bool {
+pub(super) fn stay([before, predicted, found]: [&[f64]; 3], turn: f64, is_redundant: bool) -> bool {
     before.iter().zip(predicted).zip(found).all(|((before, predicted), found)| {
         if is_redundant {
             let size = found.abs().max(predicted.abs());
             return (found - predicted).abs() <= PASSING * size || size <= FLAT;
         }
         let sign = before.signum();
-        sign * found > SMALLEST && certainty_of(sign * found, sign * predicted) >= 0.0
+        let nearest = f64::min(sign * found, sign * before);
+        sign * found > SMALLEST
+            && (nearest >= OUT_OF_REACH * turn || resolves(nearest, turn) >= 0.0)
+            && certainty_of(sign * found, sign * predicted) >= 0.0
     })
 }
 

@@ -8,7 +8,7 @@ use crate::motion::poses;
 use crate::options::Options;
 use crate::planned::follower::Control;
 use crate::planned::{Limit, PlanError};
-use crate::residual::{Tolerances, closed};
+use crate::residual::{Row, Tolerances, closed, write_lengths};
 use crate::state::State;
 use crate::system::Followed;
 use crate::workspace::{Instant, Subset};
@@ -21,7 +21,9 @@ pub(super) struct ByPlan {
     pub(super) stands: bool,
     /// Why the plan had no answer, the last time that it had none.
     pub(super) refused: Option<PlanError>,
-    rooms: [Vec<f64>; 3],
+    /// Room for the sums of every row, and which coordinates are lengths.
+    rows: Vec<Row>,
+    lengths: Vec<f64>,
 }
 
 impl Control {
@@ -40,8 +42,10 @@ impl ByPlan {
     /// None where the plan is not to be used, or there is none.
     pub(super) fn new(equations: &Equations<'_>) -> Option<Self> {
         let used = equations.options.use_plan && equations.model.plan.exists() && equations.given() == 0;
-        let rooms = [(); 3].map(|()| vec![0.0; equations.rows()]);
-        used.then(|| Self { control: Control::of(&equations.options), stands: false, refused: None, rooms })
+        let rows = vec![Row::default(); equations.rows()];
+        let mut lengths = vec![0.0; equations.coordinates()];
+        write_lengths(equations.model, &mut lengths);
+        used.then(|| Self { control: Control::of(&equations.options), stands: false, refused: None, rows, lengths })
     }
 
     /// What is to blame for the last refusal.
@@ -91,12 +95,10 @@ impl ByPlan {
         equations.system.evaluate(Subset::ALL, &at, &state.q, &state.q_dot)?;
         let tolerances =
             Tolerances { position: equations.options.tolerance, rates: equations.options.consistency_tolerance };
-        let [size, velocity, acceleration] = &mut self.rooms;
         let solution = [state.q.as_slice(), &state.q_dot, &state.q_ddot];
         let parts = equations.system.constraints();
-        let Some(residual) = closed(equations.model, &parts, solution, tolerances, [size, velocity, acceleration]) else {
-            return Ok(false);
-        };
+        let found = closed(equations.model, &parts, solution, &self.lengths, tolerances, &mut self.rows);
+        let Some(residual) = found else { return Ok(false) };
         state.t = equations.t;
         state.inputs.clone_from(&equations.inputs);
         state.residual = residual;

@@ -145,7 +145,7 @@ pub(super) fn settle(
     last: bool,
 ) -> Result<(), Fault> {
     let Corrected { iterations, worst, .. } = corrected;
-    let Scratch { closing, groups: [predicted_groups, groups], predicted, .. } = scratch;
+    let Scratch { closing, groups: [predicted_groups, groups], predicted, motion, .. } = scratch;
     let state = &mut to.state;
     equations.evaluate(Subset { phi: true, ..Subset::VELOCITY }, &state.q, None)?;
     let gap = closing.iter().map(|&row| (equations.phi[row] * equations.scale.rows[row]).abs()).fold(0.0, f64::max);
@@ -166,7 +166,9 @@ pub(super) fn settle(
     groups::write(equations, predicted, predicted_groups);
     groups::write(equations, &state.q, groups);
     let is_redundant = equations.model.plan.watched().next().is_some();
-    if !groups::stay(before, predicted_groups, groups, is_redundant) {
+    fill(motion, predicted.iter().zip(&from.node.state.q).map(|(a, b)| a - b));
+    let turn = equations.scale.turn(motion);
+    if !groups::stay([before, predicted_groups, groups], turn, is_redundant) {
         return Err(Fault::Jump(worst));
     }
     let right = -scaled(equations, &equations.phi_t);

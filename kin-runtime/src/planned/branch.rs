@@ -8,16 +8,24 @@
 //! ```
 //!
 //! every group has a distance from where its sign changes: 0 where both closures meet, at most 1. Along a smooth motion
-//! w is smooth. So a step has stayed on its branch where w at its end is where w before lets one expect it, well on the
-//! same side of 0. A step for which that is not certain is too long; at a fold or at a crossing of branches no step is
-//! short enough, and the motion ends.
+//! w is smooth, and it changes no faster than bodies turn. A step has stayed on its branch where every group is too far
+//! from its limit to have come there ([`OUT_OF_REACH`]), or where w at its end is what the prediction has, in a step so
+//! short that the error of the prediction is much smaller than w ([`resolves`]). A step for which neither is so is too
+//! long; at a fold or at a crossing of branches no step is short enough, and the motion ends.
 
 use super::passed::CLOSE;
 use crate::plan::Plan;
 use crate::scalar::compare::Compare;
 
-/// Deviation of w from its expectation, relative to the smaller of the two, up to which a step has stayed on its branch.
-pub(super) const EXPECTED: f64 = 0.5;
+/// Deviation of w from its prediction, relative to the smaller of the two, up to which a step has stayed on its branch.
+const EXPECTED: f64 = 0.5;
+
+/// Distances, in turns of the fastest body by velocity or acceleration alone, over which no group comes to its limit in a
+/// step: two bodies that turn towards one another, by both.
+pub(crate) const OUT_OF_REACH: f64 = 4.0;
+
+/// The third-order term that the prediction leaves out, in the cube of the turn.
+const THIRD_ORDER: f64 = 10.0;
 
 /// Where a motion is on its branch; each list has a number for every sign of the plan.
 #[derive(Clone, Copy)]
@@ -26,33 +34,31 @@ pub(crate) struct Branch<A> {
     pub(crate) signs: A,
     /// |w|.
     pub(crate) distances: A,
-    /// Rates of |w| along the motion, where they are known.
-    pub(crate) slopes: A,
 }
 
-/// Writes |w| of every group and says how certain it is that a step h has stayed on the branch: not at all for less than 0.
+/// Writes |w| of every group; gives the smallest.
 #[inline(always)]
-pub(crate) fn certainty<V: Compare, A: AsRef<[V]>>(
-    plan: &Plan,
-    margins: &[V],
-    branch: &Branch<A>,
-    h: V,
-    distances: &mut [V],
-) -> V {
+pub(crate) fn distances<V: Compare>(plan: &Plan, margins: &[V], distances: &mut [V]) -> V {
     let mut least = V::from_f64(1.0);
-    let before = branch.distances.as_ref().iter().zip(branch.slopes.as_ref());
-    for ((sign, now), (distance, slope)) in distances.iter_mut().take(plan.signs()).enumerate().zip(before) {
+    for (sign, distance) in distances.iter_mut().take(plan.signs()).enumerate() {
         let Some(margin) = plan.margin_of_sign(sign) else { continue };
-        *now = margins[margin].abs().sqrt();
-        least = least.least(certainty_of(*now, *distance + h * *slope));
+        *distance = margins[margin].abs().sqrt();
+        least = least.least(*distance);
     }
     least
 }
 
-/// How certain it is that |w| is where it was expected: not at all for less than 0.
+/// How certain it is that w is what was predicted: not at all for less than 0.
 #[inline(always)]
-pub(crate) fn certainty_of<V: Compare>(now: V, expected: V) -> V {
-    V::from_f64(EXPECTED) * now.least(expected) - (now - expected).abs()
+pub(crate) fn certainty_of<V: Compare>(now: V, predicted: V) -> V {
+    V::from_f64(EXPECTED) * now.least(predicted) - (now - predicted).abs()
+}
+
+/// By how much the distance of the nearest group exceeds the error of a prediction that turns by so much: a step resolves
+/// its branch where this is not negative.
+#[inline(always)]
+pub(crate) fn resolves<V: Compare>(nearest: V, turn: V) -> V {
+    nearest - V::from_f64(THIRD_ORDER) * turn * turn * turn
 }
 
 /// Distances of the ends of a step below which a group may have come to its limit and back within the step.

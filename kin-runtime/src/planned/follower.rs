@@ -5,7 +5,7 @@
 //! [`branch`](super::branch)). Otherwise the way there is walked in steps that are short enough for that (see
 //! [`walk`](super::walk)), and where no step is short enough, the motion ends: see [`limit`](super::limit).
 
-use super::branch::{Branch, certainty, certainty_of, may_dip};
+use super::branch::{Branch, OUT_OF_REACH, certainty_of, distances, may_dip, resolves};
 use super::error::PlanError;
 use super::mode::Sign;
 use super::passed::{self, Passed};
@@ -60,6 +60,14 @@ impl<M: Mechanism> Clone for Poses<M> {
 
 impl<M: Mechanism> Copy for Poses<M> {}
 
+impl<M: Mechanism> Poses<M> {
+    /// Zeros.
+    pub(crate) fn nothing() -> Self {
+        let zeros = M::Coordinates::<f64>::filled(0.0);
+        Self { q: zeros, q_dot: zeros, q_ddot: zeros, margins: M::Rows::<f64>::filled(0.0) }
+    }
+}
+
 /// A branch of the motion and the instant reached on it.
 pub(crate) struct Follower<M: Mechanism> {
     pub(super) parameters: M::Parameters<f64>,
@@ -77,8 +85,6 @@ pub(crate) struct Follower<M: Mechanism> {
     /// Not 0 for every mode that was asked for since the last good state.
     pub(super) asked: M::Coordinates<f64>,
     pub(super) predicted: M::Coordinates<f64>,
-    /// Whether the rates of |w| are known.
-    has_slopes: bool,
     /// The smallest |w| of the good state.
     pub(super) nearest: f64,
     /// |w| of the state that is being tried.
@@ -112,19 +118,17 @@ impl<M: Mechanism> Follower<M> {
     /// Nothing solved yet.
     pub(super) fn empty(parameters: M::Parameters<f64>, t: f64) -> Self {
         let zeros = M::Coordinates::<f64>::filled(0.0);
-        let nothing = Poses { q: zeros, q_dot: zeros, q_ddot: zeros, margins: M::Rows::<f64>::filled(0.0) };
         Self {
             parameters,
-            branch: Branch { signs: zeros, distances: zeros, slopes: zeros },
+            branch: Branch { signs: zeros, distances: zeros },
             t,
             inputs: M::Inputs::<f64>::filled(Signal::constant(0.0)),
-            states: [nothing; 2],
+            states: [Poses::nothing(); 2],
             good: 0,
             before: f64::NAN,
             anew: true,
             asked: zeros,
             predicted: zeros,
-            has_slopes: false,
             nearest: 1.0,
             distances: zeros,
             weights: zeros,
@@ -155,12 +159,6 @@ impl<M: Mechanism> Follower<M> {
         Ok(follower)
     }
 
-    /// The parameters.
-    #[cfg(feature = "std")]
-    pub(crate) fn parameters(&self) -> &[f64] {
-        self.parameters.as_ref()
-    }
-
     /// A motion that stands at a good state, of which nothing before is known.
     #[cfg(feature = "simd")]
     pub(crate) fn resume(
@@ -177,11 +175,7 @@ impl<M: Mechanism> Follower<M> {
         weights(M::model(), q.as_ref(), follower.weights.as_mut());
         follower.keep_inputs(at.inputs);
         let plan = &M::model().plan;
-        for sign in 0..plan.signs() {
-            let margin = plan.margin_of_sign(sign).map_or(f64::NAN, |place| margins.as_ref()[place]);
-            follower.branch.distances.as_mut()[sign] = crate::scalar::Scalar::sqrt(margin.abs());
-        }
-        follower.nearest = nearest(follower.branch.distances.as_ref(), plan.signs());
+        follower.nearest = distances(plan, margins.as_ref(), follower.branch.distances.as_mut());
         follower
     }
 
@@ -279,7 +273,8 @@ impl<M: Mechanism> Follower<M> {
         let kept = self.branch;
         match self.walk(mechanism, course, at, control) {
             Ok(()) => {
-                self.keep(at, None);
+                let nearest = self.measure();
+                self.keep(at, nearest, false);
                 Ok(())
             }
             Err(blocked) => {
@@ -325,7 +320,7 @@ impl<M: Mechanism> Follower<M> {
             return Err(self.explain(at));
         }
         let plan = &M::model().plan;
-        self.measure();
+        let nearest = self.measure();
         if self.is_blurred(mechanism, at) {
             let error = self.explain_blurred(mechanism, at);
             self.branch.signs = kept;
@@ -343,7 +338,7 @@ impl<M: Mechanism> Follower<M> {
         }
         let q = self.states[1 - self.good].q;
         weights(M::model(), q.as_ref(), self.weights.as_mut());
-        self.keep(at, None);
+        self.keep(at, nearest, false);
         self.anew = false;
         self.asked = M::Coordinates::filled(0.0);
         Ok(())
@@ -361,17 +356,18 @@ impl<M: Mechanism> Follower<M> {
         if !self.ask(mechanism, at)? || !(turn <= most_turn(control, self.nearest)) {
             return Ok(false);
         }
-        let plan = &M::model().plan;
-        let h = at.t - self.t;
         let tried = &self.states[1 - self.good];
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
-        let certain = certainty(plan, tried.margins.as_ref(), &self.branch, h, self.distances.as_mut());
-        let certain = certain >= 0.0 && self.has_slopes && self.keeps_orientations(mechanism, at)?;
-        let near = away <= control.correction * turn + NEGLIGIBLE;
-        if !near || !(certain || self.stays_on_its_branch(mechanism, at)?) || self.is_blurred(mechanism, at) {
+        if !(away <= control.correction * turn + NEGLIGIBLE) || !self.keeps_orientations(mechanism, at)? {
             return Ok(false);
         }
-        self.keep(at, Some(h));
+        let nearest = self.measure();
+        let least = f64::min(nearest, self.nearest);
+        let far = least >= OUT_OF_REACH * turn && least >= super::limit::NEAR;
+        if !far && !self.stays_on_its_branch(mechanism, at, resolves(least, turn))? {
+            return Ok(false);
+        }
+        self.keep(at, nearest, true);
         Ok(true)
     }
 
@@ -391,13 +387,21 @@ impl<M: Mechanism> Follower<M> {
     }
 
     /// True if every group is where the prediction has it; not where one is so near to its limit that it may have been there
-    /// and come back.
+    /// and come back, nor where the step is too long to resolve it.
     #[cold]
     #[inline(never)]
-    fn stays_on_its_branch(&self, mechanism: &M, at: &Instant<'_>) -> Result<bool, LengthError> {
+    fn stays_on_its_branch(
+        &self,
+        mechanism: &M,
+        at: &Instant<'_>,
+        resolution: f64,
+    ) -> Result<bool, LengthError> {
         let plan = &M::model().plan;
         let (before, now) = (self.branch.distances.as_ref(), self.distances.as_ref());
-        if (0..plan.signs()).any(|sign| may_dip(before[sign], now[sign])) {
+        if !(resolution >= 0.0) || (0..plan.signs()).any(|sign| may_dip(before[sign], now[sign])) {
+            return Ok(false);
+        }
+        if self.is_blurred(mechanism, at) {
             return Ok(false);
         }
         self.uncertain(mechanism, at, self.predicted.as_ref()).map(|uncertain| uncertain.is_none())
@@ -425,28 +429,19 @@ impl<M: Mechanism> Follower<M> {
         Ok((0..count).find(|sign| !on_branch(*sign)))
     }
 
-    /// Writes |w| of the state that is being tried.
-    pub(super) fn measure(&mut self) {
+    /// Writes |w| of the state that is being tried; gives the smallest.
+    #[inline]
+    pub(super) fn measure(&mut self) -> f64 {
         let margins = &self.states[1 - self.good].margins;
-        certainty(&M::model().plan, margins.as_ref(), &self.branch, 0.0, self.distances.as_mut());
+        distances(&M::model().plan, margins.as_ref(), self.distances.as_mut())
     }
 
-    /// The state that was tried is the good one now, after one step h from the one before; or it is not known how it came.
-    fn keep(&mut self, at: &Instant<'_>, h: Option<f64>) {
-        let count = M::model().plan.signs();
-        self.before = f64::NAN;
-        self.has_slopes = false;
-        if let Some(h) = h {
-            self.before = self.t;
-            self.has_slopes = h != 0.0;
-            let inverse = 1.0 / h;
-            let slopes = self.branch.slopes.as_mut().iter_mut().zip(self.branch.distances.as_ref());
-            for ((slope, before), now) in slopes.zip(self.distances.as_ref()).take(count) {
-                *slope = (now - before) * inverse;
-            }
-        }
+    /// The state that was tried, whose nearest group has this distance from its limit, is the good one now; after one step
+    /// from the one before, or in other ways.
+    fn keep(&mut self, at: &Instant<'_>, nearest: f64, in_one_step: bool) {
+        self.before = if in_one_step { self.t } else { f64::NAN };
         self.branch.distances = self.distances;
-        self.nearest = nearest(self.distances.as_ref(), count);
+        self.nearest = nearest;
         self.good = 1 - self.good;
         self.t = at.t;
         self.keep_inputs(at.inputs);
@@ -513,19 +508,8 @@ impl<M: Mechanism> Follower<M> {
         self.t
     }
 
-    /// |w| of all groups.
-    #[cfg(feature = "simd")]
-    pub(crate) fn distances(&self) -> &[f64] {
-        &self.branch.distances.as_ref()[..M::model().plan.signs()]
-    }
-
     /// The signs of its modes, then those of its iterations.
     pub(crate) fn signs(&self) -> &[f64] {
         &self.branch.signs.as_ref()[..M::model().plan.signs()]
     }
-}
-
-/// The smallest of the first distances.
-pub(super) fn nearest(distances: &[f64], count: usize) -> f64 {
-    distances[..count].iter().fold(1.0, |least, w| f64::min(least, *w))
 }

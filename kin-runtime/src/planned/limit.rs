@@ -16,13 +16,13 @@ use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
 /// Distances |w| below which it is asked whether rates have lost too many digits.
-const NEAR: f64 = 0.1;
+pub(super) const NEAR: f64 = 0.1;
 
 /// √margin over |w| below which pins meet.
 const PINS: f64 = 0.5;
 
-/// What rounding may make of q̈ beside a crossing of branches, relative to q̇².
-const NOISE: f64 = 1e-6;
+/// What rounding may make of q̈ beside a crossing of branches, relative to the square of the drive's rate.
+const NOISE: f64 = 4e-6;
 
 /// An angle so small that configurations go along a straight line.
 const LITTLE: f64 = 1e-6;
@@ -307,7 +307,10 @@ pub(crate) fn blurred_group(
         let (velocity, acceleration, w) = (own(q_dot), own(q_ddot), distances[sign]);
         let x = velocity * (w / rates_of_groups[sign]).abs();
         let crosses = w * acceleration <= FOLD * velocity * velocity;
-        (crosses && f64::EPSILON > NOISE * w * x * x).then_some(sign)
+        // Beside the motion of what drives it, where that is slower.
+        let before = largest_of(model, &mut plan.steps.iter().take(step).flat_map(of), q_dot);
+        let share = if before > 0.0 && before < velocity { before / velocity } else { 1.0 };
+        (crosses && f64::EPSILON > NOISE * w * x * x * share * share).then_some(sign)
     })
 }
 

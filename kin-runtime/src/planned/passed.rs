@@ -10,7 +10,7 @@ use crate::plan::{Plan, StepKind};
 const NEAR: f64 = 0.1;
 
 /// Closures this near to 0 may reach it and come back within one step of the length that is usual.
-pub(super) const CLOSE: f64 = 0.15;
+pub(crate) const CLOSE: f64 = 0.15;
 
 /// How many of them are tried in all combinations.
 const MOST: usize = 6;

@@ -29,23 +29,33 @@ pub(crate) fn weights(model: &Model, q: &[f64], weights: &mut [f64]) {
 #[inline(always)]
 pub(crate) fn parabola<V: Compare>(to: &mut [V], [q, q_dot, q_ddot]: [&[V]; 3], weights: &[f64], h: f64) -> V {
     let (step, half) = (V::from_f64(h), V::from_f64(0.5 * h));
-    let mut turn = V::from_f64(0.0);
-    let rates = q_dot.iter().zip(q_ddot).zip(weights);
-    for ((to, q), ((v, a), weight)) in to.iter_mut().zip(q).zip(rates) {
-        let bend = half * *a;
-        *to = *q + step * (*v + bend);
-        turn = turn.greatest((step * V::from_f64(*weight)).abs() * v.abs().greatest(bend.abs()));
+    for ((to, q), (v, a)) in to.iter_mut().zip(q).zip(q_dot.iter().zip(q_ddot)) {
+        *to = *q + step * (*v + half * *a);
     }
-    turn
+    let turns = |weight: f64, v: V, a: V| V::from_f64(weight) * v.abs().greatest((half * a).abs());
+    step.abs() * largest(weights, q_dot, q_ddot, turns)
 }
 
 /// By how much a configuration turns away from another, at most.
 #[inline(always)]
 pub(crate) fn turned<V: Compare>(a: &[V], b: &[V], weights: &[f64]) -> V {
-    let differences = a.iter().zip(b).zip(weights);
-    differences.fold(V::from_f64(0.0), |turn, ((a, b), weight)| {
-        turn.greatest((*a - *b).abs() * V::from_f64(*weight))
-    })
+    largest(weights, a, b, |weight, a, b| V::from_f64(weight) * (a - b).abs())
+}
+
+/// The largest of what a function makes of the numbers of three lists, as several maxima side by side.
+#[inline(always)]
+fn largest<V: Compare>(weights: &[f64], x: &[V], y: &[V], of: impl Fn(f64, V, V) -> V) -> V {
+    let mut most = [V::from_f64(0.0); 3];
+    let (weights, weights_rest) = weights.as_chunks::<3>();
+    let ((x, x_rest), (y, y_rest)) = (x.as_chunks::<3>(), y.as_chunks::<3>());
+    for ((weights, x), y) in weights.iter().zip(x).zip(y) {
+        for k in 0..3 {
+            most[k] = most[k].greatest(of(weights[k], x[k], y[k]));
+        }
+    }
+    let rest = weights_rest.iter().zip(x_rest).zip(y_rest);
+    let rest = rest.fold(most[0], |most, ((weight, x), y)| most.greatest(of(*weight, *x, *y)));
+    rest.greatest(most[1]).greatest(most[2])
 }
 
 /// How far ahead the quintic is carried on, in steps H, and how far back.

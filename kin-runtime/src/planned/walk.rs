@@ -5,8 +5,8 @@
 //! prediction has it. A step that is not is halved. So a group whose two closures come near one another is followed round
 //! the bend in steps that resolve it, and one that reaches its limit stops the walk just before it.
 
-use super::branch::may_dip;
-use super::follower::{Control, Fault, Follower, NEGLIGIBLE, Poses, most_turn, nearest};
+use super::branch::{may_dip, resolves};
+use super::follower::{Control, Fault, Follower, NEGLIGIBLE, Poses, most_turn};
 use super::predict::{parabola, turned};
 use crate::course::Course;
 use crate::mechanism::{LengthError, Mechanism};
@@ -47,13 +47,13 @@ impl<M: Mechanism> Follower<M> {
                 here = self.states[1 - self.good];
             }
         }
-        let (mut proposed, mut smallest) = (f64::INFINITY, None);
+        let (mut proposed, mut smallest, mut nearest) = (f64::INFINITY, None, self.nearest);
         for _ in 0..control.max_steps {
             let remaining = end - s;
             if remaining == 0.0 {
                 return self.arrive(mechanism, course, at, here);
             }
-            let most = most_turn(control, nearest(self.branch.distances.as_ref(), M::model().plan.signs()));
+            let most = most_turn(control, nearest);
             let natural = natural_step([here.q_dot.as_ref(), here.q_ddot.as_ref()], self.weights.as_ref(), most);
             let smallest = *smallest.get_or_insert_with(|| {
                 let shortest = control.min_step * natural.min(remaining.abs());
@@ -72,10 +72,11 @@ impl<M: Mechanism> Follower<M> {
                 return Err(blocked(Fault::Coarse));
             }
             let walked = (next - s).abs();
-            match self.step(mechanism, course, [s, next], &mut inputs, &here, control) {
+            match self.step(mechanism, course, [s, next], &mut inputs, (&here, nearest), control) {
                 Ok(growth) => {
                     here = self.states[1 - self.good];
                     self.branch.distances = self.distances;
+                    nearest = self.measure();
                     s = next;
                     // A step cut short by the end says nothing against the longer one proposed before.
                     proposed = if share <= 2.0 { proposed.max(growth * walked) } else { growth * walked };
@@ -121,7 +122,7 @@ impl<M: Mechanism> Follower<M> {
         course: &dyn Course,
         [s, next]: [f64; 2],
         inputs: &mut M::Inputs<f64>,
-        here: &Poses<M>,
+        (here, nearest): (&Poses<M>, f64),
         control: &Control,
     ) -> Result<f64, Fault> {
         let h = next - s;
@@ -130,7 +131,7 @@ impl<M: Mechanism> Follower<M> {
         let turn = parabola(self.predicted.as_mut(), rates, weights.as_ref(), h);
         let signs = self.branch.signs;
         let allowed = control.correction * turn + NEGLIGIBLE;
-        let result = self.judge(mechanism, course, [s, next], inputs, (here, &signs), allowed);
+        let result = self.judge(mechanism, course, [s, next], inputs, (here, &signs), [allowed, turn, nearest]);
         if result.is_err() {
             self.branch.signs = signs;
         }
@@ -145,7 +146,7 @@ impl<M: Mechanism> Follower<M> {
         [s, next]: [f64; 2],
         inputs: &mut M::Inputs<f64>,
         (here, kept): (&Poses<M>, &M::Coordinates<f64>),
-        allowed: f64,
+        [allowed, turn, nearest]: [f64; 3],
     ) -> Result<f64, Fault> {
         let wrong = |_: LengthError| Fault::NonFinite;
         let mut good = self.solve_at(mechanism, course, next, inputs).map_err(wrong)?;
@@ -156,11 +157,14 @@ impl<M: Mechanism> Follower<M> {
         if !good {
             return Err(self.fault());
         }
-        self.measure();
+        let nearest = f64::min(self.measure(), nearest);
         let tried = &self.states[1 - self.good];
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
         if !(away <= allowed) {
             return Err(Fault::Coarse);
+        }
+        if !(resolves(nearest, turn) >= 0.0) {
+            return Err(Fault::Sign(self.nearest_group()));
         }
         let at = Instant { t, inputs: inputs.as_ref() };
         if let Some(sign) = self.uncertain(mechanism, &at, self.predicted.as_ref()).map_err(wrong)? {
@@ -223,6 +227,13 @@ impl<M: Mechanism> Follower<M> {
             *a = 0.5 * (*a + back) - still;
         }
         Ok(first && second)
+    }
+
+    /// The group that is nearest to its limit in the state that is being tried.
+    fn nearest_group(&self) -> usize {
+        let distances = &self.distances.as_ref()[..M::model().plan.signs()];
+        let least = distances.iter().copied().fold(f64::INFINITY, f64::min);
+        distances.iter().position(|w| *w <= least).unwrap_or(0)
     }
 
     /// Why the state that is being tried is not good.

@@ -12,8 +12,9 @@ use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind, Model, Role};
 use crate::motion::{shows_coordinates, write_coordinates, write_poses};
 use crate::plan::{Depth, Plan, Solved, StepKind};
-use crate::planned::follower::Follower;
-use crate::residual::{Tolerances, closed, closed_position};
+use crate::planned::follower::{Follower, Poses};
+use crate::residual::{Row, Tolerances, closed, write_lengths};
+use crate::scalar::compare::Compare;
 use crate::state::State;
 use crate::system::Parts;
 use crate::workspace::{Array, Evaluation, Instant, Subset};
@@ -35,7 +36,7 @@ impl<M: Mechanism> Solver<'_, M> {
         }
         let parameters = self.mechanism.parameters::<f64>();
         let start = self.start_of_guess(&parameters, at)?;
-        self.finished(&self.follower(parameters, at, &start)?, at)
+        self.finished(&parameters, at, &self.poses(&parameters, at, &start)?)
     }
 
     /// The state near a complete start; none where the general path must decide.
@@ -45,7 +46,7 @@ impl<M: Mechanism> Solver<'_, M> {
         }
         let parameters = self.mechanism.parameters::<f64>();
         let start = self.start_of(&parameters, at, start)?;
-        self.finished(&self.follower(parameters, at, &start)?, at)
+        self.finished(&parameters, at, &self.poses(&parameters, at, &start)?)
     }
 
     /// The position that the guesses lead to; none where the general path must decide.
@@ -96,6 +97,8 @@ impl<M: Mechanism> Solver<'_, M> {
         let mut signs = M::Coordinates::<f64>::filled(0.0);
         let count = M::model().plan.signs();
         self.mechanism.branches_with(parameters.as_ref(), at, start, &mut signs.as_mut()[..count]).ok()?;
+        // NaN where a closure does not say which is meant: nothing is solved then.
+        signs.as_mut()[..count].iter_mut().for_each(|sign| *sign = sign.direction());
         let q = *M::Coordinates::<f64>::view(start)?;
         Some(Start { q, signs })
     }
@@ -194,24 +197,33 @@ impl<M: Mechanism> Solver<'_, M> {
         Some(q)
     }
 
-    /// The follower at an instant; none where it has no answer.
-    fn follower(&self, parameters: M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<Follower<M>> {
-        Follower::begin(self.mechanism, parameters, at, start.q.as_ref(), start.signs).ok()
+    /// The plan solved at an instant; none where it has no answer.
+    fn poses(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<Poses<M>> {
+        let plan = &M::model().plan;
+        let mut poses = Poses::<M>::nothing();
+        let Poses { q, q_dot, q_ddot, margins } = &mut poses;
+        let margins = margins.as_mut().get_mut(..plan.margins)?;
+        let solved = Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins };
+        let modes = start.signs.as_ref().get(..plan.modes.len())?;
+        let depth = Depth::Acceleration;
+        self.mechanism.solve_with(parameters.as_ref(), at, modes, start.q.as_ref(), depth, solved).ok()?;
+        let least = margins.iter().fold(1.0, |least, margin| if *margin > least { least } else { *margin });
+        if least > FAR {
+            return Some(poses);
+        }
+        // Beside a limit, or with redundant rows that contradict, the follower judges.
+        let follower = Follower::begin(self.mechanism, *parameters, at, start.q.as_ref(), start.signs).ok()?;
+        Some(*follower.state())
     }
 
-    /// The state of a follower, held against all rows.
-    fn finished(&self, follower: &Follower<M>, at: &Instant<'_>) -> Option<State> {
+    /// The state with these rates, held against all rows.
+    fn finished(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, poses: &Poses<M>) -> Option<State> {
         let model = M::model();
-        let poses = follower.state();
         let solution = [poses.q.as_ref(), poses.q_dot.as_ref(), poses.q_ddot.as_ref()];
         let [q, q_dot, q_ddot] = solution;
-        let parameters = follower.parameters();
         let mut workspace = M::workspace::<f64>();
-        self.mechanism.evaluate_with(parameters, Subset::ALL, at, q, q_dot, &mut workspace).ok()?;
-        let [mut a, mut b, mut c] = [M::Rows::<f64>::filled(0.0); 3];
-        let tolerances = Tolerances { position: self.options.tolerance, rates: self.options.consistency_tolerance };
-        let rooms = [a.as_mut(), b.as_mut(), c.as_mut()];
-        let residual = closed(model, &parts(&workspace), solution, tolerances, rooms)?;
+        self.mechanism.evaluate_with(parameters.as_ref(), Subset::ALL, at, q, q_dot, &mut workspace).ok()?;
+        let residual = self.residual(&parts(&workspace), solution, self.options.consistency_tolerance)?;
         let mut state = State {
             model,
             t: at.t,
@@ -219,8 +231,8 @@ impl<M: Mechanism> Solver<'_, M> {
             q: q.to_vec(),
             q_dot: q_dot.to_vec(),
             q_ddot: q_ddot.to_vec(),
-            bodies: Vec::new(),
-            points: Vec::new(),
+            bodies: Vec::with_capacity(model.bodies.len()),
+            points: Vec::with_capacity(model.points.len()),
             residual,
             iterations: 1,
             condition: None,
@@ -230,10 +242,33 @@ impl<M: Mechanism> Solver<'_, M> {
             write_coordinates(&mut state);
         } else {
             let mut observations = M::observations::<f64>();
-            self.mechanism.observe_with(parameters, at, q, q_dot, &mut observations).ok()?;
+            self.mechanism.observe_with(parameters.as_ref(), at, q, q_dot, &mut observations).ok()?;
             write_poses(&parts(&observations), &mut state).ok()?;
         }
         Some(state)
+    }
+
+    /// The largest residual where all rows hold; none where one does not, or where a number is not finite.
+    fn residual(&self, parts: &Parts<'_>, solution: [&[f64]; 3], rates: f64) -> Option<f64> {
+        let model = M::model();
+        let mut lengths = M::Coordinates::<f64>::filled(0.0);
+        write_lengths(model, lengths.as_mut());
+        let tolerances = Tolerances { position: self.options.tolerance, rates };
+        let finite = |numbers: &[f64]| numbers.iter().fold(true, |all, x| all & x.is_finite());
+        if !solution.iter().all(|numbers| finite(numbers)) {
+            return None;
+        }
+        // There are seldom more rows than fit on the stack.
+        let mut few = [Row::default(); FEW];
+        let mut many = Vec::new();
+        let rows = match few.get_mut(..M::ROWS) {
+            Some(rows) => rows,
+            None => {
+                many.resize(M::ROWS, Row::default());
+                &mut many[..]
+            }
+        };
+        closed(model, parts, solution, lengths.as_ref(), tolerances, rows)
     }
 
     /// The position by the plan, held against all rows.
@@ -243,21 +278,27 @@ impl<M: Mechanism> Solver<'_, M> {
         let q = self.solved(parameters, at, &start.q, &start.signs, &mut margins)?;
         let positive = margins.as_ref()[..model.plan.margins].iter().all(|margin| *margin > Plan::SMALLEST_MARGIN);
         // Rows that the plan does without have margins of their own, over rates too: those are left to states.
-        let is_plain = model.plan.watched().next().is_none();
-        if !positive || !is_plain || !q.as_ref().iter().all(|x| x.is_finite()) {
+        if !positive || model.plan.watched().next().is_some() {
             return None;
         }
         let mut workspace = M::workspace::<f64>();
         let still = M::Coordinates::<f64>::filled(0.0);
-        let subset = Subset::POSITION;
-        let (numbers, q_ref) = (parameters.as_ref(), q.as_ref());
-        self.mechanism.evaluate_with(numbers, subset, at, q_ref, still.as_ref(), &mut workspace).ok()?;
-        let [mut a, mut b] = [M::Rows::<f64>::filled(0.0); 2];
-        let rooms = [a.as_mut(), b.as_mut()];
-        let residual = closed_position(model, &parts(&workspace), q_ref, self.options.tolerance, rooms)?;
-        Some(Position { q: q_ref.to_vec(), iterations: 1, residual })
+        let (q, still) = (q.as_ref(), still.as_ref());
+        self.mechanism.evaluate_with(parameters.as_ref(), Subset::POSITION, at, q, still, &mut workspace).ok()?;
+        // Nothing is asked of rates.
+        let residual = self.residual(&parts(&workspace), [q, still, still], ANY)?;
+        Some(Position { q: q.to_vec(), iterations: 1, residual })
     }
 }
+
+/// Margins above this leave rates enough digits wherever branches cross.
+const FAR: f64 = 1e-2;
+
+/// A tolerance that anything meets.
+const ANY: f64 = 1e30;
+
+/// Rows for which there is room on the stack.
+const FEW: usize = 64;
 
 /// An evaluation as slices.
 fn parts<R: AsRef<[f64]>, J: AsRef<[f64]>>(evaluation: &Evaluation<R, J>) -> Parts<'_> {
