@@ -23,6 +23,16 @@ pub(super) const CASES: &[Case] = &[
         fault: "again",
     },
     Case {
+        name: "a four-bar on a frame that an input pitches, driven twice",
+        parameters: "a b c d",
+        attributes: "input(pitch); body(frame, x = 0, y = 0, phi = pitch); bodies(crank, coupler, rocker)
+            revolute(O: frame @ (0, 0), crank @ (0, 0)); revolute(A: crank @ (a, 0), coupler @ (0, 0))
+            revolute(B: coupler @ (b, 0), rocker @ (c, 0)); revolute(D: frame @ (d, 0), rocker @ (0, 0))
+            driver(turn: crank.phi = t); driver(push: rocker.phi = 2 * t)",
+        counts: [9, 10, 9, 1],
+        fault: "push",
+    },
+    Case {
         name: "three bodies on one pin, joined all round",
         parameters: "a b c",
         attributes: "bodies(p, q, r)

@@ -200,13 +200,14 @@ fn period(engine: &dyn Engine, setup: &Setup, from: f64) -> Option<f64> {
         let kind = model.coordinates.get(column).map(|coordinate| coordinate.kind);
         matches!(kind, Some(CoordinateKind::Pose { component: Component::Phi, .. } | CoordinateKind::Scalar))
     };
-    let driven = model.rows.iter().enumerate().filter(|(_, row)| row.driving).filter_map(|(place, _)| {
-        let mut entries = model.constraint_pattern.entries.iter().filter(|(row, _)| *row == place);
-        match (entries.next(), entries.next()) {
-            (Some(&(_, column)), None) if angle(column) => Some(column),
-            _ => None,
-        }
-    });
+    let driven =
+        model.rows.iter().enumerate().filter(|(_, row)| row.driving || row.rheonomic).filter_map(|(place, _)| {
+            let mut entries = model.constraint_pattern.entries.iter().filter(|(row, _)| *row == place);
+            match (entries.next(), entries.next()) {
+                (Some(&(_, column)), None) if angle(column) => Some(column),
+                _ => None,
+            }
+        });
     let speeds = driven.filter_map(|column| {
         let (speed, acceleration) = (state.q_dot.get(column)?.abs(), state.q_ddot.get(column)?.abs());
         (speed > 0.0 && acceleration <= 1e-9 * speed * speed).then_some(speed)
