@@ -290,7 +290,7 @@ fn rates(
 }
 
 /// The step within which nothing turns by more than is allowed.
-fn natural_step(equations: &Equations<'_>, start: &Start<'_>) -> f64 {
+pub(super) fn natural_step(equations: &Equations<'_>, start: &Start<'_>) -> f64 {
     let scale = &equations.scale;
     let most = equations.options.max_rotation_per_step;
     let by_velocity = most / scale.turn(start.q_dot);
