@@ -117,6 +117,7 @@ pub(super) fn moved(
         let failure = states.get(open).map(|s| engine.mobility(setup, &s.instant(), &s.q));
         states.truncate(open);
         trajectory.events.retain(|event| (event.t - first).abs() < (at - first).abs());
+        trajectory.unwatched.retain(|unwatched| (unwatched.from - first).abs() < (at - first).abs());
         match failure {
             Some(Ok(mobility)) => fully_driven(engine, &mobility, at).err(),
             Some(Err(error)) => Some(analysis(engine, &error)),
@@ -143,6 +144,7 @@ pub(super) fn interrupted(finished: &[State], total: usize) -> Failure {
 /// What there is to say of a motion beside its numbers.
 pub(super) fn note_motion(session: &mut Session<'_>, trajectory: &Trajectory) {
     note_events(session, trajectory);
+    note_unwatched(session, trajectory);
     note_fallbacks(session, trajectory);
 }
 
@@ -157,6 +159,22 @@ fn note_events(session: &mut Session<'_>, trajectory: &Trajectory) {
     }
     if trajectory.stopped {
         session.note("note: the sweep stopped there; the last row is the event");
+    }
+}
+
+/// Stretches that are told one by one; of more, how many there are.
+const TOLD: usize = 3;
+
+/// Where unilateral conditions were too fast to be watched.
+fn note_unwatched(session: &mut Session<'_>, trajectory: &Trajectory) {
+    for unwatched in trajectory.unwatched.iter().take(TOLD) {
+        session.note(&format!(
+            "note: condition {unwatched}: it changes too fast there, and may have met its limit more often than is said; \
+             more instants (--steps) may do"
+        ));
+    }
+    if trajectory.unwatched.len() > TOLD {
+        session.note(&format!("note: the same in {}", count(trajectory.unwatched.len() - TOLD, "more place")));
     }
 }
 

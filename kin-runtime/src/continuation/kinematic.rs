@@ -4,7 +4,7 @@ use super::follow::Follower;
 use crate::analysis;
 use crate::equations::{Equations, finite};
 use crate::error::{SolveError, SweepError};
-use crate::events::Watch;
+use crate::events::{Seen, Watch};
 use crate::solver::Position;
 use crate::trajectory::Trajectory;
 
@@ -54,7 +54,9 @@ fn follow(
     });
     trajectory.fallbacks = follower.fallbacks;
     if let Some(watch) = follower.watch {
-        (trajectory.events, trajectory.violated_at_start) = watch.finish();
+        let Seen { events, violated_at_start, unwatched } = watch.finish();
+        (trajectory.events, trajectory.violated_at_start, trajectory.unwatched) =
+            (events, violated_at_start, unwatched);
     }
     result
 }
