@@ -152,14 +152,16 @@ fn a_reader_that_leaves_is_told_nothing_and_the_status_says_so() {
         "sweep --to 1 --steps 5000 --out -",
     ];
     for line in lines {
-        let mut child = Command::new(several())
+        // The reader has left before anything is written, however little that is.
+        let (reader, writer) = std::io::pipe().expect("a pipe");
+        drop(reader);
+        let child = Command::new(several())
             .arg("fourbar")
             .args(line.split_whitespace())
-            .stdout(Stdio::piped())
+            .stdout(writer)
             .stderr(Stdio::piped())
             .spawn()
             .expect("the program starts");
-        drop(child.stdout.take());
         let output = child.wait_with_output().expect("the program ends");
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!((output.status.code(), said.as_str()), (Some(141), ""), "{line}");
