@@ -31,8 +31,16 @@ pub struct RowClass {
     pub holonomic: bool,
     /// t or an input appears; otherwise scleronomic.
     pub rheonomic: bool,
-    /// Declared by `driver` or `speed`, or rheonomic.
+    /// Declared by `driver` or `speed`, or t or an input appears in its own operands. A row that is rheonomic only because
+    /// a held coordinate of one of its bodies moves does not drive.
     pub driving: bool,
+}
+
+impl RowClass {
+    /// True for a row that leads motion into the mechanism: it drives, or a body that it joins is moved by a held coordinate.
+    pub fn leads(self) -> bool {
+        self.driving || self.rheonomic
+    }
 }
 
 /// Φ, Φ_q, Φ_t, γ of a mechanism and of everything that it reports.
@@ -112,7 +120,7 @@ fn class(set: &ConstraintSet, row: &ConstraintRow) -> RowClass {
     let value = row.velocity.map_or(row.phi, |velocity| velocity.eta);
     let rheonomic = set.graph.depends(value).is_rheonomic();
     let declared = matches!(set.joints[row.joint].tag, JointTag::Driver | JointTag::Speed);
-    RowClass { holonomic, rheonomic, driving: declared || rheonomic }
+    RowClass { holonomic, rheonomic, driving: declared || (rheonomic && row.operands_move) }
 }
 
 /// B, b and γ of the rows of velocity level.

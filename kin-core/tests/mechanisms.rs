@@ -219,7 +219,8 @@ fn rows_know_whether_time_moves_them() {
                 assert!(system.set.graph.is_zero(equation.phi_t), "seed {seed}: Φ_t of {name}");
             }
             let joint = &system.set.joints[system.set.rows[row].joint];
-            assert_eq!(class.driving, class.rheonomic || joint.tag == JointTag::Driver, "seed {seed}: {name}");
+            let own = system.set.rows[row].operands_move;
+            assert_eq!(class.driving, class.rheonomic && own || joint.tag == JointTag::Driver, "seed {seed}: {name}");
         }
         // A mechanism that never looks at t or an input has no rheonomic row.
         let looked = direct(&mechanism, &values, values.plain::<f64>());

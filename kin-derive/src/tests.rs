@@ -232,3 +232,24 @@ impl<'ast> syn::visit::Visit<'ast> for Longest {
         syn::visit::visit_block(self, block);
     }
 }
+
+/// Everything that the macro does stands a sum of thousands of terms: no pass goes deeper for it.
+#[test]
+fn a_sum_of_thousands_of_terms_is_expanded() {
+    let long = |count: usize, term: &str| -> TokenStream {
+        let terms: String = (1..=count).map(|k| format!("+ {}", term.replace('k', &k.to_string()))).collect();
+        let factors: String = (1..=count / 10).map(|k| format!("* (u + {k}) ")).collect();
+        let item = format!(
+            "#[coordinates(u, v)] #[constraint(long: v {terms} = 0)] #[driver(drive: u = t)] \
+             #[define(much = 1 {factors})] struct Long;"
+        );
+        item.parse().unwrap()
+    };
+    for tokens in [long(500, "sin(k * u) / k * v "), long(5000, "k * u * v ")] {
+        let code = crate::derive(TokenStream::new(), tokens).to_string();
+        assert!(!code.contains("compile_error") && code.contains("Mechanism"), "{}", &code[..500]);
+    }
+    let tokens = long(500, "sin(k * u) / k * v ");
+    let sheet = crate::documentation::text(quote! { () #tokens });
+    assert!(sheet.contains("long") && sheet.contains("drive"), "{sheet}");
+}

@@ -4,7 +4,7 @@ use crate::contact;
 use crate::course::{InputFunction, Kind, Way};
 use crate::error::SolveError;
 use crate::factorisation;
-use crate::geometry;
+use crate::geometry::{self, KeptLength};
 use crate::linear::Ordered;
 use crate::mechanism::LengthError;
 use crate::model::{Level, Model};
@@ -39,6 +39,8 @@ pub(crate) struct Equations<'a> {
     pub(crate) way: Option<Way>,
     /// Who watches a sweep.
     pub(crate) observed: Observed<'a>,
+    /// The distances that joints keep; those that move are looked at on the way to every instant.
+    lengths: Vec<KeptLength>,
     /// Current time.
     pub(crate) t: f64,
     /// Inputs at the current time.
@@ -94,6 +96,7 @@ impl<'a> Equations<'a> {
             input_function,
             way: None,
             observed: Observed::new(None, 0),
+            lengths: Vec::new(),
             t: at.t,
             inputs: Vec::new(),
             phi: DVector::zeros(rows),
@@ -106,6 +109,8 @@ impl<'a> Equations<'a> {
             moving: Vec::new(),
         };
         equations.set_instant(at)?;
+        equations.lengths = geometry::kept_lengths(model);
+        geometry::lengths_exist(&equations, &equations.lengths, at)?;
         let degenerate = radii::degenerate(&equations).or_else(|| geometry::without_direction(&equations));
         degenerate.map_or(Ok(equations), Err)
     }
@@ -167,7 +172,13 @@ impl<'a> Equations<'a> {
     pub(crate) fn check_instant(&self, at: &Instant<'_>) -> Result<(), SolveError> {
         finite("t", 0, "t", at.t)?;
         length("inputs", self.model.inputs.len(), at.inputs.len())?;
-        self.check_inputs(at.inputs)
+        self.check_inputs(at.inputs)?;
+        self.check_lengths(at)
+    }
+
+    /// An error where a distance that a joint keeps is negative at this instant.
+    fn check_lengths(&self, at: &Instant<'_>) -> Result<(), SolveError> {
+        geometry::lengths_exist(self, self.lengths.iter().filter(|kept| kept.moves), at)
     }
 
     fn check_inputs(&self, inputs: &[Signal]) -> Result<(), SolveError> {
@@ -212,7 +223,8 @@ impl<'a> Equations<'a> {
             (None, Some(function)) => function(s, &mut self.inputs),
             (None, None) => {}
         }
-        self.check_inputs(&self.inputs)
+        self.check_inputs(&self.inputs)?;
+        self.check_lengths(&self.instant())
     }
 
     /// Evaluates with derivatives by time, whatever the way.

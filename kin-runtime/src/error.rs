@@ -24,6 +24,8 @@ pub enum Refusal {
     StepTooSmall,
     /// More internal steps than allowed.
     TooManySteps,
+    /// The numbers of t are so far apart that no step of the motion fits between two of them: t is too large.
+    TimeTooCoarse,
 }
 
 impl fmt::Display for Refusal {
@@ -33,6 +35,7 @@ impl fmt::Display for Refusal {
             Self::NotAssembled => "the mechanism cannot be assembled beyond it",
             Self::StepTooSmall => "the internal step became too small",
             Self::TooManySteps => "too many internal steps",
+            Self::TimeTooCoarse => "t is too large: its numbers are too far apart for a step of the motion",
         })
     }
 }

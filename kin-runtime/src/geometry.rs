@@ -2,10 +2,11 @@
 //!
 //! - An axis whose components are both 0, or so small or large that their squares are no numbers, cannot be normalised.
 //! - A distance of 0 has no gradient where it is kept; its row of Φ_q vanishes.
+//! - A distance below 0 does not exist. Its row holds the square, and would quietly keep the positive distance instead.
 
 use crate::equations::Equations;
 use crate::error::{GeometryFault, SolveError};
-use crate::model::{JointInfo, JointKind, Role};
+use crate::model::{JointInfo, JointKind, Model, Role};
 use crate::workspace::Instant;
 
 /// The error of an evaluation, by the name of the joint whose axis has no direction, if that is why.
@@ -42,14 +43,55 @@ pub(crate) fn without_direction(equations: &Equations<'_>) -> Option<SolveError>
     })
 }
 
+/// True for a joint that keeps a distance between two points: a link, a cylinder, or a driver of a distance.
+fn keeps_distance(joint: &JointInfo) -> bool {
+    joint.kind == JointKind::Distance
+        || joint.kind == JointKind::Driver && joint.geometry.iter().any(|geometry| geometry.role == Role::Q)
+}
+
+/// A distance that a joint keeps.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct KeptLength {
+    joint: &'static str,
+    /// Its place in the geometry.
+    offset: usize,
+    /// True when t or an input may change it.
+    pub(crate) moves: bool,
+}
+
+/// All distances that the joints of a model keep.
+pub(crate) fn kept_lengths(model: &'static Model) -> Vec<KeptLength> {
+    let kept = |joint: &'static JointInfo| {
+        let value = joint.geometry.iter().find(|geometry| geometry.role == Role::Value)?;
+        let moves = model.rows.get(joint.first_row).is_some_and(|row| row.rheonomic);
+        Some(KeptLength { joint: joint.name, offset: value.offset, moves })
+    };
+    model.joints.iter().filter(|joint| keeps_distance(joint)).filter_map(kept).collect()
+}
+
+/// The error if one of these lengths is negative at an instant.
+pub(crate) fn lengths_exist<'k>(
+    equations: &Equations<'_>,
+    lengths: impl IntoIterator<Item = &'k KeptLength>,
+    at: &Instant<'_>,
+) -> Result<(), SolveError> {
+    let mut lengths = lengths.into_iter().peekable();
+    if lengths.peek().is_none() {
+        return Ok(());
+    }
+    let numbers = equations.system.geometry(at)?;
+    let negative = lengths.find_map(|kept| {
+        let length = numbers.get(kept.offset).copied().filter(|&length| length < 0.0)?;
+        let fault = GeometryFault::NegativeLength { length };
+        Some(SolveError::DegenerateGeometry { t: at.t, joint: kept.joint, fault })
+    });
+    negative.map_or(Ok(()), Err)
+}
+
 /// The first joint that keeps a distance of nothing, on the common scale.
 pub(crate) fn without_length(equations: &mut Equations<'_>) -> Option<SolveError> {
     let tolerance = equations.options.rank_tolerance * equations.scale.length;
-    let keeps = |joint: &&JointInfo| {
-        joint.kind == JointKind::Distance
-            || joint.kind == JointKind::Driver && joint.geometry.iter().any(|geometry| geometry.role == Role::Q)
-    };
-    let joints: Vec<&JointInfo> = equations.model.joints.iter().filter(keeps).collect();
+    let joints: Vec<&JointInfo> = equations.model.joints.iter().filter(|joint| keeps_distance(joint)).collect();
     joints.into_iter().find_map(|joint| {
         let [length] = numbers(equations, joint, Role::Value)?;
         let fault = GeometryFault::Length { length };

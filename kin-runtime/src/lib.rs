@@ -144,7 +144,7 @@ pub use cross_check::{
 #[cfg(feature = "std")]
 pub use error::{Degeneracy, GeometryFault, Refusal, SolveError, SweepError};
 #[cfg(feature = "std")]
-pub use events::{Crossing, Event};
+pub use events::{Crossing, Event, Unwatched};
 #[cfg(feature = "std")]
 pub use kinematics::Kinematics;
 #[cfg(feature = "std")]

@@ -74,7 +74,8 @@ pub struct Mobility {
     pub coordinates: usize,
     /// s, prescribed coordinates not counted.
     pub rows: usize,
-    /// Driving rows: declared by `driver` or `speed`, or rheonomic.
+    /// Driving rows: declared by `driver` or `speed`, or with t or an input in their own length, angle, offset or
+    /// right-hand side.
     pub driving_rows: usize,
     /// Rows of velocity level.
     pub velocity_level_rows: usize,

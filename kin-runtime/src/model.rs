@@ -132,7 +132,8 @@ pub struct RowInfo {
     pub level: Level,
     /// Rheonomic (t or an input appears) or scleronomic.
     pub rheonomic: bool,
-    /// Declared by `driver` or `speed`, or rheonomic.
+    /// Declared by `driver` or `speed`, or t or an input appears in its own length, angle, offset or right-hand side. A
+    /// joint that is rheonomic only because a held coordinate of its body moves does not drive.
     pub driving: bool,
     /// Equation or inequality; every row of Φ is bilateral.
     pub bilateral: bool,

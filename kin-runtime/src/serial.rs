@@ -84,7 +84,7 @@ impl Serialize for Trajectory {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let states: Vec<Bare<'_>> = self.states.iter().map(Bare).collect();
         let violated: Vec<&str> = self.violated_at_start().map(|condition| condition.name).collect();
-        let mut s = serializer.serialize_struct("Trajectory", 9)?;
+        let mut s = serializer.serialize_struct("Trajectory", 10)?;
         s.serialize_field("mechanism", self.model.name)?;
         s.serialize_field("coordinates", &coordinate_names(self.model))?;
         s.serialize_field("bodies", &body_names(self.model).collect::<Vec<_>>())?;
@@ -92,6 +92,7 @@ impl Serialize for Trajectory {
         s.serialize_field("states", &states)?;
         s.serialize_field("events", &self.events)?;
         s.serialize_field("violated_at_start", &violated)?;
+        s.serialize_field("unwatched", &self.unwatched)?;
         s.serialize_field("stopped", &self.stopped)?;
         s.serialize_field("fallbacks", &self.fallbacks)?;
         s.end()

@@ -1,6 +1,6 @@
 //! Solved configurations over time.
 
-use crate::events::Event;
+use crate::events::{Event, Unwatched};
 use crate::model::{Component, ConditionInfo, Model};
 use crate::motion::{PointMotion, Rates};
 use crate::planned::Limit;
@@ -38,6 +38,9 @@ pub struct Trajectory {
     pub events: Vec<Event>,
     /// Unilateral conditions that were violated at the first instant, by their places in [`Model::conditions`].
     pub violated_at_start: Vec<usize>,
+    /// Where unilateral conditions changed too fast to be watched, so that `events` may not be all; empty where each was
+    /// watched all the time.
+    pub unwatched: Vec<Unwatched>,
     /// True when the sweep ended at its first event, as it was asked to; the last state is the one at the event.
     pub stopped: bool,
     /// Internal steps that full Newton had to take although there is a plan.
@@ -47,8 +50,15 @@ pub struct Trajectory {
 impl Trajectory {
     /// A trajectory without states.
     pub(crate) fn new(model: &'static Model) -> Self {
-        let (states, events, violated_at_start, fallbacks) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { model, states, events, violated_at_start, stopped: false, fallbacks }
+        Self {
+            model,
+            states: Vec::new(),
+            events: Vec::new(),
+            violated_at_start: Vec::new(),
+            unwatched: Vec::new(),
+            stopped: false,
+            fallbacks: Vec::new(),
+        }
     }
 
     /// Number of states.
@@ -156,6 +166,7 @@ impl fmt::Debug for Trajectory {
             .field("states", &self.states)
             .field("events", &self.events)
             .field("violated_at_start", &self.violated_at_start)
+            .field("unwatched", &self.unwatched)
             .field("stopped", &self.stopped)
             .field("fallbacks", &self.fallbacks)
             .finish()
@@ -180,7 +191,7 @@ impl IntoIterator for Trajectory {
     }
 }
 
-/// `FourBar: 101 states from t = 0 to t = 1`, with the events.
+/// `FourBar: 101 states from t = 0 to t = 1`, with the events, and what was not watched.
 impl fmt::Display for Trajectory {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: ", self.model.name)?;
@@ -191,6 +202,7 @@ impl fmt::Display for Trajectory {
         if self.stopped {
             f.write_str(", stopped at an event")?;
         }
-        self.events.iter().try_for_each(|event| write!(f, "; {event}"))
+        self.events.iter().try_for_each(|event| write!(f, "; {event}"))?;
+        self.unwatched.iter().try_for_each(|unwatched| write!(f, "; {unwatched}"))
     }
 }

@@ -20,6 +20,7 @@ struct Folded {
 #[bodies(p, q)]
 #[distance(near: p @ (l, 0), q @ (0, 0), length = 0 * l)]
 #[driver(far: distance(p @ (0, 0), q @ (0, 0)) = 0)]
+#[driver(behind: distance(p @ (1, 0), q @ (1, 0)) = 0.1 - 1)]
 #[angle(level: p = sqrt(l) / (l - l))]
 struct Lengths {
     #[param(1)]

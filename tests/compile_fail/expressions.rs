@@ -32,6 +32,7 @@ use kin_runtime::mechanism;
 #[constraint(point: u @ (0, 0) = 0)]
 #[constraint(suffix: 3u8 * u = 1f32)]
 #[constraint(large: u = 1e999)]
+#[constraint(small: u = 1e-400)]
 #[constraint(digit: u = .5)]
 #[constraint(degrees: u = "90°")]
 #[constraint(degrees_of: u = 90 deg)]

@@ -1,6 +1,6 @@
 //! Configurations at the edge of what has an answer: far guesses, late instants, rows that vanish altogether.
 
-use kin_runtime::{Instant, Kinematics, Mechanism, Planned, Signal, SolveError, mechanism};
+use kin_runtime::{Instant, Kinematics, Mechanism, Planned, Refusal, Signal, SolveError, mechanism};
 
 #[mechanism]
 #[bodies(crank, rod, slider)]
@@ -205,4 +205,24 @@ fn iterations_of_a_plan_are_the_same_in_all_units() {
 fn assert_near(found: &[f64], expected: &[f64], bound: f64) {
     let worst = found.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     assert!(found.len() == expected.len() && worst < bound, "{worst:e}");
+}
+
+/// Where the numbers of t are farther apart than a step of the motion, that is what is said, and nothing of the branch or
+/// of velocities.
+#[test]
+fn a_time_too_large_for_the_motion_is_told_so() {
+    for (from, to) in [(1e17, 1e18), (1e17, 1e17 + 16.0), (1e15, 1e15 + 10.0), (-1e16, -1e15)] {
+        assert!(SliderCrank.state_at(&Instant::at(from)).is_ok());
+        let refused = SliderCrank.solver().sweep(&[from, to]).unwrap_err();
+        let reason = |error: &SolveError| match *error {
+            SolveError::StepRefused { reason, .. } => Some(reason),
+            _ => None,
+        };
+        assert_eq!(reason(&refused.source), Some(Refusal::TimeTooCoarse), "{from:e}: {refused}");
+        assert!(refused.to_string().contains("the next number is"), "{refused}");
+        assert_eq!(refused.trajectory.len(), 1);
+    }
+    // A branch that ends is told to end, also late.
+    let refused = Square.solver().sweep(&[1e9, -1.0]).unwrap_err();
+    assert!(!refused.to_string().contains("the next number is"), "{refused}");
 }

@@ -1,7 +1,8 @@
 //! The tracker against sweeps, on its branch to the end of the range and back.
 
 use kin_runtime::{
-    Instant, Kinematics, LengthError, Mechanism, Options, Refusal, Signal, SolveError, State, Tracker, mechanism,
+    GeometryFault, Instant, Kinematics, LengthError, Mechanism, Options, Refusal, Signal, SolveError, State, Tracker,
+    mechanism,
 };
 use kin_tests::compare::{Differences, assert_shows, largest};
 use kin_tests::mechanisms::{
@@ -257,13 +258,17 @@ fn beyond_the_range_is_an_error_and_no_end() {
     let rocker = Rocker::default();
     let first = Instant { t: 0.0, inputs: &[Signal::constant(1.0)] };
     let mut tracker = rocker.solver().tracker(&first).unwrap();
-    for (t, far) in [(1.0, 1.7), (1.0, -3.0), (0.0, 2.0), (-1.0, 5.0), (1e6, 1e9)] {
+    for (t, far) in [(1.0, 1.7), (1.0, -3.0), (0.0, 2.0), (-1.0, 5.0), (1e6, 1e9), (1e6, -0.1)] {
         let error = at(&mut tracker, t, Signal::constant(far)).unwrap_err();
         match &error {
             SolveError::Singular { t: last, rows, .. } => {
                 assert!(rows.contains(&"ram") && *last <= t.max(0.0), "{error}")
             }
             SolveError::StepRefused { joint: "ram", reason: Refusal::NotAssembled | Refusal::WouldJump, .. } => {}
+            SolveError::DegenerateGeometry { t: at, joint: "ram", fault: GeometryFault::NegativeLength { length } } => {
+                assert_eq!((*at, *length), (t, far), "{error}");
+                assert!(far < 0.0);
+            }
             _ => panic!("{error}"),
         }
         assert_eq!((0.0, 1.0), (tracker.state().t, tracker.state().inputs[0].value));

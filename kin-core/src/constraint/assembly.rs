@@ -2,6 +2,7 @@
 
 use super::gear::Pair;
 use super::layout::indexed;
+use super::moving_operands::moving_rows;
 use super::placed::{PlacedPoint, Pose};
 use super::set::{
     ConstraintRow, ConstraintSet, CurveInstance, DefineInstance, Family, Frame, Geometry, JointInstance, Observable,
@@ -249,13 +250,16 @@ impl Assembly<'_> {
             })
             .collect();
         let first_row = set.rows.len();
-        for (suffix, phi) in rows.residuals {
+        let total = rows.residuals.len() + usize::from(rows.velocity.is_some());
+        let moving = moving_rows(self.mechanism, &joint.kind, total);
+        for (k, (suffix, phi)) in rows.residuals.into_iter().enumerate() {
             let name = if suffix.is_empty() { name.clone() } else { format!("{name}.{suffix}") };
-            set.rows.push(ConstraintRow { name, joint: place, phi, velocity: None });
+            let operands_move = moving.contains(&k);
+            set.rows.push(ConstraintRow { name, joint: place, phi, velocity: None, operands_move });
         }
         if let Some(velocity) = rows.velocity {
-            let phi = self.graph.zero();
-            set.rows.push(ConstraintRow { name: name.clone(), joint: place, phi, velocity: Some(velocity) });
+            let (name, phi, operands_move) = (name.clone(), self.graph.zero(), !moving.is_empty());
+            set.rows.push(ConstraintRow { name, joint: place, phi, velocity: Some(velocity), operands_move });
         }
         let count = set.rows.len() - first_row;
         if let Some(point) = self.outline.take() {

@@ -17,6 +17,7 @@ mod formula;
 mod gear;
 mod knife_edge;
 mod layout;
+mod moving_operands;
 mod nonholonomic;
 mod placed;
 mod point_on_line;

@@ -167,6 +167,8 @@ pub struct ConstraintRow {
     pub phi: ExprId,
     /// What a row of velocity level says.
     pub velocity: Option<VelocityRow>,
+    /// True when its own operands contain t or an input; false when t reaches it only through the pose of a body.
+    pub operands_move: bool,
 }
 
 /// η = B(q, t) q̇ + b(q, t), of a row of velocity level: η = 0.

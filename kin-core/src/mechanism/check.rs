@@ -143,6 +143,24 @@ pub(crate) fn defines_in(formula: &Formula) -> impl Iterator<Item = &Member> {
     })
 }
 
+/// True if the formula contains t or an input, itself or in a define that it uses. The pose of a body is not followed: a
+/// held coordinate that moves belongs to the body.
+pub(crate) fn contains_signal(mechanism: &Mechanism, formula: &Formula) -> bool {
+    let (mut open, mut met) = (vec![formula], BTreeSet::new());
+    while let Some(formula) = open.pop() {
+        for node in scope::nodes(formula) {
+            match node {
+                Formula::Time | Formula::Input(_) => return true,
+                Formula::Define(member) if met.insert(member.family) => {
+                    open.extend(mechanism.defines.get(member.family).map(|define| &define.formula));
+                }
+                _ => {}
+            }
+        }
+    }
+    false
+}
+
 /// A family has at least one member and at most [`MAX_MEMBERS`].
 fn families_have_members(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     let bodies = mechanism.bodies.iter().map(|b| (&b.name, b.len, b.origin));

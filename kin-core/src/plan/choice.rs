@@ -121,7 +121,7 @@ impl Search<'_> {
         for (rows, unknowns) in blocks {
             let driven = rows
                 .iter()
-                .any(|&place| self.system.classes[used[place]].driving || pattern[place].iter().any(|&k| moves[k]));
+                .any(|&place| self.system.classes[used[place]].leads() || pattern[place].iter().any(|&k| moves[k]));
             unknowns.iter().for_each(|&k| moves[k] = driven);
             let rows: Vec<usize> = rows.into_iter().map(|place| used[place]).collect();
             let unknowns: BTreeSet<u32> = unknowns.into_iter().map(|k| k as u32).collect();
@@ -141,7 +141,7 @@ impl Search<'_> {
 /// How much a tree leaves to do; less is better, in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Score {
-    /// Angles and scalars that stand still whatever the driving rows do: of a mechanism that moves thanks to its dimensions,
+    /// Angles and scalars that stand still whatever leads motion into the mechanism: of a mechanism that moves thanks to its dimensions,
     /// rows that hold it by themselves are singular.
     still: usize,
     /// Unknowns of iterations.

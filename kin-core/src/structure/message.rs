@@ -41,6 +41,9 @@ fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redund
     let (n, s, rank) = (structure.coordinates, structure.rows, structure.rank);
     let advice = advice(set, &own, redundant, driving);
     let plural = own.len() > 1;
+    if redundant.iter().all(|r| r.circuit.is_empty()) {
+        return says_nothing(set, &own, redundant, &advice, meets_held);
+    }
     if driving {
         let (freedom, drivers) = (structure.degrees_of_freedom(), drivers(system));
         let freedom = match freedom {
@@ -71,20 +74,6 @@ fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redund
     let rows = rows(set, &own, redundant);
     let said = if plural { "repeat or contradict" } else { "repeats or contradicts" };
     let already = match others.len() {
-        0 if redundant.iter().all(|r| r.circuit.is_empty()) => {
-            let (holds, it) = if plural { ("hold", "their") } else { ("holds", "its") };
-            let said = format!(
-                "{rows}{names} {holds} nothing: at no pose {it} residual changes with a coordinate; {advice}, or write \
-                 `#[mechanism(allow_redundant)]`"
-            );
-            if !meets_held {
-                return said;
-            }
-            let it = if plural { "them" } else { "it" };
-            return format!(
-                "{said}; a held coordinate already satisfies {it}, or never can: leave that coordinate free instead"
-            );
-        }
         0 => "itself".to_owned(),
         1 => format!("what joint {with} already says"),
         _ => format!("what joints {with} already say"),
@@ -93,6 +82,40 @@ fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redund
         "{rows}{names} {said} {already}, whatever the dimensions: {n} coordinates, {s} rows, rank {rank}; {advice}, or \
          write `#[mechanism(allow_redundant)]`"
     )
+}
+
+/// What is said of rows that are redundant all by themselves: no coordinate changes their residuals.
+fn says_nothing(
+    set: &ConstraintSet,
+    own: &[usize],
+    redundant: &[&Redundancy],
+    advice: &str,
+    meets_held: bool,
+) -> String {
+    let (rows, names) = (rows(set, own, redundant), list(own.iter().map(|joint| set.joints[*joint].name.as_str())));
+    let plural = own.len() > 1;
+    let residual = |row: usize| set.rows[row].velocity.map_or(set.rows[row].phi, |velocity| velocity.eta);
+    let is_equation = |joint: &usize| {
+        matches!(set.joints[*joint].tag, JointTag::Driver | JointTag::Constraint | JointTag::Nonholonomic)
+    };
+    let same_sides = redundant.iter().all(|r| set.graph.is_zero(residual(r.row)));
+    if same_sides && own.iter().all(is_equation) {
+        let (says, each, it) = if plural { ("say", "of each", "them") } else { ("says", "of it", "it") };
+        return format!(
+            "{names} {says} nothing: both sides {each} are the same; write on the right what the left side is to be, or \
+             remove {it}"
+        );
+    }
+    let (holds, it) = if plural { ("hold", "their") } else { ("holds", "its") };
+    let said = format!(
+        "{rows}{names} {holds} nothing: at no pose {it} residual changes with a coordinate; {advice}, or write \
+         `#[mechanism(allow_redundant)]`"
+    );
+    if !meets_held {
+        return said;
+    }
+    let it = if plural { "them" } else { "it" };
+    format!("{said}; a held coordinate already satisfies {it}, or never can: leave that coordinate free instead")
 }
 
 /// `row `N.angle` of ` where not all rows of the joint are redundant.

@@ -8,7 +8,7 @@
 use super::diagnosis::{DRAWS, Drawn, Redundancy};
 use super::field::Draw;
 use crate::constraint::{CoordinateKind, Frame, JointTag};
-use crate::system::KinematicSystem;
+use crate::system::{KinematicSystem, RowClass};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 /// Φ_q at a drawn pose, for one choice after another.
@@ -38,12 +38,15 @@ impl<'a> Spare<'a> {
     }
 
     /// The rows to leave out: the last of every circuit by `places`, `rather` before all others, then joints that are there
-    /// twice. Driving rows are left
-    /// out only where other driving rows leave no room for them.
+    /// twice. Driving rows are left out only where other driving rows leave no room for them, and joints of bodies that a
+    /// held coordinate moves only before these.
     pub(crate) fn rows(&self, places: &[usize], rather: &[usize]) -> Vec<Redundancy> {
         let key = |row: usize| {
-            let driving = self.system.classes[row].driving;
-            let level = if self.driving.contains(&row) { 0 } else { 1 + u8::from(driving) };
+            let class = self.system.classes[row];
+            let level = match self.driving.contains(&row) {
+                true => 0,
+                false => 1 + u8::from(class.leads()) + u8::from(class.driving),
+            };
             (rather.contains(&row), self.doubled.contains(&row), level, places[row])
         };
         self.drawn.redundant(key, |_, _| {})
@@ -59,8 +62,13 @@ impl<'a> Spare<'a> {
     pub(crate) fn walked(&self) -> Vec<usize> {
         let nodes = self.nodes();
         let all = self.system.classes.iter().zip(&nodes);
-        let mut queue: VecDeque<usize> =
-            all.clone().filter(|(class, _)| class.driving).flat_map(|(_, nodes)| nodes.iter().copied()).collect();
+        let nodes_of = |leads: fn(&RowClass) -> bool| {
+            let rows = all.clone().filter(move |(class, _)| leads(class));
+            rows.flat_map(|(_, nodes)| nodes.iter().copied())
+        };
+        let mut queue: VecDeque<usize> = nodes_of(|class| class.driving).collect();
+        // Bodies that are fastened to something that moves come next.
+        queue.extend(nodes_of(|class| class.leads()));
         // Whatever nothing leads to but the ground comes after that.
         queue.extend(all.flat_map(|(_, nodes)| nodes.iter().copied()));
         let mut rows_of: Vec<Vec<usize>> = vec![Vec::new(); self.system.set.coordinates.len()];

@@ -1,6 +1,8 @@
 //! Planted faults: joints said twice, frames with a bar too many, and welds in a circle.
 
-use super::Case;
+use super::{Case, diagnosed};
+use proc_macro2::TokenStream;
+use std::str::FromStr;
 
 pub(super) const CASES: &[Case] = &[
     Case {
@@ -21,6 +23,16 @@ pub(super) const CASES: &[Case] = &[
             revolute(B: coupler @ (b, 0), rocker @ (c, 0)); revolute(D: ground @ (d, 0), rocker @ (0, 0))",
         counts: [9, 10, 8, 1],
         fault: "again",
+    },
+    Case {
+        name: "a four-bar on a frame that an input pitches, driven twice",
+        parameters: "a b c d",
+        attributes: "input(pitch); body(frame, x = 0, y = 0, phi = pitch); bodies(crank, coupler, rocker)
+            revolute(O: frame @ (0, 0), crank @ (0, 0)); revolute(A: crank @ (a, 0), coupler @ (0, 0))
+            revolute(B: coupler @ (b, 0), rocker @ (c, 0)); revolute(D: frame @ (d, 0), rocker @ (0, 0))
+            driver(turn: crank.phi = t); driver(push: rocker.phi = 2 * t)",
+        counts: [9, 10, 9, 1],
+        fault: "push",
     },
     Case {
         name: "three bodies on one pin, joined all round",
@@ -179,3 +191,35 @@ pub(super) const CASES: &[Case] = &[
         fault: "one two both",
     },
 ];
+
+/// What is said of a crank with one more row.
+fn said(row: &str) -> Vec<String> {
+    let item = format!(
+        "#[bodies(crank, arm[2])] #[revolute(O: ground @ (0, 0), crank @ (0, 0))] \
+         #[revolute(P[i in 0..2]: crank @ (1, 0), arm[i] @ (0, 0))] {row} struct Crank;"
+    );
+    diagnosed(TokenStream::from_str(&item).unwrap()).messages()
+}
+
+/// A row whose sides are the same is not too many beside others: it says nothing by itself.
+#[test]
+fn a_row_with_the_same_on_both_sides_is_told_so() {
+    let rows = [
+        "#[driver(d: crank.phi = crank.phi)]",
+        "#[driver(d: crank.phi - crank.x = crank.phi - crank.x)]",
+        "#[constraint(d: 2 * crank.phi = crank.phi * 2)]",
+    ];
+    for row in rows {
+        let said = said(row);
+        assert_eq!(said.len(), 1, "{row}: {said:?}");
+        assert!(said[0].starts_with("`d` says nothing: both sides of it are the same;"), "{row}: {said:?}");
+    }
+    let members = said("#[driver(d[i in 0..2]: arm[i].phi = arm[i].phi)]");
+    assert!(members[0].starts_with("`d[0]` and `d[1]` say nothing: both sides of each are the same;"), "{members:?}");
+    // Its sides differ, but not by anything that can move.
+    let timed = said("#[driver(d: crank.phi = crank.phi + t)]");
+    assert!(timed[0].starts_with("`d` holds nothing: at no pose its residual changes"), "{timed:?}");
+    // Members of a family that repeat one another still are told of each other.
+    let family = said("#[driver(d[i in 0..2]: crank.phi = t + i)]");
+    assert!(family[0].contains("`d[1]` prescribes what `d[0]` already determines"), "{family:?}");
+}

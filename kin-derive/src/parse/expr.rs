@@ -52,7 +52,8 @@ pub(super) fn deeper(input: ParseStream, depth: usize) -> Result<usize> {
 }
 
 fn sum(input: ParseStream, depth: usize) -> Result<Expr> {
-    let mut left = product(input, depth)?;
+    let first = product(input, depth)?;
+    let mut rest = Vec::new();
     loop {
         let operator = if input.peek(Token![+]) {
             input.parse::<Token![+]>()?;
@@ -61,14 +62,15 @@ fn sum(input: ParseStream, depth: usize) -> Result<Expr> {
             input.parse::<Token![-]>()?;
             Operator::Sub
         } else {
-            return Ok(left);
+            return chain(first, rest, Operator::Sub);
         };
-        left = binary(operator, left, product(input, depth)?)?;
+        rest.push((operator, product(input, depth)?));
     }
 }
 
 fn product(input: ParseStream, depth: usize) -> Result<Expr> {
-    let mut left = unary(input, depth)?;
+    let first = unary(input, depth)?;
+    let mut rest = Vec::new();
     loop {
         let operator = if input.peek(Token![*]) {
             input.parse::<Token![*]>()?;
@@ -80,10 +82,48 @@ fn product(input: ParseStream, depth: usize) -> Result<Expr> {
             input.parse::<Token![/]>()?;
             Operator::Div
         } else {
-            return Ok(left);
+            return chain(first, rest, Operator::Div);
         };
-        left = binary(operator, left, unary(input, depth)?)?;
+        rest.push((operator, unary(input, depth)?));
     }
+}
+
+/// Operands of one sum or product up to which it stays as it was written, from left to right.
+const LONGEST_AS_WRITTEN: usize = 16;
+
+/// A sum or a product of many operands. A longer one becomes a balanced tree, since it is long and not deep: passes over
+/// expressions recurse. `inverse` is the operator that takes away, − of a sum and / of a product.
+fn chain(first: Expr, rest: Vec<(Operator, Expr)>, inverse: Operator) -> Result<Expr> {
+    if rest.len() < LONGEST_AS_WRITTEN {
+        return rest.into_iter().try_fold(first, |left, (operator, right)| binary(operator, left, right));
+    }
+    // Neighbours are paired until one operand is left: a ∘ b, and under an inverse operator a ∘ (b ∘⁻¹ c), which takes away
+    // b and what was added to it.
+    let mut operands: Vec<(Operator, Expr)> = core::iter::once((plain(inverse), first)).chain(rest).collect();
+    while operands.len() > 1 {
+        let mut paired = Vec::with_capacity(operands.len().div_ceil(2));
+        let mut waiting = operands.into_iter();
+        while let Some((before, left)) = waiting.next() {
+            paired.push(match waiting.next() {
+                None => (before, left),
+                Some((between, right)) => {
+                    let inner = match before == between {
+                        true => plain(inverse),
+                        false => inverse,
+                    };
+                    (before, binary(inner, left, right)?)
+                }
+            });
+        }
+        operands = paired;
+    }
+    // The first operand is never taken away.
+    operands.pop().map(|(_, whole)| whole).ok_or_else(|| Error::new(Span::call_site(), "an expression is missing"))
+}
+
+/// The operator that puts together what its inverse takes away.
+fn plain(inverse: Operator) -> Operator {
+    if inverse == Operator::Sub { Operator::Add } else { Operator::Mul }
 }
 
 fn binary(operator: Operator, left: Expr, right: Expr) -> Result<Expr> {
@@ -193,7 +233,11 @@ fn number(literal: Lit) -> Result<Expr> {
         let message = format!("the suffix `{suffix}` has no meaning here; numbers are written `40`, `0.1` or `1e-3`");
         return Err(Error::new(span, message));
     }
+    let is_zero = digits.split(['e', 'E']).next().is_none_or(|digits| !digits.contains(|c| matches!(c, '1'..='9')));
     match digits.parse::<f64>() {
+        Ok(0.0) if !is_zero => {
+            Err(Error::new(span, "this number is too small and would become 0; the smallest is about 5e-324"))
+        }
         Ok(value) if value.is_finite() => Ok(Expr::number(value, span)),
         _ => Err(Error::new(span, "this number is too large; the largest is about 1.8e308")),
     }

@@ -115,7 +115,7 @@ impl Names {
 /// A coordinate whose value no driver says directly: the last angle, or else the last of all.
 fn undriven(model: &Model) -> Option<&'static str> {
     let simply_driven = |place: usize| {
-        model.rows.iter().enumerate().filter(|(_, row)| row.driving).any(|(row, _)| {
+        model.rows.iter().enumerate().filter(|(_, row)| row.driving || row.rheonomic).any(|(row, _)| {
             let mut entries = model.constraint_pattern.entries.iter().filter(|(r, _)| *r == row);
             entries.next().is_some_and(|(_, column)| *column == place) && entries.next().is_none()
         })

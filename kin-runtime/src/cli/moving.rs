@@ -117,6 +117,7 @@ pub(super) fn moved(
         let failure = states.get(open).map(|s| engine.mobility(setup, &s.instant(), &s.q));
         states.truncate(open);
         trajectory.events.retain(|event| (event.t - first).abs() < (at - first).abs());
+        trajectory.unwatched.retain(|unwatched| (unwatched.from - first).abs() < (at - first).abs());
         match failure {
             Some(Ok(mobility)) => fully_driven(engine, &mobility, at).err(),
             Some(Err(error)) => Some(analysis(engine, &error)),
@@ -143,6 +144,7 @@ pub(super) fn interrupted(finished: &[State], total: usize) -> Failure {
 /// What there is to say of a motion beside its numbers.
 pub(super) fn note_motion(session: &mut Session<'_>, trajectory: &Trajectory) {
     note_events(session, trajectory);
+    note_unwatched(session, trajectory);
     note_fallbacks(session, trajectory);
 }
 
@@ -157,6 +159,22 @@ fn note_events(session: &mut Session<'_>, trajectory: &Trajectory) {
     }
     if trajectory.stopped {
         session.note("note: the sweep stopped there; the last row is the event");
+    }
+}
+
+/// Stretches that are told one by one; of more, how many there are.
+const TOLD: usize = 3;
+
+/// Where unilateral conditions were too fast to be watched.
+fn note_unwatched(session: &mut Session<'_>, trajectory: &Trajectory) {
+    for unwatched in trajectory.unwatched.iter().take(TOLD) {
+        session.note(&format!(
+            "note: condition {unwatched}: it changes too fast there, and may have met its limit more often than is said; \
+             more instants (--steps) may do"
+        ));
+    }
+    if trajectory.unwatched.len() > TOLD {
+        session.note(&format!("note: the same in {}", count(trajectory.unwatched.len() - TOLD, "more place")));
     }
 }
 
@@ -200,13 +218,14 @@ fn period(engine: &dyn Engine, setup: &Setup, from: f64) -> Option<f64> {
         let kind = model.coordinates.get(column).map(|coordinate| coordinate.kind);
         matches!(kind, Some(CoordinateKind::Pose { component: Component::Phi, .. } | CoordinateKind::Scalar))
     };
-    let driven = model.rows.iter().enumerate().filter(|(_, row)| row.driving).filter_map(|(place, _)| {
-        let mut entries = model.constraint_pattern.entries.iter().filter(|(row, _)| *row == place);
-        match (entries.next(), entries.next()) {
-            (Some(&(_, column)), None) if angle(column) => Some(column),
-            _ => None,
-        }
-    });
+    let driven =
+        model.rows.iter().enumerate().filter(|(_, row)| row.driving || row.rheonomic).filter_map(|(place, _)| {
+            let mut entries = model.constraint_pattern.entries.iter().filter(|(row, _)| *row == place);
+            match (entries.next(), entries.next()) {
+                (Some(&(_, column)), None) if angle(column) => Some(column),
+                _ => None,
+            }
+        });
     let speeds = driven.filter_map(|column| {
         let (speed, acceleration) = (state.q_dot.get(column)?.abs(), state.q_ddot.get(column)?.abs());
         (speed > 0.0 && acceleration <= 1e-9 * speed * speed).then_some(speed)

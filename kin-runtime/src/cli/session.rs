@@ -48,12 +48,17 @@ pub(super) struct Session<'a> {
     colours: [bool; 2],
     screen: bool,
     watch: Rc<Watch>,
+    /// Whether a reader of the result left before its end.
+    reader_left: bool,
 }
+
+/// The exit status where a reader left before all was written: that of a program which SIGPIPE ends.
+const READER_LEFT: u8 = 141;
 
 impl<'a> Session<'a> {
     pub(super) fn new(out: &'a mut dyn Write, err: &'a mut dyn Write, around: Surroundings) -> Self {
         let watch = Rc::new(Watch::new(around.interrupt, around.bar));
-        Self { out, err, colours: around.colours, screen: around.screen, watch }
+        Self { out, err, colours: around.colours, screen: around.screen, watch, reader_left: false }
     }
 
     /// Who watches what takes long.
@@ -94,8 +99,11 @@ impl<'a> Session<'a> {
             Target::File(path) => self.watch.hold(|| write_atomically(path, bytes)),
         };
         match written {
-            // Whoever reads has seen enough (`… | head`): no fault of the answer.
-            Err(e) if e.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+            // Whoever reads has seen enough (`… | head`): there is nobody to tell, but not all was written.
+            Err(e) if e.kind() == io::ErrorKind::BrokenPipe => {
+                self.reader_left = true;
+                Ok(())
+            }
             other => other.map_err(|e| Failure::Output(format!("{target}: {}", reason(&e)))),
         }
     }
@@ -128,6 +136,7 @@ impl<'a> Session<'a> {
     pub(super) fn finish(&mut self, done: Result<(), Failure>) -> u8 {
         self.watch.end();
         match done {
+            Ok(()) if self.reader_left => READER_LEFT,
             Ok(()) => 0,
             Err(Failure::Interrupted(how_far)) => {
                 self.note(&format!("interrupted: {how_far}"));

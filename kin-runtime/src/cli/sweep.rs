@@ -57,7 +57,7 @@ pub(super) const HELP: Help = Help {
 csv has one header line and one row per instant: t, then every coordinate, its rate (NAME_dot)
 and acceleration (NAME_ddot). Inputs and given coordinates hold at the first instant and go on
 with their acceleration. Where a unilateral condition meets its limit is said on stderr, and in
-json under `events`.
+json under `events`; where it changes too fast to be watched, too, and under `unwatched`.
 
 When a sweep fails midway the finished rows are written and the status is 1. Ctrl-C ends a sweep
 in the same way, with status 130; a second Ctrl-C ends the program at once.",

@@ -263,12 +263,12 @@ impl Write for Closed {
 }
 
 #[test]
-fn a_reader_that_has_gone_is_no_error() {
+fn a_reader_that_has_gone_is_told_nothing_and_the_status_says_so() {
     let args = ["cross_head", "--help"].map(OsString::from).to_vec();
     let mut err = Vec::new();
     assert_eq!(
         run(&mut Bound::new(CrossHead::<DRIVEN>::default()), args, &mut Closed, &mut err, Surroundings::plain()),
-        0
+        141
     );
     assert!(err.is_empty());
 }

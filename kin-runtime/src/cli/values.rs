@@ -159,6 +159,9 @@ pub(super) fn times(option: &str, text: &str) -> Result<Vec<f64>, Failure> {
     Ok(times)
 }
 
+/// Numbers of t that are farther apart than this are named where two instants are one.
+const COARSE: f64 = 1e-3;
+
 /// `steps` + 1 instants from `from` to `to`, both exactly.
 pub(super) fn grid(from: f64, to: f64, steps: usize) -> Result<Vec<f64>, Failure> {
     if steps == 0 {
@@ -169,8 +172,12 @@ pub(super) fn grid(from: f64, to: f64, steps: usize) -> Result<Vec<f64>, Failure
     }
     let length = to - from;
     if length == 0.0 {
-        let what =
-            format!("--from and --to are both {from}; a sweep needs two different instants (or use `solve --at`)");
+        let spacing = from.abs().next_up() - from.abs();
+        let apart =
+            if spacing > COARSE { format!(" (numbers of this size are {spacing} apart)") } else { String::new() };
+        let what = format!(
+            "--from and --to are both {from}{apart}; a sweep needs two different instants (or use `solve --at`)"
+        );
         return Err(Failure::usage(what));
     }
     if !length.is_finite() || from + length / steps as f64 == from || to - length / steps as f64 == to {

@@ -210,9 +210,9 @@ impl Follower {
                 f64::INFINITY
             } else {
                 let rates = if moved {
-                    [&self.here.state.q_dot, &self.here.state.q_ddot]
+                    [self.here.state.q_dot.as_slice(), &self.here.state.q_ddot]
                 } else {
-                    [&self.q_dot, &self.q_ddot]
+                    [self.q_dot.as_slice(), &self.q_ddot]
                 };
                 if !equations.scale.is_known {
                     let q = if moved { &self.here.state.q } else { &self.node.state.q };
@@ -438,7 +438,7 @@ fn rates(
 
 /// The step within which nothing turns by more than is allowed, from a node whose nearest group has this distance from its
 /// limit.
-fn natural_step(equations: &Equations<'_>, [q_dot, q_ddot]: [&Vec<f64>; 2], nearest: f64) -> f64 {
+pub(super) fn natural_step(equations: &Equations<'_>, [q_dot, q_ddot]: [&[f64]; 2], nearest: f64) -> f64 {
     let scale = &equations.scale;
     let most = most_turn(&Control::of(&equations.options), nearest);
     let by_velocity = most / scale.turn(q_dot);

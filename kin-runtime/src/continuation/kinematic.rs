@@ -3,7 +3,7 @@
 use super::follow::Follower;
 use crate::equations::{Equations, finite};
 use crate::error::{SolveError, SweepError};
-use crate::events::Watch;
+use crate::events::{Seen, Watch};
 use crate::linear::Factorization;
 use crate::scale::Scale;
 use crate::state::State;
@@ -57,7 +57,9 @@ fn follow(
     });
     trajectory.fallbacks = follower.fallbacks;
     if let Some(watch) = follower.watch {
-        (trajectory.events, trajectory.violated_at_start) = watch.finish();
+        let Seen { events, violated_at_start, unwatched } = watch.finish();
+        (trajectory.events, trajectory.violated_at_start, trajectory.unwatched) =
+            (events, violated_at_start, unwatched);
     }
     result
 }

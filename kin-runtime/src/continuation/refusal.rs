@@ -1,5 +1,6 @@
 //! Why a motion does not go on.
 
+use super::follow::natural_step;
 use super::step::{Fault, Node, Start};
 use crate::by_plan;
 use crate::contact;
@@ -13,6 +14,10 @@ use crate::workspace::Subset;
 
 /// Pivots below this, at the last configuration before a refused step, say that the motion ends in a singular one.
 const NEARLY_SINGULAR: f64 = 1e-4;
+
+/// Largest spacing of the numbers of t, relative to a step in which the motion turns as far as it may: where it is larger,
+/// the rounding of t moves the mechanism visibly.
+const COARSEST: f64 = 1e-2;
 
 /// Why there is no way on from `start` to the place `refused`; `located` is where the plan has found the limit.
 pub(super) fn refusal(
@@ -28,6 +33,8 @@ pub(super) fn refusal(
         Fault::Jump(row) => (Some(row), Refusal::WouldJump),
         Fault::Coarse(_) => (None, Refusal::StepTooSmall),
     };
+    let spacing = f64::EPSILON * start.s.abs();
+    let reason = if spacing > COARSEST * natural_step(equations, [start.q_dot, start.q_ddot], 1.0) { Refusal::TimeTooCoarse } else { reason };
     let t_refused = equations.time_at(refused);
     let Node { state: State { q, .. }, .. } = start.node;
     let groups = &start.basis.groups;

@@ -70,6 +70,11 @@ pub enum GeometryFault {
         /// The distance.
         length: f64,
     },
+    /// The distance that the joint keeps is negative, which no distance is.
+    NegativeLength {
+        /// The distance.
+        length: f64,
+    },
 }
 
 impl fmt::Display for GeometryFault {
@@ -81,6 +86,7 @@ impl fmt::Display for GeometryFault {
             Self::Length { length } => {
                 write!(f, "its length is {length}; points that coincide are joined with `revolute`")
             }
+            Self::NegativeLength { length } => write!(f, "its length is {length}; a length is not negative"),
         }
     }
 }

@@ -65,6 +65,14 @@ impl fmt::Display for SolveError {
             Self::StepRefused { t, t_refused, reason: reason @ Refusal::StepTooSmall, .. } => {
                 write!(f, "the velocities cannot be integrated beyond t = {t} to t = {t_refused}: {reason}")
             }
+            Self::StepRefused { t, reason: Refusal::TimeTooCoarse, .. } => {
+                let spacing = t.abs().next_up() - t.abs();
+                write!(
+                    f,
+                    "the motion cannot be followed from t = {t:e}: the next number is {spacing} away, too far for a step of \
+                     this motion; let t begin at a smaller number"
+                )
+            }
             Self::StepRefused { t, t_refused, row_name, joint, reason, limit } => {
                 write!(
                     f,

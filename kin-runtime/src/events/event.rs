@@ -46,6 +46,31 @@ pub struct Event {
     pub state: State,
 }
 
+/// A stretch of a sweep in which a unilateral condition changes too fast to be watched, or the motion could not be solved
+/// between two instants: there the condition may have met its limit more often than the events say.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Unwatched {
+    /// Name of the condition.
+    pub name: &'static str,
+    /// Its place in [`Model::conditions`](crate::model::Model::conditions).
+    pub condition: usize,
+    /// Time at which the stretch begins, in the direction of the sweep.
+    pub from: f64,
+    /// Time at which it ends.
+    pub to: f64,
+}
+
+/// `limit was not watched from t = 0.3 to t = 0.4`.
+impl fmt::Display for Unwatched {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} was not watched from t = ", self.name)?;
+        number(f, &self.from)?;
+        f.write_str(" to t = ")?;
+        number(f, &self.to)
+    }
+}
+
 /// `limit violated at t = 0.3`.
 impl fmt::Display for Event {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

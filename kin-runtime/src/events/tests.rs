@@ -2,7 +2,7 @@
 
 use super::root::{Value, bracket, tolerance};
 use super::sample::Sample;
-use super::shape::{Shape, shape};
+use super::shape::{Shape, doubt, is_known, shape};
 use super::watch::Watch;
 use crate::curve::CurvePoint;
 use crate::equations::Equations;
@@ -79,7 +79,7 @@ fn course(c: [f64; 4], a: f64, b: f64) -> Shape {
         let value = c[0] + t * (c[1] + t * (c[2] + t * c[3]));
         sample(t, value, c[1] + t * (2.0 * c[2] + 3.0 * t * c[3]), 2.0 * c[2] + 6.0 * t * c[3])
     };
-    shape(&at(a), &at(b))
+    shape(&at(a), &at(b), 0.0)
 }
 
 #[test]
@@ -93,9 +93,48 @@ fn shapes_are_what_they_are_called() {
     }
     // Two values alike with a wave between them.
     let wave = |t: f64| sample(t, t.sin() + 0.5, t.cos(), -t.sin());
-    assert_eq!(shape(&wave(0.1), &wave(0.1 + core::f64::consts::TAU)), Shape::Unclear);
+    assert_eq!(shape(&wave(0.1), &wave(0.1 + core::f64::consts::TAU), 0.0), Shape::Unclear);
     let unknown = sample(1.0, 0.1, f64::NAN, f64::NAN);
-    assert_eq!(shape(&sample(0.0, 1.0, 0.0, 0.0), &unknown), Shape::Unclear);
+    assert_eq!(shape(&sample(0.0, 1.0, 0.0, 0.0), &unknown, 0.0), Shape::Unclear);
+}
+
+/// Three samples of a wave of which the first and the last are `width` apart.
+fn wave(from: f64, width: f64, place: f64) -> [Sample; 3] {
+    [0.0, place, 1.0].map(|s| {
+        let t = from + s * width;
+        sample(t, t.sin(), t.cos(), -t.sin())
+    })
+}
+
+/// A slow course is foretold to the last digits; one with waves between its samples is not, whatever they look like.
+#[test]
+fn a_third_sample_shows_what_two_do_not() {
+    let quintic = |t: f64| sample(t, t.powi(5) - t, 5.0 * t.powi(4) - 1.0, 20.0 * t.powi(3));
+    assert!(doubt(&quintic(-0.4), &quintic(0.3), &quintic(1.0)) < 1e-13);
+    for from in 0..60 {
+        let from = 0.1 * f64::from(from);
+        for place in [0.3, 0.5, 0.7] {
+            let [a, m, b] = wave(from, 0.3, place);
+            assert!(doubt(&a, &m, &b) < 1e-5 && is_known(&a, &b, doubt(&a, &m, &b)));
+            assert!(doubt(&b, &m, &a) < 1e-5, "time may run backwards");
+            for waves in 2..40 {
+                let [a, m, b] = wave(from, core::f64::consts::TAU * f64::from(waves), place);
+                assert!(doubt(&a, &m, &b) > 1.0, "{waves} waves from {from}");
+            }
+        }
+    }
+    // A sample beside an end says nothing of the rest, and one without a derivative nothing at all.
+    let [a, m, b] = wave(0.0, 1e-3, 0.01);
+    assert_eq!(doubt(&a, &m, &b), f64::INFINITY);
+    let [a, m, b] = wave(0.0, 0.1, 0.5);
+    assert!(doubt(&a, &Sample { rate: f64::NAN, ..m }, &b).is_nan());
+    assert_eq!(shape(&a, &b, f64::NAN), Shape::Unclear);
+    // What two samples take for a parabola, a third one need not.
+    let parabola = |t: f64| sample(t, 3.0 - t * t, -2.0 * t, -2.0);
+    let wavy = sample(0.1, 0.5, 4.0, 30.0);
+    assert_eq!(shape(&parabola(-1.0), &parabola(1.0), 0.0), Shape::Clear);
+    let doubted = doubt(&parabola(-1.0), &wavy, &parabola(1.0));
+    assert_eq!(shape(&parabola(-1.0), &parabola(1.0), doubted), Shape::Unclear);
 }
 
 #[test]

@@ -1,16 +1,23 @@
 //! The watch over all conditions of a sweep.
 
-use super::event::{Crossing, Event};
+use super::event::{Crossing, Event, Unwatched};
 use super::root::{Value, bracket, tolerance};
 use super::sample::{Sample, samples};
-use super::shape::{Shape, shape};
+use super::shape::{Shape, doubt, is_known, shape};
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::motion::poses;
 use crate::state::State;
+use std::collections::HashMap;
 
-/// How often an unclear interval is halved.
-const HALVINGS: usize = 9;
+/// How often an interval is halved in which samples do not foretell one another; what is shorter is an instant.
+const HALVINGS: usize = 30;
+/// How often in a row it is halved where they do: what is unclear then is so near to zero that rounding decides.
+const HALVINGS_OF_KNOWN: usize = 9;
+/// Most samples in one step of the sweep that halving may take for one condition.
+const PATIENCE: usize = 1 << 14;
+/// The same, at least, after steps in which they were not enough.
+const IMPATIENCE: usize = 1 << 6;
 
 /// The state of a motion at a time between two states that it passed; none where it cannot be solved.
 pub(crate) type Between<'f> = dyn FnMut(&mut Equations<'_>, f64) -> Option<State> + 'f;
@@ -21,11 +28,23 @@ pub(crate) struct Watch {
     /// The last state, and its samples.
     state: State,
     samples: Vec<Sample>,
+    /// The samples of the state before that; none at the start.
+    earlier: Vec<Sample>,
+    /// How many samples each condition may take in the next step.
+    patience: Vec<usize>,
     /// Whether each condition is satisfied; unknown where the sweep begins at the limit, until it moves.
     satisfied: Vec<Option<bool>>,
     /// Conditions violated at the first instant.
     violated_at_start: Vec<usize>,
     events: Vec<Event>,
+    unwatched: Vec<Unwatched>,
+}
+
+/// What a watch has seen.
+pub(crate) struct Seen {
+    pub(crate) events: Vec<Event>,
+    pub(crate) violated_at_start: Vec<usize>,
+    pub(crate) unwatched: Vec<Unwatched>,
 }
 
 impl Watch {
@@ -38,7 +57,16 @@ impl Watch {
         let known = |s: &Sample| (s.value.abs() > s.noise).then_some(s.value > 0.0);
         let satisfied: Vec<Option<bool>> = samples.iter().map(known).collect();
         let violated_at_start = (0..satisfied.len()).filter(|&k| satisfied[k] == Some(false)).collect();
-        Ok(Some(Self { state: state.clone(), samples, satisfied, violated_at_start, events: Vec::new() }))
+        Ok(Some(Self {
+            state: state.clone(),
+            earlier: Vec::new(),
+            patience: vec![PATIENCE; samples.len()],
+            samples,
+            satisfied,
+            violated_at_start,
+            events: Vec::new(),
+            unwatched: Vec::new(),
+        }))
     }
 
     /// Looks at the motion from the last state to `to`; `between` gives its states in between, `to` included.
@@ -63,7 +91,8 @@ impl Watch {
                 *end = better;
             }
         }
-        let before = self.events.len();
+        let (before, unwatched_before) = (self.events.len(), self.unwatched.len());
+        let mut known = HashMap::new();
         for (condition, &end) in ends.iter().enumerate() {
             let start = self.samples[condition];
             let side = self.satisfied[condition].unwrap_or_else(|| {
@@ -74,19 +103,40 @@ impl Watch {
                 side
             });
             let (equations, between) = (&mut *equations, &mut *between);
-            let mut search = Search { equations, between, condition, step: h, side, found: Vec::new() };
-            search.between(&start, &end, HALVINGS);
+            // The step before foretells this one; the other way, or after a much longer or shorter step, it does not.
+            let doubt = self.earlier.get(condition).map_or(f64::INFINITY, |earlier| doubt(earlier, &start, &end));
+            let patience = self.patience[condition];
+            let (known, found, lost) = (&mut known, Vec::new(), Vec::new());
+            let mut search = Search { equations, between, known, condition, step: h, side, patience, found, lost };
+            search.between(&start, &end, doubt, Depth::default());
             self.satisfied[condition] = Some(search.side);
-            for Found { crossing, ends } in search.found {
+            self.patience[condition] = if search.patience > 0 { PATIENCE } else { (patience / 4).max(IMPATIENCE) };
+            let Search { found, lost, .. } = search;
+            let name = equations.model.conditions[condition].name;
+            self.unwatched.extend(lost.into_iter().map(|[from, to]| Unwatched { name, condition, from, to }));
+            for Found { crossing, ends } in found {
                 let event = self.event(equations, between, to, condition, crossing, ends)?;
                 self.events.push(event);
             }
         }
         self.violated_at_start.sort_unstable();
         self.events[before..].sort_by(|a, b| (a.t * h.signum()).total_cmp(&(b.t * h.signum())));
+        self.join_unwatched(unwatched_before);
         self.state = to.clone();
-        self.samples = ends;
+        self.earlier = core::mem::replace(&mut self.samples, ends);
         Ok(())
+    }
+
+    /// Joins what was not watched in this step, from the place `new` on, to what was not watched in the step before, where
+    /// one begins at the end of the other.
+    fn join_unwatched(&mut self, new: usize) {
+        for next in self.unwatched.split_off(new) {
+            let known = self.unwatched.iter_mut().rev();
+            match known.take(2 * self.samples.len()).find(|k| k.condition == next.condition && k.to == next.from) {
+                Some(before) => before.to = next.to,
+                None => self.unwatched.push(next),
+            }
+        }
     }
 
     /// The state at a located event.
@@ -124,16 +174,22 @@ impl Watch {
     pub(crate) fn keep_first(&mut self) {
         if let Some(first) = self.events.first().map(|event| event.t) {
             self.events.retain(|event| (event.t - first).abs() <= 2.0 * tolerance(first.abs()));
+            // Later stretches belong to a motion that does not take place.
+            let forwards = self.unwatched.first().is_none_or(|unwatched| unwatched.from < unwatched.to);
+            let is_before = |t: f64| if forwards { t < first } else { t > first };
+            self.unwatched.retain(|unwatched| is_before(unwatched.from));
+            self.unwatched.iter_mut().filter(|unwatched| !is_before(unwatched.to)).for_each(|it| it.to = first);
         }
     }
 
-    /// Everything that was seen: the events, and the conditions that were violated at the first instant.
-    pub(crate) fn finish(mut self) -> (Vec<Event>, Vec<usize>) {
+    /// Everything that was seen.
+    pub(crate) fn finish(mut self) -> Seen {
         let at_limit = |k: &usize| self.satisfied[*k].is_none() && self.samples[*k].value <= 0.0;
         let still: Vec<usize> = (0..self.satisfied.len()).filter(at_limit).collect();
         self.violated_at_start.extend(still);
         self.violated_at_start.sort_unstable();
-        (self.events, self.violated_at_start)
+        let Self { events, violated_at_start, unwatched, .. } = self;
+        Seen { events, violated_at_start, unwatched }
     }
 }
 
@@ -143,41 +199,94 @@ struct Found {
     ends: [Value; 2],
 }
 
+/// How often an interval has been halved.
+#[derive(Clone, Copy, Default)]
+struct Depth {
+    halved: usize,
+    /// How often in a row where the samples foretold one another.
+    known: usize,
+}
+
 /// The search for one condition between two states.
 struct Search<'s, 'e, 'a, 'b> {
     equations: &'e mut Equations<'a>,
     between: &'b mut Between<'s>,
+    /// The samples of all conditions at the times of this step that any of them asked for.
+    known: &'b mut HashMap<u64, Option<Vec<Sample>>>,
     condition: usize,
     /// Time from one state to the other, with its sign.
     step: f64,
     /// Whether the condition is satisfied where the search has come to.
     side: bool,
+    /// How many more samples halving may take.
+    patience: usize,
     found: Vec<Found>,
+    /// Where the condition was not watched, from and to.
+    lost: Vec<[f64; 2]>,
 }
 
 impl Search<'_, '_, '_, '_> {
     /// The condition at a time in between; none where the motion cannot be solved there.
     fn sample(&mut self, t: f64) -> Option<Sample> {
-        let state = (self.between)(self.equations, t)?;
-        samples(self.equations, &state).ok()?.get(self.condition).copied()
+        let Self { equations, between, known, .. } = self;
+        let all = known.entry(t.to_bits()).or_insert_with(|| {
+            let state = between(equations, t)?;
+            samples(equations, &state).ok()
+        });
+        all.as_ref()?.get(self.condition).copied()
     }
 
-    fn between(&mut self, a: &Sample, b: &Sample, halvings: usize) {
-        match shape(a, b) {
+    /// What happens between two samples, which say what g is but for `doubt`.
+    fn between(&mut self, a: &Sample, b: &Sample, doubt: f64, depth: Depth) {
+        match shape(a, b, doubt) {
+            Shape::Unclear if depth.halved == HALVINGS || depth.known == HALVINGS_OF_KNOWN => self.monotone(a, b),
+            Shape::Unclear => match self.middle(a, b) {
+                Some(middle) => self.halve([a, &middle, b], doubt, depth),
+                None => self.lose(a, b),
+            },
+            known => self.take(known, a, b),
+        }
+    }
+
+    /// What happens in an interval with a sample in its middle, that may be enough to believe what the ends say.
+    fn halve(&mut self, [a, middle, b]: [&Sample; 3], before: f64, depth: Depth) {
+        let doubt = self::doubt(a, middle, b);
+        let whole = if doubt < before { shape(a, b, doubt) } else { Shape::Unclear };
+        if whole != Shape::Unclear {
+            return self.take(whole, a, b);
+        }
+        let known = if is_known(a, b, doubt) { depth.known + 1 } else { 0 };
+        let depth = Depth { halved: depth.halved + 1, known };
+        self.between(a, middle, doubt, depth);
+        self.between(middle, b, doubt, depth);
+    }
+
+    /// What happens on a course whose shape is known.
+    fn take(&mut self, shape: Shape, a: &Sample, b: &Sample) {
+        match shape {
             Shape::Clear | Shape::Still => {}
-            Shape::Monotone => self.monotone(a, b),
             Shape::Turning => self.turning(a, b),
-            Shape::Unclear => {
-                let middle = if halvings > 0 { self.sample(a.t + 0.5 * (b.t - a.t)) } else { None };
-                match middle {
-                    Some(middle) => {
-                        self.between(a, &middle, halvings - 1);
-                        self.between(&middle, b, halvings - 1);
-                    }
-                    None => self.monotone(a, b),
-                }
+            Shape::Monotone | Shape::Unclear => self.monotone(a, b),
+        }
+    }
+
+    /// The sample in the middle, if there is the patience for another one.
+    fn middle(&mut self, a: &Sample, b: &Sample) -> Option<Sample> {
+        self.patience = self.patience.checked_sub(1)?;
+        self.sample(a.t + 0.5 * (b.t - a.t))
+    }
+
+    /// Does without a sample in between: what both ends say by themselves is taken for the whole, and where they say
+    /// nothing, that is noted.
+    fn lose(&mut self, a: &Sample, b: &Sample) {
+        let alone = if self.patience > 0 { shape(a, b, 0.0) } else { Shape::Unclear };
+        if alone == Shape::Unclear {
+            match self.lost.last_mut() {
+                Some([_, to]) if *to == a.t => *to = b.t,
+                _ => self.lost.push([a.t, b.t]),
             }
         }
+        self.take(alone, a, b);
     }
 
     /// One crossing where the ends lie on different sides.

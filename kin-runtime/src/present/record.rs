@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::condition::EventRecord;
 use super::plan::ModeRecord;
 use super::text::coordinate_names;
+use crate::events::Unwatched;
 use crate::mobility::Mobility;
 use crate::model::Model;
 use crate::modes::Mode;
@@ -127,6 +128,8 @@ pub(crate) struct SweepRecord<'a> {
     stopped: bool,
     violated_at_start: Vec<&'static str>,
     events: Vec<EventRecord<'a>>,
+    /// Where conditions were too fast to be watched.
+    unwatched: &'a [Unwatched],
     /// Internal steps of full Newton although there is a plan.
     fallbacks: &'a [Fallback],
     states: States<'a>,
@@ -193,6 +196,7 @@ impl<'a> SweepRecord<'a> {
             stopped: trajectory.stopped,
             violated_at_start: trajectory.violated_at_start().map(|condition| condition.name).collect(),
             events: trajectory.events.iter().map(EventRecord::new).collect(),
+            unwatched: &trajectory.unwatched,
             fallbacks: &trajectory.fallbacks,
             states: States {
                 count: trajectory.states.len(),

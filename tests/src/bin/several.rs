@@ -30,6 +30,16 @@ impl Default for WrongCam {
     }
 }
 
+/// A condition that may be faster than any sweep.
+#[mechanism]
+#[coordinates(u)]
+#[driver(drive: u = t)]
+#[unilateral(teeth: sin(k * u) > 0.3)]
+struct Teeth {
+    #[param(1)]
+    k: f64,
+}
+
 fn main() -> ExitCode {
     let mut args: Vec<OsString> = std::env::args_os().collect();
     let name = if args.len() > 1 { args.remove(1) } else { OsString::new() };
@@ -43,10 +53,11 @@ fn main() -> ExitCode {
         Some("limits") => run_from::<StrokeLimits>(args),
         Some("redundant") => run_from::<RedundantParallelogram>(args),
         Some("singular") => run_from::<SingularSliderCrank>(args),
+        Some("teeth") => run_from::<Teeth>(args),
         Some("underdriven") => run_from::<UnderdrivenFivebar>(args),
         _ => {
             eprintln!(
-                "error: the first argument is cam, wrong_cam, fourbar, ends, infeasible, leg, limits, redundant, singular or underdriven"
+                "error: the first argument is cam, wrong_cam, fourbar, ends, infeasible, leg, limits, redundant, singular, teeth or underdriven"
             );
             ExitCode::from(2)
         }

@@ -1,6 +1,7 @@
 //! `--out`: the form by the ending, and files that are there whole or not at all.
 
 use std::fs;
+use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -133,9 +134,9 @@ fn several() -> &'static str {
     env!("CARGO_BIN_EXE_several")
 }
 
-/// `… | head`: no error, no panic, for any command.
+/// `… | head`: no word and no panic, but a status that says that not all was written, for any command.
 #[test]
-fn a_reader_that_leaves_is_no_error_of_any_command() {
+fn a_reader_that_leaves_is_told_nothing_and_the_status_says_so() {
     let lines = [
         "",
         "-h",
@@ -151,16 +152,43 @@ fn a_reader_that_leaves_is_no_error_of_any_command() {
         "sweep --to 1 --steps 5000 --out -",
     ];
     for line in lines {
-        let mut child = Command::new(several())
+        // The reader has left before anything is written, however little that is.
+        let (reader, writer) = std::io::pipe().expect("a pipe");
+        drop(reader);
+        let child = Command::new(several())
             .arg("fourbar")
             .args(line.split_whitespace())
+            .stdout(writer)
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the program starts");
+        let output = child.wait_with_output().expect("the program ends");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!((output.status.code(), said.as_str()), (Some(141), ""), "{line}");
+    }
+}
+
+/// A reader of the first line, of an answer that no pipe holds whole; and one of all of it.
+#[test]
+fn the_status_is_0_only_when_all_was_written() {
+    let sweep = "fourbar sweep --to 1 --steps 5000 --format csv";
+    for (whole, status) in [(false, 141), (true, 0)] {
+        let mut child = Command::new(several())
+            .args(sweep.split_whitespace())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn()
             .expect("the program starts");
-        drop(child.stdout.take());
+        let mut out = BufReader::new(child.stdout.take().expect("a pipe"));
+        let mut first = String::new();
+        out.read_line(&mut first).expect("a line");
+        assert!(first.starts_with("t,"), "{first}");
+        if whole {
+            assert_eq!(out.lines().count(), 5001);
+        } else {
+            drop(out);
+        }
         let output = child.wait_with_output().expect("the program ends");
-        let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!((output.status.code(), said.as_str()), (Some(0), ""), "{line}");
+        assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(status), &b""[..]));
     }
 }

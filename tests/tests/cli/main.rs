@@ -9,6 +9,7 @@ mod help;
 #[cfg(target_os = "linux")]
 mod interrupt;
 mod terminal;
+mod unwatched;
 
 use serde_json::Value;
 

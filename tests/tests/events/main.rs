@@ -1,5 +1,6 @@
 //! Unilateral conditions: limits are met where closed forms say, in either direction of time, and nothing else changes.
 
+mod fast;
 mod one_step;
 mod surroundings;
 mod touches;

@@ -1,8 +1,8 @@
 //! Laws of what a mechanism reports besides q: poses, points, named expressions, joint quantities, ratios.
 
 use crate::motion::swept;
-use kin_runtime::model::{Level, Observable, Point};
-use kin_runtime::{Instant, Kinematics, Mechanism, Motion, Signal};
+use kin_runtime::model::{Level, Observable, Point, RowInfo};
+use kin_runtime::{Instant, Kinematics, Mechanism, Motion, Signal, State};
 use kin_tests::compare::{Differences, largest};
 use kin_tests::stencil::Stencil;
 
@@ -85,7 +85,23 @@ pub(crate) fn point_jacobians_give_velocities<M: Kinematics + Default>(from: f64
     assert_eq!(2 * M::model().points.len(), named);
 }
 
-/// The driving rows' own shares of q̇ add up to q̇.
+/// True for a row of a joint that a held coordinate moves: it is rheonomic and does not drive.
+fn is_moved(row: &RowInfo) -> bool {
+    row.rheonomic && !row.driving
+}
+
+/// Φ_q times a vector.
+fn times_phi_q<M: Mechanism>(mechanism: &M, state: &State, vector: &[f64]) -> Vec<f64> {
+    let phi_q = mechanism.jacobian(&state.instant(), &state.q).unwrap();
+    let mut product = vec![0.0; M::ROWS];
+    for (&(row, column), entry) in M::model().constraint_pattern.entries.iter().zip(phi_q.as_ref()) {
+        product[row] += entry * vector[column];
+    }
+    product
+}
+
+/// The driving rows' own shares of q̇ add up to q̇. What is missing where held coordinates move is their share: it is
+/// what the rows of the joints that they move ask for, and changes no other row.
 pub(crate) fn velocity_ratios_add_up<M: Kinematics + Default>(from: f64, to: f64) {
     let mechanism = M::default();
     let driving = M::model().rows.iter().filter(|row| row.driving).count();
@@ -95,6 +111,16 @@ pub(crate) fn velocity_ratios_add_up<M: Kinematics + Default>(from: f64, to: f64
         assert_eq!(driving, ratios.len());
         let sum: Vec<f64> = (0..M::COORDINATES).map(|k| ratios.iter().map(|ratio| ratio.q_dot[k]).sum()).collect();
         differences.at(format_args!("t = {}", state.t));
+        if M::model().rows.iter().any(is_moved) {
+            let rest = state.q_dot.iter().zip(&sum).map(|(whole, shares)| whole - shares);
+            let rest = times_phi_q(&mechanism, state, &rest.collect::<Vec<_>>());
+            let phi_t = mechanism.time_derivative(&state.instant(), &state.q).unwrap();
+            let expected = M::model().rows.iter().zip(phi_t.as_ref());
+            let expected: Vec<f64> = expected.map(|(row, phi_t)| if is_moved(row) { -phi_t } else { 0.0 }).collect();
+            let name = |place: usize| M::model().rows[place].name;
+            differences.vector("Φ_q times the rest", name, &expected, &rest, 1e-11 * largest(&state.q_dot).max(1.0));
+            continue;
+        }
         let name = |place: usize| M::model().coordinates[place].name;
         differences.vector("sum of shares", name, &state.q_dot, &sum, 1e-11 * largest(&state.q_dot));
         if let [only] = &ratios[..] {

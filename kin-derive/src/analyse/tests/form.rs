@@ -1,4 +1,4 @@
-use super::{equation, errors, messages, one_error, pendulum, tokens};
+use super::{equation, errors, good, messages, one_error, pendulum, tokens};
 use crate::analyse::analyse;
 
 #[test]
@@ -24,6 +24,9 @@ fn expressions_say_what_would_be_right() {
         ("3u8", "suffix `u8`"),
         ("1f32", "suffix `f32`"),
         ("1e999", "too large"),
+        ("1e400", "too large"),
+        ("1e-400 * u", "too small and would become 0"),
+        ("0.001E-330", "too small and would become 0"),
         ("'u'", "expected a number"),
         ("std::f64::consts::PI", "paths"),
         ("max!(u)", "macros"),
@@ -88,16 +91,63 @@ fn depth_is_bounded() {
         deep(45),
         deep(400),
         format!("{}u", "-".repeat(5000)),
-        format!("u{}", " + v".repeat(5000)),
         format!("u{}", ".sin()".repeat(5000)),
         format!("{}u{}", "sin(".repeat(44), ")".repeat(44)),
         format!("{}l1{}", "distance(ground @ (".repeat(20), ", 0), ground @ (0, 0))".repeat(20)),
     ] {
         assert!(errors(&equation(&source)).len() <= 1, "{:?} {source}", errors(&equation(&source)));
     }
-    assert!(!errors(&equation(&format!("u{}", " + v".repeat(300)))).is_empty());
-    assert!(errors(&equation(&format!("u{}", " + v".repeat(150)))).is_empty());
+    assert_eq!(errors(&equation(&format!("u{}", ".sin()".repeat(300)))).len(), 1);
+    assert!(errors(&equation(&format!("u{}", ".sin()".repeat(150)))).is_empty());
     assert_eq!(errors(&equation(&deep(400))).len(), 1);
+}
+
+/// Zero is zero, however it is written, and the smallest number is none too small.
+#[test]
+fn numbers_that_are_zero_or_tiny_are_read() {
+    for number in ["0.0", "0e-400", "00.000E5", "5e-324", "1e-320", "0x0"] {
+        assert!(errors(&equation(&format!("u + v + {number}"))).is_empty(), "{number}");
+    }
+    one_error("#[coordinates(u)] #[driver(d: u = t)] struct S { #[param(1e-400)] l: f64 }", &["too small"]);
+    one_error("#[coordinates(u)] #[driver(d: u = t)] struct S { #[param([1, 1e400])] l: [f64; 2] }", &["too large"]);
+}
+
+/// Sums and products are long, not deep.
+#[test]
+fn long_sums_and_products_are_read() {
+    for count in [2, 15, 16, 17, 18, 31, 200, 500, 5000] {
+        let sum: String = (0..count).map(|k| format!("{} {k}.5 * u", if k % 3 == 1 { " -" } else { " +" })).collect();
+        let product: String =
+            (0..count).map(|k| format!(" {} (u + {k})", if k % 5 == 2 { "/" } else { "*" })).collect();
+        for source in [format!("v{sum}"), format!("v{product}"), format!("sin(v{sum}) - (u{sum})")] {
+            assert_eq!(errors(&equation(&source)), Vec::<String>::new(), "{count}");
+        }
+    }
+}
+
+/// A long chain is worth what it is from left to right.
+#[test]
+fn long_chains_of_numbers_have_their_value() {
+    for count in 1..80_u32 {
+        for pattern in [0b1_u32, 0b10, 0b101, 0b110_1001, 0xffff_ffff, 0x9a3c_55e1] {
+            let taken = |k: u32| pattern.rotate_right(k) & 1 == 1;
+            let (mut sum, mut product, mut sums, mut products) = (1.0, 1.0, "1".to_owned(), "1".to_owned());
+            for k in 1..count {
+                let value = 1.0 + f64::from(k % 7) / 8.0;
+                sum += if taken(k) { -value } else { value };
+                product *= if taken(k) { 1.0 / value } else { value };
+                sums += &format!(" {} {value}", if taken(k) { "-" } else { "+" });
+                products += &format!(" {} {value}", if taken(k) { "/" } else { "*" });
+            }
+            let source = format!(
+                "#[coordinates(u)] #[driver(d: u = t)] struct S {{ #[param({sums})] a: f64, #[param({products})] b: f64 }}"
+            );
+            let parameters = good(&source).mechanism.parameters;
+            let [a, b] = [0, 1].map(|k| parameters[k].default.as_ref().unwrap()[0]);
+            assert_eq!(a, sum, "{sums}");
+            assert!((b - product).abs() <= 1e-13 * product, "{products}");
+        }
+    }
 }
 
 #[test]

@@ -1,0 +1,120 @@
+//! A distance below 0 does not exist: it is an error by name, wherever the length comes from.
+
+use kin_runtime::{GeometryFault, Instant, Kinematics, Signal, SolveError, Solver, mechanism};
+
+/// A four-bar whose coupler is a massless link, on a crank given by its local points.
+#[mechanism]
+#[bodies(crank, rocker)]
+#[revolute(O: ground @ (0, 0), crank @ (-l1 / 2, 0))]
+#[distance(link: crank @ (l1 / 2, 0), rocker @ (0.3, 0), length = l2)]
+#[revolute(D: rocker @ (0, 0), ground @ (0.4, 0.1))]
+#[driver(turn: crank.phi = 0.5 + t)]
+#[guess(rocker.phi = 1.6)]
+#[derive(Clone)]
+struct Linked {
+    #[param(0.1)]
+    l1: f64,
+    #[param(0.4)]
+    l2: f64,
+}
+
+/// A boom on a cylinder that is measured.
+#[mechanism]
+#[bodies(boom)]
+#[input(cylinder)]
+#[revolute(foot: ground @ (0, 0), boom @ (0, 0))]
+#[distance(lift: ground @ (0.5, -0.2), boom @ (1.0, 0.1), length = cylinder)]
+#[guess(boom.phi = 0.7)]
+struct Boom;
+
+/// The same boom, its cylinder driven.
+#[mechanism]
+#[bodies(boom)]
+#[point(eye = boom @ (1.0, 0.1))]
+#[revolute(foot: ground @ (0, 0), boom @ (0, 0))]
+#[driver(lift: distance(ground @ (0.5, -0.2), eye) = from + speed * t)]
+#[guess(boom.phi = 0.7)]
+struct Driven {
+    #[param(0.9)]
+    from: f64,
+    #[param(0.1)]
+    speed: f64,
+}
+
+fn fault(error: SolveError) -> (f64, &'static str, f64) {
+    let shown = error.to_string();
+    match error {
+        SolveError::DegenerateGeometry { t, joint, fault: GeometryFault::NegativeLength { length } } => {
+            assert!(shown.contains(joint) && shown.contains(&length.to_string()), "{shown}");
+            (t, joint, length)
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_negative_parameter_is_an_error_in_every_analysis() {
+    let at = Instant::at(0.25);
+    let sound = Linked::default();
+    let q = sound.state_at(&at).unwrap().q;
+    let wrong = Linked { l2: -0.4, ..sound.clone() };
+    assert_eq!(fault(wrong.state_at(&at).unwrap_err()), (0.25, "link", -0.4));
+    assert_eq!(fault(wrong.position_analysis(&at, &q).unwrap_err()), (0.25, "link", -0.4));
+    assert_eq!(fault(wrong.velocity_analysis(&at, &q).unwrap_err()), (0.25, "link", -0.4));
+    assert_eq!(fault(wrong.mobility(&at, &q).unwrap_err()), (0.25, "link", -0.4));
+    assert_eq!(fault(wrong.solver().sweep(&[0.25, 1.0]).unwrap_err().source), (0.25, "link", -0.4));
+    assert!(wrong.solver().tracker(&at).is_err());
+    // A local point on the other side is a point like any other.
+    let turned = Linked { l1: -0.1, ..sound }.state_at(&at).unwrap();
+    assert!(turned.residual < 1e-12);
+}
+
+fn cylinder(value: f64) -> [Signal; 1] {
+    [Signal::constant(value)]
+}
+
+#[test]
+fn a_measured_length_is_looked_at_in_every_instant() {
+    let mut tracker = Boom.solver().tracker(&Instant { t: 0.0, inputs: &cylinder(0.9) }).unwrap();
+    let wrong = cylinder(-0.9);
+    let at = Instant { t: 0.5, inputs: &wrong };
+    assert_eq!(fault(tracker.update(&at).map(|_| ()).unwrap_err()), (0.5, "lift", -0.9));
+    assert_eq!(fault(tracker.restart(&at).map(|_| ()).unwrap_err()), (0.5, "lift", -0.9));
+    // The last good instant stays, and the tracker goes on from there.
+    assert_eq!(tracker.state().t, 0.0);
+    assert!(tracker.update(&Instant { t: 1.0, inputs: &cylinder(0.95) }).is_ok());
+    assert_eq!(fault(Boom.state_at(&at).unwrap_err()), (0.5, "lift", -0.9));
+    // As a function of time, in one jump from one positive length over the negative ones to another.
+    let jump = |t: f64, u: &mut [Signal]| u[0] = Signal::constant(if t == 0.0 { 0.9 } else { -0.9 });
+    let error = Boom.solver().with_inputs(&jump).sweep(&[0.0, 1.0]).unwrap_err();
+    assert_eq!(error.trajectory.states.len(), 1);
+    let (_, joint, length) = fault(error.source);
+    assert_eq!((joint, length), ("lift", -0.9));
+}
+
+#[test]
+fn a_driven_length_is_looked_at_in_every_instant() {
+    let sound = Driven::default();
+    assert!(sound.state_at(&Instant::at(1.0)).is_ok());
+    assert_eq!(fault(Driven { from: -0.9, speed: 0.0 }.state_at(&Instant::at(2.0)).unwrap_err()), (2.0, "lift", -0.9));
+    let shrinking = Driven { from: 0.9, speed: -1.0 };
+    let (t, joint, length) = fault(shrinking.state_at(&Instant::at(2.0)).unwrap_err());
+    assert_eq!((t, joint), (2.0, "lift"));
+    assert!((length + 1.1).abs() < 1e-15);
+    // The sweep ends before that, where the boom cannot reach its foot any more.
+    let solver: Solver<'_, Driven> = shrinking.solver();
+    assert!(solver.sweep(&[0.0, 0.2, 2.0]).unwrap_err().trajectory.states.len() == 2);
+}
+
+#[test]
+fn a_length_of_nothing_is_what_it_was() {
+    let error = Driven { from: 0.0, speed: 0.0 }.state_at(&Instant::at(0.0)).unwrap_err();
+    assert!(
+        !matches!(error, SolveError::DegenerateGeometry { fault: GeometryFault::NegativeLength { .. }, .. }),
+        "{error}"
+    );
+    assert!(!matches!(
+        Driven { from: -0.0, speed: 0.0 }.state_at(&Instant::at(0.0)).unwrap_err(),
+        SolveError::DegenerateGeometry { fault: GeometryFault::NegativeLength { .. }, .. }
+    ));
+}
