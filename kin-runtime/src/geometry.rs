@@ -44,7 +44,7 @@ pub(crate) fn without_direction(equations: &Equations<'_>) -> Option<SolveError>
 }
 
 /// True for a joint that keeps a distance between two points: a link, a cylinder, or a driver of a distance.
-fn keeps_distance(joint: &JointInfo) -> bool {
+pub(crate) fn keeps_distance(joint: &JointInfo) -> bool {
     joint.kind == JointKind::Distance
         || joint.kind == JointKind::Driver && joint.geometry.iter().any(|geometry| geometry.role == Role::Q)
 }

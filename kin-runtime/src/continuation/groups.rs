@@ -12,6 +12,9 @@ use crate::planned::limit::{blurred_group, largest_angle};
 /// Nearer than this to where its branches meet a group is on neither of them: as near as rounding lets it be told.
 const SMALLEST: f64 = 1e-6;
 
+/// Condition numbers of the scaled Φ_q below which no configuration is near to a singular one.
+const REGULAR: f64 = 1e3;
+
 /// Deviation of a closure from its prediction, relative to the larger one, where redundant rows carry the motion past its
 /// limit; and how near to it both may be.
 const PASSING: f64 = 0.5;
@@ -47,9 +50,9 @@ pub(super) fn stay([before, predicted, found]: [&[f64]; 3], turn: f64, is_redund
     })
 }
 
-/// True where rates mean nothing, so near to a crossing of branches.
-pub(super) fn are_blurred(equations: &mut Equations<'_>, groups: &[f64], [q, q_dot, q_ddot]: [&[f64]; 3]) -> bool {
-    if groups.is_empty() {
+/// True where rates mean nothing, so near to a crossing of branches, given the condition number of Φ_q.
+pub(super) fn are_blurred(equations: &mut Equations<'_>, groups: &[f64], [q, q_dot, q_ddot]: [&[f64]; 3], condition: f64) -> bool {
+    if groups.is_empty() || condition < REGULAR {
         return false;
     }
     // What the plan divides by may be small where its closures are far apart.

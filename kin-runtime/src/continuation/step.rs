@@ -184,7 +184,7 @@ pub(super) fn settle(
             SolveError::InconsistentAcceleration { .. } if rank == state.q.len() => Fault::Jump(worst),
             error => Fault::Error(error),
         })?;
-    if last && !is_redundant && groups::are_blurred(equations, groups, [&state.q, &state.q_dot, &state.q_ddot]) {
+    if last && !is_redundant && groups::are_blurred(equations, groups, [&state.q, &state.q_dot, &state.q_ddot], found.condition) {
         return Err(Fault::Jump(worst));
     }
     to.s = s;

@@ -8,6 +8,7 @@
 //! of which nothing is guessed is left to the general path.
 
 use super::{Position, Solver};
+use crate::geometry::keeps_distance;
 use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind, Model, Role};
 use crate::motion::{shows_coordinates, write_coordinates, write_poses};
@@ -83,12 +84,13 @@ impl<M: Mechanism> Solver<'_, M> {
         if self.mechanism.write_geometry(parameters.as_ref(), at, &mut numbers).is_err() {
             return false;
         }
-        let pieces = model.joints.iter().flat_map(|joint| joint.geometry);
-        pieces.into_iter().all(|piece| match (piece.role, numbers.get(piece.offset..)) {
-            (Role::Axis, Some([x, y, ..])) => (x * x + y * y - 1.0).abs() <= 1e-9,
-            (Role::Radius, Some([radius, ..])) => *radius != 0.0,
-            (Role::Value, Some([value, ..])) => value.is_finite(),
-            _ => true,
+        model.joints.iter().all(|joint| {
+            joint.geometry.iter().all(|piece| match (piece.role, numbers.get(piece.offset..)) {
+                (Role::Axis, Some([x, y, ..])) => (x * x + y * y - 1.0).abs() <= 1e-9,
+                (Role::Radius, Some([radius, ..])) => *radius != 0.0,
+                (Role::Value, Some([value, ..])) => value.is_finite() && (*value >= 0.0 || !keeps_distance(joint)),
+                _ => true,
+            })
         })
     }
 
