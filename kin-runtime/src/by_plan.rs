@@ -70,7 +70,12 @@ impl Answer {
     }
 
     fn limit(&self, equations: &Equations<'_>, margin: usize) -> Option<Limit> {
-        Step::of_margin(equations.model, margin).map(|step| Limit { step, margin: self.margins[margin], at: None, kind: None })
+        Step::of_margin(equations.model, margin).map(|step| Limit {
+            step,
+            margin: self.margins[margin],
+            at: None,
+            kind: None,
+        })
     }
 
     /// True if q is in these modes for sure.

@@ -6,7 +6,7 @@
 
 use crate::equations::Equations;
 use crate::error::{Degeneracy, SolveError};
-use crate::model::{CoordinateKind, JointInfo, JointKind, Role};
+use crate::model::{CoordinateKind, JointInfo, JointKind, Model, Role};
 use crate::placement::Placement;
 use crate::workspace::Instant;
 
@@ -30,6 +30,12 @@ pub(crate) fn explain(equations: &mut Equations<'_>, q: &[f64], error: SolveErro
         _ => None,
     };
     what.map_or(error, |what| degenerate(equations, row, what))
+}
+
+/// True where a joint has a curve that may say nothing at some of its points.
+pub(crate) fn has_curves(model: &Model) -> bool {
+    use JointKind::{OnImplicitCurve, OnParametricCurve, OnPolarCurve};
+    model.joints.iter().any(|joint| matches!(joint.kind, OnPolarCurve | OnImplicitCurve | OnParametricCurve))
 }
 
 /// The first polar curve whose point stands at its centre at q, as far as rounding lets one say.

@@ -39,8 +39,7 @@ pub(crate) struct Row {
 /// Writes 1 for every coordinate that is x or y of a body, and 0 for the others.
 pub(crate) fn write_lengths(model: &Model, lengths: &mut [f64]) {
     for (length, coordinate) in lengths.iter_mut().zip(model.coordinates) {
-        let is_length =
-            matches!(coordinate.kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. });
+        let is_length = matches!(coordinate.kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. });
         *length = f64::from(u8::from(is_length));
     }
 }

@@ -43,7 +43,14 @@ impl Scale {
     /// No scaling.
     pub(crate) fn unit(rows: usize, columns: usize) -> Self {
         let ones = vec![1.0; columns];
-        Self { rows: vec![1.0; rows], columns: ones.clone(), inverse: ones, length: 1.0, angles: Vec::new(), is_known: false }
+        Self {
+            rows: vec![1.0; rows],
+            columns: ones.clone(),
+            inverse: ones,
+            length: 1.0,
+            angles: Vec::new(),
+            is_known: false,
+        }
     }
 
     /// Scales at the current instant, from configurations around `q`.

@@ -344,8 +344,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         }
         let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
         let at = Instant { t, inputs: &inputs };
-        let started = Equations::new(evaluator, self.options, &self.given, self.inputs, &at)
-            .and_then(|mut equations| {
+        let started =
+            Equations::new(evaluator, self.options, &self.given, self.inputs, &at).and_then(|mut equations| {
                 let first = match by_plan(&at) {
                     Some(state) => (state, None),
                     None => {

@@ -3,10 +3,10 @@
 //! Everything numerical works on `dyn System`, so that it is compiled once, in this crate, and not again for every
 //! mechanism of the user.
 
+use crate::course::InputFunction;
 use crate::curve::CurvePoint;
 use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 use crate::model::{Model, Pattern};
-use crate::course::InputFunction;
 use crate::motion::Rates;
 use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;

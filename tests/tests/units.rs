@@ -98,7 +98,8 @@ fn no_unit_matters_to_wheels() {
         let found = planet.kinematic_analysis(&[0.0, 1.5, 0.4]).unwrap();
         for (a, b) in found.iter().zip(&expected) {
             assert!((a.q[4] / scale - b.q[4]).abs() < 1e-11, "{scale}: {} and {}", a.q[4], b.q[4]);
-            let [a, b] = [planet.solver().condition(a), Planet { scale: 1.0 }.solver().condition(b)].map(Result::unwrap);
+            let [a, b] =
+                [planet.solver().condition(a), Planet { scale: 1.0 }.solver().condition(b)].map(Result::unwrap);
             assert!((a / b - 1.0).abs() < 1e-6, "{scale}: {a} and {b}");
         }
     }

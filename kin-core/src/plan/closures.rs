@@ -10,7 +10,7 @@ use crate::mechanism::Function;
 pub(super) const SHARE: f64 = 1e-6;
 
 /// Added to sizes, so that 0 of 0 is a margin of 0.
-const LEAST: f64 = 1e-300;
+pub(super) const LEAST: f64 = 1e-300;
 
 /// Σ tᵢ² of a sum, Σ tᵢ² Σ uⱼ² of a product; deeper than `depth` the square.
 pub(super) fn squared_terms(graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {

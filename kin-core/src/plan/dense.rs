@@ -19,12 +19,7 @@ pub(super) struct Solved {
 ///
 /// `lengths` says which unknowns are lengths. Beside angles they count as angles times the length that the rows hold
 /// between both, so that margins are the same in metres and in millimetres.
-pub(super) fn solve(
-    graph: &mut Graph,
-    matrix: &[Vec<ExprId>],
-    rights: &[Vec<ExprId>],
-    lengths: &[bool],
-) -> Solved {
+pub(super) fn solve(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], lengths: &[bool]) -> Solved {
     match matrix.len() {
         0 => alone(rights.iter().map(|_| Vec::new()).collect()),
         1 => {
@@ -67,12 +62,7 @@ fn squared_length(graph: &mut Graph, matrix: &[Vec<ExprId>], lengths: &[bool]) -
     Some(graph.whole(square))
 }
 
-fn cramer(
-    graph: &mut Graph,
-    matrix: &[Vec<ExprId>],
-    rights: &[Vec<ExprId>],
-    lengths: &[bool],
-) -> Solved {
+fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], lengths: &[bool]) -> Solved {
     let n = matrix.len();
     let cofactors: Vec<Vec<ExprId>> = (0..n).map(|i| (0..n).map(|j| cofactor(graph, matrix, i, j)).collect()).collect();
     let det = sum(graph, (0..n).map(|j| (matrix[0][j], cofactors[0][j])));
@@ -141,12 +131,7 @@ fn sum(graph: &mut Graph, products: impl Iterator<Item = (ExprId, ExprId)>) -> E
 }
 
 /// Gauss's elimination: numbers first as pivots, then the entry with the least fill (Markowitz 1957).
-fn eliminate(
-    graph: &mut Graph,
-    matrix: &[Vec<ExprId>],
-    rights: &[Vec<ExprId>],
-    lengths: &[bool],
-) -> Solved {
+fn eliminate(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], lengths: &[bool]) -> Solved {
     let unit = squared_length(graph, matrix, lengths).map(|square| graph.call(Function::Sqrt, square));
     let magnitude = |graph: &mut Graph, entry: ExprId, column: usize| {
         let magnitude = graph.call(Function::Abs, entry);

@@ -150,7 +150,8 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<Solut
     let beginnings = build.stages.len();
     build.last(&left[..turns.end]);
     let Build { mut graph, stages, listed, iterations, closures, iterated, .. } = build;
-    let indicators: Vec<_> = closures.into_iter().chain(orientations).enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
+    let indicators: Vec<_> =
+        closures.into_iter().chain(orientations).enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let closures = lower(&graph, &indicators);
     let (sections, held) = sections::sections(&mut graph, stages, iterations);
     let depth = |place| match place {

@@ -6,7 +6,7 @@
 //! x_k = (p b₁ + q b₂)/(p² + q²) at the end; cores are small systems. What depends on Φ_q alone is the same expression
 //! for every b, so that all orders share it.
 
-use super::closures::squared_size;
+use super::closures::{LEAST, squared_size};
 use super::dense;
 use super::tree::{Block, Core, Pair, PairValue, Part, Way};
 use crate::constraint::Coordinate;
@@ -134,8 +134,7 @@ impl<'g> Rates<'g> {
             core.rows.iter().map(|&row| core.coordinates.iter().map(|&k| entry(row, k)).collect()).collect();
         let right: Vec<ExprId> = core.rows.iter().map(|&row| self.right[row]).collect();
         let lengths = super::lengths(self.coordinates, &core.coordinates);
-        let dense::Solved { solutions, margin, orientation } =
-            dense::solve(self.graph, &matrix, &[right], &lengths);
+        let dense::Solved { solutions, margin, orientation } = dense::solve(self.graph, &matrix, &[right], &lengths);
         for (&k, value) in core.coordinates.iter().zip(solutions.into_iter().flatten()) {
             self.solution[k as usize] = Some(self.graph.whole(value));
         }
@@ -157,12 +156,23 @@ impl<'g> Rates<'g> {
             self.hold_against(square, size);
             if let (true, Some(&first)) = (iterates, core.rows.first()) {
                 // A single unknown is told from its neighbours by the sign of its coefficient.
+                let size = self.at_least(size, square);
                 let (margin, root) = (self.graph.div(square, size), self.graph.call(Function::Sqrt, size));
                 let orientation = self.graph.div(row[0], root);
                 self.margins.insert(first, margin);
                 self.orientations.insert(first, orientation);
             }
         }
+    }
+
+    /// The larger of two numbers that are not negative, and never 0.
+    fn at_least(&mut self, a: ExprId, b: ExprId) -> ExprId {
+        let graph = &mut *self.graph;
+        let (difference, half, least) = (graph.sub(a, b), graph.number(0.5), graph.number(LEAST));
+        let (apart, sum) = (graph.call(Function::Abs, difference), graph.add(a, b));
+        let twice = graph.add(sum, apart);
+        let larger = graph.mul(half, twice);
+        graph.add(larger, least)
     }
 
     /// How much is left of the rows of a matrix: over all rows the product of the mean of the squares of a row's entries, each
@@ -174,6 +184,7 @@ impl<'g> Rates<'g> {
             for &entry in row {
                 if !self.graph.is_zero(entry) {
                     let (square, size) = (self.graph.square(entry), squared_size(self.graph, entry, DEPTH));
+                    let size = self.at_least(size, square);
                     let share = self.graph.div(square, size);
                     sum = self.graph.add(sum, share);
                     count += 1.0;

@@ -77,7 +77,8 @@ impl<M: Mechanism> Motion<M> {
         self.keep(at);
         let poses = self.poses();
         let limits = limits?;
-        let refused = |lane: usize| (!poses.is_good(lane)).then(|| (poses.margin.lane(lane), limit_of::<M>(limits[lane])));
+        let refused =
+            |lane: usize| (!poses.is_good(lane)).then(|| (poses.margin.lane(lane), limit_of::<M>(limits[lane])));
         Some(Octet::each(refused))
     }
 
@@ -86,8 +87,7 @@ impl<M: Mechanism> Motion<M> {
         let mut found = M::Coordinates::<Octet>::generate(|_| Octet::default());
         let q = self.poses[1 - self.good].q;
         let count = M::model().plan.signs();
-        let lengths =
-            mechanism.branches_with(self.parameters.as_ref(), at, q.as_ref(), &mut found.as_mut()[..count]);
+        let lengths = mechanism.branches_with(self.parameters.as_ref(), at, q.as_ref(), &mut found.as_mut()[..count]);
         debug_assert!(lengths.is_ok(), "the columns have been counted");
         found
     }

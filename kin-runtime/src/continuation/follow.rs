@@ -119,6 +119,10 @@ impl Follower {
     ) -> Result<bool, SolveError> {
         let Self { node, here, plan, .. } = self;
         let Some(plan) = plan else { return Ok(false) };
+        if plan.has_curves {
+            // Rollers are watched from step to step.
+            return Ok(false);
+        }
         equations.by_time(|equations| {
             if !plan.stand(equations, &node.state) {
                 return Ok(false);
@@ -126,7 +130,7 @@ impl Follower {
             equations.set_instant(at)?;
             here.basis = None;
             here.fallback = None;
-            if plan.solve(equations, &mut here.state)? {
+            if plan.solve(equations, &node.state.q, &mut here.state)? {
                 here.s = at.t;
                 core::mem::swap(node, here);
                 return Ok(true);
@@ -197,13 +201,16 @@ impl Follower {
         let mut iterations = 0;
         let mut smallest = None;
         let mut moved = false;
-        let looked_at = self.watch.is_some() || equations.observed.is_there();
+        let has_curves = self.plan.as_ref().is_some_and(|plan| plan.has_curves);
+        let looked_at = self.watch.is_some() || equations.observed.is_there() || has_curves;
         let mut by_plan = by_plan && self.plan.is_some();
         for _ in 0..options.max_steps {
             let from = if moved { self.here.s } else { self.s };
             let remaining = target - from;
             if remaining == 0.0 {
-                self.here.state.iterations = iterations;
+                if self.here.basis.is_some() {
+                    self.here.state.iterations = iterations;
+                }
                 return Ok(moved);
             }
             let length = if by_plan && !looked_at {
@@ -240,7 +247,6 @@ impl Follower {
                 if !by_plan {
                     continue;
                 }
-                iterations += 1;
                 self.see(equations, moved, from)?;
             } else {
                 let limit = self.plan.as_ref().and_then(ByPlan::limit);
@@ -264,8 +270,7 @@ impl Follower {
                         self.see(equations, moved, from)?;
                         let walked = (s - from).abs();
                         // A step cut short by the target says nothing against the longer one proposed before.
-                        self.proposed =
-                            if share <= 2.0 { self.proposed.max(growth * walked) } else { growth * walked };
+                        self.proposed = if share <= 2.0 { self.proposed.max(growth * walked) } else { growth * walked };
                     }
                     Err(fault) => {
                         let factor = if let Fault::Coarse(factor) = fault { factor } else { 0.5 };
@@ -303,7 +308,7 @@ impl Follower {
         let Self { node, here, next, plan, .. } = self;
         let Some(plan) = plan else { return Ok(false) };
         let from = if moved { &here.state } else { &node.state };
-        Ok(plan.stand(equations, from) && plan.step(equations, next, s)?)
+        Ok(plan.stand(equations, from) && plan.step(equations, &from.q, next, s)?)
     }
 
     /// Shows the step that was taken to who watches conditions.

@@ -51,7 +51,12 @@ pub(super) fn stay([before, predicted, found]: [&[f64]; 3], turn: f64, is_redund
 }
 
 /// True where rates mean nothing, so near to a crossing of branches, given the condition number of Φ_q.
-pub(super) fn are_blurred(equations: &mut Equations<'_>, groups: &[f64], [q, q_dot, q_ddot]: [&[f64]; 3], condition: f64) -> bool {
+pub(super) fn are_blurred(
+    equations: &mut Equations<'_>,
+    groups: &[f64],
+    [q, q_dot, q_ddot]: [&[f64]; 3],
+    condition: f64,
+) -> bool {
     if groups.is_empty() || condition < REGULAR {
         return false;
     }

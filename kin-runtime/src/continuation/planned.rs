@@ -1,14 +1,15 @@
 //! Instants by the plan: solved by its follower, held against all rows, and completed to a state.
 
 use super::step::Node;
+use crate::contact;
 use crate::equations::Equations;
 use crate::error::SolveError;
-use crate::factorisation::Wanted;
 use crate::motion::poses;
 use crate::options::Options;
 use crate::planned::follower::Control;
 use crate::planned::{Limit, PlanError};
 use crate::residual::{Row, Tolerances, closed, write_lengths};
+use crate::scale::Scale;
 use crate::state::State;
 use crate::system::Followed;
 use crate::workspace::{Instant, Subset};
@@ -21,6 +22,8 @@ pub(super) struct ByPlan {
     pub(super) stands: bool,
     /// Why the plan had no answer, the last time that it had none.
     pub(super) refused: Option<PlanError>,
+    /// Whether there are curves, which may say nothing at some of their points.
+    pub(super) has_curves: bool,
     /// Room for the sums of every row, and which coordinates are lengths.
     rows: Vec<Row>,
     lengths: Vec<f64>,
@@ -45,7 +48,14 @@ impl ByPlan {
         let rows = vec![Row::default(); equations.rows()];
         let mut lengths = vec![0.0; equations.coordinates()];
         write_lengths(equations.model, &mut lengths);
-        used.then(|| Self { control: Control::of(&equations.options), stands: false, refused: None, rows, lengths })
+        used.then(|| Self {
+            control: Control::of(&equations.options),
+            stands: false,
+            refused: None,
+            has_curves: contact::has_curves(equations.model),
+            rows,
+            lengths,
+        })
     }
 
     /// What is to blame for the last refusal.
@@ -63,7 +73,12 @@ impl ByPlan {
     }
 
     /// Writes the state at the equations' instant, on the branch of the follower; false where the plan has none that closes.
-    pub(super) fn solve(&mut self, equations: &mut Equations<'_>, state: &mut State) -> Result<bool, SolveError> {
+    pub(super) fn solve(
+        &mut self,
+        equations: &mut Equations<'_>,
+        before: &[f64],
+        state: &mut State,
+    ) -> Result<bool, SolveError> {
         let at = Instant { t: equations.t, inputs: &equations.inputs };
         let inputs = equations.input_function();
         let found = match equations.system.follow(&at, inputs, &self.control) {
@@ -74,7 +89,7 @@ impl ByPlan {
             Err(error) => Some(error),
         };
         self.refused = found;
-        if self.refused.is_some() || !self.complete(equations, state)? {
+        if self.refused.is_some() || !self.complete(equations, Some(before), state)? {
             self.stands = false;
             return Ok(false);
         }
@@ -86,11 +101,39 @@ impl ByPlan {
         let at = Instant { t: equations.t, inputs: &equations.inputs };
         let inputs = equations.input_function();
         equations.system.glance(&at, inputs, &self.control, &mut |found| copy(state, found)).ok()?;
-        self.complete(equations, state).ok()?.then_some(())
+        self.complete(equations, None, state).ok()?.then_some(())
     }
 
-    /// Completes a state with this q, q̇ and q̈; false where they do not satisfy all rows.
-    fn complete(&mut self, equations: &mut Equations<'_>, state: &mut State) -> Result<bool, SolveError> {
+    /// True if all curves say where they are touched, and no roller has changed its side since `before`.
+    fn touches(
+        &self,
+        equations: &mut Equations<'_>,
+        before: Option<&[f64]>,
+        state: &State,
+    ) -> Result<bool, SolveError> {
+        if !equations.scale.is_known {
+            equations.scale = Scale::around(equations, &state.q);
+        }
+        if let Some(before) = before
+            && contact::turned_about(equations, before, &state.q).is_some()
+        {
+            return Ok(false);
+        }
+        equations.evaluate(Subset::VELOCITY, &state.q, None)?;
+        let tolerance = equations.options.rank_tolerance;
+        Ok(contact::at_a_standstill(equations, &state.q).is_none()
+            && contact::without_angle(equations, &state.q).is_none()
+            && contact::without_gradient(equations, tolerance).is_none())
+    }
+
+    /// Completes a state with this q, q̇ and q̈; false where they do not satisfy all rows. With curves `before` is the q of
+    /// the last state.
+    fn complete(
+        &mut self,
+        equations: &mut Equations<'_>,
+        before: Option<&[f64]>,
+        state: &mut State,
+    ) -> Result<bool, SolveError> {
         let at = Instant { t: equations.t, inputs: &equations.inputs };
         equations.system.evaluate(Subset::ALL, &at, &state.q, &state.q_dot)?;
         let tolerances =
@@ -99,35 +142,37 @@ impl ByPlan {
         let parts = equations.system.constraints();
         let found = closed(equations.model, &parts, solution, &self.lengths, tolerances, &mut self.rows);
         let Some(residual) = found else { return Ok(false) };
+        if self.has_curves && !self.touches(equations, before, state)? {
+            return Ok(false);
+        }
         state.t = equations.t;
         state.inputs.clone_from(&equations.inputs);
         state.residual = residual;
         state.iterations = 1;
         state.condition = None;
         state.degrees_of_freedom_left = 0;
-        if !equations.model.conditions.is_empty() {
-            // What counts as rounding of a condition goes by it.
-            equations.evaluate(Subset::VELOCITY, &state.q, None)?;
-            state.condition = Some(equations.factorise(Wanted::Rank, None).condition);
-        }
         poses(equations, state)?;
         Ok(true)
     }
 
     /// One step by the plan from the node where the follower stands, to the equations' instant at the place `s`.
-    pub(super) fn step(&mut self, equations: &mut Equations<'_>, to: &mut Node, s: f64) -> Result<bool, SolveError> {
+    pub(super) fn step(
+        &mut self,
+        equations: &mut Equations<'_>,
+        before: &[f64],
+        to: &mut Node,
+        s: f64,
+    ) -> Result<bool, SolveError> {
         equations.move_to(s)?;
         to.s = s;
         to.basis = None;
         to.fallback = None;
-        self.solve(equations, &mut to.state)
+        self.solve(equations, before, &mut to.state)
     }
 }
 
 fn copy(state: &mut State, found: Followed<'_>) {
-    for (to, from) in
-        [(&mut state.q, found.q), (&mut state.q_dot, found.q_dot), (&mut state.q_ddot, found.q_ddot)]
-    {
+    for (to, from) in [(&mut state.q, found.q), (&mut state.q_dot, found.q_dot), (&mut state.q_ddot, found.q_ddot)] {
         to.clear();
         to.extend_from_slice(from);
     }

@@ -34,7 +34,11 @@ pub(super) fn refusal(
         Fault::Coarse(_) => (None, Refusal::StepTooSmall),
     };
     let spacing = f64::EPSILON * start.s.abs();
-    let reason = if spacing > COARSEST * natural_step(equations, [start.q_dot, start.q_ddot], 1.0) { Refusal::TimeTooCoarse } else { reason };
+    let reason = if spacing > COARSEST * natural_step(equations, [start.q_dot, start.q_ddot], 1.0) {
+        Refusal::TimeTooCoarse
+    } else {
+        reason
+    };
     let t_refused = equations.time_at(refused);
     let Node { state: State { q, .. }, .. } = start.node;
     let groups = &start.basis.groups;
@@ -48,7 +52,8 @@ pub(super) fn refusal(
     }
     let expected_rank = start.basis.factor.rank;
     // The limit itself, where the motion was followed up to it.
-    let t = limit.and_then(|limit| limit.at).filter(|at| is_between(*at, equations.t, t_refused)).unwrap_or(equations.t);
+    let t =
+        limit.and_then(|limit| limit.at).filter(|at| is_between(*at, equations.t, t_refused)).unwrap_or(equations.t);
     let all: Vec<usize> = (0..equations.rows()).collect();
     let columns = &equations.scale.columns;
     let factor = Factorization::revealing(&equations.scaled_rows(&all), columns, NEARLY_SINGULAR);

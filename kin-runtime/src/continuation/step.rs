@@ -157,7 +157,8 @@ pub(super) fn settle(
     }
     let Basis { orientation, factor, groups: before } = from.basis;
     let memory = to.basis.take();
-    let (memory, mut oriented) = memory.map_or((None, orientation.clone()), |basis| (Some(basis.factor), basis.orientation));
+    let (memory, mut oriented) =
+        memory.map_or((None, orientation.clone()), |basis| (Some(basis.factor), basis.orientation));
     let found = equations.factorise(Wanted::Rank, memory);
     let rank = found.rank;
     if rank != factor.rank || !orientation.keep(equations, &found, &mut oriented) {
@@ -179,12 +180,14 @@ pub(super) fn settle(
     equations.check("q_dot", q_dot.as_slice())?;
     fill(&mut state.q_dot, q_dot.iter().copied());
     // Beside a singular configuration it is rounding that contradicts.
-    state.q_ddot =
-        acceleration(equations, &state.q, &state.q_dot, &found).map_err(|error| match error {
-            SolveError::InconsistentAcceleration { .. } if rank == state.q.len() => Fault::Jump(worst),
-            error => Fault::Error(error),
-        })?;
-    if last && !is_redundant && groups::are_blurred(equations, groups, [&state.q, &state.q_dot, &state.q_ddot], found.condition) {
+    state.q_ddot = acceleration(equations, &state.q, &state.q_dot, &found).map_err(|error| match error {
+        SolveError::InconsistentAcceleration { .. } if rank == state.q.len() => Fault::Jump(worst),
+        error => Fault::Error(error),
+    })?;
+    if last
+        && !is_redundant
+        && groups::are_blurred(equations, groups, [&state.q, &state.q_dot, &state.q_ddot], found.condition)
+    {
         return Err(Fault::Jump(worst));
     }
     to.s = s;

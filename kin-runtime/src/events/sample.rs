@@ -9,6 +9,9 @@ use crate::workspace::Instant;
 /// Largest condition number that widens what counts as rounding.
 const WORST_CONDITION: f64 = 1e4;
 
+/// What a condition number is taken for where none was computed: that of a mechanism far from singular configurations.
+const USUAL_CONDITION: f64 = 100.0;
+
 /// g at an instant with its derivatives and what rounding may make of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Sample {
@@ -61,7 +64,9 @@ pub(crate) fn samples(equations: &mut Equations<'_>, state: &State) -> Result<Ve
     let at = Instant { t: state.t, inputs: &state.inputs };
     equations.system.observe(&at, &state.q, &state.q_dot)?;
     let parts = equations.system.observables();
-    let rounding = 4.0 * f64::EPSILON * (4.0 + state.condition.map_or(1.0, |condition| condition.clamp(1.0, WORST_CONDITION)));
+    let rounding = 4.0
+        * f64::EPSILON
+        * (4.0 + state.condition.map_or(USUAL_CONDITION, |condition| condition.clamp(1.0, WORST_CONDITION)));
     let columns = &equations.scale.columns;
     let largest = |v: &[f64]| v.iter().zip(columns).fold(0.0, |m: f64, (v, d)| m.max((v / d).abs()));
     let (velocity, acceleration_size) = (largest(&state.q_dot), largest(&state.q_ddot));

@@ -1,9 +1,9 @@
 //! Lanes against std, in units in the last place.
 
-use crate::scalar::compare::Compare;
 use super::{Lanes, Octet, Pack};
 use crate::random::Random;
 use crate::scalar::Scalar;
+use crate::scalar::compare::Compare;
 
 const SPECIAL: [f64; 22] = [
     0.0,

@@ -64,7 +64,13 @@ impl fmt::Display for Limit {
         if let (Some(at), Some(kind)) = (at, kind) {
             let bodies = step.bodies().count();
             for (k, body) in step.bodies().enumerate() {
-                f.write_str(if k == 0 { "" } else if k + 1 == bodies { " and " } else { ", " })?;
+                f.write_str(if k == 0 {
+                    ""
+                } else if k + 1 == bodies {
+                    " and "
+                } else {
+                    ", "
+                })?;
                 f.write_str(body)?;
             }
             let verb = if bodies > 1 { "lock" } else { "locks" };
@@ -206,7 +212,10 @@ impl fmt::Display for PlanError {
             }
             Self::Jump { t, t_refused } => write!(f, "the motion jumps behind t = {t}, on the way to t = {t_refused}"),
             Self::TooManySteps { t, t_refused } => {
-                write!(f, "too many internal steps on the way from t = {t} to t = {t_refused}; ask for instants in between")
+                write!(
+                    f,
+                    "too many internal steps on the way from t = {t} to t = {t_refused}; ask for instants in between"
+                )
             }
             Self::NonFinite { what, index, name, t } => {
                 write!(f, "{what}[{index}]")?;

@@ -390,12 +390,7 @@ impl<M: Mechanism> Follower<M> {
     /// and come back, nor where the step is too long to resolve it.
     #[cold]
     #[inline(never)]
-    fn stays_on_its_branch(
-        &self,
-        mechanism: &M,
-        at: &Instant<'_>,
-        resolution: f64,
-    ) -> Result<bool, LengthError> {
+    fn stays_on_its_branch(&self, mechanism: &M, at: &Instant<'_>, resolution: f64) -> Result<bool, LengthError> {
         let plan = &M::model().plan;
         let (before, now) = (self.branch.distances.as_ref(), self.distances.as_ref());
         if !(resolution >= 0.0) || (0..plan.signs()).any(|sign| may_dip(before[sign], now[sign])) {

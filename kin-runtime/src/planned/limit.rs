@@ -27,6 +27,9 @@ const NOISE: f64 = 4e-6;
 /// An angle so small that configurations go along a straight line.
 const LITTLE: f64 = 1e-6;
 
+/// What drives a group may be slower than it by this much; where it is slower still, it is about to turn round.
+const LEAST_SHARE: f64 = 0.1;
+
 /// At a fold |w q̈| is about q̇², however near it is. At a crossing both are finite while w goes to 0.
 const FOLD: f64 = 0.03;
 
@@ -187,14 +190,7 @@ impl<M: Mechanism> Follower<M> {
     }
 
     /// A margin at a place of the course, in the modes that are kept.
-    fn margin_at(
-        &mut self,
-        mechanism: &M,
-        course: &dyn Course,
-        s: f64,
-        place: usize,
-        blocked: &Blocked<M>,
-    ) -> f64 {
+    fn margin_at(&mut self, mechanism: &M, course: &dyn Course, s: f64, place: usize, blocked: &Blocked<M>) -> f64 {
         let plan = &M::model().plan;
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         let t = course.at(s, inputs.as_mut());
@@ -222,10 +218,12 @@ impl<M: Mechanism> Follower<M> {
     /// The place at which a margin is 0, or least, from the last place reached on; and the margin there.
     fn locate(&mut self, mechanism: &M, course: &dyn Course, place: usize, blocked: &Blocked<M>) -> (f64, f64) {
         let [from, refused] = blocked.places;
-        let end = course.ends()[1];
+        // The limit may be a little behind the end.
+        let [start, end] = course.ends();
+        let end = end + (end - start);
         let mut margin = |s: f64| self.margin_at(mechanism, course, s, place, blocked);
         // Away from the last place in growing strides, until the margin is gone or grows again.
-        let direction = if end < from { -1.0 } else { 1.0 };
+        let direction = if end < start { -1.0 } else { 1.0 };
         let mut stride = (refused - from).abs().max(4.0 * f64::EPSILON * from.abs());
         let (mut a, mut b, mut at_b) = (from, from, margin(from));
         let mut c = b;
@@ -250,14 +248,7 @@ impl<M: Mechanism> Follower<M> {
     }
 
     /// True where the margin grows again behind a place.
-    fn comes_back(
-        &mut self,
-        mechanism: &M,
-        course: &dyn Course,
-        s: f64,
-        place: usize,
-        blocked: &Blocked<M>,
-    ) -> bool {
+    fn comes_back(&mut self, mechanism: &M, course: &dyn Course, s: f64, place: usize, blocked: &Blocked<M>) -> bool {
         let [start, end] = course.ends();
         let beyond = s + 1e-4 * (end - start).abs().max((s - blocked.places[0]).abs()) * (end - start).signum();
         self.margin_at(mechanism, course, beyond, place, blocked) > TOUCHES
@@ -309,7 +300,7 @@ pub(crate) fn blurred_group(
         let crosses = w * acceleration <= FOLD * velocity * velocity;
         // Beside the motion of what drives it, where that is slower.
         let before = largest_of(model, &mut plan.steps.iter().take(step).flat_map(of), q_dot);
-        let share = if before > 0.0 && before < velocity { before / velocity } else { 1.0 };
+        let share = if before > 0.0 { (before / velocity).clamp(LEAST_SHARE, 1.0) } else { 1.0 };
         (crosses && f64::EPSILON > NOISE * w * x * x * share * share).then_some(sign)
     })
 }

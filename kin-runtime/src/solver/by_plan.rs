@@ -8,9 +8,10 @@
 //! of which nothing is guessed is left to the general path.
 
 use super::{Position, Solver};
+use crate::contact::has_curves;
 use crate::geometry::keeps_distance;
 use crate::mechanism::Mechanism;
-use crate::model::{Component, CoordinateKind, Model, Role};
+use crate::model::{Component, CoordinateKind, JointKind, Model, Role};
 use crate::motion::{shows_coordinates, write_coordinates, write_poses};
 use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::planned::follower::{Follower, Poses};
@@ -72,8 +73,10 @@ impl<M: Mechanism> Solver<'_, M> {
     fn goes_by_plan(&self, at: &Instant<'_>) -> bool {
         let plan = &M::model().plan;
         let usable = self.options.use_plan && plan.exists() && self.given.is_empty();
-        let sound = || !has_sizes(M::model()) || self.is_sound(at);
-        usable && self.options.check().is_ok() && at.inputs.len() == M::INPUTS && sound()
+        let sound = || !has_curves(M::model()) && (!has_sizes(M::model()) || self.is_sound(at));
+        let signals = at.inputs.iter().flat_map(|u| [u.value, u.rate, u.acceleration]);
+        let finite = at.t.is_finite() && signals.into_iter().all(f64::is_finite);
+        usable && finite && self.options.check().is_ok() && at.inputs.len() == M::INPUTS && sound()
     }
 
     /// True where no size of a joint is degenerate at these parameters.
@@ -85,17 +88,25 @@ impl<M: Mechanism> Solver<'_, M> {
             return false;
         }
         model.joints.iter().all(|joint| {
-            joint.geometry.iter().all(|piece| match (piece.role, numbers.get(piece.offset..)) {
-                (Role::Axis, Some([x, y, ..])) => (x * x + y * y - 1.0).abs() <= 1e-9,
-                (Role::Radius, Some([radius, ..])) => *radius != 0.0,
-                (Role::Value, Some([value, ..])) => value.is_finite() && (*value >= 0.0 || !keeps_distance(joint)),
-                _ => true,
-            })
+            let radii = joint.geometry.iter().filter(|piece| piece.role == Role::Radius);
+            let sum: f64 = radii.filter_map(|piece| numbers.get(piece.offset)).sum();
+            let has_centres = joint.kind != JointKind::RollingOnDisc || sum != 0.0;
+            has_centres
+                && joint.geometry.iter().all(|piece| match (piece.role, numbers.get(piece.offset..)) {
+                    (Role::Axis, Some([x, y, ..])) => (x * x + y * y - 1.0).abs() <= 1e-9,
+                    (Role::Radius, Some([radius, ..])) => *radius != 0.0,
+                    (Role::Value, Some([value, ..])) => value.is_finite() && (*value >= 0.0 || !keeps_distance(joint)),
+                    _ => true,
+                })
         })
     }
 
     /// A complete start and its modes.
     fn start_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &[f64]) -> Option<Start<M>> {
+        let finite = |numbers: &[f64]| numbers.iter().all(|x| x.is_finite());
+        if !finite(parameters.as_ref()) || !finite(start) {
+            return None;
+        }
         let mut signs = M::Coordinates::<f64>::filled(0.0);
         let count = M::model().plan.signs();
         self.mechanism.branches_with(parameters.as_ref(), at, start, &mut signs.as_mut()[..count]).ok()?;
@@ -110,6 +121,11 @@ impl<M: Mechanism> Solver<'_, M> {
         let plan = &M::model().plan;
         // NaN for what is not guessed.
         let guess = self.guessed(parameters)?;
+        let finite = |numbers: &[f64]| numbers.iter().all(|x| x.is_finite());
+        let guesses = self.guesses.iter().all(|(_, guess)| guess.is_finite());
+        if !finite(parameters.as_ref()) || !guesses {
+            return None;
+        }
         let start = M::Coordinates::<f64>::generate(|k| {
             let guess = guess.as_ref()[k];
             if guess.is_nan() { 0.0 } else { guess }

@@ -17,7 +17,7 @@ fn same(a: &Trajectory, b: &Trajectory) {
         agree(&a.q_dot, &b.q_dot, 1e-12);
         agree(&a.q_ddot, &b.q_ddot, 1e-11);
         // An estimate by pivots, of which several are equal but for rounding.
-        
+
         assert!(a.residual < 1e-14, "{}", a.residual);
     }
 }

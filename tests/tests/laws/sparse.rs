@@ -51,8 +51,7 @@ fn conditions_are_true<M: Kinematics>(
         let condition = solver.condition(state).unwrap();
         let share = condition / mobility.condition;
         if share.is_nan() || share < 1.0 / (3.0 * n) || share > 1.001 * n {
-            differences
-                .report(format_args!("condition {condition} where {} is that of |x|", mobility.condition));
+            differences.report(format_args!("condition {condition} where {} is that of |x|", mobility.condition));
         }
     }
 }

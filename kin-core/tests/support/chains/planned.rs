@@ -42,7 +42,8 @@ impl Planned {
 
     /// What it gives; it is not told q.
     pub fn run(&self, oracle: &Oracle, t: f64, modes: &[f64], start: &[f64]) -> Solution {
-        assert_eq!(modes.len(), self.0.modes.len());
+        // Behind the modes there may be orientations of iterated groups.
+        let modes = &modes[..self.0.modes.len()];
         let unknown = vec![f64::NAN; start.len()];
         run(&self.0, &environment(&oracle.parameters, t, &unknown, &unknown), modes, start)
     }
