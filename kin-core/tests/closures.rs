@@ -255,7 +255,9 @@ fn smallest(mechanism: &Mechanism, values: &[f64], t: f64, start: &[f64]) -> f64
     let oracle = Oracle::new(mechanism, values);
     let planned = Planned::new(&oracle);
     let found = planned.run(&oracle, t, &vec![1.0; planned.0.modes.len()], start);
-    assert!(found.margins.iter().all(|margin| !margin.is_nan()), "{:?} of {}", found.margins, planned.0);
+    // The margin of an iteration may be NaN where another one says that a step divides by 0.
+    let known = found.margins.iter().all(|margin| !margin.is_nan());
+    assert!(known || found.margins.iter().any(|margin| *margin <= 0.0), "{:?} of {}", found.margins, planned.0);
     found.margins.into_iter().fold(1.0, f64::min)
 }
 

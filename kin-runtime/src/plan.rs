@@ -168,7 +168,7 @@ pub const fn coarseness<T: Scalar>() -> f64 {
 }
 
 /// Newton's iteration over the unknowns `places` of `x`: `correction` gives, for the current values, what is to be
-/// subtracted. `lengths` says of each unknown whether it is a length: lengths are as large as all of them together, so
+/// subtracted. Where it does not converge, `x` is what it was. `lengths` says of each unknown whether it is a length: lengths are as large as all of them together, so
 /// that a mechanism of micrometres is solved to the same digits in metres. Gives 1 where it has converged and 0 where not.
 #[doc(hidden)]
 #[inline]
@@ -179,7 +179,7 @@ pub fn iterate<T: Scalar, const N: usize, const M: usize>(
     mut correction: impl FnMut(&[T; N]) -> [T; M],
 ) -> T {
     let [last_step, rounding_step] = const { last_and_rounding(T::EPSILON) };
-    let mut rounding = false;
+    let (mut rounding, start) = (false, *x);
     for _ in 0..CORRECTIONS {
         let steps = correction(x);
         // Never 0, so that lengths that are all 0 are found, too.
@@ -203,6 +203,11 @@ pub fn iterate<T: Scalar, const N: usize, const M: usize>(
     }
     // A scalar that cannot tell has gone through all corrections, which is more than convergence takes.
     let cannot_tell = !T::from_f64(0.0).is_within(1.0);
-    // A length that passes through 0 alone has no size of its own to be held against.
-    T::from_f64(if rounding || cannot_tell { 1.0 } else { 0.0 })
+    // A length that passes through 0 alone has no size of its own to be compared with.
+    if rounding || cannot_tell {
+        return T::from_f64(1.0);
+    }
+    // What follows has numbers to compute with.
+    *x = start;
+    T::from_f64(0.0)
 }

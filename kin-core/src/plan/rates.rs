@@ -15,6 +15,9 @@ use crate::hash::FastMap;
 use crate::mechanism::Function;
 use std::collections::BTreeMap;
 
+/// A half, and a little more, so that nothing over the larger of itself and something else is more than 1.
+const HALF: f64 = 0.5 + 4.0 * f64::EPSILON;
+
 /// How deep the terms of a divisor are looked for.
 const DEPTH: usize = 8;
 
@@ -168,7 +171,7 @@ impl<'g> Rates<'g> {
     /// The larger of two numbers that are not negative, and never 0.
     fn at_least(&mut self, a: ExprId, b: ExprId) -> ExprId {
         let graph = &mut *self.graph;
-        let (difference, half, least) = (graph.sub(a, b), graph.number(0.5), graph.number(LEAST));
+        let (difference, half, least) = (graph.sub(a, b), graph.number(HALF), graph.number(LEAST));
         let (apart, sum) = (graph.call(Function::Abs, difference), graph.add(a, b));
         let twice = graph.add(sum, apart);
         let larger = graph.mul(half, twice);

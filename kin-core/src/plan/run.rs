@@ -78,7 +78,7 @@ pub fn run(plan: &SolutionPlan, environment: &impl Environment, modes: &[f64], s
                 }
             }
             Section::Newton { unknowns: places, correction, converged } => {
-                let mut good = 0.0;
+                let (mut good, before) = (0.0, unknowns.clone());
                 for _ in 0..CORRECTIONS {
                     let inside = Inside { outer: environment, modes, start, unknowns: &unknowns, held: &held };
                     let steps: Vec<f64> = interpret(correction, &inside).into_iter().map(|(_, step)| step).collect();
@@ -93,6 +93,10 @@ pub fn run(plan: &SolutionPlan, environment: &impl Environment, modes: &[f64], s
                         good = 1.0;
                         break;
                     }
+                }
+                if good == 0.0 {
+                    // What follows has numbers to compute with.
+                    unknowns = before;
                 }
                 held[*converged as usize] = good;
             }

@@ -31,7 +31,9 @@ impl Planned {
 
     /// What tells the modes of the configuration q.
     pub fn closures(&self, oracle: &Oracle, t: f64, q: &[f64]) -> Vec<f64> {
-        closures(&self.0, &environment(&oracle.parameters, t, q, &[]))
+        let mut closures = closures(&self.0, &environment(&oracle.parameters, t, q, &[]));
+        closures.truncate(self.0.modes.len());
+        closures
     }
 
     /// x with Φ_q x = b at the configuration q.
@@ -42,8 +44,7 @@ impl Planned {
 
     /// What it gives; it is not told q.
     pub fn run(&self, oracle: &Oracle, t: f64, modes: &[f64], start: &[f64]) -> Solution {
-        // Behind the modes there may be orientations of iterated groups.
-        let modes = &modes[..self.0.modes.len()];
+        assert_eq!(modes.len(), self.0.modes.len());
         let unknown = vec![f64::NAN; start.len()];
         run(&self.0, &environment(&oracle.parameters, t, &unknown, &unknown), modes, start)
     }
