@@ -59,6 +59,57 @@ fn arm(rows: &[Row]) -> f64 {
     if arm > 0.0 && arm.is_finite() { arm } else { 1.0 }
 }
 
+/// Writes Rᵢ for every row; gives what a residual may be of it at q. `rows` is room for as many.
+pub(crate) fn write_sizes(
+    model: &Model,
+    phi_q: &[f64],
+    q: &[f64],
+    lengths: &[f64],
+    position: f64,
+    sizes: &mut [f64],
+) -> f64 {
+    // First over lengths alone, and how large the arms of angles are beside them.
+    sizes.fill(0.0);
+    let entries = model.constraint_pattern.entries;
+    let (mut arm, mut row, mut sums) = (0.0, usize::MAX, [0.0; 2]);
+    let mut finish = |row: usize, [angles, lengths]: [f64; 2]| {
+        if let Some(size) = sizes.get_mut(row) {
+            *size = lengths;
+            let own = if lengths > 0.0 { angles / lengths } else { 0.0 };
+            arm = if own > arm { own } else { arm };
+        }
+    };
+    for (&(i, j), a) in entries.iter().zip(phi_q) {
+        if i != row {
+            finish(row, sums);
+            (row, sums) = (i, [0.0; 2]);
+        }
+        let length = lengths[j];
+        sums[0] += (1.0 - length) * a.abs();
+        sums[1] += length * a.abs();
+    }
+    finish(row, sums);
+    let unit = if arm > 0.0 && arm.is_finite() { arm } else { 1.0 };
+    sizes.iter_mut().for_each(|size| *size *= unit);
+    for (&(i, j), a) in entries.iter().zip(phi_q) {
+        sizes[i] += (1.0 - lengths[j]) * a.abs();
+    }
+    position.max(rounding(largest(q, lengths, 1.0 / unit)))
+}
+
+/// Largest |Φᵢ| where every row of position level is closed as far as it may be; none where one is not.
+#[inline]
+pub(crate) fn closed_position(model: &Model, phi: &[f64], sizes: &[f64], allowed: f64) -> Option<f64> {
+    let (mut residual, mut all) = (0.0, true);
+    for ((row, phi), size) in model.rows.iter().zip(phi).zip(sizes) {
+        let phi = phi.abs();
+        let counts = row.level == Level::Position;
+        all &= !counts | (phi <= allowed * size);
+        residual = if counts & (phi > residual) { phi } else { residual };
+    }
+    all.then_some(residual)
+}
+
 /// Largest |Φᵢ| where all rows hold at q; with q̇ and q̈ also those of velocity and acceleration. None where one does not.
 /// `lengths` is what [`write_lengths`] writes, `rows` room for every row.
 pub(crate) fn closed(

@@ -117,12 +117,16 @@ pub(crate) struct Followed<'f> {
     pub(crate) q: &'f [f64],
     pub(crate) q_dot: &'f [f64],
     pub(crate) q_ddot: &'f [f64],
+    /// The smallest margin.
+    pub(crate) least_margin: f64,
 }
 
 impl<'f, M: Mechanism> From<&'f Follower<M>> for Followed<'f> {
     fn from(follower: &'f Follower<M>) -> Self {
         let state = follower.state();
-        Self { q: state.q.as_ref(), q_dot: state.q_dot.as_ref(), q_ddot: state.q_ddot.as_ref() }
+        let margins = &state.margins.as_ref()[..M::model().plan.margins];
+        let least_margin = margins.iter().fold(1.0, |least: f64, margin| if *margin < least { *margin } else { least });
+        Self { q: state.q.as_ref(), q_dot: state.q_dot.as_ref(), q_ddot: state.q_ddot.as_ref(), least_margin }
     }
 }
 

@@ -8,7 +8,7 @@ use crate::motion::poses;
 use crate::options::Options;
 use crate::planned::follower::Control;
 use crate::planned::{Limit, PlanError};
-use crate::residual::{Row, Tolerances, closed, write_lengths};
+use crate::residual::{Row, Tolerances, closed, closed_position, write_lengths, write_sizes};
 use crate::scale::Scale;
 use crate::state::State;
 use crate::system::Followed;
@@ -27,7 +27,14 @@ pub(super) struct ByPlan {
     /// Room for the sums of every row, and which coordinates are lengths.
     rows: Vec<Row>,
     lengths: Vec<f64>,
+    /// How large rows are, as they were at the first state; none yet where the list is empty.
+    sizes: Vec<f64>,
+    /// What a residual may be of them.
+    allowed: f64,
 }
+
+/// Margins above this leave rates enough digits not to be compared with their equations.
+const FAR: f64 = 1e-4;
 
 impl Control {
     /// As the options of a solver say.
@@ -55,6 +62,8 @@ impl ByPlan {
             has_curves: contact::has_curves(equations.model),
             rows,
             lengths,
+            sizes: Vec::new(),
+            allowed: 0.0,
         })
     }
 
@@ -81,14 +90,18 @@ impl ByPlan {
     ) -> Result<bool, SolveError> {
         let at = Instant { t: equations.t, inputs: &equations.inputs };
         let inputs = equations.input_function();
-        let found = match equations.system.follow(&at, inputs, &self.control) {
+        let mut least = 0.0;
+        self.refused = match equations.system.follow(&at, inputs, &self.control) {
             Ok(found) => {
                 copy(state, found);
+                least = found.least_margin;
                 None
             }
             Err(error) => Some(error),
         };
-        self.refused = found;
+        if self.refused.is_none() && least > FAR && self.is_closed(equations, state)? {
+            return Ok(true);
+        }
         if self.refused.is_some() || !self.complete(equations, Some(before), state)? {
             self.stands = false;
             return Ok(false);
@@ -102,6 +115,33 @@ impl ByPlan {
         let inputs = equations.input_function();
         equations.system.glance(&at, inputs, &self.control, &mut |found| copy(state, found)).ok()?;
         self.complete(equations, None, state).ok()?.then_some(())
+    }
+
+    /// Completes a state far from all limits by what is left of Φ alone: rates follow from a q that closes. False where that
+    /// is not certain.
+    fn is_closed(&mut self, equations: &mut Equations<'_>, state: &mut State) -> Result<bool, SolveError> {
+        if self.has_curves || self.sizes.is_empty() {
+            return Ok(false);
+        }
+        let at = Instant { t: equations.t, inputs: &equations.inputs };
+        equations.system.evaluate(Subset::PHI, &at, &state.q, &state.q_dot)?;
+        let phi = equations.system.constraints().phi;
+        let Some(residual) = closed_position(equations.model, phi, &self.sizes, self.allowed) else {
+            return Ok(false);
+        };
+        self.finish(equations, state, residual)?;
+        Ok(true)
+    }
+
+    /// Writes what a state has besides its q, q̇ and q̈.
+    fn finish(&self, equations: &mut Equations<'_>, state: &mut State, residual: f64) -> Result<(), SolveError> {
+        state.t = equations.t;
+        state.inputs.clone_from(&equations.inputs);
+        state.residual = residual;
+        state.iterations = 1;
+        state.condition = None;
+        state.degrees_of_freedom_left = 0;
+        poses(equations, state)
     }
 
     /// True if all curves say where they are touched, and no roller has changed its side since `before`.
@@ -145,13 +185,13 @@ impl ByPlan {
         if self.has_curves && !self.touches(equations, before, state)? {
             return Ok(false);
         }
-        state.t = equations.t;
-        state.inputs.clone_from(&equations.inputs);
-        state.residual = residual;
-        state.iterations = 1;
-        state.condition = None;
-        state.degrees_of_freedom_left = 0;
-        poses(equations, state)?;
+        if self.sizes.is_empty() {
+            self.sizes.resize(self.rows.len(), 0.0);
+            let parts = equations.system.constraints();
+            let (position, lengths) = (equations.options.tolerance, &self.lengths);
+            self.allowed = write_sizes(equations.model, parts.phi_q, &state.q, lengths, position, &mut self.sizes);
+        }
+        self.finish(equations, state, residual)?;
         Ok(true)
     }
 

@@ -15,7 +15,7 @@ use crate::model::{Component, CoordinateKind, JointKind, Model, Role};
 use crate::motion::{shows_coordinates, write_coordinates, write_poses};
 use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::planned::follower::{Follower, Poses};
-use crate::residual::{Row, Tolerances, closed, write_lengths};
+use crate::residual::{Row, Tolerances, closed, closed_position, write_lengths, write_sizes};
 use crate::scalar::compare::Compare;
 use crate::state::State;
 use crate::system::Parts;
@@ -240,8 +240,18 @@ impl<M: Mechanism> Solver<'_, M> {
         let solution = [poses.q.as_ref(), poses.q_dot.as_ref(), poses.q_ddot.as_ref()];
         let [q, q_dot, q_ddot] = solution;
         let mut workspace = M::workspace::<f64>();
-        self.mechanism.evaluate_with(parameters.as_ref(), Subset::ALL, at, q, q_dot, &mut workspace).ok()?;
-        let residual = self.residual(&parts(&workspace), solution, self.options.consistency_tolerance)?;
+        let margins = &poses.margins.as_ref()[..model.plan.margins];
+        let residual = if margins.iter().all(|margin| *margin > FAR) {
+            // Far from all limits rates follow from a q that closes.
+            self.mechanism.evaluate_with(parameters.as_ref(), Subset::POSITION, at, q, q_dot, &mut workspace).ok()?;
+            self.position_residual(&parts(&workspace), q)?
+        } else {
+            self.mechanism.evaluate_with(parameters.as_ref(), Subset::ALL, at, q, q_dot, &mut workspace).ok()?;
+            self.residual(&parts(&workspace), solution)?
+        };
+        if !solution.iter().all(|numbers| numbers.iter().fold(true, |all, x| all & x.is_finite())) {
+            return None;
+        }
         let mut state = State {
             model,
             t: at.t,
@@ -266,16 +276,23 @@ impl<M: Mechanism> Solver<'_, M> {
         Some(state)
     }
 
-    /// The largest residual where all rows hold; none where one does not, or where a number is not finite.
-    fn residual(&self, parts: &Parts<'_>, solution: [&[f64]; 3], rates: f64) -> Option<f64> {
+    /// The largest residual where all rows of position level hold; none where one does not.
+    fn position_residual(&self, parts: &Parts<'_>, q: &[f64]) -> Option<f64> {
         let model = M::model();
         let mut lengths = M::Coordinates::<f64>::filled(0.0);
         write_lengths(model, lengths.as_mut());
-        let tolerances = Tolerances { position: self.options.tolerance, rates };
-        let finite = |numbers: &[f64]| numbers.iter().fold(true, |all, x| all & x.is_finite());
-        if !solution.iter().all(|numbers| finite(numbers)) {
-            return None;
-        }
+        let mut sizes = M::Rows::<f64>::filled(0.0);
+        let tolerance = self.options.tolerance;
+        let allowed = write_sizes(model, parts.phi_q, q, lengths.as_ref(), tolerance, sizes.as_mut());
+        closed_position(model, parts.phi, sizes.as_ref(), allowed)
+    }
+
+    /// The largest residual where all rows hold, with those of rates; none where one does not.
+    fn residual(&self, parts: &Parts<'_>, solution: [&[f64]; 3]) -> Option<f64> {
+        let model = M::model();
+        let mut lengths = M::Coordinates::<f64>::filled(0.0);
+        write_lengths(model, lengths.as_mut());
+        let tolerances = Tolerances { position: self.options.tolerance, rates: self.options.consistency_tolerance };
         // There are seldom more rows than fit on the stack.
         let mut few = [Row::default(); FEW];
         let mut many = Vec::new();
@@ -303,17 +320,13 @@ impl<M: Mechanism> Solver<'_, M> {
         let still = M::Coordinates::<f64>::filled(0.0);
         let (q, still) = (q.as_ref(), still.as_ref());
         self.mechanism.evaluate_with(parameters.as_ref(), Subset::POSITION, at, q, still, &mut workspace).ok()?;
-        // Nothing is asked of rates.
-        let residual = self.residual(&parts(&workspace), [q, still, still], ANY)?;
+        let residual = self.position_residual(&parts(&workspace), q)?;
         Some(Position { q: q.to_vec(), iterations: 1, residual })
     }
 }
 
 /// Margins above this leave rates enough digits wherever branches cross.
 const FAR: f64 = 1e-2;
-
-/// A tolerance that anything meets.
-const ANY: f64 = 1e30;
 
 /// Rows for which there is room on the stack.
 const FEW: usize = 64;
