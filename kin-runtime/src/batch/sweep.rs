@@ -23,8 +23,7 @@ const INSTANTS: usize = 512;
 pub struct Sweeps<'a> {
     /// In the order of [`Model::parameters`](crate::model::Model::parameters), a number for every set or one for all.
     pub parameters: &'a [Column<'a>],
-    /// The instants, in the order in which they are solved; near one another as
-    /// [`Planned`](crate::Planned) wants them.
+    /// The instants, in the order in which they are solved; the nearer they are, the more sets go there in one step.
     pub times: &'a [f64],
     /// The inputs, a number for every *instant* or one for all of them; the same for all sets.
     pub inputs: &'a [Signal<Column<'a>>],
@@ -234,9 +233,8 @@ fn show(to: &mut [Lanes], from: &[Octet], group: usize) {
 
 /// The whole motion of many sets of parameters over one time grid; `out` says how many there are.
 ///
-/// Eight sets move together, each on its own way: angles go on counting from instant to instant, as
-/// [`Planned`](crate::Planned) has them, and modes stay what they are at the first instant, but for closures that redundant
-/// rows carry past a limit of the others. `visit` is called for every block
+/// Eight sets move together, each on its own way. Every set goes where [`Planned`](crate::Planned) would lead it alone, on
+/// the branch that it is on at the first instant, and ends where that ends. `visit` is called for every block
 /// at every instant, in the order of the grid, from any of the threads, and gathers what it wants in the score of the
 /// block; states are not kept. A set that comes to a limit goes no further: [`Motions::ends`] says where, and
 /// [`Moment::keep`] keeps its part of the score as it was. `watch` is told how many sets are done and may stop it.

@@ -204,6 +204,9 @@ impl fmt::Display for PlanError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoPlan { why } => write!(f, "no plan because {why}"),
+            Self::Limit { t, limit } if limit.at.is_some_and(|at| (at - t).abs() > 1e-9 * t.abs()) => {
+                write!(f, "no way to t = {}: {limit}", rounded(*t))
+            }
             Self::Limit { t, limit } | Self::Singular { t, limit } | Self::Contradiction { t, limit } => {
                 write!(f, "at t = {t}, {limit}")
             }

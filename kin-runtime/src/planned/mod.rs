@@ -23,28 +23,28 @@ use follower::{Control, Follower};
 /// A mechanism that is solved by its plan ([`Model::plan`]) at one instant after the other: q, q̇ and q̈ in closed form
 /// wherever there is one, without Φ, without an allocator and without `std`.
 ///
-/// It is made from a complete configuration, which decides the assembly modes, and keeps them by their signs: where
-/// [`at`](Self::at) has an answer, it is never one in another mode. From the last good state it predicts
+/// It is made from a complete configuration, which decides the assembly modes, and follows the branch of the motion that
+/// the configuration is on: where [`at`](Self::at) has an answer, it is never one on another branch. From the last good
+/// state it predicts
 ///
 /// ```text
 /// q(t + h) ≈ q + h q̇ + ½ h² q̈
 /// ```
 ///
-/// and the plan starts there, iterations even nearer, on the quintic that the last two states have in common: angles come
-/// out within half a turn of the prediction, so that they go on counting as long as no body turns by more than that away from it between two instants; where the plan has Newton iterations, they
-/// converge to the closure near the prediction, so that instants lie near one another (a few degrees of the fastest body
-/// for one correction or two). Plans without such iterations may go as far as angles allow, in either direction of time.
-/// Beside a limit, where q̈ grows without bounds, a prediction far ahead means nothing: where ½ h² φ̈ of an angle is more
-/// than 1 and more than h φ̇, the prediction is the last good q itself. Scalar coordinates are judged as angles; x and y are
-/// not, because no unit of length has a meaning of its own, and nothing far from its place closes anyway.
+/// and the plan solves from there, with angles within half a turn of the prediction. That step counts if no body was to
+/// turn by more than 0.3 rad, the solution is where it was predicted, and every group that closes in two ways, or is solved
+/// by iteration, is either too far from its limit to have come there or as far from it as the prediction has it. Otherwise
+/// the way to the instant is walked in shorter steps, with the inputs going as [`Tracker`](crate::Tracker) says. So
+/// instants may be far apart, in either direction of time; the nearer they are, the fewer steps are taken.
 ///
-/// A solution counts when all margins exceed [`Plan::SMALLEST_MARGIN`] and every number is finite. After an error the
-/// last good state stays, and the next instant is predicted from there: as far away as the prediction holds. Behind a longer
-/// gap the closures are still those of the modes, but an angle may come out by whole turns beside what it would have counted to,
-/// and an iteration may find another closure or none: [`restart`](Self::restart) there with a configuration that is known.
+/// Where a group comes to its limit on the way – a dead centre, or a crossing of two branches of the motion – there is
+/// [`PlanError::Limit`] with the place of the limit, whether the instant that was asked for lies behind it or not, and
+/// also where it lies so near to a crossing that rounding would decide its rates. A solution counts when all margins
+/// exceed [`Plan::SMALLEST_MARGIN`](crate::plan::Plan::SMALLEST_MARGIN) and every number is finite. After an error the
+/// last good state stays, and the next instant is reached from there.
 ///
-/// Nothing else is checked: [`Tracker`](crate::Tracker) and [`Solver::sweep`](crate::Solver::sweep) hold every answer
-/// against Φ, walk long ways in steps and change over to full Newton where a plan is singular. Redundant rows
+/// Φ itself is not evaluated: [`Tracker`](crate::Tracker) and [`Solver::sweep`](crate::Solver::sweep) use this very
+/// follower, compare every answer with Φ, and change over to full Newton where a plan is singular. Redundant rows
 /// (`allow_redundant`) have margins of their own, which say when they contradict the others. Where these others alone have
 /// a limit that the mechanism passes, as a parallelogram with a third crank does when it lies flat, the closure goes on
 /// with the other sign, because the redundant rows say so; at the limit itself there is [`PlanError::Limit`], and the next

@@ -42,6 +42,11 @@ impl Step {
         self.info().joints.iter().filter_map(|&joint| joints.get(joint)).map(|joint| joint.name)
     }
 
+    /// The name of the mechanism.
+    pub const fn mechanism(&self) -> &'static str {
+        self.model.name
+    }
+
     /// The names of the bodies that it places, in order of declaration.
     pub fn bodies(&self) -> impl Iterator<Item = &'static str> + use<> {
         let (model, info) = (self.model, self.info());
