@@ -58,6 +58,7 @@ pub(crate) fn fallback(cleaned: Option<&ItemStruct>, item: TokenStream, broken: 
                 const PARAMETERS: usize = 0;
                 const INPUTS: usize = 0;
                 #(#types)*
+                type Inputs<__T: __kin::Scalar> = [__kin::Signal<__T>; 0];
                 fn model() -> &'static __kin::Model { ::core::unimplemented!() }
                 fn parameters<__T: __kin::Scalar>(&self) -> [__T; 0] { [] }
                 fn set_parameter(&mut self, _: usize, _: f64) -> bool { #mentions false }

@@ -70,12 +70,7 @@ impl Answer {
     }
 
     fn limit(&self, equations: &Equations<'_>, margin: usize) -> Option<Limit> {
-        Step::of_margin(equations.model, margin).map(|step| Limit {
-            step,
-            margin: self.margins[margin],
-            at: None,
-            kind: None,
-        })
+        Step::of_margin(equations.model, margin).map(|step| Limit::new(step, self.margins[margin]))
     }
 
     /// True if q is in these modes for sure.

@@ -62,7 +62,7 @@ pub enum SolveError {
         /// Its joint.
         joint: &'static str,
         /// Iterations of that attempt.
-        iterations: usize,
+        iterations: u32,
         /// Whether assembly had nothing to vary, since every coordinate had a guess.
         all_guessed: bool,
         /// The group of the plan that cannot close, in the modes of the best attempt; none where all can or where there is

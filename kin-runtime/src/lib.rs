@@ -127,7 +127,7 @@ pub use kin_derive::mechanism;
 #[cfg(feature = "simd")]
 pub use lanes::Lanes;
 pub use mechanism::{LengthError, Mechanism, Observations, Workspace};
-pub use planned::{Limit, LimitKind, ModeKey, PlanError, Planned, Sign};
+pub use planned::{Limit, LimitKind, Located, ModeKey, PlanError, Planned, Sign};
 pub use scalar::Scalar;
 pub use series::PowerSeries;
 pub use signal::{Instant, Signal};

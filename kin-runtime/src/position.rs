@@ -67,7 +67,7 @@ pub(crate) fn finish(equations: &mut Equations<'_>, q: Vec<f64>, outcome: Outcom
         row: outcome.worst,
         row_name: equations.row_name(outcome.worst),
         joint: equations.joint_name(outcome.worst),
-        iterations: outcome.iterations,
+        iterations: outcome.iterations as u32,
         all_guessed: false,
         limit: by_plan::limit(equations, &q),
     })

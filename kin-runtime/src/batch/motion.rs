@@ -283,11 +283,12 @@ impl<M: Mechanism> Motion<M> {
 #[inline(always)]
 fn is_positive(x: Octet) -> bool {
     let half = Octet::from_f64(0.5);
-    (x.least(Octet::from_f64(1.0)) - half).is_within(0.5) & (x - x).is_within(0.0)
+    // Of NaN and 1 the smaller may be 1; a number times 0 is 0.
+    (x.least(Octet::from_f64(1.0)) - half).is_within(0.5) & (x * Octet::default()).is_within(0.0)
 }
 
 /// The step of the plan that a margin belongs to.
 fn limit_of<M: Mechanism>(found: Option<(usize, f64)>) -> Option<Limit> {
     let (place, margin) = found?;
-    Step::of_margin(M::model(), place).map(|step| Limit { step, margin, at: None, kind: None })
+    Step::of_margin(M::model(), place).map(|step| Limit::new(step, margin))
 }

@@ -19,6 +19,9 @@ const NEARLY_SINGULAR: f64 = 1e-4;
 /// the rounding of t moves the mechanism visibly.
 const COARSEST: f64 = 1e-2;
 
+/// How far behind the last instant tried a limit may be, relative to a step in which the motion turns as far as it may.
+const BESIDE: f64 = 1e-3;
+
 /// Why there is no way on from `start` to the place `refused`; `located` is where the plan has found the limit.
 pub(super) fn refusal(
     equations: &mut Equations<'_>,
@@ -34,26 +37,24 @@ pub(super) fn refusal(
         Fault::Coarse(_) => (None, Refusal::StepTooSmall),
     };
     let spacing = f64::EPSILON * start.s.abs();
-    let reason = if spacing > COARSEST * natural_step(equations, [start.q_dot, start.q_ddot], 1.0) {
-        Refusal::TimeTooCoarse
-    } else {
-        reason
-    };
+    let natural = natural_step(equations, [start.q_dot, start.q_ddot], 1.0);
+    let reason = if spacing > COARSEST * natural { Refusal::TimeTooCoarse } else { reason };
     let t_refused = equations.time_at(refused);
     let Node { state: State { q, .. }, .. } = start.node;
     let groups = &start.basis.groups;
     let there = |equations: &mut Equations<'_>| {
         equations.move_to(refused).ok().and_then(|()| by_plan::limit_in(equations, groups, q))
     };
-    let limit = located.filter(|limit| limit.at.is_some()).or_else(|| there(equations));
+    let limit = located.filter(|limit| limit.at().is_some()).or_else(|| there(equations));
     let evaluated = equations.move_to(start.s).and_then(|()| equations.evaluate(Subset::VELOCITY, q, None));
     if let Err(error) = evaluated {
         return error;
     }
     let expected_rank = start.basis.factor.rank;
     // The limit itself, where the motion was followed up to it.
-    let t =
-        limit.and_then(|limit| limit.at).filter(|at| is_between(*at, equations.t, t_refused)).unwrap_or(equations.t);
+    let beside = (equations.time_at(start.s + BESIDE * natural) - equations.t).abs();
+    let is_here = |at: &f64| is_between(*at, equations.t, t_refused, beside);
+    let t = limit.and_then(|limit| limit.at()).filter(is_here).unwrap_or(equations.t);
     let all: Vec<usize> = (0..equations.rows()).collect();
     let columns = &equations.scale.columns;
     let factor = Factorization::revealing(&equations.scaled_rows(&all), columns, NEARLY_SINGULAR);
@@ -71,8 +72,8 @@ pub(super) fn refusal(
     SolveError::StepRefused { t, t_refused, row_name, joint, reason, limit }
 }
 
-/// True for a time on the way between two others, or beside them by rounding.
-fn is_between(t: f64, a: f64, b: f64) -> bool {
-    let beside = 1e-6 * (a - b).abs() + 1e-9 * a.abs().max(b.abs());
+/// True for a time on the way between two others, or beside them by no more than `beside` and rounding.
+fn is_between(t: f64, a: f64, b: f64, beside: f64) -> bool {
+    let beside = beside + 1e-9 * a.abs().max(b.abs());
     t >= a.min(b) - beside && t <= a.max(b) + beside
 }

@@ -20,7 +20,7 @@ impl fmt::Display for SolveError {
                 f.write_str("; every coordinate has a guess and none is varied: other guesses, or fewer, may close")
             }
             Self::Singular { limit: Some(limit), .. } | Self::StepRefused { limit: Some(limit), .. }
-                if limit.at.is_some() && limit.kind.is_some() =>
+                if limit.kind().is_some() =>
             {
                 write!(f, "{}: {limit}", limit.step.mechanism())
             }

@@ -14,8 +14,16 @@ pub struct Limit {
     /// Its margin: 0 at the limit, negative where it cannot close. It is 1 − (m/r)², where the group closes as long as
     /// |m| ≤ r; far beyond the limit it may be any negative number.
     pub margin: f64,
-    /// The time at which the limit itself is, to rounding, where the motion was followed up to it.
-    pub at: Option<f64>,
+    /// Where the limit itself is, where the motion was followed up to it.
+    pub located: Option<Located>,
+}
+
+/// The place of a limit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Located {
+    /// Time, to rounding.
+    pub at: f64,
     /// What kind of limit it is, where that is known.
     pub kind: Option<LimitKind>,
 }
@@ -42,7 +50,36 @@ impl fmt::Display for LimitKind {
     }
 }
 
+/// `t = 1.0947 (dead centre)`.
+impl fmt::Display for Located {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "t = {}", rounded(self.at))?;
+        self.kind.map_or(Ok(()), |kind| write!(f, " ({kind})"))
+    }
+}
+
 impl Limit {
+    /// A limit of which nothing more is known.
+    pub(crate) const fn new(step: Step, margin: f64) -> Self {
+        Self { step, margin, located: None }
+    }
+
+    /// The time of the limit itself, where the motion was followed up to it.
+    pub const fn at(&self) -> Option<f64> {
+        match self.located {
+            Some(located) => Some(located.at),
+            None => None,
+        }
+    }
+
+    /// What kind of limit it is, where that is known.
+    pub const fn kind(&self) -> Option<LimitKind> {
+        match self.located {
+            Some(located) => located.kind,
+            None => None,
+        }
+    }
+
     /// By how much redundant rows contradict the others, relative to the size of the mechanism or of its motion; none
     /// where the step is not of that kind. It is [`Plan::CONSISTENCY`] √(1 − margin), which far from limits of other steps
     /// is what the row that is missed most is missed by.
@@ -57,11 +94,11 @@ impl Limit {
 
 impl fmt::Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { step, margin, at, kind } = self;
+        let Self { step, margin, .. } = self;
         if let Some(miss) = self.contradiction() {
             return write!(f, "{step} missed by {miss:.1e} of the mechanism's size and motion");
         }
-        if let (Some(at), Some(kind)) = (at, kind) {
+        if let (Some(at), Some(kind)) = (self.at(), self.kind()) {
             let bodies = step.bodies().count();
             for (k, body) in step.bodies().enumerate() {
                 f.write_str(if k == 0 {
@@ -75,7 +112,7 @@ impl fmt::Display for Limit {
             }
             let verb = if bodies > 1 { "lock" } else { "locks" };
             f.write_str(if bodies > 0 { " of " } else { "" })?;
-            write!(f, "{step} {verb} at t = {}: {} ({kind})", rounded(*at), step.info().singular)?;
+            write!(f, "{step} {verb} at t = {}: {} ({kind})", rounded(at), step.info().singular)?;
             return match step.driver() {
                 Some(driver) => write!(f, ", the driver {driver} is at the end of its range"),
                 None => Ok(()),
@@ -204,7 +241,7 @@ impl fmt::Display for PlanError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoPlan { why } => write!(f, "no plan because {why}"),
-            Self::Limit { t, limit } if limit.at.is_some_and(|at| (at - t).abs() > 1e-9 * t.abs()) => {
+            Self::Limit { t, limit } if limit.at().is_some_and(|at| (at - t).abs() > 1e-9 * t.abs()) => {
                 write!(f, "no way to t = {}: {limit}", rounded(*t))
             }
             Self::Limit { t, limit } | Self::Singular { t, limit } | Self::Contradiction { t, limit } => {

@@ -353,12 +353,15 @@ impl<M: Mechanism> Follower<M> {
         turn: f64,
         control: &Control,
     ) -> Result<bool, LengthError> {
-        if !self.ask(mechanism, at)? || !(turn <= most_turn(control, self.nearest)) {
+        // All comparisons are such that NaN does not count.
+        let is_short = turn <= most_turn(control, self.nearest);
+        if !self.ask(mechanism, at)? || !is_short {
             return Ok(false);
         }
         let tried = &self.states[1 - self.good];
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
-        if !(away <= control.correction * turn + NEGLIGIBLE) || !self.keeps_orientations(mechanism, at)? {
+        let is_expected = away <= control.correction * turn + NEGLIGIBLE;
+        if !is_expected || !self.keeps_orientations(mechanism, at)? {
             return Ok(false);
         }
         let nearest = self.measure();
@@ -393,7 +396,8 @@ impl<M: Mechanism> Follower<M> {
     fn stays_on_its_branch(&self, mechanism: &M, at: &Instant<'_>, resolution: f64) -> Result<bool, LengthError> {
         let plan = &M::model().plan;
         let (before, now) = (self.branch.distances.as_ref(), self.distances.as_ref());
-        if !(resolution >= 0.0) || (0..plan.signs()).any(|sign| may_dip(before[sign], now[sign])) {
+        let is_resolved = resolution >= 0.0;
+        if !is_resolved || (0..plan.signs()).any(|sign| may_dip(before[sign], now[sign])) {
             return Ok(false);
         }
         if self.is_blurred(mechanism, at) {

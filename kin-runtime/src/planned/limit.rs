@@ -4,7 +4,7 @@
 //! fold, and touches 0 at a crossing. So the end of a motion that was stopped at a group is a root of its margin, or its
 //! minimum.
 
-use super::error::{Limit, LimitKind, PlanError};
+use super::error::{Limit, LimitKind, Located, PlanError};
 use super::follower::{Fault, Follower};
 use super::step::Step;
 use super::walk::Blocked;
@@ -35,6 +35,9 @@ const FOLD: f64 = 0.03;
 
 /// How far from 0 a margin may be at a crossing, where it touches 0: its own rounding.
 const TOUCHES: f64 = 1e-9;
+
+/// What rounding may leave of a margin that is 0.
+const NO_MARGIN: f64 = 1e-13;
 
 /// Halvings, and sections of the search for a minimum: each is as many as digits need.
 const HALVINGS: usize = 80;
@@ -75,7 +78,8 @@ impl<M: Mechanism> Follower<M> {
         let margin = self.states[1 - self.good].margins.as_ref()[place];
         match Step::of_margin(M::model(), place) {
             Some(step) => {
-                let limit = Limit { step, margin, at: Some(t), kind: Some(LimitKind::BranchPoint) };
+                let limit =
+                    Limit { step, margin, located: Some(Located { at: t, kind: Some(LimitKind::BranchPoint) }) };
                 PlanError::Limit { t, limit }
             }
             None => PlanError::NonFinite { what: "margins", index: place, name: "", t },
@@ -124,7 +128,7 @@ impl<M: Mechanism> Follower<M> {
         for (index, &margin) in margins.iter().enumerate() {
             match Step::of_margin(model, index) {
                 Some(step) if margin <= Plan::SMALLEST_MARGIN => {
-                    return of_kind(t, Limit { step, margin, at: None, kind: None });
+                    return of_kind(t, Limit::new(step, margin));
                 }
                 _ if margin.is_nan() => return error("margins", index, ""),
                 _ => {}
@@ -174,7 +178,7 @@ impl<M: Mechanism> Follower<M> {
         let is_sign = (0..plan.signs()).any(|sign| plan.margin_of_sign(sign) == Some(place));
         if !is_sign {
             let margin = self.margin_at(mechanism, course, blocked.places[1], place, blocked);
-            return of_kind(t, Limit { step, margin, at: Some(reached), kind: None });
+            return of_kind(t, Limit { step, margin, located: Some(Located { at: reached, kind: None }) });
         }
         let (s, margin) = self.locate(mechanism, course, place, blocked);
         let kind = if margin <= TOUCHES && margin > -TOUCHES && self.comes_back(mechanism, course, s, place, blocked) {
@@ -186,7 +190,7 @@ impl<M: Mechanism> Follower<M> {
         // The margin at the instant that was asked for says how far beyond its limit the group would be.
         let asked = self.margin_at(mechanism, course, course.ends()[1], place, blocked);
         let margin = if asked <= Plan::SMALLEST_MARGIN { asked } else { margin };
-        of_kind(t, Limit { step, margin, at: Some(limit_at), kind: Some(kind) })
+        of_kind(t, Limit { step, margin, located: Some(Located { at: limit_at, kind: Some(kind) }) })
     }
 
     /// A margin at a place of the course, in the modes that are kept.
@@ -224,7 +228,9 @@ impl<M: Mechanism> Follower<M> {
         let mut margin = |s: f64| self.margin_at(mechanism, course, s, place, blocked);
         // Away from the last place in growing strides, until the margin is gone or grows again.
         let direction = if end < start { -1.0 } else { 1.0 };
-        let mut stride = (refused - from).abs().max(4.0 * f64::EPSILON * from.abs());
+        // Not so small that rounding of the margin decides.
+        let least = LITTLE * (end - from).abs();
+        let mut stride = (refused - from).abs().max(least).max(4.0 * f64::EPSILON * from.abs());
         let (mut a, mut b, mut at_b) = (from, from, margin(from));
         let mut c = b;
         for _ in 0..HALVINGS {
@@ -250,8 +256,8 @@ impl<M: Mechanism> Follower<M> {
     /// True where the margin grows again behind a place.
     fn comes_back(&mut self, mechanism: &M, course: &dyn Course, s: f64, place: usize, blocked: &Blocked<M>) -> bool {
         let [start, end] = course.ends();
-        let beyond = s + 1e-4 * (end - start).abs().max((s - blocked.places[0]).abs()) * (end - start).signum();
-        self.margin_at(mechanism, course, beyond, place, blocked) > TOUCHES
+        let beyond = s + 1e-3 * (end - start).abs().max((s - blocked.places[0]).abs()) * (end - start).signum();
+        self.margin_at(mechanism, course, beyond, place, blocked) > NO_MARGIN
     }
 }
 

@@ -11,7 +11,7 @@ mod step;
 mod text;
 mod walk;
 
-pub use error::{Limit, LimitKind, PlanError};
+pub use error::{Limit, LimitKind, Located, PlanError};
 pub use mode::{ModeKey, Sign};
 pub use step::Step;
 

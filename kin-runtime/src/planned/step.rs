@@ -8,7 +8,7 @@ use core::fmt;
 #[derive(Clone, Copy)]
 pub struct Step {
     model: &'static Model,
-    place: usize,
+    place: u32,
     /// What is said of it is how its closures stand to one another.
     closes: bool,
 }
@@ -17,23 +17,25 @@ impl Step {
     /// The step at `place` of [`Plan::steps`](crate::plan::Plan::steps); none where there is none.
     pub fn new(model: &'static Model, place: usize) -> Option<Self> {
         let step = model.plan.steps.get(place)?;
-        Some(Self { model, place, closes: step.kind == StepKind::Closure })
+        let place_as_u32 = u32::try_from(place).ok()?;
+        Some(Self { model, place: place_as_u32, closes: step.kind == StepKind::Closure })
     }
 
     /// The step that a margin belongs to.
     pub fn of_margin(model: &'static Model, margin: usize) -> Option<Self> {
         let closes = model.plan.modes.iter().any(|mode| mode.margin == margin);
-        model.plan.step_of_margin(margin).map(|place| Self { model, place, closes })
+        let place = u32::try_from(model.plan.step_of_margin(margin)?).ok()?;
+        Some(Self { model, place, closes })
     }
 
     /// Its place in [`Plan::steps`](crate::plan::Plan::steps).
     pub const fn place(&self) -> usize {
-        self.place
+        self.place as usize
     }
 
     /// What it is.
     pub fn info(&self) -> &'static PlanStep {
-        &self.model.plan.steps[self.place]
+        &self.model.plan.steps[self.place()]
     }
 
     /// The names of its joints, in order of declaration.

@@ -160,10 +160,12 @@ impl<M: Mechanism> Follower<M> {
         let nearest = f64::min(self.measure(), nearest);
         let tried = &self.states[1 - self.good];
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
-        if !(away <= allowed) {
+        // All comparisons are such that NaN does not count.
+        let (is_expected, is_resolved) = (away <= allowed, resolves(nearest, turn) >= 0.0);
+        if !is_expected {
             return Err(Fault::Coarse);
         }
-        if !(resolves(nearest, turn) >= 0.0) {
+        if !is_resolved {
             return Err(Fault::Sign(self.nearest_group()));
         }
         let at = Instant { t, inputs: inputs.as_ref() };
@@ -184,7 +186,8 @@ impl<M: Mechanism> Follower<M> {
             mechanism.branches_with(self.parameters.as_ref(), &at, middle.as_ref(), closures).map_err(wrong)?;
             let dips = |sign: &usize| {
                 let w = closures[*sign].abs();
-                !(w >= MIDDLE * before.as_ref()[*sign].min(now.as_ref()[*sign]))
+                let stays = w >= MIDDLE * before.as_ref()[*sign].min(now.as_ref()[*sign]);
+                !stays
             };
             // Redundant rows carry a motion past limits that the kept rows alone have: w changes its sign on the way.
             let passed = |sign: &usize| self.branch.signs.as_ref()[*sign] != kept.as_ref()[*sign];

@@ -158,8 +158,9 @@ impl<M: Mechanism> Solver<'_, M> {
                 Some(guessed.map(|k| squared_distance::<M>(k, start.as_ref()[k], q.as_ref()[k])).sum::<f64>())
             });
             let (plus, minus) = (plus?, minus?);
-            // Neither for NaN.
-            if !((plus - minus).abs() > UNDECIDED) {
+            // False for NaN, too.
+            let is_decided = (plus - minus).abs() > UNDECIDED;
+            if !is_decided {
                 return None;
             }
             signs.as_mut()[place] = if plus < minus { 1.0 } else { -1.0 };
