@@ -174,7 +174,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         self.follower.signs().get(place).copied().and_then(Sign::of)
     }
 
-    /// The signs of all modes, in the order of [`Plan::modes`].
+    /// The signs of all modes, in the order of [`Plan::modes`](crate::plan::Plan::modes).
     pub fn modes(&self) -> impl Iterator<Item = Sign> + '_ {
         self.follower.signs()[..M::model().plan.modes.len()].iter().copied().filter_map(Sign::of)
     }
@@ -202,7 +202,8 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         self.follower.state().q_ddot.as_ref()
     }
 
-    /// The margins of the last good state, [`Plan::margins`] numbers: how far each step is from where it says nothing.
+    /// The margins of the last good state, [`Plan::margins`](crate::plan::Plan::margins) numbers: how far each step is from
+    /// where it says nothing.
     #[inline]
     pub fn margins(&self) -> &[f64] {
         &self.follower.state().margins.as_ref()[..M::model().plan.margins]
