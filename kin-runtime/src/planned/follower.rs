@@ -160,7 +160,7 @@ impl<M: Mechanism> Follower<M> {
     }
 
     /// A motion that stands at a good state, of which nothing before is known.
-    #[cfg(feature = "simd")]
+    #[cfg(all(feature = "simd", feature = "alloc"))]
     pub(crate) fn resume(
         parameters: M::Parameters<f64>,
         signs: M::Coordinates<f64>,
