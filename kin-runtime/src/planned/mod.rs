@@ -9,6 +9,8 @@ pub(crate) mod passed;
 pub(crate) mod predict;
 mod step;
 mod text;
+mod trial;
+mod update;
 mod walk;
 
 pub use error::{Limit, LimitKind, Located, PlanError};

@@ -1,0 +1,240 @@
+//! From one solved instant to the next on the same branch, without an allocation.
+//!
+//! Usually one step does: the next configuration is predicted, the plan solves, and the step counts if nothing turned far,
+//! the solution is where it was predicted, and every group is where it was expected beside its limit (see
+//! [`trial`](super::trial) and [`branch`](super::branch)). Otherwise the way there is walked in steps that are short enough
+//! for that (see [`walk`](super::walk)), and where no step is short enough, the motion ends: see [`limit`](super::limit).
+
+use super::branch::{OUT_OF_REACH, resolves};
+use super::error::PlanError;
+use super::follower::{Control, Follower, NEGLIGIBLE, Poses, most_turn};
+use super::limit::NEAR;
+use super::mode::Sign;
+use super::predict::{beyond_parabola, parabola, turned, weights};
+use crate::course::{Between, Course, Kind, kind};
+use crate::mechanism::{LengthError, Mechanism};
+use crate::plan::StepKind;
+use crate::scalar::compare::Compare;
+use crate::signal::Instant;
+use crate::workspace::Array;
+
+impl<M: Mechanism> Follower<M> {
+    /// The plan of the mechanism solved at an instant, in the modes of a configuration q, n numbers.
+    pub(crate) fn new(mechanism: &M, at: &Instant<'_>, q: &[f64]) -> Result<Self, PlanError> {
+        if let Some(why) = M::model().plan.absent {
+            return Err(PlanError::NoPlan { why });
+        }
+        let mut follower = Self::empty(mechanism.parameters(), at.t);
+        follower.restart(mechanism, at, q)?;
+        Ok(follower)
+    }
+
+    /// The plan solved at an instant from a start with these signs, at parameters that the caller has.
+    #[cfg(feature = "std")]
+    pub(crate) fn begin(
+        mechanism: &M,
+        parameters: M::Parameters<f64>,
+        at: &Instant<'_>,
+        start: &[f64],
+        signs: M::Coordinates<f64>,
+    ) -> Result<Self, PlanError> {
+        let mut follower = Self::empty(parameters, at.t);
+        follower.restart_in(mechanism, at, start, signs)?;
+        Ok(follower)
+    }
+
+    /// Begins anew from a configuration q, n numbers, in the modes that it has.
+    pub(crate) fn restart(&mut self, mechanism: &M, at: &Instant<'_>, q: &[f64]) -> Result<(), PlanError> {
+        if q.len() != M::COORDINATES {
+            return Err(LengthError { what: "q", expected: M::COORDINATES, found: q.len() }.into());
+        }
+        let mut signs = M::Coordinates::<f64>::filled(0.0);
+        let count = M::model().plan.signs();
+        mechanism.branches_with(self.parameters.as_ref(), at, q, &mut signs.as_mut()[..count])?;
+        self.restart_in(mechanism, at, q, signs)
+    }
+
+    /// [`restart`](Self::restart) with signs of their own.
+    pub(crate) fn restart_in(
+        &mut self,
+        mechanism: &M,
+        at: &Instant<'_>,
+        start: &[f64],
+        mut signs: M::Coordinates<f64>,
+    ) -> Result<(), PlanError> {
+        // NaN where it is not decided: whatever depends on it is NaN then.
+        signs.as_mut().iter_mut().for_each(|sign| *sign = Sign::of(*sign).map_or(f64::NAN, Sign::value));
+        let before = core::mem::replace(&mut self.branch.signs, signs);
+        self.predicted.as_mut().copy_from_slice(start);
+        let anew = core::mem::replace(&mut self.anew, true);
+        let asked = core::mem::replace(&mut self.asked, M::Coordinates::filled(1.0));
+        if let Err(error) = self.solve_anew(mechanism, at) {
+            (self.branch.signs, self.anew, self.asked) = (before, anew, asked);
+            return Err(error);
+        }
+        Ok(())
+    }
+
+    /// q, q̇ and q̈ at another instant on the same branch; the inputs go there as [`course`](crate::course) says.
+    #[inline]
+    pub(crate) fn update(&mut self, mechanism: &M, at: &Instant<'_>, control: &Control) -> Result<(), PlanError> {
+        let turn = self.predict(at.t - self.t);
+        if self.anew {
+            return self.solve_anew(mechanism, at);
+        }
+        if self.takes_one_step(mechanism, at, turn, control)? {
+            return Ok(());
+        }
+        self.walk_between(mechanism, at, control)
+    }
+
+    /// [`update`](Self::update) where inputs are functions of time, whose values at the instant are those of `at`.
+    #[cfg(feature = "std")]
+    pub(crate) fn update_timed(
+        &mut self,
+        mechanism: &M,
+        at: &Instant<'_>,
+        inputs: &dyn Fn(f64, &mut [crate::signal::Signal]),
+        control: &Control,
+    ) -> Result<(), PlanError> {
+        let turn = self.predict(at.t - self.t);
+        if self.anew {
+            return self.solve_anew(mechanism, at);
+        }
+        if self.takes_one_step(mechanism, at, turn, control)? {
+            return Ok(());
+        }
+        self.walk_and_keep(mechanism, &crate::course::Timed { from: self.t, to: at.t, inputs }, at, control)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn walk_between(&mut self, mechanism: &M, at: &Instant<'_>, control: &Control) -> Result<(), PlanError> {
+        if let Some(error) = self.unusable(at) {
+            return Err(error);
+        }
+        let inputs = self.inputs;
+        let from = Instant { t: self.t, inputs: inputs.as_ref() };
+        let mut way = Between { kind: kind(&from, at), from, to: *at };
+        if way.kind == Kind::Smooth {
+            let swung = self.walk_and_keep(mechanism, &way, at, control);
+            if swung.is_ok() || M::INPUTS == 0 {
+                return swung;
+            }
+            // The quintic may lead out of the mechanism's range where the straight way does not.
+            way.kind = Kind::Straight;
+        }
+        self.walk_and_keep(mechanism, &way, at, control)
+    }
+
+    fn walk_and_keep(
+        &mut self,
+        mechanism: &M,
+        course: &dyn Course,
+        at: &Instant<'_>,
+        control: &Control,
+    ) -> Result<(), PlanError> {
+        let kept = self.branch;
+        match self.walk(mechanism, course, at, control) {
+            Ok(()) => {
+                let nearest = self.measure();
+                self.keep(at, nearest, false);
+                Ok(())
+            }
+            Err(blocked) => {
+                let error = self.refusal(mechanism, course, at, &blocked);
+                self.branch = kept;
+                self.before = f64::NAN;
+                Err(error)
+            }
+        }
+    }
+
+    /// Predicts; gives by how much the prediction turns.
+    #[inline]
+    fn predict(&mut self, h: f64) -> f64 {
+        let Poses { q, q_dot, q_ddot, .. } = &self.states[self.good];
+        let rates = [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()];
+        let turn = parabola(self.predicted.as_mut(), rates, self.weights.as_ref(), h);
+        if !M::model().plan.orientations.is_empty() {
+            self.predict_unknowns(h);
+        }
+        turn
+    }
+
+    /// The unknowns of iterations, nearer.
+    fn predict_unknowns(&mut self, h: f64) {
+        let (now, before) = (&self.states[self.good], &self.states[1 - self.good]);
+        let of = |state: &Poses<M>, k: usize| [state.q.as_ref()[k], state.q_dot.as_ref()[k], state.q_ddot.as_ref()[k]];
+        for step in M::model().plan.steps {
+            let StepKind::Newton(unknowns) = step.kind else { continue };
+            for &(k, _) in step.coordinates.iter().take(unknowns) {
+                let beyond = beyond_parabola(of(before, k), of(now, k), self.t - self.before, h);
+                self.predicted.as_mut()[k] += beyond;
+            }
+        }
+    }
+
+    /// Solves at an instant that has nothing to do with the last one.
+    fn solve_anew(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<(), PlanError> {
+        let kept = self.branch.signs;
+        let good = self.ask(mechanism, at)? || self.pass(mechanism, at)?;
+        if !good {
+            self.before = f64::NAN;
+            return Err(self.explain(at));
+        }
+        let plan = &M::model().plan;
+        let nearest = self.measure();
+        if self.is_blurred(mechanism, at) {
+            let error = self.explain_blurred(mechanism, at);
+            self.branch.signs = kept;
+            return Err(error);
+        }
+        if !plan.orientations.is_empty() {
+            // An iteration has found whatever solution is near: its orientation counts from here on.
+            let mut found = M::Coordinates::<f64>::filled(0.0);
+            let count = plan.signs();
+            let q = self.states[1 - self.good].q;
+            mechanism.branches_with(self.parameters.as_ref(), at, q.as_ref(), &mut found.as_mut()[..count])?;
+            for sign in plan.modes.len()..count {
+                self.branch.signs.as_mut()[sign] = found.as_ref()[sign].direction();
+            }
+        }
+        let q = self.states[1 - self.good].q;
+        weights(M::model(), q.as_ref(), self.weights.as_mut());
+        self.keep(at, nearest, false);
+        self.anew = false;
+        self.asked = M::Coordinates::filled(0.0);
+        Ok(())
+    }
+
+    /// True if the prediction leads to the instant in one step that counts; the instant is reached then.
+    #[inline]
+    fn takes_one_step(
+        &mut self,
+        mechanism: &M,
+        at: &Instant<'_>,
+        turn: f64,
+        control: &Control,
+    ) -> Result<bool, LengthError> {
+        // All comparisons are such that NaN does not count.
+        let is_short = turn <= most_turn(control, self.nearest);
+        if !self.ask(mechanism, at)? || !is_short {
+            return Ok(false);
+        }
+        let tried = &self.states[1 - self.good];
+        let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
+        let is_expected = away <= control.correction * turn + NEGLIGIBLE;
+        if !is_expected || !self.keeps_orientations(mechanism, at)? {
+            return Ok(false);
+        }
+        let nearest = self.measure();
+        let least = f64::min(nearest, self.nearest);
+        let far = least >= OUT_OF_REACH * turn && least >= NEAR;
+        if !far && !self.stays_on_its_branch(mechanism, at, resolves(least, turn))? {
+            return Ok(false);
+        }
+        self.keep(at, nearest, true);
+        Ok(true)
+    }
+}
