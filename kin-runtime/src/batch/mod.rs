@@ -55,6 +55,7 @@
 //! [`run`] is the driver below it: any [`Work`] over blocks of lanes, with progress and cancellation.
 
 mod column;
+mod end;
 mod evaluation;
 mod modes;
 mod motion;
@@ -67,11 +68,12 @@ mod tests;
 mod text;
 
 pub use column::{Column, Configurations};
+pub use end::End;
 pub use evaluation::{Evaluations, evaluate};
 pub use modes::Modes;
 pub use run::{Progress, Watch, Work, always, blocks, run};
 pub use solution::{Problems, Solutions, solve};
-pub use sweep::{End, Moment, Motions, Sweeps, sweep};
+pub use sweep::{Moment, Motions, Sweeps, sweep};
 
 use crate::mechanism::LengthError;
 

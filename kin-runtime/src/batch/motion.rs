@@ -3,8 +3,8 @@
 //! Eight sets go through the follower's usual step together: predict, solve, and judge by what was expected. A set for
 //! which that step does not count takes it alone, by the follower itself, so that every set goes where it would go alone.
 
+use super::end::{End, Outcome};
 use super::poses::{Limits, Poses, Question, copy_lane};
-use super::sweep::{End, Outcome};
 use crate::lanes::{Lanes, Octet, Pack};
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan};

@@ -2,12 +2,12 @@
 
 use super::BatchError;
 use super::column::{Arguments, Column, Configurations, check_list, check_signals};
+use super::end::{End, Outcome};
 use super::modes::Modes;
 use super::motion::Motion;
 use super::run::{Shape, Watch, blocks, drive};
 use crate::lanes::{Lanes, Octet, Pack};
 use crate::mechanism::Mechanism;
-use crate::planned::Limit;
 use crate::scalar::Scalar;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
@@ -31,20 +31,6 @@ pub struct Sweeps<'a> {
     pub modes: Modes<'a>,
     /// n columns, for every set: angles at the first instant come out within half a turn of these.
     pub start: &'a [Column<'a>],
-}
-
-/// Where a set cannot go on.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct End {
-    /// The first instant without an answer, a place in [`Sweeps::times`].
-    pub instant: usize,
-    /// The smallest margin there: 0 or less where a group is at its limit or beyond it; 0, too, where it is not a finite
-    /// number. Positive where every group closes and another number is not finite.
-    pub margin: f64,
-    /// The first step of the plan that has no answer there, with its margin: a group that is at its limit or cannot close,
-    /// by its joints, an iteration that does not converge, redundant rows that contradict. None where a number is not finite
-    /// for another reason.
-    pub limit: Option<Limit>,
 }
 
 /// A block of sets at one instant.
@@ -151,9 +137,6 @@ struct Shown<M: Mechanism> {
     q_dot: M::Coordinates<Lanes>,
     q_ddot: M::Coordinates<Lanes>,
 }
-
-/// What becomes of a group of lanes: a score, and where its sets had to end.
-pub(super) type Outcome<S> = (S, [Option<End>; Lanes::COUNT]);
 
 impl<'a, M, V, S> Sweep<'a, M, V, S>
 where
