@@ -1,6 +1,7 @@
-//! What an ordinary program calls, on the lecture's four-bar: states from a guess and from the last one, a tracker, a sweep
-//! of full states, position analysis alone, the follower of the plan; against a step by hand, Newton's iteration with a
-//! dense LU from the last solution. `cargo bench -p kin-benches --bench calls`.
+//! What an ordinary program calls, on the lecture's four-bar: states from a guess and from the last one, a tracker, sweeps
+//! whose states are kept or lent, position analysis alone, the follower of the plan. They are held against a step by hand,
+//! Newton's iteration with a dense LU from the last solution; it, the tracker and the follower turn on and on.
+//! `cargo bench -p kin-benches --bench calls`.
 
 use kin_benches::four_bar::{ByHand, FourBar, by_hand};
 use kin_benches::paired::{Contender, compare};
@@ -8,6 +9,7 @@ use kin_benches::placed::Placed;
 use kin_runtime::nalgebra::{SMatrix, SVector};
 use kin_runtime::{Instant, Kinematics, State};
 use std::hint::black_box;
+use std::ops::ControlFlow;
 
 const STEPS: usize = 360;
 
@@ -55,6 +57,7 @@ fn main() {
         q_ddot: array(&first.q_ddot),
         hand: ByHand::default(),
     });
+    let turn = 360_f64.to_radians() / four_bar.omega;
     let solver = four_bar.solver();
     let mut tracker = Placed::new(|| solver.tracker(&at).expect("it closes at t = 0"));
     let mut planned = Placed::new(|| solver.planned(&at).expect("there is a plan"));
@@ -109,8 +112,9 @@ fn main() {
             Contender {
                 name: "Tracker::update",
                 work: Box::new(|| {
-                    let tracker = tracker.here();
-                    for &t in &times {
+                    let tracker = tracker.carried();
+                    let turned = turn * (tracker.state().t / turn).ceil();
+                    for t in times.iter().map(|t| turned + t) {
                         black_box(tracker.update(&Instant::at(black_box(t))).expect("the crank turns"));
                     }
                 }),
@@ -120,10 +124,21 @@ fn main() {
                 work: Box::new(|| drop(black_box(solver.sweep(black_box(&times)).expect("the crank turns")))),
             },
             Contender {
+                name: "Solver::sweep_each, the same states lent",
+                work: Box::new(|| {
+                    let seen = solver.sweep_each(black_box(&times), |state| {
+                        black_box(state);
+                        ControlFlow::Continue(())
+                    });
+                    drop(black_box(seen.expect("the crank turns")));
+                }),
+            },
+            Contender {
                 name: "Planned::at",
                 work: Box::new(|| {
-                    let planned = planned.here();
-                    for &t in &times {
+                    let planned = planned.carried();
+                    let turned = turn * (planned.t() / turn).ceil();
+                    for t in times.iter().map(|t| turned + t) {
                         black_box(planned.at(&Instant::at(black_box(t))).expect("the crank turns"));
                     }
                 }),

@@ -50,7 +50,7 @@ pub(crate) fn without_gradient(equations: &Equations<'_>, tolerance: f64) -> Opt
     let rows = equations.model.rows.iter().enumerate();
     let implicit = rows.filter(|(_, row)| equations.model.joints[row.joint].kind == JointKind::OnImplicitCurve);
     implicit
-        .map(|(row, _)| (row, equations.scaled(&[row]).amax()))
+        .map(|(row, _)| (row, equations.largest_scaled(row)))
         .find(|(_, largest)| *largest <= tolerance)
         .map(|(row, largest)| degenerate(equations, row, Degeneracy::Gradient { largest }))
 }

@@ -14,7 +14,9 @@ use crate::radii;
 use crate::scale::Scale;
 use crate::system::System;
 use crate::workspace::{Instant, Signal, Subset};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
+
+mod entries;
 
 /// A coordinate that the caller prescribes: the row q_k − value.
 #[derive(Clone, Copy, Debug)]
@@ -55,7 +57,10 @@ pub(crate) struct Equations<'a> {
     pub(crate) phi_t: DVector<f64>,
     /// γ.
     pub(crate) gamma: DVector<f64>,
-    still: Vec<f64>,
+    /// Room for local points, axes and values.
+    pub(crate) geometry: Vec<f64>,
+    /// Zeros: rates at rest.
+    pub(crate) still: Vec<f64>,
     /// Buffers for what time itself contributes on a frozen way.
     reversed: Vec<f64>,
     moving: Vec<Signal>,
@@ -104,13 +109,14 @@ impl<'a> Equations<'a> {
             ordered,
             phi_t: DVector::zeros(rows),
             gamma: DVector::zeros(rows),
+            geometry: vec![0.0; model.geometry],
             still: vec![0.0; n],
             reversed: vec![0.0; n],
             moving: Vec::new(),
         };
         equations.set_instant(at)?;
         equations.lengths = geometry::kept_lengths(model);
-        geometry::lengths_exist(&equations, &equations.lengths, at)?;
+        equations.check_lengths(at, |_| true)?;
         let degenerate = radii::degenerate(&equations).or_else(|| geometry::without_direction(&equations));
         degenerate.map_or(Ok(equations), Err)
     }
@@ -169,16 +175,21 @@ impl<'a> Equations<'a> {
     }
 
     /// Checks an instant.
-    pub(crate) fn check_instant(&self, at: &Instant<'_>) -> Result<(), SolveError> {
+    pub(crate) fn check_instant(&mut self, at: &Instant<'_>) -> Result<(), SolveError> {
         finite("t", 0, "t", at.t)?;
         length("inputs", self.model.inputs.len(), at.inputs.len())?;
         self.check_inputs(at.inputs)?;
-        self.check_lengths(at)
+        self.check_lengths(at, |kept| kept.moves)
     }
 
-    /// An error where a distance that a joint keeps is negative at this instant.
-    fn check_lengths(&self, at: &Instant<'_>) -> Result<(), SolveError> {
-        geometry::lengths_exist(self, self.lengths.iter().filter(|kept| kept.moves), at)
+    /// An error where one of the distances that joints keep is negative at this instant.
+    fn check_lengths(&mut self, at: &Instant<'_>, which: impl Fn(&KeptLength) -> bool) -> Result<(), SolveError> {
+        let mut lengths = self.lengths.iter().filter(|kept| which(kept)).peekable();
+        if lengths.peek().is_none() {
+            return Ok(());
+        }
+        self.system.write_geometry(at, &mut self.geometry)?;
+        geometry::lengths_exist(&self.geometry, lengths, at.t)
     }
 
     fn check_inputs(&self, inputs: &[Signal]) -> Result<(), SolveError> {
@@ -224,7 +235,10 @@ impl<'a> Equations<'a> {
             (None, None) => {}
         }
         self.check_inputs(&self.inputs)?;
-        self.check_lengths(&self.instant())
+        let inputs = core::mem::take(&mut self.inputs);
+        let checked = self.check_lengths(&Instant { t: self.t, inputs: &inputs }, |kept| kept.moves);
+        self.inputs = inputs;
+        checked
     }
 
     /// Evaluates with derivatives by time, whatever the way.
@@ -335,41 +349,6 @@ impl<'a> Equations<'a> {
         }
         self.moving = moving;
         Ok(())
-    }
-
-    /// The entries of Φ_q with their rows and columns, in the order of the rows.
-    pub(crate) fn entries(&self) -> impl Iterator<Item = ((usize, usize), f64)> {
-        self.ordered.entries().iter().copied().zip(self.phi_q.iter().copied())
-    }
-
-    /// The entries of a row of Φ_q with their columns.
-    pub(crate) fn row(&self, row: usize) -> impl Iterator<Item = (usize, f64)> {
-        let first = self.ordered.entries().partition_point(|entry| entry.0 < row);
-        let rest = self.entries().skip(first);
-        rest.take_while(move |((of_row, _), _)| *of_row == row).map(|((_, column), value)| (column, value))
-    }
-
-    /// An entry of Φ_q.
-    pub(crate) fn entry(&self, row: usize, column: usize) -> f64 {
-        self.row(row).find(|entry| entry.0 == column).map_or(0.0, |entry| entry.1)
-    }
-
-    /// Some rows of Φ_q, each on the common scale, columns in their own units.
-    pub(crate) fn scaled_rows(&self, rows: &[usize]) -> DMatrix<f64> {
-        let mut matrix = DMatrix::zeros(rows.len(), self.coordinates());
-        for (i, &row) in rows.iter().enumerate() {
-            self.row(row).for_each(|(column, value)| matrix[(i, column)] = value * self.scale.rows[row]);
-        }
-        matrix
-    }
-
-    /// Some rows of Φ_q, rows and columns on the common scale.
-    pub(crate) fn scaled(&self, rows: &[usize]) -> DMatrix<f64> {
-        let mut matrix = self.scaled_rows(rows);
-        for (mut column, &scale) in matrix.column_iter_mut().zip(&self.scale.columns) {
-            column *= scale;
-        }
-        matrix
     }
 }
 

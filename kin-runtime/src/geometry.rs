@@ -69,21 +69,16 @@ pub(crate) fn kept_lengths(model: &'static Model) -> Vec<KeptLength> {
     model.joints.iter().filter(|joint| keeps_distance(joint)).filter_map(kept).collect()
 }
 
-/// The error if one of these lengths is negative at an instant.
+/// The error if one of these lengths is negative, given the numbers of the geometry at an instant.
 pub(crate) fn lengths_exist<'k>(
-    equations: &Equations<'_>,
+    numbers: &[f64],
     lengths: impl IntoIterator<Item = &'k KeptLength>,
-    at: &Instant<'_>,
+    t: f64,
 ) -> Result<(), SolveError> {
-    let mut lengths = lengths.into_iter().peekable();
-    if lengths.peek().is_none() {
-        return Ok(());
-    }
-    let numbers = equations.system.geometry(at)?;
-    let negative = lengths.find_map(|kept| {
+    let negative = lengths.into_iter().find_map(|kept| {
         let length = numbers.get(kept.offset).copied().filter(|&length| length < 0.0)?;
         let fault = GeometryFault::NegativeLength { length };
-        Some(SolveError::DegenerateGeometry { t: at.t, joint: kept.joint, fault })
+        Some(SolveError::DegenerateGeometry { t, joint: kept.joint, fault })
     });
     negative.map_or(Ok(()), Err)
 }

@@ -8,17 +8,18 @@ use crate::workspace::Instant;
 /// Geometry and poses at one configuration.
 pub(crate) struct Placement<'e> {
     model: &'static Model,
-    numbers: Vec<f64>,
+    numbers: &'e [f64],
     observables: &'e [f64],
 }
 
 impl<'e> Placement<'e> {
     /// The placement at q.
     pub(crate) fn at(equations: &'e mut Equations<'_>, q: &[f64]) -> Result<Self, SolveError> {
-        let at = Instant { t: equations.t, inputs: &equations.inputs };
-        let numbers = equations.system.geometry(&at)?;
-        equations.system.observe(&at, q, &vec![0.0; q.len()])?;
-        Ok(Self { model: equations.model, numbers, observables: equations.system.observables().phi })
+        let Equations { system, model, t, inputs, geometry, still, .. } = equations;
+        let at = Instant { t: *t, inputs };
+        system.write_geometry(&at, geometry)?;
+        system.observe(&at, q, still)?;
+        Ok(Self { model, numbers: geometry, observables: system.observables().phi })
     }
 
     /// A point in the inertial frame.

@@ -2,17 +2,16 @@
 
 use crate::acceleration::acceleration;
 use crate::analysis;
-use crate::continuation::kinematic;
 use crate::course::InputFunction;
 use crate::cross_check::{CrossCheck, CrossCheckOptions, PlanCheck, cross_check, plan_check};
 use crate::equations::{Equations, finite};
-use crate::error::{SolveError, SweepError};
+use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::mobility::{Mobility, mobility};
 use crate::model::Point;
 use crate::modes::{Mode, Wanted, assemble_in, modes};
 use crate::motion::{Motion, motion, point_jacobian};
-use crate::observer::{Observed, Observer};
+use crate::observer::Observer;
 use crate::options::Options;
 use crate::planned::{PlanError, Planned, Sign};
 use crate::position::position;
@@ -22,7 +21,6 @@ use crate::singular::explain;
 use crate::state::State;
 use crate::system::Evaluator;
 use crate::text::numbers;
-use crate::trajectory::Trajectory;
 use crate::transmission::{TransmissionAngle, transmission_angles};
 use crate::velocity::{factorize, velocity};
 use crate::workspace::{Instant, Signal};
@@ -31,6 +29,7 @@ use nalgebra::DMatrix;
 
 mod by_plan;
 mod settings;
+mod sweep;
 
 /// An assembled position.
 #[derive(Clone, Debug, PartialEq)]
@@ -176,24 +175,6 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         })
     }
 
-    /// The motion over `times`, in whatever order and distance: the branch is followed from the first, which is
-    /// assembled from the guesses, to the last.
-    ///
-    /// # Errors
-    /// As [`state`](Self::state) for the first instant; then [`Singular`](SolveError::Singular) or
-    /// [`StepRefused`](SolveError::StepRefused) where the branch ends, with the states before it.
-    pub fn sweep(&self, times: &[f64]) -> Result<Trajectory, SweepError> {
-        self.follow(times, |at| self.state_by_plan(at), |equations| assemble_in(equations, &self.wanted()?))
-    }
-
-    /// [`sweep`](Self::sweep) from a complete start, n numbers.
-    ///
-    /// # Errors
-    /// As [`sweep`](Self::sweep).
-    pub fn sweep_from(&self, start: &[f64], times: &[f64]) -> Result<Trajectory, SweepError> {
-        self.follow(times, |at| self.state_near(at, start), |equations| position(equations, start))
-    }
-
     /// Motion of bodies, points, defines and joints.
     ///
     /// # Errors
@@ -326,43 +307,6 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     ) -> Result<R, SolveError> {
         let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
         analysis(&mut Equations::new(evaluator, self.options, &self.given, self.inputs, at)?)
-    }
-
-    /// A sweep from the state that the plan finds or, where it finds none, from the position that `first` finds.
-    fn follow(
-        &self,
-        times: &[f64],
-        by_plan: impl FnOnce(&Instant<'_>) -> Option<State>,
-        first: impl FnOnce(&mut Equations<'_>) -> Result<Position, SolveError>,
-    ) -> Result<Trajectory, SweepError> {
-        let nothing = || Trajectory::new(M::model());
-        let Some(&t) = times.first() else { return Ok(nothing()) };
-        let mut inputs = Vec::new();
-        if let Some(function) = self.inputs {
-            inputs.resize(M::INPUTS, Signal::default());
-            function(t, &mut inputs);
-        }
-        let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
-        let at = Instant { t, inputs: &inputs };
-        let started =
-            Equations::new(evaluator, self.options, &self.given, self.inputs, &at).and_then(|mut equations| {
-                let first = match by_plan(&at) {
-                    Some(state) => (state, None),
-                    None => {
-                        let position = first(&mut equations)?;
-                        let (state, factor) = analysis::state(&mut equations, position)?;
-                        (state, Some(factor))
-                    }
-                };
-                Ok((equations, first))
-            });
-        match started {
-            Ok((mut equations, first)) => {
-                equations.observed = Observed::new(self.observer, times.len());
-                kinematic(&mut equations, first, times)
-            }
-            Err(source) => Err(SweepError { trajectory: Box::new(nothing()), source }),
-        }
     }
 }
 

@@ -82,7 +82,13 @@ pub(crate) trait System {
         Ok(())
     }
     /// Local points, axes and values.
-    fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, LengthError>;
+    fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, LengthError> {
+        let mut numbers = vec![0.0; self.model().geometry];
+        self.write_geometry(at, &mut numbers)?;
+        Ok(numbers)
+    }
+    /// Writes local points, axes and values, as many numbers as [`Model::geometry`] says.
+    fn write_geometry(&self, at: &Instant<'_>, numbers: &mut [f64]) -> Result<(), LengthError>;
     /// Puts the follower of the plan at an instant, in the modes of q.
     fn follow_from(&mut self, at: &Instant<'_>, q: &[f64]) -> Result<(), PlanError> {
         let _ = (at, q);
@@ -119,6 +125,8 @@ pub(crate) struct Followed<'f> {
     pub(crate) q_ddot: &'f [f64],
     /// The smallest margin.
     pub(crate) least_margin: f64,
+    /// True where it is one step from the state before.
+    pub(crate) in_one_step: bool,
 }
 
 impl<'f, M: Mechanism> From<&'f Follower<M>> for Followed<'f> {
@@ -126,7 +134,8 @@ impl<'f, M: Mechanism> From<&'f Follower<M>> for Followed<'f> {
         let state = follower.state();
         let margins = &state.margins.as_ref()[..M::model().plan.margins];
         let least_margin = margins.iter().fold(1.0, |least: f64, margin| if *margin < least { *margin } else { least });
-        Self { q: state.q.as_ref(), q_dot: state.q_dot.as_ref(), q_ddot: state.q_ddot.as_ref(), least_margin }
+        let (q, q_dot, q_ddot) = (state.q.as_ref(), state.q_dot.as_ref(), state.q_ddot.as_ref());
+        Self { q, q_dot, q_ddot, least_margin, in_one_step: follower.in_one_step() }
     }
 }
 
@@ -238,9 +247,7 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
         found
     }
 
-    fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, LengthError> {
-        let mut geometry = vec![0.0; M::model().geometry];
-        self.mechanism.borrow().write_geometry(self.parameters.as_ref(), at, &mut geometry)?;
-        Ok(geometry)
+    fn write_geometry(&self, at: &Instant<'_>, numbers: &mut [f64]) -> Result<(), LengthError> {
+        self.mechanism.borrow().write_geometry(self.parameters.as_ref(), at, numbers)
     }
 }

@@ -1,10 +1,12 @@
-//! Evaluation takes no memory: neither the equations nor the observables, in `f64` and `f32`; nor does a loop by the plan.
+//! Evaluation takes no memory: neither the equations nor the observables, in `f64` and `f32`; nor does a loop by the plan,
+//! a tracker, or a sweep that lends its states, where the plan solves the mechanism.
 
 use allocation_counter::measure;
-use kin_runtime::{Instant, Kinematics, Mechanism, Planned, Scalar, Subset};
+use kin_runtime::{Instant, Kinematics, Mechanism, Planned, Scalar, Signal, Subset};
 use kin_tests::every_mechanism;
 use kin_tests::mechanisms::{signals, *};
 use kin_tests::random::Random;
+use std::ops::ControlFlow;
 
 macro_rules! allocation_tests {
     (
@@ -16,6 +18,8 @@ macro_rules! allocation_tests {
             allocates_nothing::<$Moving, f64>();
             allocates_nothing::<$Moving, f32>();
             loops_without_memory::<$Moving>($from, $to);
+            tracks_without_memory::<$Moving>($from, $to);
+            sweeps_without_memory::<$Moving>($from, $to);
         })*
         $(#[test]
         fn $other() {
@@ -70,4 +74,54 @@ fn loops_without_memory<M: Kinematics + Default>(from: f64, to: f64) {
         }
     });
     assert_eq!((0, 21), (counted.count_total, found.len()), "{}", M::model().name);
+}
+
+/// The updates of a tracker, back and forth.
+fn tracks_without_memory<M: Kinematics + Default>(from: f64, to: f64) {
+    if !M::model().plan.exists() {
+        return;
+    }
+    let mechanism = M::default();
+    let inputs: Vec<Vec<_>> = (0..=200).map(|k| signals::<M>(from + (to - from) * f64::from(k) / 200.0)).collect();
+    let at = |k: usize| Instant { t: from + (to - from) * k as f64 / 200.0, inputs: &inputs[k] };
+    let mut tracker = mechanism.solver().tracker(&at(0)).unwrap();
+    // The first update makes room.
+    tracker.update(&at(1)).unwrap();
+    let mut by_plan = 0;
+    for k in (2..=200).chain((0..200).rev()) {
+        let counted = measure(|| drop(tracker.update(&at(k)).unwrap()));
+        // Full Newton allocates, where the plan has no answer.
+        let is_by_plan = tracker.fallbacks().is_empty() && tracker.state().condition.is_none();
+        by_plan += usize::from(is_by_plan);
+        assert!(!is_by_plan || counted.count_total == 0, "{} at {k}: {}", M::model().name, counted.count_total);
+    }
+    assert!(by_plan > 300, "{}: {by_plan}", M::model().name);
+}
+
+/// A sweep of many instants takes no more memory than one of few.
+fn sweeps_without_memory<M: Kinematics + Default>(from: f64, to: f64) {
+    if !M::model().plan.exists() || !M::model().conditions.is_empty() {
+        return;
+    }
+    let mechanism = M::default();
+    let inputs = |t: f64, to: &mut [Signal]| to.copy_from_slice(&signals::<M>(t));
+    let times: Vec<f64> = (0..=400).map(|k| from + (to - from) * f64::from(k) / 400.0).collect();
+    let solver = mechanism.solver();
+    let solver = if M::INPUTS > 0 { solver.with_inputs(&inputs) } else { solver };
+    let mut seen = 0;
+    let sweep = |times: &[f64], seen: &mut usize| {
+        let found = solver.sweep_each(times, |_| {
+            *seen += 1;
+            ControlFlow::Continue(())
+        });
+        found.unwrap().fallbacks.len()
+    };
+    // Full Newton allocates, and so do these functions of the inputs.
+    let mut fallbacks = M::INPUTS;
+    let few = measure(|| fallbacks += sweep(&times[..201], &mut seen));
+    let many = measure(|| fallbacks += sweep(&times, &mut seen));
+    assert_eq!(602, seen);
+    if fallbacks == 0 {
+        assert_eq!(few.count_total, many.count_total, "{}", M::model().name);
+    }
 }

@@ -119,10 +119,6 @@ impl Follower {
     ) -> Result<bool, SolveError> {
         let Self { node, here, plan, .. } = self;
         let Some(plan) = plan else { return Ok(false) };
-        if plan.has_curves {
-            // Rollers are watched from step to step.
-            return Ok(false);
-        }
         equations.by_time(|equations| {
             if !plan.stand(equations, &node.state) {
                 return Ok(false);
@@ -131,6 +127,11 @@ impl Follower {
             here.basis = None;
             here.fallback = None;
             if plan.solve(equations, &node.state.q, &mut here.state)? {
+                if plan.has_curves && !plan.in_one_step {
+                    // Rollers are watched from step to step.
+                    plan.stands = false;
+                    return Ok(false);
+                }
                 here.s = at.t;
                 core::mem::swap(node, here);
                 return Ok(true);

@@ -8,6 +8,10 @@ use crate::linear::Factorization;
 use crate::scale::Scale;
 use crate::state::State;
 use crate::trajectory::Trajectory;
+use core::ops::ControlFlow;
+
+/// Is shown every state of a sweep, and says whether to go on.
+pub(crate) type Visit<'v> = dyn FnMut(&State) -> ControlFlow<()> + 'v;
 
 /// The states at `times`, on the branch of `first`, which is the one at the first of them; with the factorisation of Φ_q
 /// where that was evaluated there last.
@@ -16,26 +20,55 @@ pub(crate) fn kinematic(
     first: (State, Option<Factorization>),
     times: &[f64],
 ) -> Result<Trajectory, SweepError> {
+    let mut states = Vec::with_capacity(times.len());
+    let mut keep = |state: &State| {
+        states.push(state.clone());
+        ControlFlow::Continue(())
+    };
+    match kinematic_each(equations, first, times, &mut keep) {
+        Ok(trajectory) => Ok(Trajectory { states, ..trajectory }),
+        Err(mut error) => {
+            error.trajectory.states = states;
+            Err(error)
+        }
+    }
+}
+
+/// As [`kinematic`]; every state is shown, and none is kept.
+pub(crate) fn kinematic_each(
+    equations: &mut Equations<'_>,
+    first: (State, Option<Factorization>),
+    times: &[f64],
+    visit: &mut Visit<'_>,
+) -> Result<Trajectory, SweepError> {
     let mut trajectory = Trajectory::new(equations.model);
-    trajectory.states.reserve_exact(times.len());
-    match follow(equations, first, times, &mut trajectory) {
+    match follow(equations, first, times, visit, &mut trajectory) {
         Ok(()) => Ok(trajectory),
         Err(source) => Err(SweepError { trajectory: Box::new(trajectory), source }),
     }
 }
 
-/// Appends one state per instant until one fails or the sweep is to stop at an event.
+/// Shows one state per instant until one fails or the sweep is to stop at an event.
 fn follow(
     equations: &mut Equations<'_>,
     (state, factor): (State, Option<Factorization>),
     times: &[f64],
+    visit: &mut Visit<'_>,
     trajectory: &mut Trajectory,
 ) -> Result<(), SolveError> {
-    trajectory.states.push(state.clone());
+    let total = times.len();
+    let mut show = |equations: &mut Equations<'_>, state: &State, done: usize| {
+        let told = equations.observed.finish(state.t, Some(state));
+        match visit(state) {
+            // Who stops it with the last one has all of them.
+            ControlFlow::Break(()) if done < total => Err(SolveError::Stopped { t: state.t, done, total }),
+            _ => told,
+        }
+    };
+    let told = show(equations, &state, 1);
     if !equations.model.conditions.is_empty() && !equations.scale.is_known {
         equations.scale = Scale::around(equations, &state.q);
     }
-    let told = equations.observed.finish(state.t, Some(&state));
     let mut follower = Follower::new(equations, state, factor)?;
     follower.watch = Watch::start(equations, follower.state())?;
     let mut instants = times.iter().enumerate().skip(1);
@@ -48,9 +81,7 @@ fn follow(
             follower.advance(equations, t, true)?;
             let event = follower.stopped(equations);
             trajectory.stopped = event.is_some();
-            let state = event.unwrap_or(follower.state()).clone();
-            let told = equations.observed.finish(state.t, Some(&state));
-            trajectory.states.push(state);
+            let told = show(equations, event.unwrap_or(follower.state()), index + 1);
             // A sweep that its first event ended is whole.
             if trajectory.stopped { Ok(()) } else { told }
         })

@@ -30,4 +30,4 @@ mod refusal;
 mod step;
 
 pub(crate) use follow::Follower;
-pub(crate) use kinematic::kinematic;
+pub(crate) use kinematic::{kinematic, kinematic_each};

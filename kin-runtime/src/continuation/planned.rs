@@ -24,6 +24,8 @@ pub(super) struct ByPlan {
     pub(super) refused: Option<PlanError>,
     /// Whether there are curves, which may say nothing at some of their points.
     pub(super) has_curves: bool,
+    /// Whether the last state was reached in one step of the follower.
+    pub(super) in_one_step: bool,
     /// Room for the sums of every row, and which coordinates are lengths.
     rows: Vec<Row>,
     lengths: Vec<f64>,
@@ -60,6 +62,7 @@ impl ByPlan {
             stands: false,
             refused: None,
             has_curves: contact::has_curves(equations.model),
+            in_one_step: true,
             rows,
             lengths,
             sizes: Vec::new(),
@@ -95,6 +98,7 @@ impl ByPlan {
             Ok(found) => {
                 copy(state, found);
                 least = found.least_margin;
+                self.in_one_step = found.in_one_step;
                 None
             }
             Err(error) => Some(error),

@@ -198,8 +198,8 @@ impl System for Line {
         None
     }
 
-    fn geometry(&self, _: &Instant<'_>) -> Result<Vec<f64>, LengthError> {
-        Ok(Vec::new())
+    fn write_geometry(&self, _: &Instant<'_>, _: &mut [f64]) -> Result<(), LengthError> {
+        Ok(())
     }
 }
 

@@ -173,6 +173,11 @@ impl<M: Mechanism> Follower<M> {
         self.t
     }
 
+    /// True where it was reached in one step from the state before.
+    pub(crate) const fn in_one_step(&self) -> bool {
+        !self.before.is_nan()
+    }
+
     /// The signs of its modes, then those of its iterations.
     pub(crate) fn signs(&self) -> &[f64] {
         &self.branch.signs.as_ref()[..M::model().plan.signs()]

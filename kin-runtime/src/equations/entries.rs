@@ -1,0 +1,48 @@
+//! The entries of Φ_q that was evaluated last, as they are and on the common scale.
+
+use super::Equations;
+use nalgebra::DMatrix;
+
+impl Equations<'_> {
+    /// The entries of Φ_q with their rows and columns, in the order of the rows.
+    pub(crate) fn entries(&self) -> impl Iterator<Item = ((usize, usize), f64)> {
+        self.ordered.entries().iter().copied().zip(self.phi_q.iter().copied())
+    }
+
+    /// The entries of a row of Φ_q with their columns.
+    pub(crate) fn row(&self, row: usize) -> impl Iterator<Item = (usize, f64)> {
+        let first = self.ordered.entries().partition_point(|entry| entry.0 < row);
+        let rest = self.entries().skip(first);
+        rest.take_while(move |((of_row, _), _)| *of_row == row).map(|((_, column), value)| (column, value))
+    }
+
+    /// An entry of Φ_q.
+    pub(crate) fn entry(&self, row: usize, column: usize) -> f64 {
+        self.row(row).find(|entry| entry.0 == column).map_or(0.0, |entry| entry.1)
+    }
+
+    /// The largest |entry| of a row of Φ_q, rows and columns on the common scale.
+    pub(crate) fn largest_scaled(&self, row: usize) -> f64 {
+        let scale = &self.scale;
+        let sizes = self.row(row).map(|(column, value)| (value * scale.rows[row] * scale.columns[column]).abs());
+        sizes.fold(0.0, f64::max)
+    }
+
+    /// Some rows of Φ_q, each on the common scale, columns in their own units.
+    pub(crate) fn scaled_rows(&self, rows: &[usize]) -> DMatrix<f64> {
+        let mut matrix = DMatrix::zeros(rows.len(), self.coordinates());
+        for (i, &row) in rows.iter().enumerate() {
+            self.row(row).for_each(|(column, value)| matrix[(i, column)] = value * self.scale.rows[row]);
+        }
+        matrix
+    }
+
+    /// Some rows of Φ_q, rows and columns on the common scale.
+    pub(crate) fn scaled(&self, rows: &[usize]) -> DMatrix<f64> {
+        let mut matrix = self.scaled_rows(rows);
+        for (mut column, &scale) in matrix.column_iter_mut().zip(&self.scale.columns) {
+            column *= scale;
+        }
+        matrix
+    }
+}
