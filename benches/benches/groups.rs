@@ -7,7 +7,9 @@ use kin_benches::robot::Robot;
 use kin_runtime::nalgebra::{SMatrix, SVector};
 use kin_runtime::plan::{Depth, Solved};
 use kin_runtime::{Instant, Kinematics, Mechanism, Subset, Workspace};
+use std::f64::consts::TAU as TURN;
 use std::hint::black_box;
+use std::ops::ControlFlow;
 
 const STEPS: usize = 360;
 const N: usize = 21;
@@ -81,6 +83,8 @@ fn main() {
     let times: Vec<f64> = (0..STEPS).map(|k| (k as f64).to_radians()).collect();
     let back = -1_f64.to_radians();
     let mut followed = robot.solver().planned(&Instant::at(0.0)).expect("it closes");
+    let solver = robot.solver();
+    let mut tracker = solver.tracker(&Instant::at(0.0)).expect("it closes");
     let mut contenders = [
         Contender {
             name: "Newton on all 21 coordinates, dense LU",
@@ -113,6 +117,47 @@ fn main() {
                     black_box(found.q());
                 }
             }),
+        },
+        Contender {
+            name: "kin, `state_at` from the mechanism's guess",
+            work: Box::new(|| {
+                for &t in &times {
+                    black_box(robot.state_at(&Instant::at(black_box(t))).expect("it closes"));
+                }
+            }),
+        },
+        Contender {
+            name: "kin, `Solver::state_from` the last state",
+            work: Box::new(|| {
+                let mut last = state.clone();
+                for &t in &times {
+                    last = solver.state_from(&Instant::at(black_box(t)), &last.q).expect("it closes");
+                }
+                black_box(last);
+            }),
+        },
+        Contender {
+            name: "kin, `Tracker::update`",
+            work: Box::new(|| {
+                let turned = TURN * (tracker.state().t / TURN).ceil();
+                for &t in &times {
+                    black_box(tracker.update(&Instant::at(black_box(turned + t))).expect("it closes"));
+                }
+            }),
+        },
+        Contender {
+            name: "kin, `Solver::sweep_each`: states lent",
+            work: Box::new(|| {
+                let seen = solver.sweep_each(black_box(&times), |state| {
+                    black_box(state);
+                    ControlFlow::Continue(())
+                });
+                drop(black_box(seen.expect("it closes")));
+            }),
+        },
+        Contender {
+            name: "kin, `Solver::sweep`: states kept",
+            work: Box::new(|| drop(black_box(solver.sweep(black_box(&times)).expect("it closes")))),
         },
     ];
     compare("q, q̇, q̈ of a 3-RRR robot at steps of one degree", STEPS, &mut contenders);

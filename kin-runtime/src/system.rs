@@ -105,6 +105,10 @@ pub(crate) trait System {
         self.follow_from(at, &[])?;
         Err(PlanError::NoPlan { why: "nothing is followed" })
     }
+    /// q at the limit that ended what [`follow`](Self::follow) was asked for last, where it was found.
+    fn q_at_limit(&self) -> Option<&[f64]> {
+        None
+    }
     /// What [`follow`](Self::follow) would give at an instant; the follower stays where it is.
     fn glance(
         &mut self,
@@ -232,6 +236,10 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
             None => follower.update(mechanism, at, control)?,
         }
         Ok(Followed::from(&**follower))
+    }
+
+    fn q_at_limit(&self) -> Option<&[f64]> {
+        self.follower.as_ref()?.q_at_limit()
     }
 
     fn glance(

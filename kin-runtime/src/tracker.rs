@@ -72,6 +72,9 @@ use crate::workspace::Instant;
 /// inputs[Crane::cylinder] = Signal::constant(2.5);
 /// assert!(tracker.update(&Instant { t: 1.01, inputs: &inputs }).is_err());
 /// assert_eq!(tracker.state().t, 1.0);
+/// // What it comes to is the ram in line with both pins.
+/// let stretched = tracker.q_at_limit().expect("the limit was found");
+/// assert!((stretched[2] - (180_f64.to_radians() - (0.1_f64 / 1.2).atan())).abs() < 1e-9);
 /// # Ok(())
 /// # }
 /// ```
@@ -79,6 +82,8 @@ pub struct Tracker<'m> {
     equations: Equations<'m>,
     follower: Follower,
     wanted: Wanted,
+    /// Whether the last update ended at a limit that was located.
+    is_at_limit: bool,
 }
 
 impl<'m> Tracker<'m> {
@@ -95,7 +100,7 @@ impl<'m> Tracker<'m> {
             Some(state) => Follower::new(&mut equations, state, None)?,
             None => begin(&mut equations, &wanted, first)?,
         };
-        Ok(Self { equations, follower, wanted })
+        Ok(Self { equations, follower, wanted, is_at_limit: false })
     }
 
     /// The last good instant.
@@ -108,6 +113,12 @@ impl<'m> Tracker<'m> {
         &self.follower.fallbacks
     }
 
+    /// q at the limit itself, n numbers, where the last update failed because a group of the plan came to a limit that was
+    /// located ([`SolveError::limit`] has its t).
+    pub fn q_at_limit(&self) -> Option<&[f64]> {
+        self.equations.system.q_at_limit().filter(|_| self.is_at_limit)
+    }
+
     /// Follows the branch to another instant.
     ///
     /// # Errors
@@ -116,11 +127,18 @@ impl<'m> Tracker<'m> {
     /// [`InconsistentVelocity`](SolveError::InconsistentVelocity) and
     /// [`InconsistentAcceleration`](SolveError::InconsistentAcceleration) where redundant rows disagree.
     pub fn update(&mut self, at: &Instant<'_>) -> Result<&State, SolveError> {
+        let result = self.advance(at);
+        let limit = result.as_ref().err().and_then(SolveError::limit);
+        self.is_at_limit = limit.is_some_and(|limit| limit.at().is_some());
+        result.map(|()| self.follower.state())
+    }
+
+    fn advance(&mut self, at: &Instant<'_>) -> Result<(), SolveError> {
         let Self { equations, follower, .. } = self;
         equations.check_instant(at)?;
         follower.fallbacks.clear();
         if follower.advance_by_plan(equations, at)? {
-            return Ok(self.follower.state());
+            return Ok(());
         }
         let from = follower.state().instant();
         let way = equations.way.get_or_insert_with(|| Way::resting(at));
@@ -128,7 +146,7 @@ impl<'m> Tracker<'m> {
         if way.kind == Kind::Smooth {
             follower.depart_in_time();
             if follower.advance(equations, at.t, false).is_ok() {
-                return Ok(self.follower.state());
+                return Ok(());
             }
             // They belong to a way that was not taken.
             follower.fallbacks.clear();
@@ -137,12 +155,10 @@ impl<'m> Tracker<'m> {
         way.straighten();
         let (still, [start, end]) = (way.is_still(), way.ends());
         if still {
-            follower.stay(equations, at)?;
-        } else {
-            follower.depart(equations, start)?;
-            follower.arrive(equations, end, at)?;
+            return follower.stay(equations, at);
         }
-        Ok(self.follower.state())
+        follower.depart(equations, start)?;
+        follower.arrive(equations, end, at)
     }
 
     /// Begins anew: assembles the mechanism from the guesses, on whatever branch they lead to.

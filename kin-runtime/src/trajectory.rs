@@ -45,6 +45,8 @@ pub struct Trajectory {
     pub stopped: bool,
     /// Internal steps that full Newton had to take although there is a plan.
     pub fallbacks: Vec<Fallback>,
+    /// q at the limit itself, where the motion ended at a limit of a group that was located.
+    pub q_at_limit: Option<Vec<f64>>,
 }
 
 impl Trajectory {
@@ -58,6 +60,7 @@ impl Trajectory {
             unwatched: Vec::new(),
             stopped: false,
             fallbacks: Vec::new(),
+            q_at_limit: None,
         }
     }
 

@@ -44,7 +44,11 @@ pub(crate) fn kinematic_each(
     let mut trajectory = Trajectory::new(equations.model);
     match follow(equations, first, times, visit, &mut trajectory) {
         Ok(()) => Ok(trajectory),
-        Err(source) => Err(SweepError { trajectory: Box::new(trajectory), source }),
+        Err(source) => {
+            let is_located = source.limit().is_some_and(|limit| limit.at().is_some());
+            trajectory.q_at_limit = equations.system.q_at_limit().filter(|_| is_located).map(<[f64]>::to_vec);
+            Err(SweepError { trajectory: Box::new(trajectory), source })
+        }
     }
 }
 

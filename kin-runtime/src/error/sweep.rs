@@ -13,6 +13,14 @@ pub struct SweepError {
     pub source: SolveError,
 }
 
+impl SweepError {
+    /// q at the limit itself, n numbers, where the motion ended at one that was located; its t and its kind are in
+    /// [`SolveError::limit`].
+    pub fn q_at_limit(&self) -> Option<&[f64]> {
+        self.trajectory.q_at_limit.as_deref()
+    }
+}
+
 /// Without the states, which would drown the reason.
 impl fmt::Debug for SweepError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -83,6 +83,8 @@ pub(crate) struct Follower<M: Mechanism> {
     pub(super) distances: M::Coordinates<f64>,
     /// Radians that a unit of each coordinate counts for.
     pub(super) weights: M::Coordinates<f64>,
+    /// q at the limit that ended the last motion, where it was found.
+    pub(super) limit: Option<M::Coordinates<f64>>,
 }
 
 impl<M: Mechanism> Clone for Follower<M> {
@@ -124,6 +126,7 @@ impl<M: Mechanism> Follower<M> {
             nearest: 1.0,
             distances: zeros,
             weights: zeros,
+            limit: None,
         }
     }
 
@@ -155,7 +158,13 @@ impl<M: Mechanism> Follower<M> {
         self.nearest = nearest;
         self.good = 1 - self.good;
         self.t = at.t;
+        self.limit = None;
         self.keep_inputs(at.inputs);
+    }
+
+    /// q at the limit that ended the last motion, where it was found.
+    pub(crate) fn q_at_limit(&self) -> Option<&[f64]> {
+        self.limit.as_ref().map(AsRef::as_ref)
     }
 
     fn keep_inputs(&mut self, inputs: &[Signal]) {

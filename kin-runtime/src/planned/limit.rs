@@ -155,6 +155,7 @@ impl<M: Mechanism> Follower<M> {
         if let Some(error) = self.unusable(at) {
             return error;
         }
+        self.limit = None;
         let t = at.t;
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         let reached = course.at(blocked.places[0], inputs.as_mut());
@@ -175,22 +176,28 @@ impl<M: Mechanism> Follower<M> {
                 Err(error) => error.into(),
             };
         };
-        let is_sign = (0..plan.signs()).any(|sign| plan.margin_of_sign(sign) == Some(place));
-        if !is_sign {
+        let sign = (0..plan.signs()).find(|sign| plan.margin_of_sign(*sign) == Some(place));
+        let Some(sign) = sign else {
             let margin = self.margin_at(mechanism, course, blocked.places[1], place, blocked);
             return of_kind(t, Limit { step, margin, located: Some(Located { at: reached, kind: None }) });
-        }
+        };
         let (s, margin) = self.locate(mechanism, course, place, blocked);
         let kind = if margin <= TOUCHES && margin > -TOUCHES && self.comes_back(mechanism, course, s, place, blocked) {
             LimitKind::BranchPoint
         } else {
             LimitKind::DeadCentre
         };
+        let found = self.extrapolate(mechanism, course, (sign, s), blocked);
+        self.limit = found.as_ref().map(|found| found.q);
+        // Where an iteration ends nothing is solved behind a fold, and the margin has no root.
+        let kind = if sign < plan.modes.len() { Some(kind) } else { found.as_ref().map(|found| found.kind) };
+        // A minimum is known to half the digits; a root of the margin to all.
+        let s = found.filter(|_| kind == Some(LimitKind::BranchPoint)).map_or(s, |found| found.place);
         let limit_at = course.at(s, inputs.as_mut());
         // The margin at the instant that was asked for says how far beyond its limit the group would be.
         let asked = self.margin_at(mechanism, course, course.ends()[1], place, blocked);
         let margin = if asked <= Plan::SMALLEST_MARGIN { asked } else { margin };
-        of_kind(t, Limit { step, margin, located: Some(Located { at: limit_at, kind: Some(kind) }) })
+        of_kind(t, Limit { step, margin, located: Some(Located { at: limit_at, kind }) })
     }
 
     /// A margin at a place of the course, in the modes that are kept.

@@ -2,6 +2,7 @@
 
 pub(crate) mod branch;
 mod error;
+mod extrapolate;
 pub(crate) mod follower;
 pub(crate) mod limit;
 mod mode;
@@ -209,6 +210,36 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     #[inline]
     pub fn margins(&self) -> &[f64] {
         &self.follower.state().margins.as_ref()[..M::model().plan.margins]
+    }
+
+    /// q at the limit itself, n numbers, after a [`PlanError::Limit`] whose place was found: there the closures of the group
+    /// meet. None after anything else.
+    ///
+    /// ```
+    /// use kin_runtime::{Instant, Kinematics, mechanism};
+    ///
+    /// /// A rod of 0.3 m that is pulled along by its slider until it is upright.
+    /// #[mechanism]
+    /// #[bodies(crank, rod)]
+    /// #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+    /// #[revolute(A: crank @ (0.4, 0), rod @ (0, 0))]
+    /// #[point_on_line(slide: ground @ (0, 0), rod @ (0.3, 0), axis = (1, 0))]
+    /// #[driver(drive: crank.phi = 0.5 + t)]
+    /// #[guess(rod.phi = -0.8)]
+    /// struct Rocker;
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let mut rocker = Rocker.solver().planned(&Instant::at(0.0))?;
+    /// let error = rocker.at(&Instant::at(1.0)).unwrap_err();
+    /// let limit = error.limit().ok_or("no limit")?;
+    /// assert!((limit.at().ok_or("no place")? - (0.75_f64.asin() - 0.5)).abs() < 1e-12);
+    /// let q = rocker.q_at_limit().ok_or("no configuration")?;
+    /// assert!((q[5] + 90_f64.to_radians()).abs() < 1e-9);
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn q_at_limit(&self) -> Option<&[f64]> {
+        self.follower.q_at_limit()
     }
 
     /// The mechanism.

@@ -199,7 +199,7 @@ impl<M: Mechanism> Follower<M> {
     }
 
     /// Solves from the prediction at a place of the course, with rates along it; true where the solution is good.
-    fn solve_at(
+    pub(super) fn solve_at(
         &mut self,
         mechanism: &M,
         course: &dyn Course,

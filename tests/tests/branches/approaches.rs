@@ -43,7 +43,7 @@ fn bars<M: Bar>(random: &mut Random, times: &[f64], way: f64, fold: bool) -> Gro
 }
 
 /// A four-bar that is stretched or folded at an angle where its branch ends when the crank comes from the side of −`way`.
-fn folding(random: &mut Random, way: f64) -> (FourBar, f64) {
+pub(crate) fn folding(random: &mut Random, way: f64) -> (FourBar, f64) {
     loop {
         let outer = random.chance(0.5);
         let mut bar = near_a_crossing(random, outer, 0.0);

@@ -17,6 +17,7 @@ mod cylinders;
 mod draw;
 mod jet;
 mod lifts;
+mod located;
 mod platforms;
 mod redundant;
 mod rig;

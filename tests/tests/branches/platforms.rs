@@ -18,7 +18,7 @@ use kin_tests::random::Random;
 #[revolute(B[i in 0..3]: link[i] @ (l[i], 0), platform @ (px[i], py[i]))]
 #[driver(drive[i in 0..3]: crank[i].phi = start[i] + rate[i] * reach * sin(t))]
 #[derive(Clone, Debug)]
-struct Platform {
+pub(crate) struct Platform {
     x: [f64; 3],
     y: [f64; 3],
     r: [f64; 3],
@@ -30,7 +30,7 @@ struct Platform {
     reach: f64,
 }
 
-fn case(random: &mut Random) -> Case<Platform> {
+pub(crate) fn case(random: &mut Random) -> Case<Platform> {
     loop {
         let rig = Rig::drawn(random);
         let Some(arc) = rig.arc(2.5) else { continue };

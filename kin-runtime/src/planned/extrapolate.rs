@@ -1,0 +1,164 @@
+//! Where a limit is, and the configuration there, to more digits than a state beside it has.
+//!
+//! Beside a limit everything that moves is a smooth function of w, the signed distance of the group from its limit: t and
+//! all of q, at a fold, where q goes as √(t* − t), as well as at a crossing of branches. So both are known at w = 0 from
+//! states on the way there, by the polynomial through them:
+//!
+//! ```text
+//! f(0) ≈ Σₖ f(wₖ) Πⱼ≠ₖ wⱼ/(wⱼ − wₖ)
+//! ```
+
+use super::error::LimitKind;
+use super::follower::{Follower, Poses};
+use super::predict::parabola;
+use super::walk::Blocked;
+use crate::course::Course;
+use crate::mechanism::Mechanism;
+use crate::scalar::Scalar;
+use crate::signal::{Instant, Signal};
+use crate::workspace::Array;
+
+/// States that the polynomial goes through.
+const SAMPLES: usize = 7;
+
+/// w of the farthest of them, at least: what is tried in turn.
+const WIDTHS: [f64; 5] = [0.02, 0.006, 0.002, 6e-4, 2e-4];
+
+/// The same where the motion has not come from farther away.
+const NARROWEST: f64 = 1e-4;
+
+/// How often the distance from the limit is doubled.
+const DOUBLINGS: usize = 60;
+
+/// Difference, in radians or units of length, that leaving out one of the samples may make.
+const AGREEMENT: f64 = 1e-7;
+
+/// A limit.
+pub(super) struct Found<M: Mechanism> {
+    /// Its place on the course.
+    pub(super) place: f64,
+    /// q there.
+    pub(super) q: M::Coordinates<f64>,
+    pub(super) kind: LimitKind,
+}
+
+impl<M: Mechanism> Follower<M> {
+    /// The place of the limit of a group, a place among the signs, and q there; near the place `at` of the course. None
+    /// where the motion has not come from far enough away, or what was seen on the way is not smooth.
+    pub(super) fn extrapolate(
+        &mut self,
+        mechanism: &M,
+        course: &dyn Course,
+        (sign, at): (usize, f64),
+        blocked: &Blocked<M>,
+    ) -> Option<Found<M>> {
+        let margin = M::model().plan.margin_of_sign(sign)?;
+        // A narrower interval where something else is near.
+        WIDTHS.into_iter().find_map(|width| self.extrapolate_from(mechanism, course, (margin, at, width), blocked))
+    }
+
+    /// The same by states whose farthest has this w, or a little more.
+    fn extrapolate_from(
+        &mut self,
+        mechanism: &M,
+        course: &dyn Course,
+        (margin, at, width): (usize, f64, f64),
+        blocked: &Blocked<M>,
+    ) -> Option<Found<M>> {
+        // Away from the limit, in strides that grow with the distance.
+        let [start, _] = course.ends();
+        let (mut s, mut from, mut w) = (blocked.places[0], blocked.here, 0.0);
+        let least = 4.0 * f64::EPSILON * at.abs().max(start.abs());
+        for _ in 0..DOUBLINGS {
+            let stride = if (at - s).abs() > least { at - s } else { least.copysign(at - start) };
+            // Without inputs there is a past before the start.
+            let back = if M::INPUTS > 0 && (stride > 0.0) == (s - stride < start) { start } else { s - stride };
+            if w >= width || back == s {
+                break;
+            }
+            let Some(sample) = self.sample(mechanism, course, (margin, back), (s, &from)) else { break };
+            (s, (w, from)) = (back, sample);
+        }
+        if w < NARROWEST {
+            return None;
+        }
+        let reach = at - s;
+        let mut samples = [(w, s, from.q); SAMPLES];
+        for (k, sample) in samples.iter_mut().enumerate().rev().skip(1) {
+            // At a fold w goes with the root of the distance.
+            let share = (k + 1) as f64 / SAMPLES as f64;
+            let place = at - reach * share * share;
+            (w, from) = self.sample(mechanism, course, (margin, place), (s, &from))?;
+            s = place;
+            *sample = (w, s, from.q);
+        }
+        if !samples.is_sorted_by(|a, b| a.0 < b.0) {
+            return None;
+        }
+        let all = weights(&samples.map(|sample| sample.0));
+        let nearer: [f64; SAMPLES - 1] = core::array::from_fn(|k| samples[k].0);
+        let fewer = weights(&nearer);
+        let sum = |weights: &[f64], of: &dyn Fn(usize) -> f64| -> f64 {
+            weights.iter().enumerate().map(|(k, weight)| weight * of(k)).sum()
+        };
+        let first = &samples[0];
+        let s = |k: usize| samples[k].1 - first.1;
+        let place = first.1 + sum(&all, &s);
+        let mut agrees = (sum(&all, &s) - sum(&fewer, &s)).abs() <= AGREEMENT * reach.abs();
+        let q = M::Coordinates::<f64>::generate(|k| {
+            let first = first.2.as_ref()[k];
+            let of = |sample: usize| samples[sample].2.as_ref()[k] - first;
+            let (found, other) = (sum(&all, &of), sum(&fewer, &of));
+            agrees &= (found - other).abs() <= AGREEMENT * (1.0 + first.abs());
+            first + found
+        });
+        if !agrees {
+            return None;
+        }
+        // How the distance in time goes with w: with its square at a fold.
+        let [near, far] = [first, &samples[2]].map(|(w, s, _)| (*w, (s - place).abs()));
+        let is_square = far.1 * near.0 * Scalar::sqrt(near.0) > near.1 * far.0 * Scalar::sqrt(far.0);
+        let kind = if is_square { LimitKind::DeadCentre } else { LimitKind::BranchPoint };
+        Some(Found { place, q, kind })
+    }
+
+    /// w at a place of the course that the motion has passed, as the root of a margin, with the state there; from the state
+    /// at a place beside it.
+    fn sample(
+        &mut self,
+        mechanism: &M,
+        course: &dyn Course,
+        (margin, s): (usize, f64),
+        (beside, from): (f64, &Poses<M>),
+    ) -> Option<(f64, Poses<M>)> {
+        let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
+        let rates = [from.q.as_ref(), from.q_dot.as_ref(), from.q_ddot.as_ref()];
+        parabola(self.predicted.as_mut(), rates, self.weights.as_ref(), s - beside);
+        let is_good = self.solve_at(mechanism, course, s, &mut inputs).ok()?;
+        let at = Instant { t: course.at(s, inputs.as_mut()), inputs: inputs.as_ref() };
+        let is_good = is_good && self.keeps_orientations(mechanism, &at).ok()?;
+        let found = &self.states[1 - self.good];
+        is_good.then(|| (Scalar::sqrt(found.margins.as_ref()[margin]), *found))
+    }
+}
+
+/// What each value counts for in the polynomial at 0 through values at these places.
+fn weights<const N: usize>(places: &[f64; N]) -> [f64; N] {
+    core::array::from_fn(|k| {
+        let others = places.iter().enumerate().filter(|(j, _)| *j != k);
+        others.map(|(_, other)| other / (other - places[k])).product()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::weights;
+
+    #[test]
+    fn a_polynomial_of_lower_degree_is_met() {
+        let places = [0.1, 0.15, 0.3, 0.45, 0.7];
+        let f = |x: f64| 3.0 + x * (2.0 - x * (1.0 + x * (4.0 - 5.0 * x)));
+        let at_0: f64 = weights(&places).iter().zip(places).map(|(weight, x)| weight * f(x)).sum();
+        assert!((at_0 - 3.0).abs() < 1e-12, "{at_0}");
+    }
+}
