@@ -101,6 +101,33 @@ pub(crate) struct Between<'a> {
     pub(crate) to: Instant<'a>,
 }
 
+/// Around one instant, with rates and accelerations as they are there.
+pub(crate) struct Around<'a> {
+    pub(crate) instant: Instant<'a>,
+    /// A place on the side from which it is looked at.
+    pub(crate) from: f64,
+}
+
+impl Course for Around<'_> {
+    fn ends(&self) -> [f64; 2] {
+        [self.from, self.instant.t]
+    }
+
+    fn at(&self, s: f64, inputs: &mut [Signal]) -> f64 {
+        let h = s - self.instant.t;
+        inputs.iter_mut().zip(self.instant.inputs).for_each(|(to, from)| *to = from.after(h));
+        s
+    }
+
+    fn is_frozen(&self) -> bool {
+        false
+    }
+
+    fn has_rates_of_end(&self) -> bool {
+        true
+    }
+}
+
 impl Course for Between<'_> {
     fn ends(&self) -> [f64; 2] {
         ends(self.kind, [self.from.t, self.to.t])

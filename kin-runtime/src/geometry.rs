@@ -6,7 +6,7 @@
 
 use crate::equations::Equations;
 use crate::error::{GeometryFault, SolveError};
-use crate::model::{JointInfo, JointKind, Model, Role};
+use crate::model::{JointInfo, Model, Role};
 use crate::workspace::Instant;
 
 /// The error of an evaluation, by the name of the joint whose axis has no direction, if that is why.
@@ -43,12 +43,6 @@ pub(crate) fn without_direction(equations: &Equations<'_>) -> Option<SolveError>
     })
 }
 
-/// True for a joint that keeps a distance between two points: a link, a cylinder, or a driver of a distance.
-pub(crate) fn keeps_distance(joint: &JointInfo) -> bool {
-    joint.kind == JointKind::Distance
-        || joint.kind == JointKind::Driver && joint.geometry.iter().any(|geometry| geometry.role == Role::Q)
-}
-
 /// A distance that a joint keeps.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct KeptLength {
@@ -66,7 +60,7 @@ pub(crate) fn kept_lengths(model: &'static Model) -> Vec<KeptLength> {
         let moves = model.rows.get(joint.first_row).is_some_and(|row| row.rheonomic);
         Some(KeptLength { joint: joint.name, offset: value.offset, moves })
     };
-    model.joints.iter().filter(|joint| keeps_distance(joint)).filter_map(kept).collect()
+    model.joints.iter().filter(|joint| joint.keeps_distance()).filter_map(kept).collect()
 }
 
 /// The error if one of these lengths is negative, given the numbers of the geometry at an instant.
@@ -86,7 +80,7 @@ pub(crate) fn lengths_exist<'k>(
 /// The first joint that keeps a distance of nothing, on the common scale.
 pub(crate) fn without_length(equations: &mut Equations<'_>) -> Option<SolveError> {
     let tolerance = equations.options.rank_tolerance * equations.scale.length;
-    let joints: Vec<&JointInfo> = equations.model.joints.iter().filter(|joint| keeps_distance(joint)).collect();
+    let joints: Vec<&JointInfo> = equations.model.joints.iter().filter(|joint| joint.keeps_distance()).collect();
     joints.into_iter().find_map(|joint| {
         let [length] = numbers(equations, joint, Role::Value)?;
         let fault = GeometryFault::Length { length };

@@ -54,6 +54,8 @@ pub trait Mechanism: Sized {
     const PARAMETERS: usize;
     /// The number of inputs.
     const INPUTS: usize;
+    /// The number of lengths that joints keep: of links, cylinders and drivers of distances. There are never more than rows.
+    const LENGTHS: usize = 0;
 
     /// `[T; PARAMETERS]`.
     type Parameters<T: Scalar>: Array<T>;
@@ -304,6 +306,21 @@ pub trait Mechanism: Sized {
         at: &Instant<'_, T>,
         geometry: &mut [T],
     ) -> Result<(), LengthError>;
+
+    /// The lengths that joints keep, [`LENGTHS`](Self::LENGTHS) numbers in the order of their joints. A row of such a joint
+    /// holds the square, which says nothing of the sign: a negative length is an error.
+    ///
+    /// # Errors
+    /// As [`evaluate_with`](Self::evaluate_with).
+    fn lengths_with<T: Scalar>(
+        &self,
+        parameters: &[T],
+        at: &Instant<'_, T>,
+        lengths: &mut [T],
+    ) -> Result<(), LengthError> {
+        let _ = (parameters, at, lengths);
+        Ok(())
+    }
 
     /// The guessed values of the coordinates listed in [`Model::guesses`].
     ///

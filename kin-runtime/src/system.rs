@@ -136,8 +136,7 @@ pub(crate) struct Followed<'f> {
 impl<'f, M: Mechanism> From<&'f Follower<M>> for Followed<'f> {
     fn from(follower: &'f Follower<M>) -> Self {
         let state = follower.state();
-        let margins = &state.margins.as_ref()[..M::model().plan.margins];
-        let least_margin = margins.iter().fold(1.0, |least: f64, margin| if *margin < least { *margin } else { least });
+        let least_margin = state.margins.least();
         let (q, q_dot, q_ddot) = (state.q.as_ref(), state.q_dot.as_ref(), state.q_ddot.as_ref());
         Self { q, q_dot, q_ddot, least_margin, in_one_step: follower.in_one_step() }
     }

@@ -1,6 +1,6 @@
 //! A distance below 0 does not exist: it is an error by name, wherever the length comes from.
 
-use kin_runtime::{GeometryFault, Instant, Kinematics, Signal, SolveError, Solver, mechanism};
+use kin_runtime::{GeometryFault, Instant, Kinematics, PlanError, Planned, Signal, SolveError, Solver, mechanism};
 
 /// A four-bar whose coupler is a massless link, on a crank given by its local points.
 #[mechanism]
@@ -117,4 +117,57 @@ fn a_length_of_nothing_is_what_it_was() {
         Driven { from: -0.0, speed: 0.0 }.state_at(&Instant::at(0.0)).unwrap_err(),
         SolveError::DegenerateGeometry { fault: GeometryFault::NegativeLength { .. }, .. }
     ));
+}
+
+#[test]
+fn the_plan_alone_takes_no_negative_length_either() {
+    let at = Instant::at(0.25);
+    let sound = Linked::default();
+    let q = sound.state_at(&at).unwrap().q;
+    let wrong = Linked { l2: -0.4, ..sound };
+    let error = Planned::new(&wrong, &at, &q).map(|_| ()).unwrap_err();
+    assert_eq!(error, PlanError::NegativeLength { t: 0.25, joint: "link", length: -0.4 });
+    assert_eq!(error.to_string(), "at t = 0.25, the length of `link` is -0.4: a length is not negative");
+    // The last good state stays.
+    let mut boom = Boom.solver().planned(&Instant { t: 0.0, inputs: &cylinder(0.9) }).unwrap();
+    let error = boom.at(&Instant { t: 0.5, inputs: &cylinder(-0.9) }).map(|_| ()).unwrap_err();
+    assert_eq!(error, PlanError::NegativeLength { t: 0.5, joint: "lift", length: -0.9 });
+    assert_eq!(boom.t(), 0.0);
+    assert!(boom.at(&Instant { t: 1.0, inputs: &cylinder(0.95) }).is_ok());
+}
+
+/// Sets with a negative length have no answer, and those beside them are what they are alone.
+#[cfg(feature = "simd")]
+#[test]
+fn nor_does_a_batch() {
+    use kin_runtime::Lanes;
+    use kin_runtime::batch::{Column, Modes, Moment, Motions, Problems, Solutions, Sweeps, always, solve, sweep};
+    let lengths = [0.4, -0.4, 0.41, 0.42, 0.43, -0.44, 0.45, 0.46, -0.47, 0.48];
+    let start = Linked::default().state_at(&Instant::at(0.0)).unwrap().q;
+    let start: Vec<Column<'_>> = start.iter().map(|q| Column::Shared(*q)).collect();
+    let parameters = [Column::Shared(0.1), Column::Each(&lengths)];
+    let sound = lengths.map(|length| length > 0.0);
+    let t = Column::Shared(0.0);
+    let problems = Problems { parameters: &parameters, t, inputs: &[], modes: Modes::OfStart, start: &start };
+    let mut out = Solutions::<Linked>::new(lengths.len());
+    solve(&Linked::default(), kin_runtime::plan::Depth::Acceleration, &problems, &mut out, &always).unwrap();
+    assert!(out.solved().eq(sound));
+    let times = [0.0, 0.1, 0.2];
+    let sweeps = Sweeps { parameters: &parameters, times: &times, inputs: &[], modes: Modes::OfStart, start: &start };
+    let mut out = Motions::new(lengths.len(), Lanes::from(0.0));
+    let count = |seen: &mut Lanes, moment: &Moment<'_>| *seen = moment.keep(*seen, *seen + Lanes::from(1.0));
+    sweep(&Linked::default(), &sweeps, &mut out, &always, count).unwrap();
+    assert!(out.ends().map(|end| end.is_none()).eq(sound));
+    assert!(out.ends().flatten().all(|end| end.instant == 0 && end.limit.is_none()));
+    assert!(out.scores(|seen| *seen).zip(sound).all(|(seen, sound)| seen == if sound { 3.0 } else { 0.0 }));
+    // A cylinder that is measured: the second instant is wrong for all.
+    let start = Boom.state_at(&Instant { t: 0.0, inputs: &cylinder(0.9) }).unwrap().q;
+    let start: Vec<Column<'_>> = start.iter().map(|q| Column::Shared(*q)).collect();
+    let (still, measured) = (Column::Shared(0.0), [0.9, -0.9, 0.9]);
+    let inputs = [Signal::new(Column::Each(&measured), still, still)];
+    let sweeps = Sweeps { parameters: &[], times: &times, inputs: &inputs, modes: Modes::OfStart, start: &start };
+    let mut out = Motions::new(3, Lanes::from(0.0));
+    sweep(&Boom, &sweeps, &mut out, &always, count).unwrap();
+    assert!(out.ends().all(|end| end.is_some_and(|end| end.instant == 1 && end.margin <= 0.0 && end.limit.is_none())));
+    assert!(out.scores(|seen| *seen).all(|seen| seen == 1.0));
 }

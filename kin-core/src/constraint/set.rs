@@ -296,6 +296,19 @@ impl Names for ConstraintSet {
 }
 
 impl ConstraintSet {
+    /// The distances that joints keep: links, cylinders, drivers of distances, in the order of the joints.
+    pub fn kept_lengths(&self) -> impl Iterator<Item = ExprId> + '_ {
+        let has = |joint: &JointInstance, role: Role| joint.geometry.iter().any(|piece| piece.role == role);
+        let keeps = move |joint: &&JointInstance| {
+            joint.tag == JointTag::Distance || joint.tag == JointTag::Driver && has(joint, Role::Q)
+        };
+        let value = |joint: &JointInstance| {
+            let piece = joint.geometry.iter().find(|piece| piece.role == Role::Value)?;
+            self.geometry.get(piece.offset).copied()
+        };
+        self.joints.iter().filter(keeps).filter_map(value)
+    }
+
     /// The name of q_k.
     pub fn coordinate_name(&self, k: u32) -> &str {
         self.coordinates.get(k as usize).map_or("", |c| c.name.as_str())

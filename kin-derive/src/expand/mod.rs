@@ -115,6 +115,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
     let [values, evaluate, observe] = [&values.call, &evaluate.call, &observe.call];
     let velocity_constraints = velocity_constraints(lowered, system, &lengths);
     let geometry = list(lowered, system, set.geometry.iter().copied());
+    let kept_lengths = kept_lengths(lowered, system);
     let curves = curves::curves(lowered, system);
     let guesses = list(lowered, system, set.guesses.iter().map(|(_, value)| *value));
     let series = series::implementation(lowered, system, &observables);
@@ -217,6 +218,8 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
                 __kin::Ok(())
             }
 
+            #kept_lengths
+
             fn write_guesses<__T: __kin::Scalar>(
                 &self,
                 parameters: &[__T],
@@ -233,6 +236,33 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
         }
 
         #series
+    }
+}
+
+/// The lengths that joints keep, where there are any.
+fn kept_lengths(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
+    let count = system.set.kept_lengths().count();
+    if count == 0 {
+        return TokenStream::new();
+    }
+    let lengths = list(lowered, system, system.set.kept_lengths());
+    quote! {
+        const LENGTHS: usize = #count;
+
+        #[inline]
+        fn lengths_with<__T: __kin::Scalar>(
+            &self,
+            parameters: &[__T],
+            at: &__kin::Instant<'_, __T>,
+            lengths: &mut [__T],
+        ) -> __kin::Result<(), __kin::LengthError> {
+            let p: &__Parameters<__T> = __kin::fixed("parameters", parameters)?;
+            let u: &__Inputs<__T> = __kin::fixed("inputs", at.inputs)?;
+            let out = __kin::fixed_mut("lengths", lengths)?;
+            let _ = (p, u);
+            #lengths
+            __kin::Ok(())
+        }
     }
 }
 

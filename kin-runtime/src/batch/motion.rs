@@ -8,8 +8,9 @@ use super::poses::{Limits, Poses, Question, copy_lane};
 use crate::lanes::{Lanes, Octet, Pack};
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan};
-use crate::planned::branch::{Branch, OUT_OF_REACH, certainty_of, distances, resolves};
+use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
 use crate::planned::follower::{Control, Follower, NEGLIGIBLE};
+use crate::planned::lists::{Closures, Distances, Margins, Modes};
 use crate::planned::passed::CLOSE;
 use crate::planned::predict::{parabola, turned, weights};
 use crate::planned::{Limit, PlanError, Step};
@@ -24,15 +25,15 @@ const FAR: f64 = 1e-2;
 /// Eight sets on their way.
 pub(super) struct Motion<M: Mechanism> {
     pub(super) parameters: M::Parameters<Octet>,
-    pub(super) branch: Branch<M::Coordinates<Octet>>,
+    pub(super) modes: Modes<M, Octet>,
     pub(super) predicted: M::Coordinates<Octet>,
-    distances: M::Coordinates<Octet>,
-    margins: M::Rows<Octet>,
+    distances: Distances<M, Octet>,
+    margins: Margins<M, Octet>,
     /// The last instant, and the one that is being tried.
     poses: [Poses<M::Coordinates<Octet>, Octet>; 2],
     good: usize,
     /// The margins of the last instant, and its inputs, which all sets share.
-    margins_before: M::Rows<Octet>,
+    margins_before: Margins<M, Octet>,
     inputs: M::Inputs<f64>,
     t: f64,
     /// Radians that a unit of each coordinate counts for.
@@ -46,16 +47,15 @@ impl<M: Mechanism> Motion<M> {
     /// Room for them.
     pub(super) fn nothing() -> Self {
         let nothing = |_| Octet::default();
-        let zeros = M::Coordinates::<Octet>::generate(nothing);
         Self {
             parameters: Array::generate(nothing),
-            branch: Branch { signs: zeros, distances: zeros },
-            predicted: zeros,
-            distances: zeros,
-            margins: Array::generate(nothing),
+            modes: Modes::filled(Octet::default()),
+            predicted: Array::generate(nothing),
+            distances: Distances::filled(Octet::default()),
+            margins: Margins::filled(Octet::default()),
             poses: [Poses::nothing(); 2],
             good: 0,
-            margins_before: Array::generate(nothing),
+            margins_before: Margins::filled(Octet::default()),
             inputs: Array::filled(Signal::constant(0.0)),
             t: 0.0,
             weights: Array::filled(0.0),
@@ -69,8 +69,16 @@ impl<M: Mechanism> Motion<M> {
 
     /// The first instant, from a start that stands in `predicted`.
     pub(super) fn begin(&mut self, mechanism: &M, at: &Instant<'_, Octet>) -> Option<Refusals> {
-        let limits = self.solve(mechanism, at);
+        let mut limits = self.solve(mechanism, at);
         self.orient(mechanism, at);
+        let lengths = least_length(mechanism, self.parameters.as_ref(), at);
+        for lane in 0..Octet::COUNT {
+            if lengths.lane(lane) < 0.0 {
+                self.poses[1 - self.good].refuse(lane);
+                self.poses[1 - self.good].margin.set(lane, 0.0);
+                limits.get_or_insert([None; Octet::COUNT]);
+            }
+        }
         let q = self.poses[1 - self.good].q;
         let first: M::Coordinates<f64> = Array::generate(|k| q.as_ref()[k].lane(0));
         weights(M::model(), first.as_ref(), self.weights.as_mut());
@@ -83,13 +91,14 @@ impl<M: Mechanism> Motion<M> {
     }
 
     /// What tells the branches of all groups apart, at the state that is being tried.
-    fn found(&self, mechanism: &M, at: &Instant<'_, Octet>) -> M::Coordinates<Octet> {
-        let mut found = M::Coordinates::<Octet>::generate(|_| Octet::default());
-        let q = self.poses[1 - self.good].q;
-        let count = M::model().plan.signs();
-        let lengths = mechanism.branches_with(self.parameters.as_ref(), at, q.as_ref(), &mut found.as_mut()[..count]);
-        debug_assert!(lengths.is_ok(), "the columns have been counted");
-        found
+    fn found(&self, mechanism: &M, at: &Instant<'_, Octet>) -> Closures<M, Octet> {
+        self.closures(mechanism, at, self.poses[1 - self.good].q.as_ref())
+    }
+
+    fn closures(&self, mechanism: &M, at: &Instant<'_, Octet>, q: &[Octet]) -> Closures<M, Octet> {
+        let closures = Closures::at(mechanism, self.parameters.as_ref(), at, q);
+        debug_assert!(closures.is_ok(), "the columns have been counted");
+        closures.unwrap_or_else(|_| Closures::filled(Octet::default()))
     }
 
     /// The signs of iterated groups, as they were found.
@@ -97,8 +106,8 @@ impl<M: Mechanism> Motion<M> {
         let plan = &M::model().plan;
         if !plan.orientations.is_empty() {
             let found = self.found(mechanism, at);
-            let signs = self.branch.signs.as_mut().iter_mut().zip(found.as_ref());
-            signs.take(plan.signs()).skip(plan.modes.len()).for_each(|(sign, found)| *sign = found.direction());
+            let modes = self.modes.as_mut().iter_mut().zip(found.as_ref());
+            modes.skip(plan.modes.len()).for_each(|(mode, found)| *mode = found.direction());
         }
     }
 
@@ -108,8 +117,8 @@ impl<M: Mechanism> Motion<M> {
     fn kept_orientation(&self, mechanism: &M, at: &Instant<'_, Octet>) -> Octet {
         let plan = &M::model().plan;
         let found = self.found(mechanism, at);
-        let signs = self.branch.signs.as_ref().iter().zip(found.as_ref()).take(plan.signs()).skip(plan.modes.len());
-        signs.fold(Octet::from_f64(1.0), |least, (sign, found)| least.least(*sign * *found))
+        let modes = self.modes.as_ref().iter().zip(found.as_ref()).skip(plan.modes.len());
+        modes.fold(Octet::from_f64(1.0), |least, (mode, found)| least.least(*mode * *found))
     }
 
     /// The next instant; refusals where a set has no answer.
@@ -128,6 +137,10 @@ impl<M: Mechanism> Motion<M> {
         // All that must not be negative, as one number.
         let rotation = Octet::from_f64(control.rotation) - turn;
         let mut least = rotation.least(allowed - away);
+        if M::LENGTHS > 0 {
+            // Where one is negative, the follower says so.
+            least = least.least(least_length(mechanism, self.parameters.as_ref(), at));
+        }
         let nearer = tried.margin.least(self.poses[self.good].margin);
         let reach = Octet::from_f64(OUT_OF_REACH) * turn;
         let beyond = nearer - reach * reach;
@@ -159,22 +172,17 @@ impl<M: Mechanism> Motion<M> {
         nearest: Octet,
         turn: Octet,
     ) -> Octet {
-        let plan = &M::model().plan;
-        distances(plan, self.margins.as_ref(), self.distances.as_mut());
-        let mut foretold = M::Coordinates::<Octet>::generate(|_| Octet::default());
-        let foretold = &mut foretold.as_mut()[..plan.signs()];
-        let start = self.predicted.as_ref();
-        let lengths = mechanism.branches_with(self.parameters.as_ref(), at, start, foretold);
-        debug_assert!(lengths.is_ok(), "the columns have been counted");
-        let groups = foretold.iter().zip(self.branch.signs.as_ref()).zip(self.distances.as_ref());
+        self.margins.write_distances(&mut self.distances);
+        let foretold = self.closures(mechanism, at, self.predicted.as_ref());
+        let groups = foretold.as_ref().iter().zip(self.modes.as_ref()).zip(self.distances.as_ref());
         // Where a group may have come to its limit and back, the follower looks.
         let start = resolves(nearest, turn).least(nearest - Octet::from_f64(CLOSE));
-        groups.fold(start, |least, ((w, sign), now)| least.least(certainty_of(*now, *sign * *w)))
+        groups.fold(start, |least, ((w, mode), now)| least.least(certainty_of(*now, *mode * *w)))
     }
 
     #[inline(never)]
     fn solve(&mut self, mechanism: &M, at: &Instant<'_, Octet>) -> Option<Limits<Octet>> {
-        let modes = &self.branch.signs.as_ref()[..M::model().plan.modes.len()];
+        let modes = self.modes.of_closures();
         let (parameters, start) = (self.parameters.as_ref(), self.predicted.as_ref());
         let question = Question { parameters, at, modes, start, depth: Depth::Acceleration };
         self.poses[1 - self.good].solve(mechanism, &question, &mut self.margins)
@@ -204,7 +212,10 @@ impl<M: Mechanism> Motion<M> {
             if let Err(error) = self.one(mechanism, at, lane) {
                 let limit = error.limit().copied();
                 // Where the instant itself has an answer, a limit stands before it.
-                let margin = limit.map_or(margin, |limit| limit.margin);
+                let margin = match error {
+                    PlanError::NegativeLength { .. } => 0.0,
+                    _ => limit.map_or(margin, |limit| limit.margin),
+                };
                 let margin = if margin > Plan::SMALLEST_MARGIN && limit.is_some() { 0.0 } else { margin };
                 *refusal = Some((if margin.is_finite() { margin } else { 0.0 }, limit));
                 self.poses[1 - self.good].refuse(lane);
@@ -218,25 +229,24 @@ impl<M: Mechanism> Motion<M> {
         let pick = |list: &[Octet]| -> M::Coordinates<f64> { Array::generate(|k| list[k].lane(lane)) };
         let before = &self.poses[self.good];
         let parameters = Array::generate(|k| self.parameters.as_ref()[k].lane(lane));
-        let margins = Array::generate(|k| self.margins_before.as_ref()[k].lane(lane));
+        let margins = Margins::lane_of(&self.margins_before, lane);
         let state = [pick(before.q.as_ref()), pick(before.q_dot.as_ref()), pick(before.q_ddot.as_ref())];
         let from = Instant { t: self.t, inputs: self.inputs.as_ref() };
-        let signs = pick(self.branch.signs.as_ref());
-        let mut follower = Follower::<M>::resume(parameters, signs, &from, state, margins);
+        let modes = Modes::lane_of(&self.modes, lane);
+        let mut follower = Follower::<M>::resume(parameters, modes, &from, state, margins);
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         inputs.as_mut().iter_mut().zip(at.inputs).for_each(|(to, from)| *to = from.map(|x| x.lane(lane)));
         let at = Instant { t: at.t.lane(lane), inputs: inputs.as_ref() };
         follower.update(mechanism, &at, &Control::USUAL)?;
         let set = |to: &mut [Octet], from: &[f64]| to.iter_mut().zip(from).for_each(|(to, x)| to.set(lane, *x));
-        let (found, margins) = (follower.state(), M::model().plan.margins);
+        let found = follower.state();
         let tried = &mut self.poses[1 - self.good];
         set(tried.q.as_mut(), found.q.as_ref());
         set(tried.q_dot.as_mut(), found.q_dot.as_ref());
         set(tried.q_ddot.as_mut(), found.q_ddot.as_ref());
-        let least = found.margins.as_ref()[..margins].iter().fold(1.0, |least: f64, margin| least.min(*margin));
-        tried.accept(lane, least);
-        set(&mut self.margins.as_mut()[..margins], &found.margins.as_ref()[..margins]);
-        set(self.branch.signs.as_mut(), follower.signs());
+        tried.accept(lane, found.margins.least());
+        set(self.margins.as_mut(), found.margins.as_ref());
+        set(self.modes.as_mut(), follower.modes().as_ref());
         Ok(())
     }
 
@@ -270,13 +280,45 @@ impl<M: Mechanism> Motion<M> {
             copy_lane(numbers.as_mut(), others.as_ref(), from, to);
         }
         own(&mut self.parameters, from, to);
-        own(&mut self.branch.signs, from, to);
+        own(&mut self.modes, from, to);
         own(&mut self.margins_before, from, to);
         let poses = &mut self.poses[self.good];
         let others = *poses;
         poses.copy_lane(&others, from, to);
         poses.accept(to, others.margin.lane(from));
     }
+}
+
+impl<M: Mechanism> Modes<M> {
+    /// Those of one lane.
+    fn lane_of(modes: &Modes<M, Octet>, lane: usize) -> Self {
+        let mut own = Self::filled(0.0);
+        own.as_mut().iter_mut().zip(modes.as_ref()).for_each(|(to, from)| *to = from.lane(lane));
+        own
+    }
+}
+
+impl<M: Mechanism> Margins<M> {
+    /// Those of one lane.
+    fn lane_of(margins: &Margins<M, Octet>, lane: usize) -> Self {
+        let mut own = Self::filled(0.0);
+        own.as_mut().iter_mut().zip(margins.as_ref()).for_each(|(to, from)| *to = from.lane(lane));
+        own
+    }
+}
+
+/// The smallest length that a joint keeps; 1 where none keeps any.
+#[inline]
+pub(super) fn least_length<M: Mechanism>(mechanism: &M, parameters: &[Octet], at: &Instant<'_, Octet>) -> Octet {
+    let most = Octet::from_f64(1.0);
+    if M::LENGTHS == 0 {
+        return most;
+    }
+    let mut lengths = M::Rows::<Octet>::filled(most);
+    let lengths = &mut lengths.as_mut()[..M::LENGTHS];
+    let counted = mechanism.lengths_with(parameters, at, lengths);
+    debug_assert!(counted.is_ok(), "the columns have been counted");
+    lengths.iter().fold(most, |least, length| least.least(*length))
 }
 
 /// True where the numbers of all lanes are positive and not large, and none is NaN.
@@ -292,3 +334,6 @@ fn limit_of<M: Mechanism>(found: Option<(usize, f64)>) -> Option<Limit> {
     let (place, margin) = found?;
     Step::of_margin(M::model(), place).map(|step| Limit::new(step, margin))
 }
+
+#[cfg(test)]
+mod tests;

@@ -3,6 +3,7 @@
 use crate::lanes::Pack;
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan, Solved, StepKind};
+use crate::planned::lists::Margins;
 use crate::signal::Instant;
 use crate::workspace::Array;
 
@@ -49,11 +50,10 @@ impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> Poses<Q, V> {
         &mut self,
         mechanism: &M,
         question: &Question<'_, V>,
-        margins: &mut M::Rows<V>,
+        margins: &mut Margins<M, V>,
     ) -> Option<Limits<V>> {
-        let margins = &mut margins.as_mut()[..M::model().plan.margins];
-        let sum = self.ask(mechanism, question, margins);
-        self.margin = margins.iter().fold(V::from_f64(1.0), |least, margin| least.least(*margin));
+        let sum = self.ask(mechanism, question, margins.as_mut());
+        self.margin = margins.least();
         // A quick look that may see trouble where there is none: far from a limit the margin is near 1, and the sum of all
         // numbers is finite where they are and not very large.
         let far = (self.margin - V::from_f64(1.0)).is_within(1.0 - 2.0 * Plan::SMALLEST_MARGIN);
@@ -61,7 +61,7 @@ impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> Poses<Q, V> {
         if far & sum.is_within(f64::MAX) {
             return None;
         }
-        Some(self.judge(mechanism, question, margins))
+        Some(self.judge(mechanism, question, margins.as_mut()))
     }
 
     /// Asks the plan, and gives the sum of all numbers: finite only where each of them is.

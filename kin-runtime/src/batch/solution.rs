@@ -3,14 +3,15 @@
 use super::BatchError;
 use super::column::{Arguments, Column, Configurations, check_list, check_signals};
 use super::modes::Modes;
+use super::motion::least_length;
 use super::poses::{Poses, Question};
 use super::run::{CHUNK, Shape, Watch, drive};
 use crate::lanes::{Octet, Pack};
 use crate::mechanism::Mechanism;
 use crate::plan::Depth;
+use crate::planned::lists::{self, Margins};
 use crate::scalar::Scalar;
 use crate::signal::Signal;
-use crate::workspace::Array;
 use alloc::vec::Vec;
 use core::marker::PhantomData;
 
@@ -103,9 +104,8 @@ impl<M: Mechanism> Solutions<M> {
 /// What one thread needs.
 struct Scratch<'a, M: Mechanism> {
     arguments: Arguments<'a, M, Octet>,
-    /// There are never more modes than coordinates.
-    modes: M::Coordinates<Octet>,
-    margins: M::Rows<Octet>,
+    modes: lists::Modes<M, Octet>,
+    margins: Margins<M, Octet>,
 }
 
 /// The work of [`solve`].
@@ -120,10 +120,8 @@ impl<M: Mechanism> Solve<'_, M> {
     fn block(&self, first: usize, scratch: &mut Scratch<'_, M>, out: &mut [Octet]) {
         let Scratch { arguments, modes, margins } = scratch;
         let block = arguments.block(first);
-        let plan = &M::model().plan;
-        let signs = &mut modes.as_mut()[..plan.signs()];
-        self.modes.of_block(self.mechanism, block.parameters, &block.at, block.q, block.q_dot, signs);
-        let modes = &signs[..plan.modes.len()];
+        self.modes.of_block(self.mechanism, block.parameters, &block.at, block.q, block.q_dot, modes.as_mut());
+        let modes = modes.of_closures();
         let (parameters, at, start, depth) = (block.parameters, &block.at, block.q, self.depth);
         let (q, rest) = out.split_at_mut(M::COORDINATES);
         let (q_dot, rest) = rest.split_at_mut(M::COORDINATES);
@@ -135,7 +133,12 @@ impl<M: Mechanism> Solve<'_, M> {
         }
         let mut poses = Poses { q, q_dot, q_ddot, margin: Octet::default(), good: Octet::ALL };
         let mut good = Octet::from_f64(1.0);
-        if poses.solve(self.mechanism, &Question { parameters, at, modes, start, depth }, margins).is_some() {
+        let all = poses.solve(self.mechanism, &Question { parameters, at, modes, start, depth }, margins).is_none();
+        let lengths = least_length(self.mechanism, parameters, at);
+        for lane in (0..Octet::COUNT).filter(|lane| lengths.lane(*lane) < 0.0) {
+            poses.refuse(lane);
+        }
+        if !all || poses.good.as_ref() != [true; Octet::COUNT] {
             poses.clear_bad();
             good = Octet::generate(|lane| f64::from(u8::from(poses.is_good(lane))));
         }
@@ -205,11 +208,10 @@ pub fn solve<M: Mechanism + Sync>(
     let configurations = Configurations { parameters, t, inputs, q: start, q_dot: modes.columns() };
     let work = Solve { mechanism, depth, modes };
     let shape = Shape { count: out.count, width: Octet::COUNT, stride: Solutions::<M>::STRIDE, chunk: CHUNK };
-    let nothing = |_| Octet::default();
     let scratch = || Scratch {
         arguments: Arguments::<M, _>::new(&configurations),
-        modes: Array::generate(nothing),
-        margins: Array::generate(nothing),
+        modes: lists::Modes::filled(Octet::default()),
+        margins: Margins::filled(Octet::default()),
     };
     drive(&shape, &mut out.blocks, watch, scratch, |first, scratch, out| work.block(first, scratch, out))
 }

@@ -170,8 +170,8 @@ where
             }
             let at = Instant { t: Octet::from_f64(t), inputs };
             let refusals = if instant == 0 {
-                let signs = &mut motion.branch.signs.as_mut()[..M::model().plan.signs()];
-                self.sweeps.modes.of_block(self.mechanism, block.parameters, &at, block.q, block.q_dot, signs);
+                let modes = motion.modes.as_mut();
+                self.sweeps.modes.of_block(self.mechanism, block.parameters, &at, block.q, block.q_dot, modes);
                 motion.begin(self.mechanism, &at)
             } else {
                 motion.advance(self.mechanism, &at, t)

@@ -6,8 +6,8 @@
 
 use crate::by_plan;
 use crate::equations::Equations;
+use crate::planned::blurred::{blurred_group, largest_angle};
 use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
-use crate::planned::limit::{blurred_group, largest_angle};
 
 /// Nearer than this to where its branches meet a group is on neither of them: as near as rounding lets it be told.
 const SMALLEST: f64 = 1e-6;
@@ -76,4 +76,72 @@ pub(super) fn are_blurred(
 /// How near the nearest group is to where its branches meet.
 pub(super) fn nearest(groups: &[f64]) -> f64 {
     groups.iter().fold(1.0, |least, w| f64::min(least, w.abs()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// One group from `before` over `predicted` to `found`, whichever its sign, and with redundant rows or without.
+    fn stays([before, predicted, found]: [f64; 3], turn: f64, is_redundant: bool) -> bool {
+        let answers = [1.0, -1.0].map(|sign| {
+            // A second group, far from all limits, has no say.
+            let of = |w: f64| [sign * w, -50.0];
+            stay([&of(before), &of(predicted), &of(found)], turn, is_redundant)
+        });
+        assert_eq!(answers[0], answers[1]);
+        answers[0]
+    }
+
+    #[test]
+    fn a_group_stays_on_its_side_and_where_it_was_predicted() {
+        let of = |before, predicted, found| stays([before, predicted, found], 0.01, false);
+        assert!(of(0.5, 0.5, 0.5));
+        assert!(!of(0.5, 0.5, -0.5) && !of(0.5, -0.5, -0.5) && !of(-0.5, 0.5, 0.5) && !of(0.5, -0.5, 0.5));
+        // As near as half of the smaller one.
+        assert!(of(0.5, 0.3, 0.2) && of(0.5, 0.2, 0.3) && !of(0.5, 0.31, 0.2) && !of(0.5, 0.2, 0.31));
+        // Every group counts, whatever the others do.
+        assert!(!stay([&[0.5, 0.5], &[0.5, 0.5], &[0.5, -0.5]], 0.01, false));
+        assert!(!stay([&[0.5], &[0.5], &[f64::NAN]], 0.01, false) && !stay([&[0.5], &[f64::NAN], &[0.5]], 0.01, false));
+    }
+
+    #[test]
+    fn rounding_does_not_tell_on_which_side_a_group_is() {
+        assert!(stays([0.5, 1.01e-6, 1.01e-6], 0.0, false) && !stays([0.5, 0.99e-6, 0.99e-6], 0.0, false));
+    }
+
+    /// Either it is so far away that nothing comes there in four times the turn, or the step is short enough to resolve it.
+    #[test]
+    fn a_step_that_turns_too_far_for_its_groups_does_not_count() {
+        // 10 turn³ is less than 4 turn in all steps that there are.
+        for (turn, least) in [(0.1, 0.01), (0.3, 0.27)] {
+            for (factor, counts) in [(1.01, true), (0.99, false)] {
+                let near: f64 = factor * least;
+                assert_eq!(counts, stays([near, near, near], turn, false), "{turn} {factor}");
+                // At either end.
+                assert_eq!(counts, stays([0.9, 1.2 * near, near], turn, false), "{turn} {factor}");
+                assert_eq!(counts, stays([near, 1.2 * near, 1.4 * near], turn, false), "{turn} {factor}");
+            }
+        }
+        // Where a step turns farther than that the cube grows beyond it.
+        assert!(stays([0.9; 3], 0.22, false) && stays([4.1; 3], 1.0, false) && !stays([3.9; 3], 1.0, false));
+    }
+
+    /// Redundant rows carry a motion past limits of the others: the sign may change, as the prediction has it.
+    #[test]
+    fn with_redundant_rows_a_group_changes_its_sign_where_it_was_predicted() {
+        let of = |before, predicted, found| stays([before, predicted, found], 0.01, true);
+        assert!(of(0.1, -0.1, -0.1) && of(0.1, 0.1, 0.1) && !of(0.1, 0.1, -0.1) && !of(0.1, -0.1, 0.1));
+        // As near as half of the larger one.
+        assert!(of(0.1, 0.2, 0.101) && of(0.1, 0.101, 0.2) && !of(0.1, 0.2, 0.099) && !of(0.1, 0.099, 0.2));
+        // Flat it has no sign that could be wrong.
+        assert!(of(0.1, 0.99e-3, -0.99e-3) && of(0.1, -0.99e-3, 0.99e-3));
+        assert!(!of(0.1, 1.01e-3, -0.5e-3) && !of(0.1, 0.5e-3, -1.01e-3));
+        assert!(!of(0.1, f64::NAN, 0.1) && !of(0.1, 0.1, f64::NAN));
+    }
+
+    #[test]
+    fn the_nearest_group_is_the_one_with_the_smallest_number() {
+        assert_eq!([0.2, 0.2, 1.0, 1.0], [nearest(&[0.5, -0.2]), nearest(&[0.2, 0.9]), nearest(&[]), nearest(&[-7.0])]);
+    }
 }

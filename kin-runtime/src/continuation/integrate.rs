@@ -99,4 +99,24 @@ mod tests {
         let stretched = velocity(&mut equations, 9, 0.475, &at(0.0));
         assert!(matches!(stretched, Err(Fault::Coarse(factor)) if factor < 1.0), "{stretched:?}");
     }
+
+    /// Beside the size of a coordinate, on its own scale, where that is more than one.
+    #[test]
+    fn an_error_is_that_of_the_worst_coordinate_beside_its_size() {
+        let slider = StretchedSlider;
+        let system = Box::new(Evaluator::<_, StretchedSlider>::new(&slider));
+        let mut equations = Equations::new(system, Options::default(), &[], None, &Instant::at(0.0)).unwrap();
+        equations.scale.columns.fill(2.0);
+        let of = |before: f64, after: f64, found: [f64; 2]| {
+            let (mut start, mut y, mut errors) = (vec![0.0; 9], vec![0.0; 9], vec![0.0; 9]);
+            (start[3], y[3], errors[3], errors[8]) = (before, after, found[0], found[1]);
+            error(&equations, &start, &Taken { y, error: errors })
+        };
+        let is = |expected: f64, found: f64| assert!((found - expected).abs() < 1e-15, "{found} for {expected}");
+        is(0.5, of(0.0, 0.0, [1.0, -0.4]));
+        is(0.5, of(0.0, 0.0, [0.4, -1.0]));
+        is(0.1, of(-8.0, 2.0, [-1.0, 0.0]));
+        is(0.1, of(2.0, -8.0, [-1.0, 0.1]));
+        assert!(of(0.0, 0.0, [f64::NAN, 1.0]).is_nan() && of(0.0, 0.0, [1.0, f64::NAN]).is_nan());
+    }
 }

@@ -77,3 +77,23 @@ fn is_between(t: f64, a: f64, b: f64, beside: f64) -> bool {
     let beside = beside + 1e-9 * a.abs().max(b.abs());
     t >= a.min(b) - beside && t <= a.max(b) + beside
 }
+
+#[cfg(test)]
+mod tests {
+    use super::is_between;
+
+    #[test]
+    fn a_time_is_on_the_way_in_either_direction_or_just_beside_it() {
+        for (a, b) in [(2.0, 3.0), (3.0, 2.0)] {
+            let on_the_way = |t: f64| is_between(t, a, b, 0.1);
+            assert!([1.91, 2.0, 2.5, 3.0, 3.09].into_iter().all(on_the_way));
+            assert!(![1.89, 3.11, f64::NAN, -2.5].into_iter().any(on_the_way));
+            // Times themselves are rounded.
+            let to_rounding = |t: f64| is_between(t, a, b, 0.0);
+            assert!([2.0 - 2.9e-9, 3.0 + 2.9e-9].into_iter().all(to_rounding));
+            assert!(![2.0 - 3.1e-9, 3.0 + 3.1e-9].into_iter().any(to_rounding));
+        }
+        // Rounding of the larger one, whatever its sign.
+        assert!(is_between(1e-7, -200.0, 0.0, 0.0) && !is_between(3e-7, -200.0, 0.0, 0.0));
+    }
+}

@@ -284,3 +284,6 @@ impl LargestEntry for DVector<f64> {
         if self.is_empty() { 0 } else { self.iamax() }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -147,3 +147,11 @@ pub struct JointInfo {
     /// What it reports.
     pub quantities: &'static [JointQuantity],
 }
+
+impl JointInfo {
+    /// True where it keeps a distance between two points: a link, a cylinder, or a driver of a distance.
+    pub(crate) fn keeps_distance(&self) -> bool {
+        self.kind == JointKind::Distance
+            || self.kind == JointKind::Driver && self.geometry.iter().any(|geometry| geometry.role == Role::Q)
+    }
+}

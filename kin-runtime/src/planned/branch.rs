@@ -13,8 +13,9 @@
 //! short that the error of the prediction is much smaller than w ([`resolves`]). A step for which neither is so is too
 //! long; at a fold or at a crossing of branches no step is short enough, and the motion ends.
 
+use super::lists::{Distances, Modes};
 use super::passed::CLOSE;
-use crate::plan::Plan;
+use crate::mechanism::Mechanism;
 use crate::scalar::compare::Compare;
 
 /// Deviation of w from its prediction, relative to the smaller of the two, up to which a step has stayed on its branch.
@@ -27,26 +28,19 @@ pub(crate) const OUT_OF_REACH: f64 = 4.0;
 /// The third-order term that the prediction leaves out, in the cube of the turn.
 const THIRD_ORDER: f64 = 10.0;
 
-/// Where a motion is on its branch; each list has a number for every sign of the plan.
-#[derive(Clone, Copy)]
-pub(crate) struct Branch<A> {
-    /// ±1.
-    pub(crate) signs: A,
-    /// |w|.
-    pub(crate) distances: A,
+/// Where a motion is on its branch.
+pub(crate) struct Branch<M: Mechanism> {
+    pub(crate) modes: Modes<M>,
+    pub(crate) distances: Distances<M>,
 }
 
-/// Writes |w| of every group; gives the smallest.
-#[inline(always)]
-pub(crate) fn distances<V: Compare>(plan: &Plan, margins: &[V], distances: &mut [V]) -> V {
-    let mut least = V::from_f64(1.0);
-    for (sign, distance) in distances.iter_mut().take(plan.signs()).enumerate() {
-        let Some(margin) = plan.margin_of_sign(sign) else { continue };
-        *distance = margins[margin].abs().sqrt();
-        least = least.least(*distance);
+impl<M: Mechanism> Clone for Branch<M> {
+    fn clone(&self) -> Self {
+        *self
     }
-    least
 }
+
+impl<M: Mechanism> Copy for Branch<M> {}
 
 /// How certain it is that w is what was predicted: not at all for less than 0.
 #[inline(always)]
@@ -64,4 +58,36 @@ pub(crate) fn resolves<V: Compare>(nearest: V, turn: V) -> V {
 /// Distances of the ends of a step below which a group may have come to its limit and back within the step.
 pub(super) const fn may_dip(before: f64, after: f64) -> bool {
     before < CLOSE || after < CLOSE
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_predicted_is_certain_up_to_half_of_the_smaller_one() {
+        for (now, predicted) in [(0.2, 0.3), (0.3, 0.2), (0.4, 0.59), (0.59, 0.4), (-0.01, -0.01 + 1e-9)] {
+            let is_near = f64::abs(now - predicted) <= 0.5 * f64::min(now, predicted);
+            assert_eq!(is_near, certainty_of::<f64>(now, predicted) >= 0.0, "{now} {predicted}");
+        }
+        for (now, predicted) in [(0.2, 0.31), (0.31, 0.2), (0.2, -0.2), (-0.2, 0.2), (0.2, 0.01), (f64::NAN, 0.2)] {
+            let is_certain = certainty_of::<f64>(now, predicted) >= 0.0;
+            assert!(!is_certain, "{now} {predicted}");
+        }
+    }
+
+    #[test]
+    fn a_step_resolves_what_its_third_order_term_cannot_reach() {
+        for turn in [0.01, 0.1, 0.3_f64] {
+            let error = 10.0 * turn.powi(3);
+            assert!(resolves(1.001 * error, turn) > 0.0 && resolves(0.999 * error, turn) < 0.0, "{turn}");
+        }
+        assert_eq!(0.2, resolves(0.2, 0.0));
+    }
+
+    #[test]
+    fn a_group_that_is_close_at_either_end_may_have_been_at_its_limit() {
+        assert!(may_dip(0.149, 0.9) && may_dip(0.9, 0.149) && may_dip(0.1, 0.1));
+        assert!(!may_dip(0.151, 0.151));
+    }
 }

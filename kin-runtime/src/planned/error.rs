@@ -2,6 +2,7 @@
 
 use super::step::Step;
 use crate::mechanism::LengthError;
+use crate::model::Model;
 use crate::plan::{ModeInfo, Plan};
 use core::fmt;
 
@@ -187,6 +188,15 @@ pub enum PlanError {
         /// The mode.
         mode: &'static str,
     },
+    /// A length that a joint keeps is negative: of a link, a cylinder or a driver of a distance.
+    NegativeLength {
+        /// Time.
+        t: f64,
+        /// The joint.
+        joint: &'static str,
+        /// Its length.
+        length: f64,
+    },
     /// The motion jumps: a driver or an input goes from one place to another in no time, however short the steps are.
     Jump {
         /// Time of the last state before it.
@@ -222,6 +232,13 @@ pub enum PlanError {
 }
 
 impl PlanError {
+    /// That a length, by its place among those that joints keep, is negative.
+    #[cold]
+    pub(super) fn negative_length(model: &Model, t: f64, place: usize, length: f64) -> Self {
+        let joint = model.joints.iter().filter(|joint| joint.keeps_distance()).nth(place);
+        Self::NegativeLength { t, joint: joint.map_or("", |joint| joint.name), length }
+    }
+
     /// The step that stands in the way, with its margin.
     pub const fn limit(&self) -> Option<&Limit> {
         match self {
@@ -249,6 +266,9 @@ impl fmt::Display for PlanError {
             }
             Self::Undecided { t, mode } => {
                 write!(f, "at t = {t}, the start does not say which closure of {mode} is meant")
+            }
+            Self::NegativeLength { t, joint, length } => {
+                write!(f, "at t = {t}, the length of `{joint}` is {length}: a length is not negative")
             }
             Self::Jump { t, t_refused } => write!(f, "the motion jumps behind t = {t}, on the way to t = {t_refused}"),
             Self::TooManySteps { t, t_refused } => {

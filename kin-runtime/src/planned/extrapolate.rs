@@ -30,6 +30,9 @@ const NARROWEST: f64 = 1e-4;
 /// How often the distance from the limit is doubled.
 const DOUBLINGS: usize = 60;
 
+/// Slope at a limit, relative to that of the whole interval, that is 0.
+const FLAT: f64 = 0.1;
+
 /// Difference, in radians or units of length, that leaving out one of the samples may make.
 const AGREEMENT: f64 = 1e-7;
 
@@ -39,7 +42,10 @@ pub(super) struct Found<M: Mechanism> {
     pub(super) place: f64,
     /// q there.
     pub(super) q: M::Coordinates<f64>,
-    pub(super) kind: LimitKind,
+    /// The difference that leaving out one of the samples makes, in radians or lengths, and relative to the interval.
+    error: f64,
+    /// What it is, where that is clear.
+    pub(super) kind: Option<LimitKind>,
 }
 
 impl<M: Mechanism> Follower<M> {
@@ -53,8 +59,16 @@ impl<M: Mechanism> Follower<M> {
         blocked: &Blocked<M>,
     ) -> Option<Found<M>> {
         let margin = M::model().plan.margin_of_sign(sign)?;
-        // A narrower interval where something else is near.
-        WIDTHS.into_iter().find_map(|width| self.extrapolate_from(mechanism, course, (margin, at, width), blocked))
+        // Narrower intervals are better where something else is near, wider ones where rounding is.
+        let mut best: Option<Found<M>> = None;
+        for width in WIDTHS {
+            let found = self.extrapolate_from(mechanism, course, (margin, at, width), blocked);
+            let is_better = |found: &Found<M>| best.as_ref().is_none_or(|best| found.error < best.error);
+            if let Some(found) = found.filter(is_better) {
+                best = Some(found);
+            }
+        }
+        best.filter(|found| found.error <= AGREEMENT)
     }
 
     /// The same by states whose farthest has this w, or a little more.
@@ -104,22 +118,25 @@ impl<M: Mechanism> Follower<M> {
         let first = &samples[0];
         let s = |k: usize| samples[k].1 - first.1;
         let place = first.1 + sum(&all, &s);
-        let mut agrees = (sum(&all, &s) - sum(&fewer, &s)).abs() <= AGREEMENT * reach.abs();
+        let mut error = ((sum(&all, &s) - sum(&fewer, &s)) / reach).abs();
         let q = M::Coordinates::<f64>::generate(|k| {
             let first = first.2.as_ref()[k];
             let of = |sample: usize| samples[sample].2.as_ref()[k] - first;
             let (found, other) = (sum(&all, &of), sum(&fewer, &of));
-            agrees &= (found - other).abs() <= AGREEMENT * (1.0 + first.abs());
+            error = error.max((found - other).abs() / (1.0 + first.abs()));
             first + found
         });
-        if !agrees {
-            return None;
-        }
-        // How the distance in time goes with w: with its square at a fold.
-        let [near, far] = [first, &samples[2]].map(|(w, s, _)| (*w, (s - place).abs()));
-        let is_square = far.1 * near.0 * Scalar::sqrt(near.0) > near.1 * far.0 * Scalar::sqrt(far.0);
-        let kind = if is_square { LimitKind::DeadCentre } else { LimitKind::BranchPoint };
-        Some(Found { place, q, kind })
+        // At a fold the slope ds/dw is 0, and w goes with the root of the distance.
+        let slope = |k: usize| (samples[k].1 - place) / samples[k].0;
+        let is_flat = sum(&all, &slope).abs() < FLAT * slope(SAMPLES - 1).abs();
+        let [near, far] = [samples[SAMPLES / 2], samples[SAMPLES - 1]].map(|(w, s, _)| (w, (s - place).abs()));
+        let is_root = far.1 * near.0 * Scalar::sqrt(near.0) > near.1 * far.0 * Scalar::sqrt(far.0);
+        let kind = match (is_flat, is_root) {
+            (true, true) => Some(LimitKind::DeadCentre),
+            (false, false) => Some(LimitKind::BranchPoint),
+            _ => None,
+        };
+        error.is_finite().then_some(Found { place, q, kind, error })
     }
 
     /// w at a place of the course that the motion has passed, as the root of a margin, with the state there; from the state

@@ -5,33 +5,18 @@
 //! minimum.
 
 use super::error::{Limit, LimitKind, Located, PlanError};
+use super::extrapolate::Found;
 use super::follower::{Fault, Follower};
 use super::step::Step;
 use super::walk::Blocked;
 use crate::course::Course;
 use crate::mechanism::Mechanism;
-use crate::model::{Component, CoordinateKind, Model};
-use crate::plan::{Depth, Plan, PlanStep, Solved, StepKind};
+use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
-/// Distances |w| below which it is asked whether rates have lost too many digits.
-pub(super) const NEAR: f64 = 0.1;
-
-/// √margin over |w| below which pins meet.
-const PINS: f64 = 0.5;
-
-/// What rounding may make of q̈ beside a crossing of branches, relative to the square of the drive's rate.
-const NOISE: f64 = 4e-6;
-
-/// An angle so small that configurations go along a straight line.
+/// The first stride of the search for a limit, relative to the way: not so small that rounding decides.
 const LITTLE: f64 = 1e-6;
-
-/// What drives a group may be slower than it by this much; where it is slower still, it is about to turn round.
-const LEAST_SHARE: f64 = 0.1;
-
-/// At a fold |w q̈| is about q̇², however near it is. At a crossing both are finite while w goes to 0.
-const FOLD: f64 = 0.03;
 
 /// How far from 0 a margin may be at a crossing, where it touches 0: its own rounding.
 const TOUCHES: f64 = 1e-9;
@@ -44,48 +29,6 @@ const HALVINGS: usize = 80;
 const SECTIONS: usize = 90;
 
 impl<M: Mechanism> Follower<M> {
-    /// True where the state that is being tried is so near to a crossing of branches that its rates mean nothing.
-    #[inline]
-    pub(super) fn is_blurred(&self, mechanism: &M, at: &Instant<'_>) -> bool {
-        let count = M::model().plan.signs();
-        self.distances.as_ref()[..count].iter().any(|w| *w < NEAR) && self.blurred(mechanism, at).is_some()
-    }
-
-    /// The group that is so near to a crossing of branches that rates mean nothing.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn blurred(&self, mechanism: &M, at: &Instant<'_>) -> Option<usize> {
-        let tried = &self.states[1 - self.good];
-        let count = M::model().plan.signs();
-        let (q, q_dot) = (tried.q.as_ref(), tried.q_dot.as_ref());
-        // A little further on, as far as that goes along a straight line.
-        let further = LITTLE / largest_angle(M::model(), q_dot);
-        let ahead = M::Coordinates::<f64>::generate(|k| q[k] + further * q_dot[k]);
-        let [mut now, mut then] = [M::Coordinates::<f64>::filled(0.0); 2];
-        let (now, then) = (&mut now.as_mut()[..count], &mut then.as_mut()[..count]);
-        mechanism.branches_with(self.parameters.as_ref(), at, q, now).ok()?;
-        mechanism.branches_with(self.parameters.as_ref(), at, ahead.as_ref(), then).ok()?;
-        then.iter_mut().zip(&*now).for_each(|(then, now)| *then = (*then - now) / further);
-        let rates = [q_dot, tried.q_ddot.as_ref()];
-        blurred_group(M::model(), [now, then], &self.distances.as_ref()[..count], rates)
-    }
-
-    /// That rates mean nothing at the state that is being tried.
-    #[cold]
-    pub(super) fn explain_blurred(&self, mechanism: &M, at: &Instant<'_>) -> PlanError {
-        let t = at.t;
-        let place = self.blurred(mechanism, at).and_then(|sign| M::model().plan.margin_of_sign(sign)).unwrap_or(0);
-        let margin = self.states[1 - self.good].margins.as_ref()[place];
-        match Step::of_margin(M::model(), place) {
-            Some(step) => {
-                let limit =
-                    Limit { step, margin, located: Some(Located { at: t, kind: Some(LimitKind::BranchPoint) }) };
-                PlanError::Limit { t, limit }
-            }
-            None => PlanError::NonFinite { what: "margins", index: place, name: "", t },
-        }
-    }
-
     /// What an instant, or a parameter, has that is not finite.
     pub(super) fn unusable(&self, at: &Instant<'_>) -> Option<PlanError> {
         let (model, t) = (M::model(), at.t);
@@ -119,8 +62,8 @@ impl<M: Mechanism> Follower<M> {
             // What a restart begins with.
             return error("q", index, coordinate(index));
         }
-        let margins = &tried.margins.as_ref()[..model.plan.margins];
-        for (mode, sign) in model.plan.modes.iter().zip(self.branch.signs.as_ref()) {
+        let margins = tried.margins.as_ref();
+        for (mode, sign) in model.plan.modes.iter().zip(self.branch.modes.as_ref()) {
             if sign.is_nan() && margins.get(mode.margin).is_some_and(|margin| *margin > Plan::SMALLEST_MARGIN) {
                 return PlanError::Undecided { t, mode: mode.name };
             }
@@ -182,17 +125,21 @@ impl<M: Mechanism> Follower<M> {
             return of_kind(t, Limit { step, margin, located: Some(Located { at: reached, kind: None }) });
         };
         let (s, margin) = self.locate(mechanism, course, place, blocked);
-        let kind = if margin <= TOUCHES && margin > -TOUCHES && self.comes_back(mechanism, course, s, place, blocked) {
-            LimitKind::BranchPoint
-        } else {
-            LimitKind::DeadCentre
-        };
+        // A minimum that is not 0 is where the search ended: the limit lies farther on.
+        let is_there = margin <= TOUCHES;
         let found = self.extrapolate(mechanism, course, (sign, s), blocked);
         self.limit = found.as_ref().map(|found| found.q);
-        // Where an iteration ends nothing is solved behind a fold, and the margin has no root.
-        let kind = if sign < plan.modes.len() { Some(kind) } else { found.as_ref().map(|found| found.kind) };
+        let kind = match &found {
+            // Where an iteration ends nothing is solved behind a fold, and the margin has no root.
+            _ if is_there && margin < -TOUCHES && sign < plan.modes.len() => Some(LimitKind::DeadCentre),
+            Some(Found { kind: Some(kind), .. }) => Some(*kind),
+            _ if !is_there || sign >= plan.modes.len() => None,
+            _ if self.comes_back(mechanism, course, s, place, blocked) => Some(LimitKind::BranchPoint),
+            _ => Some(LimitKind::DeadCentre),
+        };
         // A minimum is known to half the digits; a root of the margin to all.
-        let s = found.filter(|_| kind == Some(LimitKind::BranchPoint)).map_or(s, |found| found.place);
+        let is_root = is_there && kind == Some(LimitKind::DeadCentre);
+        let s = found.filter(|_| !is_root).map_or(s, |found| found.place);
         let limit_at = course.at(s, inputs.as_mut());
         // The margin at the instant that was asked for says how far beyond its limit the group would be.
         let asked = self.margin_at(mechanism, course, course.ends()[1], place, blocked);
@@ -207,10 +154,10 @@ impl<M: Mechanism> Follower<M> {
         let t = course.at(s, inputs.as_mut());
         let start = blocked.here.q;
         let spare = &mut self.states[1 - self.good];
-        let margins = &mut spare.margins.as_mut()[..plan.margins];
+        let margins = spare.margins.as_mut();
         let (q, q_dot, q_ddot) = (spare.q.as_mut(), spare.q_dot.as_mut(), spare.q_ddot.as_mut());
         let solved = Solved { q, q_dot, q_ddot, margins };
-        let modes = &self.branch.signs.as_ref()[..plan.modes.len()];
+        let modes = self.branch.modes.of_closures();
         let at = Instant { t, inputs: inputs.as_ref() };
         let solution = mechanism.solve_with(
             self.parameters.as_ref(),
@@ -235,7 +182,6 @@ impl<M: Mechanism> Follower<M> {
         let mut margin = |s: f64| self.margin_at(mechanism, course, s, place, blocked);
         // Away from the last place in growing strides, until the margin is gone or grows again.
         let direction = if end < start { -1.0 } else { 1.0 };
-        // Not so small that rounding of the margin decides.
         let least = LITTLE * (end - from).abs();
         let mut stride = (refused - from).abs().max(least).max(4.0 * f64::EPSILON * from.abs());
         let (mut a, mut b, mut at_b) = (from, from, margin(from));
@@ -277,47 +223,6 @@ fn of_kind(t: f64, limit: Limit) -> PlanError {
     }
 }
 
-/// The largest rate of an angle, or of a scalar.
-pub(crate) fn largest_angle(model: &Model, rates: &[f64]) -> f64 {
-    largest_of(model, &mut (0..rates.len()), rates)
-}
-
-fn largest_of(model: &Model, places: &mut dyn Iterator<Item = usize>, rates: &[f64]) -> f64 {
-    let turns = |k: &usize| {
-        !matches!(model.coordinates[*k].kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
-    };
-    places.filter(turns).map(|k| rates[k].abs()).fold(0.0, f64::max)
-}
-
-/// The group that is so near to a crossing of branches that rates mean nothing, given w and ẇ of every group, and √margin.
-///
-/// With x = q̇ w/ẇ, the angle by which the group is from the crossing, rounding of w² makes about ε/(w x²) of q̈/q̇². Where
-/// √margin is much less than |w|, both closures are apart, and it is the pins at both ends of the group that meet.
-pub(crate) fn blurred_group(
-    model: &Model,
-    [groups, rates_of_groups]: [&[f64]; 2],
-    distances: &[f64],
-    [q_dot, q_ddot]: [&[f64]; 2],
-) -> Option<usize> {
-    let plan = &model.plan;
-    let meet = |sign: &usize| distances[*sign] < NEAR.min(PINS * groups[*sign].abs());
-    if let Some(sign) = (0..plan.modes.len()).find(meet) {
-        return Some(sign);
-    }
-    let steps = plan.modes.iter().chain(plan.orientations).map(|group| group.step);
-    steps.enumerate().filter(|(sign, _)| distances[*sign] < NEAR).find_map(|(sign, step)| {
-        let of = |step: &'static PlanStep| step.coordinates.iter().map(|&(k, _)| k);
-        let own = |rates: &[f64]| largest_of(model, &mut plan.steps.iter().skip(step).take(1).flat_map(of), rates);
-        let (velocity, acceleration, w) = (own(q_dot), own(q_ddot), distances[sign]);
-        let x = velocity * (w / rates_of_groups[sign]).abs();
-        let crosses = w * acceleration <= FOLD * velocity * velocity;
-        // Beside the motion of what drives it, where that is slower.
-        let before = largest_of(model, &mut plan.steps.iter().take(step).flat_map(of), q_dot);
-        let share = if before > 0.0 { (before / velocity).clamp(LEAST_SHARE, 1.0) } else { 1.0 };
-        (crosses && f64::EPSILON > NOISE * w * x * x * share * share).then_some(sign)
-    })
-}
-
 /// Where a function changes its sign, positive at `a` and not at `b`, and its value there.
 fn root(f: &mut impl FnMut(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
     let mut at_b = f(b);
@@ -354,3 +259,6 @@ fn minimum(f: &mut impl FnMut(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64)
     }
     if at_c < at_d { (c, at_c) } else { (d, at_d) }
 }
+
+#[cfg(test)]
+mod tests;

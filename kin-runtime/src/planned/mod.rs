@@ -1,10 +1,12 @@
 //! A mechanism solved by its plan, instant by instant, without an allocator: for controllers and fast loops.
 
+pub(crate) mod blurred;
 pub(crate) mod branch;
 mod error;
 mod extrapolate;
 pub(crate) mod follower;
-pub(crate) mod limit;
+mod limit;
+pub(crate) mod lists;
 mod mode;
 pub(crate) mod passed;
 pub(crate) mod predict;
@@ -167,19 +169,19 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         let modes = M::model().plan.modes;
         let place = mode.place(modes).ok_or(PlanError::UnknownMode { modes })?;
         let follower = &mut self.follower;
-        let both = follower.branch.signs.as_mut().get_mut(place).zip(follower.asked.as_mut().get_mut(place));
+        let both = follower.branch.modes.as_mut().get_mut(place).zip(follower.asked.as_mut().get_mut(place));
         both.ok_or(PlanError::UnknownMode { modes })
     }
 
     /// The sign of a mode: that of the last good state, or what was asked for since.
     pub fn mode<'k>(&self, mode: impl Into<ModeKey<'k>>) -> Option<Sign> {
         let place = mode.into().place(M::model().plan.modes)?;
-        self.follower.signs().get(place).copied().and_then(Sign::of)
+        self.follower.modes().as_ref().get(place).copied().and_then(Sign::of)
     }
 
     /// The signs of all modes, in the order of [`Plan::modes`](crate::plan::Plan::modes).
     pub fn modes(&self) -> impl Iterator<Item = Sign> + '_ {
-        self.follower.signs()[..M::model().plan.modes.len()].iter().copied().filter_map(Sign::of)
+        self.follower.modes().of_closures().iter().copied().filter_map(Sign::of)
     }
 
     /// Time of the last good state.
@@ -209,7 +211,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     /// where it says nothing.
     #[inline]
     pub fn margins(&self) -> &[f64] {
-        &self.follower.state().margins.as_ref()[..M::model().plan.margins]
+        self.follower.state().margins.as_ref()
     }
 
     /// q at the limit itself, n numbers, after a [`PlanError::Limit`] whose place was found: there the closures of the group

@@ -94,3 +94,25 @@ impl fmt::Display for ModeKey<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_closure_has_the_sign_of_its_number_and_none_where_there_is_none() {
+        assert_eq!([Some(Sign::Plus), Some(Sign::Minus)], [1e-300, -1e-300].map(Sign::of));
+        assert_eq!([None; 3], [0.0, -0.0, f64::NAN].map(Sign::of));
+        assert_eq!([1.0, -1.0], [Sign::Plus, Sign::Minus].map(Sign::value));
+        assert_eq!([Sign::Minus, Sign::Plus], [Sign::Plus, Sign::Minus].map(Sign::flipped));
+    }
+
+    #[test]
+    fn a_mode_is_found_by_its_name_or_its_place() {
+        let mode = |name| ModeInfo { name, step: 0, margin: 0 };
+        let modes = [mode("A-B-D"), mode("E-F")];
+        let place = |key: ModeKey<'_>| key.place(&modes);
+        assert_eq!([Some(0), Some(1), None], ["A-B-D", "E-F", "E"].map(|name| place(name.into())));
+        assert_eq!([Some(0), Some(1), None, None], [0, 1, 2, usize::MAX].map(|index| place(index.into())));
+    }
+}

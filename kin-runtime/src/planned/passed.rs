@@ -67,7 +67,8 @@ pub(crate) fn is_missed(plan: &Plan, margin: impl Fn(usize) -> f64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::Passed;
+    use super::*;
+    use crate::plan::PlanStep;
 
     #[test]
     fn every_combination_of_near_closures_is_tried_once_and_fewest_changes_first() {
@@ -91,5 +92,45 @@ mod tests {
         // Far from limits, or asked for, there is nothing to try.
         assert_eq!(Passed::new(&kept[..2], &[0.9, -0.2], &[]).attempts().count(), 0);
         assert_eq!(Passed::new(&kept, &closures, &[1.0; 5]).attempts().count(), 0);
+    }
+
+    #[test]
+    fn closures_near_their_limit_or_beyond_it_may_have_changed() {
+        for (kept, closure, may) in [
+            (1.0, 0.099, true),
+            (1.0, 0.101, false),
+            (1.0, -0.7, true),
+            (-1.0, -0.099, true),
+            (-1.0, -0.101, false),
+            (-1.0, 0.7, true),
+        ] {
+            assert_eq!(usize::from(may), Passed::new(&[kept], &[closure], &[]).attempts().count(), "{kept} {closure}");
+        }
+    }
+
+    /// Of very many closures the first ones are tried: their combinations double with every one.
+    #[test]
+    fn no_more_than_six_closures_are_combined() {
+        for (count, attempts) in [(5, 31), (6, 63), (7, 63), (12, 63)] {
+            let passed = Passed::new(&[1.0; 12][..count], &[0.0; 12][..count], &[]);
+            assert_eq!(attempts, passed.attempts().count(), "{count}");
+        }
+    }
+
+    #[test]
+    fn only_margins_of_watched_rows_say_that_these_are_missed() {
+        const fn step(kind: StepKind, margins: (usize, usize)) -> PlanStep {
+            PlanStep { kind, group: "", joints: &[], coordinates: &[], modes: (0, 0), margins, singular: "" }
+        }
+        const PLAN: Plan = Plan {
+            steps: &[step(StepKind::Closure, (0, 2)), step(StepKind::Watched(&[0, 1]), (2, 4))],
+            modes: &[],
+            orientations: &[],
+            margins: 4,
+            absent: None,
+        };
+        let missed = |margins: [f64; 4]| is_missed(&PLAN, |place| margins[place]);
+        assert!(!missed([1.0; 4]) && !missed([-1.0, 0.0, 1.0, 1.0]) && !missed([1.0, 1.0, 1.01e-12, 1.0]));
+        assert!(missed([1.0, 1.0, 1e-12, 1.0]) && missed([1.0, 1.0, 1.0, -2.0]) && missed([1.0, 1.0, 0.0, 0.0]));
     }
 }

@@ -86,7 +86,9 @@ pub(super) fn beyond_parabola(before: [f64; 3], now: [f64; 3], span: f64, h: f64
 
 #[cfg(test)]
 mod tests {
-    use super::beyond_parabola;
+    use super::{beyond_parabola, parabola, turned, weights};
+    use crate::Mechanism;
+    use crate::fixture::{FourBarLoop, PlannedFourBar};
 
     #[test]
     fn a_quintic_is_met_to_the_last_digits() {
@@ -110,6 +112,76 @@ mod tests {
         assert_eq!(beyond_parabola([0.5, 1.0, 0.0], now, 0.1, 0.1), 0.0);
         for span in [0.0, f64::NAN, -0.1, 0.01] {
             assert_eq!(beyond_parabola([-0.1, 1.1, 0.1], now, span, 0.1), 0.0);
+        }
+    }
+
+    /// A step forth and back, by either sign of every rate: the parabola, and the larger of what its two terms turn.
+    #[test]
+    fn a_parabola_turns_as_far_as_the_larger_of_its_terms() {
+        let (q, v, a) = ([1.0, -2.0, 0.5, 3.0], [0.2, -4.0, 0.1, 50.0], [-1.0, 2.0, 30.0, 0.0]);
+        let weights = [1.0, 0.5, 1.0, 0.0];
+        for h in [0.1, -0.1] {
+            let mut to = [0.0; 4];
+            let turn: f64 = parabola(&mut to, [&q, &v, &a], &weights, h);
+            for k in 0..4 {
+                assert!((to[k] - (q[k] + h * v[k] + 0.5 * h * h * a[k])).abs() < 1e-15, "{k}");
+            }
+            // ½ 0.1² 30, 0.5·0.1·4 and, of what does not count, 0.1·50.
+            assert!((turn - 0.2).abs() < 1e-15, "{turn}");
+            let slower: f64 = parabola(&mut to, [&q, &[0.2, -2.0, 0.1, 50.0], &a], &weights, h);
+            assert!((slower - 0.15).abs() < 1e-15, "{slower}");
+        }
+    }
+
+    /// Every place of a list counts, whatever its length, with its own weight.
+    #[test]
+    fn the_largest_turn_is_found_at_every_place() {
+        for count in 1..=8 {
+            let zeros = vec![0.0; count];
+            for place in 0..count {
+                for change in [0.7, -0.7] {
+                    let (mut to, mut weights) = (zeros.clone(), vec![1.0; count]);
+                    to[place] = change;
+                    weights[place] = 0.5;
+                    assert_eq!([0.35; 2], [turned(&to, &zeros, &weights), turned(&zeros, &to, &weights)]);
+                    assert_eq!(0.35, parabola(&mut zeros.clone(), [&zeros, &to, &zeros], &weights, 1.0));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn angles_count_as_they_are_lengths_not_and_scalars_by_their_size() {
+        let mut found = [f64::NAN; 9];
+        weights(PlannedFourBar::model(), &[5.0; 9], &mut found);
+        assert_eq!([0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0], found);
+        let mut found = [f64::NAN; 3];
+        weights(FourBarLoop::model(), &[0.0, 3.0, -1.0], &mut found);
+        assert_eq!([1.0, 0.25, 0.5], found);
+    }
+
+    /// Where the rest of the quintic is a quarter of what the parabola moves, it is too much to be trusted.
+    #[test]
+    fn a_quintic_that_bends_too_much_is_left_to_the_parabola() {
+        // q = t + c t³ from 0.1 before now.
+        let at = |c: f64, t: f64| [t + c * t * t * t, 1.0 + 3.0 * c * t * t, 6.0 * c * t];
+        for (c, counts) in [(20.0, true), (24.0, true), (26.0, false), (60.0, false), (-24.0, true), (-26.0, false)] {
+            let found = beyond_parabola(at(c, -0.1), at(c, 0.0), 0.1, 0.1);
+            let expected = if counts { c * 0.001 } else { 0.0 };
+            assert!((found - expected).abs() < 1e-15, "{c}: {found}");
+        }
+        // What the parabola moves is by velocity and by acceleration, whatever their signs: 0.2 + 0.1 here.
+        for (v, a) in [(2.0, 20.0), (2.0, -20.0), (-2.0, 20.0), (-2.0, -20.0)] {
+            for (c, counts) in [(74.0, true), (76.0, false), (-74.0, true), (-76.0, false)] {
+                let bent = |t: f64| [t * (v + t * (0.5 * a + t * c)), v + t * (a + 3.0 * t * c), a + 6.0 * t * c];
+                let found = beyond_parabola(bent(-0.1), bent(0.0), 0.1, 0.1);
+                assert_eq!(counts, found != 0.0, "{v} {a} {c}: {found}");
+            }
+        }
+        // No farther ahead than twice the step before, no farther back than it went.
+        for (h, counts) in [(0.199, true), (0.201, false), (-0.099, true), (-0.101, false)] {
+            let found = beyond_parabola(at(1.0, -0.1), at(1.0, 0.0), 0.1, h);
+            assert_eq!(counts, found != 0.0, "{h}: {found}");
         }
     }
 }

@@ -123,3 +123,37 @@ impl serde::Serialize for Step {
         serializer.collect_str(self)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Mechanism;
+    use crate::fixture::{PlannedFourBar, StretchedSlider};
+
+    #[test]
+    fn a_step_is_known_by_its_mechanism_and_its_place() {
+        let model = PlannedFourBar::model();
+        let step = |place: usize| Step::new(model, place).unwrap();
+        assert!(step(2) == step(2) && step(0) != step(1));
+        assert_eq!(
+            (Some(step(2)), None, None),
+            (Step::of_margin(model, 0), Step::of_margin(model, 1), Step::new(model, 3))
+        );
+        // No two mechanisms have a step in common.
+        let mut other = Box::new(*model);
+        other.name = "other";
+        let other: &'static Model = Box::leak(other);
+        assert!(Step::new(other, 2).unwrap() != step(2));
+        assert_eq!(None, Step::new(StretchedSlider::model(), 0));
+    }
+
+    #[test]
+    fn a_step_names_what_belongs_to_it() {
+        let step = |place: usize| Step::new(PlannedFourBar::model(), place).unwrap();
+        assert_eq!([Some("drive"), None, None], [0, 1, 2].map(|place| step(place).driver()));
+        assert_eq!([false, false, true], [0, 1, 2].map(|place| step(place).closes()));
+        assert!((0..3).all(|place| !step(place).is_watched()));
+        assert!(step(2).bodies().eq(["coupler", "rocker"]) && step(2).joints().eq(["A", "B", "D"]));
+        assert!(step(0).bodies().eq(["crank"]) && step(0).joints().eq(["drive"]));
+    }
+}

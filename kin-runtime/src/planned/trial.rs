@@ -1,31 +1,28 @@
 //! The state that is being tried: what the plan gives at an instant, and whether it is on the branch of the motion.
 
-use super::branch::{certainty_of, distances, may_dip};
+use super::branch::{certainty_of, may_dip};
 use super::follower::{Follower, Poses};
+use super::lists::Closures;
 use super::passed::{self, Passed};
 use crate::mechanism::{LengthError, Mechanism};
-use crate::plan::{Depth, Plan, Solved};
+use crate::plan::{Depth, Solved};
 use crate::signal::Instant;
-use crate::workspace::Array;
 
 impl<M: Mechanism> Follower<M> {
     /// What the plan gives in the modes that are kept; true where it is good.
     #[inline]
     pub(super) fn ask(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<bool, LengthError> {
-        let plan = &M::model().plan;
         let Self { parameters, branch, states, good, predicted, .. } = self;
         let Poses { q, q_dot, q_ddot, margins } = &mut states[1 - *good];
-        let margins = &mut margins.as_mut()[..plan.margins];
-        let solved = Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins };
-        let modes = &branch.signs.as_ref()[..plan.modes.len()];
+        let solved =
+            Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
+        let modes = branch.modes.of_closures();
         let depth = Depth::Acceleration;
         mechanism.solve_with(parameters.as_ref(), at, modes, predicted.as_ref(), depth, solved)?;
         let Poses { q, q_dot, q_ddot, margins } = &states[1 - *good];
         // Without early ends, so that the loops run in lanes.
         let finite = |numbers: &[f64]| numbers.iter().fold(true, |all, x| all & x.is_finite());
-        let good_margins =
-            margins.as_ref()[..plan.margins].iter().fold(true, |all, m| all & (*m > Plan::SMALLEST_MARGIN));
-        let all = good_margins & finite(q.as_ref()) & finite(q_dot.as_ref()) & finite(q_ddot.as_ref());
+        let all = margins.are_good() & finite(q.as_ref()) & finite(q_dot.as_ref()) & finite(q_ddot.as_ref());
         Ok(all & at.t.is_finite())
     }
 
@@ -39,27 +36,24 @@ impl<M: Mechanism> Follower<M> {
         if !passed::is_missed(plan, |place| margins.as_ref()[place]) {
             return Ok(false);
         }
-        let count = plan.modes.len();
-        let (kept, mut closures) = (self.branch.signs, M::Coordinates::<f64>::filled(0.0));
-        let closures = &mut closures.as_mut()[..plan.signs()];
-        mechanism.branches_with(self.parameters.as_ref(), at, self.predicted.as_ref(), closures)?;
-        let passed = Passed::new(&kept.as_ref()[..count], &closures[..count], self.asked.as_ref());
+        let kept = self.branch.modes;
+        let closures = Closures::at(mechanism, self.parameters.as_ref(), at, self.predicted.as_ref())?;
+        let passed = Passed::new(kept.of_closures(), closures.as_ref(), self.asked.as_ref());
         for attempt in passed.attempts() {
-            passed.signs(attempt, &mut self.branch.signs.as_mut()[..count]);
+            passed.signs(attempt, self.branch.modes.of_closures_mut());
             if self.ask(mechanism, at)? {
                 return Ok(true);
             }
         }
         // Once more, for what is said of it.
-        self.branch.signs = kept;
+        self.branch.modes = kept;
         self.ask(mechanism, at)
     }
 
     /// Writes |w| of the state that is being tried; gives the smallest.
     #[inline]
     pub(super) fn measure(&mut self) -> f64 {
-        let margins = &self.states[1 - self.good].margins;
-        distances(&M::model().plan, margins.as_ref(), self.distances.as_mut())
+        self.states[1 - self.good].margins.write_distances(&mut self.distances)
     }
 
     /// True if no iterated group has changed the sign of its determinant.
@@ -69,12 +63,10 @@ impl<M: Mechanism> Follower<M> {
         if plan.orientations.is_empty() {
             return Ok(true);
         }
-        let q = self.states[1 - self.good].q;
-        let mut found = M::Coordinates::<f64>::filled(0.0);
-        let found = &mut found.as_mut()[..plan.signs()];
-        mechanism.branches_with(self.parameters.as_ref(), at, q.as_ref(), found)?;
-        let signs = self.branch.signs.as_ref().iter().zip(found).skip(plan.modes.len());
-        Ok(signs.into_iter().all(|(sign, found)| sign * *found > 0.0))
+        let q = &self.states[1 - self.good].q;
+        let found = Closures::at(mechanism, self.parameters.as_ref(), at, q.as_ref())?;
+        let mut groups = self.branch.modes.as_ref().iter().zip(found.as_ref()).skip(plan.modes.len());
+        Ok(groups.all(|(mode, found)| mode * found > 0.0))
     }
 
     /// True if every group is where the prediction has it; not where one is so near to its limit that it may have been there
@@ -106,18 +98,13 @@ impl<M: Mechanism> Follower<M> {
         at: &Instant<'_>,
         predicted: &[f64],
     ) -> Result<Option<usize>, LengthError> {
-        let plan = &M::model().plan;
-        let count = plan.signs();
-        let mut foretold = M::Coordinates::<f64>::filled(0.0);
-        mechanism.branches_with(self.parameters.as_ref(), at, predicted, &mut foretold.as_mut()[..count])?;
-        let q = self.states[1 - self.good].q;
-        let mut found = M::Coordinates::<f64>::filled(0.0);
-        mechanism.branches_with(self.parameters.as_ref(), at, q.as_ref(), &mut found.as_mut()[..count])?;
-        let (signs, foretold, found) = (self.branch.signs.as_ref(), foretold.as_ref(), found.as_ref());
-        let on_branch = |sign: usize| {
-            let now = signs[sign] * found[sign];
-            now > 0.0 && certainty_of(now, signs[sign] * foretold[sign]) >= 0.0
+        let of = |q: &[f64]| Closures::at(mechanism, self.parameters.as_ref(), at, q);
+        let (foretold, found) = (of(predicted)?, of(self.states[1 - self.good].q.as_ref())?);
+        let (modes, foretold, found) = (self.branch.modes.as_ref(), foretold.as_ref(), found.as_ref());
+        let on_branch = |group: usize| {
+            let now = modes[group] * found[group];
+            now > 0.0 && certainty_of(now, modes[group] * foretold[group]) >= 0.0
         };
-        Ok((0..count).find(|sign| !on_branch(*sign)))
+        Ok((0..modes.len()).find(|group| !on_branch(*group)))
     }
 }

@@ -5,16 +5,15 @@
 //! [`trial`](super::trial) and [`branch`](super::branch)). Otherwise the way there is walked in steps that are short enough
 //! for that (see [`walk`](super::walk)), and where no step is short enough, the motion ends: see [`limit`](super::limit).
 
+use super::blurred::NEAR;
 use super::branch::{OUT_OF_REACH, resolves};
 use super::error::PlanError;
 use super::follower::{Control, Follower, NEGLIGIBLE, Poses, most_turn};
-use super::limit::NEAR;
-use super::mode::Sign;
+use super::lists::{Closures, Modes};
 use super::predict::{beyond_parabola, parabola, turned, weights};
 use crate::course::{Between, Course, Kind, kind};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::StepKind;
-use crate::scalar::compare::Compare;
 use crate::signal::Instant;
 use crate::workspace::Array;
 
@@ -29,17 +28,17 @@ impl<M: Mechanism> Follower<M> {
         Ok(follower)
     }
 
-    /// The plan solved at an instant from a start with these signs, at parameters that the caller has.
+    /// The plan solved at an instant from a start in these modes, at parameters that the caller has.
     #[cfg(feature = "std")]
     pub(crate) fn begin(
         mechanism: &M,
         parameters: M::Parameters<f64>,
         at: &Instant<'_>,
         start: &[f64],
-        signs: M::Coordinates<f64>,
+        modes: Modes<M>,
     ) -> Result<Self, PlanError> {
         let mut follower = Self::empty(parameters, at.t);
-        follower.restart_in(mechanism, at, start, signs)?;
+        follower.restart_in(mechanism, at, start, modes)?;
         Ok(follower)
     }
 
@@ -48,28 +47,25 @@ impl<M: Mechanism> Follower<M> {
         if q.len() != M::COORDINATES {
             return Err(LengthError { what: "q", expected: M::COORDINATES, found: q.len() }.into());
         }
-        let mut signs = M::Coordinates::<f64>::filled(0.0);
-        let count = M::model().plan.signs();
-        mechanism.branches_with(self.parameters.as_ref(), at, q, &mut signs.as_mut()[..count])?;
-        self.restart_in(mechanism, at, q, signs)
+        let closures = Closures::at(mechanism, self.parameters.as_ref(), at, q)?;
+        self.restart_in(mechanism, at, q, closures.modes())
     }
 
-    /// [`restart`](Self::restart) with signs of their own.
+    /// [`restart`](Self::restart) in modes of their own.
     pub(crate) fn restart_in(
         &mut self,
         mechanism: &M,
         at: &Instant<'_>,
         start: &[f64],
-        mut signs: M::Coordinates<f64>,
+        modes: Modes<M>,
     ) -> Result<(), PlanError> {
-        // NaN where it is not decided: whatever depends on it is NaN then.
-        signs.as_mut().iter_mut().for_each(|sign| *sign = Sign::of(*sign).map_or(f64::NAN, Sign::value));
-        let before = core::mem::replace(&mut self.branch.signs, signs);
+        self.lengths_exist(mechanism, at)?;
+        let before = core::mem::replace(&mut self.branch.modes, modes);
         self.predicted.as_mut().copy_from_slice(start);
         let anew = core::mem::replace(&mut self.anew, true);
-        let asked = core::mem::replace(&mut self.asked, M::Coordinates::filled(1.0));
+        let asked = core::mem::replace(&mut self.asked, Modes::filled(1.0));
         if let Err(error) = self.solve_anew(mechanism, at) {
-            (self.branch.signs, self.anew, self.asked) = (before, anew, asked);
+            (self.branch.modes, self.anew, self.asked) = (before, anew, asked);
             return Err(error);
         }
         Ok(())
@@ -78,6 +74,7 @@ impl<M: Mechanism> Follower<M> {
     /// q, q̇ and q̈ at another instant on the same branch; the inputs go there as [`course`](crate::course) says.
     #[inline]
     pub(crate) fn update(&mut self, mechanism: &M, at: &Instant<'_>, control: &Control) -> Result<(), PlanError> {
+        self.lengths_exist(mechanism, at)?;
         let turn = self.predict(at.t - self.t);
         if self.anew {
             return self.solve_anew(mechanism, at);
@@ -97,6 +94,7 @@ impl<M: Mechanism> Follower<M> {
         inputs: &dyn Fn(f64, &mut [crate::signal::Signal]),
         control: &Control,
     ) -> Result<(), PlanError> {
+        self.lengths_exist(mechanism, at)?;
         let turn = self.predict(at.t - self.t);
         if self.anew {
             return self.solve_anew(mechanism, at);
@@ -105,6 +103,21 @@ impl<M: Mechanism> Follower<M> {
             return Ok(());
         }
         self.walk_and_keep(mechanism, &crate::course::Timed { from: self.t, to: at.t, inputs }, at, control)
+    }
+
+    /// An error where a length that a joint keeps is negative.
+    #[inline]
+    fn lengths_exist(&self, mechanism: &M, at: &Instant<'_>) -> Result<(), PlanError> {
+        if M::LENGTHS == 0 {
+            return Ok(());
+        }
+        let mut lengths = M::Rows::<f64>::filled(0.0);
+        let Some(lengths) = lengths.as_mut().get_mut(..M::LENGTHS) else { return Ok(()) };
+        mechanism.lengths_with(self.parameters.as_ref(), at, lengths)?;
+        match lengths.iter().position(|length| *length < 0.0) {
+            Some(place) => Err(PlanError::negative_length(M::model(), at.t, place, lengths[place])),
+            None => Ok(()),
+        }
     }
 
     #[cold]
@@ -177,7 +190,8 @@ impl<M: Mechanism> Follower<M> {
 
     /// Solves at an instant that has nothing to do with the last one.
     fn solve_anew(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<(), PlanError> {
-        let kept = self.branch.signs;
+        self.limit = None;
+        let kept = self.branch.modes;
         let good = self.ask(mechanism, at)? || self.pass(mechanism, at)?;
         if !good {
             self.before = f64::NAN;
@@ -187,24 +201,22 @@ impl<M: Mechanism> Follower<M> {
         let nearest = self.measure();
         if self.is_blurred(mechanism, at) {
             let error = self.explain_blurred(mechanism, at);
-            self.branch.signs = kept;
+            self.branch.modes = kept;
             return Err(error);
         }
         if !plan.orientations.is_empty() {
             // An iteration has found whatever solution is near: its orientation counts from here on.
-            let mut found = M::Coordinates::<f64>::filled(0.0);
-            let count = plan.signs();
-            let q = self.states[1 - self.good].q;
-            mechanism.branches_with(self.parameters.as_ref(), at, q.as_ref(), &mut found.as_mut()[..count])?;
-            for sign in plan.modes.len()..count {
-                self.branch.signs.as_mut()[sign] = found.as_ref()[sign].direction();
+            let q = &self.states[1 - self.good].q;
+            let found = Closures::at(mechanism, self.parameters.as_ref(), at, q.as_ref())?.modes();
+            for sign in plan.modes.len()..plan.signs() {
+                self.branch.modes.as_mut()[sign] = found.as_ref()[sign];
             }
         }
         let q = self.states[1 - self.good].q;
         weights(M::model(), q.as_ref(), self.weights.as_mut());
         self.keep(at, nearest, false);
         self.anew = false;
-        self.asked = M::Coordinates::filled(0.0);
+        self.asked = Modes::filled(0.0);
         Ok(())
     }
 
@@ -238,3 +250,6 @@ impl<M: Mechanism> Follower<M> {
         Ok(true)
     }
 }
+
+#[cfg(test)]
+mod tests;

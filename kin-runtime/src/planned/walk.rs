@@ -7,6 +7,7 @@
 
 use super::branch::{may_dip, resolves};
 use super::follower::{Control, Fault, Follower, NEGLIGIBLE, Poses, most_turn};
+use super::lists::{Closures, Modes};
 use super::predict::{parabola, turned};
 use crate::course::Course;
 use crate::mechanism::{LengthError, Mechanism};
@@ -129,11 +130,11 @@ impl<M: Mechanism> Follower<M> {
         let rates = [here.q.as_ref(), here.q_dot.as_ref(), here.q_ddot.as_ref()];
         let weights = self.weights;
         let turn = parabola(self.predicted.as_mut(), rates, weights.as_ref(), h);
-        let signs = self.branch.signs;
+        let modes = self.branch.modes;
         let allowed = control.correction * turn + NEGLIGIBLE;
-        let result = self.judge(mechanism, course, [s, next], inputs, (here, &signs), [allowed, turn, nearest]);
+        let result = self.judge(mechanism, course, [s, next], inputs, (here, &modes), [allowed, turn, nearest]);
         if result.is_err() {
-            self.branch.signs = signs;
+            self.branch.modes = modes;
         }
         result.map(|effort| if effort <= 0.3 / 64.0 { 4.0 } else { (0.3 / effort).powf(1.0 / 3.0).clamp(0.5, 4.0) })
     }
@@ -145,7 +146,7 @@ impl<M: Mechanism> Follower<M> {
         course: &dyn Course,
         [s, next]: [f64; 2],
         inputs: &mut M::Inputs<f64>,
-        (here, kept): (&Poses<M>, &M::Coordinates<f64>),
+        (here, kept): (&Poses<M>, &Modes<M>),
         [allowed, turn, nearest]: [f64; 3],
     ) -> Result<f64, Fault> {
         let wrong = |_: LengthError| Fault::NonFinite;
@@ -179,18 +180,16 @@ impl<M: Mechanism> Follower<M> {
             let mut middle = M::Coordinates::<f64>::filled(0.0);
             let rates = [here.q.as_ref(), here.q_dot.as_ref(), here.q_ddot.as_ref()];
             parabola(middle.as_mut(), rates, self.weights.as_ref(), 0.5 * (next - s));
-            let mut closures = M::Coordinates::<f64>::filled(0.0);
-            let closures = &mut closures.as_mut()[..signs];
             let t = course.at(s + 0.5 * (next - s), inputs.as_mut());
             let at = Instant { t, inputs: inputs.as_ref() };
-            mechanism.branches_with(self.parameters.as_ref(), &at, middle.as_ref(), closures).map_err(wrong)?;
+            let closures = Closures::at(mechanism, self.parameters.as_ref(), &at, middle.as_ref()).map_err(wrong)?;
             let dips = |sign: &usize| {
-                let w = closures[*sign].abs();
+                let w = closures.as_ref()[*sign].abs();
                 let stays = w >= MIDDLE * before.as_ref()[*sign].min(now.as_ref()[*sign]);
                 !stays
             };
             // Redundant rows carry a motion past limits that the kept rows alone have: w changes its sign on the way.
-            let passed = |sign: &usize| self.branch.signs.as_ref()[*sign] != kept.as_ref()[*sign];
+            let passed = |sign: &usize| self.branch.modes.as_ref()[*sign] != kept.as_ref()[*sign];
             if let Some(sign) = (0..signs).filter(near).find(|sign| dips(sign) && !passed(sign)) {
                 return Err(Fault::Sign(sign));
             }
@@ -234,17 +233,14 @@ impl<M: Mechanism> Follower<M> {
 
     /// The group that is nearest to its limit in the state that is being tried.
     fn nearest_group(&self) -> usize {
-        let distances = &self.distances.as_ref()[..M::model().plan.signs()];
+        let distances = self.distances.as_ref();
         let least = distances.iter().copied().fold(f64::INFINITY, f64::min);
         distances.iter().position(|w| *w <= least).unwrap_or(0)
     }
 
     /// Why the state that is being tried is not good.
     pub(super) fn fault(&self) -> Fault {
-        let plan = &M::model().plan;
-        let margins = &self.states[1 - self.good].margins.as_ref()[..plan.margins];
-        let bad = margins.iter().position(|margin| *margin <= crate::plan::Plan::SMALLEST_MARGIN);
-        bad.map_or(Fault::NonFinite, Fault::Margin)
+        self.states[1 - self.good].margins.first_bad().map_or(Fault::NonFinite, Fault::Margin)
     }
 }
 
@@ -256,3 +252,6 @@ fn natural_step([q_dot, q_ddot]: [&[f64]; 2], weights: &[f64], most: f64) -> f64
     let by_acceleration = Scalar::sqrt(2.0 * most / largest(q_ddot));
     by_velocity.min(by_acceleration)
 }
+
+#[cfg(test)]
+mod tests;

@@ -9,14 +9,13 @@
 
 use super::{Position, Solver};
 use crate::contact::has_curves;
-use crate::geometry::keeps_distance;
 use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind, JointKind, Model, Role};
 use crate::motion::{shows_coordinates, write_coordinates, write_poses};
-use crate::plan::{Depth, Plan, Solved, StepKind};
+use crate::plan::{Depth, Solved, StepKind};
 use crate::planned::follower::{Follower, Poses};
+use crate::planned::lists::{Closures, Margins, Modes};
 use crate::residual::{Row, Tolerances, closed, closed_position, write_lengths, write_sizes};
-use crate::scalar::compare::Compare;
 use crate::state::State;
 use crate::system::Parts;
 use crate::workspace::{Array, Evaluation, Instant, Subset};
@@ -24,7 +23,7 @@ use crate::workspace::{Array, Evaluation, Instant, Subset};
 /// Where the plan starts: angles come out within half a turn of these, in these modes.
 struct Start<M: Mechanism> {
     q: M::Coordinates<f64>,
-    signs: M::Coordinates<f64>,
+    modes: Modes<M>,
 }
 
 /// Squared distances of two closures from a guess that are as near to one another as this do not say which is meant.
@@ -95,7 +94,7 @@ impl<M: Mechanism> Solver<'_, M> {
                 && joint.geometry.iter().all(|piece| match (piece.role, numbers.get(piece.offset..)) {
                     (Role::Axis, Some([x, y, ..])) => (x * x + y * y - 1.0).abs() <= 1e-9,
                     (Role::Radius, Some([radius, ..])) => *radius != 0.0,
-                    (Role::Value, Some([value, ..])) => value.is_finite() && (*value >= 0.0 || !keeps_distance(joint)),
+                    (Role::Value, Some([value, ..])) => value.is_finite() && (*value >= 0.0 || !joint.keeps_distance()),
                     _ => true,
                 })
         })
@@ -107,13 +106,9 @@ impl<M: Mechanism> Solver<'_, M> {
         if !finite(parameters.as_ref()) || !finite(start) {
             return None;
         }
-        let mut signs = M::Coordinates::<f64>::filled(0.0);
-        let count = M::model().plan.signs();
-        self.mechanism.branches_with(parameters.as_ref(), at, start, &mut signs.as_mut()[..count]).ok()?;
-        // NaN where a closure does not say which is meant: nothing is solved then.
-        signs.as_mut()[..count].iter_mut().for_each(|sign| *sign = sign.direction());
+        let modes = Closures::at(self.mechanism, parameters.as_ref(), at, start).ok()?.modes();
         let q = *M::Coordinates::<f64>::view(start)?;
-        Some(Start { q, signs })
+        Some(Start { q, modes })
     }
 
     /// What the guesses mean.
@@ -141,10 +136,10 @@ impl<M: Mechanism> Solver<'_, M> {
         if self.modes.iter().any(|(_, place, _)| place.is_none()) {
             return None;
         }
-        let mut signs = M::Coordinates::<f64>::filled(1.0);
+        let mut modes = Modes::filled(1.0);
         for (place, mode) in plan.modes.iter().enumerate() {
             if let Some((.., sign)) = self.modes.iter().rev().find(|(_, asked, _)| *asked == Some(place)) {
-                signs.as_mut()[place] = sign.value();
+                modes.as_mut()[place] = sign.value();
                 continue;
             }
             let coordinates = plan.steps.get(mode.step)?.coordinates;
@@ -152,8 +147,8 @@ impl<M: Mechanism> Solver<'_, M> {
                 return None;
             }
             let [plus, minus] = [1.0, -1.0].map(|sign| {
-                signs.as_mut()[place] = sign;
-                let q = self.closed_in(parameters, at, &start, &signs)?;
+                modes.as_mut()[place] = sign;
+                let q = self.closed_in(parameters, at, &start, &modes)?;
                 let guessed = coordinates.iter().map(|&(k, _)| k).filter(|&k| is_guessed(k));
                 Some(guessed.map(|k| squared_distance::<M>(k, start.as_ref()[k], q.as_ref()[k])).sum::<f64>())
             });
@@ -163,9 +158,9 @@ impl<M: Mechanism> Solver<'_, M> {
             if !is_decided {
                 return None;
             }
-            signs.as_mut()[place] = if plus < minus { 1.0 } else { -1.0 };
+            modes.as_mut()[place] = if plus < minus { 1.0 } else { -1.0 };
         }
-        Some(Start { q: start, signs })
+        Some(Start { q: start, modes })
     }
 
     /// The guesses, NaN for what is not guessed; none where one is for a coordinate that does not exist.
@@ -189,10 +184,9 @@ impl<M: Mechanism> Solver<'_, M> {
         parameters: &M::Parameters<f64>,
         at: &Instant<'_>,
         start: &M::Coordinates<f64>,
-        signs: &M::Coordinates<f64>,
+        modes: &Modes<M>,
     ) -> Option<M::Coordinates<f64>> {
-        let mut margins = M::Rows::<f64>::filled(0.0);
-        self.solved(parameters, at, start, signs, &mut margins)
+        self.solved(parameters, at, start, modes, &mut Margins::filled(0.0))
     }
 
     /// q by the plan, with its margins as far as they belong to positions.
@@ -201,14 +195,14 @@ impl<M: Mechanism> Solver<'_, M> {
         parameters: &M::Parameters<f64>,
         at: &Instant<'_>,
         start: &M::Coordinates<f64>,
-        signs: &M::Coordinates<f64>,
-        margins: &mut M::Rows<f64>,
+        modes: &Modes<M>,
+        margins: &mut Margins<M>,
     ) -> Option<M::Coordinates<f64>> {
         let plan = &M::model().plan;
         let [mut q, mut q_dot, mut q_ddot] = [M::Coordinates::<f64>::filled(0.0); 3];
-        let margins = margins.as_mut().get_mut(..plan.margins)?;
-        let solved = Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins };
-        let modes = signs.as_ref().get(..plan.modes.len())?;
+        let solved =
+            Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
+        let modes = modes.of_closures();
         let (parameters, start) = (parameters.as_ref(), start.as_ref());
         // The margins of iterations need the linear level, and so do redundant rows.
         let depth = if plan.orientations.is_empty() { Depth::Position } else { Depth::Velocity };
@@ -218,20 +212,18 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// The plan solved at an instant; none where it has no answer.
     fn poses(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<Poses<M>> {
-        let plan = &M::model().plan;
         let mut poses = Poses::<M>::nothing();
         let Poses { q, q_dot, q_ddot, margins } = &mut poses;
-        let margins = margins.as_mut().get_mut(..plan.margins)?;
-        let solved = Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins };
-        let modes = start.signs.as_ref().get(..plan.modes.len())?;
+        let solved =
+            Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
+        let modes = start.modes.of_closures();
         let depth = Depth::Acceleration;
         self.mechanism.solve_with(parameters.as_ref(), at, modes, start.q.as_ref(), depth, solved).ok()?;
-        let least = margins.iter().fold(1.0, |least, margin| if *margin > least { least } else { *margin });
-        if least > FAR {
+        if margins.as_ref().iter().fold(true, |all, margin| all & (*margin > FAR)) {
             return Some(poses);
         }
         // Beside a limit, or with redundant rows that contradict, the follower judges.
-        let follower = Follower::begin(self.mechanism, *parameters, at, start.q.as_ref(), start.signs).ok()?;
+        let follower = Follower::begin(self.mechanism, *parameters, at, start.q.as_ref(), start.modes).ok()?;
         Some(*follower.state())
     }
 
@@ -241,8 +233,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let solution = [poses.q.as_ref(), poses.q_dot.as_ref(), poses.q_ddot.as_ref()];
         let [q, q_dot, q_ddot] = solution;
         let mut workspace = M::workspace::<f64>();
-        let margins = &poses.margins.as_ref()[..model.plan.margins];
-        let residual = if margins.iter().all(|margin| *margin > FAR) {
+        let residual = if poses.margins.as_ref().iter().all(|margin| *margin > FAR) {
             // Far from all limits rates follow from a q that closes.
             self.mechanism.evaluate_with(parameters.as_ref(), Subset::POSITION, at, q, q_dot, &mut workspace).ok()?;
             self.position_residual(&parts(&workspace), q)?
@@ -310,11 +301,10 @@ impl<M: Mechanism> Solver<'_, M> {
     /// The position by the plan, held against all rows.
     fn position_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<Position> {
         let model = M::model();
-        let mut margins = M::Rows::<f64>::filled(0.0);
-        let q = self.solved(parameters, at, &start.q, &start.signs, &mut margins)?;
-        let positive = margins.as_ref()[..model.plan.margins].iter().all(|margin| *margin > Plan::SMALLEST_MARGIN);
+        let mut margins = Margins::filled(0.0);
+        let q = self.solved(parameters, at, &start.q, &start.modes, &mut margins)?;
         // Rows that the plan does without have margins of their own, over rates too: those are left to states.
-        if !positive || model.plan.watched().next().is_some() {
+        if !margins.are_good() || model.plan.watched().next().is_some() {
             return None;
         }
         let mut workspace = M::workspace::<f64>();

@@ -5,6 +5,7 @@ mod by_plan;
 mod errors;
 mod freedom;
 mod iteration;
+mod places;
 mod planned;
 mod sweeps;
 mod texts;

@@ -1,0 +1,82 @@
+//! Where a margin is 0, where it is least, and what is told first.
+
+use super::*;
+use crate::Kinematics;
+use crate::fixture::PlannedFourBar;
+use crate::planned::lists::Closures;
+
+#[test]
+fn a_root_is_found_to_the_last_digit_from_either_side() {
+    for (a, b) in [(0.1, 0.7), (0.7, 0.1), (0.3, 0.7), (-1e3, 1e3)] {
+        let towards = f64::signum(b - a);
+        let mut f = |s: f64| (0.3 - s) * towards;
+        let (s, value) = root(&mut f, a, b);
+        assert!(value <= 0.0 && value == f(s), "{a} {b}: {value}");
+        assert!((s - 0.3).abs() <= f64::EPSILON, "{a} {b}: {s}");
+    }
+    // A jump over 0 has the first place behind it.
+    let (s, value) = root(&mut |s| if s < 0.3 { 1.0 } else { -5.0 }, 0.0, 1.0);
+    assert_eq!((0.3, -5.0), (s, value));
+}
+
+#[test]
+fn a_minimum_is_found_wherever_it_is() {
+    for least in [0.0, 0.01, 0.3, 0.5, 0.99, 1.0] {
+        for (a, b) in [(0.0, 1.0), (1.0, 0.0)] {
+            let (s, value) = minimum(&mut |s| 2.0 + (s - least).abs(), a, b);
+            assert!((s - least).abs() < 1e-12, "{least} from {a} to {b}: {s}");
+            assert_eq!(2.0 + (s - least).abs(), value);
+        }
+    }
+}
+
+/// The four-bar with a margin and a mistake of its plan, begun where its own closed form has it.
+fn begun(margin: f64, mistake: f64, sign: f64) -> Result<Follower<PlannedFourBar>, PlanError> {
+    let own = PlannedFourBar::default();
+    let q = own.state_at(&Instant::at(0.0)).unwrap().q;
+    let mechanism = PlannedFourBar { margin: Some(margin), mistake, ..own };
+    let mut modes = Closures::at(&mechanism, &[], &Instant::at(0.0), &q)?.modes();
+    let asked = modes.as_ref()[0] * sign;
+    modes.as_mut()[0] = if asked == 0.0 { f64::NAN } else { asked };
+    Follower::begin(&mechanism, [], &Instant::at(0.0), &q, modes)
+}
+
+#[test]
+fn what_is_to_blame_is_asked_in_the_order_of_the_plan() {
+    let says = |margin: f64, mistake: f64, sign: f64| begun(margin, mistake, sign).map(|_| ()).unwrap_err();
+    let number =
+        |what: &'static str, index: usize, name: &'static str| PlanError::NonFinite { what, index, name, t: 0.0 };
+    let is_limit = |error: PlanError, margin: f64| {
+        let PlanError::Limit { t: 0.0, limit } = error else { panic!("{error}") };
+        assert_eq!((2, margin, None), (limit.step.place(), limit.margin, limit.located));
+    };
+    // At its limit a group is to blame for all that follows, also where its mode is not decided.
+    for margin in [1e-12, 5e-13, 0.0, -3.0, f64::NEG_INFINITY] {
+        is_limit(says(margin, 0.0, 1.0), margin);
+        is_limit(says(margin, f64::NAN, 1.0), margin);
+        is_limit(says(margin, 0.0, 0.0), margin);
+    }
+    // Beyond the smallest margin it is not.
+    for margin in [2e-12, 0.3] {
+        assert_eq!(number("q", 8, "rocker.phi"), says(margin, f64::NAN, 1.0));
+        assert_eq!(PlanError::Undecided { t: 0.0, mode: "A-B-D" }, says(margin, 0.0, 0.0));
+    }
+    assert_eq!(number("margins", 0, ""), says(f64::NAN, 0.0, 1.0));
+    assert_eq!(number("margins", 0, ""), says(f64::NAN, f64::NAN, 1.0));
+}
+
+/// Where both closures are apart and the margin is small all the same, nothing begins.
+#[test]
+fn nothing_begins_where_pins_meet() {
+    for (w, begins) in [(0.101, true), (0.099, false), (0.02, false)] {
+        let found = begun(w * w, 0.0, 1.0);
+        match found {
+            Ok(_) => assert!(begins, "{w}"),
+            Err(error) => {
+                let PlanError::Limit { t: 0.0, limit } = error else { panic!("{error}") };
+                let at_once = Located { at: 0.0, kind: Some(LimitKind::BranchPoint) };
+                assert_eq!((false, w * w, Some(at_once)), (begins, limit.margin, limit.located));
+            }
+        }
+    }
+}

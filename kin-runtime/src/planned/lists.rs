@@ -1,0 +1,184 @@
+//! Lists with a number for every group, or for every margin, of a mechanism's plan.
+//!
+//! How many there are the plan says; the room is that of the mechanism's coordinates or rows, of which there are never
+//! fewer.
+
+use crate::mechanism::{LengthError, Mechanism};
+use crate::plan::Plan;
+use crate::scalar::Scalar;
+use crate::scalar::compare::Compare;
+use crate::signal::Instant;
+use crate::workspace::Array;
+
+macro_rules! list {
+    ($(#[$doc:meta])* $Name:ident in $Room:ident, as many as |$plan:ident| $count:expr) => {
+        $(#[$doc])*
+        pub(crate) struct $Name<M: Mechanism, T: Scalar = f64>(M::$Room<T>);
+
+        impl<M: Mechanism, T: Scalar> Clone for $Name<M, T> {
+            #[inline(always)]
+            fn clone(&self) -> Self {
+                *self
+            }
+        }
+
+        impl<M: Mechanism, T: Scalar> Copy for $Name<M, T> {}
+
+        impl<M: Mechanism, T: Scalar> $Name<M, T> {
+            /// The same number for all.
+            #[inline(always)]
+            pub(crate) fn filled(value: T) -> Self {
+                Self(Array::filled(value))
+            }
+
+            #[inline(always)]
+            fn count() -> usize {
+                let $plan: &Plan = &M::model().plan;
+                $count
+            }
+        }
+
+        impl<M: Mechanism, T: Scalar> AsRef<[T]> for $Name<M, T> {
+            #[inline(always)]
+            fn as_ref(&self) -> &[T] {
+                &self.0.as_ref()[..Self::count()]
+            }
+        }
+
+        impl<M: Mechanism, T: Scalar> AsMut<[T]> for $Name<M, T> {
+            #[inline(always)]
+            fn as_mut(&mut self) -> &mut [T] {
+                &mut self.0.as_mut()[..Self::count()]
+            }
+        }
+    };
+}
+
+list! {
+    /// The modes of all groups, ±1: those that close in two ways, then those that are solved by iteration. NaN for what is
+    /// not decided: whatever depends on it is NaN, too.
+    Modes in Coordinates, as many as |plan| plan.signs()
+}
+
+list! {
+    /// w of all groups: what tells their branches apart, with the sign of the mode.
+    Closures in Coordinates, as many as |plan| plan.signs()
+}
+
+list! {
+    /// |w| of all groups: how far each is from where its mode changes, at most 1.
+    Distances in Coordinates, as many as |plan| plan.signs()
+}
+
+list! {
+    /// How far every step of the plan is from where it says nothing: 0 there, negative beyond, at most 1.
+    Margins in Rows, as many as |plan| plan.margins
+}
+
+impl<M: Mechanism, T: Scalar> Closures<M, T> {
+    /// Those of a configuration.
+    #[inline]
+    pub(crate) fn at(mechanism: &M, parameters: &[T], at: &Instant<'_, T>, q: &[T]) -> Result<Self, LengthError> {
+        let mut closures = Self::filled(T::from_f64(0.0));
+        mechanism.branches_with(parameters, at, q, closures.as_mut())?;
+        Ok(closures)
+    }
+}
+
+impl<M: Mechanism, V: Compare> Closures<M, V> {
+    /// The modes that they mean.
+    #[inline]
+    pub(crate) fn modes(&self) -> Modes<M, V> {
+        let mut modes = Modes::filled(V::from_f64(0.0));
+        modes.as_mut().iter_mut().zip(self.as_ref()).for_each(|(mode, closure)| *mode = closure.direction());
+        modes
+    }
+}
+
+impl<M: Mechanism, T: Scalar> Modes<M, T> {
+    /// Those of the groups that close in two ways, which the plan asks for.
+    #[inline(always)]
+    pub(crate) fn of_closures(&self) -> &[T] {
+        &self.0.as_ref()[..M::model().plan.modes.len()]
+    }
+
+    /// The same, to be changed.
+    #[inline(always)]
+    pub(crate) fn of_closures_mut(&mut self) -> &mut [T] {
+        &mut self.0.as_mut()[..M::model().plan.modes.len()]
+    }
+}
+
+impl<M: Mechanism, V: Compare> Margins<M, V> {
+    /// The smallest; NaN is none.
+    #[inline(always)]
+    pub(crate) fn least(&self) -> V {
+        self.as_ref().iter().fold(V::from_f64(1.0), |least, margin| least.least(*margin))
+    }
+
+    /// Writes |w| of every group; gives the smallest.
+    #[inline(always)]
+    pub(crate) fn write_distances(&self, distances: &mut Distances<M, V>) -> V {
+        let plan = &M::model().plan;
+        let margins = self.as_ref();
+        let mut least = V::from_f64(1.0);
+        for (sign, distance) in distances.as_mut().iter_mut().enumerate() {
+            let Some(margin) = plan.margin_of_sign(sign) else { continue };
+            *distance = margins[margin].abs().sqrt();
+            least = least.least(*distance);
+        }
+        least
+    }
+}
+
+impl<M: Mechanism> Margins<M> {
+    /// True where every step says something.
+    #[inline]
+    pub(crate) fn are_good(&self) -> bool {
+        // Without an early end, so that it runs in lanes.
+        self.as_ref().iter().fold(true, |all, margin| all & (*margin > Plan::SMALLEST_MARGIN))
+    }
+
+    /// The first that is not good.
+    pub(crate) fn first_bad(&self) -> Option<usize> {
+        self.as_ref().iter().position(|margin| *margin <= Plan::SMALLEST_MARGIN)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Distances, Margins, Modes};
+    use crate::fixture::PlannedFourBar;
+
+    #[test]
+    fn a_group_is_as_far_from_its_limit_as_the_root_of_its_margin() {
+        let of = |margin: f64| {
+            let (margins, mut found) = (Margins::<PlannedFourBar>::filled(margin), Distances::filled(7.0));
+            let least = margins.write_distances(&mut found);
+            assert_eq!([least], found.as_ref());
+            least
+        };
+        assert_eq!([0.3, 0.7], [of(0.09), of(0.49)]);
+        // Just beyond a limit the group is as near to it as before.
+        assert_eq!(0.3, of(-0.09));
+        let farther = Margins::<PlannedFourBar>::filled(4.0).write_distances(&mut Distances::filled(0.0));
+        assert_eq!(1.0, farther, "it is never farther than 1");
+    }
+
+    #[test]
+    fn margins_are_good_above_the_smallest() {
+        for (margin, good) in [(1.0, true), (2e-12, true), (1e-12, false), (0.0, false), (-3.0, false)] {
+            let margins = Margins::<PlannedFourBar>::filled(margin);
+            assert_eq!((good, (!good).then_some(0)), (margins.are_good(), margins.first_bad()), "{margin}");
+        }
+        let unknown = Margins::<PlannedFourBar>::filled(f64::NAN);
+        assert_eq!((false, None), (unknown.are_good(), unknown.first_bad()));
+    }
+
+    #[test]
+    fn lists_are_as_long_as_the_plan_says() {
+        let modes = Modes::<PlannedFourBar>::filled(1.0);
+        assert_eq!([1, 1], [modes.as_ref().len(), modes.of_closures().len()]);
+        assert_eq!(1, Margins::<PlannedFourBar>::filled(1.0).as_ref().len());
+    }
+}

@@ -1,0 +1,159 @@
+//! How long steps of a walk are, and each of their judges beside its threshold, all others being content.
+//!
+//! The four-bar takes whatever margin it is given, so that a group can be as near to its limit as a test wants it.
+
+use super::*;
+use crate::Kinematics;
+use crate::course::Timed;
+use crate::fixture::PlannedFourBar;
+
+/// ½ h² q̈ alone, or h q̇ alone, turns by as much as it may, whichever is shorter.
+#[test]
+fn a_step_is_as_long_as_velocity_or_acceleration_alone_allows() {
+    let weights = [1.0, 0.0, 0.5];
+    let of = |v: [f64; 3], a: [f64; 3]| natural_step([&v, &a], &weights, 0.3);
+    let is = |expected: f64, found: f64| assert!((found / expected - 1.0).abs() < 1e-15, "{found} for {expected}");
+    is(0.15, of([-2.0, 50.0, 1.0], [0.1, 50.0, 0.1]));
+    is(0.1, of([-2.0, 50.0, 6.0], [0.1, 50.0, 0.1]));
+    is(0.2, of([0.5, 50.0, -0.5], [-15.0, 50.0, 1.0]));
+    is(0.1, of([0.5, 50.0, -0.5], [-15.0, 50.0, 120.0]));
+    assert_eq!(f64::INFINITY, of([0.0; 3], [0.0; 3]));
+}
+
+/// Steps from any prediction are taken.
+const GENEROUS: Control = Control { rotation: 1.0, correction: 10.0, ..Control::USUAL };
+
+/// A four-bar at the crank angle `start`, whose group says that it has this distance from its limit.
+fn at_distance(start: f64, w: f64) -> PlannedFourBar {
+    PlannedFourBar { start, margin: Some(w * w), ..PlannedFourBar::default() }
+}
+
+fn follower(mechanism: &PlannedFourBar) -> Follower<PlannedFourBar> {
+    let own = PlannedFourBar { margin: None, ..*mechanism };
+    let q = own.state_at(&Instant::at(0.0)).unwrap().q;
+    Follower::new(mechanism, &Instant::at(0.0), &q).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The step from a state, with the group at another distance at its end.
+fn step(
+    follower: &mut Follower<PlannedFourBar>,
+    here: &Poses<PlannedFourBar>,
+    now: &PlannedFourBar,
+    h: f64,
+    control: &Control,
+) -> Result<f64, Fault> {
+    let course = Timed { from: 0.0, to: h, inputs: &|_, _| () };
+    let mut inputs = follower.inputs;
+    let nearest = follower.nearest;
+    follower.step(now, &course, [0.0, h], &mut inputs, (here, nearest), control)
+}
+
+/// The step, forth or back, that turns so far.
+fn step_of(follower: &Follower<PlannedFourBar>, turn: f64, side: f64) -> f64 {
+    let Poses { q, q_dot, q_ddot, .. } = follower.state();
+    let turns =
+        |h: f64| parabola(&mut q.clone(), [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()], follower.weights.as_ref(), h);
+    let (mut short, mut long) = (0.0, 1.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (short + long);
+        if turns(side * middle) < turn { short = middle } else { long = middle }
+    }
+    side * long
+}
+
+#[test]
+fn a_group_is_believed_where_the_step_resolves_it() {
+    // 10 turn³ is 0.2 for 0.271; at either end.
+    for [before, now] in [[0.2, 0.2], [0.9, 0.2], [0.2, 0.9]] {
+        for side in [1.0, -1.0] {
+            let (from, to) = (at_distance(0.2, before), at_distance(0.2, now));
+            for (turn, expected) in [(0.27, None), (0.273, Some(Fault::Sign(0)))] {
+                let mut follower = follower(&from);
+                let (here, h) = (*follower.state(), step_of(&follower, turn, side));
+                assert_eq!(expected, step(&mut follower, &here, &to, h, &GENEROUS).err(), "{before} {now} {turn}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_solution_that_is_not_where_it_was_predicted_does_not_count() {
+    let mechanism = PlannedFourBar::default();
+    for side in [1.0, -1.0] {
+        let mut follower = follower(&mechanism);
+        let (here, h) = (*follower.state(), step_of(&follower, 0.3, side));
+        assert!(step(&mut follower, &here, &mechanism, h, &GENEROUS).is_ok());
+        let found = &follower.states[1 - follower.good];
+        let away = turned(found.q.as_ref(), follower.predicted.as_ref(), follower.weights.as_ref());
+        assert!(away > 4.0 * NEGLIGIBLE && away < 0.03, "{away}");
+        for (factor, expected) in [(1.01, None), (0.99, Some(Fault::Coarse))] {
+            let control = Control { correction: (factor * away - NEGLIGIBLE) / 0.3, ..GENEROUS };
+            assert_eq!(expected, step(&mut follower, &here, &mechanism, h, &control).err(), "{factor}");
+        }
+    }
+}
+
+#[test]
+fn a_group_that_cannot_close_is_to_blame_and_so_is_a_number_that_is_none() {
+    let mechanism = PlannedFourBar::default();
+    let mut follower = follower(&mechanism);
+    let here = *follower.state();
+    for (margin, expected) in [(1e-12, Fault::Margin(0)), (-0.5, Fault::Margin(0)), (f64::NAN, Fault::NonFinite)] {
+        let bad = PlannedFourBar { margin: Some(margin), ..PlannedFourBar::default() };
+        assert_eq!(Some(expected), step(&mut follower, &here, &bad, 0.01, &GENEROUS).err());
+    }
+    assert!(step(&mut follower, &here, &at_distance(0.2, 1.1e-6), 1e-9, &GENEROUS).is_ok());
+}
+
+/// The crank angle at which the closure of the four-bar is this, beside its dead centre.
+fn crank_at(w: f64) -> f64 {
+    let closure = |phi: f64| {
+        let q = PlannedFourBar { start: phi, ..PlannedFourBar::default() }.state_at(&Instant::at(0.0)).unwrap().q;
+        let mut found = [0.0];
+        let at = Instant::at(0.0);
+        PlannedFourBar::default().branches_with(&[], &at, &q, &mut found).unwrap();
+        found[0].abs()
+    };
+    let (mut a, mut b) = (0.5, PlannedFourBar::limit() - 1e-9);
+    for _ in 0..50 {
+        let middle = 0.5 * (a + b);
+        if closure(middle) > w { a = middle } else { b = middle }
+    }
+    a
+}
+
+/// A step at whose ends a group is close to its limit is too long where the group is much closer in between.
+#[test]
+fn a_group_that_may_have_been_at_its_limit_within_a_step_is_looked_at() {
+    // A quarter of the nearer end, 0.14, is 0.035.
+    for (w, is_far) in [(0.0355, true), (0.0345, false)] {
+        let phi = crank_at(w);
+        for ([before, now], looks) in
+            [([0.14, 0.14], true), ([0.9, 0.14], true), ([0.14, 0.9], true), ([0.151, 0.151], false)]
+        {
+            let mut follower = follower(&at_distance(phi, before));
+            let here = *follower.state();
+            let found = step(&mut follower, &here, &at_distance(phi, now), 1e-9, &GENEROUS);
+            let expected = if looks && !is_far { Some(Fault::Sign(0)) } else { None };
+            assert_eq!(expected, found.err(), "{w} {before} {now}");
+        }
+    }
+}
+
+/// In between is half way along the parabola: one that goes out and comes back has been where its ends are not.
+#[test]
+fn a_group_is_looked_at_half_way() {
+    let phi = crank_at(0.06);
+    let mechanism = at_distance(phi, 0.14);
+    let h = 1e-3;
+    let faults = [0.03, -0.03].map(|out| {
+        let mut follower = follower(&mechanism);
+        let mut here = *follower.state();
+        // Out by so many radians and back again, on top of the motion.
+        here.q_dot.as_mut()[5] += 4.0 * out / h;
+        here.q_ddot.as_mut()[5] -= 8.0 * out / (h * h);
+        step(&mut follower, &here, &mechanism, h, &GENEROUS).err()
+    });
+    // Towards the limit on one side of the coupler, away from it on the other.
+    assert!(matches!(faults, [Some(Fault::Sign(0)), None] | [None, Some(Fault::Sign(0))]), "{faults:?}");
+}

@@ -1,0 +1,124 @@
+//! Inputs beside time, in mechanisms that both of them move: as functions of time, and jumping while time stands still. A
+//! jump is walked along the inputs alone; what time contributes to rates has no part in it.
+
+use kin_runtime::{Instant, Kinematics, Mechanism, Options, PlanError, Signal, mechanism};
+
+/// A double crank whose crank turns with time, and as it is told.
+#[mechanism]
+#[input(ahead)]
+#[bodies(crank, coupler, rocker)]
+#[revolute(C: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (0.3, 0), coupler @ (0, 0))]
+#[revolute(B: coupler @ (0.35, 0), rocker @ (0, 0))]
+#[revolute(D: rocker @ (0.3, 0), ground @ (0.1, 0))]
+#[driver(drive: crank.phi = pace * t + quick * t * t + ahead)]
+#[guess(coupler.phi = 0.9, rocker.phi = 5.0)]
+struct DoubleCrank {
+    #[param(7.0)]
+    pace: f64,
+    #[param(3.0)]
+    quick: f64,
+}
+
+/// A four-bar that does not turn all the way round, driven likewise.
+#[mechanism]
+#[input(ahead)]
+#[bodies(crank, coupler, rocker)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (0.3, 0), coupler @ (0, 0))]
+#[revolute(B: coupler @ (0.25, 0), rocker @ (0.2, 0))]
+#[revolute(D: ground @ (0.5, 0), rocker @ (0, 0))]
+#[driver(drive: crank.phi = pace * t + ahead)]
+#[guess(coupler.phi = 0.9, rocker.phi = 2.2)]
+struct Swing {
+    #[param(7.0)]
+    pace: f64,
+}
+
+fn signal(value: f64) -> [Signal; 1] {
+    [Signal::new(value, 0.4, -0.3)]
+}
+
+/// Told in one jump or in many, a motion leads to the same state: by the plan, by a tracker, and without a plan.
+#[test]
+fn a_jump_of_an_input_is_walked_along_the_input_alone() {
+    for (pace, quick) in [(7.0, 3.0), (-20.0, 0.0), (0.0, 50.0), (300.0, -10.0), (0.1, 0.0)] {
+        let mechanism = DoubleCrank { pace, quick };
+        let t = 0.3;
+        let first = signal(0.2 - pace * t - quick * t * t);
+        for jump in [0.5, 2.0, -2.0, 12.0, -7.0] {
+            let last = signal(first[0].value + jump);
+            let (from, to) = (Instant { t, inputs: &first }, Instant { t, inputs: &last });
+            let mut planned = mechanism.solver().planned(&from).unwrap();
+            let start = planned.q().to_vec();
+            let mut slowly = mechanism.solver().planned(&from).unwrap();
+            for k in 1..=400 {
+                let told = signal(first[0].value + jump * f64::from(k) / 400.0);
+                slowly.at(&Instant { t, inputs: &told }).unwrap();
+            }
+            let same = |what: &str, found: [&[f64]; 3]| {
+                let expected = [slowly.q(), slowly.q_dot(), slowly.q_ddot()];
+                for (found, expected) in found.into_iter().zip(expected) {
+                    let size = expected.iter().fold(1.0_f64, |most, x| most.max(x.abs()));
+                    for (a, b) in found.iter().zip(expected) {
+                        assert!((a - b).abs() < 1e-9 * size, "{what}, {pace} {quick} {jump}: {a} for {b}");
+                    }
+                }
+            };
+            if let Err(error) = planned.at(&to) {
+                panic!("{pace} {quick} {jump}: {error}");
+            }
+            same("planned", [planned.q(), planned.q_dot(), planned.q_ddot()]);
+            for use_plan in [true, false] {
+                let solver = mechanism.solver().with_options(Options { use_plan, ..Options::default() });
+                let mut tracker = solver.tracker_from(&from, &start).unwrap();
+                let state = tracker.update(&to).unwrap_or_else(|error| panic!("{pace} {quick} {jump}: {error}"));
+                same("tracked", [&state.q, &state.q_dot, &state.q_ddot]);
+            }
+        }
+    }
+}
+
+/// An input that jumps beyond the range of the mechanism is refused where the range ends, and the last state stays.
+#[test]
+fn a_jump_beyond_the_range_is_refused() {
+    for pace in [7.0, -20.0, 0.0, 300.0] {
+        let mechanism = Swing { pace };
+        let t = 0.3;
+        let first = signal(0.2 - pace * t);
+        for jump in [1.0, -1.4, 3.0] {
+            let last = signal(first[0].value + jump);
+            let mut planned = mechanism.solver().planned(&Instant { t, inputs: &first }).unwrap();
+            let q = planned.q().to_vec();
+            let error = planned.at(&Instant { t, inputs: &last }).map(|_| ()).unwrap_err();
+            let PlanError::Limit { limit, .. } = error else { panic!("{error}") };
+            assert_eq!(3, Swing::model().plan.steps[limit.step.place()].joints.len(), "{error}");
+            assert_eq!((q.as_slice(), t), (planned.q(), planned.t()));
+        }
+    }
+}
+
+/// An input that is a function of time is as good as time itself: the plan answers everywhere, at once where instants are
+/// near one another, and with the same numbers.
+#[test]
+fn an_input_that_is_a_function_of_time_is_followed_by_the_plan() {
+    let by_time = DoubleCrank { pace: 1.0, quick: 0.2 };
+    let told = DoubleCrank { pace: 0.6, quick: 0.0 };
+    let rest = |t: f64, inputs: &mut [Signal]| inputs[0] = Signal::new(t * (0.4 + 0.2 * t), 0.4 + 0.4 * t, 0.4);
+    let nothing = |_: f64, inputs: &mut [Signal]| inputs[0] = Signal::default();
+    for step in [0.01, 0.1, 1.0, 7.0] {
+        for side in [1.0, -1.0] {
+            let times: Vec<f64> = (0..=20).map(|k| side * step * f64::from(k)).collect();
+            let expected = by_time.solver().with_inputs(&nothing).sweep(&times).unwrap();
+            let found = told.solver().with_inputs(&rest).sweep(&times).unwrap();
+            assert!(expected.fallbacks.is_empty() && found.fallbacks.is_empty(), "{step}: {:?}", found.fallbacks);
+            for (a, b) in found.iter().zip(&expected) {
+                for (a, b) in [(&a.q, &b.q), (&a.q_dot, &b.q_dot), (&a.q_ddot, &b.q_ddot)] {
+                    let size = b.iter().fold(1.0_f64, |most, x| most.max(x.abs()));
+                    a.iter().zip(b).for_each(|(x, y)| assert!((x - y).abs() < 1e-9 * size, "{step}: {x} for {y}"));
+                }
+            }
+            assert!(found.iter().skip(1).all(|state| state.iterations == 1), "{step}");
+        }
+    }
+}
