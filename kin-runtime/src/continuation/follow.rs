@@ -27,15 +27,15 @@ type Step = fn(&mut Equations<'_>, &mut Scratch, Start<'_>, &mut Node, f64, bool
 
 /// A branch and the instant reached on it. All nodes and buffers are used again for the next one.
 pub(crate) struct Follower {
-    /// The instant reached.
-    node: Node,
+    /// The instant reached; in a box, as the others are, so that they change places quickly.
+    node: Box<Node>,
     /// Its place on the course ahead, and its rates along it.
     s: f64,
     q_dot: Vec<f64>,
     q_ddot: Vec<f64>,
     /// The last internal step towards the next instant, and the one being tried.
-    here: Node,
-    next: Node,
+    here: Box<Node>,
+    next: Box<Node>,
     /// The plan, where it is used.
     plan: Option<ByPlan>,
     /// How full Newton finds the next node: continuation of Φ, or integration of the velocities.
@@ -58,7 +58,7 @@ impl Follower {
         factor: Option<Factorization>,
     ) -> Result<Self, SolveError> {
         let plan = ByPlan::new(equations);
-        let mut node = Node { s: state.t, state, basis: None, fallback: None };
+        let mut node = Box::new(Node { s: state.t, state, basis: None, fallback: None });
         if let Some(factor) = factor {
             node.basis = Some(basis_with(equations, &node.state, factor)?);
         }
@@ -173,7 +173,7 @@ impl Follower {
         if !self.follow(equations, target, false)? {
             return self.stay(equations, at);
         }
-        let Node { state, basis, .. } = &mut self.here;
+        let Node { state, basis, .. } = &mut *self.here;
         if let Some(basis) = basis {
             at_instant(equations, at, state, &basis.factor)?;
         }

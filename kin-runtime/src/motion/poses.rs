@@ -15,7 +15,26 @@ pub(crate) fn shows_coordinates(model: &Model) -> bool {
 
 /// Writes the motion of bodies where it is that of their coordinates.
 pub(crate) fn write_coordinates(state: &mut State) {
-    write(state.model, state, |state, _, coordinate| coordinate.map_or_else(Rates::default, |k| state.rates(k)));
+    let State { model, q, q_dot, q_ddot, bodies, points, .. } = state;
+    points.clear();
+    bodies.clear();
+    bodies.extend(model.bodies.iter().map(|body| {
+        let [x, y, phi] = body.coordinates.map(|place| {
+            let at = |numbers: &[f64]| place.and_then(|k| numbers.get(k).copied()).unwrap_or(0.0);
+            [at(q), at(q_dot), at(q_ddot)]
+        });
+        BodyMotion {
+            x: x[0],
+            y: y[0],
+            phi: phi[0],
+            x_dot: x[1],
+            y_dot: y[1],
+            phi_dot: phi[1],
+            x_ddot: x[2],
+            y_ddot: y[2],
+            phi_ddot: phi[2],
+        }
+    }));
 }
 
 /// Writes the motion of bodies and points, for the q, q̇ and q̈ of the state.
