@@ -7,36 +7,16 @@ use crate::scalar::Scalar;
 use crate::signal::Signal;
 use crate::workspace::{Array, Evaluation, Instant, Subset};
 
+mod length;
+
+pub use length::LengthError;
+
 /// A workspace for Φ, Φ_q, Φ_t and γ of the mechanism `M`.
 pub type Workspace<M, T = f64> = Evaluation<<M as Mechanism>::Rows<T>, <M as Mechanism>::NonZeros<T>>;
 
 /// A workspace for the observables of the mechanism `M`: poses, points, defines and joint quantities.
 pub type Observations<M, T = f64> =
     Evaluation<<M as Mechanism>::Observables<T>, <M as Mechanism>::ObservableNonZeros<T>>;
-
-/// A slice has the wrong number of entries.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct LengthError {
-    /// Which argument.
-    pub what: &'static str,
-    /// How many entries it must have.
-    pub expected: usize,
-    /// How many it has.
-    pub found: usize,
-}
-
-impl core::fmt::Display for LengthError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        let entries = if self.found == 1 { "entry" } else { "entries" };
-        write!(f, "{} has {} {entries} and must have {}", self.what, self.found, self.expected)?;
-        if self.what == "inputs" && self.found == 0 {
-            f.write_str("; inputs come with `Instant::inputs`, and along a sweep with `Solver::with_inputs`")?;
-        }
-        Ok(())
-    }
-}
-
-impl core::error::Error for LengthError {}
 
 /// A planar mechanism with closed-form constraints, written by `#[mechanism]`.
 ///

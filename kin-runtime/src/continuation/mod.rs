@@ -25,6 +25,7 @@ mod follow;
 mod groups;
 mod integrate;
 mod kinematic;
+mod nodes;
 mod planned;
 mod refusal;
 mod step;

@@ -1,6 +1,6 @@
 //! Why a motion does not go on.
 
-use super::follow::natural_step;
+use super::nodes::natural_step;
 use super::step::{Fault, Node, Start};
 use crate::by_plan;
 use crate::contact;

@@ -1,0 +1,25 @@
+//! Arguments of the wrong length.
+
+/// A slice has the wrong number of entries.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LengthError {
+    /// Which argument.
+    pub what: &'static str,
+    /// How many entries it must have.
+    pub expected: usize,
+    /// How many it has.
+    pub found: usize,
+}
+
+impl core::fmt::Display for LengthError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let entries = if self.found == 1 { "entry" } else { "entries" };
+        write!(f, "{} has {} {entries} and must have {}", self.what, self.found, self.expected)?;
+        if self.what == "inputs" && self.found == 0 {
+            f.write_str("; inputs come with `Instant::inputs`, and along a sweep with `Solver::with_inputs`")?;
+        }
+        Ok(())
+    }
+}
+
+impl core::error::Error for LengthError {}
