@@ -85,9 +85,6 @@ impl<M: Mechanism> Follower<M> {
         if !is_resolved || (0..plan.signs()).any(|sign| may_dip(before[sign], now[sign])) {
             return Ok(false);
         }
-        if self.is_blurred(mechanism, at) {
-            return Ok(false);
-        }
         self.uncertain(mechanism, at, self.predicted.as_ref()).map(|uncertain| uncertain.is_none())
     }
 
