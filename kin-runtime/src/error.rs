@@ -24,6 +24,8 @@ pub enum Refusal {
     StepTooSmall,
     /// More internal steps than allowed.
     TooManySteps,
+    /// A driver or an input goes from one place to another in no time.
+    Discontinuous,
     /// The numbers of t are so far apart that no step of the motion fits between two of them: t is too large.
     TimeTooCoarse,
 }
@@ -35,6 +37,7 @@ impl fmt::Display for Refusal {
             Self::NotAssembled => "the mechanism cannot be assembled beyond it",
             Self::StepTooSmall => "the internal step became too small",
             Self::TooManySteps => "too many internal steps",
+            Self::Discontinuous => "a driver or an input jumps there",
             Self::TimeTooCoarse => "t is too large: its numbers are too far apart for a step of the motion",
         })
     }

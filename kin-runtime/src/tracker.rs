@@ -182,6 +182,7 @@ impl<'m> Tracker<'m> {
         at: &Instant<'_>,
         first: impl FnOnce(&mut Equations<'_>, &Wanted) -> Result<Position, SolveError>,
     ) -> Result<&State, SolveError> {
+        self.is_at_limit = false;
         self.equations.check_instant(at)?;
         let scale = self.equations.scale.clone();
         let begun = self.equations.begin_at(at.t);

@@ -47,6 +47,8 @@ pub struct Trajectory {
     pub fallbacks: Vec<Fallback>,
     /// q at the limit itself, where the motion ended at a limit of a group that was located.
     pub q_at_limit: Option<Vec<f64>>,
+    /// Instants that were reached, whether their states were kept or lent.
+    pub reached: usize,
 }
 
 impl Trajectory {
@@ -61,6 +63,7 @@ impl Trajectory {
             stopped: false,
             fallbacks: Vec::new(),
             q_at_limit: None,
+            reached: 0,
         }
     }
 

@@ -1,7 +1,7 @@
 //! Inputs beside time, in mechanisms that both of them move: as functions of time, and jumping while time stands still. A
 //! jump is walked along the inputs alone; what time contributes to rates has no part in it.
 
-use kin_runtime::{Instant, Kinematics, Mechanism, Options, PlanError, Signal, mechanism};
+use kin_runtime::{Instant, Kinematics, Mechanism, Options, PlanError, Refusal, Signal, SolveError, mechanism};
 
 /// A double crank whose crank turns with time, and as it is told.
 #[mechanism]
@@ -122,3 +122,25 @@ fn an_input_that_is_a_function_of_time_is_followed_by_the_plan() {
         }
     }
 }
+
+/// A boom on a cylinder whose length jumps at t = 1: to one that it can have, and to one that it cannot.
+#[test]
+fn a_jump_of_an_input_is_no_limit_of_the_mechanism() {
+    for to in [1.2, 9.0, 1e6] {
+        let jump = move |t: f64, u: &mut [Signal]| u[0] = Signal::constant(if t > 1.0 { to } else { 0.9 });
+        let error = Lifted.solver().with_inputs(&jump).sweep(&[0.0, 0.5, 1.5]).unwrap_err();
+        let SolveError::StepRefused { t, reason: Refusal::Discontinuous, limit: None, .. } = error.source else {
+            panic!("{to}: {:?}", error.source)
+        };
+        assert!((t - 1.0).abs() < 1e-6, "{to}: {t}");
+        assert!(error.to_string().contains("jumps there") && error.q_at_limit().is_none(), "{error}");
+    }
+}
+
+#[mechanism]
+#[bodies(boom)]
+#[input(cylinder)]
+#[revolute(foot: ground @ (0, 0), boom @ (0, 0))]
+#[distance(lift: ground @ (0.5, -0.2), boom @ (1.0, 0.1), length = cylinder)]
+#[guess(boom.phi = 0.7)]
+struct Lifted;

@@ -134,7 +134,13 @@ pub(super) fn analysis(engine: &dyn Engine, error: &SolveError) -> Failure {
         SolveError::ModeNotAssembled { .. } => {
             "`info` has the modes that the guesses lead to; other dimensions (--set) or other signs (--mode) may close"
         }
-        _ => return Failure::Analysis(format!("{}: {error}", engine.model().name)),
+        _ => return Failure::Analysis(named(engine, error)),
     };
-    Failure::Analysis(format!("{}: {error}\n  {hint}", engine.model().name))
+    Failure::Analysis(format!("{}\n  {hint}", named(engine, error)))
+}
+
+/// An error behind the name of the mechanism, which it may have said itself.
+fn named(engine: &dyn Engine, error: &SolveError) -> String {
+    let (text, name) = (error.to_string(), format!("{}: ", engine.model().name));
+    if text.starts_with(&name) { text } else { name + &text }
 }

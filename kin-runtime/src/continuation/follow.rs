@@ -246,6 +246,7 @@ impl Follower {
                 self.see(equations, moved, from)?;
             } else {
                 let limit = self.plan.as_ref().and_then(ByPlan::limit);
+                let jumps = self.plan.as_ref().is_some_and(ByPlan::found_a_jump);
                 let Self { node, here, next, q_dot, q_ddot, scratch, .. } = self;
                 let node = if moved { here } else { node };
                 found_on(equations, node)?;
@@ -254,7 +255,7 @@ impl Follower {
                 let start = Start { node, basis, s: from, q_dot: rates[0], q_ddot: rates[1] };
                 if s == from {
                     // Between neighbouring numbers there is no step to take.
-                    return Err(refusal(equations, &start, target, Fault::Coarse(0.5), limit));
+                    return Err(refusal(equations, &start, target, Fault::Coarse(0.5), (limit, jumps)));
                 }
                 match (self.step)(equations, scratch, start, next, s, s == target) {
                     Ok(growth) => {
@@ -272,7 +273,7 @@ impl Follower {
                         let factor = if let Fault::Coarse(factor) = fault { factor } else { 0.5 };
                         let shorter = factor * (s - from).abs();
                         if shorter < smallest {
-                            return Err(refusal(equations, &start, s, fault, limit));
+                            return Err(refusal(equations, &start, s, fault, (limit, jumps)));
                         }
                         self.proposed = shorter;
                         continue;

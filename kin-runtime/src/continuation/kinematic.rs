@@ -61,7 +61,9 @@ fn follow(
     trajectory: &mut Trajectory,
 ) -> Result<(), SolveError> {
     let total = times.len();
+    let reached = &mut trajectory.reached;
     let mut show = |equations: &mut Equations<'_>, state: &State, done: usize| {
+        *reached = done;
         let told = equations.observed.finish(state.t, Some(state));
         match visit(state) {
             // Who stops it with the last one has all of them.

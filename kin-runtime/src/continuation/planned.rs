@@ -75,6 +75,11 @@ impl ByPlan {
         self.refused.as_ref().and_then(PlanError::limit).copied()
     }
 
+    /// True where the follower found that a driver or an input jumps.
+    pub(super) fn found_a_jump(&self) -> bool {
+        matches!(self.refused, Some(PlanError::Jump { .. }))
+    }
+
     /// Puts the follower where the motion stands; false where it has no answer there.
     pub(super) fn stand(&mut self, equations: &mut Equations<'_>, state: &State) -> bool {
         if !self.stands {

@@ -28,7 +28,7 @@ pub(super) fn refusal(
     start: &Start<'_>,
     refused: f64,
     fault: Fault,
-    located: Option<Limit>,
+    (located, jumps): (Option<Limit>, bool),
 ) -> SolveError {
     let (row, reason) = match fault {
         Fault::Error(error) => return error,
@@ -38,14 +38,20 @@ pub(super) fn refusal(
     };
     let spacing = f64::EPSILON * start.s.abs();
     let natural = natural_step(equations, [start.q_dot, start.q_ddot], 1.0);
-    let reason = if spacing > COARSEST * natural { Refusal::TimeTooCoarse } else { reason };
+    let is_coarse = spacing > COARSEST * natural;
+    let jumps = jumps && !is_coarse;
+    let reason = match reason {
+        _ if is_coarse => Refusal::TimeTooCoarse,
+        _ if jumps => Refusal::Discontinuous,
+        reason => reason,
+    };
     let t_refused = equations.time_at(refused);
     let Node { state: State { q, .. }, .. } = start.node;
     let groups = &start.basis.groups;
     let there = |equations: &mut Equations<'_>| {
         equations.move_to(refused).ok().and_then(|()| by_plan::limit_in(equations, groups, q))
     };
-    let limit = located.filter(|limit| limit.at().is_some()).or_else(|| there(equations));
+    let limit = located.filter(|limit| limit.at().is_some()).or_else(|| there(equations)).filter(|_| !jumps);
     let evaluated = equations.move_to(start.s).and_then(|()| equations.evaluate(Subset::VELOCITY, q, None));
     if let Err(error) = evaluated {
         return error;

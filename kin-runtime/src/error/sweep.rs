@@ -25,7 +25,7 @@ impl SweepError {
 impl fmt::Debug for SweepError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("SweepError")
-            .field("good_instants", &self.trajectory.len())
+            .field("good_instants", &self.trajectory.reached)
             .field("source", &self.source)
             .finish_non_exhaustive()
     }
@@ -33,7 +33,7 @@ impl fmt::Debug for SweepError {
 
 impl fmt::Display for SweepError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let good = self.trajectory.len();
+        let good = self.trajectory.reached;
         write!(f, "{} (after {good} good {})", self.source, if good == 1 { "instant" } else { "instants" })
     }
 }

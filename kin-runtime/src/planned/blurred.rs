@@ -143,7 +143,8 @@ pub(crate) fn blurred_group(
         let share = if before > 0.0 { (before / velocity).clamp(LEAST_SHARE, 1.0) } else { 1.0 };
         // NaN, where it is as good as there, is not clear.
         let is_clear = NOISE * w * x * x * share * share >= f64::EPSILON;
-        (crosses && !is_clear).then_some(sign)
+        // Where nothing moves, there are no rates to be spoilt.
+        (velocity > 0.0 && crosses && !is_clear).then_some(sign)
     })
 }
 

@@ -124,13 +124,7 @@ impl fmt::Display for Limit {
             (true, false) => "is at its limit",
             (false, _) => "says nothing",
         };
-        write!(f, "{step} {what}")?;
-        // How far beyond its limit a group is, as a share of what it reaches: the margin is 1 − (m/r)².
-        let beyond = crate::scalar::Scalar::sqrt(1.0 - margin.min(0.0)) - 1.0;
-        if step.closes() && beyond > 1e-6 && beyond.is_finite() {
-            return write!(f, ": it would have to reach {:.3} % farther", 100.0 * beyond);
-        }
-        Ok(())
+        write!(f, "{step} {what}")
     }
 }
 

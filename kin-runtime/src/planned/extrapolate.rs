@@ -22,10 +22,10 @@ use crate::workspace::Array;
 const SAMPLES: usize = 7;
 
 /// w of the farthest of them, at least: what is tried in turn.
-const WIDTHS: [f64; 5] = [0.02, 0.006, 0.002, 6e-4, 2e-4];
+const WIDTHS: [f64; 7] = [0.02, 0.006, 0.002, 6e-4, 2e-4, 6e-5, 2e-5];
 
 /// The same where the motion has not come from farther away.
-const NARROWEST: f64 = 1e-4;
+const NARROWEST: f64 = 1e-5;
 
 /// How often the distance from the limit is doubled.
 const DOUBLINGS: usize = 60;

@@ -157,7 +157,6 @@ impl<M: Mechanism> Follower<M> {
         self.nearest = nearest;
         self.good = 1 - self.good;
         self.t = at.t;
-        self.limit = None;
         self.keep_inputs(at.inputs);
     }
 

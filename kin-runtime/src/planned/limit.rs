@@ -24,6 +24,9 @@ const TOUCHES: f64 = 1e-9;
 /// What rounding may leave of a margin that is 0.
 const NO_MARGIN: f64 = 1e-13;
 
+/// A margin that is farther below 0 where it changes its sign has no root there: the motion jumps.
+const JUMP: f64 = 1e-6;
+
 /// Halvings, and sections of the search for a minimum: each is as many as digits need.
 const HALVINGS: usize = 80;
 const SECTIONS: usize = 90;
@@ -124,18 +127,28 @@ impl<M: Mechanism> Follower<M> {
             let margin = self.margin_at(mechanism, course, blocked.places[1], place, blocked);
             return of_kind(t, Limit { step, margin, located: Some(Located { at: reached, kind: None }) });
         };
-        let (s, margin) = self.locate(mechanism, course, place, blocked);
+        let closes = sign < plan.modes.len();
+        // Where an iteration ends nothing is solved behind a fold, and its margin has no root: the walk has come there.
+        let spot = if closes {
+            self.locate(mechanism, course, place, blocked)
+        } else {
+            let s = blocked.places[1];
+            let margin = self.margin_at(mechanism, course, s, place, blocked);
+            Spot { s, margin, least: margin }
+        };
+        let Spot { s, margin, least } = spot;
+        if closes && margin < -JUMP {
+            // There is no place where it is 0.
+            return PlanError::Jump { t: reached, t_refused: t };
+        }
         // A minimum that is not 0 is where the search ended: the limit lies farther on.
-        let is_there = margin <= TOUCHES;
+        let is_there = closes && margin <= TOUCHES;
         let found = self.extrapolate(mechanism, course, (sign, s), blocked);
         self.limit = found.as_ref().map(|found| found.q);
         let kind = match &found {
-            // Where an iteration ends nothing is solved behind a fold, and the margin has no root.
-            _ if is_there && margin < -TOUCHES && sign < plan.modes.len() => Some(LimitKind::DeadCentre),
+            _ if is_there && least < -NO_MARGIN => Some(LimitKind::DeadCentre),
             Some(Found { kind: Some(kind), .. }) => Some(*kind),
-            _ if !is_there || sign >= plan.modes.len() => None,
-            _ if self.comes_back(mechanism, course, s, place, blocked) => Some(LimitKind::BranchPoint),
-            _ => Some(LimitKind::DeadCentre),
+            _ => is_there.then_some(LimitKind::BranchPoint),
         };
         // A minimum is known to half the digits; a root of the margin to all.
         let is_root = is_there && kind == Some(LimitKind::DeadCentre);
@@ -173,8 +186,8 @@ impl<M: Mechanism> Follower<M> {
         if solution.is_ok() && !margin.is_nan() { margin } else { -1.0 }
     }
 
-    /// The place at which a margin is 0, or least, from the last place reached on; and the margin there.
-    fn locate(&mut self, mechanism: &M, course: &dyn Course, place: usize, blocked: &Blocked<M>) -> (f64, f64) {
+    /// The place at which a margin is 0, or least, from the last place reached on.
+    fn locate(&mut self, mechanism: &M, course: &dyn Course, place: usize, blocked: &Blocked<M>) -> Spot {
         let [from, refused] = blocked.places;
         // The limit may be a little behind the end.
         let [start, end] = course.ends();
@@ -194,7 +207,8 @@ impl<M: Mechanism> Follower<M> {
             }
             let at_c = margin(c);
             if at_c <= 0.0 {
-                return root(&mut margin, b, c);
+                let (s, margin) = root(&mut margin, b, c);
+                return Spot { s, margin, least: at_c };
             }
             if at_c > at_b || beyond {
                 break;
@@ -202,16 +216,19 @@ impl<M: Mechanism> Follower<M> {
             (a, b, at_b) = (b, c, at_c);
             stride *= 2.0;
         }
-        let (least, at_least) = minimum(&mut margin, a, c);
-        if at_least < 0.0 { root(&mut margin, a, least) } else { (least, at_least) }
+        let (lowest, least) = minimum(&mut margin, a, c);
+        let (s, margin) = if least < 0.0 { root(&mut margin, a, lowest) } else { (lowest, least) };
+        Spot { s, margin, least }
     }
+}
 
-    /// True where the margin grows again behind a place.
-    fn comes_back(&mut self, mechanism: &M, course: &dyn Course, s: f64, place: usize, blocked: &Blocked<M>) -> bool {
-        let [start, end] = course.ends();
-        let beyond = s + 1e-3 * (end - start).abs().max((s - blocked.places[0]).abs()) * (end - start).signum();
-        self.margin_at(mechanism, course, beyond, place, blocked) > NO_MARGIN
-    }
+/// Where a margin is 0, or least.
+struct Spot {
+    s: f64,
+    /// The margin there.
+    margin: f64,
+    /// The least that was seen.
+    least: f64,
 }
 
 /// The error of a step whose margin is not positive.

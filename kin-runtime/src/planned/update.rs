@@ -59,6 +59,7 @@ impl<M: Mechanism> Follower<M> {
         start: &[f64],
         modes: Modes<M>,
     ) -> Result<(), PlanError> {
+        self.limit = None;
         self.lengths_exist(mechanism, at)?;
         let before = core::mem::replace(&mut self.branch.modes, modes);
         self.predicted.as_mut().copy_from_slice(start);
@@ -74,6 +75,7 @@ impl<M: Mechanism> Follower<M> {
     /// q, q̇ and q̈ at another instant on the same branch; the inputs go there as [`course`](crate::course) says.
     #[inline]
     pub(crate) fn update(&mut self, mechanism: &M, at: &Instant<'_>, control: &Control) -> Result<(), PlanError> {
+        self.limit = None;
         self.lengths_exist(mechanism, at)?;
         let turn = self.predict(at.t - self.t);
         if self.anew {
@@ -94,6 +96,7 @@ impl<M: Mechanism> Follower<M> {
         inputs: &dyn Fn(f64, &mut [crate::signal::Signal]),
         control: &Control,
     ) -> Result<(), PlanError> {
+        self.limit = None;
         self.lengths_exist(mechanism, at)?;
         let turn = self.predict(at.t - self.t);
         if self.anew {

@@ -84,7 +84,7 @@ fn a_crossing_is_found_whether_the_instant_lies_behind_it_or_just_before() {
 /// A rocker that is a little too short does not close where a parallelogram lies flat: it is no crossing.
 #[test]
 fn two_dead_centres_near_one_another_are_no_crossing() {
-    for short in [1e-3, 1e-4, 1e-6] {
+    for short in [1e-3, 1e-4, 1e-6, 1e-7, 1e-8] {
         let lengths = [0.2, 0.5, 0.2 - short, 0.5];
         let fold = ((0.29 - (0.3 + short) * (0.3 + short)) / 0.2_f64).acos();
         assert!(margin(lengths, fold).abs() < 1e-12 && margin(lengths, 0.5 * fold) < -short);

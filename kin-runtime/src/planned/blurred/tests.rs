@@ -84,6 +84,12 @@ fn what_drives_a_group_tells_folds_from_crossings() {
     assert!(at(3.1, 1e9) && !at(2.9, 1e9));
 }
 
+#[test]
+fn where_nothing_moves_rates_are_right() {
+    let at = |w: f64, crank: f64| Beside { crank, group: 0.0, w_dot: 0.0, ..Beside::crossing(w) }.is_blurred();
+    assert!(!at(1e-6, 0.0) && !at(0.05, 0.0));
+}
+
 /// A group that stands still is as far from the crossing as what drives it.
 #[test]
 fn a_group_that_stands_still_may_cross() {
