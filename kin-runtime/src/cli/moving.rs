@@ -178,8 +178,12 @@ fn note_unwatched(session: &mut Session<'_>, trajectory: &Trajectory) {
     }
 }
 
-/// Where full Newton took over from the plan.
+/// Where full Newton took over from the plan. Not where the motion ended at a limit: there it always does on the last
+/// steps, and the error has said why.
 fn note_fallbacks(session: &mut Session<'_>, trajectory: &Trajectory) {
+    if trajectory.q_at_limit.is_some() {
+        return;
+    }
     if let Some(first) = trajectory.fallbacks.first() {
         let steps = count(trajectory.fallbacks.len(), "internal step");
         session.note(&format!("note: full Newton took over from the plan on {steps}, first {first}"));

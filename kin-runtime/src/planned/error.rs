@@ -99,33 +99,55 @@ impl fmt::Display for Limit {
         if let Some(miss) = self.contradiction() {
             return write!(f, "{step} missed by {miss:.1e} of the mechanism's size and motion");
         }
-        if let (Some(at), Some(kind)) = (self.at(), self.kind()) {
-            let bodies = step.bodies().count();
-            for (k, body) in step.bodies().enumerate() {
-                f.write_str(if k == 0 {
-                    ""
-                } else if k + 1 == bodies {
-                    " and "
-                } else {
-                    ", "
-                })?;
-                f.write_str(body)?;
-            }
-            let verb = if bodies > 1 { "lock" } else { "locks" };
-            f.write_str(if bodies > 0 { " of " } else { "" })?;
-            write!(f, "{step} {verb} at t = {}: {} ({kind})", rounded(at), step.info().singular)?;
-            return match step.driver() {
-                Some(driver) => write!(f, ", the driver {driver} is at the end of its range"),
-                None => Ok(()),
+        let (Some(at), true) = (self.at(), step.closes() || step.is_iterated()) else {
+            let singular = step.info().singular;
+            return match (step.closes(), *margin < 0.0) {
+                (true, true) => write!(f, "{step} cannot close"),
+                (true, false) => write!(f, "{step} is at its limit: {singular}"),
+                (false, _) => write!(f, "{step} is singular: {singular}"),
             };
-        }
-        let what = match (step.closes(), *margin < 0.0) {
-            (true, true) => "cannot close",
-            (true, false) => "is at its limit",
-            (false, _) => "says nothing",
         };
-        write!(f, "{step} {what}")
+        let bodies = step.bodies().count();
+        listed(f, step.bodies())?;
+        f.write_str(if bodies > 0 { " of " } else { "" })?;
+        let verb = if bodies > 1 { "lock" } else { "locks" };
+        write!(f, "{step} {verb} at t = {}: {} (", rounded(at), step.info().singular)?;
+        match self.kind() {
+            Some(kind) => write!(f, "{kind})")?,
+            None => f.write_str("dead centre or branch point)")?,
+        }
+        // Only at a dead centre does the motion end because a driver can go no further.
+        if self.kind() != Some(LimitKind::DeadCentre) {
+            return Ok(());
+        }
+        match step.drivers().count() {
+            0 => Ok(()),
+            1 => {
+                f.write_str(", the driver ")?;
+                listed(f, step.drivers())?;
+                f.write_str(" is at the end of its range")
+            }
+            _ => {
+                f.write_str(", the drivers ")?;
+                listed(f, step.drivers())?;
+                f.write_str(" are at the end of what they can do together")
+            }
+        }
     }
+}
+
+/// `A, B and C`.
+fn listed(f: &mut fmt::Formatter<'_>, names: impl Iterator<Item = &'static str>) -> fmt::Result {
+    let mut names = names.enumerate().peekable();
+    while let Some((k, name)) = names.next() {
+        f.write_str(match (k, names.peek()) {
+            (0, _) => "",
+            (_, None) => " and ",
+            (_, Some(_)) => ", ",
+        })?;
+        f.write_str(name)?;
+    }
+    Ok(())
 }
 
 /// A time with as many digits as a person reads.

@@ -4,6 +4,16 @@ use crate::model::{CoordinateKind, Model};
 use crate::plan::{PlanStep, StepKind};
 use core::fmt;
 
+/// Most coordinates of a mechanism in which the drivers of a step are looked for.
+const COORDINATES: usize = 1024;
+
+/// A set of places in q.
+type Coordinates = [u64; COORDINATES / 64];
+
+fn contains(set: &Coordinates, k: usize) -> bool {
+    set[k / 64] >> (k % 64) & 1 == 1
+}
+
 /// A step of a mechanism's plan.
 #[derive(Clone, Copy)]
 pub struct Step {
@@ -62,17 +72,50 @@ impl Step {
         model.bodies.iter().enumerate().filter(move |(body, _)| places(*body)).map(|(_, body)| body.name)
     }
 
-    /// The driver among its joints, where there is one: its limit is that of the driver's range.
-    pub fn driver(&self) -> Option<&'static str> {
-        let rows = self.model.rows;
-        let drives = |joint: &&usize| rows.iter().any(|row| row.joint == **joint && row.driving);
-        let joint = self.info().joints.iter().find(drives)?;
-        self.model.joints.get(*joint).map(|joint| joint.name)
+    /// The drivers whose range its limit ends: those among its joints or, where there are none, all that move what it
+    /// closes upon. None where these cannot be told, in mechanisms of more coordinates than [`COORDINATES`].
+    pub fn drivers(&self) -> impl Iterator<Item = &'static str> + use<> {
+        let (model, own, moving) = (self.model, self.info().joints, self.coordinates_before());
+        let drives = move |joint: usize| model.rows.iter().any(|row| row.joint == joint && row.driving);
+        let inside = own.iter().any(|&joint| drives(joint));
+        let belongs = move |joint: usize| match inside {
+            true => own.contains(&joint),
+            false => model.plan.steps.iter().any(|step| {
+                step.joints.contains(&joint) && step.coordinates.iter().any(|&(k, _)| contains(&moving, k))
+            }),
+        };
+        let joints = model.joints.iter().enumerate();
+        joints.filter(move |(joint, _)| drives(*joint) && belongs(*joint)).map(|(_, joint)| joint.name)
+    }
+
+    /// The coordinates that it needs and earlier steps give, with all that those need in their turn.
+    fn coordinates_before(&self) -> Coordinates {
+        let mut needed = [0; COORDINATES / 64];
+        if self.model.coordinates.len() > COORDINATES {
+            return needed;
+        }
+        for (place, step) in self.model.plan.steps[..=self.place()].iter().enumerate().rev() {
+            let gives = step.coordinates.iter().any(|&(k, _)| contains(&needed, k));
+            if place != self.place() && !gives {
+                continue;
+            }
+            for &(row, k) in self.model.constraint_pattern.entries {
+                if self.model.rows.get(row).is_some_and(|row| step.joints.contains(&row.joint)) {
+                    needed[k / 64] |= 1 << (k % 64);
+                }
+            }
+        }
+        needed
     }
 
     /// True for redundant rows whose residual is watched.
     pub fn is_watched(&self) -> bool {
         matches!(self.info().kind, StepKind::Watched(_))
+    }
+
+    /// True for a group that is solved by iteration.
+    pub(crate) fn is_iterated(&self) -> bool {
+        matches!(self.info().kind, StepKind::Newton(_))
     }
 
     /// True for a group that closes in two ways; not where it was found by the margin of something that the group divides
@@ -150,7 +193,8 @@ mod tests {
     #[test]
     fn a_step_names_what_belongs_to_it() {
         let step = |place: usize| Step::new(PlannedFourBar::model(), place).unwrap();
-        assert_eq!([Some("drive"), None, None], [0, 1, 2].map(|place| step(place).driver()));
+        // What moves the crank moves the dyad behind it.
+        assert!((0..3).all(|place| step(place).drivers().eq(["drive"])));
         assert_eq!([false, false, true], [0, 1, 2].map(|place| step(place).closes()));
         assert!((0..3).all(|place| !step(place).is_watched()));
         assert!(step(2).bodies().eq(["coupler", "rocker"]) && step(2).joints().eq(["A", "B", "D"]));

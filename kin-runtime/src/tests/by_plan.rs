@@ -45,7 +45,10 @@ fn full_newton_takes_over_where_the_plan_says_nothing_and_it_is_said() {
     let found = singular.solver().sweep(&times).unwrap();
     same(&found, &expected);
     assert_eq!(found.fallbacks.iter().map(|f| f.t).collect::<Vec<_>>(), times[1..]);
-    assert_eq!(found.fallbacks[0].to_string(), "at t = 0.1: dyad RRR of A, B, D is at its limit");
+    assert_eq!(
+        found.fallbacks[0].to_string(),
+        "at t = 0.1: dyad RRR of A, B, D is at its limit: A, B and D on one line"
+    );
     assert!(newton(&singular).sweep(&times).unwrap().fallbacks.is_empty());
 
     let mut tracker = singular.solver().tracker(&Instant::at(0.0)).unwrap();
