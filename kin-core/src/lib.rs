@@ -18,10 +18,12 @@
 //! Each room imports only those above it in this list's reading (`constraint` uses `mechanism` and `expr`; `program`
 //! uses `expr` alone). There are no tokens, no spans and no I/O here.
 
+pub mod check;
 pub mod constraint;
 pub mod error;
 pub mod expr;
 mod hash;
+pub mod joints;
 pub mod mechanism;
 pub mod notation;
 pub mod plan;
@@ -31,9 +33,12 @@ pub mod sheet;
 pub mod structure;
 pub mod system;
 pub mod units;
+pub mod vectors;
+pub mod vocabulary;
 
-pub use constraint::{ConstraintSet, assemble};
+pub use constraint::ConstraintSet;
 pub use error::{ModelError, Origin};
+pub use joints::assemble;
 pub use mechanism::Mechanism;
 pub use plan::{SolutionPlan, plan};
 pub use program::Program;

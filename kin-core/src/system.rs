@@ -6,9 +6,10 @@
 //! A row of velocity level, η = B q̇ + b = 0, is differentiated once: η̇ = B q̈ − γ. B and b stand in its rows of Φ_q
 //! and Φ_t, so that velocity and acceleration equations look like those of all other rows.
 
-use crate::constraint::{ConstraintRow, ConstraintSet, JointTag, ObservableKind, VelocityRow};
+use crate::constraint::{ConstraintRow, ConstraintSet, ObservableKind, VelocityRow};
 use crate::error::{ModelError, Origin};
 use crate::expr::{ExprId, Jet, MAX_ORDER, Node, Symbol, total_derivatives, velocity_derivatives};
+use crate::vocabulary::JointKind;
 use core::fmt;
 
 /// A row with its derivatives.
@@ -119,7 +120,7 @@ fn class(set: &ConstraintSet, row: &ConstraintRow) -> RowClass {
     let holonomic = row.velocity.is_none();
     let value = row.velocity.map_or(row.phi, |velocity| velocity.eta);
     let rheonomic = set.graph.depends(value).is_rheonomic();
-    let declared = matches!(set.joints[row.joint].tag, JointTag::Driver | JointTag::Speed);
+    let declared = matches!(set.joints[row.joint].kind, JointKind::Driver | JointKind::Speed);
     RowClass { holonomic, rheonomic, driving: declared || (rheonomic && row.operands_move) }
 }
 

@@ -3,7 +3,8 @@
 
 mod support;
 
-use kin_core::mechanism::{Formula, JointKind, Mechanism};
+use kin_core::joints::Constraint;
+use kin_core::mechanism::{Formula, Mechanism};
 use kin_core::plan::Kind as StepKind;
 use std::f64::consts::TAU;
 use support::chains::*;
@@ -338,10 +339,8 @@ fn linear_systems_agree_and_have_margins() {
 fn wheels() -> Mechanism {
     let turn = |k: usize| phi(body(k));
     let pin = |k: usize| joint(&format!("O{k}"), revolute(origin_of(GROUND), origin_of(body(k))));
-    let couple = JointKind::Constraint {
-        left: add(mul(parameter(0), turn(0)), mul(parameter(1), turn(1))),
-        right: Formula::ZERO,
-    };
+    let couple =
+        Constraint { left: add(mul(parameter(0), turn(0)), mul(parameter(1), turn(1))), right: Formula::ZERO }.into();
     Mechanism {
         name: "Wheels".into(),
         parameters: parameters(&[("p0", None), ("p1", None)]),

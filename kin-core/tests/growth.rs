@@ -3,7 +3,8 @@
 mod support;
 
 use kin_core::expr::{Graph, Shown, Symbol, evaluate, total_derivatives};
-use kin_core::mechanism::{BodyOrigin, Define, Formula, Function, Mechanism, Range};
+use kin_core::joints::Constraint;
+use kin_core::mechanism::{BodyOrigin, Define, Formula, Function, Mechanism, Operand, Range, Value};
 use kin_core::program::{Instruction, Slot, interpret, lower};
 use kin_core::{assemble, differentiate};
 use support::*;
@@ -23,7 +24,7 @@ fn a_sum_of_ten_thousand_terms() {
     }
     let mechanism = Mechanism {
         bodies: vec![free("b", None)],
-        joints: vec![joint("N", kin_core::mechanism::JointKind::Constraint { left: formula, right: Formula::ZERO })],
+        joints: vec![joint("N", Constraint { left: formula, right: Formula::ZERO }.into())],
         ..Mechanism::default()
     };
     let system = differentiate(assemble(&mechanism).expect("a sound mechanism")).expect("no third derivatives");
@@ -38,10 +39,9 @@ fn a_sum_of_ten_thousand_terms() {
 }
 
 /// Takes a long sum apart from its outside.
-fn drop_flat(mut mechanism: Mechanism) {
-    for joint in &mut mechanism.joints {
-        if let kin_core::mechanism::JointKind::Constraint { left, .. } = &mut joint.kind {
-            let mut rest = std::mem::replace(left, Formula::ZERO);
+fn drop_flat(mechanism: Mechanism) {
+    for operand in mechanism.joints.into_iter().flat_map(|joint| joint.operands.into_values()) {
+        if let Operand::Value(Value { value: mut rest, .. }) = operand {
             while let Formula::Add(a, _) | Formula::Sub(a, _) = rest {
                 rest = *a;
             }
@@ -127,7 +127,7 @@ fn defines_in_reverse_order() {
     };
     // With as little room as a worker thread of a compiler may have left.
     let work = move || {
-        assert_eq!(kin_core::mechanism::check::check(&mechanism), []);
+        assert_eq!(kin_core::check::check(&mechanism), []);
         assert_eq!(kin_core::units::check(&mechanism), []);
         let set = assemble(&mechanism).expect("no circle");
         assert_eq!(evaluate(&set.graph, &[set.bodies[1].pose[2]], &|_| 0.5), [2999.5]);

@@ -3,7 +3,7 @@
 
 mod support;
 
-use kin_core::mechanism::check::check;
+use kin_core::check::check;
 use std::f64::consts::FRAC_PI_2;
 use support::chains::*;
 

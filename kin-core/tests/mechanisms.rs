@@ -202,7 +202,7 @@ fn gamma_is_its_definition() {
 
 #[test]
 fn rows_know_whether_time_moves_them() {
-    use kin_core::constraint::JointTag;
+    use kin_core::vocabulary::JointKind;
     for seed in 0..MECHANISMS {
         let (mechanism, system, values) = case(seed);
         let later = Values { t: values.t + 0.37, inputs: vec![[0.91, 0.0, 0.0], [-0.73, 0.0, 0.0]], ..values.clone() };
@@ -220,7 +220,7 @@ fn rows_know_whether_time_moves_them() {
             }
             let joint = &system.set.joints[system.set.rows[row].joint];
             let own = system.set.rows[row].operands_move;
-            assert_eq!(class.driving, class.rheonomic && own || joint.tag == JointTag::Driver, "seed {seed}: {name}");
+            assert_eq!(class.driving, class.rheonomic && own || joint.kind == JointKind::Driver, "seed {seed}: {name}");
         }
         // A mechanism that never looks at t or an input has no rheonomic row.
         let looked = direct(&mechanism, &values, values.plain::<f64>());

@@ -2,7 +2,8 @@
 
 mod support;
 
-use kin_core::mechanism::{Component, Formula, JointKind, Mechanism};
+use kin_core::joints::{Angle, Distance, RelativeAngle, Translational, X, Y};
+use kin_core::mechanism::{Formula, Mechanism, Operands, Value};
 use kin_core::program::{OperationCount, Slot, lower};
 use kin_core::{assemble, differentiate};
 use support::*;
@@ -50,7 +51,7 @@ fn the_lecture_four_bar_costs_what_the_hand_formula_costs() {
 fn quick_return() -> Mechanism {
     let [a, x1, r, l, b, h, e, w] = std::array::from_fn(parameter);
     let slot = || add(number(0.01), e.clone());
-    let sliding = |p, q, c| JointKind::Translational { p, q, axis: axis(number(1.0), Formula::ZERO), angle: number(c) };
+    let sliding = |p, q, c| Translational { p, q, axis: axis(number(1.0), Formula::ZERO), angle: number(c) }.into();
     let along = number(0.01);
     let ram = || on(body(4), number(0.05), number(0.02));
     let angle =
@@ -79,11 +80,11 @@ fn the_quick_return_with_its_moving_guide() {
     assert_eq!((count.flops(), count.sincos), (93, 4), "{count:?}");
 }
 
-fn one_joint(kind: JointKind) -> Mechanism {
+fn one_joint(operands: Operands) -> Mechanism {
     Mechanism {
         parameters: parameters(&["p0", "p1", "p2", "p3", "e"].map(|name| (name, None))),
         bodies: ["i", "j"].map(|name| free(name, None)).to_vec(),
-        joints: vec![joint("N", kind)],
+        joints: vec![joint("N", operands)],
         ..Mechanism::default()
     }
 }
@@ -93,7 +94,7 @@ fn a_distance_between_two_bodies() {
     let [a, b, c, d, e] = std::array::from_fn(parameter);
     let p = || on(body(0), a.clone(), b.clone());
     let length = || e.clone();
-    let row = |q| JointKind::Distance { p: p(), q, length: length(), length_origin: AT };
+    let row = |q| Distance { p: p(), q, length: Value { value: length(), origin: AT } }.into();
     let moving = count(&one_joint(row(on(body(1), c, d))));
     assert_eq!((moving.flops(), moving.sincos), (59, 2), "{moving:?}");
     let grounded = count(&one_joint(row(origin_of(GROUND))));
@@ -120,12 +121,12 @@ fn a_component_that_is_literally_zero_costs_nothing() {
 
 #[test]
 fn rows_without_geometry_cost_their_formula() {
-    let row = |component| JointKind::Coordinate { p: origin_of(body(0)), component, value: parameter(4) };
+    let p = || origin_of(body(0));
     for kind in [
-        row(Component::X),
-        row(Component::Y),
-        JointKind::Angle { body: body(0), value: parameter(4) },
-        JointKind::RelativeAngle { a: body(0), b: body(1), value: Formula::ZERO },
+        X { p: p(), value: parameter(4) }.into(),
+        Y { p: p(), value: parameter(4) }.into(),
+        Angle { body: body(0), value: parameter(4) }.into(),
+        RelativeAngle { a: body(0), b: body(1), value: Formula::ZERO }.into(),
     ] {
         assert_eq!(count(&one_joint(kind)).flops(), 1);
     }
@@ -134,7 +135,7 @@ fn rows_without_geometry_cost_their_formula() {
 #[test]
 fn a_negative_double_is_one_product() {
     let square = Formula::Pow(Box::new(Formula::Time), 2.0);
-    let count = count(&one_joint(JointKind::Angle { body: body(0), value: square }));
+    let count = count(&one_joint(Angle { body: body(0), value: square }.into()));
     // φ − t², Φ_t = −2t, γ = 2.
     assert_eq!((count.add, count.mul, count.neg), (1, 2, 0), "{count:?}");
 }

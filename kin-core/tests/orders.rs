@@ -2,7 +2,8 @@
 
 use kin_core::constraint::ConstraintSet;
 use kin_core::expr::Symbol;
-use kin_core::mechanism::{Formula, Index, Input, Joint, JointKind, Mechanism, Member, Scalar};
+use kin_core::joints::Driver;
+use kin_core::mechanism::{Formula, Index, Input, Joint, Mechanism, Member, Scalar, Value};
 use kin_core::{Origin, assemble, differentiate};
 
 const KEYWORD: Origin = Origin(7);
@@ -13,11 +14,11 @@ fn follower() -> ConstraintSet {
     let follow = Joint {
         name: "follow".into(),
         range: None,
-        kind: JointKind::Driver {
+        operands: Driver {
             left: Formula::Scalar(member),
-            right: Formula::Input(member),
-            right_origin: Origin(2),
-        },
+            right: Value { value: Formula::Input(member), origin: Origin(2) },
+        }
+        .into(),
         keyword: KEYWORD,
         origin: Origin(3),
     };

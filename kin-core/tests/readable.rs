@@ -2,9 +2,10 @@
 
 mod support;
 
+use kin_core::joints::{Driver, Revolute, Translational};
 use kin_core::mechanism::{
-    Axis, Body, BodyOrigin, BodyRef, Component, Formula, Index, Joint, JointKind, Mechanism, Member, Parameter, Place,
-    Range,
+    Axis, Body, BodyOrigin, BodyRef, Component, Formula, Index, Joint, Mechanism, Member, Parameter, Place, Range,
+    Value,
 };
 use kin_core::program::{Slot, lower};
 use kin_core::{Origin, assemble, differentiate};
@@ -23,16 +24,18 @@ fn pendulum_on_a_slider() -> Mechanism {
         phi: None,
         origin: AT,
     };
-    let joint = |name: &str, kind| Joint { name: name.into(), range: None, kind, keyword: AT, origin: AT };
-    let guide = JointKind::Translational {
+    let joint = |name: &str, kind| Joint { name: name.into(), range: None, operands: kind, keyword: AT, origin: AT };
+    let guide = Translational {
         p: at(BodyRef::Ground(AT), Formula::ZERO),
         q: at(body(0), Formula::ZERO),
         axis: Axis { x: Formula::Number(3.0), y: Formula::Number(4.0), origin: AT },
         angle: Formula::ZERO,
-    };
-    let pin = JointKind::Revolute { p: at(body(0), Formula::ZERO), q: at(body(1), length.clone()) };
+    }
+    .into();
+    let pin = Revolute { p: at(body(0), Formula::ZERO), q: at(body(1), length.clone()) }.into();
     let swing =
-        JointKind::Driver { left: Formula::Pose(body(1), Component::Phi), right: Formula::Time, right_origin: AT };
+        Driver { left: Formula::Pose(body(1), Component::Phi), right: Value { value: Formula::Time, origin: AT } }
+            .into();
     Mechanism {
         name: "Pendulum".into(),
         parameters: vec![Parameter {

@@ -4,8 +4,9 @@
 mod support;
 
 use kin_core::Mechanism;
-use kin_core::mechanism::check::check;
-use kin_core::mechanism::{Joint, JointKind};
+use kin_core::check::check;
+use kin_core::joints::{Distance, PointOnLine, RelativeAngle, Revolute};
+use kin_core::mechanism::{Joint, Value};
 use kin_core::plan::{Kind, SolutionPlan, TOLERANCE};
 use std::ops::Range;
 use support::chains::*;
@@ -64,7 +65,7 @@ impl Twice {
         self.essential(from);
         self.joints(false, true, |draft| {
             let p = draft.place(a, at);
-            draft.add(JointKind::Revolute { p, q });
+            draft.add(Revolute { p, q }.into());
         });
     }
 
@@ -85,7 +86,7 @@ impl Twice {
             });
             let value = add(parameter(draft.values.len() - 1), number(-1e-3));
             let (a, b) = (draft.named(a), draft.named(b));
-            draft.add(JointKind::RelativeAngle { a, b, value });
+            draft.add(RelativeAngle { a, b, value }.into());
         });
         if !plain {
             self.essential(from);
@@ -158,7 +159,7 @@ fn rods(seed: u64) -> Twice {
         twice.essential(from);
         twice.joints(false, true, |draft| {
             let (p, q) = (draft.place(FIXED, pin), draft.place(coupler, end));
-            draft.add(JointKind::Distance { p, q, length: size, length_origin: AT });
+            draft.add(Distance { p, q, length: Value { value: size, origin: AT } }.into());
         });
     }
     twice
@@ -204,7 +205,7 @@ fn doubled(seed: u64) -> Twice {
             let foot = plus(minus(plus(at, psi_off), turned(psi, [0.0, 0.4])), turned(psi, [0.2, 0.0]));
             let (p, q) = (draft.place(FIXED, foot), draft.place(slider, plus(at, psi_off)));
             let axis = draft.axis(FIXED, psi);
-            draft.add(JointKind::PointOnLine { p, q, axis, offset });
+            draft.add(PointOnLine { p, q, axis, offset }.into());
         });
     }
     twice

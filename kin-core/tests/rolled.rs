@@ -3,7 +3,8 @@
 mod support;
 
 use kin_core::expr::{Environment, ExprId, Graph, Symbol};
-use kin_core::mechanism::{Formula, Function, JointKind, Mechanism};
+use kin_core::joints::RelativeAngle;
+use kin_core::mechanism::{Formula, Function, Mechanism};
 use kin_core::plan::plan;
 use kin_core::program::{
     Instruction, Piece, Program, Rolled, Slot, Worth, gather, interpret, interpret_rolled, lower, roll,
@@ -72,7 +73,7 @@ fn chain_written_out(loops: usize) -> Mechanism {
                 &name("turn"),
                 match k {
                     0 => driver(phi(body(0)), mul(parameter(5), Formula::Time)),
-                    _ => JointKind::RelativeAngle { a: body(3 * k - 1), b: body(3 * k), value: number(0.1) },
+                    _ => RelativeAngle { a: body(3 * k - 1), b: body(3 * k), value: number(0.1) }.into(),
                 },
             ),
         ]);

@@ -4,7 +4,7 @@
 use crate::lower::{Lowered, Outcome, lower};
 use crate::parse::parse;
 use crate::report::Report;
-use kin_core::mechanism::check::{check, check_parts};
+use kin_core::check::{check, check_parts};
 use kin_core::units;
 use proc_macro2::{Span, TokenStream};
 use syn::ItemStruct;

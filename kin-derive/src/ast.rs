@@ -3,7 +3,7 @@
 //! What could not be parsed is a hole ([`ExprKind::Hole`], [`PointExpr::Hole`]): its error is already reported,
 //! and the rest of its row is still read for mistakes.
 
-use kin_core::mechanism::{Function, Relation};
+use kin_core::mechanism::{Function, JointForm, Relation};
 use proc_macro2::Span;
 use syn::ext::IdentExt;
 use syn::{Ident, LitStr, Type};
@@ -167,33 +167,24 @@ pub(crate) struct ConditionDecl {
 pub(crate) struct Row {
     pub(crate) keyword: Ident,
     pub(crate) name: NewName,
-    pub(crate) kind: RowKind,
+    /// How its kind is written.
+    pub(crate) form: &'static JointForm,
+    /// What stands in the slots of its form.
+    pub(crate) operands: Vec<OperandExpr>,
 }
 
-/// What a row says; the fields are those of [`kin_core::mechanism::JointKind`].
+/// An operand of a joint; see [`kin_core::mechanism::Operand`].
 #[derive(Debug)]
-pub(crate) enum RowKind {
-    Revolute { p: PointExpr, q: PointExpr },
-    Translational { p: PointExpr, q: PointExpr, axis: AxisExpr, angle: Expr },
-    Fixed { p: PointExpr, q: PointExpr, angle: Expr },
-    PointOnLine { p: PointExpr, q: PointExpr, axis: AxisExpr, offset: Expr },
-    Distance { p: PointExpr, q: PointExpr, length: Expr },
-    X { p: PointExpr, value: Expr },
-    Y { p: PointExpr, value: Expr },
-    Angle { body: Option<NameUse>, value: Expr },
-    RelativeAngle { a: Option<NameUse>, b: Option<NameUse>, value: Expr },
-    OnCurve { p: PointExpr, q: PointExpr, curve: CurveExpr },
-    FlatFollower { p: PointExpr, q: PointExpr, axis: AxisExpr, support: Expr },
-    Gear(PairExpr),
-    Belt(PairExpr),
-    RackPinion { p: PointExpr, q: PointExpr, axis: AxisExpr, pinion: Option<NameUse>, radius: Expr, offset: Expr },
-    RollingOnLine { p: PointExpr, q: PointExpr, axis: AxisExpr, radius: Expr, offset: Expr },
-    RollingOnDisc { p: PointExpr, q: PointExpr, radii: RadiiExpr, along: Option<NameUse>, offset: Expr },
-    Constraint { left: Expr, right: Expr },
-    KnifeEdge { p: PointExpr, angle: Expr },
-    Speed { p: PointExpr, angle: Expr, value: Expr },
-    Nonholonomic { left: Expr, right: Expr },
-    Driver { left: Expr, right: Expr },
+pub(crate) enum OperandExpr {
+    Point(PointExpr),
+    Points(Vec<PointExpr>),
+    Body(BodyExpr),
+    /// A scalar coordinate; `None` could not be read, which is reported.
+    Scalar(Option<NameUse>),
+    Axis(AxisExpr),
+    Value(Expr),
+    Radii(RadiiExpr),
+    Curve(CurveExpr),
 }
 
 /// A curve; see [`kin_core::mechanism::Curve`].
@@ -233,22 +224,12 @@ pub(crate) struct RadiiExpr {
     pub(crate) span: Span,
 }
 
-/// Two bodies that gears or a belt couple.
+/// A body as an operand.
 #[derive(Debug)]
-pub(crate) struct PairExpr {
-    pub(crate) a: Option<NameUse>,
-    pub(crate) b: Option<NameUse>,
-    pub(crate) radii: RadiiExpr,
-    pub(crate) carrier: CarrierExpr,
-    pub(crate) offset: Expr,
-}
-
-/// What carries the axles.
-#[derive(Debug)]
-pub(crate) enum CarrierExpr {
-    /// Nothing is given.
-    Ground,
-    Body(NameUse),
+pub(crate) enum BodyExpr {
+    Named(NameUse),
+    /// The ground, where no body is given.
+    NotGiven,
     /// Could not be read; reported.
     Hole,
 }

@@ -13,7 +13,7 @@ use crate::mechanism::Relation;
 
 impl Assembly<'_> {
     /// All conditions, one for every index of a range.
-    pub(super) fn conditions(&mut self, set: &mut ConstraintSet) {
+    pub(crate) fn conditions(&mut self, set: &mut ConstraintSet) {
         for (family, condition) in self.mechanism.conditions.iter().enumerate() {
             for (shown, index) in Self::instances(condition.range) {
                 self.index = index;

@@ -3,8 +3,7 @@
 use super::assembly::Assembly;
 use crate::error::Origin;
 use crate::expr::ExprId;
-use crate::mechanism::check::defines_in;
-use crate::mechanism::{Define, Member, Range};
+use crate::mechanism::{Define, Member, Range, defines_in};
 use std::collections::HashSet;
 
 /// A define by its family and its index there.
@@ -12,7 +11,7 @@ type Named = (usize, i64);
 
 impl Assembly<'_> {
     /// A define, built once however often it is used.
-    pub(super) fn define(&mut self, member: &Member) -> ExprId {
+    pub(crate) fn define(&mut self, member: &Member) -> ExprId {
         let Some(define) = self.mechanism.defines.get(member.family) else { return self.graph.zero() };
         match index_in(define, member, self.index) {
             Some(index) => self.define_at(member.family, index, member.origin),
@@ -24,7 +23,7 @@ impl Assembly<'_> {
     }
 
     /// The define of a family at an index.
-    pub(super) fn define_at(&mut self, family: usize, index: i64, origin: Origin) -> ExprId {
+    pub(crate) fn define_at(&mut self, family: usize, index: i64, origin: Origin) -> ExprId {
         if !self.defines.contains_key(&(family, index)) {
             self.build_with_uses((family, index));
         }

@@ -1,20 +1,19 @@
 //! Formulas as the user wrote them to expressions.
 
 use super::assembly::Assembly;
-use super::distance;
 use crate::expr::{ExprId, Symbol, total_derivatives};
 use crate::mechanism::{Component, Formula, Member};
 
 impl Assembly<'_> {
     /// The place in q of a scalar coordinate at the current index, if there is one.
-    pub(super) fn scalar(&mut self, member: &Member) -> Option<u32> {
+    pub(crate) fn scalar(&mut self, member: &Member) -> Option<u32> {
         let len = self.mechanism.scalars.get(member.family)?.len.unwrap_or(1);
         let index = member.index.at(self.index).filter(|i| *i < len)?;
         Some(self.first_scalar[member.family] + index as u32)
     }
 
     /// A formula at the current index.
-    pub(super) fn formula(&mut self, formula: &Formula) -> ExprId {
+    pub(crate) fn formula(&mut self, formula: &Formula) -> ExprId {
         match formula {
             Formula::Number(value) => self.graph.number(*value),
             Formula::Pi => self.graph.number(core::f64::consts::PI),
@@ -57,7 +56,7 @@ impl Assembly<'_> {
             }
             Formula::Distance(p, q) => {
                 let (p, q) = (self.place(p), self.place(q));
-                distance::length(self, &p, &q)
+                self.distance(&p, &q)
             }
             Formula::Define(member) => self.define(member),
             // Outside of its curve there is no such variable; lowering has said so.
@@ -97,7 +96,7 @@ impl Assembly<'_> {
     }
 
     /// ė of an expression free of q̇, or e_t while all q̇ are 0.
-    pub(super) fn rate(&mut self, e: ExprId) -> ExprId {
+    pub(crate) fn rate(&mut self, e: ExprId) -> ExprId {
         match total_derivatives(&mut self.graph, &[e]).first() {
             Some(jet) if self.at_rest => jet.partial_t,
             Some(jet) => jet.rate,

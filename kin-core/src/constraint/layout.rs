@@ -1,20 +1,20 @@
 //! Layout: families to instances, with their names and their places in q.
 
 use super::assembly::Assembly;
-use super::placed::Pose;
+use super::pose::Pose;
 use super::set::{BodyInstance, ConstraintSet, Coordinate, CoordinateKind, Family};
 use crate::expr::{ExprId, Graph};
 use crate::mechanism::{Component, Mechanism};
 use std::collections::HashMap;
 
 /// `name` or `name[index]`.
-pub(super) fn indexed(name: &str, is_array: bool, index: impl core::fmt::Display) -> String {
+pub(crate) fn indexed(name: &str, is_array: bool, index: impl core::fmt::Display) -> String {
     if is_array { format!("{name}[{index}]") } else { name.to_owned() }
 }
 
 impl<'m> Assembly<'m> {
     /// An assembly with all parameters, bodies and coordinates laid out.
-    pub(super) fn new(mechanism: &'m Mechanism, set: &mut ConstraintSet) -> Self {
+    pub(crate) fn new(mechanism: &'m Mechanism, set: &mut ConstraintSet) -> Self {
         let mut first_parameter = Vec::new();
         for parameter in &mechanism.parameters {
             first_parameter.push(set.parameters.len() as u32);

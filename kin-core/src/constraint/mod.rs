@@ -1,39 +1,27 @@
-//! From a mechanism to Φ: one constraint type per file, each writing its rows of Φ and nothing else.
+//! The constraint set: Φ with everything that is reported, and the state in which joints write their rows of it.
 //!
-//! Imports `expr` and `mechanism`. Nothing here differentiates; a roller asks `expr` for the direction of its curve, and
-//! rows of velocity level ask it for rates.
+//! Imports `expr` and `mechanism`. Nothing here knows the kinds of joints, and nothing differentiates but rates, for which
+//! rows of velocity level ask `expr`.
 
-mod angle;
 mod assembly;
-mod belt;
 mod condition;
-mod coordinate;
-mod curve;
+mod declared;
 mod define;
-mod distance;
-mod driver;
-mod fixed;
 mod formula;
-mod gear;
-mod knife_edge;
 mod layout;
-mod moving_operands;
-mod nonholonomic;
 mod placed;
-mod point_on_line;
-mod rack_pinion;
-mod revolute;
-mod rolling_on_disc;
-mod rolling_on_line;
+mod pose;
+mod rows;
 mod set;
-mod speed;
-mod tag;
-mod translational;
+mod variables;
 
-pub use assembly::assemble;
+pub(crate) use assembly::Assembly;
+pub(crate) use layout::indexed;
+pub(crate) use pose::{PlacedAxis, PlacedPoint};
+pub(crate) use rows::Rows;
 pub use set::{
     BodyInstance, ConditionInstance, ConstraintRow, ConstraintSet, Coordinate, CoordinateKind, CurveInstance,
     DefineInstance, Family, Frame, Geometry, JointInstance, Observable, ObservableKind, PointInstance, Quantity, Role,
     VelocityRow,
 };
-pub use tag::JointTag;
+pub(crate) use variables::Variables;

@@ -1,47 +1,14 @@
-//! Bodies, points and axes in the inertial frame.
+//! Bodies, points and axes as they are placed in the inertial frame.
 
 use super::assembly::Assembly;
+use super::pose::{PlacedAxis, PlacedPoint, Pose};
 use super::set::Frame;
 use crate::expr::{ExprId, Symbol};
 use crate::mechanism::{Axis, Body, BodyOrigin, BodyRef, Component, Function, Place, Source};
 
-/// A point in the inertial frame: r = r_i + A_i s.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct PlacedPoint {
-    pub(super) frame: Frame,
-    /// s.
-    pub(super) local: [ExprId; 2],
-    /// r_i.
-    pub(super) base: [ExprId; 2],
-    /// r.
-    pub(super) r: [ExprId; 2],
-    /// φ_i.
-    pub(super) angle: ExprId,
-}
-
-/// A unit axis fixed in a frame.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct PlacedAxis {
-    /// v̂ in the frame.
-    pub(super) local: [ExprId; 2],
-    /// u = A v̂.
-    pub(super) u: [ExprId; 2],
-    /// The angle it turns with.
-    pub(super) angle: ExprId,
-}
-
-/// The pose of a body, as far as it is known.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Pose {
-    Unknown,
-    /// It is being built; to need it now is to need itself.
-    Building,
-    Known([ExprId; 3]),
-}
-
 impl<'m> Assembly<'m> {
     /// The frame that a body reference means at `index`, if there is one.
-    pub(super) fn resolve(&self, body: &BodyRef, index: i64) -> Option<Frame> {
+    pub(crate) fn resolve(&self, body: &BodyRef, index: i64) -> Option<Frame> {
         match body {
             BodyRef::Ground(_) => Some(Frame::Ground),
             BodyRef::Body { family, index: of, .. } => {
@@ -57,7 +24,7 @@ impl<'m> Assembly<'m> {
     }
 
     /// The frame that a body reference means at the current index.
-    pub(super) fn frame(&mut self, body: &BodyRef) -> Option<Frame> {
+    pub(crate) fn frame(&mut self, body: &BodyRef) -> Option<Frame> {
         let found = self.resolve(body, self.index);
         if let (None, BodyRef::Body { family, origin, .. }) = (found, body) {
             let len = self.members(*family);
@@ -67,7 +34,7 @@ impl<'m> Assembly<'m> {
     }
 
     /// x, y, φ of a body at the current index.
-    pub(super) fn pose(&mut self, body: &BodyRef) -> [ExprId; 3] {
+    pub(crate) fn pose(&mut self, body: &BodyRef) -> [ExprId; 3] {
         let frame = self.frame(body).unwrap_or(Frame::Ground);
         self.pose_in(frame)
     }
@@ -80,7 +47,7 @@ impl<'m> Assembly<'m> {
     }
 
     /// x, y, φ of the body at `place`. Carriers come first, however long the chain of them is.
-    pub(super) fn pose_of(&mut self, place: usize) -> [ExprId; 3] {
+    pub(crate) fn pose_of(&mut self, place: usize) -> [ExprId; 3] {
         let (mut chain, mut next) = (Vec::new(), Some(place));
         while let Some(place) = next {
             match self.poses[place] {
@@ -139,7 +106,7 @@ impl<'m> Assembly<'m> {
     }
 
     /// A body-fixed point in the inertial frame.
-    pub(super) fn place(&mut self, place: &Place) -> PlacedPoint {
+    pub(crate) fn place(&mut self, place: &Place) -> PlacedPoint {
         let frame = self.frame(&place.body).unwrap_or(Frame::Ground);
         let [x, y, angle] = self.pose_in(frame);
         let local = [self.formula(&place.x), self.formula(&place.y)];
@@ -149,7 +116,7 @@ impl<'m> Assembly<'m> {
     }
 
     /// The unit vector of an axis fixed in the frame of `p`, v̂ = v/|v|.
-    pub(super) fn axis(&mut self, axis: &Axis, p: &PlacedPoint) -> PlacedAxis {
+    pub(crate) fn axis(&mut self, axis: &Axis, p: &PlacedPoint) -> PlacedAxis {
         let v = [self.formula(&axis.x), self.formula(&axis.y)];
         let local = match (self.graph.literal(v[0]), self.graph.literal(v[1])) {
             (Some(x), Some(y)) => {
@@ -172,5 +139,18 @@ impl<'m> Assembly<'m> {
             }
         };
         PlacedAxis { local, u: self.graph.rotate(p.angle, local), angle: p.angle }
+    }
+
+    /// |r_Q − r_P|².
+    pub(crate) fn square_of_distance(&mut self, p: &PlacedPoint, q: &PlacedPoint) -> ExprId {
+        let d = [0, 1].map(|k| self.graph.sub(q.r[k], p.r[k]));
+        let (x, y) = (self.graph.square(d[0]), self.graph.square(d[1]));
+        self.graph.add(x, y)
+    }
+
+    /// |r_Q − r_P|.
+    pub(crate) fn distance(&mut self, p: &PlacedPoint, q: &PlacedPoint) -> ExprId {
+        let square = self.square_of_distance(p, q);
+        self.graph.call(Function::Sqrt, square)
     }
 }

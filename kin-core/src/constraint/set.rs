@@ -1,9 +1,9 @@
 //! The constraint set: Φ with everything that is reported about it, all families laid out.
 
-use super::tag::JointTag;
 use crate::error::Origin;
 use crate::expr::{ExprId, Graph, Names, Symbol};
 use crate::mechanism::Component;
+use crate::vocabulary::JointKind;
 use core::fmt;
 
 /// A body by its place in [`ConstraintSet::bodies`], or the ground.
@@ -134,7 +134,7 @@ pub struct JointInstance {
     /// Place of its family in the mechanism, and its index there.
     pub family: (usize, i64),
     /// Kind.
-    pub tag: JointTag,
+    pub kind: JointKind,
     /// Frames of the operands.
     pub frames: [Option<Frame>; 2],
     /// First row.
@@ -300,7 +300,7 @@ impl ConstraintSet {
     pub fn kept_lengths(&self) -> impl Iterator<Item = ExprId> + '_ {
         let has = |joint: &JointInstance, role: Role| joint.geometry.iter().any(|piece| piece.role == role);
         let keeps = move |joint: &&JointInstance| {
-            joint.tag == JointTag::Distance || joint.tag == JointTag::Driver && has(joint, Role::Q)
+            joint.kind == JointKind::Distance || joint.kind == JointKind::Driver && has(joint, Role::Q)
         };
         let value = |joint: &JointInstance| {
             let piece = joint.geometry.iter().find(|piece| piece.role == Role::Value)?;

@@ -1,8 +1,8 @@
 //! A mechanism as text, in the user's language: what was understood.
 
 use super::{
-    Axis, BodyOrigin, BodyRef, Component, Curve, Formula, GuessTarget, Index, Joint, JointKind, Mechanism, Member,
-    Place, Radii,
+    BodyOrigin, BodyRef, Component, Curve, Formula, GuessTarget, Index, Joint, Mechanism, Member, Operand, Place,
+    Takes, Written,
 };
 use core::fmt;
 
@@ -92,53 +92,31 @@ impl Mechanism {
 
     fn joint(&self, joint: &Joint) -> String {
         let range = joint.range.map(|r| format!("[i in {}..{}]", r.start, r.end)).unwrap_or_default();
-        let (p, t) = (|place: &Place| self.place(place), |formula: &Formula| self.text(formula));
-        let operands = match &joint.kind {
-            JointKind::Revolute { p: a, q: b } => format!("{}, {}", p(a), p(b)),
-            JointKind::Translational { p: a, q: b, axis, angle } => {
-                format!("{}, {}, {}, angle = {}", p(a), p(b), self.axis(axis), t(angle))
-            }
-            JointKind::Fixed { p: a, q: b, angle } => format!("{}, {}, angle = {}", p(a), p(b), t(angle)),
-            JointKind::PointOnLine { p: a, q: b, axis, offset } => {
-                format!("{}, {}, {}, offset = {}", p(a), p(b), self.axis(axis), t(offset))
-            }
-            JointKind::Distance { p: a, q: b, length, .. } => format!("{}, {}, length = {}", p(a), p(b), t(length)),
-            JointKind::Coordinate { p: a, value, .. } => format!("{} = {}", p(a), t(value)),
-            JointKind::Angle { body, value } => format!("{} = {}", self.body(body), t(value)),
-            JointKind::RelativeAngle { a, b, value } => format!("{}, {} = {}", self.body(a), self.body(b), t(value)),
-            JointKind::OnCurve { p: a, q: b, curve } => format!("{}, {}, {}", p(a), p(b), self.curve(curve)),
-            JointKind::FlatFollower { p: a, q: b, axis, support } => {
-                format!("{}, {}, {}, support(theta) = {}", p(a), p(b), self.axis(axis), t(support))
-            }
-            JointKind::Gear { a, b, radii, carrier, offset } | JointKind::Belt { a, b, radii, carrier, offset } => {
-                let [a, b, carrier] = [a, b, carrier].map(|body| self.body(body));
-                let (radii, offset) = (self.radii(radii), t(offset));
-                format!("{a}, {b}, {radii}, carrier = {carrier}, offset = {offset}")
-            }
-            JointKind::RackPinion { p: a, q: b, axis, pinion, radius, offset } => {
-                let (axis, pinion) = (self.axis(axis), self.body(pinion));
-                let (radius, offset) = (t(&radius.value), t(offset));
-                format!("{}, {}, {axis}, pinion = {pinion}, radius = {radius}, offset = {offset}", p(a), p(b))
-            }
-            JointKind::RollingOnLine { p: a, q: b, axis, radius, offset } => {
-                let (axis, radius, offset) = (self.axis(axis), t(&radius.value), t(offset));
-                format!("{}, {}, {axis}, radius = {radius}, offset = {offset}", p(a), p(b))
-            }
-            JointKind::RollingOnDisc { p: a, q: b, radii, along, offset } => {
-                let along = self.member(self.scalars.get(along.family).map(|s| &s.name), along);
-                format!("{}, {}, {}, along = {along}, offset = {}", p(a), p(b), self.radii(radii), t(offset))
-            }
-            JointKind::KnifeEdge { p: a, angle } => format!("{}, angle = {}", p(a), t(angle)),
-            JointKind::Speed { p: a, angle, value } => {
-                format!("{}, angle = {}, value = {}", p(a), t(angle), t(value))
-            }
-            JointKind::Constraint { left, right }
-            | JointKind::Nonholonomic { left, right }
-            | JointKind::Driver { left, right, .. } => {
-                format!("{} = {}", t(left), t(right))
-            }
-        };
-        format!("{} {}{range}: {operands}", joint.kind.keyword(), joint.name)
+        let mut operands = String::new();
+        for (k, (slot, operand)) in joint.operands.iter().enumerate() {
+            let key = match (slot.written, operand) {
+                (Written::Operand, _) | (_, Operand::Curve(_)) => String::new(),
+                (Written::Right, _) => " = ".to_owned(),
+                (Written::Option, _) if slot.takes == Takes::Support => format!("{}(theta) = ", slot.key),
+                (Written::Option, _) => format!("{} = ", slot.key),
+            };
+            let comma = if k == 0 || slot.written == Written::Right { "" } else { ", " };
+            operands += &format!("{comma}{key}{}", self.operand(operand));
+        }
+        format!("{} {}{range}: {operands}", joint.operands.keyword(), joint.name)
+    }
+
+    fn operand(&self, operand: &Operand) -> String {
+        match operand {
+            Operand::Point(place) => self.place(place),
+            Operand::Points(places) => places.iter().map(|place| self.place(place)).collect::<Vec<_>>().join(", "),
+            Operand::Body(body) => self.body(body),
+            Operand::Scalar(member) => self.member(self.scalars.get(member.family).map(|s| &s.name), member),
+            Operand::Axis(axis) => format!("({}, {})", self.text(&axis.x), self.text(&axis.y)),
+            Operand::Value(value) => self.text(&value.value),
+            Operand::Radii(radii) => format!("({}, {})", self.text(&radii.i.value), self.text(&radii.j.value)),
+            Operand::Curve(curve) => self.curve(curve),
+        }
     }
 
     fn curve(&self, curve: &Curve) -> String {
@@ -151,13 +129,6 @@ impl Mechanism {
                 format!("parametric({u}) = ({}, {}){roller}", self.text(x), self.text(y))
             }
         }
-    }
-    fn axis(&self, axis: &Axis) -> String {
-        format!("axis = ({}, {})", self.text(&axis.x), self.text(&axis.y))
-    }
-
-    fn radii(&self, radii: &Radii) -> String {
-        format!("radii = ({}, {})", self.text(&radii.i.value), self.text(&radii.j.value))
     }
 
     /// A formula with every operation in brackets, as it was understood.

@@ -134,7 +134,7 @@ impl Function {
 }
 
 /// A formula with resolved names. [`Origin`]s sit where something can be wrong.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub enum Formula {
     /// A literal number.
     Number(f64),
@@ -180,6 +180,48 @@ pub enum Formula {
     Supplied(Member, Box<Formula>),
     /// The total time derivative of a formula, in a row of velocity level; the origin is that of the word `dot`.
     Dot(Box<Formula>, Origin),
+}
+
+/// A long sum or product is deep on its left, so that side is walked and not called.
+impl Clone for Formula {
+    fn clone(&self) -> Self {
+        let (mut operations, mut left) = (Vec::new(), self);
+        while let Self::Add(a, _) | Self::Sub(a, _) | Self::Mul(a, _) | Self::Div(a, ..) = left {
+            operations.push(left);
+            left = a;
+        }
+        let mut copy = match left {
+            Self::Number(value) => Self::Number(*value),
+            Self::Pi => Self::Pi,
+            Self::Time => Self::Time,
+            Self::Index(index) => Self::Index(*index),
+            Self::Parameter(member) => Self::Parameter(*member),
+            Self::Input(member) => Self::Input(*member),
+            Self::Pose(body, component) => Self::Pose(*body, *component),
+            Self::Scalar(member) => Self::Scalar(*member),
+            Self::PointCoordinate(place, component) => Self::PointCoordinate(place.clone(), *component),
+            Self::Distance(p, q) => Self::Distance(p.clone(), q.clone()),
+            Self::Define(member) => Self::Define(*member),
+            Self::Curve(variable) => Self::Curve(*variable),
+            Self::Neg(a) => Self::Neg(a.clone()),
+            Self::Pow(a, n) => Self::Pow(a.clone(), *n),
+            Self::Call(function, a) => Self::Call(*function, a.clone()),
+            Self::Atan2(y, x) => Self::Atan2(y.clone(), x.clone()),
+            Self::Supplied(member, a) => Self::Supplied(*member, a.clone()),
+            Self::Dot(a, origin) => Self::Dot(a.clone(), *origin),
+            Self::Add(..) | Self::Sub(..) | Self::Mul(..) | Self::Div(..) => unreachable!("walked above"),
+        };
+        for operation in operations.into_iter().rev() {
+            copy = match operation {
+                Self::Add(_, b) => Self::Add(Box::new(copy), b.clone()),
+                Self::Sub(_, b) => Self::Sub(Box::new(copy), b.clone()),
+                Self::Mul(_, b) => Self::Mul(Box::new(copy), b.clone()),
+                Self::Div(_, b, origin) => Self::Div(Box::new(copy), b.clone(), *origin),
+                _ => copy,
+            };
+        }
+        copy
+    }
 }
 
 impl Formula {

@@ -1,23 +1,28 @@
 //! The declarative model: ground, bodies, body-fixed points, joints and drivers, with all names resolved.
 //!
 //! A [`Mechanism`] says what the user said and nothing more; families (`link[10]`, `N[i in 0..10]: …`) stay
-//! families. [`check`](check::check) lists what is wrong with it.
+//! families. [`check`](crate::check::check) lists what is wrong with it.
 
 mod body;
-pub mod check;
 mod condition;
 mod curve;
 mod display;
+mod form;
 mod formula;
 mod joint;
+mod operand;
+mod walk;
 
 pub use body::{
     Body, BodyOrigin, BodyRef, Define, Input, NamedPoint, Parameter, Place, Range, Scalar, Source, SuppliedFunction,
 };
 pub use condition::{Condition, Relation};
 pub use curve::{Curve, CurveVariable};
+pub use form::{Dimension, JointForm, Sees, Slot, Takes, Written};
 pub use formula::{Component, Formula, Function, Index, Member};
-pub use joint::{Axis, Guess, GuessTarget, Joint, JointKind, Radii, Radius};
+pub use joint::{Guess, GuessTarget, Joint};
+pub use operand::{Axis, Operand, OperandValue, Operands, Radii, Value};
+pub(crate) use walk::{contains_signal, defines_in, nodes};
 
 use crate::error::Origin;
 

@@ -16,6 +16,7 @@
 //! ```
 
 mod latex;
+mod markup;
 mod mathml;
 mod name;
 mod parse;
@@ -24,6 +25,7 @@ mod tidy;
 mod tree;
 mod unicode;
 
+pub(crate) use markup::escaped;
 pub use name::{Base, Name};
 pub use parse::ParseError;
 pub use tree::Formula;

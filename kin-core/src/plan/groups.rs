@@ -2,8 +2,9 @@
 
 use super::steps::{Kind, Step};
 use super::tree::{Core, Pair, PairValue, Part, Way};
-use crate::constraint::{ConstraintSet, Frame, JointTag};
+use crate::constraint::{ConstraintSet, Frame};
 use crate::expr::{Graph, Node, Symbol};
+use crate::vocabulary::JointKind;
 use std::collections::BTreeSet;
 
 /// What a closure of two rows at once is: where two circles meet, or a circle and a line.
@@ -35,7 +36,7 @@ pub(super) fn letters_of_pair(graph: &Graph, pair: &Pair) -> Option<&'static str
 /// Orders the joints of a dyad along it, and says what it is and when it is singular.
 pub(super) fn name_group(set: &ConstraintSet, step: &mut Step) {
     let bodies = std::mem::take(&mut step.bodies);
-    let free = step.joints.iter().all(|&joint| set.joints[joint].tag == JointTag::Constraint);
+    let free = step.joints.iter().all(|&joint| set.joints[joint].kind == JointKind::Constraint);
     let along = if step.kind == Kind::Explicit { None } else { walk(set, &step.joints, &bodies) };
     let walked = along.is_some();
     if let Some((joints, letters)) = along {
@@ -106,14 +107,14 @@ fn walk(set: &ConstraintSet, joints: &[usize], bodies: &BTreeSet<usize>) -> Opti
             letters.push('R');
             continue;
         };
-        letters.push_str(match (set.joints[joint].tag, forwards) {
-            (JointTag::Revolute, _) => "R",
-            (JointTag::Translational, _) => "P",
-            (JointTag::Distance, _) => "RR",
+        letters.push_str(match (set.joints[joint].kind, forwards) {
+            (JointKind::Revolute, _) => "R",
+            (JointKind::Translational, _) => "P",
+            (JointKind::Distance, _) => "RR",
             // A driven distance is a link whose length changes.
-            (JointTag::Driver, _) if set.joints[joint].frames.iter().all(Option::is_some) => "RR",
-            (JointTag::PointOnLine, true) => "PR",
-            (JointTag::PointOnLine, false) => "RP",
+            (JointKind::Driver, _) if set.joints[joint].frames.iter().all(Option::is_some) => "RR",
+            (JointKind::PointOnLine, true) => "PR",
+            (JointKind::PointOnLine, false) => "RP",
             _ => return None,
         });
     }

@@ -3,10 +3,11 @@
 //! A block of HTML ends at a blank line, so there is none. Of large mechanisms the equations of some joints are written
 //! out and the rest are named; derivatives are folded.
 
-use super::html::{STYLE, WIDTH, escaped, html_step, math, own_equations, table};
+use super::html::{STYLE, WIDTH, html_step, math, own_equations, table};
 use super::lines::{derivatives, own};
 use super::{Joint, Sheet, symbol};
 use crate::notation::Notation::MathMl;
+use crate::notation::escaped;
 
 /// Bytes after which joints are named only. A four-bar takes a tenth.
 const LONG: usize = 200_000;

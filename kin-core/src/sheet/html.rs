@@ -1,8 +1,10 @@
 //! As a page with MathML, which browsers show by themselves.
 
 use super::lines::{Line, derivatives, own};
-use super::{Joint, Sheet, Step, vectors};
+use super::{Joint, Sheet, Step};
 use crate::notation::Notation::MathMl;
+use crate::notation::escaped;
+use crate::vectors;
 
 /// Columns of plain text for which there is room on a page.
 pub(super) const WIDTH: usize = 92;
@@ -102,9 +104,4 @@ pub(super) fn table(lines: impl Iterator<Item = Line>) -> String {
 
 pub(super) fn math(inner: &str) -> String {
     format!("<math>{inner}</math>")
-}
-
-/// A text in a document of tags.
-pub(super) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

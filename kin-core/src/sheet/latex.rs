@@ -2,8 +2,9 @@
 
 use super::lines::{Line, derivatives, own};
 use super::steps::ORDERS;
-use super::{Joint, Sheet, vectors};
+use super::{Joint, Sheet};
 use crate::notation::Notation::Latex;
+use crate::vectors;
 
 /// Columns of plain text for which there is room on a page.
 const WIDTH: usize = 80;

@@ -1,8 +1,8 @@
 //! What every form of a sheet has in common: the lines of a row, with left sides and broken right sides.
 
-use super::html::escaped;
 use super::{Row, Shown, symbol};
 use crate::notation::Notation;
+use crate::notation::escaped;
 
 /// An equation.
 pub(super) struct Line {

@@ -9,16 +9,14 @@ mod html;
 mod latex;
 mod lines;
 mod of_system;
-mod own;
 mod steps;
 mod text;
-mod vectors;
 
-pub use own::Operands;
 pub use steps::{Line, Step};
 
-use crate::notation::{Formula, Name, Notation};
-use vectors::Piece;
+use crate::joints;
+use crate::notation::{Formula, Name, Notation, escaped};
+use crate::vectors::{Equation, NamedJoint};
 
 /// All of it.
 #[derive(Clone, Debug, Default)]
@@ -47,7 +45,7 @@ pub struct Joint {
     /// Names of those that are alike: other members of its family, where they are not written out.
     pub alike: Vec<String>,
     /// Its own equations, in vectors.
-    own: Vec<Vec<Piece>>,
+    own: Vec<Equation>,
     /// Its rows.
     pub rows: Vec<Row>,
 }
@@ -71,14 +69,14 @@ pub struct Row {
 
 impl Joint {
     /// A joint without rows yet.
-    pub fn new(operands: &Operands<'_>) -> Self {
-        let keyword = operands.tag.keyword();
-        let frames: Vec<&str> = operands.frames.iter().flatten().map(|body| body.unwrap_or("ground")).collect();
+    pub fn new(joint: &NamedJoint<'_>) -> Self {
+        let keyword = joint.kind.keyword();
+        let frames: Vec<&str> = joint.frames.iter().flatten().map(|body| body.unwrap_or("ground")).collect();
         let what = match frames.is_empty() {
             true => keyword.to_owned(),
             false => format!("{keyword}, {}", frames.join(" – ")),
         };
-        let (name, own) = (operands.name.to_owned(), own::own(operands));
+        let (name, own) = (joint.name.to_owned(), joints::vector_equations(joint));
         Self { name, what, alike: Vec::new(), own, rows: Vec::new() }
     }
 }
@@ -106,7 +104,7 @@ impl Shown {
             (Self::Text(text), Notation::Latex) => {
                 format!(r"\text{{{}}}", text.replace('_', r"\_").replace('^', r"\^{}"))
             }
-            (Self::Text(text), Notation::MathMl) => format!("<mtext>{}</mtext>", html::escaped(text)),
+            (Self::Text(text), Notation::MathMl) => format!("<mtext>{}</mtext>", escaped(text)),
         }
     }
 }

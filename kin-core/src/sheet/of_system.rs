@@ -1,9 +1,11 @@
 //! A sheet from the graph itself.
 
-use super::{Joint, Operands, Row, Sheet, Shown, Step};
-use crate::constraint::{Frame, JointInstance, JointTag, Role};
+use super::{Joint, Row, Sheet, Shown, Step};
+use crate::constraint::{Frame, JointInstance, Role};
 use crate::plan::SolutionPlan;
 use crate::system::{Equation, KinematicSystem};
+use crate::vectors::NamedJoint;
+use crate::vocabulary::JointKind;
 
 impl Sheet {
     /// The derivation of a system, as it is written where the graph is at hand: of a family the first member only, where
@@ -11,9 +13,9 @@ impl Sheet {
     pub fn of_system(system: &KinematicSystem, plan: &SolutionPlan) -> Self {
         let set = &system.set;
         let mut joints: Vec<Joint> = Vec::new();
-        let mut shapes: Vec<(usize, JointTag, Vec<String>)> = Vec::new();
+        let mut shapes: Vec<(usize, JointKind, Vec<String>)> = Vec::new();
         for joint in &set.joints {
-            let shape = (joint.family.0, joint.tag, shape(system, joint));
+            let shape = (joint.family.0, joint.kind, shape(system, joint));
             match shapes.iter().position(|other| *other == shape) {
                 Some(place) => joints[place].alike.push(joint.name.clone()),
                 None => {
@@ -48,8 +50,8 @@ fn of_joint(system: &KinematicSystem, joint: &JointInstance) -> Joint {
     let point = |role: Role| joint.geometry.iter().find(|entry| entry.role == role).map(|entry| name(entry.frame));
     let frames = joint.frames.map(|frame| frame.map(name));
     let points = [point(Role::P), point(Role::Q)];
-    let operands = Operands { tag: joint.tag, name: &joint.name, frames, points };
-    let mut of = Joint::new(&operands);
+    let named = NamedJoint { kind: joint.kind, name: &joint.name, frames, points };
+    let mut of = Joint::new(&named);
     let rows = joint.first_row..joint.first_row + joint.rows;
     let classes = rows.clone().map(|row| &system.classes[row]);
     let [mut driving, mut rheonomic] = [false; 2];
@@ -57,7 +59,7 @@ fn of_joint(system: &KinematicSystem, joint: &JointInstance) -> Joint {
         (driving, rheonomic) = (driving || class.driving, rheonomic || class.rheonomic);
     }
     of.what.push_str(if rheonomic { "; rheonomic" } else { "; scleronomic" });
-    of.what.push_str(if driving && joint.tag != JointTag::Driver { ", driving" } else { "" });
+    of.what.push_str(if driving && joint.kind != JointKind::Driver { ", driving" } else { "" });
     of.rows = rows.map(|row| of_row(system, row)).collect();
     of
 }

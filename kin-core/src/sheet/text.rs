@@ -1,8 +1,9 @@
 //! As aligned text.
 
 use super::lines::{Line, derivatives, own};
-use super::{Joint, Row, Sheet, vectors};
+use super::{Joint, Row, Sheet};
 use crate::notation::Notation::Unicode;
+use crate::vectors;
 
 /// Columns of a page.
 const WIDTH: usize = 100;

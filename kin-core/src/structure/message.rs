@@ -1,11 +1,12 @@
 //! Redundant rows as errors: what is said twice, by which joints, and what would be right.
 
 use super::diagnosis::{Redundancy, Structure};
-use crate::constraint::{ConstraintSet, JointTag};
+use crate::check::meets_held;
+use crate::constraint::ConstraintSet;
 use crate::error::ModelError;
 use crate::mechanism::Mechanism;
-use crate::mechanism::check::meets_held;
 use crate::system::KinematicSystem;
+use crate::vocabulary::JointKind;
 use std::collections::BTreeMap;
 
 /// Most names that a message lists.
@@ -61,7 +62,7 @@ fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redund
         // Joints that are redundant at special lengths leave more to be driven.
         let has_lengths = |joint: &usize| {
             let joint = &set.joints[*joint];
-            let is_angle = matches!(joint.tag, JointTag::Angle | JointTag::RelativeAngle);
+            let is_angle = matches!(joint.kind, JointKind::Angle | JointKind::RelativeAngle);
             !is_angle && !system.classes[joint.first_row].driving
         };
         let by_lengths = others.iter().any(has_lengths);
@@ -96,7 +97,7 @@ fn says_nothing(
     let plural = own.len() > 1;
     let residual = |row: usize| set.rows[row].velocity.map_or(set.rows[row].phi, |velocity| velocity.eta);
     let is_equation = |joint: &usize| {
-        matches!(set.joints[*joint].tag, JointTag::Driver | JointTag::Constraint | JointTag::Nonholonomic)
+        matches!(set.joints[*joint].kind, JointKind::Driver | JointKind::Constraint | JointKind::Nonholonomic)
     };
     let same_sides = redundant.iter().all(|r| set.graph.is_zero(residual(r.row)));
     if same_sides && own.iter().all(is_equation) {
@@ -165,12 +166,12 @@ fn instead_of(set: &ConstraintSet, place: usize, redundant: &[&Redundancy]) -> O
     let own = redundant.iter().filter(|r| set.rows[r.row].joint == place);
     let mut numbers: Vec<usize> = own.map(|r| r.row - joint.first_row).collect();
     numbers.sort_unstable();
-    match (joint.tag, &numbers[..]) {
-        (JointTag::Translational, [1]) => Some("`point_on_line`, which leaves the angle to the other joints"),
-        (JointTag::Translational, [0]) => Some("`relative_angle`, which leaves the place to the other joints"),
-        (JointTag::Fixed, [2]) => Some("`revolute`, which leaves the angle to the other joints"),
-        (JointTag::Fixed, [0, 1]) => Some("`relative_angle`, which leaves the place to the other joints"),
-        (JointTag::Revolute | JointTag::Fixed, [_]) => {
+    match (joint.kind, &numbers[..]) {
+        (JointKind::Translational, [1]) => Some("`point_on_line`, which leaves the angle to the other joints"),
+        (JointKind::Translational, [0]) => Some("`relative_angle`, which leaves the place to the other joints"),
+        (JointKind::Fixed, [2]) => Some("`revolute`, which leaves the angle to the other joints"),
+        (JointKind::Fixed, [0, 1]) => Some("`relative_angle`, which leaves the place to the other joints"),
+        (JointKind::Revolute | JointKind::Fixed, [_]) => {
             Some("`point_on_line`, which holds the point in one direction only")
         }
         _ => None,

@@ -8,9 +8,10 @@ use super::field::Residue;
 use super::place::local;
 use super::rank::{Row, add_to};
 use super::residue::Residues;
-use crate::constraint::{ConstraintSet, Frame, JointInstance, JointTag, Role};
+use crate::constraint::{ConstraintSet, Frame, JointInstance, Role};
 use crate::expr::Depends;
 use crate::system::KinematicSystem;
+use crate::vocabulary::JointKind;
 
 /// ∂r of a point for the coordinates that move it.
 type Motion = Vec<(usize, [Residue; 2])>;
@@ -34,19 +35,19 @@ fn of_joint(system: &KinematicSystem, residues: &mut Residues<'_>, row: usize) -
     let p = local(set, joint, Role::P)?;
     let r_p = residues.places.point(&set.graph, p);
     let motion_p = motion(residues, p.0, r_p);
-    if let JointTag::X | JointTag::Y = joint.tag {
-        let component = usize::from(joint.tag == JointTag::Y);
+    if let JointKind::X | JointKind::Y = joint.kind {
+        let component = usize::from(joint.kind == JointKind::Y);
         return Some(combined(&[(&motion_p, unit(component))]));
     }
     let q = local(set, joint, Role::Q)?;
     let r_q = residues.places.point(&set.graph, q);
     let motion_q = motion(residues, q.0, r_q);
     let minus = |v: [Residue; 2]| v.map(|component| -component);
-    match (joint.tag, number) {
-        (JointTag::Revolute | JointTag::Fixed, 0 | 1) => {
+    match (joint.kind, number) {
+        (JointKind::Revolute | JointKind::Fixed, 0 | 1) => {
             Some(combined(&[(&motion_q, unit(number)), (&motion_p, minus(unit(number)))]))
         }
-        (JointTag::Translational | JointTag::PointOnLine, 0) => {
+        (JointKind::Translational | JointKind::PointOnLine, 0) => {
             let (frame, x, y) = local(set, joint, Role::Axis)?;
             let direction = residues.direction([x, y]);
             let (u, angle) = match frame {
@@ -66,7 +67,7 @@ fn of_joint(system: &KinematicSystem, residues: &mut Residues<'_>, row: usize) -
             Some(entries)
         }
         // A driver's right side may hold coordinates, which have partials of their own.
-        (JointTag::Distance | JointTag::Driver, 0) if !follows_coordinates(set, joint) => {
+        (JointKind::Distance | JointKind::Driver, 0) if !follows_coordinates(set, joint) => {
             let d = [r_q[0] - r_p[0], r_q[1] - r_p[1]];
             Some(combined(&[(&motion_q, d), (&motion_p, minus(d))]))
         }

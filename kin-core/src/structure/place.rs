@@ -13,9 +13,10 @@
 use super::field::{Draw, Residue, fraction};
 use super::rank::{Elimination, Row, add_to};
 use super::turn::Turns;
-use crate::constraint::{ConstraintSet, Frame, JointInstance, JointTag, Role};
+use crate::constraint::{ConstraintSet, Frame, JointInstance, Role};
 use crate::expr::{Depends, ExprId, Graph, Node, Rotation};
 use crate::system::KinematicSystem;
+use crate::vocabulary::JointKind;
 use std::collections::HashMap;
 
 const SORT_PLACE: u64 = 20;
@@ -206,19 +207,19 @@ fn equations(system: &KinematicSystem, turns: &Turns, unknowns: &mut Unknowns) -
     for joint in &set.joints {
         let [p, q] = [Role::P, Role::Q].map(|role| local(set, joint, role).map(|key| unknowns.point(graph, key)));
         let driving = system.classes.get(joint.first_row).is_some_and(|class| class.driving);
-        match (joint.tag, p, q) {
-            (JointTag::Revolute | JointTag::Fixed, Some([px, py]), Some([qx, qy])) => {
+        match (joint.kind, p, q) {
+            (JointKind::Revolute | JointKind::Fixed, Some([px, py]), Some([qx, qy])) => {
                 pairs.push(equal(px, qx));
                 pairs.push(equal(py, qy));
             }
-            (JointTag::X | JointTag::Y, Some([px, py]), _) if !driving => {
+            (JointKind::X | JointKind::Y, Some([px, py]), _) if !driving => {
                 let held = value(set, joint).filter(|value| !graph.depends(*value).on(Depends::COORDINATE));
                 if let Some(held) = held {
-                    pairs.push(equal(if joint.tag == JointTag::X { px } else { py }, unknowns.value(graph, held)));
+                    pairs.push(equal(if joint.kind == JointKind::X { px } else { py }, unknowns.value(graph, held)));
                 }
             }
-            (JointTag::Translational | JointTag::PointOnLine, Some([px, py]), Some([qx, qy])) => {
-                let through = joint.tag == JointTag::Translational
+            (JointKind::Translational | JointKind::PointOnLine, Some([px, py]), Some([qx, qy])) => {
+                let through = joint.kind == JointKind::Translational
                     || value(set, joint).is_some_and(|offset| graph.is_zero(offset));
                 if let Some([ux, uy]) = fixed_direction(set, turns, joint).filter(|_| through) {
                     // perp(u)·(r_Q − r_P) = 0.

@@ -7,8 +7,9 @@
 
 use super::diagnosis::{DRAWS, Drawn, Redundancy};
 use super::field::Draw;
-use crate::constraint::{CoordinateKind, Frame, JointTag};
+use crate::constraint::{CoordinateKind, Frame};
 use crate::system::{KinematicSystem, RowClass};
+use crate::vocabulary::JointKind;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 /// Φ_q at a drawn pose, for one choice after another.
@@ -121,8 +122,12 @@ fn doubled(system: &KinematicSystem, drawn: &Drawn<'_>) -> BTreeSet<usize> {
     let mut between: BTreeMap<[usize; 2], Vec<usize>> = BTreeMap::new();
     for (place, joint) in set.joints.iter().enumerate() {
         let says_places = matches!(
-            joint.tag,
-            JointTag::Revolute | JointTag::Translational | JointTag::Fixed | JointTag::PointOnLine | JointTag::Distance
+            joint.kind,
+            JointKind::Revolute
+                | JointKind::Translational
+                | JointKind::Fixed
+                | JointKind::PointOnLine
+                | JointKind::Distance
         );
         if let ([Some(a), Some(b)], true) = (joint.frames, says_places) {
             let [a, b] = [a, b].map(number);

@@ -3,9 +3,11 @@
 use super::quantity::Quantity::{self, Of};
 use super::quantity::first_origin;
 use super::{Unit, near, parse};
+use crate::check::order_of_defines;
 use crate::error::{ModelError, Origin};
-use crate::mechanism::check::order_of_defines;
-use crate::mechanism::{Axis, BodyOrigin, Component, Curve, Formula, GuessTarget, Joint, JointKind, Mechanism, Place};
+use crate::mechanism::{
+    Axis, BodyOrigin, Component, Curve, Dimension, Formula, GuessTarget, Joint, Mechanism, Operand, Place, Slot, Value,
+};
 
 /// Every place where quantities of different units are added, compared or equated. The mechanism is sound: indices
 /// exist and defines end somewhere.
@@ -90,91 +92,59 @@ impl Checker<'_> {
     }
 
     fn joint(&mut self, joint: &Joint) {
-        use JointKind as Kind;
-        let (length, angle, at) = (self.length, Unit::NUMBER, joint.origin);
-        match &joint.kind {
-            Kind::Revolute { p, q } => self.places([p, q]),
-            Kind::Translational { p, q, axis, angle: value } => {
-                self.places([p, q]);
-                self.axis(axis);
-                self.expect(value, angle, at);
-            }
-            Kind::Fixed { p, q, angle: value } => {
-                self.places([p, q]);
-                self.expect(value, angle, at);
-            }
-            Kind::PointOnLine { p, q, axis, offset } => {
-                self.places([p, q]);
-                self.axis(axis);
-                self.expect(offset, length, at);
-            }
-            Kind::Distance { p, q, length: value, length_origin } => {
-                self.places([p, q]);
-                self.expect(value, length, *length_origin);
-            }
-            Kind::Coordinate { p, value, .. } => {
-                self.place(p);
-                self.expect(value, length, at);
-            }
-            Kind::Angle { value, .. } | Kind::RelativeAngle { value, .. } => self.expect(value, angle, at),
-            Kind::OnCurve { p, q, curve } => {
-                self.places([p, q]);
-                self.curve(curve);
-            }
-            Kind::FlatFollower { p, q, axis, support } => {
-                self.places([p, q]);
-                self.axis(axis);
-                self.expect(support, length, at);
-            }
-            // Numbers of teeth do as well as radii.
-            Kind::Gear { radii, offset, .. } | Kind::Belt { radii, offset, .. } => {
-                self.at = radii.j.origin;
-                // The unit that both agree on; where they do not, the offset goes by the first.
-                let agreed = match self.same(&radii.i.value, &radii.j.value) {
-                    Of(unit) => Of(unit),
-                    _ => self.quantity(&radii.i.value),
-                };
-                if let Of(unit) = agreed {
-                    if unit != Unit::NUMBER {
-                        self.expect(&radii.i.value, length, radii.i.origin);
-                        self.expect(&radii.j.value, length, radii.j.origin);
-                    }
-                    self.expect(offset, unit, at);
-                }
-            }
-            Kind::RackPinion { p, q, axis, radius, offset, .. }
-            | Kind::RollingOnLine { p, q, axis, radius, offset } => {
-                self.places([p, q]);
-                self.axis(axis);
-                self.expect(&radius.value, length, radius.origin);
-                self.expect(offset, length, at);
-            }
-            Kind::RollingOnDisc { p, q, radii, offset, .. } => {
-                self.places([p, q]);
-                self.expect(&radii.i.value, length, radii.i.origin);
-                self.expect(&radii.j.value, length, radii.j.origin);
-                self.expect(offset, length, at);
-            }
-            Kind::KnifeEdge { p, angle: value } => {
-                self.place(p);
-                self.expect(value, angle, at);
-            }
-            Kind::Speed { p, angle: direction, value } => {
-                self.place(p);
-                self.expect(direction, angle, at);
-                self.expect(value, length.times(self.time.power(-1.0)), at);
-            }
-            Kind::Constraint { left, right }
-            | Kind::Nonholonomic { left, right }
-            | Kind::Driver { left, right, .. } => {
-                self.at = at;
-                self.same(left, right);
+        self.at = joint.origin;
+        let agreed = self.agreed(joint);
+        for (slot, operand) in joint.operands.iter() {
+            let wanted = match slot.dimension {
+                Dimension::Length => Some(self.length),
+                Dimension::Angle => Some(Unit::NUMBER),
+                Dimension::Speed => Some(self.length.times(self.time.power(-1.0))),
+                Dimension::Common => None,
+                Dimension::CommonLength => match operand {
+                    Operand::Radii(_) => agreed.filter(|unit| *unit != Unit::NUMBER).map(|_| self.length),
+                    _ => agreed,
+                },
+            };
+            match operand {
+                Operand::Point(place) => self.place(place),
+                Operand::Points(places) => places.iter().for_each(|place| self.place(place)),
+                Operand::Body(_) | Operand::Scalar(_) => {}
+                Operand::Axis(axis) => self.axis(axis),
+                Operand::Value(value) => self.measured(value, wanted),
+                Operand::Radii(radii) => [&radii.i, &radii.j].into_iter().for_each(|r| self.measured(r, wanted)),
+                Operand::Curve(curve) => self.curve(curve),
             }
         }
     }
 
-    pub(super) fn places(&mut self, places: [&Place; 2]) {
-        places.into_iter().for_each(|place| self.place(place));
+    /// The unit that the operands of one unit agree on, the first where they do not.
+    fn agreed(&mut self, joint: &Joint) -> Option<Unit> {
+        let common = |slot: &Slot| matches!(slot.dimension, Dimension::Common | Dimension::CommonLength);
+        let together = |operand: &Operand| matches!(operand, Operand::Radii(_));
+        let operands: Vec<&Operand> =
+            joint.operands.iter().filter(|(slot, _)| common(slot)).map(|(_, operand)| operand).collect();
+        // Radii agree with one another, and the rest with them.
+        let values = match operands.iter().find(|operand| together(operand)) {
+            Some(Operand::Radii(radii)) => {
+                self.at = radii.j.origin;
+                vec![&radii.i.value, &radii.j.value]
+            }
+            _ => operands.iter().flat_map(|operand| operand.formulas()).collect(),
+        };
+        let (first, second) = (values.first()?, values.get(1)?);
+        match self.same(first, second) {
+            Of(unit) => Some(unit),
+            _ => match self.quantity(first) {
+                Of(unit) => Some(unit),
+                _ => None,
+            },
+        }
+    }
+
+    fn measured(&mut self, value: &Value, wanted: Option<Unit>) {
+        if let Some(unit) = wanted {
+            self.expect(&value.value, unit, value.origin);
+        }
     }
 
     pub(super) fn place(&mut self, place: &Place) {

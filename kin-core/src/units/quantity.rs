@@ -65,7 +65,7 @@ impl Checker<'_> {
                 Of(self.length)
             }
             Formula::Distance(p, q) => {
-                self.places([p, q]);
+                [p, q].into_iter().for_each(|place| self.place(place));
                 Of(self.length)
             }
             Formula::Define(member) => self.define(member.family),

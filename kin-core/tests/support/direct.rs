@@ -1,8 +1,12 @@
 //! Mechanisms evaluated directly, joint by joint, with complex numbers: an oracle that builds no expressions.
 
 use super::Number;
+use kin_core::joints::{
+    Angle, Belt, Constraint, Distance, Driver, Fixed, FlatFollower, Gear, JointOperands, OnCurve, PointOnLine,
+    RackPinion, RelativeAngle, Revolute, RollingOnDisc, RollingOnLine, Translational, X, Y,
+};
 use kin_core::mechanism::{
-    Axis, BodyOrigin, BodyRef, Component, Curve, CurveVariable, Formula, Function, JointKind, Mechanism, Member, Place,
+    Axis, BodyOrigin, BodyRef, Component, Curve, CurveVariable, Formula, Function, Mechanism, Member, Operands, Place,
     Range,
 };
 use std::cell::Cell;
@@ -216,7 +220,7 @@ impl<'m, S: Number> Direct<'m, S> {
                     Some(_) => format!("{}[{i}]", joint.name),
                     None => joint.name.clone(),
                 };
-                for (part, value) in self.residuals(&joint.kind, i) {
+                for (part, value) in self.residuals(&joint.operands, i) {
                     rows.push((format!("{name}{part}"), value));
                 }
             }
@@ -224,33 +228,46 @@ impl<'m, S: Number> Direct<'m, S> {
         rows
     }
 
-    fn residuals(&self, kind: &JointKind, i: i64) -> Vec<(&'static str, S)> {
+    fn residuals(&self, joint: &Operands, i: i64) -> Vec<(&'static str, S)> {
         let turn = |p: &BodyRef, q: &BodyRef| self.pose(q, i).1 - self.pose(p, i).1;
-        match kind {
-            JointKind::Revolute { p, q } => {
+        if let Some(Revolute { p, q }) = &Revolute::of(joint) {
+            return {
                 let d = self.point(q, i) - self.point(p, i);
                 vec![(".x", d.x), (".y", d.y)]
-            }
-            JointKind::Translational { p, q, axis, angle } => vec![
+            };
+        }
+        if let Some(Translational { p, q, axis, angle }) = &Translational::of(joint) {
+            return vec![
                 (".normal", self.by_axis(p, q, axis, i).y),
                 (".angle", turn(&p.body, &q.body) - self.formula(angle, i)),
-            ],
-            JointKind::Fixed { p, q, angle } => {
+            ];
+        }
+        if let Some(Fixed { p, q, angle }) = &Fixed::of(joint) {
+            return {
                 let d = self.point(q, i) - self.point(p, i);
                 vec![(".x", d.x), (".y", d.y), (".angle", turn(&p.body, &q.body) - self.formula(angle, i))]
-            }
-            JointKind::PointOnLine { p, q, axis, offset } => {
-                vec![("", self.by_axis(p, q, axis, i).y - self.formula(offset, i))]
-            }
-            JointKind::Distance { p, q, length, .. } => vec![("", self.distance(p, q, length, i))],
-            JointKind::Coordinate { p, component, value } => {
-                let r = self.point(p, i);
-                let coordinate = if *component == Component::X { r.x } else { r.y };
-                vec![("", coordinate - self.formula(value, i))]
-            }
-            JointKind::Angle { body, value } => vec![("", self.pose(body, i).1 - self.formula(value, i))],
-            JointKind::RelativeAngle { a, b, value } => vec![("", turn(a, b) - self.formula(value, i))],
-            JointKind::OnCurve { p, q, curve } => {
+            };
+        }
+        if let Some(PointOnLine { p, q, axis, offset }) = &PointOnLine::of(joint) {
+            return vec![("", self.by_axis(p, q, axis, i).y - self.formula(offset, i))];
+        }
+        if let Some(Distance { p, q, length }) = &Distance::of(joint) {
+            return vec![("", self.distance(p, q, &length.value, i))];
+        }
+        if let Some(X { p, value }) = &X::of(joint) {
+            return vec![("", self.point(p, i).x - self.formula(value, i))];
+        }
+        if let Some(Y { p, value }) = &Y::of(joint) {
+            return vec![("", self.point(p, i).y - self.formula(value, i))];
+        }
+        if let Some(Angle { body, value }) = &Angle::of(joint) {
+            return vec![("", self.pose(body, i).1 - self.formula(value, i))];
+        }
+        if let Some(RelativeAngle { a, b, value }) = &RelativeAngle::of(joint) {
+            return vec![("", turn(a, b) - self.formula(value, i))];
+        }
+        if let Some(OnCurve { p, q, curve }) = &OnCurve::of(joint) {
+            return {
                 let d = self.point(q, i) - self.point(p, i);
                 let w = Complex::turn(self.pose(&p.body, i).1).conjugate() * d;
                 match curve {
@@ -269,49 +286,64 @@ impl<'m, S: Number> Direct<'m, S> {
                         vec![(".x", gap.x), (".y", gap.y)]
                     }
                 }
-            }
-            JointKind::FlatFollower { p, q, axis, support } => {
+            };
+        }
+        if let Some(FlatFollower { p, q, axis, support }) = &FlatFollower::of(joint) {
+            return {
                 // conj(u) d = u·d + i n·d.
                 let lift = self.by_axis(q, p, axis, i).y;
                 let v = Complex { x: self.formula(&axis.x, i), y: self.formula(&axis.y, i) };
                 let theta = turn(&p.body, &q.body) + v.x.atan2(-v.y);
                 vec![("", -lift - self.within(support, &[(CurveVariable::Theta, theta)], i))]
-            }
-            JointKind::Gear { a, b, radii, carrier, offset } => {
+            };
+        }
+        if let Some(Gear { a, b, radii, carrier, offset }) = &Gear::of(joint) {
+            return {
                 let arcs =
                     [(a, &radii.i), (b, &radii.j)].map(|(body, r)| self.formula(&r.value, i) * turn(carrier, body));
                 vec![("", arcs[0] + arcs[1] - self.formula(offset, i))]
-            }
-            JointKind::Belt { a, b, radii, carrier, offset } => {
+            };
+        }
+        if let Some(Belt { a, b, radii, carrier, offset }) = &Belt::of(joint) {
+            return {
                 let arcs =
                     [(a, &radii.i), (b, &radii.j)].map(|(body, r)| self.formula(&r.value, i) * turn(carrier, body));
                 vec![("", arcs[0] - arcs[1] - self.formula(offset, i))]
-            }
-            JointKind::RackPinion { p, q, axis, pinion, radius, offset } => {
+            };
+        }
+        if let Some(RackPinion { p, q, axis, pinion, radius, offset }) = &RackPinion::of(joint) {
+            return {
                 let arc = self.formula(&radius.value, i) * turn(&p.body, pinion);
                 vec![("", self.by_axis(p, q, axis, i).x - arc - self.formula(offset, i))]
-            }
-            JointKind::RollingOnLine { p, q, axis, radius, offset } => {
+            };
+        }
+        if let Some(RollingOnLine { p, q, axis, radius, offset }) = &RollingOnLine::of(joint) {
+            return {
                 let (d, r) = (self.by_axis(p, q, axis, i), self.formula(&radius.value, i));
                 let arc = r * turn(&p.body, &q.body);
                 vec![(".normal", d.y - r), (".roll", d.x + arc - self.formula(offset, i))]
-            }
-            JointKind::RollingOnDisc { p, q, radii, along, offset } => {
+            };
+        }
+        if let Some(RollingOnDisc { p, q, radii, along, offset }) = &RollingOnDisc::of(joint) {
+            return {
                 let psi = self.formula(&Formula::Scalar(*along), i);
                 let [ri, rj] = [&radii.i, &radii.j].map(|r| self.formula(&r.value, i));
                 let centres = Complex::turn(psi) * Complex { x: ri + rj, y: S::real(0.0) };
                 let gap = self.point(q, i) - self.point(p, i) - centres;
                 let rolled = ri * (self.pose(&p.body, i).1 - psi) + rj * (self.pose(&q.body, i).1 - psi);
                 vec![(".x", gap.x), (".y", gap.y), (".roll", rolled - self.formula(offset, i))]
-            }
-            JointKind::Driver { left: Formula::Distance(p, q), right, .. } => vec![("", self.distance(p, q, right, i))],
-            JointKind::KnifeEdge { .. } | JointKind::Speed { .. } | JointKind::Nonholonomic { .. } => {
-                panic!("rows of velocity level have tests of their own")
-            }
-            JointKind::Constraint { left, right } | JointKind::Driver { left, right, .. } => {
-                vec![("", self.formula(left, i) - self.formula(right, i))]
-            }
+            };
         }
+        if let Some(Driver { left: Formula::Distance(p, q), right }) = &Driver::of(joint) {
+            return vec![("", self.distance(p, q, &right.value, i))];
+        }
+        if let Some(Constraint { left, right }) = &Constraint::of(joint) {
+            return vec![("", self.formula(left, i) - self.formula(right, i))];
+        }
+        if let Some(Driver { left, right }) = &Driver::of(joint) {
+            return vec![("", self.formula(left, i) - self.formula(&right.value, i))];
+        }
+        panic!("rows of velocity level have tests of their own")
     }
 
     /// A formula of a curve whose variables have these values.

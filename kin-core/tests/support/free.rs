@@ -1,13 +1,14 @@
 //! Mechanisms of scalar coordinates and free equations.
 
 use super::*;
-use kin_core::mechanism::{Formula, Function, JointKind, Mechanism, Scalar};
+use kin_core::joints::Constraint;
+use kin_core::mechanism::{Formula, Function, Mechanism, Operands, Scalar};
 
 /// `left` = 0 for every row; coordinates are `q0`, `q1`, …, parameters `p0`, `p1`, ….
 pub fn equations(coordinates: usize, parameters: usize, rows: Vec<Formula>) -> Mechanism {
     let names: Vec<String> = (0..parameters).map(|k| format!("p{k}")).collect();
     let names: Vec<(&str, Option<usize>)> = names.iter().map(|name| (name.as_str(), None)).collect();
-    let row = |(k, left)| joint(&format!("N{k}"), JointKind::Constraint { left, right: Formula::ZERO });
+    let row = |(k, left)| joint(&format!("N{k}"), Constraint { left, right: Formula::ZERO }.into());
     Mechanism {
         name: "Free".into(),
         parameters: super::parameters(&names),

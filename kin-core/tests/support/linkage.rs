@@ -1,9 +1,10 @@
 //! Mechanisms written as a builder of descriptions would.
 
 use kin_core::Origin;
+use kin_core::joints::{Driver, RelativeAngle, Revolute};
 use kin_core::mechanism::{
-    Axis, Body, BodyOrigin, BodyRef, Component, Formula, Index, Joint, JointKind, Mechanism, Member, Parameter, Place,
-    Range,
+    Axis, Body, BodyOrigin, BodyRef, Component, Formula, Index, Joint, Mechanism, Member, Operands, Parameter, Place,
+    Range, Value,
 };
 use kin_core::program::{Program, Slot, lower};
 use kin_core::system::KinematicSystem;
@@ -96,20 +97,20 @@ pub fn free(name: &str, len: Option<usize>) -> Body {
     Body { name: name.into(), len, origin_at: BodyOrigin::Free { x: None, y: None }, phi: None, origin: AT }
 }
 
-pub fn joint(name: &str, kind: JointKind) -> Joint {
-    Joint { name: name.into(), range: None, kind, keyword: AT, origin: AT }
+pub fn joint(name: &str, operands: Operands) -> Joint {
+    Joint { name: name.into(), range: None, operands, keyword: AT, origin: AT }
 }
 
-pub fn over(name: &str, start: i64, end: i64, kind: JointKind) -> Joint {
-    Joint { range: Some(Range { start, end }), ..joint(name, kind) }
+pub fn over(name: &str, start: i64, end: i64, operands: Operands) -> Joint {
+    Joint { range: Some(Range { start, end }), ..joint(name, operands) }
 }
 
-pub fn revolute(p: Place, q: Place) -> JointKind {
-    JointKind::Revolute { p, q }
+pub fn revolute(p: Place, q: Place) -> Operands {
+    Revolute { p, q }.into()
 }
 
-pub fn driver(left: Formula, right: Formula) -> JointKind {
-    JointKind::Driver { left, right, right_origin: AT }
+pub fn driver(left: Formula, right: Formula) -> Operands {
+    Driver { left, right: Value { value: right, origin: AT } }.into()
 }
 
 /// Φ, Φ_q, Φ_t and γ in one program.
@@ -137,7 +138,7 @@ pub fn chain(loops: usize) -> Mechanism {
         on(body_of(family, 1, 0), if negative { neg(length) } else { length }, Formula::ZERO)
     };
     let corner = on(GROUND, element(3, 1, 0), element(4, 1, 0));
-    let gear = JointKind::RelativeAngle { a: body_of(2, 1, -1), b: body_of(0, 1, 0), value: parameter(5) };
+    let gear: Operands = RelativeAngle { a: body_of(2, 1, -1), b: body_of(0, 1, 0), value: parameter(5) }.into();
     let turning = add(parameter(5), mul(parameter(6), Formula::Time));
     Mechanism {
         name: "Chain".into(),

@@ -1,9 +1,13 @@
 //! Random mechanisms from a seed, in the whole vocabulary.
 
 use super::*;
+use kin_core::joints::{
+    Angle, Belt, Constraint, Distance, Fixed, FlatFollower, Gear, OnCurve, PointOnLine, RackPinion, RelativeAngle,
+    Revolute, RollingOnDisc, RollingOnLine, Translational, X, Y,
+};
 use kin_core::mechanism::{
     Axis, Body, BodyOrigin, BodyRef, Component, Condition, Curve, CurveVariable, Define, Formula, Function, Input,
-    Joint, JointKind, Mechanism, NamedPoint, Place, Radii, Radius, Range, Relation, Scalar, SuppliedFunction,
+    Joint, Mechanism, NamedPoint, Operands, Place, Radii, Range, Relation, Scalar, SuppliedFunction, Value,
 };
 
 /// SplitMix64.
@@ -283,17 +287,17 @@ impl Builder {
     }
 
     /// A radius that comes to 0 is an error; its sign is either.
-    fn radius(&mut self) -> Radius {
+    fn radius(&mut self) -> Value {
         let value = positive(self.formula(Holds::Parameters, 1));
         let value = if self.random.below(3) == 0 { Formula::Neg(Box::new(value)) } else { value };
-        Radius { value, origin: AT }
+        Value { value, origin: AT }
     }
 
     fn radii(&mut self) -> Radii {
         Radii { i: self.radius(), j: self.radius(), origin: AT }
     }
 
-    fn joint(&mut self) -> JointKind {
+    fn joint(&mut self) -> Operands {
         let (p, q) = (self.place(), self.place());
         let choice = self.random.below(20);
         let mut value = || self.formula(Holds::Time, 1);
@@ -302,33 +306,36 @@ impl Builder {
                 let (a, b, offset) = (p.body, q.body, value());
                 let (radii, carrier) = (self.radii(), self.any_body());
                 if choice == 15 {
-                    JointKind::Gear { a, b, radii, carrier, offset }
+                    Gear { a, b, radii, carrier, offset }.into()
                 } else {
-                    JointKind::Belt { a, b, radii, carrier, offset }
+                    Belt { a, b, radii, carrier, offset }.into()
                 }
             }
             17 => {
                 let (offset, axis, radius) = (value(), self.axis(), self.radius());
-                JointKind::RackPinion { p, q, axis, pinion: self.any_body(), radius, offset }
+                RackPinion { p, q, axis, pinion: self.any_body(), radius, offset }.into()
             }
-            18 => JointKind::RollingOnLine { p, q, offset: value(), axis: self.axis(), radius: self.radius() },
+            18 => RollingOnLine { p, q, offset: value(), axis: self.axis(), radius: self.radius() }.into(),
             19 => {
                 let (offset, radii) = (value(), self.radii());
                 let (scale, at) = self.small_index();
-                JointKind::RollingOnDisc { p, q, radii, along: member(1, index(scale, at)), offset }
+                RollingOnDisc { p, q, radii, along: member(1, index(scale, at)), offset }.into()
             }
-            0 | 1 => JointKind::Revolute { p, q },
-            2 => JointKind::Translational { p, q, angle: value(), axis: self.axis() },
-            3 => JointKind::Fixed { p, q, angle: value() },
-            4 => JointKind::PointOnLine { p, q, offset: value(), axis: self.axis() },
+            0 | 1 => Revolute { p, q }.into(),
+            2 => Translational { p, q, angle: value(), axis: self.axis() }.into(),
+            3 => Fixed { p, q, angle: value() }.into(),
+            4 => PointOnLine { p, q, offset: value(), axis: self.axis() }.into(),
             // A length that comes to 0 is an error.
-            5 => JointKind::Distance { p, q, length: positive(value()), length_origin: AT },
+            5 => Distance { p, q, length: Value { value: positive(value()), origin: AT } }.into(),
             6 => {
                 let value = value();
-                JointKind::Coordinate { p, component: self.random.pick(&[Component::X, Component::Y]), value }
+                match self.random.pick(&[Component::X, Component::Y]) {
+                    Component::X => X { p, value }.into(),
+                    _ => Y { p, value }.into(),
+                }
             }
-            7 => JointKind::Angle { body: p.body, value: value() },
-            8 => JointKind::RelativeAngle { a: p.body, b: q.body, value: value() },
+            7 => Angle { body: p.body, value: value() }.into(),
+            8 => RelativeAngle { a: p.body, b: q.body, value: value() }.into(),
             9 => {
                 let right = value();
                 match self.random.below(3) {
@@ -339,25 +346,25 @@ impl Builder {
             }
             10 => {
                 let radius = positive(self.on_curve(&[Formula::Curve(CurveVariable::Theta)]));
-                JointKind::OnCurve { p, q, curve: Curve::Polar { radius, origin: AT } }
+                OnCurve { p, q, curve: Curve::Polar { radius, origin: AT } }.into()
             }
             11 => {
                 let value = self.on_curve(&[CurveVariable::X, CurveVariable::Y].map(Formula::Curve));
-                JointKind::OnCurve { p, q, curve: Curve::Implicit { value, origin: AT } }
+                OnCurve { p, q, curve: Curve::Implicit { value, origin: AT } }.into()
             }
             12 => {
                 let (scale, offset) = self.small_index();
                 let parameter = member(1, index(scale, offset));
                 let [x, y] = [0; 2].map(|_| self.on_curve(&[Formula::Scalar(parameter)]));
-                JointKind::OnCurve { p, q, curve: Curve::Parametric { parameter, x, y, roller: None, origin: AT } }
+                OnCurve { p, q, curve: Curve::Parametric { parameter, x, y, roller: None, origin: AT } }.into()
             }
             13 => {
                 let support = self.on_curve(&[Formula::Curve(CurveVariable::Theta)]);
-                JointKind::FlatFollower { p, q, support, axis: self.axis() }
+                FlatFollower { p, q, support, axis: self.axis() }.into()
             }
             _ => {
                 let (left, right) = (self.formula(Holds::Everything, 3), self.formula(Holds::Everything, 2));
-                JointKind::Constraint { left, right }
+                Constraint { left, right }.into()
             }
         }
     }

@@ -3,7 +3,7 @@
 
 use crate::lower::{Lowered, MentionKind};
 use kin_core::Origin;
-use kin_core::mechanism::check::MAX_MEMBERS;
+use kin_core::check::MAX_MEMBERS;
 use kin_core::system::KinematicSystem;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;

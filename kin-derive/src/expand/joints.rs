@@ -2,8 +2,9 @@
 
 use super::packed::Packed;
 use super::tables::{frame, optional, variant};
-use kin_core::constraint::{Frame, JointTag, Role};
+use kin_core::constraint::{Frame, Role};
 use kin_core::system::KinematicSystem;
+use kin_core::vocabulary::JointKind;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -30,7 +31,7 @@ pub(super) fn joints(system: &KinematicSystem, packed: bool) -> TokenStream {
         let mut all_quantities = Packed::new(joints.iter().map(|joint| joint.quantities.len()).sum());
         for joint in joints {
             packed.name(&joint.name);
-            packed.kind(joint.tag);
+            packed.kind(joint.kind);
             joint.frames.into_iter().for_each(|frame| packed.frame(frame));
             for word in [joint.first_row, joint.rows, joint.geometry.len(), joint.quantities.len()] {
                 packed.word(word);
@@ -45,14 +46,14 @@ pub(super) fn joints(system: &KinematicSystem, packed: bool) -> TokenStream {
                 all_quantities.word(entry.observable);
             }
         }
-        let kinds = packed.kinds(|tag| variant("JointKind", kind(*tag)));
+        let kinds = packed.kinds(|tag| variant("JointKind", &kind(*tag)));
         let all_geometry = all_geometry.with_kinds("geometry", |role| geometry(*role, Frame::Ground, 0));
         let all_quantities = all_quantities.with_kinds("quantities", |name| quantity(name, 0));
         return packed.unpacked("joints", &quote! { , #kinds, #all_geometry, #all_quantities });
     }
     let joints = joints.iter().map(|joint| {
         let (name, first_row, rows) = (&joint.name, joint.first_row, joint.rows);
-        let kind = variant("JointKind", kind(joint.tag));
+        let kind = variant("JointKind", &kind(joint.kind));
         let frames = joint.frames.map(|f| optional(f.map(frame)));
         let geometry = joint.geometry.iter().map(|entry| geometry(entry.role, entry.frame, entry.offset));
         let quantities = joint.quantities.iter().map(|entry| quantity(entry.name, entry.observable));
@@ -66,30 +67,7 @@ pub(super) fn joints(system: &KinematicSystem, packed: bool) -> TokenStream {
     quote! { &[#(#joints),*] }
 }
 
-fn kind(tag: JointTag) -> &'static str {
-    match tag {
-        JointTag::Revolute => "Revolute",
-        JointTag::Translational => "Translational",
-        JointTag::Fixed => "Fixed",
-        JointTag::PointOnLine => "PointOnLine",
-        JointTag::Distance => "Distance",
-        JointTag::X => "X",
-        JointTag::Y => "Y",
-        JointTag::Angle => "Angle",
-        JointTag::RelativeAngle => "RelativeAngle",
-        JointTag::OnPolarCurve => "OnPolarCurve",
-        JointTag::OnImplicitCurve => "OnImplicitCurve",
-        JointTag::OnParametricCurve => "OnParametricCurve",
-        JointTag::FlatFollower => "FlatFollower",
-        JointTag::Gear => "Gear",
-        JointTag::Belt => "Belt",
-        JointTag::RackPinion => "RackPinion",
-        JointTag::RollingOnLine => "RollingOnLine",
-        JointTag::RollingOnDisc => "RollingOnDisc",
-        JointTag::Constraint => "Constraint",
-        JointTag::KnifeEdge => "KnifeEdge",
-        JointTag::Speed => "Speed",
-        JointTag::Nonholonomic => "Nonholonomic",
-        JointTag::Driver => "Driver",
-    }
+/// The variant's name, which is the same in kin-core and kin-runtime.
+fn kind(kind: JointKind) -> String {
+    format!("{kind:?}")
 }

@@ -5,7 +5,7 @@ use super::formula::{Allow, Scope};
 use super::names::Symbol;
 use super::{Class, Lowerer};
 use crate::ast::{BodyDecl, Bracket, Expr, ExprKind, Item, NewName, PointExpr, text};
-use kin_core::mechanism::check::{chain, cycle};
+use kin_core::check::{chain, cycle};
 use kin_core::mechanism::{BodyOrigin, Mechanism};
 
 /// A body with nothing given.

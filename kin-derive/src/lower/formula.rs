@@ -5,7 +5,7 @@ use super::names::{Declared, Shape, Symbol};
 use super::{Class, Lowerer, MentionKind};
 use crate::ast::{Expr, ExprKind, NameUse, Operator, text};
 use crate::suggest::{did_you_mean, is_rate, listed};
-use kin_core::mechanism::check::is_reserved;
+use kin_core::check::is_reserved;
 use kin_core::mechanism::{BodyRef, Component, Formula, Function, Index, Member};
 use proc_macro2::Span;
 use syn::Ident;
@@ -38,7 +38,7 @@ impl Allow {
 /// Where an expression stands.
 pub(super) struct Scope<'s> {
     /// For messages: "a body-fixed point", "`length`".
-    pub(super) what: &'static str,
+    pub(super) what: &'s str,
     pub(super) allow: Allow,
     pub(super) range: &'s IndexRange,
 }

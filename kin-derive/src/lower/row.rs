@@ -3,11 +3,11 @@
 use super::Lowerer;
 use super::declare::IndexRange;
 use super::formula::{Allow, Scope};
-use super::gearing::Pair;
 use super::names::Symbol;
-use crate::ast::{AxisExpr, ConditionDecl, Expr, GuessDecl, Item, NameUse, RowKind, text};
+use crate::ast::{AxisExpr, BodyExpr, ConditionDecl, Expr, GuessDecl, Item, OperandExpr, Row, text};
 use kin_core::mechanism::{
-    Axis, BodyRef, Component, Condition, Formula, Guess, GuessTarget, Joint, JointKind, Mechanism, Member,
+    Axis, BodyRef, Condition, Formula, Guess, GuessTarget, Joint, Mechanism, Member, Operand, Operands, Slot, Takes,
+    Value, Written,
 };
 
 impl Lowerer<'_> {
@@ -17,9 +17,9 @@ impl Lowerer<'_> {
             match item {
                 Item::Row(row) => {
                     let (keyword, origin) = (self.origin(row.keyword.span()), self.origin(row.name.ident.span()));
-                    if let Some(kind) = self.row(&row.kind, range) {
+                    if let Some(operands) = self.operands(row, range) {
                         let name = text(&row.name.ident);
-                        mechanism.joints.push(Joint { name, range: range.model(), kind, keyword, origin });
+                        mechanism.joints.push(Joint { name, range: range.model(), operands, keyword, origin });
                     }
                 }
                 Item::Condition(decl) => mechanism.conditions.extend(self.condition(decl, range)),
@@ -34,115 +34,50 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Every part is lowered before one that failed ends it, so that all mistakes are told.
-    fn row(&mut self, kind: &RowKind, range: &IndexRange) -> Option<JointKind> {
-        Some(match kind {
-            RowKind::Revolute { p, q } => {
-                let (p, q) = (self.place(p, range), self.place(q, range));
-                JointKind::Revolute { p: p?, q: q? }
+    /// Every operand is lowered before one that failed ends it, so that all mistakes are told.
+    fn operands(&mut self, row: &Row, range: &IndexRange) -> Option<Operands> {
+        let slots = row.form.slots.iter().zip(&row.operands);
+        let lowered: Vec<Option<Operand>> = slots.map(|(slot, expr)| self.operand(row, slot, expr, range)).collect();
+        Operands::new(row.form, lowered.into_iter().collect::<Option<_>>()?)
+    }
+
+    fn operand(&mut self, row: &Row, slot: &Slot, expr: &OperandExpr, range: &IndexRange) -> Option<Operand> {
+        Some(match expr {
+            OperandExpr::Point(point) => Operand::Point(self.place(point, range)?),
+            OperandExpr::Points(points) => {
+                let places: Vec<_> = points.iter().map(|point| self.place(point, range)).collect();
+                Operand::Points(places.into_iter().collect::<Option<_>>()?)
             }
-            RowKind::Translational { p, q, axis, angle } => {
-                let (p, q) = (self.place(p, range), self.place(q, range));
-                let (axis, angle) = (self.axis(axis, range), self.signal(angle, "`angle`", range));
-                JointKind::Translational { p: p?, q: q?, axis: axis?, angle: angle? }
+            OperandExpr::Body(BodyExpr::Named(body)) => Operand::Body(self.body(body, range)?),
+            OperandExpr::Body(BodyExpr::NotGiven) => Operand::Body(BodyRef::Ground(self.origin(row.keyword.span()))),
+            OperandExpr::Body(BodyExpr::Hole) | OperandExpr::Scalar(None) => return None,
+            OperandExpr::Scalar(Some(name)) => {
+                let right = if let Takes::Scalar(right) = slot.takes { right } else { "" };
+                Operand::Scalar(self.scalar_operand(name, right, range)?)
             }
-            RowKind::Fixed { p, q, angle } => {
-                let (p, q) = (self.place(p, range), self.place(q, range));
-                let angle = self.signal(angle, "`angle`", range);
-                JointKind::Fixed { p: p?, q: q?, angle: angle? }
-            }
-            RowKind::PointOnLine { p, q, axis, offset } => {
-                let (p, q) = (self.place(p, range), self.place(q, range));
-                let (axis, offset) = (self.axis(axis, range), self.signal(offset, "`offset`", range));
-                JointKind::PointOnLine { p: p?, q: q?, axis: axis?, offset: offset? }
-            }
-            RowKind::Distance { p, q, length } => {
-                let (p, q) = (self.place(p, range), self.place(q, range));
-                let length_origin = self.origin(length.span);
-                let length = self.signal(length, "`length`", range);
-                JointKind::Distance { p: p?, q: q?, length: length?, length_origin }
-            }
-            RowKind::X { p, value } => {
-                let (p, value) = (self.place(p, range), self.signal(value, "the right-hand side of `x`", range));
-                JointKind::Coordinate { p: p?, component: Component::X, value: value? }
-            }
-            RowKind::Y { p, value } => {
-                let (p, value) = (self.place(p, range), self.signal(value, "the right-hand side of `y`", range));
-                JointKind::Coordinate { p: p?, component: Component::Y, value: value? }
-            }
-            RowKind::Angle { body, value } => {
-                let body = self.operand(body.as_ref(), range);
-                let value = self.signal(value, "the right-hand side of `angle`", range);
-                JointKind::Angle { body: body?, value: value? }
-            }
-            RowKind::RelativeAngle { a, b, value } => {
-                let (a, b) = (self.operand(a.as_ref(), range), self.operand(b.as_ref(), range));
-                let value = self.signal(value, "the right-hand side of `relative_angle`", range);
-                JointKind::RelativeAngle { a: a?, b: b?, value: value? }
-            }
-            RowKind::OnCurve { p, q, curve } => {
-                let (p, q) = (self.place(p, range), self.place(q, range));
-                let curve = self.curve(curve, range);
-                JointKind::OnCurve { p: p?, q: q?, curve: curve? }
-            }
-            RowKind::FlatFollower { p, q, axis, support } => {
-                let (p, q) = (self.place(p, range), self.place(q, range));
-                let (axis, support) = (self.axis(axis, range), self.support(support, range));
-                JointKind::FlatFollower { p: p?, q: q?, axis: axis?, support: support? }
-            }
-            RowKind::Gear(pair) => {
-                let Pair { a, b, radii, carrier, offset } = self.pair(pair, range)?;
-                JointKind::Gear { a, b, radii, carrier, offset }
-            }
-            RowKind::Belt(pair) => {
-                let Pair { a, b, radii, carrier, offset } = self.pair(pair, range)?;
-                JointKind::Belt { a, b, radii, carrier, offset }
-            }
-            RowKind::RackPinion { p, q, axis, pinion, radius, offset } => {
-                let (p, q) = (self.place(p, range), self.place(q, range));
-                let (axis, pinion) = (self.axis(axis, range), self.operand(pinion.as_ref(), range));
-                let (radius, offset) = (self.radius(radius, "`radius`", range), self.signal(offset, "`offset`", range));
-                let (p, q, axis, pinion) = (p?, q?, axis?, pinion?);
-                JointKind::RackPinion { p, q, axis, pinion, radius: radius?, offset: offset? }
-            }
-            RowKind::RollingOnLine { p, q, axis, radius, offset } => {
-                let (p, q) = (self.place(p, range), self.place(q, range));
-                let axis = self.axis(axis, range);
-                let (radius, offset) = (self.radius(radius, "`radius`", range), self.signal(offset, "`offset`", range));
-                JointKind::RollingOnLine { p: p?, q: q?, axis: axis?, radius: radius?, offset: offset? }
-            }
-            RowKind::RollingOnDisc { p, q, radii, along, offset } => {
-                let (p, q) = (self.place(p, range), self.place(q, range));
-                let radii = self.radii(radii, range);
-                let right = "`along` names a scalar coordinate, `#[coordinates(psi)]`";
-                let along = along.as_ref().and_then(|along| self.scalar_operand(along, right, range));
-                let offset = self.signal(offset, "`offset`", range);
-                JointKind::RollingOnDisc { p: p?, q: q?, radii: radii?, along: along?, offset: offset? }
-            }
-            RowKind::Constraint { left, right } => {
-                let (left, right) = (self.anything(left, range), self.anything(right, range));
-                JointKind::Constraint { left: left?, right: right? }
-            }
-            RowKind::KnifeEdge { p, angle } => {
-                let (p, angle) = (self.place(p, range), self.signal(angle, "`angle`", range));
-                JointKind::KnifeEdge { p: p?, angle: angle? }
-            }
-            RowKind::Speed { p, angle, value } => {
-                let (p, angle) = (self.place(p, range), self.signal(angle, "`angle`", range));
-                let value = self.signal(value, "`value`", range);
-                JointKind::Speed { p: p?, angle: angle?, value: value? }
-            }
-            RowKind::Nonholonomic { left, right } => {
-                let scope = Scope { what: "an equation", allow: Allow::Rates, range };
-                let (left, right) = (self.formula(left, &scope), self.formula(right, &scope));
-                JointKind::Nonholonomic { left: left?, right: right? }
-            }
-            RowKind::Driver { left, right } => {
-                let right_origin = self.origin(right.span);
-                let (left, right) = (self.anything(left, range), self.anything(right, range));
-                JointKind::Driver { left: left?, right: right?, right_origin }
+            OperandExpr::Axis(axis) => Operand::Axis(self.axis(axis, range)?),
+            OperandExpr::Radii(radii) => Operand::Radii(self.radii(radii, range)?),
+            OperandExpr::Curve(curve) => Operand::Curve(self.curve(curve, range)?),
+            OperandExpr::Value(expr) => {
+                let origin = self.origin(expr.span);
+                Operand::Value(Value { value: self.value_of(row, slot, expr, range)?, origin })
             }
         })
+    }
+
+    fn value_of(&mut self, row: &Row, slot: &Slot, expr: &Expr, range: &IndexRange) -> Option<Formula> {
+        let what = match slot.written {
+            Written::Right => format!("the right-hand side of `{}`", row.keyword),
+            _ => format!("`{}`", slot.key),
+        };
+        let scope = match slot.takes {
+            Takes::Support => return self.support(expr, range),
+            Takes::Side => Scope { what: "an equation", allow: Allow::Everything, range },
+            Takes::SideOfRates => Scope { what: "an equation", allow: Allow::Rates, range },
+            Takes::Radius => Scope { what: &what, allow: Allow::Parameters, range },
+            _ => Scope { what: &what, allow: Allow::Signals, range },
+        };
+        self.formula(expr, &scope)
     }
 
     fn condition(&mut self, decl: &ConditionDecl, range: &IndexRange) -> Option<Condition> {
@@ -161,23 +96,11 @@ impl Lowerer<'_> {
         })
     }
 
-    pub(super) fn operand(&mut self, body: Option<&NameUse>, range: &IndexRange) -> Option<BodyRef> {
-        body.and_then(|body| self.body(body, range))
-    }
-
     fn axis(&mut self, axis: &AxisExpr, range: &IndexRange) -> Option<Axis> {
         let origin = self.origin(axis.span);
         let scope = Scope { what: "an axis", allow: Allow::Parameters, range };
         let (x, y) = (self.formula(&axis.x, &scope), self.formula(&axis.y, &scope));
         Some(Axis { x: x?, y: y?, origin })
-    }
-
-    pub(super) fn signal(&mut self, expr: &Expr, what: &'static str, range: &IndexRange) -> Option<Formula> {
-        self.formula(expr, &Scope { what, allow: Allow::Signals, range })
-    }
-
-    fn anything(&mut self, expr: &Expr, range: &IndexRange) -> Option<Formula> {
-        self.formula(expr, &Scope { what: "an equation", allow: Allow::Everything, range })
     }
 
     fn guess(&mut self, guess: &GuessDecl, range: &IndexRange) -> Option<Guess> {

@@ -6,8 +6,8 @@ use super::point::point_at_depth;
 use super::reject::{RADIANS, is_angle_word};
 use crate::ast::{Expr, ExprKind, NameUse, text};
 use crate::suggest::{did_you_mean, is_rate};
+use kin_core::check::is_reserved;
 use kin_core::mechanism::Function;
-use kin_core::mechanism::check::is_reserved;
 use syn::parse::ParseStream;
 use syn::{Error, Ident, Result, Token, parenthesized};
 

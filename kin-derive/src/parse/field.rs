@@ -11,7 +11,7 @@ use super::reject::here;
 use crate::ast::{FieldDecl, text};
 use crate::report::Report;
 use crate::suggest::did_you_mean;
-use kin_core::mechanism::check::MAX_MEMBERS;
+use kin_core::check::MAX_MEMBERS;
 use proc_macro2::{Span, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;

@@ -4,7 +4,7 @@ use super::docs::inner_doc;
 use super::reject::here;
 use crate::ast::{Bracket, IndexExpr, NameUse, NewName, RangeDecl, text};
 use crate::report::Report;
-use kin_core::mechanism::check::MAX_MEMBERS;
+use kin_core::check::MAX_MEMBERS;
 use proc_macro2::Span;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;

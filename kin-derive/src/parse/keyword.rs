@@ -57,7 +57,7 @@ fn words() -> impl Iterator<Item = (&'static str, Keyword)> {
 /// Every word of the language, with an example where it is a row.
 #[cfg(test)]
 pub(crate) fn vocabulary() -> Vec<(&'static str, Option<&'static str>)> {
-    let example = |keyword| if let Keyword::Row(form) = keyword { Some(form.example) } else { None };
+    let example = |keyword| if let Keyword::Row(form) = keyword { Some(form.example()) } else { None };
     words().map(|(word, keyword)| (word, example(keyword))).collect()
 }
 

@@ -128,7 +128,7 @@ fn read(attribute: &Attribute, word: &Ident, keyword: Keyword, report: &Report, 
         Keyword::Define => "#[define(stroke = slider.x - d1)]",
         Keyword::Guess => "#[guess(coupler.phi = 0.9)]",
         Keyword::Function => declare::FUNCTION,
-        Keyword::Row(form) => form.example,
+        Keyword::Row(form) => form.example(),
         Keyword::Condition => condition::EXAMPLE,
         Keyword::Param => {
             report.error(word.span(), "`param` stands on a field of the struct: `#[param(0.1, unit = \"m\")] l1: f64`");
@@ -168,9 +168,9 @@ fn read(attribute: &Attribute, word: &Ident, keyword: Keyword, report: &Report, 
 }
 
 fn row(input: ParseStream, keyword: &Ident, form: &'static RowForm, report: &Report) -> Result<Row> {
-    let name = row_name(input, keyword, form.example, report)?;
-    let mut parts = Parts::read(input, keyword, form, report);
-    Ok(Row { keyword: keyword.clone(), name, kind: (form.build)(&mut parts) })
+    let name = row_name(input, keyword, form.example(), report)?;
+    let (form, operands) = Parts::read(input, keyword, form, report).operands();
+    Ok(Row { keyword: keyword.clone(), name, form, operands })
 }
 
 /// `name:`, with which every row begins.

@@ -1,7 +1,7 @@
 //! The parts of a row: operands in order, then `key = value` in any order.
 
 use super::rows::RowForm;
-use crate::ast::{AxisExpr, CarrierExpr, Expr, NameUse, PointExpr, RadiiExpr, text};
+use crate::ast::{AxisExpr, BodyExpr, Expr, NameUse, PointExpr, RadiiExpr, text};
 use crate::report::Report;
 use proc_macro2::Span;
 use std::collections::VecDeque;
@@ -11,6 +11,8 @@ use syn::Ident;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum OperandForm {
     Point,
+    /// Two points or more.
+    Points,
     Body,
     Expression,
 }
@@ -71,11 +73,17 @@ impl Parts<'_> {
         }
     }
 
+    /// All operands that are left, points.
+    pub(super) fn points(&mut self) -> Vec<PointExpr> {
+        let count = self.operands.len();
+        (0..count).map(|_| self.point()).collect()
+    }
+
     /// The next operand, a body.
-    pub(super) fn body(&mut self) -> Option<NameUse> {
+    pub(super) fn body(&mut self) -> BodyExpr {
         match self.operands.pop_front() {
-            Some(Operand::Body(body)) => body,
-            _ => None,
+            Some(Operand::Body(Some(body))) => BodyExpr::Named(body),
+            _ => BodyExpr::Hole,
         }
     }
 
@@ -127,12 +135,17 @@ impl Parts<'_> {
         }
     }
 
+    /// The body that a required option gives.
+    pub(super) fn named_body(&mut self, key: &str) -> BodyExpr {
+        self.name(key).map_or(BodyExpr::Hole, BodyExpr::Named)
+    }
+
     /// The body that carries axles: the ground, unless another is given.
-    pub(super) fn carrier(&mut self, key: &str) -> CarrierExpr {
+    pub(super) fn carrier(&mut self, key: &str) -> BodyExpr {
         match self.take(key) {
-            None => CarrierExpr::Ground,
-            Some(Some(Value::Name(name))) => CarrierExpr::Body(name),
-            Some(_) => CarrierExpr::Hole,
+            None => BodyExpr::NotGiven,
+            Some(Some(Value::Name(name))) => BodyExpr::Named(name),
+            Some(_) => BodyExpr::Hole,
         }
     }
 
@@ -172,7 +185,7 @@ impl Parts<'_> {
                 Some((_, OptionForm::Curve(variables))) => format!("({})", variables.join(", ")),
                 _ => String::new(),
             };
-            let message = format!("`{}` needs `{key}{variables} = …`: `{}`", self.keyword, self.form.example);
+            let message = format!("`{}` needs `{key}{variables} = …`: {}", self.keyword, self.form.right());
             self.report.error(self.keyword.span(), message);
         }
     }

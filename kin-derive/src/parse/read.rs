@@ -35,28 +35,31 @@ impl<'a> Parts<'a> {
     }
 
     fn read_operands(&mut self, input: ParseStream) {
+        if let [OperandForm::Points] = self.form.operands[..] {
+            return self.read_points(input);
+        }
         let count = self.form.operands.len();
         for (k, operand) in self.form.operands.iter().enumerate() {
             let last = k + 1 == count;
-            if input.is_empty() || !self.form.equals && self.begins_option(input) {
+            if input.is_empty() || !self.form.is_equation() && self.begins_option(input) {
                 return self.too_few();
             }
             let result = self.read_operand(input, *operand);
             let read = self.report.ok(result).is_some();
             if !read {
                 self.operands.push_back(match operand {
-                    OperandForm::Point => Operand::Point(PointExpr::Hole),
+                    OperandForm::Point | OperandForm::Points => Operand::Point(PointExpr::Hole),
                     OperandForm::Body => Operand::Body(None),
                     OperandForm::Expression => Operand::Expression(Expr::hole(self.keyword.span())),
                 });
-                skip_to(input, |input| input.peek(Token![,]) || last && self.form.equals && is_equals(input));
+                skip_to(input, |input| input.peek(Token![,]) || last && self.form.is_equation() && is_equals(input));
             }
-            if last && self.form.equals {
+            if last && self.form.is_equation() {
                 self.read_right(input, read);
             } else if last && is_equals(input) {
-                let message = format!("`{}` is no equation: `{}`", self.keyword, self.form.example);
+                let message = format!("`{}` is no equation: `{}`", self.keyword, self.form.example());
                 self.finish_part(Err(here(input, message)), input);
-            } else if self.form.equals && is_equals(input) {
+            } else if self.form.is_equation() && is_equals(input) {
                 return self.too_few();
             } else {
                 self.finish_part(end_of_part(input), input);
@@ -64,9 +67,26 @@ impl<'a> Parts<'a> {
         }
     }
 
+    /// Points until the options begin, two or more.
+    fn read_points(&mut self, input: ParseStream) {
+        while !input.is_empty() && !self.begins_option(input) {
+            let result = self.read_operand(input, OperandForm::Points);
+            if self.report.ok(result).is_some() {
+                self.finish_part(end_of_part(input), input);
+            } else {
+                self.operands.push_back(Operand::Point(PointExpr::Hole));
+                skip_to(input, |input| input.peek(Token![,]));
+                comma(input);
+            }
+        }
+        if self.operands.len() < 2 {
+            self.too_few();
+        }
+    }
+
     fn read_operand(&mut self, input: ParseStream, form: OperandForm) -> Result<()> {
         let operand = match form {
-            OperandForm::Point => Operand::Point(point(input)?),
+            OperandForm::Point | OperandForm::Points => Operand::Point(point(input)?),
             OperandForm::Body => Operand::Body(Some(body(input)?)),
             OperandForm::Expression => {
                 let expr = expr(input)?;
@@ -91,7 +111,7 @@ impl<'a> Parts<'a> {
             self.finish_part(end, input);
         } else {
             if left_is_read {
-                self.report.push(no_equals(input, self.form.example));
+                self.report.push(no_equals(input, self.form.example()));
             }
             // What follows a comma here would be taken for an option.
             skip_to(input, |_| false);
@@ -108,7 +128,7 @@ impl<'a> Parts<'a> {
             // One word about operands that are too many is enough; one of them may be an option without its key.
             let option = self.option_without_equals(input);
             if let Some(key) = option {
-                self.report.push(here(input, format!("`{key}` is given with `=`: `{}`", self.form.example)));
+                self.report.push(here(input, format!("`{key}` is given with `=`: `{}`", self.form.example())));
             } else if !self.miscounted {
                 self.miscounted = true;
                 self.report.push(here(input, self.count_message()));
@@ -188,7 +208,7 @@ impl<'a> Parts<'a> {
         let keyword = self.keyword;
         let list = listed(options(), "and");
         match self.form.options.len() {
-            0 => format!("`{keyword}` has no options; it is written `{}`", self.form.example),
+            0 => format!("`{keyword}` has no options; it is written `{}`", self.form.example()),
             1 => format!("`{keyword}` has no option `{name}`; its option is {list}{suggestion}"),
             _ => format!("`{keyword}` has no option `{name}`; its options are {list}{suggestion}"),
         }
@@ -203,7 +223,8 @@ impl<'a> Parts<'a> {
     }
 
     fn count_message(&self) -> String {
-        let operands = match self.form.operands {
+        let operands = match self.form.operands[..] {
+            [OperandForm::Points, ..] => "two points or more",
             [OperandForm::Point] => "one point",
             [OperandForm::Point, ..] => "two points",
             [OperandForm::Body] => "one body",
@@ -211,7 +232,7 @@ impl<'a> Parts<'a> {
             _ => "one expression on each side of `=`",
         };
         let then = if self.form.options.is_empty() { "" } else { ", then options as `key = value`" };
-        format!("`{}` takes {operands}{then}: `{}`", self.keyword, self.form.example)
+        format!("`{}` takes {operands}{then}: `{}`", self.keyword, self.form.example())
     }
 }
 

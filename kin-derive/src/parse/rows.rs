@@ -1,24 +1,96 @@
 //! Joints, drivers and equations: how each is written, and what its parts become.
 //!
-//! A new kind is an entry of [`FORMS`] and a function that takes its [`Parts`] apart.
+//! The kinds and their forms are kin-core's ([`forms`]); kinds that share a keyword are told apart by their options.
 
 use super::parts::{OperandForm, OptionForm, Parts};
-use crate::ast::{PairExpr, RowKind};
+use crate::ast::OperandExpr;
+use kin_core::joints::forms;
+use kin_core::mechanism::{JointForm, Slot, Takes, Written};
+use std::sync::LazyLock;
 
-/// How a row is written.
+/// How the rows of a keyword are written.
 pub(super) struct RowForm {
     /// The attribute.
     pub(super) keyword: &'static str,
+    /// The kinds that share it: they have the same operands, and options of their own.
+    kinds: Vec<&'static JointForm>,
     /// What stands behind the name, in order.
-    pub(super) operands: &'static [OperandForm],
-    /// True when `= expression` follows the last operand.
-    pub(super) equals: bool,
+    pub(super) operands: Vec<OperandForm>,
     /// What can follow as `key = value`.
-    pub(super) options: &'static [(&'static str, OptionForm)],
+    pub(super) options: Vec<(&'static str, OptionForm)>,
+}
+
+/// Every row of the language, in the order of the guide.
+pub(super) static FORMS: LazyLock<Vec<RowForm>> = LazyLock::new(|| {
+    let mut rows: Vec<RowForm> = Vec::new();
+    for form in forms() {
+        let options = form.written(Written::Option).flat_map(options_of);
+        match rows.last_mut().filter(|row| row.keyword == form.kind.keyword()) {
+            Some(row) => {
+                row.kinds.push(form);
+                let new: Vec<_> =
+                    options.filter(|(key, _)| row.options.iter().all(|(known, _)| known != key)).collect();
+                row.options.extend(new);
+            }
+            None => rows.push(RowForm {
+                keyword: form.kind.keyword(),
+                kinds: vec![form],
+                operands: form.written(Written::Operand).map(operand_of).collect(),
+                options: options.collect(),
+            }),
+        }
+    }
+    rows
+});
+
+fn operand_of(slot: &Slot) -> OperandForm {
+    match slot.takes {
+        Takes::Point => OperandForm::Point,
+        Takes::Points => OperandForm::Points,
+        Takes::Body | Takes::Carrier => OperandForm::Body,
+        _ => OperandForm::Expression,
+    }
+}
+
+/// The options that a slot is written with.
+fn options_of(slot: &Slot) -> Vec<(&'static str, OptionForm)> {
+    let form = match slot.takes {
+        Takes::Axis => OptionForm::Axis,
+        Takes::Radii => OptionForm::Radii,
+        Takes::Body | Takes::Carrier => OptionForm::Body,
+        Takes::Scalar(_) => OptionForm::Scalar,
+        Takes::Support => OptionForm::Curve(&["theta"]),
+        Takes::Curve => {
+            return vec![
+                ("polar", OptionForm::Curve(&["theta"])),
+                ("implicit", OptionForm::Curve(&["X", "Y"])),
+                ("parametric", OptionForm::Path),
+                ("roller", OptionForm::Expression),
+            ];
+        }
+        _ => OptionForm::Expression,
+    };
+    vec![(slot.key, form)]
+}
+
+impl RowForm {
     /// A row as the user writes it.
-    pub(super) example: &'static str,
-    /// Takes the parts apart.
-    pub(super) build: fn(&mut Parts) -> RowKind,
+    pub(super) fn example(&self) -> &'static str {
+        self.kinds.first().map_or("", |form| form.example)
+    }
+
+    /// What would be right, for a message: the ways in which the kinds are told apart, or else the example.
+    pub(super) fn right(&self) -> String {
+        match self.kinds.first().map(|form| form.choice) {
+            Some(choice) if !choice.is_empty() => choice.to_owned(),
+            _ => format!("`{}`", self.example()),
+        }
+    }
+
+    /// True when `= expression` follows the last operand.
+    pub(super) fn is_equation(&self) -> bool {
+        self.kinds.iter().any(|form| form.is_equation())
+    }
 }
 
 impl core::fmt::Debug for RowForm {
@@ -27,338 +99,64 @@ impl core::fmt::Debug for RowForm {
     }
 }
 
-use OperandForm::{Body, Expression, Point};
-
-const TWO_POINTS: &[OperandForm] = &[Point, Point];
-const TWO_BODIES: &[OperandForm] = &[Body, Body];
-
-/// The options of gears and belts.
-const PAIR: &[(&str, OptionForm)] =
-    &[("radii", OptionForm::Radii), ("carrier", OptionForm::Body), ("offset", OptionForm::Expression)];
-
-/// Every row of the language, in the order of the guide.
-pub(super) const FORMS: &[RowForm] = &[
-    RowForm {
-        keyword: "revolute",
-        operands: TWO_POINTS,
-        equals: false,
-        options: &[],
-        example: "#[revolute(A: crank @ (l1, 0), coupler @ (0, 0))]",
-        build: revolute,
-    },
-    RowForm {
-        keyword: "translational",
-        operands: TWO_POINTS,
-        equals: false,
-        options: &[("axis", OptionForm::Axis), ("angle", OptionForm::Expression)],
-        example: "#[translational(A: ground @ (0, 0), slider @ (0, 0), axis = (1, 0))]",
-        build: translational,
-    },
-    RowForm {
-        keyword: "fixed",
-        operands: TWO_POINTS,
-        equals: false,
-        options: &[("angle", OptionForm::Expression)],
-        example: "#[fixed(A: crank @ (l1, 0), plate @ (0, 0), angle = 0)]",
-        build: fixed,
-    },
-    RowForm {
-        keyword: "point_on_line",
-        operands: TWO_POINTS,
-        equals: false,
-        options: &[("axis", OptionForm::Axis), ("offset", OptionForm::Expression)],
-        example: "#[point_on_line(A: rocker @ (0, 0), crank @ (l1, 0), axis = (1, 0))]",
-        build: point_on_line,
-    },
-    RowForm {
-        keyword: "distance",
-        operands: TWO_POINTS,
-        equals: false,
-        options: &[("length", OptionForm::Expression)],
-        example: "#[distance(A: crank @ (l1, 0), rocker @ (0, 0), length = l2)]",
-        build: distance,
-    },
-    RowForm {
-        keyword: "x",
-        operands: &[Point],
-        equals: true,
-        options: &[],
-        example: "#[x(A: slider @ (0, 0) = 0.1)]",
-        build: x,
-    },
-    RowForm {
-        keyword: "y",
-        operands: &[Point],
-        equals: true,
-        options: &[],
-        example: "#[y(A: slider @ (0, 0) = 0)]",
-        build: y,
-    },
-    RowForm {
-        keyword: "angle",
-        operands: &[Body],
-        equals: true,
-        options: &[],
-        example: "#[angle(A: slider = 0)]",
-        build: angle,
-    },
-    RowForm {
-        keyword: "relative_angle",
-        operands: TWO_BODIES,
-        equals: true,
-        options: &[],
-        example: "#[relative_angle(A: crank, rocker = pi/2)]",
-        build: relative_angle,
-    },
-    RowForm {
-        keyword: "on_curve",
-        operands: TWO_POINTS,
-        equals: false,
-        options: &[
-            ("polar", OptionForm::Curve(&["theta"])),
-            ("implicit", OptionForm::Curve(&["X", "Y"])),
-            ("parametric", OptionForm::Path),
-            ("roller", OptionForm::Expression),
-        ],
-        example: "#[on_curve(A: cam @ (0, 0), follower @ (0, 0), polar(theta) = r + e*cos(theta))]",
-        build: on_curve,
-    },
-    RowForm {
-        keyword: "flat_follower",
-        operands: TWO_POINTS,
-        equals: false,
-        options: &[("axis", OptionForm::Axis), ("support", OptionForm::Curve(&["theta"]))],
-        example: "#[flat_follower(A: cam @ (0, 0), follower @ (0, 0), axis = (1, 0), support(theta) = r + e*cos(theta))]",
-        build: flat_follower,
-    },
-    RowForm {
-        keyword: "gear",
-        operands: TWO_BODIES,
-        equals: false,
-        options: PAIR,
-        example: "#[gear(A: sun, planet, radii = (r1, r2), carrier = arm)]",
-        build: gear,
-    },
-    RowForm {
-        keyword: "belt",
-        operands: TWO_BODIES,
-        equals: false,
-        options: PAIR,
-        example: "#[belt(A: motor, spindle, radii = (r1, r2))]",
-        build: belt,
-    },
-    RowForm {
-        keyword: "rack_pinion",
-        operands: TWO_POINTS,
-        equals: false,
-        options: &[
-            ("axis", OptionForm::Axis),
-            ("pinion", OptionForm::Body),
-            ("radius", OptionForm::Expression),
-            ("offset", OptionForm::Expression),
-        ],
-        example: "#[rack_pinion(A: ground @ (0, 0), rack @ (0, 0), axis = (1, 0), pinion = wheel, radius = r)]",
-        build: rack_pinion,
-    },
-    RowForm {
-        keyword: "rolling",
-        operands: TWO_POINTS,
-        equals: false,
-        options: &[
-            ("axis", OptionForm::Axis),
-            ("radius", OptionForm::Expression),
-            ("radii", OptionForm::Radii),
-            ("along", OptionForm::Scalar),
-            ("offset", OptionForm::Expression),
-        ],
-        example: "#[rolling(A: ground @ (0, 0), wheel @ (0, 0), axis = (1, 0), radius = r)]",
-        build: rolling,
-    },
-    RowForm {
-        keyword: "constraint",
-        operands: &[Expression],
-        equals: true,
-        options: &[],
-        example: "#[constraint(close_x: l1*cos(phi1) + l2*cos(phi2) = d1)]",
-        build: constraint,
-    },
-    RowForm {
-        keyword: "knife_edge",
-        operands: &[Point],
-        equals: false,
-        options: &[("angle", OptionForm::Expression)],
-        example: "#[knife_edge(A: sleigh @ (0, 0), angle = 0)]",
-        build: knife_edge,
-    },
-    RowForm {
-        keyword: "speed",
-        operands: &[Point],
-        equals: false,
-        options: &[("angle", OptionForm::Expression), ("value", OptionForm::Expression)],
-        example: "#[speed(A: sleigh @ (0, 0), angle = 0, value = v)]",
-        build: speed,
-    },
-    RowForm {
-        keyword: "nonholonomic",
-        operands: &[Expression],
-        equals: true,
-        options: &[],
-        example: "#[nonholonomic(A: dot(wheel.x) = -R*dot(wheel.phi))]",
-        build: nonholonomic,
-    },
-    RowForm {
-        keyword: "driver",
-        operands: &[Expression],
-        equals: true,
-        options: &[],
-        example: "#[driver(drive: crank.phi = phi0 + omega*t)]",
-        build: driver,
-    },
-];
-
-fn revolute(parts: &mut Parts) -> RowKind {
-    RowKind::Revolute { p: parts.point(), q: parts.point() }
+/// The options that must be given, and that no other kind of the keyword has.
+fn own_options(kinds: &[&'static JointForm], form: &'static JointForm) -> Vec<&'static str> {
+    let others = || kinds.iter().filter(|other| **other != form).flat_map(|other| other.slots);
+    let required = form.written(Written::Option).filter(|slot| !slot.or_zero && slot.takes != Takes::Carrier);
+    required.map(|slot| slot.key).filter(|key| others().all(|slot| slot.key != *key)).collect()
 }
 
-fn translational(parts: &mut Parts) -> RowKind {
-    RowKind::Translational {
-        p: parts.point(),
-        q: parts.point(),
-        axis: parts.axis("axis"),
-        angle: parts.or_zero("angle"),
+impl Parts<'_> {
+    /// What the row is, and what stands in its slots.
+    pub(super) fn operands(mut self) -> (&'static JointForm, Vec<OperandExpr>) {
+        let kind = self.kind();
+        let operands = kind.slots.iter().map(|slot| self.operand(slot)).collect();
+        (kind, operands)
     }
-}
 
-fn fixed(parts: &mut Parts) -> RowKind {
-    RowKind::Fixed { p: parts.point(), q: parts.point(), angle: parts.or_zero("angle") }
-}
-
-fn point_on_line(parts: &mut Parts) -> RowKind {
-    RowKind::PointOnLine {
-        p: parts.point(),
-        q: parts.point(),
-        axis: parts.axis("axis"),
-        offset: parts.or_zero("offset"),
-    }
-}
-
-fn distance(parts: &mut Parts) -> RowKind {
-    RowKind::Distance { p: parts.point(), q: parts.point(), length: parts.required("length") }
-}
-
-fn x(parts: &mut Parts) -> RowKind {
-    RowKind::X { p: parts.point(), value: parts.right() }
-}
-
-fn y(parts: &mut Parts) -> RowKind {
-    RowKind::Y { p: parts.point(), value: parts.right() }
-}
-
-fn angle(parts: &mut Parts) -> RowKind {
-    RowKind::Angle { body: parts.body(), value: parts.right() }
-}
-
-fn relative_angle(parts: &mut Parts) -> RowKind {
-    RowKind::RelativeAngle { a: parts.body(), b: parts.body(), value: parts.right() }
-}
-
-fn on_curve(parts: &mut Parts) -> RowKind {
-    RowKind::OnCurve { p: parts.point(), q: parts.point(), curve: parts.curve() }
-}
-
-fn flat_follower(parts: &mut Parts) -> RowKind {
-    RowKind::FlatFollower {
-        p: parts.point(),
-        q: parts.point(),
-        axis: parts.axis("axis"),
-        support: parts.required("support"),
-    }
-}
-
-fn gear(parts: &mut Parts) -> RowKind {
-    RowKind::Gear(pair(parts))
-}
-
-fn belt(parts: &mut Parts) -> RowKind {
-    RowKind::Belt(pair(parts))
-}
-
-fn pair(parts: &mut Parts) -> PairExpr {
-    PairExpr {
-        a: parts.body(),
-        b: parts.body(),
-        radii: parts.radii("radii"),
-        carrier: parts.carrier("carrier"),
-        offset: parts.or_zero("offset"),
-    }
-}
-
-fn rack_pinion(parts: &mut Parts) -> RowKind {
-    RowKind::RackPinion {
-        p: parts.point(),
-        q: parts.point(),
-        axis: parts.axis("axis"),
-        pinion: parts.name("pinion"),
-        radius: parts.required("radius"),
-        offset: parts.or_zero("offset"),
-    }
-}
-
-/// A disc rolls on a line or on a disc; the options tell which.
-fn rolling(parts: &mut Parts) -> RowKind {
-    const LINE: [&str; 2] = ["axis", "radius"];
-    const DISC: [&str; 2] = ["radii", "along"];
-    const FORMS: &str =
-        "a disc rolls on a line with `axis = (1, 0), radius = r`, on another disc with `radii = (r1, r2), along = psi`";
-    let on_disc = match (parts.given(&LINE), parts.given(&DISC)) {
-        (Some(line), Some(disc)) => {
-            // What comes first says what is meant.
-            let on_disc = parts.given(&[LINE, DISC].concat()) == Some(disc);
-            let wrong = if on_disc { line } else { disc };
-            let message = format!("`{wrong}` belongs to the other form of `{}`: {FORMS}", parts.keyword);
-            parts.report.error(wrong.span(), message);
-            parts.lost_option = true;
-            on_disc
+    fn operand(&mut self, slot: &Slot) -> OperandExpr {
+        let key = slot.key;
+        match (slot.written, slot.takes) {
+            (Written::Operand, Takes::Point) => OperandExpr::Point(self.point()),
+            (Written::Operand, Takes::Points) => OperandExpr::Points(self.points()),
+            (Written::Operand, Takes::Body | Takes::Carrier) => OperandExpr::Body(self.body()),
+            (Written::Operand, _) => OperandExpr::Value(self.expr()),
+            (Written::Right, _) => OperandExpr::Value(self.right()),
+            (Written::Option, Takes::Axis) => OperandExpr::Axis(self.axis(key)),
+            (Written::Option, Takes::Radii) => OperandExpr::Radii(self.radii(key)),
+            (Written::Option, Takes::Body) => OperandExpr::Body(self.named_body(key)),
+            (Written::Option, Takes::Carrier) => OperandExpr::Body(self.carrier(key)),
+            (Written::Option, Takes::Scalar(_)) => OperandExpr::Scalar(self.name(key)),
+            (Written::Option, Takes::Curve) => OperandExpr::Curve(self.curve()),
+            (Written::Option, _) if slot.or_zero => OperandExpr::Value(self.or_zero(key)),
+            (Written::Option, _) => OperandExpr::Value(self.required(key)),
         }
-        (None, None) => {
-            if !parts.lost_option {
-                parts.report.error(parts.keyword.span(), FORMS);
-                parts.lost_option = true;
+    }
+
+    /// The kind that is meant: where several share the keyword, the options tell which.
+    fn kind(&mut self) -> &'static JointForm {
+        let kinds: &'static [&'static JointForm] = &self.form.kinds;
+        let [first, _, ..] = kinds else { return kinds[0] };
+        let given = |form: &'static JointForm| self.given(&own_options(kinds, form));
+        let mut meant: Vec<(&'static JointForm, &syn::Ident)> =
+            kinds.iter().filter_map(|form| Some((*form, given(form)?))).collect();
+        // What comes first says what is meant.
+        let place = |key: &syn::Ident| self.options.iter().position(|(given, _)| given == key);
+        meant.sort_by_key(|(_, key)| place(key));
+        let message = match meant.as_slice() {
+            [] if self.lost_option => None,
+            [] => Some((self.keyword.span(), first.choice.to_owned())),
+            [_] => None,
+            [_, (_, wrong), ..] => {
+                let message = format!("`{wrong}` belongs to the other form of `{}`: {}", self.keyword, first.choice);
+                Some((wrong.span(), message))
             }
-            false
+        };
+        let kind = meant.first().map_or(*first, |(form, _)| *form);
+        if let Some((span, message)) = message {
+            self.report.error(span, message);
+            self.lost_option = true;
         }
-        (_, disc) => disc.is_some(),
-    };
-    let (p, q) = (parts.point(), parts.point());
-    if on_disc {
-        let missing = DISC.into_iter().find(|key| parts.given(&[*key]).is_none());
-        if let (Some(key), false) = (missing, parts.lost_option) {
-            parts.report.error(parts.keyword.span(), format!("`{}` needs `{key} = …`: {FORMS}", parts.keyword));
-            parts.lost_option = true;
-        }
-        let (radii, along) = (parts.radii("radii"), parts.name("along"));
-        return RowKind::RollingOnDisc { p, q, radii, along, offset: parts.or_zero("offset") };
+        kind
     }
-    let (axis, radius) = (parts.axis("axis"), parts.required("radius"));
-    RowKind::RollingOnLine { p, q, axis, radius, offset: parts.or_zero("offset") }
-}
-
-fn constraint(parts: &mut Parts) -> RowKind {
-    RowKind::Constraint { left: parts.expr(), right: parts.right() }
-}
-
-fn knife_edge(parts: &mut Parts) -> RowKind {
-    RowKind::KnifeEdge { p: parts.point(), angle: parts.or_zero("angle") }
-}
-
-fn speed(parts: &mut Parts) -> RowKind {
-    RowKind::Speed { p: parts.point(), angle: parts.or_zero("angle"), value: parts.required("value") }
-}
-
-fn nonholonomic(parts: &mut Parts) -> RowKind {
-    RowKind::Nonholonomic { left: parts.expr(), right: parts.right() }
-}
-
-fn driver(parts: &mut Parts) -> RowKind {
-    RowKind::Driver { left: parts.expr(), right: parts.right() }
 }

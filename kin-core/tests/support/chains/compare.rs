@@ -1,7 +1,7 @@
 //! A plan against the dense Newton iteration, along a motion.
 
 use super::{Draft, Instant, Oracle, Planned, difference};
-use kin_core::mechanism::check::check;
+use kin_core::check::check;
 use std::f64::consts::TAU;
 
 /// Agreement, relative to the largest entry of q, q̇ or q̈ and to 1.

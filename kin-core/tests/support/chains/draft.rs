@@ -1,7 +1,8 @@
 //! A mechanism put together around a pose: bodies are placed first, joints take their dimensions from where they are.
 
 use super::super::*;
-use kin_core::mechanism::{Axis, Body, BodyOrigin, BodyRef, Formula, JointKind, Mechanism, Parameter, Place};
+use kin_core::joints::{Angle, Distance, PointOnLine, RelativeAngle, Revolute, Translational};
+use kin_core::mechanism::{Axis, Body, BodyOrigin, BodyRef, Formula, Mechanism, Operands, Parameter, Place, Value};
 use std::f64::consts::TAU;
 
 /// x, y, φ.
@@ -121,9 +122,9 @@ impl Draft {
         axis(x, y)
     }
 
-    pub fn add(&mut self, kind: JointKind) {
+    pub fn add(&mut self, operands: Operands) {
         let name = format!("J{}", self.mechanism.joints.len());
-        self.mechanism.joints.push(joint(&name, kind));
+        self.mechanism.joints.push(joint(&name, operands));
     }
 
     /// Two places in one or the other order.
@@ -139,7 +140,7 @@ impl Draft {
         }
         let (a, b) = self.either(a, b);
         let (p, q) = (self.place(a, at), self.place(b, at));
-        self.add(JointKind::Revolute { p, q });
+        self.add(Revolute { p, q }.into());
     }
 
     /// A translational joint along the direction ψ through `at`, the second point somewhere else along it.
@@ -149,7 +150,7 @@ impl Draft {
         let other = plus(at, turned(psi, [stroke, 0.0]));
         let (p, q, axis) = (self.place(a, at), self.place(b, other), self.axis(a, psi));
         let angle = self.value(self.poses[b][2] - self.poses[a][2]);
-        self.add(JointKind::Translational { p, q, axis, angle });
+        self.add(Translational { p, q, axis, angle }.into());
     }
 
     /// The point `at` of b on a line of a with the direction ψ, at a signed offset or none; the offset may grow.
@@ -159,7 +160,7 @@ impl Draft {
         let foot = minus(at, turned(psi, [along, e]));
         let (p, q, axis) = (self.place(a, foot), self.place(b, at), self.axis(a, psi));
         let offset = self.growing(e, 15);
-        self.add(JointKind::PointOnLine { p, q, axis, offset });
+        self.add(PointOnLine { p, q, axis, offset }.into());
     }
 
     /// The distance of a point of a and a point of b; the length may grow.
@@ -167,7 +168,7 @@ impl Draft {
         let length = self.growing(length(minus(q, p)), 25);
         let (p, q) = (self.place(a, p), self.place(b, q));
         let kind = if self.random.chance(80) {
-            JointKind::Distance { p, q, length, length_origin: AT }
+            Distance { p, q, length: Value { value: length, origin: AT } }.into()
         } else {
             driver(Formula::Distance(Box::new(p), Box::new(q)), length)
         };
@@ -193,9 +194,9 @@ impl Draft {
         let value = add(value, mul(omega, Formula::Time));
         let (a, b) = (self.named(a), self.named(b));
         let kind = match self.random.below(3) {
-            0 if a.is_ground() => JointKind::Angle { body: b, value },
+            0 if a.is_ground() => Angle { body: b, value }.into(),
             1 if a.is_ground() => driver(phi(b), value),
-            _ => JointKind::RelativeAngle { a, b, value },
+            _ => RelativeAngle { a, b, value }.into(),
         };
         self.add(kind);
     }

@@ -3,7 +3,8 @@
 
 use super::super::Random;
 use super::{Draft, FIXED, SHORTEST, Vector, length, minus};
-use kin_core::mechanism::{JointKind, Radii, Radius};
+use kin_core::joints::{Belt, Fixed, Gear, RelativeAngle};
+use kin_core::mechanism::{Operands, Radii, Value};
 use std::f64::consts::TAU;
 
 /// The kinds, by their joints from one known body to the other: revolute or prismatic.
@@ -104,14 +105,14 @@ fn geared(draft: &mut Draft, crank: usize) -> usize {
         1 => radii[0] * a - radii[1] * b,
         _ => b - a,
     };
-    let [i, j] = radii.map(|value| Radius { value: draft.value(value), origin: super::super::AT });
+    let [i, j] = radii.map(|value| Value { value: draft.value(value), origin: super::super::AT });
     let offset = draft.value(offset);
     let (a, b, carrier) = (draft.named(crank), draft.named(wheel), draft.named(FIXED));
     let radii = Radii { i, j, origin: super::super::AT };
     draft.add(match choice {
-        0 => JointKind::Gear { a, b, radii, carrier, offset },
-        1 => JointKind::Belt { a, b, radii, carrier, offset },
-        _ => JointKind::RelativeAngle { a, b, value: offset },
+        0 => Gear { a, b, radii, carrier, offset }.into(),
+        1 => Belt { a, b, radii, carrier, offset }.into(),
+        _ => RelativeAngle { a, b, value: offset }.into(),
     });
     wheel
 }
@@ -122,7 +123,7 @@ fn welded(draft: &mut Draft, to: usize) -> usize {
     let plate = draft.link(&[at]);
     let (p, q) = (draft.place(to, at), draft.place(plate, at));
     let angle = draft.value(draft.poses[plate][2] - draft.poses[to][2]);
-    draft.add(JointKind::Fixed { p, q, angle });
+    draft.add(Fixed { p, q, angle }.into());
     plate
 }
 

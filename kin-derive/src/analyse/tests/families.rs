@@ -1,5 +1,6 @@
 use super::{errors, good, one_error};
-use kin_core::mechanism::{BodyOrigin, BodyRef, Formula, GuessTarget, Index, JointKind, Range};
+use kin_core::joints::{Driver, JointOperands, Revolute};
+use kin_core::mechanism::{BodyOrigin, BodyRef, Formula, GuessTarget, Index, Range};
 
 const CHAIN: &str = "
     #[bodies(link[10])]
@@ -19,7 +20,7 @@ fn a_chain_of_links() {
     assert_eq!(m.parameters[0].default.as_deref(), Some(&[0.1; 10][..]));
     assert_eq!(m.parameters[1].default.as_ref().unwrap()[9], 9.0);
     assert_eq!(chain.fields[0].len, Some(10));
-    let JointKind::Revolute { p, q } = &m.joints[1].kind else { panic!() };
+    let Some(Revolute { p, q }) = &Revolute::of(&m.joints[1].operands) else { panic!() };
     assert_eq!(m.joints[1].range, Some(Range { start: 0, end: 9 }));
     assert!(matches!(p.body, BodyRef::Body { index: Index { scale: 1, offset: 0 }, .. }));
     assert!(matches!(q.body, BodyRef::Body { index: Index { scale: 1, offset: 1 }, .. }));
@@ -30,18 +31,25 @@ fn a_chain_of_links() {
 #[test]
 fn points_of_a_family_are_seen_from_where_they_are_used() {
     let m = good(CHAIN).mechanism;
-    let JointKind::Driver { left: Formula::PointCoordinate(place, _), right, .. } = &m.joints[2].kind else { panic!() };
+    let Some(Driver { left: Formula::PointCoordinate(place, _), right, .. }) = &Driver::of(&m.joints[2].operands)
+    else {
+        panic!()
+    };
     assert!(matches!(place.body, BodyRef::Body { index: Index { scale: 2, offset: 1 }, .. }));
-    assert!(matches!(right, Formula::Define(member) if member.index == Index { scale: 2, offset: 1 }));
+    assert!(matches!(&right.value, Formula::Define(member) if member.index == Index { scale: 2, offset: 1 }));
     let m = good(
         "#[bodies(b[9])] #[point(p[i in 0..3] = b[3*i] @ (l[i], 0))] #[driver(N[i in 0..3]: b[3*i+1].x = b[3*i+2].y)] \
          #[driver(M[i in 0..2]: p[2 - 2*i].x = t)] #[driver(d: p[1].x = t)] struct S { l: [f64; 3] }",
     )
     .mechanism;
-    let JointKind::Driver { left: Formula::PointCoordinate(place, _), .. } = &m.joints[1].kind else { panic!() };
+    let Some(Driver { left: Formula::PointCoordinate(place, _), .. }) = &Driver::of(&m.joints[1].operands) else {
+        panic!()
+    };
     assert!(matches!(place.body, BodyRef::Body { index: Index { scale: -6, offset: 6 }, .. }));
     assert!(matches!(&place.x, Formula::Parameter(l) if l.index == Index { scale: -2, offset: 2 }));
-    let JointKind::Driver { left: Formula::PointCoordinate(place, _), .. } = &m.joints[2].kind else { panic!() };
+    let Some(Driver { left: Formula::PointCoordinate(place, _), .. }) = &Driver::of(&m.joints[2].operands) else {
+        panic!()
+    };
     assert!(matches!(place.body, BodyRef::Body { index: Index { scale: 0, offset: 3 }, .. }));
 }
 
@@ -61,7 +69,7 @@ fn families_of_carried_bodies() {
 #[test]
 fn scalar_families() {
     let m = good("#[coordinates(u[3])] #[driver(N[i in 0..3]: u[2-i] = t)] struct S;").mechanism;
-    let JointKind::Driver { left: Formula::Scalar(u), .. } = &m.joints[0].kind else { panic!() };
+    let Some(Driver { left: Formula::Scalar(u), .. }) = &Driver::of(&m.joints[0].operands) else { panic!() };
     assert_eq!(u.index, Index { scale: -1, offset: 2 });
 }
 

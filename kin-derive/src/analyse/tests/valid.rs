@@ -1,7 +1,10 @@
 use super::{equation, errors, good, pendulum, tokens};
 use crate::analyse::analyse;
 use crate::lower::{FieldRole, MentionKind};
-use kin_core::mechanism::{BodyOrigin, BodyRef, Component, Formula, GuessTarget, Index, JointKind};
+use kin_core::joints::{
+    Belt, Constraint, Driver, Fixed, Gear, JointOperands, RackPinion, Revolute, RollingOnDisc, RollingOnLine,
+};
+use kin_core::mechanism::{BodyOrigin, BodyRef, Component, Formula, GuessTarget, Index};
 use quote::ToTokens;
 
 const FOUR_BAR: &str = r#"
@@ -41,9 +44,9 @@ fn the_four_bar_of_the_design_page() {
     assert_eq!(m.name, "FourBar");
     let names: Vec<&str> = m.bodies.iter().map(|b| b.name.as_str()).collect();
     assert_eq!(names, ["crank", "coupler", "rocker"]);
-    let rows: Vec<String> = m.joints.iter().map(|j| format!("{} {}", j.kind.keyword(), j.name)).collect();
+    let rows: Vec<String> = m.joints.iter().map(|j| format!("{} {}", j.operands.keyword(), j.name)).collect();
     assert_eq!(rows, ["revolute C", "revolute A", "revolute B", "revolute D", "driver drive"]);
-    let JointKind::Revolute { p, q } = &m.joints[1].kind else { panic!() };
+    let Some(Revolute { p, q }) = &Revolute::of(&m.joints[1].operands) else { panic!() };
     assert!(matches!(p.body, BodyRef::Body { family: 0, index: Index { scale: 0, offset: 0 }, .. }));
     assert!(matches!(&q.x, Formula::Div(a, _, _) if matches!(&**a, Formula::Neg(_))));
     assert_eq!(q.y, Formula::Number(0.0));
@@ -120,18 +123,18 @@ fn gears_and_rolling_discs() {
          struct S { l: f64 }",
     )
     .mechanism;
-    let rows: Vec<&str> = m.joints.iter().map(|j| j.kind.keyword()).collect();
+    let rows: Vec<&str> = m.joints.iter().map(|j| j.operands.keyword()).collect();
     assert_eq!(rows, ["gear", "gear", "belt", "rack_pinion", "rolling", "rolling"]);
-    let JointKind::Gear { radii, carrier, offset, .. } = &m.joints[0].kind else { panic!() };
+    let Some(Gear { radii, carrier, offset, .. }) = &Gear::of(&m.joints[0].operands) else { panic!() };
     assert!(carrier.is_ground() && *offset == Formula::ZERO);
     assert!(matches!(radii.i.value, Formula::Parameter(_)) && matches!(radii.j.value, Formula::Mul(..)));
-    let JointKind::Gear { carrier, offset, .. } = &m.joints[1].kind else { panic!() };
+    let Some(Gear { carrier, offset, .. }) = &Gear::of(&m.joints[1].operands) else { panic!() };
     assert!(matches!(carrier, BodyRef::Body { family: 2, .. }) && matches!(offset, Formula::Mul(..)));
-    assert!(matches!(&m.joints[2].kind, JointKind::Belt { carrier: BodyRef::Ground(_), .. }));
-    let JointKind::RackPinion { pinion, radius, .. } = &m.joints[3].kind else { panic!() };
+    assert!(matches!(Belt::of(&m.joints[2].operands), Some(Belt { carrier: BodyRef::Ground(_), .. })));
+    let Some(RackPinion { pinion, radius, .. }) = &RackPinion::of(&m.joints[3].operands) else { panic!() };
     assert!(matches!(pinion, BodyRef::Body { family: 1, .. }) && matches!(radius.value, Formula::Neg(_)));
-    assert!(matches!(&m.joints[4].kind, JointKind::RollingOnLine { offset: Formula::Time, .. }));
-    let JointKind::RollingOnDisc { along, .. } = &m.joints[5].kind else { panic!() };
+    assert!(matches!(RollingOnLine::of(&m.joints[4].operands), Some(RollingOnLine { offset: Formula::Time, .. })));
+    let Some(RollingOnDisc { along, .. }) = &RollingOnDisc::of(&m.joints[5].operands) else { panic!() };
     assert_eq!(along.index, Index { scale: -1, offset: 1 });
 }
 
@@ -150,20 +153,20 @@ fn every_row_of_the_vocabulary() {
          struct S { l: f64 }",
     )
     .mechanism;
-    let rows: Vec<&str> = m.joints.iter().map(|j| j.kind.keyword()).collect();
+    let rows: Vec<&str> = m.joints.iter().map(|j| j.operands.keyword()).collect();
     assert_eq!(rows.len(), 12);
     assert_eq!(&rows[..5], ["revolute", "translational", "fixed", "point_on_line", "distance"]);
     assert_eq!(&rows[5..10], ["x", "y", "angle", "relative_angle", "constraint"]);
-    let JointKind::Fixed { angle, .. } = &m.joints[2].kind else { panic!() };
+    let Some(Fixed { angle, .. }) = &Fixed::of(&m.joints[2].operands) else { panic!() };
     assert_eq!(*angle, Formula::ZERO);
-    let JointKind::Driver { left, .. } = &m.joints[10].kind else { panic!() };
+    let Some(Driver { left, .. }) = &Driver::of(&m.joints[10].operands) else { panic!() };
     assert!(matches!(left, Formula::Distance(p, _) if matches!(p.x, Formula::Parameter(_))));
 }
 
 /// The left side of an equation in `u`, `v`, `l1`, `l2`.
 fn formula(expr: &str) -> Formula {
     let m = good(&equation(expr)).mechanism;
-    let JointKind::Constraint { left, .. } = &m.joints[0].kind else { panic!() };
+    let Some(Constraint { left, .. }) = &Constraint::of(&m.joints[0].operands) else { panic!() };
     left.clone()
 }
 
@@ -220,7 +223,7 @@ fn fragments_of_macro_rules_bind_as_the_user_sees_them() {
     };
     let (_, result) = analyse(tokens(""), source);
     let m = result.map_err(super::messages).unwrap_or_else(|e| panic!("{e:?}")).mechanism;
-    let JointKind::Constraint { left, .. } = &m.joints[0].kind else { panic!() };
+    let Some(Constraint { left, .. }) = &Constraint::of(&m.joints[0].operands) else { panic!() };
     assert!(matches!(left, Formula::Mul(a, _) if matches!(&**a, Formula::Add(..))));
 }
 

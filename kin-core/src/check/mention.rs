@@ -1,0 +1,209 @@
+//! Which coordinates a row mentions, through points, defines and carried origins.
+//!
+//! The answer may hold too much, never too little: a rule may only speak of what is certainly not mentioned.
+
+use crate::mechanism::{BodyRef, Component, Formula, Joint, Mechanism, Member, Operand, Place, Sees, Source, nodes};
+use std::collections::BTreeSet;
+
+/// A generalized coordinate: of a member of a family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Coordinate {
+    /// Family, member and component of a body.
+    Pose(usize, usize, Component),
+    /// Family and member of a scalar coordinate.
+    Scalar(usize, usize),
+}
+
+/// What can be mentioned; coordinates that are held or carried lead on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Mention {
+    Coordinate(Coordinate),
+    Define(usize, usize),
+}
+
+/// The free coordinates that any step of the joint's range mentions.
+pub(super) fn mentioned(mechanism: &Mechanism, joint: &Joint) -> BTreeSet<Coordinate> {
+    let indices = joint.range.map_or(0..1, |range| range.indices());
+    let mut all = Mentions::new(mechanism);
+    indices.for_each(|i| all.joint(joint, i));
+    all.follow()
+}
+
+/// The free coordinates that the joint mentions at step `i` of its range.
+pub(super) fn mentioned_at(mechanism: &Mechanism, joint: &Joint, i: i64) -> BTreeSet<Coordinate> {
+    let mut all = Mentions::new(mechanism);
+    all.joint(joint, i);
+    all.follow()
+}
+
+/// False only for what certainly stays as it is at step `i` of its range: no coordinate, no t and no input is in it.
+pub(super) fn changes(mechanism: &Mechanism, formulas: &[&Formula], i: i64) -> bool {
+    let mut all = Mentions::new(mechanism);
+    formulas.iter().for_each(|formula| all.formula(formula, i));
+    all.close();
+    all.rheonomic || !all.follow().is_empty()
+}
+
+/// True if the formula mentions a free coordinate at step `i` of its range.
+pub(super) fn moves(mechanism: &Mechanism, formula: &Formula, i: i64) -> bool {
+    let mut all = Mentions::new(mechanism);
+    all.formula(formula, i);
+    !all.follow().is_empty()
+}
+
+/// True if any step of the joint's range meets a coordinate that is held.
+pub(crate) fn meets_held(mechanism: &Mechanism, joint: &Joint) -> bool {
+    let indices = joint.range.map_or(0..1, |range| range.indices());
+    let mut all = Mentions::new(mechanism);
+    indices.for_each(|i| all.joint(joint, i));
+    all.close();
+    all.seen.iter().any(|mention| match *mention {
+        Mention::Coordinate(Coordinate::Pose(family, _, component)) => {
+            matches!(source(mechanism, family, component), Some(Source::Held(_)))
+        }
+        Mention::Coordinate(Coordinate::Scalar(..)) | Mention::Define(..) => false,
+    })
+}
+
+/// Where a component of a member of a family comes from.
+fn source(mechanism: &Mechanism, family: usize, component: Component) -> Option<Source<'_>> {
+    mechanism.bodies.get(family).map(|body| body.source(component))
+}
+
+struct Mentions<'a> {
+    mechanism: &'a Mechanism,
+    seen: BTreeSet<Mention>,
+    open: Vec<Mention>,
+    /// t or an input was met.
+    rheonomic: bool,
+}
+
+impl<'a> Mentions<'a> {
+    fn new(mechanism: &'a Mechanism) -> Self {
+        Self { mechanism, seen: BTreeSet::new(), open: Vec::new(), rheonomic: false }
+    }
+
+    fn note(&mut self, mention: Mention) {
+        if self.seen.insert(mention) {
+            self.open.push(mention);
+        }
+    }
+
+    /// Follows what was noted to its end.
+    fn close(&mut self) {
+        let mechanism = self.mechanism;
+        while let Some(mention) = self.open.pop() {
+            match mention {
+                Mention::Define(family, member) => {
+                    if let Some(define) = mechanism.defines.get(family) {
+                        self.formula(&define.formula, index(member));
+                    }
+                }
+                Mention::Coordinate(Coordinate::Pose(family, member, component)) => {
+                    match source(mechanism, family, component) {
+                        Some(Source::Carried(place)) => self.place(place, &[component], index(member)),
+                        Some(Source::Held(formula)) => self.formula(formula, index(member)),
+                        Some(Source::Free) | None => {}
+                    }
+                }
+                Mention::Coordinate(Coordinate::Scalar(..)) => {}
+            }
+        }
+    }
+
+    /// The coordinates that are free of all that what was noted leads to.
+    fn follow(mut self) -> BTreeSet<Coordinate> {
+        let mechanism = self.mechanism;
+        self.close();
+        let coordinates = self.seen.into_iter().filter_map(|mention| match mention {
+            Mention::Coordinate(coordinate) => Some(coordinate),
+            Mention::Define(..) => None,
+        });
+        coordinates
+            .filter(|coordinate| match *coordinate {
+                Coordinate::Pose(family, _, component) => {
+                    matches!(source(mechanism, family, component), Some(Source::Free))
+                }
+                Coordinate::Scalar(..) => true,
+            })
+            .collect()
+    }
+
+    fn joint(&mut self, joint: &Joint, i: i64) {
+        for (slot, operand) in joint.operands.iter() {
+            match operand {
+                Operand::Point(place) => self.point(place, slot.sees, i),
+                Operand::Points(places) => places.iter().for_each(|place| self.point(place, slot.sees, i)),
+                Operand::Body(body) => self.pose(*body, Component::Phi, i),
+                // An axis and radii are formulas of parameters.
+                Operand::Axis(_) | Operand::Radii(_) => {}
+                Operand::Scalar(_) | Operand::Value(_) | Operand::Curve(_) => {
+                    operand.formulas().into_iter().for_each(|formula| self.formula(formula, i));
+                    operand.scalar().iter().for_each(|member| self.scalar(member, i));
+                }
+            }
+        }
+    }
+
+    /// A point, as far as rows see it.
+    fn point(&mut self, place: &Place, sees: Sees, i: i64) {
+        match sees {
+            Sees::Component(component) => self.place(place, &[component], i),
+            Sees::Point | Sees::PointAndAngle => self.place(place, &[Component::X, Component::Y], i),
+        }
+        if sees == Sees::PointAndAngle {
+            self.pose(place.body, Component::Phi, i);
+        }
+    }
+
+    fn formula(&mut self, formula: &Formula, i: i64) {
+        for node in nodes(formula) {
+            match node {
+                Formula::Pose(body, component) => self.pose(*body, *component, i),
+                Formula::PointCoordinate(place, component) => self.place(place, &[*component], i),
+                Formula::Distance(p, q) => {
+                    self.place(p, &[Component::X, Component::Y], i);
+                    self.place(q, &[Component::X, Component::Y], i);
+                }
+                Formula::Time | Formula::Input(_) => self.rheonomic = true,
+                Formula::Scalar(member) => self.scalar(member, i),
+                Formula::Define(member) => {
+                    if let Some(index) = member.index.at(i) {
+                        self.note(Mention::Define(member.family, index));
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn scalar(&mut self, member: &Member, i: i64) {
+        if let Some(index) = member.index.at(i) {
+            self.note(Mention::Coordinate(Coordinate::Scalar(member.family, index)));
+        }
+    }
+
+    fn pose(&mut self, body: BodyRef, component: Component, i: i64) {
+        if let BodyRef::Body { family, index, .. } = body
+            && let Some(member) = index.at(i)
+        {
+            self.note(Mention::Coordinate(Coordinate::Pose(family, member, component)));
+        }
+    }
+
+    /// The given coordinates of a point; the body's angle moves them unless the point is the body's origin.
+    fn place(&mut self, place: &Place, components: &[Component], i: i64) {
+        for component in components {
+            self.pose(place.body, *component, i);
+        }
+        let is_origin = place.x.literal() == Some(0.0) && place.y.literal() == Some(0.0);
+        if !is_origin {
+            self.pose(place.body, Component::Phi, i);
+        }
+    }
+}
+
+/// A member's number as the value of the index variable.
+fn index(member: usize) -> i64 {
+    i64::try_from(member).unwrap_or(i64::MAX)
+}

@@ -1,0 +1,92 @@
+//! Rules on names.
+
+use crate::error::{ModelError, Origin};
+use crate::mechanism::Mechanism;
+use std::collections::BTreeMap;
+
+/// The words that the language keeps for itself.
+pub const RESERVED: [&str; 17] = [
+    "t", "pi", "ground", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "ln", "abs", "pow",
+    "distance", "dot",
+];
+
+/// True for a word that the language keeps for itself.
+pub fn is_reserved(name: &str) -> bool {
+    RESERVED.contains(&name)
+}
+
+/// Everything with a name in the shared namespace, in the order of the source.
+fn declared(mechanism: &Mechanism) -> Vec<(&str, &'static str, Origin)> {
+    let mut all: Vec<(&str, &'static str, Origin)> = Vec::new();
+    all.extend(mechanism.parameters.iter().map(|p| (p.name.as_str(), "a parameter", p.origin)));
+    all.extend(mechanism.functions.iter().map(|f| (f.name.as_str(), "a function", f.origin)));
+    all.extend(mechanism.inputs.iter().map(|i| (i.name.as_str(), "an input", i.origin)));
+    all.extend(mechanism.bodies.iter().map(|b| (b.name.as_str(), "a body", b.origin)));
+    all.extend(mechanism.scalars.iter().map(|s| (s.name.as_str(), "a coordinate", s.origin)));
+    all.extend(mechanism.points.iter().map(|p| (p.name.as_str(), "a point", p.origin)));
+    all.extend(mechanism.defines.iter().map(|d| (d.name.as_str(), "a define", d.origin)));
+    all.sort_by_key(|(_, _, origin)| *origin);
+    all
+}
+
+/// Two things with one name: the second is told about the first.
+pub(super) fn names_differ(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    let mut first = BTreeMap::new();
+    for (name, kind, origin) in declared(mechanism) {
+        match first.get(name) {
+            None => _ = first.insert(name, kind),
+            Some(&other) if other == kind => {
+                let noun = kind.trim_start_matches("a ").trim_start_matches("an ");
+                let message = format!("there is {kind} `{name}` already; declare it once, or rename this {noun}");
+                errors.push(ModelError::new(origin, message));
+            }
+            Some(other) => {
+                let message = format!(
+                    "`{name}` is {other} already, and here {kind}; bodies, coordinates, parameters, points, defines, functions and inputs share one namespace"
+                );
+                errors.push(ModelError::new(origin, message));
+            }
+        }
+    }
+}
+
+/// True when no name is declared twice.
+pub(super) fn are_distinct(mechanism: &Mechanism) -> bool {
+    let mut errors = Vec::new();
+    names_differ(mechanism, &mut errors);
+    errors.is_empty()
+}
+
+/// A name that is a word of the language.
+pub(super) fn names_are_free(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    for (name, kind, origin) in declared(mechanism) {
+        if is_reserved(name) {
+            let meaning = match name {
+                "t" => "time",
+                "pi" => "the number π",
+                "ground" => "the fixed frame",
+                _ => "a function",
+            };
+            let message = format!("`{name}` is {meaning} in every mechanism; {kind} needs another name");
+            errors.push(ModelError::new(origin, message));
+        }
+    }
+}
+
+/// Two rows with one name; a condition counts as a row.
+pub(super) fn row_names_differ(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    let joints = mechanism.joints.iter().map(|joint| (joint.name.as_str(), joint.operands.keyword(), joint.origin));
+    let conditions = mechanism.conditions.iter().map(|c| (c.name.as_str(), "unilateral", c.origin));
+    let mut rows: Vec<_> = joints.chain(conditions).collect();
+    rows.sort_by_key(|(_, _, origin)| *origin);
+    let mut first = BTreeMap::new();
+    for (name, keyword, origin) in rows {
+        match first.get(name) {
+            None => _ = first.insert(name, keyword),
+            Some(other) => {
+                let message = format!("there is a row `{name}` already, a `{other}`; every row has a name of its own");
+                errors.push(ModelError::new(origin, message));
+            }
+        }
+    }
+}

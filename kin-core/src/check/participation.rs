@@ -1,0 +1,101 @@
+//! Rules on what takes part: rows mention coordinates, and everything that can move is mentioned.
+
+use super::geometry::is_within_ground;
+use super::mention::{Coordinate, mentioned, mentioned_at};
+use crate::error::ModelError;
+use crate::mechanism::{Body, Component, Mechanism};
+use std::collections::BTreeSet;
+
+/// A row that mentions no coordinate cannot be satisfied by moving anything.
+pub(super) fn rows_hold_coordinates(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    for joint in &mechanism.joints {
+        // A joint within the ground has its own message.
+        if is_within_ground(joint) {
+            continue;
+        }
+        let i = joint.range.map_or(0, |range| range.start);
+        if mentioned_at(mechanism, joint, i).is_empty() {
+            let (keyword, name) = (joint.operands.keyword(), &joint.name);
+            let message = format!(
+                "{keyword} `{name}` mentions no coordinate, so that nothing can move to satisfy it; \
+                 a row holds at least one coordinate that is not held"
+            );
+            errors.push(ModelError::new(joint.keyword, message));
+        }
+    }
+}
+
+/// True for a body with a coordinate of its own.
+fn has_free(body: &Body) -> bool {
+    Component::ALL.into_iter().any(|component| body.is_free(component))
+}
+
+/// A mechanism has at least one coordinate.
+pub(super) fn has_coordinates(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    if !mechanism.scalars.is_empty() || mechanism.bodies.iter().any(has_free) {
+        return;
+    }
+    let name = &mechanism.name;
+    let message = match mechanism.bodies.len() {
+        0 => format!(
+            "`{name}` has no coordinates; bodies are declared with `#[bodies(crank, …)]`, scalar coordinates with `#[coordinates(u, …)]`"
+        ),
+        1 => format!(
+            "`{name}` has no coordinates: everything of its body is held; leave at least one of x, y and phi free"
+        ),
+        n => format!(
+            "`{name}` has no coordinates: everything of its {n} bodies is held; leave at least one of x, y and phi free"
+        ),
+    };
+    errors.push(ModelError::new(mechanism.origin, message));
+}
+
+/// Every body with a coordinate is mentioned by some row.
+pub(super) fn bodies_are_touched(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    let touched: BTreeSet<(usize, usize)> = all_mentioned(mechanism)
+        .into_iter()
+        .filter_map(|coordinate| match coordinate {
+            Coordinate::Pose(family, member, _) => Some((family, member)),
+            Coordinate::Scalar(..) => None,
+        })
+        .collect();
+    for (family, body) in mechanism.bodies.iter().enumerate() {
+        let members = if has_free(body) { body.len.unwrap_or(1) } else { 0 };
+        let untouched = (0..members).filter(|&m| !touched.contains(&(family, m)));
+        if let Some(names) = missing(&body.name, body.len, untouched.collect()) {
+            let message = format!("no row touches {names}; join it, hold all of its pose with `body`, or leave it out");
+            errors.push(ModelError::new(body.origin, message));
+        }
+    }
+}
+
+/// Every scalar coordinate is mentioned by some row.
+pub(super) fn scalars_are_mentioned(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    let mentioned = all_mentioned(mechanism);
+    for (family, scalar) in mechanism.scalars.iter().enumerate() {
+        let unmentioned = (0..scalar.len.unwrap_or(1)).filter(|&m| !mentioned.contains(&Coordinate::Scalar(family, m)));
+        if let Some(names) = missing(&scalar.name, scalar.len, unmentioned.collect()) {
+            let message = format!("no row mentions {names}; use it in a row, or leave it out");
+            errors.push(ModelError::new(scalar.origin, message));
+        }
+    }
+}
+
+fn all_mentioned(mechanism: &Mechanism) -> BTreeSet<Coordinate> {
+    mechanism.joints.iter().flat_map(|joint| mentioned(mechanism, joint)).collect()
+}
+
+/// The members that are missing, as a person would say it.
+fn missing(name: &str, len: Option<usize>, members: Vec<usize>) -> Option<String> {
+    const SHOWN: usize = 4;
+    match (members.len(), len) {
+        (0, _) => None,
+        (_, None) => Some(format!("`{name}`")),
+        (n, Some(len)) if n == len => Some(format!("any of the {n} members of `{name}`")),
+        (n, Some(_)) => {
+            let shown: Vec<String> = members.iter().take(SHOWN).map(|m| format!("`{name}[{m}]`")).collect();
+            let rest = if n > SHOWN { format!(", … ({n} in all)") } else { String::new() };
+            Some(format!("{}{rest}", shown.join(", ")))
+        }
+    }
+}

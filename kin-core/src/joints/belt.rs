@@ -1,0 +1,48 @@
+//! Belt or chain: two bodies turn in the same sense, as fast as their radii say.
+//!
+//! Row (1), in units of length; φ_c = 0 for axles in the ground:
+//! ```text
+//! R_a(φ_a − φ_c) − R_b(φ_b − φ_c) − e = 0
+//! ```
+//! A crossed belt has radii of different sign. The belt does not slip, and only the ratio of the radii counts. It is
+//! the row of a [`gear`](super::gear) with the second radius reversed.
+
+use super::gear::{carrier_is_a_third_body, coupled, coupled_angles};
+use super::joint::{JointType, joint};
+use crate::constraint::{Assembly, Rows};
+use crate::error::ModelError;
+use crate::mechanism::{BodyRef, Dimension, Formula, Joint, Mechanism, Radii, Slot, Takes};
+use crate::vectors::{Equation, NamedJoint};
+
+joint! {
+    /// Operands of a belt or chain.
+    Belt {
+        /// Body a.
+        a: BodyRef = Slot::body("a"),
+        /// Body b.
+        b: BodyRef = Slot::body("b"),
+        /// R_a and R_b.
+        radii: Radii = Slot::required("radii", Takes::Radii).measured_in(Dimension::CommonLength),
+        /// The body that carries both axles; the ground unless another is given.
+        carrier: BodyRef = Slot::required("carrier", Takes::Carrier),
+        /// e.
+        offset: Formula = Slot::offset("offset", Dimension::CommonLength),
+    }
+    example: "#[belt(A: motor, spindle, radii = (r1, r2))]"
+}
+
+impl JointType for Belt {
+    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+        coupled(a, [&self.a, &self.b, &self.carrier], &self.radii, &self.offset, |a, [first, second]| {
+            a.graph.sub(first, second)
+        })
+    }
+
+    fn check(&self, joint: &Joint, mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+        carrier_is_a_third_body([self.a, self.b], self.carrier, joint, mechanism, errors);
+    }
+
+    fn vector_equations(joint: &NamedJoint<'_>) -> Vec<Equation> {
+        coupled_angles(joint, " − ")
+    }
+}

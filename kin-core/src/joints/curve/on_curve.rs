@@ -1,0 +1,42 @@
+//! A point on a curve: Q of body j on a curve of body i that is written in polar, implicit or parametric form.
+
+use super::{implicit, parametric, polar};
+use crate::constraint::{Assembly, Rows};
+use crate::joints::joint::{JointType, joint};
+use crate::mechanism::{Curve, Place, Slot, Takes};
+use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals, zero};
+use crate::vocabulary::JointKind;
+
+joint! {
+    /// Operands of a point on a curve.
+    OnCurve as OnPolarCurve {
+        /// P of body i, the centre of the curve.
+        p: Place = Slot::frame("p"),
+        /// Q of body j.
+        q: Place = Slot::point("q"),
+        /// The curve.
+        curve: Curve = Slot::required("curve", Takes::Curve),
+    }
+    example: "#[on_curve(A: cam @ (0, 0), follower @ (0, 0), polar(theta) = r + e*cos(theta))]"
+}
+
+impl JointType for OnCurve {
+    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+        let (p, q) = (a.place(&self.p), a.place(&self.q));
+        match &self.curve {
+            Curve::Polar { radius, origin } => polar::rows(a, &p, &q, radius, *origin),
+            Curve::Implicit { value, .. } => implicit::rows(a, &p, &q, value),
+            Curve::Parametric { parameter, x, y, roller, .. } => {
+                parametric::rows(a, &p, &q, parameter, [x, y], roller.as_ref())
+            }
+        }
+    }
+
+    /// Of a parametric curve r_Q − r_P − A_i c(u) = 0; the others are the user's own formulas.
+    fn vector_equations(joint: &NamedJoint<'_>) -> Vec<Equation> {
+        let (Some(terms), JointKind::OnParametricCurve) = (Terms::of(joint), joint.kind) else { return Vec::new() };
+        let c = Piece::Vector(Symbol::bold("c").of(joint.name));
+        let curve = [Piece::Op(" − "), terms.i.matrix(), c, Piece::Op("(u)")];
+        vec![equals(terms.difference().into_iter().chain(curve).collect(), zero())]
+    }
+}

@@ -1,0 +1,69 @@
+//! Distance: P and Q keep a distance, as if joined by a massless link (revolute–revolute composite).
+//!
+//! Row (1), in units of length squared:
+//! ```text
+//! |r_Q − r_P|² − e² = 0
+//! ```
+//! Singular when P and Q coincide: the gradient of the square vanishes there, so e must not be 0; use a revolute
+//! joint for that. Reports the distance. After Haug (1989), section 3.2.
+
+#[cfg(test)]
+mod equidistant;
+
+use super::joint::{JointType, joint};
+use crate::constraint::{Assembly, PlacedPoint, Role, Rows};
+use crate::error::Origin;
+use crate::expr::ExprId;
+use crate::mechanism::{Function, Place, Slot, Takes, Value};
+use crate::vectors::{Equation, NamedJoint, Terms, equals};
+
+joint! {
+    /// Operands of a distance.
+    Distance {
+        /// P of body i.
+        p: Place = Slot::frame("p"),
+        /// Q of body j.
+        q: Place = Slot::frame("q"),
+        /// e.
+        length: Value = Slot::required("length", Takes::Signal).positive(),
+    }
+    example: "#[distance(A: crank @ (l1, 0), rocker @ (0, 0), length = l2)]"
+}
+
+impl JointType for Distance {
+    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+        let (p, q) = (a.place(&self.p), a.place(&self.q));
+        let length = a.formula(&self.length.value);
+        between(a, &p, &q, length, self.length.origin)
+    }
+
+    fn vector_equations(joint: &NamedJoint<'_>) -> Vec<Equation> {
+        let Some(terms) = Terms::of(joint) else { return Vec::new() };
+        vec![equals(terms.square_of_d(), terms.squared("e")), terms.d_is_difference()]
+    }
+}
+
+/// |r_Q − r_P|² − e².
+pub(super) fn between(a: &mut Assembly<'_>, p: &PlacedPoint, q: &PlacedPoint, length: ExprId, origin: Origin) -> Rows {
+    // A number only once names are followed and numbers folded; plain ones have their own rule.
+    match a.graph.literal(length) {
+        Some(0.0) => {
+            a.degenerate(
+                origin,
+                "this length",
+                "is 0, whose row has no gradient; points that coincide are joined with `revolute`",
+            );
+        }
+        Some(value) if value < 0.0 => {
+            a.degenerate(origin, "this length", format_args!("is {value}; a length is positive"));
+        }
+        _ => {}
+    }
+    let mut rows = Rows::between(p, q);
+    rows.geometry.push((Role::Value, p.frame, vec![length]));
+    let square = a.square_of_distance(p, q);
+    let target = a.graph.square(length);
+    rows.residuals = vec![("", a.graph.sub(square, target))];
+    rows.quantities = vec![("distance", a.graph.call(Function::Sqrt, square))];
+    rows
+}

@@ -1,0 +1,35 @@
+//! Driving constraints.
+//!
+//! Row (1):
+//! ```text
+//! left − right = 0
+//! ```
+//! A driver whose left side is exactly `distance(P, Q)` is written |r_Q − r_P|² − f², which has no square root and
+//! the same solutions for f > 0. After Haug (1989), section 3.5.
+
+use super::distance;
+use super::joint::{JointType, joint};
+use crate::constraint::{Assembly, Rows};
+use crate::mechanism::{Formula, Slot, Takes, Value};
+
+joint! {
+    /// Sides of a driving constraint.
+    Driver {
+        /// Left side.
+        left: Formula = Slot::left(Takes::Side),
+        /// Right side.
+        right: Value = Slot::right(Takes::Side),
+    }
+    example: "#[driver(drive: crank.phi = phi0 + omega*t)]"
+}
+
+impl JointType for Driver {
+    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+        if let Formula::Distance(p, q) = &self.left {
+            let (p, q) = (a.place(p), a.place(q));
+            let length = a.formula(&self.right.value);
+            return distance::between(a, &p, &q, length, self.right.origin);
+        }
+        Rows::equation(a, &self.left, &self.right.value)
+    }
+}

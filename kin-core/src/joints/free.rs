@@ -1,0 +1,27 @@
+//! Free-form equations of positions.
+//!
+//! Row (1), in the unit of its sides:
+//! ```text
+//! left − right = 0
+//! ```
+
+use super::joint::{JointType, joint};
+use crate::constraint::{Assembly, Rows};
+use crate::mechanism::{Formula, Slot, Takes};
+
+joint! {
+    /// Sides of an equation.
+    Constraint {
+        /// Left side.
+        left: Formula = Slot::left(Takes::Side),
+        /// Right side.
+        right: Formula = Slot::right(Takes::Side),
+    }
+    example: "#[constraint(close_x: l1*cos(phi1) + l2*cos(phi2) = d1)]"
+}
+
+impl JointType for Constraint {
+    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+        Rows::equation(a, &self.left, &self.right)
+    }
+}

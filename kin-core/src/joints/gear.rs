@@ -1,0 +1,127 @@
+//! Gear: two bodies roll on one another with fixed axles, or with axles that a carrier moves.
+//!
+//! Row (1), in units of length; φ_c = 0 for axles in the ground:
+//! ```text
+//! R_a(φ_a − φ_c) + R_b(φ_b − φ_c) − e = 0
+//! ```
+//! External gears have radii of one sign and turn against one another; the ring of an internal pair has the negative
+//! one and turns with its pinion. Only the ratio counts, so that numbers of teeth do as well. The row says nothing of
+//! the axles: revolute joints on the carrier put them where they belong. Never singular while a radius is not 0; with
+//! R_a + R_b = 0 the carrier drops out. After Haug (1989), section 3.3; relative to the carrier it is Willis' equation.
+
+use super::joint::{JointType, joint};
+use crate::constraint::{Assembly, Frame, Role, Rows};
+use crate::error::{ModelError, Origin};
+use crate::expr::ExprId;
+use crate::mechanism::{BodyRef, Dimension, Formula, Joint, Mechanism, Radii, Slot, Takes};
+use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
+
+joint! {
+    /// Operands of a gear pair.
+    Gear {
+        /// Body a.
+        a: BodyRef = Slot::body("a"),
+        /// Body b.
+        b: BodyRef = Slot::body("b"),
+        /// R_a and R_b.
+        radii: Radii = Slot::required("radii", Takes::Radii).measured_in(Dimension::CommonLength),
+        /// The body that carries both axles; the ground unless another is given.
+        carrier: BodyRef = Slot::required("carrier", Takes::Carrier),
+        /// e.
+        offset: Formula = Slot::offset("offset", Dimension::CommonLength),
+    }
+    example: "#[gear(A: sun, planet, radii = (r1, r2), carrier = arm)]"
+}
+
+impl JointType for Gear {
+    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+        coupled(a, [&self.a, &self.b, &self.carrier], &self.radii, &self.offset, |a, [first, second]| {
+            a.graph.add(first, second)
+        })
+    }
+
+    fn check(&self, joint: &Joint, mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+        carrier_is_a_third_body([self.a, self.b], self.carrier, joint, mechanism, errors);
+    }
+
+    fn vector_equations(joint: &NamedJoint<'_>) -> Vec<Equation> {
+        coupled_angles(joint, " + ")
+    }
+}
+
+/// R_a(φ_a − φ_c) and R_b(φ_b − φ_c), joined by `join`, minus the offset; `bodies` are a, b and the carrier c.
+pub(super) fn coupled(
+    a: &mut Assembly<'_>,
+    bodies: [&BodyRef; 3],
+    radii: &Radii,
+    offset: &Formula,
+    join: impl FnOnce(&mut Assembly<'_>, [ExprId; 2]) -> ExprId,
+) -> Rows {
+    let [i, j, carrier] = bodies.map(|body| a.frame(body));
+    let turned = bodies.map(|body| a.pose(body)[2]);
+    let radii = [&radii.i, &radii.j].map(|radius| a.radius(radius));
+    let offset = a.formula(offset);
+    let arcs = [0, 1].map(|k| {
+        let angle = a.graph.sub(turned[k], turned[2]);
+        a.graph.mul(radii[k], angle)
+    });
+    let whole = join(a, arcs);
+    let frame = |frame: Option<Frame>| frame.unwrap_or(Frame::Ground);
+    Rows {
+        residuals: vec![("", a.graph.sub(whole, offset))],
+        geometry: vec![
+            (Role::Radius, frame(i), vec![radii[0]]),
+            (Role::Radius, frame(j), vec![radii[1]]),
+            (Role::Value, frame(carrier), vec![offset]),
+        ],
+        frames: [i, j],
+        ..Rows::default()
+    }
+}
+
+/// The body that carries the axles of a gear pair is none of the two, at no step of the range.
+pub(super) fn carrier_is_a_third_body(
+    gears: [BodyRef; 2],
+    carrier: BodyRef,
+    joint: &Joint,
+    mechanism: &Mechanism,
+    errors: &mut Vec<ModelError>,
+) {
+    // Two gears on one body have their own message.
+    if mechanism.common_member(joint.range, gears[0], gears[1]).is_some() {
+        return;
+    }
+    let own = |gear| own_carrier(mechanism, joint, gear, carrier);
+    errors.extend(gears.into_iter().find_map(own).map(|(origin, message)| ModelError::new(origin, message)));
+}
+
+/// Where a gear is its own carrier, and what to say about it.
+fn own_carrier(mechanism: &Mechanism, joint: &Joint, gear: BodyRef, carrier: BodyRef) -> Option<(Origin, String)> {
+    let body = mechanism.common_member(joint.range, gear, carrier)?;
+    let (keyword, name) = (joint.operands.keyword(), &joint.name);
+    Some(if gear.is_ground() {
+        let right = "a body that carries both axles is given with `carrier = …`";
+        (gear.origin(), format!("{keyword} `{name}` turns against the ground and not with it; {right}"))
+    } else {
+        let right = "its carrier is a third body";
+        (carrier.origin(), format!("`{body}` is one of the two bodies that {keyword} `{name}` couples; {right}"))
+    })
+}
+
+/// R_a(φ_a − φ_c) ± R_b(φ_b − φ_c) = e, with c the carrier.
+pub(super) fn coupled_angles(joint: &NamedJoint<'_>, sign: &'static str) -> Vec<Equation> {
+    let Some(terms) = Terms::of(joint) else { return Vec::new() };
+    let arc = |place: &'static str, phi: Symbol| {
+        [
+            Piece::Scalar(Symbol::plain("R").of(place)),
+            Piece::Op("("),
+            Piece::Scalar(phi),
+            Piece::Op(" − "),
+            Piece::Scalar(Symbol::plain("φ").of("c")),
+            Piece::Op(")"),
+        ]
+    };
+    let (a, b) = (arc("a", terms.i.phi()), arc("b", terms.j.phi()));
+    let both = a.into_iter().chain([Piece::Op(sign)]).chain(b).collect();
+    vec![equals(both, terms.scalar("e"))]
+}

@@ -1,0 +1,62 @@
+//! The table of all kinds of joints.
+
+use super::joint::Kind;
+use super::{
+    Angle, Belt, Constraint, Distance, Driver, Fixed, FlatFollower, Gear, KnifeEdge, Nonholonomic, OnCurve,
+    PointOnLine, RackPinion, RelativeAngle, Revolute, RollingOnDisc, RollingOnLine, Speed, Translational, X, Y,
+};
+use crate::error::ModelError;
+use crate::mechanism::{Joint, JointForm, Mechanism, Operands};
+use crate::vectors::{Equation, NamedJoint};
+
+/// Every kind of joint, in the order of the guide. A new kind is a file of its own, its word in the
+/// [vocabulary](crate::vocabulary), and a row here.
+const KINDS: &[Kind] = &[
+    Kind::of::<Revolute>(),
+    Kind::of::<Translational>(),
+    Kind::of::<Fixed>(),
+    Kind::of::<PointOnLine>(),
+    Kind::of::<Distance>(),
+    Kind::of::<X>(),
+    Kind::of::<Y>(),
+    Kind::of::<Angle>(),
+    Kind::of::<RelativeAngle>(),
+    Kind::of::<OnCurve>(),
+    Kind::of::<FlatFollower>(),
+    Kind::of::<Gear>(),
+    Kind::of::<Belt>(),
+    Kind::of::<RackPinion>(),
+    Kind::of::<RollingOnLine>(),
+    Kind::of::<RollingOnDisc>(),
+    Kind::of::<Constraint>(),
+    Kind::of::<KnifeEdge>(),
+    Kind::of::<Speed>(),
+    Kind::of::<Nonholonomic>(),
+    Kind::of::<Driver>(),
+];
+
+/// How every kind of joint is written, in the order of the guide; kinds that share a keyword stand side by side.
+pub fn forms() -> impl Iterator<Item = &'static JointForm> {
+    KINDS.iter().map(|kind| kind.form)
+}
+
+/// The kind of a joint.
+pub(super) fn kind_of(operands: &Operands) -> Option<&'static Kind> {
+    KINDS.iter().find(|kind| kind.form == operands.form())
+}
+
+/// The rules that only the joint's kind has.
+pub(crate) fn check(joint: &Joint, mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    if let Some(kind) = kind_of(&joint.operands) {
+        (kind.check)(joint, mechanism, errors);
+    }
+}
+
+/// The equations of a joint's rows in vectors; none where the rows are the user's own formulas.
+pub(crate) fn vector_equations(joint: &NamedJoint<'_>) -> Vec<Equation> {
+    let same = |kind: &&Kind| kind.form.kind == joint.kind;
+    // The forms of a curve are one kind of joint.
+    let written_alike = |kind: &&Kind| kind.form.kind.keyword() == joint.kind.keyword();
+    let kind = KINDS.iter().find(same).or_else(|| KINDS.iter().find(written_alike));
+    kind.map_or_else(Vec::new, |kind| (kind.vector_equations)(joint))
+}

@@ -1,0 +1,40 @@
+//! Knife edge: a point of a body moves along a direction of the body only, as a blade, skate or wheel does.
+//!
+//! Row (1) of velocity level, with ψ = φ_i + α and u = (cos ψ, sin ψ), in units of velocity:
+//! ```text
+//! u × ṙ_P = −ẋ_P sin ψ + ẏ_P cos ψ = 0
+//! ```
+//! α may depend on time: a wheel that is steered. Never singular by itself, for B has the unit vector perp(u) in the
+//! columns of a free origin. After Neimark and Fufaev, Dynamics of Nonholonomic Systems (1972), chapter 1.
+
+use super::joint::{JointType, joint};
+use super::nonholonomic::{Heading, velocity_row};
+use crate::constraint::{Assembly, Rows};
+use crate::mechanism::{Dimension, Formula, Place, Slot};
+use crate::vectors::{Equation, NamedJoint, Terms, equals, zero};
+
+joint! {
+    /// Operands of a knife edge.
+    KnifeEdge {
+        /// P of body i.
+        p: Place = Slot::frame("p"),
+        /// α.
+        angle: Formula = Slot::offset("angle", Dimension::Angle),
+    }
+    example: "#[knife_edge(A: sleigh @ (0, 0), angle = 0)]"
+}
+
+impl JointType for KnifeEdge {
+    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+        let heading = Heading::of(a, &self.p, &self.angle);
+        let velocity = velocity_row(a, |a| {
+            let v = heading.velocity(a);
+            a.graph.cross(heading.psi, heading.u, v)
+        });
+        heading.rows(a, &self.angle, velocity)
+    }
+
+    fn vector_equations(joint: &NamedJoint<'_>) -> Vec<Equation> {
+        Terms::of_first(joint).map_or_else(Vec::new, |terms| vec![equals(terms.rate_across(), zero())])
+    }
+}

@@ -1,0 +1,47 @@
+//! From a mechanism to Φ: one kind of joint per file, with its operands, its rows of Φ, its own rules, and its equations
+//! as a textbook writes them. Everything else goes through the [slots](crate::mechanism::Slot) of a joint's operands.
+
+mod angle;
+mod assemble;
+mod belt;
+mod coordinate;
+mod curve;
+mod distance;
+mod driver;
+mod fixed;
+mod free;
+mod gear;
+mod joint;
+mod kinds;
+mod knife_edge;
+mod nonholonomic;
+mod point_on_line;
+mod rack_pinion;
+mod revolute;
+mod rolling_on_disc;
+mod rolling_on_line;
+mod speed;
+mod translational;
+
+pub use angle::{Angle, RelativeAngle};
+pub use assemble::assemble;
+pub use belt::Belt;
+pub use coordinate::{X, Y};
+pub use curve::{FlatFollower, OnCurve};
+pub use distance::Distance;
+pub use driver::Driver;
+pub use fixed::Fixed;
+pub use free::Constraint;
+pub use gear::Gear;
+pub use joint::JointOperands;
+pub use kinds::forms;
+pub(crate) use kinds::{check, vector_equations};
+pub use knife_edge::KnifeEdge;
+pub use nonholonomic::Nonholonomic;
+pub use point_on_line::PointOnLine;
+pub use rack_pinion::RackPinion;
+pub use revolute::Revolute;
+pub use rolling_on_disc::RollingOnDisc;
+pub use rolling_on_line::RollingOnLine;
+pub use speed::Speed;
+pub use translational::Translational;

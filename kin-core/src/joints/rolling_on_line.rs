@@ -1,0 +1,73 @@
+//! Rolling on a line: a disc of body j, centred at Q, rolls without slipping on a line of body i through P.
+//!
+//! Rows (2), with u = A_i v̂ and d = r_Q − r_P, in units of length:
+//! ```text
+//! normal:  perp(u)·d − R = 0
+//! roll:    u·d + R(φ_j − φ_i) − e = 0
+//! ```
+//! A positive radius is a disc to the left of the axis, which turns clockwise where it rolls along the axis; a negative
+//! one lies to the right. Differentiated, the second row says that the point of the disc that touches the line has the
+//! velocity of the line there. Never singular while R is not 0. Reports the stroke u·d of the centre. After Nikravesh
+//! (1988), section 4.2.
+
+use super::joint::{JointType, joint};
+use super::translational::{across, along};
+use crate::constraint::{Assembly, Role, Rows};
+use crate::mechanism::{Axis, Dimension, Formula, Place, Slot, Takes, Value};
+use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
+
+/// The two ways in which a disc rolls.
+pub(super) const WAYS: &str =
+    "a disc rolls on a line with `axis = (1, 0), radius = r`, on another disc with `radii = (r1, r2), along = psi`";
+
+joint! {
+    /// Operands of a disc that rolls on a line.
+    RollingOnLine {
+        /// P of body i, on the line.
+        p: Place = Slot::frame("p"),
+        /// Q, the centre of the disc, body j.
+        q: Place = Slot::frame("q"),
+        /// v in body i.
+        axis: Axis = Slot::required("axis", Takes::Axis),
+        /// R.
+        radius: Value = Slot::required("radius", Takes::Radius),
+        /// e.
+        offset: Formula = Slot::offset("offset", Dimension::Length).in_last_row(),
+    }
+    example: "#[rolling(A: ground @ (0, 0), wheel @ (0, 0), axis = (1, 0), radius = r)]",
+    choice: WAYS
+}
+
+impl JointType for RollingOnLine {
+    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+        let (p, q) = (a.place(&self.p), a.place(&self.q));
+        let axis = a.axis(&self.axis, &p);
+        let (radius, offset) = (a.radius(&self.radius), a.formula(&self.offset));
+        let mut rows = Rows::between(&p, &q);
+        rows.geometry.push((Role::Axis, p.frame, axis.local.to_vec()));
+        rows.geometry.push((Role::Radius, q.frame, vec![radius]));
+        rows.geometry.push((Role::Value, p.frame, vec![offset]));
+        let (height, stroke) = (across(a, &axis, &p, &q), along(a, &axis, &p, &q));
+        let turn = a.graph.sub(q.angle, p.angle);
+        let arc = a.graph.mul(radius, turn);
+        let rolled = a.graph.add(stroke, arc);
+        rows.residuals = vec![("normal", a.graph.sub(height, radius)), ("roll", a.graph.sub(rolled, offset))];
+        rows.quantities = vec![("stroke", stroke)];
+        rows
+    }
+
+    fn vector_equations(joint: &NamedJoint<'_>) -> Vec<Equation> {
+        let Some(terms) = Terms::of(joint) else { return Vec::new() };
+        let roll = [
+            Piece::Op(" + "),
+            Piece::Scalar(Symbol::plain("R").of(joint.name)),
+            Piece::Op("("),
+            Piece::Scalar(terms.j.phi()),
+            Piece::Op(" − "),
+            Piece::Scalar(terms.i.phi()),
+            Piece::Op(")"),
+        ];
+        let rolled = terms.along().into_iter().chain(roll).collect();
+        vec![equals(terms.across(), terms.scalar("R")), equals(rolled, terms.scalar("e")), terms.d_is_difference()]
+    }
+}

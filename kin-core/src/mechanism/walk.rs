@@ -1,0 +1,82 @@
+//! Walks over formulas, and what references to bodies mean.
+
+use super::{BodyRef, Formula, Mechanism, Member, Range};
+use std::collections::BTreeSet;
+
+/// The formula and everything in it, the coordinates of its points included.
+pub(crate) fn nodes(formula: &Formula) -> Vec<&Formula> {
+    let mut open = vec![formula];
+    let mut all = Vec::new();
+    while let Some(node) = open.pop() {
+        all.push(node);
+        match node {
+            Formula::Neg(a)
+            | Formula::Pow(a, _)
+            | Formula::Call(_, a)
+            | Formula::Supplied(_, a)
+            | Formula::Dot(a, _) => open.push(a),
+            Formula::Add(a, b)
+            | Formula::Sub(a, b)
+            | Formula::Mul(a, b)
+            | Formula::Div(a, b, _)
+            | Formula::Atan2(a, b) => open.extend([&**a, &**b]),
+            Formula::PointCoordinate(place, _) => open.extend([&place.x, &place.y]),
+            Formula::Distance(p, q) => open.extend([&p.x, &p.y, &q.x, &q.y]),
+            Formula::Number(_)
+            | Formula::Pi
+            | Formula::Time
+            | Formula::Index(_)
+            | Formula::Parameter(_)
+            | Formula::Input(_)
+            | Formula::Pose(..)
+            | Formula::Scalar(_)
+            | Formula::Curve(_)
+            | Formula::Define(_) => {}
+        }
+    }
+    all
+}
+
+/// The defines that a formula uses itself.
+pub(crate) fn defines_in(formula: &Formula) -> impl Iterator<Item = &Member> {
+    nodes(formula).into_iter().filter_map(|node| match node {
+        Formula::Define(member) => Some(member),
+        _ => None,
+    })
+}
+
+/// True if the formula contains t or an input, itself or in a define that it uses. The pose of a body is not followed: a
+/// held coordinate that moves belongs to the body.
+pub(crate) fn contains_signal(mechanism: &Mechanism, formula: &Formula) -> bool {
+    let (mut open, mut met) = (vec![formula], BTreeSet::new());
+    while let Some(formula) = open.pop() {
+        for node in nodes(formula) {
+            match node {
+                Formula::Time | Formula::Input(_) => return true,
+                Formula::Define(member) if met.insert(member.family) => {
+                    open.extend(mechanism.defines.get(member.family).map(|define| &define.formula));
+                }
+                _ => {}
+            }
+        }
+    }
+    false
+}
+
+impl Mechanism {
+    /// The body that two references both mean at some step of a range, by name.
+    pub(crate) fn common_member(&self, range: Option<Range>, a: BodyRef, b: BodyRef) -> Option<String> {
+        match (a, b) {
+            (BodyRef::Ground(_), BodyRef::Ground(_)) => Some("ground".to_owned()),
+            (BodyRef::Body { family, index, .. }, BodyRef::Body { family: other, index: with, .. })
+                if family == other =>
+            {
+                let range = range.unwrap_or(Range { start: 0, end: 1 });
+                let body = self.bodies.get(family)?;
+                let met = range.indices().find_map(|i| index.at(i).filter(|k| with.at(i) == Some(*k)));
+                met.map(|k| if body.len.is_some() { format!("{}[{k}]", body.name) } else { body.name.clone() })
+            }
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! The terms that the equations of joints are made of.
+
+use super::equation::{Equation, NamedJoint, Piece, Symbol};
+
+/// A frame with its symbols: a body's name, `None` for the ground.
+#[derive(Clone, Copy)]
+pub(crate) struct Frame<'a>(Option<&'a str>);
+
+/// The symbols of a joint between two frames.
+#[derive(Clone, Copy)]
+pub(crate) struct Terms<'a> {
+    /// The joint's name.
+    name: &'a str,
+    /// The frame of P, or of the first operand.
+    pub(crate) i: Frame<'a>,
+    /// The frame of Q, or of the second operand.
+    pub(crate) j: Frame<'a>,
+}
+
+impl<'a> Terms<'a> {
+    /// The symbols of a joint; none where it has fewer than two frames.
+    pub(crate) fn of(joint: &NamedJoint<'a>) -> Option<Self> {
+        let frame = |place: usize| joint.points[place].or(joint.frames[place]).map(Frame);
+        Some(Self { name: joint.name, i: frame(0)?, j: frame(1)? })
+    }
+
+    /// The symbols of a joint that has one frame, which stands for both.
+    pub(crate) fn of_first(joint: &NamedJoint<'a>) -> Option<Self> {
+        let i = joint.points[0].or(joint.frames[0]).map(Frame)?;
+        Some(Self { name: joint.name, i, j: i })
+    }
+
+    /// A letter with the joint's name at it.
+    pub(crate) fn scalar(&self, letter: &'static str) -> Equation {
+        vec![Piece::Scalar(Symbol::plain(letter).of(self.name))]
+    }
+
+    /// A bold letter with the joint's name at it.
+    pub(crate) fn vector(&self, letter: &'static str) -> Piece {
+        Piece::Vector(Symbol::bold(letter).of(self.name))
+    }
+
+    /// dᵀd.
+    pub(crate) fn square_of_d(&self) -> Equation {
+        vec![Piece::Transposed(Symbol::bold("d").of(self.name)), self.vector("d")]
+    }
+
+    /// A letter's square.
+    pub(crate) fn squared(&self, letter: &'static str) -> Equation {
+        vec![Piece::Squared(Symbol::plain(letter).of(self.name))]
+    }
+
+    /// r_Q − r_P.
+    pub(crate) fn difference(&self) -> Equation {
+        let (q, p) = (self.point(self.j, " + "), self.point(self.i, " − "));
+        q.into_iter().chain([Piece::Op(" − ")]).chain(p).collect()
+    }
+
+    /// d = r_Q − r_P.
+    pub(crate) fn d_is_difference(&self) -> Equation {
+        equals(vec![self.vector("d")], self.difference())
+    }
+
+    /// (A v̂)⊥ᵀ d.
+    pub(crate) fn across(&self) -> Equation {
+        vec![self.axis("⊥ᵀ"), self.vector("d")]
+    }
+
+    /// (A v̂)ᵀ d.
+    pub(crate) fn along(&self) -> Equation {
+        vec![self.axis("ᵀ"), self.vector("d")]
+    }
+
+    /// (A v̂)⊥ᵀ ṙ.
+    pub(crate) fn rate_across(&self) -> Equation {
+        vec![self.axis("⊥ᵀ"), self.vector("ṙ")]
+    }
+
+    /// φ_j − φ_i = what.
+    pub(crate) fn turned_by(&self, what: Equation) -> Equation {
+        equals(vec![Piece::Scalar(self.j.phi()), Piece::Op(" − "), Piece::Scalar(self.i.phi())], what)
+    }
+
+    /// r + A s′, of the ground s alone.
+    fn point(&self, frame: Frame<'_>, sign: &'static str) -> Equation {
+        let local = Symbol::bold("s").of(frame.index()).at(self.name);
+        match frame.0 {
+            None => vec![Piece::Vector(local)],
+            Some(name) => vec![
+                Piece::Vector(Symbol::bold("r").of(name)),
+                Piece::Op(sign),
+                frame.matrix(),
+                Piece::Vector(local.primed()),
+            ],
+        }
+    }
+
+    fn axis(&self, mark: &'static str) -> Piece {
+        let inner = match self.i.0 {
+            None => vec![self.vector("v̂")],
+            Some(_) => vec![self.i.matrix(), self.vector("v̂")],
+        };
+        Piece::Marked(inner, mark)
+    }
+}
+
+impl Frame<'_> {
+    fn index(&self) -> &str {
+        self.0.unwrap_or("0")
+    }
+
+    /// φ.
+    pub(crate) fn phi(&self) -> Symbol {
+        Symbol::plain("φ").of(self.index())
+    }
+
+    /// A.
+    pub(crate) fn matrix(&self) -> Piece {
+        Piece::Vector(Symbol::bold("A").of(self.index()))
+    }
+}
+
+/// 0.
+pub(crate) fn zero() -> Equation {
+    vec![Piece::Op("0")]
+}
+
+/// left = right.
+pub(crate) fn equals(left: Equation, right: Equation) -> Equation {
+    left.into_iter().chain([Piece::Op(" = ")]).chain(right).collect()
+}
