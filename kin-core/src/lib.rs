@@ -1,46 +1,69 @@
 //! Symbolic kinematics of planar mechanisms: what `#[mechanism]` does between parsing and emitting code.
 //!
 //! ```text
-//! Mechanism → ConstraintSet → KinematicSystem → Program
-//!    assemble      differentiate       lower
+//! Mechanism → ConstraintSet → KinematicSystem → SolutionPlan, Program
+//!    assemble      differentiate        plan        lower
 //! ```
 //!
-//! - [`mechanism`]: what the user said, names resolved; its rules.
-//! - [`constraint`]: Φ, one constraint type per file.
+//! - [`vocabulary`]: the words that kin-runtime shares; all that there is without the feature `compiler`.
 //! - [`expr`]: the hash-consed expressions, and the one place that differentiates.
-//! - [`notation`]: formulas as Unicode text, LaTeX and MathML.
+//! - [`mechanism`]: what the user said, names resolved: a joint is the operands in the slots of its form.
+//! - [`constraint`]: the constraint set Φ with everything that is reported, and the state in which rows are written.
+//! - [`notation`], [`vectors`]: formulas, and the vector equations of joints, as Unicode text, LaTeX and MathML.
+//! - [`joints`]: one kind of joint per file: operands, rows of Φ, rules, vector equations; and assembly.
+//! - [`check`], [`units`]: the rules of a mechanism, and whether its units agree.
 //! - [`system`]: Φ_q, Φ_t, γ and the class of every row.
 //! - [`structure`]: what the equations say before any number is known: generic rank, redundant rows.
-//! - [`program`]: straight-line code shared by all outputs, with an interpreter as oracle.
-//! - [`rows`]: the program of Φ, Φ_q, Φ_t and γ.
+//! - [`program`], [`rows`]: straight-line code shared by all outputs, with an interpreter as oracle; Φ, Φ_q, Φ_t and γ.
+//! - [`plan`]: how the mechanism is solved, step by step.
 //! - [`sheet`]: the derivation for people.
 //!
-//! Each room imports only those above it in this list's reading (`constraint` uses `mechanism` and `expr`; `program`
-//! uses `expr` alone). There are no tokens, no spans and no I/O here.
+//! Each room imports only those before it in this list. There are no tokens, no spans and no I/O here.
 
+#![cfg_attr(not(feature = "compiler"), no_std)]
+
+#[cfg(feature = "compiler")]
 pub mod check;
+#[cfg(feature = "compiler")]
 pub mod constraint;
+#[cfg(feature = "compiler")]
 pub mod error;
+#[cfg(feature = "compiler")]
 pub mod expr;
+#[cfg(feature = "compiler")]
 mod hash;
+#[cfg(feature = "compiler")]
 pub mod joints;
+#[cfg(feature = "compiler")]
 pub mod mechanism;
+#[cfg(feature = "compiler")]
 pub mod notation;
+#[cfg(feature = "compiler")]
 pub mod plan;
+#[cfg(feature = "compiler")]
 pub mod program;
+#[cfg(feature = "compiler")]
 pub mod rows;
+#[cfg(feature = "compiler")]
 pub mod sheet;
+#[cfg(feature = "compiler")]
 pub mod structure;
+#[cfg(feature = "compiler")]
 pub mod system;
+#[cfg(feature = "compiler")]
 pub mod units;
+#[cfg(feature = "compiler")]
 pub mod vectors;
 pub mod vocabulary;
 
-pub use constraint::ConstraintSet;
-pub use error::{ModelError, Origin};
-pub use joints::assemble;
-pub use mechanism::Mechanism;
-pub use plan::{SolutionPlan, plan};
-pub use program::Program;
-pub use structure::{Structure, diagnose};
-pub use system::{KinematicSystem, differentiate};
+#[cfg(feature = "compiler")]
+pub use {
+    constraint::ConstraintSet,
+    error::{ModelError, Origin},
+    joints::assemble,
+    mechanism::Mechanism,
+    plan::{SolutionPlan, plan},
+    program::Program,
+    structure::{Structure, diagnose},
+    system::{KinematicSystem, differentiate},
+};

@@ -1,58 +1,61 @@
-//! The words that all crates share: what kinds of joints there are.
+//! The words that all crates share: what kinds of joints there are, and what their geometry is for.
 
-/// The kind of a joint without its operands.
+use core::fmt;
+
+/// What kind of joint, constraint or driver a row belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum JointKind {
-    /// See [`crate::mechanism::JointKind`].
+    /// r_Q − r_P.
     Revolute,
-    /// Likewise.
+    /// perp(A_i v̂)·(r_Q − r_P); φ_j − φ_i − c.
     Translational,
-    /// Likewise.
+    /// r_Q − r_P; φ_j − φ_i − c.
     Fixed,
-    /// Likewise.
+    /// perp(A_i v̂)·(r_Q − r_P) − e.
     PointOnLine,
-    /// Likewise.
+    /// |r_Q − r_P|² − e².
     Distance,
-    /// Absolute x.
+    /// x_P − e.
     X,
-    /// Absolute y.
+    /// y_P − e.
     Y,
-    /// Absolute angle.
+    /// φ − e.
     Angle,
-    /// Relative angle.
+    /// φ_b − φ_a − e.
     RelativeAngle,
-    /// Point on a curve in polar form.
+    /// |w| − ρ(θ): a point on a curve in polar form.
     OnPolarCurve,
-    /// Point on a curve in implicit form.
+    /// e(X, Y) at w: a point on a curve in implicit form.
     OnImplicitCurve,
-    /// Point on a curve in parametric form.
+    /// r_Q − r_P − A_i c(u): a point on a curve in parametric form.
     OnParametricCurve,
-    /// Flat-faced follower on a cam.
+    /// n·(r_Q − r_P) − h(θ): a flat-faced follower on a cam.
     FlatFollower,
-    /// Gear pair.
+    /// R_a(φ_a − φ_c) + R_b(φ_b − φ_c) − e.
     Gear,
-    /// Belt.
+    /// R_a(φ_a − φ_c) − R_b(φ_b − φ_c) − e.
     Belt,
-    /// Rack and pinion.
+    /// (A_i v̂)·(r_Q − r_P) − R(φ_b − φ_i) − e.
     RackPinion,
-    /// A disc on a line.
+    /// A disc on a line: perp(A_i v̂)·d − R; (A_i v̂)·d + R(φ_j − φ_i) − e, where d = r_Q − r_P.
     RollingOnLine,
-    /// A disc on a disc.
+    /// A disc on a disc: d − (R_i + R_j)(cos ψ, sin ψ); R_i(φ_i − ψ) + R_j(φ_j − ψ) − e.
     RollingOnDisc,
-    /// Free-form equation.
+    /// A free-form holonomic row.
     Constraint,
-    /// No velocity across a direction of the body.
+    /// No velocity of a point across a direction of its body.
     KnifeEdge,
-    /// Velocity along a direction of the body.
+    /// Velocity of a point along a direction of its body.
     Speed,
-    /// Free-form equation of velocity level.
+    /// A free-form row of velocity level.
     Nonholonomic,
-    /// Driving constraint.
+    /// A driving constraint.
     Driver,
 }
 
 impl JointKind {
-    /// The keyword of the user's language.
+    /// The keyword of the language.
     pub const fn keyword(self) -> &'static str {
         match self {
             Self::Revolute => "revolute",
@@ -76,5 +79,49 @@ impl JointKind {
             Self::Nonholonomic => "nonholonomic",
             Self::Driver => "driver",
         }
+    }
+}
+
+impl JointKind {
+    /// True where it keeps a distance between points, which is not negative: a link, a cylinder, or a driver of a
+    /// distance, which is the only driver with a second point.
+    pub const fn keeps_length(self, has_second_point: bool) -> bool {
+        matches!(self, Self::Distance) || matches!(self, Self::Driver) && has_second_point
+    }
+}
+
+impl fmt::Display for JointKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.keyword())
+    }
+}
+
+/// What a piece of geometry is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Role {
+    /// Body-fixed coordinates of the first operand's point, two numbers.
+    P,
+    /// Body-fixed coordinates of the second operand's point, two numbers.
+    Q,
+    /// Unit vector of an axis in the frame it is fixed in, two numbers.
+    Axis,
+    /// Length, angle, offset or right-hand side, one number; may depend on t and inputs. The frame of a gear's or a
+    /// belt's is that of its carrier.
+    Value,
+    /// Radius of a disc or gear of that frame's body, one number; negative where the other runs inside. A roller's is that
+    /// to the left of the curve that it runs on.
+    Radius,
+}
+
+impl fmt::Display for Role {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::P => "first point",
+            Self::Q => "second point",
+            Self::Axis => "axis",
+            Self::Value => "value",
+            Self::Radius => "radius",
+        })
     }
 }

@@ -21,7 +21,7 @@ pub(crate) use pose::{PlacedAxis, PlacedPoint};
 pub(crate) use rows::Rows;
 pub use set::{
     BodyInstance, ConditionInstance, ConstraintRow, ConstraintSet, Coordinate, CoordinateKind, CurveInstance,
-    DefineInstance, Family, Frame, Geometry, JointInstance, Observable, ObservableKind, PointInstance, Quantity, Role,
+    DefineInstance, Family, Frame, Geometry, JointInstance, Observable, ObservableKind, PointInstance, Quantity,
     VelocityRow,
 };
 pub(crate) use variables::Variables;

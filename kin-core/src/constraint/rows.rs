@@ -2,9 +2,10 @@
 
 use super::assembly::Assembly;
 use super::pose::PlacedPoint;
-use super::set::{Frame, Role, VelocityRow};
+use super::set::{Frame, VelocityRow};
 use crate::expr::ExprId;
 use crate::mechanism::Formula;
+use crate::vocabulary::Role;
 
 /// What a joint hands back: rows as (suffix of the name, residual), and what it reports.
 #[derive(Default)]

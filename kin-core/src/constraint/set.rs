@@ -3,7 +3,7 @@
 use crate::error::Origin;
 use crate::expr::{ExprId, Graph, Names, Symbol};
 use crate::mechanism::Component;
-use crate::vocabulary::JointKind;
+use crate::vocabulary::{JointKind, Role};
 use core::fmt;
 
 /// A body by its place in [`ConstraintSet::bodies`], or the ground.
@@ -87,21 +87,6 @@ pub struct DefineInstance {
     pub observable: usize,
     /// True when it holds coordinates, t or inputs.
     pub varies: bool,
-}
-
-/// What a piece of geometry is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Role {
-    /// Body-fixed coordinates of the first operand's point.
-    P,
-    /// Body-fixed coordinates of the second operand's point.
-    Q,
-    /// Unit vector of an axis.
-    Axis,
-    /// Length, angle, offset or right-hand side; of gears and belts in the frame of the carrier.
-    Value,
-    /// Radius of a disc or gear about its axle, or of a roller in the frame of its curve.
-    Radius,
 }
 
 /// A piece of geometry of a joint.
@@ -299,9 +284,7 @@ impl ConstraintSet {
     /// The distances that joints keep: links, cylinders, drivers of distances, in the order of the joints.
     pub fn kept_lengths(&self) -> impl Iterator<Item = ExprId> + '_ {
         let has = |joint: &JointInstance, role: Role| joint.geometry.iter().any(|piece| piece.role == role);
-        let keeps = move |joint: &&JointInstance| {
-            joint.kind == JointKind::Distance || joint.kind == JointKind::Driver && has(joint, Role::Q)
-        };
+        let keeps = move |joint: &&JointInstance| joint.kind.keeps_length(has(joint, Role::Q));
         let value = |joint: &JointInstance| {
             let piece = joint.geometry.iter().find(|piece| piece.role == Role::Value)?;
             self.geometry.get(piece.offset).copied()

@@ -7,9 +7,10 @@
 //! After Haug (1989), section 3.2 and 3.3.
 
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, Frame, Role, Rows};
+use crate::constraint::{Assembly, Frame, Rows};
 use crate::mechanism::{BodyRef, Dimension, Formula, Slot};
 use crate::vectors::{Equation, NamedJoint, Terms};
+use crate::vocabulary::Role;
 
 joint! {
     /// Operands of an absolute angle.

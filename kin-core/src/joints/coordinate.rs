@@ -7,8 +7,9 @@
 //! After Haug (1989), section 3.2.
 
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, Role, Rows};
+use crate::constraint::{Assembly, Rows};
 use crate::mechanism::{Component, Dimension, Formula, Place, Slot};
+use crate::vocabulary::Role;
 
 joint! {
     /// Operands of an absolute x.

@@ -7,15 +7,13 @@
 //! Singular when P and Q coincide: the gradient of the square vanishes there, so e must not be 0; use a revolute
 //! joint for that. Reports the distance. After Haug (1989), section 3.2.
 
-#[cfg(test)]
-mod equidistant;
-
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, PlacedPoint, Role, Rows};
+use crate::constraint::{Assembly, PlacedPoint, Rows};
 use crate::error::Origin;
 use crate::expr::ExprId;
 use crate::mechanism::{Function, Place, Slot, Takes, Value};
 use crate::vectors::{Equation, NamedJoint, Terms, equals};
+use crate::vocabulary::Role;
 
 joint! {
     /// Operands of a distance.

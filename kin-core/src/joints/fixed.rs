@@ -8,9 +8,10 @@
 
 use super::joint::{JointType, joint};
 use super::revolute::coincidence;
-use crate::constraint::{Assembly, Role, Rows};
+use crate::constraint::{Assembly, Rows};
 use crate::mechanism::{Dimension, Formula, Place, Slot};
 use crate::vectors::{Equation, NamedJoint, Terms, equals, zero};
+use crate::vocabulary::Role;
 
 joint! {
     /// Operands of a fixed joint.

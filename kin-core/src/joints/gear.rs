@@ -10,11 +10,12 @@
 //! R_a + R_b = 0 the carrier drops out. After Haug (1989), section 3.3; relative to the carrier it is Willis' equation.
 
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, Frame, Role, Rows};
+use crate::constraint::{Assembly, Frame, Rows};
 use crate::error::{ModelError, Origin};
 use crate::expr::ExprId;
 use crate::mechanism::{BodyRef, Dimension, Formula, Joint, Mechanism, Radii, Slot, Takes};
 use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
+use crate::vocabulary::Role;
 
 joint! {
     /// Operands of a gear pair.

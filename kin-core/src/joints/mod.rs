@@ -8,6 +8,8 @@ mod coordinate;
 mod curve;
 mod distance;
 mod driver;
+#[cfg(test)]
+mod equidistant;
 mod fixed;
 mod free;
 mod gear;

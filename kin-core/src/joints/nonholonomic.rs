@@ -9,9 +9,10 @@
 //! (1988), section 1.3.
 
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, PlacedPoint, Role, Rows, VelocityRow};
+use crate::constraint::{Assembly, PlacedPoint, Rows, VelocityRow};
 use crate::expr::ExprId;
 use crate::mechanism::{Formula, Place, Slot, Takes};
+use crate::vocabulary::Role;
 
 joint! {
     /// Sides of an equation of velocity level.

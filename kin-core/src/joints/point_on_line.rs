@@ -9,9 +9,10 @@
 
 use super::joint::{JointType, joint};
 use super::translational::{across, along};
-use crate::constraint::{Assembly, Role, Rows};
+use crate::constraint::{Assembly, Rows};
 use crate::mechanism::{Axis, Dimension, Formula, Place, Slot, Takes};
 use crate::vectors::{Equation, NamedJoint, Terms, equals};
+use crate::vocabulary::Role;
 
 joint! {
     /// Operands of a point on a line.

@@ -11,10 +11,11 @@
 
 use super::joint::{JointType, joint};
 use super::translational::along;
-use crate::constraint::{Assembly, Frame, Role, Rows};
+use crate::constraint::{Assembly, Frame, Rows};
 use crate::error::ModelError;
 use crate::mechanism::{Axis, BodyRef, Dimension, Formula, Joint, Mechanism, Place, Slot, Takes, Value};
 use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
+use crate::vocabulary::Role;
 
 joint! {
     /// Operands of a rack and its pinion.

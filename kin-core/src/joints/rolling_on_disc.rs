@@ -13,9 +13,10 @@
 
 use super::joint::{JointType, joint};
 use super::rolling_on_line::WAYS;
-use crate::constraint::{Assembly, Role, Rows};
+use crate::constraint::{Assembly, Rows};
 use crate::error::ModelError;
 use crate::mechanism::{Dimension, Formula, Joint, Mechanism, Member, Place, Radii, Slot, Takes};
+use crate::vocabulary::Role;
 
 joint! {
     /// Operands of a disc that rolls on a disc.

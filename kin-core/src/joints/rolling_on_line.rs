@@ -12,9 +12,10 @@
 
 use super::joint::{JointType, joint};
 use super::translational::{across, along};
-use crate::constraint::{Assembly, Role, Rows};
+use crate::constraint::{Assembly, Rows};
 use crate::mechanism::{Axis, Dimension, Formula, Place, Slot, Takes, Value};
 use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
+use crate::vocabulary::Role;
 
 /// The two ways in which a disc rolls.
 pub(super) const WAYS: &str =

@@ -8,8 +8,9 @@
 
 use super::joint::{JointType, joint};
 use super::nonholonomic::{Heading, velocity_row};
-use crate::constraint::{Assembly, Role, Rows};
+use crate::constraint::{Assembly, Rows};
 use crate::mechanism::{Dimension, Formula, Place, Slot, Takes};
+use crate::vocabulary::Role;
 
 joint! {
     /// Operands of a prescribed speed.

@@ -9,10 +9,11 @@
 //! constant: the same number with fewer operations. Reports the stroke u·(r_Q − r_P). After Haug (1989), section 3.3.
 
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, PlacedAxis, PlacedPoint, Role, Rows};
+use crate::constraint::{Assembly, PlacedAxis, PlacedPoint, Rows};
 use crate::expr::ExprId;
 use crate::mechanism::{Axis, Dimension, Formula, Place, Slot, Takes};
 use crate::vectors::{Equation, NamedJoint, Terms, equals, zero};
+use crate::vocabulary::Role;
 
 joint! {
     /// Operands of a translational joint.

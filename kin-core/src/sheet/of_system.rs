@@ -1,11 +1,12 @@
 //! A sheet from the graph itself.
 
 use super::{Joint, Row, Sheet, Shown, Step};
-use crate::constraint::{Frame, JointInstance, Role};
+use crate::constraint::{Frame, JointInstance};
 use crate::plan::SolutionPlan;
 use crate::system::{Equation, KinematicSystem};
 use crate::vectors::NamedJoint;
 use crate::vocabulary::JointKind;
+use crate::vocabulary::Role;
 
 impl Sheet {
     /// The derivation of a system, as it is written where the graph is at hand: of a family the first member only, where

@@ -8,10 +8,11 @@ use super::field::Residue;
 use super::place::local;
 use super::rank::{Row, add_to};
 use super::residue::Residues;
-use crate::constraint::{ConstraintSet, Frame, JointInstance, Role};
+use crate::constraint::{ConstraintSet, Frame, JointInstance};
 use crate::expr::Depends;
 use crate::system::KinematicSystem;
 use crate::vocabulary::JointKind;
+use crate::vocabulary::Role;
 
 /// ∂r of a point for the coordinates that move it.
 type Motion = Vec<(usize, [Residue; 2])>;

@@ -13,10 +13,11 @@
 use super::field::{Draw, Residue, fraction};
 use super::rank::{Elimination, Row, add_to};
 use super::turn::Turns;
-use crate::constraint::{ConstraintSet, Frame, JointInstance, Role};
+use crate::constraint::{ConstraintSet, Frame, JointInstance};
 use crate::expr::{Depends, ExprId, Graph, Node, Rotation};
 use crate::system::KinematicSystem;
 use crate::vocabulary::JointKind;
+use crate::vocabulary::Role;
 use std::collections::HashMap;
 
 const SORT_PLACE: u64 = 20;

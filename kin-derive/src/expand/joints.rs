@@ -2,22 +2,17 @@
 
 use super::packed::Packed;
 use super::tables::{frame, optional, variant};
-use kin_core::constraint::{Frame, Role};
+use kin_core::constraint::Frame;
 use kin_core::system::KinematicSystem;
 use kin_core::vocabulary::JointKind;
+use kin_core::vocabulary::Role;
 use proc_macro2::TokenStream;
 use quote::quote;
 
 /// The joints.
 pub(super) fn joints(system: &KinematicSystem, packed: bool) -> TokenStream {
     let joints = &system.set.joints;
-    let role = |role: Role| match role {
-        Role::P => variant("Role", "P"),
-        Role::Q => variant("Role", "Q"),
-        Role::Axis => variant("Role", "Axis"),
-        Role::Value => variant("Role", "Value"),
-        Role::Radius => variant("Role", "Radius"),
-    };
+    let role = |role: Role| variant("Role", &format!("{role:?}"));
     let geometry = |of: Role, frame: Frame, offset: usize| {
         let (role, frame) = (role(of), super::tables::frame(frame));
         quote! { __kin::Geometry { role: #role, frame: #frame, offset: #offset } }

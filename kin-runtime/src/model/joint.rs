@@ -1,111 +1,7 @@
 //! Joints, constraints and drivers: kinds, geometry for a drawing, and what they report.
 
 use super::Frame;
-use core::fmt;
-
-/// What kind of joint, constraint or driver a row belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum JointKind {
-    /// r_Q − r_P.
-    Revolute,
-    /// perp(A_i v̂)·(r_Q − r_P); φ_j − φ_i − c.
-    Translational,
-    /// r_Q − r_P; φ_j − φ_i − c.
-    Fixed,
-    /// perp(A_i v̂)·(r_Q − r_P) − e.
-    PointOnLine,
-    /// |r_Q − r_P|² − e².
-    Distance,
-    /// x_P − e.
-    X,
-    /// y_P − e.
-    Y,
-    /// φ − e.
-    Angle,
-    /// φ_b − φ_a − e.
-    RelativeAngle,
-    /// |w| − ρ(θ): a point on a curve in polar form.
-    OnPolarCurve,
-    /// e(X, Y) at w: a point on a curve in implicit form.
-    OnImplicitCurve,
-    /// r_Q − r_P − A_i c(u): a point on a curve in parametric form.
-    OnParametricCurve,
-    /// n·(r_Q − r_P) − h(θ): a flat-faced follower on a cam.
-    FlatFollower,
-    /// R_a(φ_a − φ_c) + R_b(φ_b − φ_c) − e.
-    Gear,
-    /// R_a(φ_a − φ_c) − R_b(φ_b − φ_c) − e.
-    Belt,
-    /// (A_i v̂)·(r_Q − r_P) − R(φ_b − φ_i) − e.
-    RackPinion,
-    /// A disc on a line: perp(A_i v̂)·d − R; (A_i v̂)·d + R(φ_j − φ_i) − e, where d = r_Q − r_P.
-    RollingOnLine,
-    /// A disc on a disc: d − (R_i + R_j)(cos ψ, sin ψ); R_i(φ_i − ψ) + R_j(φ_j − ψ) − e.
-    RollingOnDisc,
-    /// A free-form holonomic row.
-    Constraint,
-    /// No velocity of a point across a direction of its body.
-    KnifeEdge,
-    /// Velocity of a point along a direction of its body.
-    Speed,
-    /// A free-form row of velocity level.
-    Nonholonomic,
-    /// A driving constraint.
-    Driver,
-}
-
-impl JointKind {
-    /// The keyword of the language.
-    pub const fn keyword(self) -> &'static str {
-        match self {
-            Self::Revolute => "revolute",
-            Self::Translational => "translational",
-            Self::Fixed => "fixed",
-            Self::PointOnLine => "point_on_line",
-            Self::Distance => "distance",
-            Self::X => "x",
-            Self::Y => "y",
-            Self::Angle => "angle",
-            Self::RelativeAngle => "relative_angle",
-            Self::OnPolarCurve | Self::OnImplicitCurve | Self::OnParametricCurve => "on_curve",
-            Self::FlatFollower => "flat_follower",
-            Self::Gear => "gear",
-            Self::Belt => "belt",
-            Self::RackPinion => "rack_pinion",
-            Self::RollingOnLine | Self::RollingOnDisc => "rolling",
-            Self::Constraint => "constraint",
-            Self::KnifeEdge => "knife_edge",
-            Self::Speed => "speed",
-            Self::Nonholonomic => "nonholonomic",
-            Self::Driver => "driver",
-        }
-    }
-}
-
-impl fmt::Display for JointKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.keyword())
-    }
-}
-
-/// What a piece of geometry is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Role {
-    /// Body-fixed coordinates of the first operand's point, two numbers.
-    P,
-    /// Body-fixed coordinates of the second operand's point, two numbers.
-    Q,
-    /// Unit vector of an axis in the frame it is fixed in, two numbers.
-    Axis,
-    /// Length, angle, offset or right-hand side, one number; may depend on t and inputs. The frame of a gear's or a
-    /// belt's is that of its carrier.
-    Value,
-    /// Radius of a disc or gear of that frame's body, one number; negative where the other runs inside. A roller's is that
-    /// to the left of the curve that it runs on.
-    Radius,
-}
+pub use kin_core::vocabulary::{JointKind, Role};
 
 /// A piece of geometry of a joint: where its numbers stand in the geometry array.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -149,9 +45,8 @@ pub struct JointInfo {
 }
 
 impl JointInfo {
-    /// True where it keeps a distance between two points: a link, a cylinder, or a driver of a distance.
+    /// True where it keeps a distance between points: a link, a cylinder, a rope, or a driver of a distance.
     pub(crate) fn keeps_distance(&self) -> bool {
-        self.kind == JointKind::Distance
-            || self.kind == JointKind::Driver && self.geometry.iter().any(|geometry| geometry.role == Role::Q)
+        self.kind.keeps_length(self.geometry.iter().any(|geometry| geometry.role == Role::Q))
     }
 }

@@ -3,7 +3,7 @@
 use super::{
     Body, BodyInfo, Component, ConditionInfo, Coordinate, CoordinateInfo, CoordinateKind, DefineInfo, EquationText,
     FamilyInfo, FamilyKind, Frame, GenericRedundancy, Geometry, Input, JointInfo, JointQuantity, Level, LineText,
-    Model, Observable, OperationCount, OriginKind, ParameterInfo, Pattern, Point, PointInfo, Quantity, Role, RowInfo,
+    Model, Observable, OperationCount, OriginKind, ParameterInfo, Pattern, Point, PointInfo, Quantity, RowInfo,
     StepText, Structure,
 };
 use crate::text::{counted, separated};
@@ -130,14 +130,6 @@ display! {
         write!(f, "rank {}, {} without driving rows, ", it.rank, it.rank_without_driving)?;
         counted(f, it.redundant.len(), "redundant row")
     };
-    /// What it is for.
-    Role: |it, f| f.write_str(match it {
-        Self::P => "first point",
-        Self::Q => "second point",
-        Self::Axis => "axis",
-        Self::Value => "value",
-        Self::Radius => "radius",
-    });
     /// What it is for, and where it is fixed.
     Geometry: |it, f| write!(f, "{} in {}", it.role, it.frame);
     /// Its name.

@@ -18,10 +18,11 @@
 //! *Cam Design and Manufacturing Handbook* (flat-faced followers).
 
 use super::relative::{draw, in_theta};
-use crate::constraint::{Assembly, PlacedAxis, Role, Rows};
+use crate::constraint::{Assembly, PlacedAxis, Rows};
 use crate::expr::{ExprId, Symbol, partial};
 use crate::joints::joint::{JointType, joint};
 use crate::mechanism::{Axis, Formula, Place, Slot, Takes};
+use crate::vocabulary::Role;
 
 joint! {
     /// Operands of a flat-faced follower on a cam.

@@ -18,9 +18,10 @@
 //! section 3.4; parallel curves after do Carmo, *Differential Geometry of Curves and Surfaces*, section 1-7.
 
 use super::relative::{between, draw, in_parameter};
-use crate::constraint::{Assembly, PlacedPoint, Role, Rows};
+use crate::constraint::{Assembly, PlacedPoint, Rows};
 use crate::expr::{ExprId, Symbol, partial};
 use crate::mechanism::{Formula, Function, Member};
+use crate::vocabulary::Role;
 
 pub(super) fn rows(
     a: &mut Assembly<'_>,

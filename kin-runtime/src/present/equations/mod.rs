@@ -3,9 +3,9 @@
 //! The formulas are those of the graph that the code was emitted from, as the tables of the mechanism hold them; how they
 //! are written is kin-core's.
 
-use crate::model::{EquationText, Frame, JointInfo, JointKind, Level, LineText, Model, Role, StepText};
-use kin_core::constraint::JointTag;
-use kin_core::sheet::{Joint, Line, Operands, Row, Sheet, Shown, Step};
+use crate::model::{EquationText, Frame, JointInfo, Level, LineText, Model, Role, StepText};
+use kin_core::sheet::{Joint, Line, Row, Sheet, Shown, Step};
+use kin_core::vectors::NamedJoint;
 
 /// What of a sheet is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,7 +65,7 @@ fn joint(model: &Model, joint: &JointInfo) -> Joint {
     let point = |role: Role| joint.geometry.iter().find(|entry| entry.role == role).map(|entry| name(entry.frame));
     let frames = joint.frames.map(|frame| frame.map(name));
     let points = [point(Role::P), point(Role::Q)];
-    let mut of = Joint::new(&Operands { tag: tag(joint.kind), name: joint.name, frames, points });
+    let mut of = Joint::new(&NamedJoint { kind: joint.kind, name: joint.name, frames, points });
     let rows = joint.first_row..joint.first_row + joint.rows;
     of.rows = rows.filter_map(|place| row(model, place)).collect();
     of
@@ -81,32 +81,4 @@ fn row(model: &Model, place: usize) -> Option<Row> {
         phi_t: Shown::new(text.phi_t),
         gamma: Shown::new(text.gamma),
     })
-}
-
-fn tag(kind: JointKind) -> JointTag {
-    match kind {
-        JointKind::Revolute => JointTag::Revolute,
-        JointKind::Translational => JointTag::Translational,
-        JointKind::Fixed => JointTag::Fixed,
-        JointKind::PointOnLine => JointTag::PointOnLine,
-        JointKind::Distance => JointTag::Distance,
-        JointKind::X => JointTag::X,
-        JointKind::Y => JointTag::Y,
-        JointKind::Angle => JointTag::Angle,
-        JointKind::RelativeAngle => JointTag::RelativeAngle,
-        JointKind::OnPolarCurve => JointTag::OnPolarCurve,
-        JointKind::OnImplicitCurve => JointTag::OnImplicitCurve,
-        JointKind::OnParametricCurve => JointTag::OnParametricCurve,
-        JointKind::FlatFollower => JointTag::FlatFollower,
-        JointKind::Gear => JointTag::Gear,
-        JointKind::Belt => JointTag::Belt,
-        JointKind::RackPinion => JointTag::RackPinion,
-        JointKind::RollingOnLine => JointTag::RollingOnLine,
-        JointKind::RollingOnDisc => JointTag::RollingOnDisc,
-        JointKind::Constraint => JointTag::Constraint,
-        JointKind::KnifeEdge => JointTag::KnifeEdge,
-        JointKind::Speed => JointTag::Speed,
-        JointKind::Nonholonomic => JointTag::Nonholonomic,
-        JointKind::Driver => JointTag::Driver,
-    }
 }
