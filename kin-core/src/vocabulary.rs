@@ -42,6 +42,8 @@ pub enum JointKind {
     RollingOnLine,
     /// A disc on a disc: d − (R_i + R_j)(cos ψ, sin ψ); R_i(φ_i − ψ) + R_j(φ_j − ψ) − e.
     RollingOnDisc,
+    /// Σ |r_{k+1} − r_k| − e.
+    Rope,
     /// A free-form holonomic row.
     Constraint,
     /// No velocity of a point across a direction of its body.
@@ -73,6 +75,7 @@ impl JointKind {
             Self::Belt => "belt",
             Self::RackPinion => "rack_pinion",
             Self::RollingOnLine | Self::RollingOnDisc => "rolling",
+            Self::Rope => "rope",
             Self::Constraint => "constraint",
             Self::KnifeEdge => "knife_edge",
             Self::Speed => "speed",
@@ -83,10 +86,10 @@ impl JointKind {
 }
 
 impl JointKind {
-    /// True where it keeps a distance between points, which is not negative: a link, a cylinder, or a driver of a
+    /// True where it keeps a distance between points, which is not negative: a link, a cylinder, a rope, or a driver of a
     /// distance, which is the only driver with a second point.
     pub const fn keeps_length(self, has_second_point: bool) -> bool {
-        matches!(self, Self::Distance) || matches!(self, Self::Driver) && has_second_point
+        matches!(self, Self::Distance | Self::Rope) || matches!(self, Self::Driver) && has_second_point
     }
 }
 
@@ -104,6 +107,8 @@ pub enum Role {
     P,
     /// Body-fixed coordinates of the second operand's point, two numbers.
     Q,
+    /// Body-fixed coordinates of a point between the first and the last, two numbers; in the order of the joint.
+    Via,
     /// Unit vector of an axis in the frame it is fixed in, two numbers.
     Axis,
     /// Length, angle, offset or right-hand side, one number; may depend on t and inputs. The frame of a gear's or a
@@ -119,6 +124,7 @@ impl fmt::Display for Role {
         f.write_str(match self {
             Self::P => "first point",
             Self::Q => "second point",
+            Self::Via => "point between",
             Self::Axis => "axis",
             Self::Value => "value",
             Self::Radius => "radius",

@@ -206,3 +206,30 @@ fn rolling_by_its_velocities() {
         assert!((rate - expected).abs() < 1e-9, "{rate} and {expected}");
     }
 }
+
+/// A block and tackle: a load on a guide, on three parts of a rope that is wound up; and two sledges of a family, each pulled by a
+/// rope over a pin of the other's rail, with the ends on named points.
+#[mechanism]
+#[bodies(load)]
+#[body(sledge[2], phi = 0.1)]
+#[point(hook = load @ (0.1, 0.2))]
+#[translational(guide: ground @ (0, 0), load @ (0, 0), axis = (0, 1))]
+#[rope(tackle: ground @ (0.1, 0), hook, ground @ (0.1, 0), hook, length = 3*(h - 0.1*sin(t)))]
+#[point_on_line(rail[i in 0..2]: ground @ (0, i), sledge[i] @ (0, 0), axis = (1, 0))]
+#[rope(pull[i in 0..2]: ground @ (0, 0.5), sledge[i] @ (0, 0), length = sqrt(0.25 + pow(1 + 0.1*t*(1 + i), 2)))]
+#[guess(load.y = -1, sledge[0].x = 1, sledge[1].x = 1)]
+struct Ropes {
+    #[param(2.0)]
+    h: f64,
+}
+
+#[test]
+fn a_load_hangs_on_as_many_parts_as_the_rope_has() {
+    let ropes = Ropes::default();
+    follows(&ropes, &TIMES, "load.y", |t| -0.2 - (2.0 - 0.1 * t.sin()));
+    follows(&ropes, &TIMES, "sledge[0].x", |t| 1.0 + 0.1 * t);
+    follows(&ropes, &TIMES, "sledge[1].x", |t| 1.0 + 0.2 * t);
+    // A rope of negative length is an error as that of a link is.
+    let error = Ropes { h: -1.0 }.state_at(&kin_runtime::Instant::at(0.0)).unwrap_err();
+    assert!(error.to_string().contains("tackle"), "{error}");
+}

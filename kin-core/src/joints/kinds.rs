@@ -3,7 +3,7 @@
 use super::joint::Kind;
 use super::{
     Angle, Belt, Constraint, Distance, Driver, Fixed, FlatFollower, Gear, KnifeEdge, Nonholonomic, OnCurve,
-    PointOnLine, RackPinion, RelativeAngle, Revolute, RollingOnDisc, RollingOnLine, Speed, Translational, X, Y,
+    PointOnLine, RackPinion, RelativeAngle, Revolute, RollingOnDisc, RollingOnLine, Rope, Speed, Translational, X, Y,
 };
 use crate::error::ModelError;
 use crate::mechanism::{Joint, JointForm, Mechanism, Operands};
@@ -17,6 +17,7 @@ const KINDS: &[Kind] = &[
     Kind::of::<Fixed>(),
     Kind::of::<PointOnLine>(),
     Kind::of::<Distance>(),
+    Kind::of::<Rope>(),
     Kind::of::<X>(),
     Kind::of::<Y>(),
     Kind::of::<Angle>(),

@@ -22,6 +22,7 @@ mod rack_pinion;
 mod revolute;
 mod rolling_on_disc;
 mod rolling_on_line;
+mod rope;
 mod speed;
 mod translational;
 
@@ -45,5 +46,6 @@ pub use rack_pinion::RackPinion;
 pub use revolute::Revolute;
 pub use rolling_on_disc::RollingOnDisc;
 pub use rolling_on_line::RollingOnLine;
+pub use rope::Rope;
 pub use speed::Speed;
 pub use translational::Translational;

@@ -3,7 +3,7 @@
 use super::Number;
 use kin_core::joints::{
     Angle, Belt, Constraint, Distance, Driver, Fixed, FlatFollower, Gear, JointOperands, OnCurve, PointOnLine,
-    RackPinion, RelativeAngle, Revolute, RollingOnDisc, RollingOnLine, Translational, X, Y,
+    RackPinion, RelativeAngle, Revolute, RollingOnDisc, RollingOnLine, Rope, Translational, X, Y,
 };
 use kin_core::mechanism::{
     Axis, BodyOrigin, BodyRef, Component, Curve, CurveVariable, Formula, Function, Mechanism, Member, Operands, Place,
@@ -342,6 +342,12 @@ impl<'m, S: Number> Direct<'m, S> {
         }
         if let Some(Driver { left, right }) = &Driver::of(joint) {
             return vec![("", self.formula(left, i) - self.formula(&right.value, i))];
+        }
+        if let Some(Rope { points, length }) = &Rope::of(joint) {
+            let parts = points.windows(2).map(|ends| self.point(&ends[1], i) - self.point(&ends[0], i));
+            let lengths = parts.map(|d| d.square_of_length().call(Function::Sqrt));
+            let whole = lengths.fold(S::real(0.0), |sum, length| sum + length);
+            return vec![("", whole - self.formula(&length.value, i))];
         }
         panic!("rows of velocity level have tests of their own")
     }

@@ -3,7 +3,7 @@
 use super::*;
 use kin_core::joints::{
     Angle, Belt, Constraint, Distance, Fixed, FlatFollower, Gear, OnCurve, PointOnLine, RackPinion, RelativeAngle,
-    Revolute, RollingOnDisc, RollingOnLine, Translational, X, Y,
+    Revolute, RollingOnDisc, RollingOnLine, Rope, Translational, X, Y,
 };
 use kin_core::mechanism::{
     Axis, Body, BodyOrigin, BodyRef, Component, Condition, Curve, CurveVariable, Define, Formula, Function, Input,
@@ -299,7 +299,7 @@ impl Builder {
 
     fn joint(&mut self) -> Operands {
         let (p, q) = (self.place(), self.place());
-        let choice = self.random.below(20);
+        let choice = self.random.below(21);
         let mut value = || self.formula(Holds::Time, 1);
         match choice {
             15 | 16 => {
@@ -320,6 +320,12 @@ impl Builder {
                 let (offset, radii) = (value(), self.radii());
                 let (scale, at) = self.small_index();
                 RollingOnDisc { p, q, radii, along: member(1, index(scale, at)), offset }.into()
+            }
+            20 => {
+                // Neighbours that coincide are an error.
+                let between = Place { x: add(number(0.37), q.x), ..q };
+                let length = Value { value: positive(value()), origin: AT };
+                Rope { points: vec![p.clone(), between, p], length }.into()
             }
             0 | 1 => Revolute { p, q }.into(),
             2 => Translational { p, q, angle: value(), axis: self.axis() }.into(),

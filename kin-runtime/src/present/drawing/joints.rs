@@ -4,7 +4,7 @@ use super::links::Links;
 use super::part::{Ink, Part, Stroke};
 use super::scene::Carrier;
 use super::subject::{Pose, Subject, distance};
-use super::{slides, wheels};
+use super::{ropes, slides, wheels};
 use crate::model::{Frame, JointInfo, JointKind, Role};
 
 /// Draws a joint: on the bodies it holds, and on carriers of its own behind and before them.
@@ -24,6 +24,7 @@ pub(super) fn draw(
         JointKind::Driver if super::subject::piece(joint, Role::Q).is_some() => {
             massless(subject, joint, links, behind, front);
         }
+        JointKind::Rope => ropes::rope(subject, joint, links, behind, front),
         JointKind::Gear => wheels::gear(subject, joint, links),
         JointKind::Belt => wheels::belt(subject, joint, links, behind),
         JointKind::RackPinion => wheels::rack(subject, joint, links),

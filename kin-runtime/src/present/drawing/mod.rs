@@ -15,6 +15,7 @@ mod links;
 mod outlines;
 mod part;
 mod paths;
+mod ropes;
 mod scene;
 mod slides;
 mod subject;

@@ -1,0 +1,57 @@
+//! Rope: an inextensible rope, taut, from the first point over all others to the last.
+//!
+//! Row (1), in units of length:
+//! ```text
+//! Σ |r_{k+1} − r_k| − e = 0
+//! ```
+//! The rope runs freely over the points between: pulleys whose radius is small. A point may occur more than once, as in a
+//! block and tackle; a length that changes is a winch. Singular where two neighbouring points coincide, for the distance
+//! has no gradient there. The row is an equation: it does not see whether the rope would be pushed. Reports its length.
+
+use super::joint::{JointType, joint};
+use crate::constraint::{Assembly, Rows};
+use crate::mechanism::{Place, Slot, Takes, Value};
+use crate::vocabulary::Role;
+
+joint! {
+    /// Operands of a rope.
+    Rope {
+        /// The points, in the order of the rope.
+        points: Vec<Place> = Slot::points("points"),
+        /// e.
+        length: Value = Slot::required("length", Takes::Signal).positive(),
+    }
+    example: "#[rope(N: ground @ (0, 0), hook @ (0, 0), ground @ (0.2, 0), length = l)]"
+}
+
+impl JointType for Rope {
+    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+        let points: Vec<_> = self.points.iter().map(|place| a.place(place)).collect();
+        let target = a.formula(&self.length.value);
+        let mut length = a.graph.zero();
+        for (pair, place) in points.windows(2).zip(&self.points[1..]) {
+            let square = a.square_of_distance(&pair[0], &pair[1]);
+            if a.graph.is_zero(square) {
+                let message = "is the one before it, so that the distance of the two has no gradient";
+                a.degenerate(place.origin, "this point of the rope", message);
+            }
+            let part = a.distance(&pair[0], &pair[1]);
+            length = a.graph.add(length, part);
+        }
+        let last = points.len() - 1;
+        let role = |k: usize| match k {
+            0 => Role::P,
+            k if k == last => Role::Q,
+            _ => Role::Via,
+        };
+        let mut rows = Rows {
+            frames: [points.first(), points.last()].map(|point| point.map(|point| point.frame)),
+            geometry: points.iter().enumerate().map(|(k, p)| (role(k), p.frame, p.local.to_vec())).collect(),
+            ..Rows::default()
+        };
+        rows.geometry.push((Role::Value, points[0].frame, vec![target]));
+        rows.residuals = vec![("", a.graph.sub(length, target))];
+        rows.quantities = vec![("length", length)];
+        rows
+    }
+}

@@ -1,0 +1,59 @@
+//! Ropes: taut lines whose parts change their lengths.
+
+use super::joints::upright;
+use super::links::Links;
+use super::part::{Ink, Part, Stroke};
+use super::scene::Carrier;
+use super::subject::{Pose, Subject, distance, placed};
+use crate::model::{Frame, Geometry, JointInfo, Role};
+
+/// Most pieces that a part of a rope is drawn with.
+const PIECES: f64 = 64.0;
+
+/// A rope over its points. A part whose length changes is drawn with pieces that overlap where it is short.
+pub(super) fn rope(
+    subject: &Subject<'_>,
+    joint: &JointInfo,
+    links: &mut Links,
+    behind: &mut Vec<Carrier>,
+    front: &mut Vec<Carrier>,
+) {
+    let is_point = |piece: &&Geometry| matches!(piece.role, Role::P | Role::Via | Role::Q);
+    let points: Vec<&Geometry> = joint.geometry.iter().filter(is_point).collect();
+    let mut tracks: Vec<Vec<[f64; 2]>> = Vec::new();
+    for point in points {
+        let Some(local) = subject.numbers::<2>(0, point) else { return };
+        links.attach(point.frame, local);
+        let at = |k: usize| Some(placed(subject.pose(k, point.frame), subject.numbers::<2>(k, point)?));
+        let track: Vec<[f64; 2]> = subject.instants().filter_map(at).collect();
+        let part = if point.frame == Frame::Ground { Part::Foot([0.0; 2]) } else { Part::Pin([0.0; 2]) };
+        front.push(upright(track.clone(), part));
+        tracks.push(track);
+    }
+    for ends in tracks.windows(2) {
+        behind.extend(taut(&ends[0], &ends[1]));
+    }
+}
+
+/// A taut line between two points.
+fn taut(from: &[[f64; 2]], to: &[[f64; 2]]) -> Vec<Carrier> {
+    let lengths: Vec<f64> = from.iter().zip(to).map(|(&a, &b)| distance(a, b)).collect();
+    let (least, most) = lengths.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), &x| (low.min(x), high.max(x)));
+    let count = (most / least).ceil().clamp(1.0, PIECES);
+    let piece = (most / count).min(least);
+    let line =
+        || Part::Line { points: vec![[0.0; 2], [piece, 0.0]], ink: Ink::Ground, stroke: Stroke::Full, closed: false };
+    let numbers = (0..count as usize).map(|k| k as f64 / (count - 1.0).max(1.0));
+    let carrier = |share: f64| {
+        let poses: Vec<Pose> = (from.iter().zip(to).zip(&lengths))
+            .map(|((&[x, y], &[u, v]), length)| {
+                let angle = (v - y).atan2(u - x);
+                let (sin, cos) = angle.sin_cos();
+                let ahead = share * (length - piece);
+                [x + ahead * cos, y + ahead * sin, angle]
+            })
+            .collect();
+        Carrier { body: None, poses, parts: vec![line()] }
+    };
+    numbers.map(carrier).collect()
+}
