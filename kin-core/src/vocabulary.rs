@@ -42,6 +42,8 @@ pub enum JointKind {
     RollingOnLine,
     /// A disc on a disc: d − (R_i + R_j)(cos ψ, sin ψ); R_i(φ_i − ψ) + R_j(φ_j − ψ) − e.
     RollingOnDisc,
+    /// (A_i v̂)·(r_Q − r_P) − p/(2π) (φ_b − φ_i) − e.
+    Screw,
     /// Σ |r_{k+1} − r_k| − e.
     Rope,
     /// A free-form holonomic row.
@@ -75,6 +77,7 @@ impl JointKind {
             Self::Belt => "belt",
             Self::RackPinion => "rack_pinion",
             Self::RollingOnLine | Self::RollingOnDisc => "rolling",
+            Self::Screw => "screw",
             Self::Rope => "rope",
             Self::Constraint => "constraint",
             Self::KnifeEdge => "knife_edge",

@@ -233,3 +233,26 @@ fn a_load_hangs_on_as_many_parts_as_the_rope_has() {
     let error = Ropes { h: -1.0 }.state_at(&kin_runtime::Instant::at(0.0)).unwrap_err();
     assert!(error.to_string().contains("tackle"), "{error}");
 }
+
+/// A scissor jack's spindle on a frame that turns: the stroke counts the turns against the guide, not against the ground.
+#[mechanism]
+#[body(frame, x = 0.3, y = 0.1, phi = 0.4*t)]
+#[body(handle, origin = frame @ (0, 0))]
+#[bodies(carriage)]
+#[translational(guide: frame @ (0, 0), carriage @ (0, 0), axis = (3, 4))]
+#[screw(spindle: frame @ (0, 0), carriage @ (0, 0), axis = (3, 4), lead = 2*pi*p, nut = handle, offset = e)]
+#[driver(turns: handle.phi = 5*t + sin(t))]
+struct Spindle {
+    #[param(-0.02)]
+    p: f64,
+    #[param(0.5)]
+    e: f64,
+}
+
+#[test]
+fn a_screw_moves_its_carriage_by_the_lead_with_every_turn() {
+    let stroke = |t: f64| 0.5 - 0.02 * (4.6 * t + t.sin());
+    let direction = 0.8_f64.atan2(0.6);
+    follows(&Spindle::default(), &TIMES, "carriage.x", |t| 0.3 + stroke(t) * (direction + 0.4 * t).cos());
+    follows(&Spindle::default(), &TIMES, "carriage.y", |t| 0.1 + stroke(t) * (direction + 0.4 * t).sin());
+}

@@ -3,7 +3,8 @@
 use super::joint::Kind;
 use super::{
     Angle, Belt, Constraint, Distance, Driver, Fixed, FlatFollower, Gear, KnifeEdge, Nonholonomic, OnCurve,
-    PointOnLine, RackPinion, RelativeAngle, Revolute, RollingOnDisc, RollingOnLine, Rope, Speed, Translational, X, Y,
+    PointOnLine, RackPinion, RelativeAngle, Revolute, RollingOnDisc, RollingOnLine, Rope, Screw, Speed, Translational,
+    X, Y,
 };
 use crate::error::ModelError;
 use crate::mechanism::{Joint, JointForm, Mechanism, Operands};
@@ -27,6 +28,7 @@ const KINDS: &[Kind] = &[
     Kind::of::<Gear>(),
     Kind::of::<Belt>(),
     Kind::of::<RackPinion>(),
+    Kind::of::<Screw>(),
     Kind::of::<RollingOnLine>(),
     Kind::of::<RollingOnDisc>(),
     Kind::of::<Constraint>(),

@@ -23,6 +23,7 @@ mod revolute;
 mod rolling_on_disc;
 mod rolling_on_line;
 mod rope;
+mod screw;
 mod speed;
 mod translational;
 
@@ -47,5 +48,6 @@ pub use revolute::Revolute;
 pub use rolling_on_disc::RollingOnDisc;
 pub use rolling_on_line::RollingOnLine;
 pub use rope::Rope;
+pub use screw::Screw;
 pub use speed::Speed;
 pub use translational::Translational;

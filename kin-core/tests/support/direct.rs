@@ -3,7 +3,7 @@
 use super::Number;
 use kin_core::joints::{
     Angle, Belt, Constraint, Distance, Driver, Fixed, FlatFollower, Gear, JointOperands, OnCurve, PointOnLine,
-    RackPinion, RelativeAngle, Revolute, RollingOnDisc, RollingOnLine, Rope, Translational, X, Y,
+    RackPinion, RelativeAngle, Revolute, RollingOnDisc, RollingOnLine, Rope, Screw, Translational, X, Y,
 };
 use kin_core::mechanism::{
     Axis, BodyOrigin, BodyRef, Component, Curve, CurveVariable, Formula, Function, Mechanism, Member, Operands, Place,
@@ -342,6 +342,11 @@ impl<'m, S: Number> Direct<'m, S> {
         }
         if let Some(Driver { left, right }) = &Driver::of(joint) {
             return vec![("", self.formula(left, i) - self.formula(&right.value, i))];
+        }
+        if let Some(Screw { p, q, axis, lead, nut, offset }) = &Screw::of(joint) {
+            let turns = turn(&p.body, nut) * S::real(1.0 / core::f64::consts::TAU);
+            let stroke = self.by_axis(p, q, axis, i).x;
+            return vec![("", stroke - self.formula(lead, i) * turns - self.formula(offset, i))];
         }
         if let Some(Rope { points, length }) = &Rope::of(joint) {
             let parts = points.windows(2).map(|ends| self.point(&ends[1], i) - self.point(&ends[0], i));

@@ -3,7 +3,7 @@
 use super::*;
 use kin_core::joints::{
     Angle, Belt, Constraint, Distance, Fixed, FlatFollower, Gear, OnCurve, PointOnLine, RackPinion, RelativeAngle,
-    Revolute, RollingOnDisc, RollingOnLine, Rope, Translational, X, Y,
+    Revolute, RollingOnDisc, RollingOnLine, Rope, Screw, Translational, X, Y,
 };
 use kin_core::mechanism::{
     Axis, Body, BodyOrigin, BodyRef, Component, Condition, Curve, CurveVariable, Define, Formula, Function, Input,
@@ -299,7 +299,7 @@ impl Builder {
 
     fn joint(&mut self) -> Operands {
         let (p, q) = (self.place(), self.place());
-        let choice = self.random.below(21);
+        let choice = self.random.below(22);
         let mut value = || self.formula(Holds::Time, 1);
         match choice {
             15 | 16 => {
@@ -326,6 +326,10 @@ impl Builder {
                 let between = Place { x: add(number(0.37), q.x), ..q };
                 let length = Value { value: positive(value()), origin: AT };
                 Rope { points: vec![p.clone(), between, p], length }.into()
+            }
+            21 => {
+                let (lead, offset, axis) = (value(), value(), self.axis());
+                Screw { p, q, axis, lead, nut: self.any_body(), offset }.into()
             }
             0 | 1 => Revolute { p, q }.into(),
             2 => Translational { p, q, angle: value(), axis: self.axis() }.into(),

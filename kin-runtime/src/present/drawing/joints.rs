@@ -19,7 +19,9 @@ pub(super) fn draw(
         JointKind::Revolute => pinned(subject, joint, links, front, Part::Pin([0.0; 2])),
         JointKind::Fixed => pinned(subject, joint, links, front, Part::Weld([0.0; 2])),
         JointKind::X | JointKind::Y => prescribed(subject, joint, links, front),
-        JointKind::Translational | JointKind::PointOnLine => slides::slide(subject, joint, links, front),
+        JointKind::Translational | JointKind::PointOnLine | JointKind::Screw => {
+            slides::slide(subject, joint, links, front)
+        }
         JointKind::Distance => massless(subject, joint, links, behind, front),
         JointKind::Driver if super::subject::piece(joint, Role::Q).is_some() => {
             massless(subject, joint, links, behind, front);

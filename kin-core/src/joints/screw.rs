@@ -1,0 +1,66 @@
+//! Screw: a spindle with a thread moves a carriage along its axis, as far as it turns.
+//!
+//! Row (1), with u = A_i v̂ of the guide i and φ_b of what turns, in units of length:
+//! ```text
+//! u·(r_Q − r_P) − p/(2π) (φ_b − φ_i) − e = 0
+//! ```
+//! p is the lead: how far one turn moves Q along the axis. A positive lead moves it along the axis where b turns
+//! counter-clockwise, a negative one against it. Seen in the plane, b is what stands for the spindle's turning: a motor's
+//! body, a handwheel, a gear before a bevel gear. A translational joint keeps the carriage on its guide, and a revolute
+//! joint or a held origin keeps b in its place. It is the row of a [rack](super::RackPinion) with the radius p/(2π).
+//! Reports the stroke u·(r_Q − r_P).
+
+use super::joint::{JointType, joint};
+use super::translational::along;
+use crate::constraint::{Assembly, Rows};
+use crate::error::ModelError;
+use crate::mechanism::{Axis, BodyRef, Dimension, Formula, Joint, Mechanism, Place, Slot, Takes};
+use crate::vocabulary::Role;
+
+joint! {
+    /// Operands of a screw.
+    Screw {
+        /// P of the guide, body i.
+        p: Place = Slot::frame("p"),
+        /// Q of the carriage, body j.
+        q: Place = Slot::point("q"),
+        /// v in body i.
+        axis: Axis = Slot::required("axis", Takes::Axis),
+        /// p, the way of one turn.
+        lead: Formula = Slot::required("lead", Takes::Signal),
+        /// What turns.
+        nut: BodyRef = Slot::required("nut", Takes::Body),
+        /// e.
+        offset: Formula = Slot::offset("offset", Dimension::Length),
+    }
+    example: "#[screw(N: ground @ (0, 0), carriage @ (0, 0), axis = (1, 0), lead = p, nut = motor)]"
+}
+
+impl JointType for Screw {
+    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+        let (p, q) = (a.place(&self.p), a.place(&self.q));
+        let axis = a.axis(&self.axis, &p);
+        let turned = a.pose(&self.nut)[2];
+        let (lead, offset) = (a.formula(&self.lead), a.formula(&self.offset));
+        let stroke = along(a, &axis, &p, &q);
+        let by_radian = a.graph.number(0.5 * core::f64::consts::FRAC_1_PI);
+        let pitch = a.graph.mul(lead, by_radian);
+        let angle = a.graph.sub(turned, p.angle);
+        let advance = a.graph.mul(pitch, angle);
+        let rest = a.graph.sub(stroke, advance);
+        let mut rows = Rows::between(&p, &q);
+        rows.geometry.push((Role::Axis, p.frame, axis.local.to_vec()));
+        rows.geometry.push((Role::Value, p.frame, vec![offset]));
+        rows.residuals = vec![("", a.graph.sub(rest, offset))];
+        rows.quantities = vec![("stroke", stroke)];
+        rows
+    }
+
+    /// What turns is not the guide, at no step of the range.
+    fn check(&self, joint: &Joint, mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+        if let Some(body) = mechanism.common_member(joint.range, self.p.body, self.nut) {
+            let message = format!("`{body}` is the guide of screw `{}`, against which the nut turns", joint.name);
+            errors.push(ModelError::new(self.nut.origin(), message));
+        }
+    }
+}
