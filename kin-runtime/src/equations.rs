@@ -178,7 +178,7 @@ impl<'a> Equations<'a> {
     pub(crate) fn check_instant(&mut self, at: &Instant<'_>) -> Result<(), SolveError> {
         finite("t", 0, "t", at.t)?;
         length("inputs", self.model.inputs.len(), at.inputs.len())?;
-        self.check_inputs(at.inputs, at.t)?;
+        self.check_inputs(at.inputs)?;
         self.check_lengths(at, |kept| kept.moves)
     }
 
@@ -192,11 +192,9 @@ impl<'a> Equations<'a> {
         geometry::lengths_exist(&self.geometry, lengths, at.t)
     }
 
-    fn check_inputs(&self, inputs: &[Signal], t: f64) -> Result<(), SolveError> {
+    fn check_inputs(&self, inputs: &[Signal]) -> Result<(), SolveError> {
         let mut numbered = inputs.iter().enumerate();
-        numbered
-            .try_for_each(|(index, &signal)| finite_signal("inputs", index, self.model.inputs[index], signal))
-            .map_err(|error| error.at(t))
+        numbered.try_for_each(|(index, &signal)| finite_signal("inputs", index, self.model.inputs[index], signal))
     }
 
     /// Moves to another instant; prescribed coordinates go on with constant acceleration.
@@ -236,7 +234,7 @@ impl<'a> Equations<'a> {
             (None, Some(function)) => function(s, &mut self.inputs),
             (None, None) => {}
         }
-        self.check_inputs(&self.inputs, self.t)?;
+        self.check_inputs(&self.inputs).map_err(|error| error.at(self.t))?;
         let inputs = core::mem::take(&mut self.inputs);
         let checked = self.check_lengths(&Instant { t: self.t, inputs: &inputs }, |kept| kept.moves);
         self.inputs = inputs;
