@@ -4,9 +4,9 @@ use crate::acceleration::acceleration;
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::linear::Factorization;
-use crate::motion::poses;
+use crate::poses::poses;
+use crate::position::Position;
 use crate::scale::Scale;
-use crate::solver::Position;
 use crate::state::State;
 use crate::velocity::velocity;
 

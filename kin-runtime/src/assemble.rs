@@ -13,10 +13,9 @@ use crate::closure::close;
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::newton::Outcome;
-use crate::position::{close_all, finish};
+use crate::position::{Position, close_all, finish};
 use crate::random::Random;
 use crate::scale::Scale;
-use crate::solver::Position;
 use crate::workspace::Subset;
 
 /// The configuration that the guesses lead to.

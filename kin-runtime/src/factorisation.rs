@@ -8,7 +8,6 @@
 
 use crate::equations::Equations;
 use crate::linear::{Elimination, Factorization, Ordered};
-use crate::model::Model;
 
 /// What is wanted of a factorisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,13 +18,6 @@ pub(crate) enum Wanted {
     Rank,
     /// Also the rank, by pivots relative to the largest or to 1: for a scale taken at this very configuration.
     AbsoluteRank,
-}
-
-/// The pattern of Φ_q with the rows of prescribed coordinates.
-pub(crate) fn pattern(model: &Model, given: impl Iterator<Item = usize>) -> Ordered {
-    let mut entries = model.constraint_pattern.entries.to_vec();
-    entries.extend(given.enumerate().map(|(k, coordinate)| (model.rows.len() + k, coordinate)));
-    Ordered::new(model.coordinates.len(), entries)
 }
 
 impl Equations<'_> {

@@ -2,11 +2,10 @@
 //!
 //! - An axis whose components are both 0, or so small or large that their squares are no numbers, cannot be normalised.
 //! - A distance of 0 has no gradient where it is kept; its row of Φ_q vanishes.
-//! - A distance below 0 does not exist. Its row holds the square, and would quietly keep the positive distance instead.
 
 use crate::equations::Equations;
 use crate::error::{GeometryFault, SolveError};
-use crate::model::{JointInfo, Model, Role};
+use crate::model::{JointInfo, Role};
 use crate::workspace::Instant;
 
 /// The error of an evaluation, by the name of the joint whose axis has no direction, if that is why.
@@ -41,40 +40,6 @@ pub(crate) fn without_direction(equations: &Equations<'_>) -> Option<SolveError>
         let (t, joint, fault) = (equations.t, joint.name, GeometryFault::Axis);
         axes.any(|axis| !is_unit(axis.offset)).then_some(SolveError::DegenerateGeometry { t, joint, fault })
     })
-}
-
-/// A distance that a joint keeps.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct KeptLength {
-    joint: &'static str,
-    /// Its place in the geometry.
-    offset: usize,
-    /// True when t or an input may change it.
-    pub(crate) moves: bool,
-}
-
-/// All distances that the joints of a model keep.
-pub(crate) fn kept_lengths(model: &'static Model) -> Vec<KeptLength> {
-    let kept = |joint: &'static JointInfo| {
-        let value = joint.geometry.iter().find(|geometry| geometry.role == Role::Value)?;
-        let moves = model.rows.get(joint.first_row).is_some_and(|row| row.rheonomic);
-        Some(KeptLength { joint: joint.name, offset: value.offset, moves })
-    };
-    model.joints.iter().filter(|joint| joint.keeps_distance()).filter_map(kept).collect()
-}
-
-/// The error if one of these lengths is negative, given the numbers of the geometry at an instant.
-pub(crate) fn lengths_exist<'k>(
-    numbers: &[f64],
-    lengths: impl IntoIterator<Item = &'k KeptLength>,
-    t: f64,
-) -> Result<(), SolveError> {
-    let negative = lengths.into_iter().find_map(|kept| {
-        let length = numbers.get(kept.offset).copied().filter(|&length| length < 0.0)?;
-        let fault = GeometryFault::NegativeLength { length };
-        Some(SolveError::DegenerateGeometry { t, joint: kept.joint, fault })
-    });
-    negative.map_or(Ok(()), Err)
 }
 
 /// The first joint that keeps a distance of nothing, on the common scale.

@@ -93,7 +93,11 @@ mod linear;
 #[cfg(feature = "std")]
 mod newton;
 #[cfg(feature = "std")]
+mod observables;
+#[cfg(feature = "std")]
 mod placement;
+#[cfg(feature = "std")]
+mod poses;
 #[cfg(feature = "std")]
 mod position;
 #[cfg(feature = "std")]

@@ -6,8 +6,7 @@ use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::plan::Depth;
 use crate::planned::{Limit, PlanError, Sign, Step};
-use crate::position::position;
-use crate::solver::Position;
+use crate::position::{Position, position};
 use crate::text::number;
 use core::fmt;
 

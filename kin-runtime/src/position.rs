@@ -11,8 +11,21 @@ use crate::linear::Factorization;
 use crate::model::{Component, CoordinateKind};
 use crate::newton::Outcome;
 use crate::scale::Scale;
-use crate::solver::Position;
+use crate::text::numbers;
 use crate::workspace::Subset;
+use core::fmt;
+
+/// An assembled position.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Position {
+    /// q, n numbers.
+    pub q: Vec<f64>,
+    /// Iterations it took.
+    pub iterations: usize,
+    /// Largest |Φ_i|, in the rows' own units.
+    pub residual: f64,
+}
 
 /// The assembled configuration near `start`.
 pub(crate) fn position(equations: &mut Equations<'_>, start: &[f64]) -> Result<Position, SolveError> {
@@ -90,4 +103,13 @@ pub(crate) fn given_conflict(equations: &Equations<'_>) -> Option<SolveError> {
     let (coordinate, value) = equations.given_value(k);
     let open = equations.coordinates() - without;
     Some(SolveError::GivenConflict { t: equations.t, coordinate, value, open, given })
+}
+
+/// q, the residual and the iterations.
+impl fmt::Display for Position {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("q = ")?;
+        numbers(f, &self.q)?;
+        write!(f, ", largest |Φ| {:.1e} after {} iterations", self.residual, self.iterations)
+    }
 }

@@ -10,7 +10,8 @@ use crate::mechanism::Mechanism;
 use crate::mobility::{Mobility, mobility};
 use crate::model::Point;
 use crate::modes::{Mode, Wanted, assemble_in, modes};
-use crate::motion::{Motion, motion, point_jacobian};
+use crate::motion::Motion;
+use crate::observables::{motion, point_jacobian};
 use crate::observer::Observer;
 use crate::options::Options;
 use crate::planned::{PlanError, Planned, Sign};
@@ -20,28 +21,16 @@ use crate::scale::Scale;
 use crate::singular::explain;
 use crate::state::State;
 use crate::system::Evaluator;
-use crate::text::numbers;
 use crate::transmission::{TransmissionAngle, transmission_angles};
 use crate::velocity::{factorize, velocity};
 use crate::workspace::{Instant, Signal};
-use core::fmt;
 use nalgebra::DMatrix;
 
 mod by_plan;
 mod settings;
 mod sweep;
 
-/// An assembled position.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Position {
-    /// q, n numbers.
-    pub q: Vec<f64>,
-    /// Iterations it took.
-    pub iterations: usize,
-    /// Largest |Φ_i|, in the rows' own units.
-    pub residual: f64,
-}
+pub use crate::position::Position;
 
 /// Position, velocity and acceleration analysis of one mechanism.
 ///
@@ -307,14 +296,5 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     ) -> Result<R, SolveError> {
         let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
         analysis(&mut Equations::new(evaluator, self.options, &self.given, self.inputs, at)?)
-    }
-}
-
-/// q, the residual and the iterations.
-impl fmt::Display for Position {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("q = ")?;
-        numbers(f, &self.q)?;
-        write!(f, ", largest |Φ| {:.1e} after {} iterations", self.residual, self.iterations)
     }
 }

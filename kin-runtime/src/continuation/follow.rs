@@ -10,7 +10,7 @@ use crate::equations::Equations;
 use crate::error::{Refusal, SolveError};
 use crate::events::Watch;
 use crate::linear::Factorization;
-use crate::motion::poses;
+use crate::poses::poses;
 use crate::scale::Scale;
 use crate::state::State;
 use crate::trajectory::Fallback;

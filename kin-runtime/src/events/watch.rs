@@ -6,7 +6,7 @@ use super::sample::{Sample, samples};
 use super::shape::{Shape, doubt, is_known, shape};
 use crate::equations::Equations;
 use crate::error::SolveError;
-use crate::motion::poses;
+use crate::poses::poses;
 use crate::state::State;
 use std::collections::HashMap;
 

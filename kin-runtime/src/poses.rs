@@ -1,9 +1,9 @@
 //! Bodies and points of a state, for typed access: what a state shows without another call.
 
-use super::{BodyMotion, PointMotion, Rates, name};
 use crate::equations::{Equations, finite};
 use crate::error::SolveError;
 use crate::model::Model;
+use crate::motion::{BodyMotion, PointMotion, Rates, name};
 use crate::state::State;
 use crate::system::Parts;
 use crate::workspace::Instant;
