@@ -5,6 +5,7 @@
 //! the instruction or library call that hand-written code would use.
 
 pub(crate) mod compare;
+pub(crate) mod standard;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -85,30 +86,12 @@ fn sin_cos(angle: f64) -> (f64, f64) {
     #[cfg(feature = "simd")]
     return crate::trig::sin_cos_one(angle);
     #[cfg(not(feature = "simd"))]
-    return sin_cos_of_std(angle);
-}
-
-/// Sine and cosine by `std`, or `libm` where there is none.
-#[inline(always)]
-pub(crate) fn sin_cos_of_std(angle: f64) -> (f64, f64) {
-    #[cfg(feature = "std")]
-    return f64::sin_cos(angle);
-    #[cfg(not(feature = "std"))]
-    return libm::sincos(angle);
-}
-
-/// The same in `f32`.
-#[inline(always)]
-fn sin_cos_single(angle: f32) -> (f32, f32) {
-    #[cfg(feature = "std")]
-    return f32::sin_cos(angle);
-    #[cfg(not(feature = "std"))]
-    return libm::sincosf(angle);
+    return standard::sin_cos(angle);
 }
 
 /// `std`'s functions where there is a std, `libm`'s where there is none.
 macro_rules! float {
-    ($t:ty, $($std:ident $libm:ident),*; $atan2:ident $fabs:ident $pow:ident $sin_cos:path; $($more:item)*) => {
+    ($t:ty, $($std:ident $libm:ident),*; $pow:ident $sin_cos:path, $atan2:path; $($more:item)*) => {
         impl Scalar for $t {
             $($more)*
             const EPSILON: f64 = <$t>::EPSILON as f64;
@@ -131,10 +114,7 @@ macro_rules! float {
             )*
             #[inline(always)]
             fn atan2(self, x: Self) -> Self {
-                #[cfg(feature = "std")]
-                return <$t>::atan2(self, x);
-                #[cfg(not(feature = "std"))]
-                return libm::$atan2(self, x);
+                $atan2(self, x)
             }
             #[inline(always)]
             fn abs(self) -> Self {
@@ -179,7 +159,7 @@ macro_rules! float {
 }
 
 float!(
-    f64, tan tan, asin asin, acos acos, atan atan, sqrt sqrt, exp exp, ln log; atan2 fabs pow sin_cos;
+    f64, tan tan, asin asin, acos acos, atan atan, sqrt sqrt, exp exp, ln log; pow sin_cos, standard::atan2;
     #[cfg(feature = "simd")]
     #[inline(always)]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
@@ -193,7 +173,7 @@ float!(
     #[cfg(feature = "simd")]
     #[inline(always)]
     fn atan2_all<const N: usize>(vectors: [(Self, Self); N]) -> [Self; N] {
-        crate::lanes::atan2_all(vectors)
+        crate::trig::atan2_all(vectors)
     }
 );
-float!(f32, tan tanf, asin asinf, acos acosf, atan atanf, sqrt sqrtf, exp expf, ln logf; atan2f fabsf powf sin_cos_single;);
+float!(f32, tan tanf, asin asinf, acos acosf, atan atanf, sqrt sqrtf, exp expf, ln logf; powf standard::sin_cos_single, standard::atan2_single;);

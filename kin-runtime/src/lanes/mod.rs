@@ -1,6 +1,5 @@
 //! Four numbers as one scalar, so that a mechanism is evaluated or solved for four configurations at once.
 
-mod arctangent;
 #[cfg(feature = "alloc")]
 mod octet;
 #[cfg(feature = "alloc")]
@@ -10,13 +9,12 @@ mod tests;
 
 use crate::scalar::Scalar;
 use crate::text::numbers;
-use crate::trig;
+use crate::trig::{self, arctangent};
 use core::f64::consts::TAU;
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use wide::f64x4;
 
-pub(crate) use arctangent::atan2_all;
 #[cfg(feature = "alloc")]
 pub(crate) use octet::Octet;
 #[cfg(feature = "alloc")]

@@ -3,10 +3,11 @@
 //! A closed form is a long chain of operations of which each waits for the one before. Two such chains side by side take
 //! a processor little longer than one, and its registers hold them.
 
+use super::Lanes;
 use super::pack::Pack;
-use super::{Lanes, arctangent};
 use crate::scalar::Scalar;
 use crate::scalar::compare::Compare;
+use crate::trig::arctangent;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Eight `f64`, for blocks inside of batches.

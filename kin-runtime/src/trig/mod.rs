@@ -1,15 +1,18 @@
-//! Sine and cosine of several angles at once, in SIMD lanes.
+//! Sine and cosine of several angles at once, in SIMD lanes, and beside them the angles of several vectors.
 //!
 //! [`cody_waite`] has the arithmetic, for angles up to [`RANGE`]; beyond it the standard library computes. With the feature
 //! `dispatch`, several vectors of lanes, and more than two angles in `f64`, take the instruction set that `dispatched` finds
 //! at run time, unless the build has AVX2 anyway. Less is done before the call of another function would be worth its while.
 
+pub(crate) mod arctangent;
 mod cody_waite;
 #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
 mod dispatched;
-pub(crate) mod vector;
+mod vector;
 
-use crate::scalar::sin_cos_of_std;
+pub(crate) use arctangent::atan2_all;
+
+use crate::scalar::standard;
 use cody_waite::{RANGE, sin_cos};
 use vector::Group;
 use wide::{f64x2, f64x4};
@@ -69,7 +72,7 @@ fn of_this_processor<const N: usize>(x: &[f64x4; N]) -> ([(f64x4, f64x4); N], bo
 #[inline(never)]
 fn beyond(x: [f64; 4], mut sin: [f64; 4], mut cos: [f64; 4]) -> ([f64; 4], [f64; 4]) {
     for (lane, x) in x.into_iter().enumerate().filter(|(_, x)| x.abs() > RANGE) {
-        (sin[lane], cos[lane]) = sin_cos_of_std(x);
+        (sin[lane], cos[lane]) = standard::sin_cos(x);
     }
     (sin, cos)
 }
@@ -88,7 +91,7 @@ pub(crate) fn sin_cos_one(angle: f64) -> (f64, f64) {
 #[cold]
 #[inline(never)]
 fn one_beyond(angle: f64) -> (f64, f64) {
-    sin_cos_of_std(angle)
+    standard::sin_cos(angle)
 }
 
 /// Up to so many angles are computed by code that is inlined into the caller. More of them are worth a call, of code that
@@ -186,7 +189,7 @@ fn of_four(a: f64, b: f64, c: f64, d: f64) -> [(f64, f64); 4] {
 #[cold]
 #[inline(never)]
 fn four_beyond(a: f64, b: f64, c: f64, d: f64) -> [(f64, f64); 4] {
-    [a, b, c, d].map(sin_cos_of_std)
+    [a, b, c, d].map(standard::sin_cos)
 }
 
 #[inline(always)]

@@ -11,8 +11,8 @@
 //! All reflections together are one constant and one sign: angle = k π/4 ± atan z, the constant in two parts.
 //! The largest error found is 1.7 ulp, where num − den and num + den lose most.
 
-use crate::scalar::Scalar;
-use crate::trig::vector::{Compared, Group, Vector};
+use super::vector::{Compared, Group, Vector};
+use crate::scalar::standard;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use wide::{f64x2, f64x4};
 
@@ -76,14 +76,14 @@ fn polynomial<V: Vector>(z: V) -> V {
 
 /// atan2(y, x) of the lanes, in [−π, π].
 #[inline(always)]
-pub(super) fn atan2(y: f64x4, x: f64x4) -> f64x4 {
+pub(crate) fn atan2(y: f64x4, x: f64x4) -> f64x4 {
     let (angle, long) = angle(y, x);
     if long { of_long(y, x, angle) } else { angle }
 }
 
 /// Of two vectors of lanes, step by step beside one another: a processor has more to do while it waits.
 #[inline(always)]
-pub(super) fn atan2_of_two(y: [f64x4; 2], x: [f64x4; 2]) -> [f64x4; 2] {
+pub(crate) fn atan2_of_two(y: [f64x4; 2], x: [f64x4; 2]) -> [f64x4; 2] {
     let (Group(mut angles), long) = angle(Group(y), Group(x));
     if long {
         for k in 0..2 {
@@ -136,7 +136,7 @@ fn copy<const N: usize, const L: usize>(out: &mut [f64; N], first: usize, angles
 #[cold]
 #[inline(never)]
 fn one_by_one<const N: usize>(vectors: [(f64, f64); N]) -> [f64; N] {
-    vectors.map(|(y, x)| Scalar::atan2(y, x))
+    vectors.map(|(y, x)| standard::atan2(y, x))
 }
 
 /// With the standard library in the lanes whose vectors are long or infinite; the others keep their angles.
@@ -146,7 +146,7 @@ fn of_long(y: f64x4, x: f64x4, angle: f64x4) -> f64x4 {
     let (y, x, mut angle) = (y.to_array(), x.to_array(), angle.to_array());
     for lane in 0..angle.len() {
         if y[lane].abs() > LONG || x[lane].abs() > LONG {
-            angle[lane] = Scalar::atan2(y[lane], x[lane]);
+            angle[lane] = standard::atan2(y[lane], x[lane]);
         }
     }
     f64x4::new(angle)

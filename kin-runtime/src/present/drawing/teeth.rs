@@ -1,21 +1,11 @@
 //! Teeth that mesh: of a wheel and of a rack, as outlines.
 
-use super::super::links::Links;
-use super::super::part::{Ink, Part, Stroke};
-use super::super::subject::Subject;
+use super::part::{Ink, Part, Stroke};
 use crate::model::Frame;
 use core::f64::consts::TAU;
 
-/// Teeth of the smallest wheel.
-const FEWEST: f64 = 14.0;
 /// Height of a tooth above and below the pitch circle, relative to the pitch.
 const HEIGHT: f64 = 0.28;
-
-/// The pitch of all teeth of a mechanism, measured on the circle: the first pair decides, so that trains mesh.
-pub(super) fn pitch(subject: &Subject<'_>, links: &mut Links, smaller: f64) -> f64 {
-    debug_assert!(!subject.snapshots.is_empty(), "a motion has an instant");
-    links.wheels().first().map_or(TAU * smaller / FEWEST, |wheel| wheel.pitch)
-}
 
 /// Where a wheel is touched, in its own frame, and where between two of its teeth that is to be.
 #[derive(Clone, Copy)]
@@ -27,12 +17,12 @@ pub(super) struct Contact {
 
 /// A toothed wheel.
 #[derive(Clone, Copy, Debug)]
-pub(in super::super) struct Wheel {
-    pub(in super::super) frame: Frame,
-    pub(in super::super) centre: [f64; 2],
+pub(super) struct Wheel {
+    pub(super) frame: Frame,
+    pub(super) centre: [f64; 2],
     /// Negative for a ring.
-    pub(in super::super) radius: f64,
-    pub(in super::super) pitch: f64,
+    pub(super) radius: f64,
+    pub(super) pitch: f64,
     teeth: f64,
     /// The angle of a tooth.
     start: f64,
