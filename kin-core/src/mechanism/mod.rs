@@ -10,14 +10,14 @@ mod curve;
 mod display;
 mod formula;
 mod joint;
+mod reference;
 
-pub use body::{
-    Body, BodyOrigin, BodyRef, Define, Input, NamedPoint, Parameter, Place, Range, Scalar, Source, SuppliedFunction,
-};
+pub use body::{Body, BodyOrigin, Define, Input, NamedPoint, Parameter, Range, Scalar, Source, SuppliedFunction};
 pub use condition::{Condition, Relation};
-pub use curve::{Curve, CurveVariable};
-pub use formula::{Component, Formula, Function, Index, Member};
+pub use curve::Curve;
+pub use formula::{Formula, Function, Place};
 pub use joint::{Axis, Guess, GuessTarget, Joint, JointKind, Radii, Radius};
+pub use reference::{BodyRef, Component, CurveVariable, Index, Member};
 
 use crate::error::Origin;
 

@@ -16,6 +16,7 @@
 //! ```
 
 mod latex;
+mod lines;
 mod mathml;
 mod name;
 mod parse;
