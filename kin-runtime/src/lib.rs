@@ -34,90 +34,35 @@ pub mod vocabulary;
 pub mod workspace;
 
 #[cfg(feature = "std")]
-pub mod cross_check;
-#[cfg(feature = "std")]
-pub mod error;
-#[cfg(feature = "std")]
-pub mod events;
-#[cfg(feature = "std")]
-pub mod kinematics;
-#[cfg(feature = "std")]
-pub mod mobility;
-#[cfg(feature = "std")]
-pub mod modes;
-#[cfg(feature = "std")]
-pub mod motion;
-#[cfg(feature = "std")]
-pub mod observer;
-#[cfg(feature = "std")]
-pub mod options;
-#[cfg(feature = "std")]
-pub mod ratios;
-#[cfg(feature = "std")]
-pub mod solver;
-#[cfg(feature = "std")]
-pub mod state;
-#[cfg(feature = "std")]
-pub mod tracker;
-#[cfg(feature = "std")]
-pub mod trajectory;
-#[cfg(feature = "std")]
-pub mod transmission;
-
-#[cfg(feature = "std")]
-mod acceleration;
-#[cfg(feature = "std")]
 mod analysis;
 #[cfg(feature = "std")]
-mod assemble;
-#[cfg(feature = "std")]
-mod by_plan;
-#[cfg(feature = "std")]
-mod closure;
-#[cfg(feature = "std")]
-mod contact;
-#[cfg(feature = "std")]
-mod continuation;
-#[cfg(feature = "std")]
-mod dual;
+pub mod cross_check;
 #[cfg(feature = "std")]
 mod equations;
-#[cfg(feature = "std")]
-mod factorisation;
 #[cfg(all(test, feature = "std"))]
 mod fixture;
 #[cfg(feature = "std")]
-mod geometry;
+pub mod kinematics;
 #[cfg(feature = "std")]
 mod linear;
 #[cfg(feature = "std")]
-mod newton;
-#[cfg(feature = "std")]
-mod observables;
-#[cfg(feature = "std")]
-mod placement;
-#[cfg(feature = "std")]
-mod poses;
-#[cfg(feature = "std")]
-mod position;
-#[cfg(feature = "std")]
-mod radii;
+mod nonlinear;
 #[cfg(feature = "std")]
 mod random;
 #[cfg(feature = "std")]
-mod residual;
+mod report;
 #[cfg(feature = "std")]
-mod scale;
+mod results;
 #[cfg(all(feature = "serde", feature = "std"))]
 mod serial;
 #[cfg(feature = "std")]
-mod singular;
+pub mod solver;
 #[cfg(feature = "std")]
-mod system;
+mod sweep;
 #[cfg(all(test, feature = "std"))]
 mod tests;
 #[cfg(feature = "std")]
-mod velocity;
+pub mod tracker;
 
 #[cfg(feature = "cli")]
 pub mod cli;
@@ -142,36 +87,25 @@ pub use workspace::{Array, Evaluation, Subset};
 pub use nalgebra;
 
 #[cfg(feature = "std")]
-pub use cross_check::{
-    Configuration, CrossCheck, CrossCheckOptions, FunctionCheck, PlanCheck, WorstEntry, WorstPlanned,
+pub use {
+    analysis::modes,
+    analysis::modes::Mode,
+    cross_check::{Configuration, CrossCheck, CrossCheckOptions, FunctionCheck, PlanCheck, WorstEntry, WorstPlanned},
+    kinematics::Kinematics,
+    report::mobility::{Cause, Mobility, RedundantRow},
+    report::ratios::{InputRatio, VelocityRatio, VelocityRatios},
+    report::transmission::TransmissionAngle,
+    report::{mobility, ratios, transmission},
+    results::error::{Degeneracy, GeometryFault, Refusal, SolveError, SweepError},
+    results::event::{Crossing, Event, Unwatched},
+    results::motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates},
+    results::observer::{Observer, Reached},
+    results::options::Options,
+    results::state::State,
+    results::trajectory::{Fallback, Trajectory},
+    results::{error, motion, observer, options, state, trajectory},
+    series::{Derivatives, MotionDerivatives},
+    solver::{Position, Solver},
+    sweep::events,
+    tracker::Tracker,
 };
-#[cfg(feature = "std")]
-pub use error::{Degeneracy, GeometryFault, Refusal, SolveError, SweepError};
-#[cfg(feature = "std")]
-pub use events::{Crossing, Event, Unwatched};
-#[cfg(feature = "std")]
-pub use kinematics::Kinematics;
-#[cfg(feature = "std")]
-pub use mobility::{Cause, Mobility, RedundantRow};
-#[cfg(feature = "std")]
-pub use modes::Mode;
-#[cfg(feature = "std")]
-pub use motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates};
-#[cfg(feature = "std")]
-pub use observer::{Observer, Reached};
-#[cfg(feature = "std")]
-pub use options::Options;
-#[cfg(feature = "std")]
-pub use ratios::{InputRatio, VelocityRatio, VelocityRatios};
-#[cfg(feature = "std")]
-pub use series::{Derivatives, MotionDerivatives};
-#[cfg(feature = "std")]
-pub use solver::{Position, Solver};
-#[cfg(feature = "std")]
-pub use state::State;
-#[cfg(feature = "std")]
-pub use tracker::Tracker;
-#[cfg(feature = "std")]
-pub use trajectory::{Fallback, Trajectory};
-#[cfg(feature = "std")]
-pub use transmission::TransmissionAngle;

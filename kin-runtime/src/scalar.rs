@@ -5,6 +5,8 @@
 //! the instruction or library call that hand-written code would use.
 
 pub(crate) mod compare;
+#[cfg(feature = "std")]
+mod dual;
 pub(crate) mod standard;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};

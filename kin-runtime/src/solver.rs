@@ -1,9 +1,14 @@
 //! The analyses of one mechanism, with its options, guesses and prescribed coordinates.
 
-use crate::acceleration::acceleration;
 use crate::analysis;
+use crate::analysis::acceleration::acceleration;
+use crate::analysis::position::position;
+use crate::analysis::singular::explain;
+use crate::analysis::velocity::{factorize, velocity};
 use crate::course::InputFunction;
 use crate::cross_check::{CrossCheck, CrossCheckOptions, PlanCheck, cross_check, plan_check};
+use crate::equations::scale::Scale;
+use crate::equations::system::Evaluator;
 use crate::equations::{Equations, finite};
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
@@ -11,18 +16,13 @@ use crate::mobility::{Mobility, mobility};
 use crate::model::Point;
 use crate::modes::{Mode, Wanted, assemble_in, modes};
 use crate::motion::Motion;
-use crate::observables::{motion, point_jacobian};
 use crate::observer::Observer;
 use crate::options::Options;
 use crate::planned::{PlanError, Planned, Sign};
-use crate::position::position;
 use crate::ratios::{VelocityRatios, velocity_ratios};
-use crate::scale::Scale;
-use crate::singular::explain;
+use crate::report::motion::{motion, point_jacobian};
 use crate::state::State;
-use crate::system::Evaluator;
 use crate::transmission::{TransmissionAngle, transmission_angles};
-use crate::velocity::{factorize, velocity};
 use crate::workspace::{Instant, Signal};
 use nalgebra::DMatrix;
 
@@ -30,7 +30,7 @@ mod by_plan;
 mod settings;
 mod sweep;
 
-pub use crate::position::Position;
+pub use crate::analysis::position::Position;
 
 /// Position, velocity and acceleration analysis of one mechanism.
 ///

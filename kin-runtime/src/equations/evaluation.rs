@@ -2,17 +2,17 @@
 
 use super::kept_length::kept_lengths;
 use super::{Equations, Given, finite, finite_signal};
-use crate::contact;
 use crate::course::InputFunction;
+use crate::equations::contact;
+use crate::equations::geometry;
+use crate::equations::radii;
+use crate::equations::scale::Scale;
+use crate::equations::system::System;
 use crate::error::SolveError;
-use crate::geometry;
 use crate::linear::Ordered;
 use crate::model::Model;
 use crate::observer::Observed;
 use crate::options::Options;
-use crate::radii;
-use crate::scale::Scale;
-use crate::system::System;
 use crate::workspace::{Instant, Signal, Subset};
 use nalgebra::DVector;
 
