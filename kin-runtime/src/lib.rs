@@ -9,14 +9,9 @@ extern crate alloc;
 #[cfg(all(feature = "simd", feature = "alloc"))]
 pub mod batch;
 mod course;
-mod curve;
+mod evaluation;
 pub mod function;
-pub mod generic;
 pub mod guide;
-mod handles;
-#[cfg(feature = "simd")]
-mod lanes;
-pub mod mechanism;
 pub mod model;
 pub mod plan;
 pub mod planned;
@@ -24,14 +19,10 @@ pub mod planned;
 pub mod private;
 pub mod scalar;
 pub mod series;
-pub mod signal;
 #[doc(hidden)]
 pub mod tables;
 mod text;
-#[cfg(feature = "simd")]
-mod trig;
 pub mod vocabulary;
-pub mod workspace;
 
 #[cfg(feature = "std")]
 mod analysis;
@@ -69,18 +60,19 @@ pub mod cli;
 #[cfg(feature = "cli")]
 pub mod present;
 
-pub use curve::CurvePoint;
+pub use evaluation::curve::CurvePoint;
+pub use evaluation::generic::GenericMechanism;
+pub use evaluation::mechanism::{LengthError, Mechanism, Observations, Workspace};
+pub use evaluation::signal::{Instant, Signal};
+pub use evaluation::workspace::{Array, Evaluation, Subset};
+pub use evaluation::{generic, mechanism, signal, workspace};
 pub use function::ScalarFunction;
-pub use generic::GenericMechanism;
 pub use kin_derive::mechanism;
-#[cfg(feature = "simd")]
-pub use lanes::Lanes;
-pub use mechanism::{LengthError, Mechanism, Observations, Workspace};
 pub use planned::{Limit, LimitKind, Located, ModeKey, PlanError, Planned, Sign};
 pub use scalar::Scalar;
+#[cfg(feature = "simd")]
+pub use scalar::lanes::Lanes;
 pub use series::PowerSeries;
-pub use signal::{Instant, Signal};
-pub use workspace::{Array, Evaluation, Subset};
 
 /// The linear algebra of dense results, so that a crate needs no version of its own to match.
 #[cfg(feature = "std")]

@@ -4,7 +4,7 @@
 //! mechanism of the user.
 
 use crate::course::InputFunction;
-use crate::curve::CurvePoint;
+use crate::evaluation::curve::CurvePoint;
 use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 use crate::model::{Model, Pattern};
 use crate::motion::Rates;

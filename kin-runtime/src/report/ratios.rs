@@ -24,8 +24,8 @@
 use crate::analysis::velocity::{factorize, inconsistency, scaled};
 use crate::equations::Equations;
 use crate::error::SolveError;
-use crate::handles::Input;
 use crate::linear::Factorization;
+use crate::model::Input;
 use crate::model::{JointInfo, JointKind, Role};
 use crate::state::State;
 use crate::text::numbers;

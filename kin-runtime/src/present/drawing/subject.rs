@@ -1,6 +1,6 @@
 //! What is drawn: the poses and the geometry of every instant.
 
-use crate::curve::CurvePoint;
+use crate::evaluation::curve::CurvePoint;
 use crate::model::{Frame, Geometry, JointInfo, Model, Role};
 
 /// One instant as a drawing needs it.

@@ -3,9 +3,9 @@
 use super::sample::Sample;
 use super::shape::{Shape, doubt, is_known, shape};
 use super::watch::Watch;
-use crate::curve::CurvePoint;
 use crate::equations::Equations;
 use crate::equations::system::{Parts, System};
+use crate::evaluation::curve::CurvePoint;
 use crate::fixture::{driver, model};
 use crate::mechanism::LengthError;
 use crate::model::{ConditionInfo, Model, Observable, Pattern};

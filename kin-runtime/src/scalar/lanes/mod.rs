@@ -8,8 +8,8 @@ mod pack;
 mod tests;
 
 use crate::scalar::Scalar;
+use crate::scalar::trig::{self, arctangent};
 use crate::text::numbers;
-use crate::trig::{self, arctangent};
 use core::f64::consts::TAU;
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};

@@ -7,7 +7,7 @@ use super::Lanes;
 use super::pack::Pack;
 use crate::scalar::Scalar;
 use crate::scalar::compare::Compare;
-use crate::trig::arctangent;
+use crate::scalar::trig::arctangent;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Eight `f64`, for blocks inside of batches.

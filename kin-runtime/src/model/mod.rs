@@ -4,10 +4,11 @@
 
 use crate::plan::Plan;
 
+mod handles;
 mod joint;
 mod text;
 
-pub use crate::handles::{Body, Coordinate, Input, Point, Quantity};
+pub use handles::{Body, Coordinate, Input, Point, Quantity};
 pub use joint::{Geometry, JointInfo, JointKind, JointQuantity, Role};
 
 /// A body or the ground.

@@ -1,6 +1,6 @@
 //! The trait that `#[mechanism]` implements.
 
-use crate::curve::CurvePoint;
+use crate::evaluation::curve::CurvePoint;
 use crate::model::Model;
 use crate::plan::{Depth, Solved};
 use crate::scalar::Scalar;

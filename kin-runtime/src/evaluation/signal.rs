@@ -1,6 +1,6 @@
 //! Signals known only at run time, and instants: time with the values of the inputs at that time.
 
-use crate::handles::Input;
+use crate::model::Input;
 use crate::scalar::Scalar;
 use crate::text::{number, rates, separated};
 use core::fmt;

@@ -7,7 +7,11 @@
 pub(crate) mod compare;
 #[cfg(feature = "std")]
 mod dual;
+#[cfg(feature = "simd")]
+pub(crate) mod lanes;
 pub(crate) mod standard;
+#[cfg(feature = "simd")]
+pub(crate) mod trig;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -86,7 +90,7 @@ pub trait Scalar:
 #[inline(always)]
 fn sin_cos(angle: f64) -> (f64, f64) {
     #[cfg(feature = "simd")]
-    return crate::trig::sin_cos_one(angle);
+    return trig::sin_cos_one(angle);
     #[cfg(not(feature = "simd"))]
     return standard::sin_cos(angle);
 }
@@ -165,17 +169,17 @@ float!(
     #[cfg(feature = "simd")]
     #[inline(always)]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
-        crate::trig::sin_cos_all(angles)
+        trig::sin_cos_all(angles)
     }
     #[cfg(feature = "simd")]
     #[inline(always)]
     fn sin_cos_in_place(angles: &mut [Self], cosines: &mut [Self]) {
-        crate::trig::sin_cos_in_place(angles, cosines);
+        trig::sin_cos_in_place(angles, cosines);
     }
     #[cfg(feature = "simd")]
     #[inline(always)]
     fn atan2_all<const N: usize>(vectors: [(Self, Self); N]) -> [Self; N] {
-        crate::trig::atan2_all(vectors)
+        trig::atan2_all(vectors)
     }
 );
 float!(f32, tan tanf, asin asinf, acos acosf, atan atanf, sqrt sqrtf, exp expf, ln logf; powf standard::sin_cos_single, standard::atan2_single;);

@@ -5,7 +5,6 @@
 
 use super::end::{End, Outcome};
 use super::poses::{Limits, Poses, Question, copy_lane};
-use crate::lanes::{Lanes, Octet, Pack};
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan};
 use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
@@ -16,6 +15,7 @@ use crate::planned::predict::{parabola, turned, weights};
 use crate::planned::{Limit, PlanError, Step};
 use crate::scalar::Scalar;
 use crate::scalar::compare::Compare;
+use crate::scalar::lanes::{Lanes, Octet, Pack};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
