@@ -61,43 +61,51 @@ pub mod cli;
 pub mod present;
 
 pub use evaluation::curve::CurvePoint;
-pub use evaluation::generic::GenericMechanism;
-pub use evaluation::mechanism::{LengthError, Mechanism, Observations, Workspace};
-pub use evaluation::signal::{Instant, Signal};
-pub use evaluation::workspace::{Array, Evaluation, Subset};
 pub use evaluation::{generic, mechanism, signal, workspace};
-pub use function::ScalarFunction;
 pub use kin_derive::mechanism;
-pub use planned::{Limit, LimitKind, Located, ModeKey, PlanError, Planned, Sign};
-pub use scalar::Scalar;
 #[cfg(feature = "simd")]
 pub use scalar::lanes::Lanes;
-pub use series::PowerSeries;
+#[cfg(feature = "std")]
+pub use {
+    analysis::modes,
+    report::{mobility, ratios, transmission},
+    results::{error, motion, observer, options, state, trajectory},
+    sweep::events,
+};
 
 /// The linear algebra of dense results, so that a crate needs no version of its own to match.
 #[cfg(feature = "std")]
 pub use nalgebra;
 
+#[doc(no_inline)]
+pub use crate::{
+    function::ScalarFunction,
+    generic::GenericMechanism,
+    mechanism::{LengthError, Mechanism, Observations, Workspace},
+    planned::{Limit, LimitKind, Located, ModeKey, PlanError, Planned, Sign},
+    scalar::Scalar,
+    series::PowerSeries,
+    signal::{Instant, Signal},
+    workspace::{Array, Evaluation, Subset},
+};
+
 #[cfg(feature = "std")]
-pub use {
-    analysis::modes,
-    analysis::modes::Mode,
+#[doc(no_inline)]
+pub use crate::{
     cross_check::{Configuration, CrossCheck, CrossCheckOptions, FunctionCheck, PlanCheck, WorstEntry, WorstPlanned},
+    error::{Degeneracy, GeometryFault, Refusal, SolveError, SweepError},
+    events::{Crossing, Event, Unwatched},
     kinematics::Kinematics,
-    report::mobility::{Cause, Mobility, RedundantRow},
-    report::ratios::{InputRatio, VelocityRatio, VelocityRatios},
-    report::transmission::TransmissionAngle,
-    report::{mobility, ratios, transmission},
-    results::error::{Degeneracy, GeometryFault, Refusal, SolveError, SweepError},
-    results::event::{Crossing, Event, Unwatched},
-    results::motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates},
-    results::observer::{Observer, Reached},
-    results::options::Options,
-    results::state::State,
-    results::trajectory::{Fallback, Trajectory},
-    results::{error, motion, observer, options, state, trajectory},
+    mobility::{Cause, Mobility, RedundantRow},
+    modes::Mode,
+    motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates},
+    observer::{Observer, Reached},
+    options::Options,
+    ratios::{InputRatio, VelocityRatio, VelocityRatios},
     series::{Derivatives, MotionDerivatives},
     solver::{Position, Solver},
-    sweep::events,
+    state::State,
     tracker::Tracker,
+    trajectory::{Fallback, Trajectory},
+    transmission::TransmissionAngle,
 };
