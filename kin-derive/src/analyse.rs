@@ -1,5 +1,6 @@
 //! Tokens to a checked model, through two gates: what is written is read and its names are resolved, then the
-//! rules of [`kin_core::mechanism::check`] are applied. All errors come at once.
+//! rules of [`kin_core::mechanism::check`] are applied. All errors come at once. The third gate is what the equations of
+//! the model say.
 
 use crate::lower::{Lowered, Outcome, lower};
 use crate::parse::parse;
@@ -69,6 +70,26 @@ fn check_units(lowered: &Lowered, report: &Report) {
     for error in units::check(&lowered.mechanism) {
         report.error(lowered.span(error.origin), error.message);
     }
+}
+
+/// The third gate: the differentiated equations and what their structure says; errors where the rules of the model were not enough.
+pub(crate) fn system(lowered: &Lowered) -> syn::Result<(kin_core::KinematicSystem, kin_core::Structure)> {
+    let spanned = |errors: Vec<kin_core::ModelError>| {
+        let spanned = errors.into_iter().map(|error| syn::Error::new(lowered.span(error.origin), error));
+        spanned.reduce(|mut all, error| {
+            all.combine(error);
+            all
+        })
+    };
+    let system = kin_core::assemble(&lowered.mechanism).and_then(kin_core::differentiate).map_err(|errors| {
+        spanned(errors).unwrap_or_else(|| syn::Error::new(Span::call_site(), "the mechanism cannot be assembled"))
+    })?;
+    let structure = kin_core::diagnose(&system);
+    if !lowered.flags.allow_redundant {
+        let errors = kin_core::structure::explain(&lowered.mechanism, &system, &structure);
+        spanned(errors).map_or(Ok(()), Err)?;
+    }
+    Ok((system, structure))
 }
 
 #[cfg(test)]

@@ -1,10 +1,9 @@
 //! The attribute on token streams of any origin, so that tests and fuzzers can call it.
 
-use crate::analyse::{Broken, analyse};
-use crate::lower::Lowered;
+use crate::analyse::{Broken, analyse, system};
 use crate::{documentation, expand, fallback};
 use kin_core::plan::{plan_of_rank, plan_with_formulas};
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::TokenStream;
 
 /// The items of `#[mechanism(args)] item`.
 pub(crate) fn derive(args: TokenStream, item: TokenStream) -> TokenStream {
@@ -19,24 +18,4 @@ pub(crate) fn derive(args: TokenStream, item: TokenStream) -> TokenStream {
         Err(error) => Err(Broken { error, lowered: Some(Box::new(lowered)) }),
     });
     derived.unwrap_or_else(|broken| fallback::fallback(cleaned.as_ref(), item, &broken))
-}
-
-/// The differentiated equations and what their structure says; errors where the rules of the model were not enough.
-pub(crate) fn system(lowered: &Lowered) -> syn::Result<(kin_core::KinematicSystem, kin_core::Structure)> {
-    let spanned = |errors: Vec<kin_core::ModelError>| {
-        let spanned = errors.into_iter().map(|error| syn::Error::new(lowered.span(error.origin), error));
-        spanned.reduce(|mut all, error| {
-            all.combine(error);
-            all
-        })
-    };
-    let system = kin_core::assemble(&lowered.mechanism).and_then(kin_core::differentiate).map_err(|errors| {
-        spanned(errors).unwrap_or_else(|| syn::Error::new(Span::call_site(), "the mechanism cannot be assembled"))
-    })?;
-    let structure = kin_core::diagnose(&system);
-    if !lowered.flags.allow_redundant {
-        let errors = kin_core::structure::explain(&lowered.mechanism, &system, &structure);
-        spanned(errors).map_or(Ok(()), Err)?;
-    }
-    Ok((system, structure))
 }

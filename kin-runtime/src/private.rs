@@ -1,6 +1,6 @@
 //! The names that generated code uses. Not part of the public interface.
 
-pub use crate::curve::CurvePoint;
+pub use crate::evaluation::curve::CurvePoint;
 pub use crate::function::ScalarFunction;
 pub use crate::generic::GenericMechanism;
 pub use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};

@@ -1,18 +1,19 @@
 //! Following a mechanism whose inputs come one instant at a time: what a controller calls in its loop.
 
 use crate::analysis;
-use crate::continuation::Follower;
+use crate::analysis::position::position;
 use crate::course::{Kind, Way};
 use crate::equations::Equations;
+use crate::equations::system::{Evaluator, System};
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::modes::{Wanted, assemble_in};
-use crate::motion::{Motion, motion};
-use crate::position::position;
+use crate::motion::Motion;
 use crate::ratios::{VelocityRatios, velocity_ratios};
+use crate::report::motion::motion;
 use crate::solver::{Position, Solver};
 use crate::state::State;
-use crate::system::{Evaluator, System};
+use crate::sweep::continuation::Follower;
 use crate::trajectory::Fallback;
 use crate::workspace::Instant;
 

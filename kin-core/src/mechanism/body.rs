@@ -1,37 +1,7 @@
 //! Bodies, scalar coordinates, points and the other named parts of a mechanism.
 
-use super::{Component, Formula, Index};
+use super::{Component, Formula, Place};
 use crate::error::Origin;
-
-/// A body: the ground or a member of a family of bodies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum BodyRef {
-    /// The fixed frame O–xy.
-    Ground(Origin),
-    /// A member of `Mechanism::bodies`.
-    Body {
-        /// Position of the family in `Mechanism::bodies`.
-        family: usize,
-        /// Index in the family.
-        index: Index,
-        /// The token that named it.
-        origin: Origin,
-    },
-}
-
-impl BodyRef {
-    /// The token that named the body.
-    pub const fn origin(&self) -> Origin {
-        match self {
-            Self::Ground(origin) | Self::Body { origin, .. } => *origin,
-        }
-    }
-
-    /// True for the ground.
-    pub const fn is_ground(&self) -> bool {
-        matches!(self, Self::Ground(_))
-    }
-}
 
 /// How the origin of a body is given.
 #[derive(Clone, Debug, PartialEq)]
@@ -138,19 +108,6 @@ pub struct SuppliedFunction {
     /// Number of elements of an array field.
     pub len: Option<usize>,
     /// The token that declared it.
-    pub origin: Origin,
-}
-
-/// A point of a body: `body @ (x, y)` in that body's frame.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Place {
-    /// The body.
-    pub body: BodyRef,
-    /// First body-fixed coordinate, a formula of parameters.
-    pub x: Formula,
-    /// Second body-fixed coordinate.
-    pub y: Formula,
-    /// The whole operand.
     pub origin: Origin,
 }
 

@@ -3,28 +3,6 @@
 use super::{Formula, Member};
 use crate::error::Origin;
 
-/// A variable that is known inside the formulas of a curve only.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum CurveVariable {
-    /// θ: the direction in which a polar curve or the support function of a cam is asked for.
-    Theta,
-    /// First coordinate of a point of an implicit curve, in the curve's frame.
-    X,
-    /// Second coordinate.
-    Y,
-}
-
-impl CurveVariable {
-    /// The word in the user's language.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Theta => "theta",
-            Self::X => "X",
-            Self::Y => "Y",
-        }
-    }
-}
-
 /// A curve fixed in a body, with its centre at the first operand's point.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Curve {

@@ -1,75 +1,7 @@
 //! Formulas as the user wrote them: names resolved to ids, nothing simplified yet.
 
-use super::{BodyRef, CurveVariable, Place};
+use super::{BodyRef, Component, CurveVariable, Index, Member};
 use crate::error::Origin;
-use core::fmt;
-
-/// An index into a family: `scale * i + offset`, where `i` is the variable of the row's range.
-///
-/// A thing that is not an array has the index 0; `link[3]` has scale 0 and offset 3; `link[i + 1]` inside
-/// `N[i in 0..10]: …` has scale 1 and offset 1.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Index {
-    /// Factor of the range variable.
-    pub scale: i64,
-    /// Constant part.
-    pub offset: i64,
-}
-
-impl Index {
-    /// The constant index `offset`.
-    pub const fn constant(offset: i64) -> Self {
-        Self { scale: 0, offset }
-    }
-
-    /// The value at `i`, or `None` on overflow or when negative.
-    pub fn at(self, i: i64) -> Option<usize> {
-        let value = self.scale.checked_mul(i)?.checked_add(self.offset)?;
-        usize::try_from(value).ok()
-    }
-}
-
-/// A member of a family: which family, and which index in it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Member {
-    /// Position of the family in its list (`Mechanism::parameters`, `scalars`, `points`, `defines`, …).
-    pub family: usize,
-    /// Index in the family.
-    pub index: Index,
-    /// The token that named it.
-    pub origin: Origin,
-}
-
-/// One of the three coordinates of a body's pose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Component {
-    /// x of the body's origin in the inertial frame.
-    X,
-    /// y of the body's origin in the inertial frame.
-    Y,
-    /// Rotation of the body's frame, counter-clockwise, never wrapped.
-    Phi,
-}
-
-impl Component {
-    /// All three, in the order of q.
-    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Phi];
-
-    /// `x`, `y` or `phi`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::X => "x",
-            Self::Y => "y",
-            Self::Phi => "phi",
-        }
-    }
-}
-
-impl fmt::Display for Component {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
 
 /// A function of one argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -180,6 +112,19 @@ pub enum Formula {
     Supplied(Member, Box<Formula>),
     /// The total time derivative of a formula, in a row of velocity level; the origin is that of the word `dot`.
     Dot(Box<Formula>, Origin),
+}
+
+/// A point of a body: `body @ (x, y)` in that body's frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Place {
+    /// The body.
+    pub body: BodyRef,
+    /// First body-fixed coordinate, a formula of parameters.
+    pub x: Formula,
+    /// Second body-fixed coordinate.
+    pub y: Formula,
+    /// The whole operand.
+    pub origin: Origin,
 }
 
 /// A long sum or product is deep on its left, so that side is walked and not called.

@@ -11,17 +11,17 @@ mod form;
 mod formula;
 mod joint;
 mod operand;
+mod reference;
 mod walk;
 
-pub use body::{
-    Body, BodyOrigin, BodyRef, Define, Input, NamedPoint, Parameter, Place, Range, Scalar, Source, SuppliedFunction,
-};
+pub use body::{Body, BodyOrigin, Define, Input, NamedPoint, Parameter, Range, Scalar, Source, SuppliedFunction};
 pub use condition::{Condition, Relation};
-pub use curve::{Curve, CurveVariable};
+pub use curve::Curve;
 pub use form::{Dimension, JointForm, Sees, Slot, Takes, Written};
-pub use formula::{Component, Formula, Function, Index, Member};
+pub use formula::{Formula, Function, Place};
 pub use joint::{Guess, GuessTarget, Joint};
 pub use operand::{Axis, Operand, OperandValue, Operands, Radii, Value};
+pub use reference::{BodyRef, Component, CurveVariable, Index, Member};
 pub(crate) use walk::{contains_signal, defines_in, nodes};
 
 use crate::error::Origin;

@@ -16,6 +16,7 @@
 //! ```
 
 mod latex;
+mod lines;
 mod markup;
 mod mathml;
 mod name;

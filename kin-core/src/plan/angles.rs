@@ -55,9 +55,9 @@ impl Reduction<'_> {
             form.terms.remove(key);
             form
         };
-        let mut reader = Reader::new(self.graph, self.probe, unknowns);
+        let mut reader = Reader::new(self.graph, self.memory, unknowns);
         let [f, g] = [without(f), without(g)].map(|form| reader.written(&form));
-        let (graph, probe) = (&mut *self.graph, &mut *self.probe);
+        let (graph, probe) = (&mut *self.graph, &mut self.memory.probe);
         let minus_c2 = graph.neg(c2);
         let minus_s1 = graph.neg(s1);
         let turn = key.turn.clone();
@@ -148,7 +148,7 @@ impl Reduction<'_> {
             let [a, b] = two.map(|row| forms[&row].terms.get(key).copied());
             let (Some(a), Some(b)) = (a, b) else { return false };
             let det = self.graph.plain_cross(a, b);
-            !self.probe.is_zero(self.graph, det)
+            !self.memory.probe.is_zero(self.graph, det)
         })
     }
 
@@ -165,7 +165,7 @@ impl Reduction<'_> {
         let [h, f, g] = [other, two[0], two[1]].map(|row| &forms[&row]);
         let [ch, c1, c2] = [h, f, g].map(|form| form.terms.get(key).copied().unwrap_or([zero; 2]));
         let factors = self.factors(ch, [c1, c2]);
-        let mut reader = Reader::new(self.graph, self.probe, unknowns);
+        let mut reader = Reader::new(self.graph, self.memory, unknowns);
         let mut row = h.clone();
         for (factor, form) in factors.into_iter().zip([f, g]) {
             let factor = reader.constant(factor);
@@ -180,7 +180,7 @@ impl Reduction<'_> {
 
     /// α and β with α a + β b = h.
     fn factors(&mut self, h: [ExprId; 2], [a, b]: [[ExprId; 2]; 2]) -> [ExprId; 2] {
-        let (graph, probe) = (&mut *self.graph, &mut *self.probe);
+        let (graph, probe) = (&mut *self.graph, &mut self.memory.probe);
         let (zero, one) = (graph.zero(), graph.number(1.0));
         let minus_one = graph.number(-1.0);
         // The same joint in another loop, as a rule.

@@ -5,8 +5,8 @@
 //! another row of the same circuit may leave none. A row that is left out beside one of the same joint helps it all the same, where both turn one
 //! vector: an angle is given by its cosine and its sine, not by one of them and a sign.
 
+use super::form::Memory;
 use super::matching;
-use super::probe::Probe;
 use super::reduce::{Agreeing, Reduction};
 use super::tree::{Block, Part, Way};
 use crate::expr::{Graph, IdMap};
@@ -32,7 +32,7 @@ pub(super) struct Chosen {
 /// Chooses for a system of full rank.
 pub(super) fn choose(system: &KinematicSystem, graph: &mut Graph) -> Option<Chosen> {
     let set = &system.set;
-    let mut search = Search { system, graph, probe: Probe::new(set.coordinates.len()) };
+    let mut search = Search { system, graph, memory: Memory::new(set.coordinates.len()) };
     if set.rows.len() == set.coordinates.len() {
         return search.of(Vec::new());
     }
@@ -73,7 +73,7 @@ pub(super) fn choose(system: &KinematicSystem, graph: &mut Graph) -> Option<Chos
 struct Search<'a> {
     system: &'a KinematicSystem,
     graph: &'a mut Graph,
-    probe: Probe,
+    memory: Memory,
 }
 
 impl Search<'_> {
@@ -110,7 +110,7 @@ impl Search<'_> {
         let blocks = matching::blocks(&pattern, set.coordinates.len()).ok()?;
         let mut reduction = Reduction {
             graph: &mut *self.graph,
-            probe: &mut self.probe,
+            memory: &mut self.memory,
             rows: set.rows.iter().map(|row| row.phi).collect(),
             made_of: all.map(|row| BTreeSet::from([row])).collect(),
             replaced: BTreeSet::new(),

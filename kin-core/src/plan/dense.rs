@@ -1,5 +1,6 @@
 //! Small systems M x = b as expressions: by Cramer's rule up to three unknowns, beyond by elimination in a fixed order.
 
+use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
 use crate::mechanism::Function;
 
@@ -31,6 +32,11 @@ pub(super) fn solve(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<Exp
         2 | 3 => cramer(graph, matrix, rights, lengths),
         _ => eliminate(graph, matrix, rights, lengths),
     }
+}
+
+/// Which of the coordinates at these places are lengths.
+pub(super) fn lengths(coordinates: &[Coordinate], places: &[u32]) -> Vec<bool> {
+    places.iter().map(|&k| coordinates[k as usize].kind.is_length()).collect()
 }
 
 /// Solutions of at most one unknown.

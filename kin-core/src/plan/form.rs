@@ -44,30 +44,37 @@ pub(super) struct Form {
     pub(super) rest: Option<ExprId>,
 }
 
-/// What readers of the same unknowns find, one after the other.
-#[derive(Default)]
+/// What readers of the same unknowns find, one after the other, and what tells them that a coefficient is zero.
 pub(super) struct Memory {
+    pub(super) probe: Probe,
     unknowns: BTreeSet<u32>,
     holds: IdMap<bool>,
     read: IdMap<Rc<Form>>,
 }
 
+impl Memory {
+    /// For expressions over so many coordinates.
+    pub(super) fn new(coordinates: usize) -> Self {
+        let (unknowns, holds, read) = (BTreeSet::new(), IdMap::default(), IdMap::default());
+        Self { probe: Probe::new(coordinates), unknowns, holds, read }
+    }
+}
+
 /// Reads forms; remembers which expressions hold unknowns.
 pub(super) struct Reader<'a> {
     pub(super) graph: &'a mut Graph,
-    pub(super) probe: &'a mut Probe,
+    pub(super) memory: &'a mut Memory,
     unknowns: &'a BTreeSet<u32>,
 }
 
 impl<'a> Reader<'a> {
-    pub(super) fn new(graph: &'a mut Graph, probe: &'a mut Probe, unknowns: &'a BTreeSet<u32>) -> Self {
-        let memory = &mut probe.memory;
+    pub(super) fn new(graph: &'a mut Graph, memory: &'a mut Memory, unknowns: &'a BTreeSet<u32>) -> Self {
         if memory.unknowns != *unknowns {
             memory.unknowns.clone_from(unknowns);
             memory.holds.clear();
             memory.read.clear();
         }
-        Self { graph, probe, unknowns }
+        Self { graph, memory, unknowns }
     }
 
     /// What is sought.
@@ -77,7 +84,7 @@ impl<'a> Reader<'a> {
 
     /// True when an unknown is in `id`.
     pub(super) fn holds(&mut self, id: ExprId) -> bool {
-        if !self.probe.memory.holds.contains(id) {
+        if !self.memory.holds.contains(id) {
             let order = self.graph.reachable([id]);
             self.find(&order);
         }
@@ -85,12 +92,12 @@ impl<'a> Reader<'a> {
     }
 
     fn known_to_hold(&self, id: ExprId) -> bool {
-        self.probe.memory.holds.or(id, false)
+        self.memory.holds.or(id, false)
     }
 
     /// Notes for expressions, operands first, whether they hold unknowns.
     fn find(&mut self, order: &[ExprId]) {
-        let holds = &mut self.probe.memory.holds;
+        let holds = &mut self.memory.holds;
         for &id in order {
             if !holds.contains(id) {
                 let node = self.graph.node(id);
@@ -113,9 +120,9 @@ impl<'a> Reader<'a> {
             if let Node::Symbol(Symbol::Coordinate(k)) = self.graph.node(id) {
                 written.insert(k);
             }
-            if !self.probe.memory.read.contains(id) {
+            if !self.memory.read.contains(id) {
                 let form = self.node(id).unwrap_or_else(|| Form { rest: Some(id), ..Form::default() });
-                self.probe.memory.read.insert(id, Rc::new(form));
+                self.memory.read.insert(id, Rc::new(form));
             }
         }
         let form = self.known_form(id);
@@ -128,7 +135,7 @@ impl<'a> Reader<'a> {
         let zero = self.graph.zero();
         form.terms.retain(|_, pair| {
             for coefficient in pair.iter_mut() {
-                if self.probe.is_zero(self.graph, *coefficient) {
+                if self.memory.probe.is_zero(self.graph, *coefficient) {
                     *coefficient = zero;
                 }
             }
@@ -138,7 +145,7 @@ impl<'a> Reader<'a> {
     }
 
     fn known_form(&mut self, id: ExprId) -> Rc<Form> {
-        match self.probe.memory.read.get(id) {
+        match self.memory.read.get(id) {
             Some(form) => Rc::clone(form),
             None => Rc::new(self.constant(id)),
         }

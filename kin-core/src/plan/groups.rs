@@ -1,6 +1,6 @@
 //! Dyads by their letters: along their joints, carried origins being pins; in free equations by what closes there.
 
-use super::steps::{Kind, Step};
+use super::step::{Kind, Step};
 use super::tree::{Core, Pair, PairValue, Part, Way};
 use crate::constraint::{ConstraintSet, Frame};
 use crate::expr::{Graph, Node, Symbol};

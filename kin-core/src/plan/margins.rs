@@ -1,21 +1,12 @@
 //! Margins of what is divided by, and the numbers of all margins.
 
-use super::build::{Build, Stage};
+use super::build::{Build, Divisor, Stage};
 use super::closures;
 use crate::constraint::CoordinateKind;
 use crate::expr::{ExprId, Symbol};
 use crate::mechanism::Component;
 use crate::program::Slot;
 use std::collections::BTreeMap;
-
-/// What a step divides by on its way to an unknown: its square, and what it is made of.
-pub(super) struct Divisor {
-    pub(super) step: usize,
-    pub(super) rows: Vec<usize>,
-    pub(super) unknown: u32,
-    pub(super) square: ExprId,
-    pub(super) parts: Vec<ExprId>,
-}
 
 impl Build<'_> {
     pub(super) fn write_margin(&mut self, step: usize, margin: ExprId) {

@@ -21,6 +21,7 @@ mod choice;
 mod closures;
 mod dense;
 mod display;
+mod expressions;
 mod form;
 mod formulas;
 mod groups;
@@ -34,6 +35,7 @@ mod reduce;
 mod rewrite;
 mod run;
 mod sections;
+mod step;
 mod steps;
 mod tree;
 mod watch;
@@ -41,10 +43,9 @@ mod watch;
 pub use formulas::{Formulas, Line};
 pub use run::{Solution, closures, resolve, run};
 pub use sections::Section;
-pub use steps::{Kind, Mode, Step};
+pub use step::{Kind, Mode, Step};
 pub use watch::TOLERANCE;
 
-use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
 use crate::program::{Program, Slot, lower};
 use crate::rows;
@@ -185,9 +186,4 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<Solut
 fn turns(graph: &mut Graph, system: &KinematicSystem) -> Vec<ExprId> {
     let program = rows::values(&system.set.graph, &system.equations);
     program.angles(graph).into_iter().flat_map(|angle| [graph.sin(angle), graph.cos(angle)]).collect()
-}
-
-/// Which of `places` are lengths.
-fn lengths(coordinates: &[Coordinate], places: &[u32]) -> Vec<bool> {
-    places.iter().map(|&k| coordinates[k as usize].kind.is_length()).collect()
 }

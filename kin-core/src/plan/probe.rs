@@ -4,7 +4,6 @@
 //! and other functions are drawn, the same expression always the same. An expression that is not zero passes for zero
 //! with a probability of its degree over 2⁶¹.
 
-use super::form::Memory;
 use crate::expr::{ExprId, Graph, IdMap, Node};
 use crate::mechanism::Function;
 use crate::structure::field::{Draw, Residue};
@@ -18,15 +17,13 @@ pub(super) struct Probe {
     turns: Turns,
     draw: Draw,
     known: IdMap<Residue>,
-    /// What was read last, by whoever asks whether coefficients are zero.
-    pub(super) memory: Memory,
 }
 
 impl Probe {
     /// A probe for expressions over so many coordinates.
     pub(super) fn new(coordinates: usize) -> Self {
         let draw = Draw(0x6b69_6e00_706c_616e);
-        Self { turns: Turns::free(coordinates, draw), draw, known: IdMap::default(), memory: Memory::default() }
+        Self { turns: Turns::free(coordinates, draw), draw, known: IdMap::default() }
     }
 
     /// True when `id` is zero for all values of its symbols.

@@ -136,7 +136,7 @@ impl<'g> Rates<'g> {
         let matrix: Vec<Vec<ExprId>> =
             core.rows.iter().map(|&row| core.coordinates.iter().map(|&k| entry(row, k)).collect()).collect();
         let right: Vec<ExprId> = core.rows.iter().map(|&row| self.right[row]).collect();
-        let lengths = super::lengths(self.coordinates, &core.coordinates);
+        let lengths = dense::lengths(self.coordinates, &core.coordinates);
         let dense::Solved { solutions, margin, orientation } = dense::solve(self.graph, &matrix, &[right], &lengths);
         for (&k, value) in core.coordinates.iter().zip(solutions.into_iter().flatten()) {
             self.solution[k as usize] = Some(self.graph.whole(value));

@@ -78,7 +78,7 @@ fn circle(reader: &mut Reader<'_>, forms: [&Form; 2], [x, y]: [u32; 2]) -> Optio
     }
     let of = |reader: &mut Reader<'_>, form: &Form| {
         let [e, e_y, l_x, l_y, k] = [0, 1, 2, 3, 4].map(|place: usize| coefficient(reader, form, &keys[place])[0]);
-        reader.probe.equal(reader.graph, e, e_y).then_some((e, [l_x, l_y], k))
+        reader.memory.probe.equal(reader.graph, e, e_y).then_some((e, [l_x, l_y], k))
     };
     let (first, second) = (of(reader, forms[0])?, of(reader, forms[1])?);
     let zero = reader.graph.zero();

@@ -14,9 +14,8 @@
 //! ways, which a sign tells apart; so do a quadratic equation and a circle that meets a line or a circle. What is left
 //! over is for Newton's iteration, on as few unknowns as there are now.
 
-use super::form::{Form, Key, Reader};
+use super::form::{Form, Key, Memory, Reader};
 use super::matching::blocks;
-use super::probe::Probe;
 use super::recognise::recognise;
 use super::rewrite::{Substitution, rewrite};
 use super::tree::{Block, Core, Exchange, Pair, PairValue, Part, Pivot, Way};
@@ -26,7 +25,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Rows while they are being reduced.
 pub(super) struct Reduction<'a> {
     pub(super) graph: &'a mut Graph,
-    pub(super) probe: &'a mut Probe,
+    pub(super) memory: &'a mut Memory,
     /// What stands in every row now.
     pub(super) rows: Vec<ExprId>,
     /// The rows that every row is made of now.
@@ -134,7 +133,7 @@ impl Reduction<'_> {
         }
         // Coordinates of other parts are known here.
         let forms: BTreeMap<usize, Form> = rows.iter().map(|&row| (row, self.form(row, unknowns))).collect();
-        let way = recognise(&mut Reader::new(self.graph, self.probe, unknowns), rows, &forms);
+        let way = recognise(&mut Reader::new(self.graph, self.memory, unknowns), rows, &forms);
         let pair = match &way {
             Some(_) => None,
             None => (self.ratio(rows, unknowns, &forms))
@@ -180,7 +179,7 @@ impl Reduction<'_> {
     /// The form of a row, and the row without unknowns that cancel out of it: they may be solved for later only.
     pub(super) fn form(&mut self, row: usize, unknowns: &BTreeSet<u32>) -> Form {
         loop {
-            let (form, written) = Reader::new(self.graph, self.probe, unknowns).read(self.rows[row]);
+            let (form, written) = Reader::new(self.graph, self.memory, unknowns).read(self.rows[row]);
             let left = self.unknowns(&form, unknowns);
             if written.is_subset(&left) {
                 return form;
@@ -274,7 +273,7 @@ impl Reduction<'_> {
         let mut others = form.clone();
         others.terms.remove(&key);
         let nothing = BTreeSet::new();
-        let rest = Reader::new(self.graph, self.probe, &nothing).written(&others);
+        let rest = Reader::new(self.graph, self.memory, &nothing).written(&others);
         let minus = self.graph.neg(rest);
         self.graph.div(minus, coefficient)
     }
@@ -298,7 +297,7 @@ impl Reduction<'_> {
             _ => None,
         });
         let coordinates: BTreeSet<u32> = coordinates.collect();
-        let (form, _) = Reader::new(self.graph, self.probe, &coordinates).read(id);
+        let (form, _) = Reader::new(self.graph, self.memory, &coordinates).read(id);
         let [value, _] = *form.terms.get(&Key::default())?;
         let alone = form.rest.is_none() && form.terms.len() == 1;
         (alone && self.graph.depends(value).is_static()).then_some(value)
@@ -318,7 +317,7 @@ impl Reduction<'_> {
                 continue;
             }
             let [f, g] = two.map(|row| split(&forms[&row], k));
-            let mut reader = Reader::new(self.graph, self.probe, unknowns);
+            let mut reader = Reader::new(self.graph, self.memory, unknowns);
             let product = |reader: &mut Reader<'_>, a: &Form, b: &Form| reader.product(a, b);
             let (Some(a), Some(b)) = (product(&mut reader, &f.0, &g.1), product(&mut reader, &g.0, &f.1)) else {
                 continue;

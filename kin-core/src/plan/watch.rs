@@ -11,7 +11,7 @@
 //! angles; for a scalar 1 or more. So ρ has no unit, and is about by how much the row's joint is apart beside the size of
 //! the mechanism. τ is [`TOLERANCE`], and more beside limits, where what is solved is known less well.
 
-use super::build::Build;
+use super::build::{Build, Sizes, Watched};
 use super::closures::{SHARE, squared_terms};
 use super::reduce::Agreeing;
 use crate::constraint::CoordinateKind;
@@ -27,29 +27,6 @@ const ROUNDING: f64 = 1e-13;
 
 /// What no size is smaller than, so that 0 of 0 is 0.
 const LEAST: f64 = f32::MIN_POSITIVE as f64;
-
-/// A row that is left out.
-pub(super) struct Watched {
-    row: usize,
-    /// What it says together with the row beside it.
-    agreeing: Option<Agreeing>,
-    /// The place of its margin.
-    place: usize,
-    /// Its margin so far.
-    margin: ExprId,
-    /// Σ Φᵣₖ² wₖ, of the row and of the one beside it.
-    sizes: Vec<ExprId>,
-}
-
-/// Sizes that all watched rows share.
-pub(super) struct Sizes {
-    /// wₖ.
-    weights: Vec<ExprId>,
-    /// Σ 1/|margin| of what is solved, which is the inverse of the square of its distance from the nearest limit.
-    nearness: ExprId,
-    /// V².
-    velocity: ExprId,
-}
 
 impl Build<'_> {
     /// The rows to watch, with a margin each.

@@ -1,60 +1,54 @@
 //! Functions of the language, as calls and as methods.
 
-use super::expr::{deeper, end_of_expr, join, nested};
 use super::fold::constant;
-use super::point::point_at_depth;
 use super::reject::{RADIANS, is_angle_word};
 use crate::ast::{Expr, ExprKind, NameUse, text};
 use crate::suggest::{did_you_mean, is_rate};
 use kin_core::check::is_reserved;
 use kin_core::mechanism::Function;
-use syn::parse::ParseStream;
-use syn::{Error, Ident, Result, Token, parenthesized};
+use proc_macro2::Span;
+use syn::{Error, Ident, Result};
 
-/// `name[i](…)`, a member of an array of supplied functions; the cursor stands before the parenthesis.
-pub(super) fn member(name: NameUse, input: ParseStream, depth: usize) -> Result<Expr> {
-    let content;
-    let parens = parenthesized!(content in input);
-    let span = join(name.ident.span(), parens.span.join());
-    let arguments = arguments(&content, depth)?;
+/// `name(…)` of these arguments.
+pub(super) fn function(name: Ident, arguments: Vec<Expr>, span: Span) -> Result<Expr> {
+    match text(&name).as_str() {
+        "dot" => {
+            let [a] = take(&name, arguments, "dot(a)")?;
+            dot(name, a, span)
+        }
+        "pow" => {
+            let [base, exponent] = take(&name, arguments, "pow(a, n)")?;
+            power(base, &exponent, "pow", span)
+        }
+        "atan2" => {
+            let [y, x] = take(&name, arguments, "atan2(y, x)")?;
+            atan2(y, x, span)
+        }
+        known => {
+            let Some(function) = Function::from_name(known) else {
+                return supplied(NameUse { ident: name, index: None }, arguments, span);
+            };
+            let [a] = take(&name, arguments, &format!("{known}(a)"))?;
+            call(function, a, span)
+        }
+    }
+}
+
+/// A function that the caller supplies, of these arguments.
+pub(super) fn supplied(name: NameUse, arguments: Vec<Expr>, span: Span) -> Result<Expr> {
     let heights: Vec<usize> = arguments.iter().map(|a| a.height).collect();
     Expr::over(ExprKind::Apply(Box::new(name), arguments), span, &heights)
 }
 
-/// `name(…)`; the cursor stands before the parenthesis.
-pub(super) fn function(name: Ident, input: ParseStream, depth: usize) -> Result<Expr> {
-    let content;
-    let parens = parenthesized!(content in input);
-    let span = join(name.span(), parens.span.join());
-    match text(&name).as_str() {
-        "distance" => distance(&name, &content, depth),
-        "dot" => {
-            let [a] = take(&name, arguments(&content, depth)?, "dot(a)")?;
-            dot(name, a, span)
-        }
+/// An error on the name of what is no function, whatever its arguments.
+pub(super) fn is_function(name: &Ident) -> Result<()> {
+    match text(name).as_str() {
         word if is_angle_word(word) => Err(Error::new(name.span(), RADIANS)),
         "powi" | "powf" => {
             let message = format!("`{name}` is a method, `a.{name}(n)`; as a function it is called `pow(a, n)`");
             Err(Error::new(name.span(), message))
         }
-        "pow" => {
-            let [base, exponent] = take(&name, arguments(&content, depth)?, "pow(a, n)")?;
-            power(base, &exponent, "pow", span)
-        }
-        "atan2" => {
-            let [y, x] = take(&name, arguments(&content, depth)?, "atan2(y, x)")?;
-            atan2(y, x, span)
-        }
-        known => {
-            let arguments = arguments(&content, depth)?;
-            let Some(function) = Function::from_name(known) else {
-                let heights: Vec<usize> = arguments.iter().map(|a| a.height).collect();
-                let name = NameUse { ident: name, index: None };
-                return Expr::over(ExprKind::Apply(Box::new(name), arguments), span, &heights);
-            };
-            let [a] = take(&name, arguments, &format!("{known}(a)"))?;
-            call(function, a, span)
-        }
+        _ => Ok(()),
     }
 }
 
@@ -68,13 +62,8 @@ pub(super) fn has_brackets(name: &Ident) -> Result<()> {
     Err(Error::new(name.span(), format!("`{word}` is a function; its argument stands in parentheses, `{word}(…)`")))
 }
 
-/// `value.name(…)`; the cursor stands before the parenthesis.
-pub(super) fn method(value: Expr, name: Ident, input: ParseStream, depth: usize) -> Result<Expr> {
-    let depth = deeper(input, depth)?;
-    let content;
-    let parens = parenthesized!(content in input);
-    let span = join(value.span, parens.span.join());
-    let arguments = arguments(&content, depth)?;
+/// `value.name(…)` of these arguments.
+pub(super) fn method(value: Expr, name: Ident, arguments: Vec<Expr>, span: Span) -> Result<Expr> {
     match text(&name).as_str() {
         "atan2" => {
             let [x] = take(&name, arguments, "y.atan2(x)")?;
@@ -122,22 +111,22 @@ fn unknown_method(name: &Ident, known: &str) -> Error {
     Error::new(name.span(), message)
 }
 
-fn call(function: Function, a: Expr, span: proc_macro2::Span) -> Result<Expr> {
+fn call(function: Function, a: Expr, span: Span) -> Result<Expr> {
     let height = a.height;
     Expr::over(ExprKind::Call(function, Box::new(a)), span, &[height])
 }
 
-fn dot(name: Ident, a: Expr, span: proc_macro2::Span) -> Result<Expr> {
+fn dot(name: Ident, a: Expr, span: Span) -> Result<Expr> {
     let height = a.height;
     Expr::over(ExprKind::Dot(name, Box::new(a)), span, &[height])
 }
 
-fn atan2(y: Expr, x: Expr, span: proc_macro2::Span) -> Result<Expr> {
+fn atan2(y: Expr, x: Expr, span: Span) -> Result<Expr> {
     let heights = [y.height, x.height];
     Expr::over(ExprKind::Atan2(Box::new(y), Box::new(x)), span, &heights)
 }
 
-fn power(base: Expr, exponent: &Expr, name: &str, span: proc_macro2::Span) -> Result<Expr> {
+fn power(base: Expr, exponent: &Expr, name: &str, span: Span) -> Result<Expr> {
     let n = constant(exponent, "an exponent").map_err(|error| {
         let right = "where an exponent varies, write `exp(n*ln(a))`";
         if is_variable(exponent) { Error::new(error.span(), format!("{error}; {right}")) } else { error }
@@ -158,44 +147,6 @@ fn is_variable(expr: &Expr) -> bool {
         ExprKind::Neg(a) | ExprKind::Pow(a, _) | ExprKind::Call(_, a) => is_variable(a),
         ExprKind::Binary(_, a, b) | ExprKind::Atan2(a, b) => is_variable(a) || is_variable(b),
     }
-}
-
-fn distance(name: &Ident, content: ParseStream, depth: usize) -> Result<Expr> {
-    let wrong = || Error::new(name.span(), "`distance` takes two points: `distance(P, Q)`, `distance(a @ (0, 0), Q)`");
-    if content.is_empty() {
-        return Err(wrong());
-    }
-    let (p, p_height) = point_at_depth(content, depth)?;
-    if content.is_empty() {
-        return Err(wrong());
-    }
-    content.parse::<Token![,]>().map_err(|error| Error::new(error.span(), "expected a comma between two points"))?;
-    if content.is_empty() {
-        return Err(wrong());
-    }
-    let (q, q_height) = point_at_depth(content, depth)?;
-    if content.peek(Token![,]) {
-        content.parse::<Token![,]>()?;
-    }
-    if !content.is_empty() {
-        return Err(wrong());
-    }
-    Expr::over(ExprKind::Distance(p, q), name.span(), &[p_height, q_height])
-}
-
-fn arguments(content: ParseStream, depth: usize) -> Result<Vec<Expr>> {
-    let mut arguments = Vec::new();
-    while !content.is_empty() {
-        arguments.push(nested(content, depth)?);
-        end_of_expr(content)?;
-        if content.is_empty() {
-            break;
-        }
-        content
-            .parse::<Token![,]>()
-            .map_err(|error| Error::new(error.span(), "an `=` cannot stand inside the brackets of a function"))?;
-    }
-    Ok(arguments)
 }
 
 /// Exactly `N` arguments, or an error on the function's name with the right `form`.

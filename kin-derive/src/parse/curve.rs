@@ -1,9 +1,8 @@
 //! Options that name the variables of a curve: `polar(theta) = e`, `implicit(X, Y) = e`, `parametric(u) = (ex, ey)`.
 
-use super::expr::{end_of_expr, expr};
+use super::expr::{end_of_expr, expr, pair};
 use super::index::name_use;
 use super::parts::{Parts, Value};
-use super::point::pair;
 use super::reject::here;
 use crate::ast::{CurveExpr, Expr, PathExpr, text};
 use crate::suggest::listed;

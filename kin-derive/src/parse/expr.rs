@@ -1,24 +1,22 @@
-//! Expressions: a Pratt parser for the arithmetic of the language.
+//! Expressions: a Pratt parser for the arithmetic of the language, with the arguments of functions and the points that stand
+//! in expressions, which hold expressions themselves.
 //!
 //! Precedence is that of Rust: methods bind tightest, then unary minus, `*` and `/`, `+` and `-`.
 
 use super::call;
 use super::index::{identifier, name_use};
+use super::node::{chain, join, number, too_deep};
 use super::reject::{self, here};
-use crate::ast::{Expr, ExprKind, Operator, text};
-use proc_macro2::Span;
+use crate::ast::{Expr, ExprKind, NameUse, Operator, PointExpr, text};
+use proc_macro2::{Span, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
+use syn::parse::discouraged::Speculative;
 use syn::{Error, Ident, Lit, Result, Token, parenthesized, token};
 
 /// An expression up to the first token that cannot continue it.
 pub(super) fn expr(input: ParseStream) -> Result<Expr> {
     sum(input, 0)
-}
-
-/// An expression inside brackets that are `depth` levels deep.
-pub(super) fn nested(input: ParseStream, depth: usize) -> Result<Expr> {
-    sum(input, depth)
 }
 
 /// An error unless the expression that was just read ends here: at the end of its brackets, a comma or an `=`.
@@ -28,22 +26,6 @@ pub(super) fn end_of_expr(input: ParseStream) -> Result<()> {
         return Ok(());
     }
     Err(reject::after_expr(input))
-}
-
-impl Expr {
-    /// An expression over `children`, unless it gets too tall.
-    pub(super) fn over(kind: ExprKind, span: Span, children: &[usize]) -> Result<Self> {
-        let height = 1 + children.iter().copied().max().unwrap_or(0);
-        if height > Self::MAX_HEIGHT {
-            return Err(too_deep(span));
-        }
-        Ok(Self { kind, span, height })
-    }
-}
-
-fn too_deep(span: Span) -> Error {
-    let limit = Expr::MAX_HEIGHT;
-    Error::new(span, format!("an expression is at most {limit} levels deep; give a part of it a name with `define`"))
 }
 
 /// Checks the depth before a parser recurses.
@@ -88,50 +70,6 @@ fn product(input: ParseStream, depth: usize) -> Result<Expr> {
     }
 }
 
-/// Operands of one sum or product up to which it stays as it was written, from left to right.
-const LONGEST_AS_WRITTEN: usize = 16;
-
-/// A sum or a product of many operands. A longer one becomes a balanced tree, since it is long and not deep: passes over
-/// expressions recurse. `inverse` is the operator that takes away, − of a sum and / of a product.
-fn chain(first: Expr, rest: Vec<(Operator, Expr)>, inverse: Operator) -> Result<Expr> {
-    if rest.len() < LONGEST_AS_WRITTEN {
-        return rest.into_iter().try_fold(first, |left, (operator, right)| binary(operator, left, right));
-    }
-    // Neighbours are paired until one operand is left: a ∘ b, and under an inverse operator a ∘ (b ∘⁻¹ c), which takes away
-    // b and what was added to it.
-    let mut operands: Vec<(Operator, Expr)> = core::iter::once((plain(inverse), first)).chain(rest).collect();
-    while operands.len() > 1 {
-        let mut paired = Vec::with_capacity(operands.len().div_ceil(2));
-        let mut waiting = operands.into_iter();
-        while let Some((before, left)) = waiting.next() {
-            paired.push(match waiting.next() {
-                None => (before, left),
-                Some((between, right)) => {
-                    let inner = match before == between {
-                        true => plain(inverse),
-                        false => inverse,
-                    };
-                    (before, binary(inner, left, right)?)
-                }
-            });
-        }
-        operands = paired;
-    }
-    // The first operand is never taken away.
-    operands.pop().map(|(_, whole)| whole).ok_or_else(|| Error::new(Span::call_site(), "an expression is missing"))
-}
-
-/// The operator that puts together what its inverse takes away.
-fn plain(inverse: Operator) -> Operator {
-    if inverse == Operator::Sub { Operator::Add } else { Operator::Mul }
-}
-
-fn binary(operator: Operator, left: Expr, right: Expr) -> Result<Expr> {
-    let span = join(left.span, right.span);
-    let heights = [left.height, right.height];
-    Expr::over(ExprKind::Binary(operator, Box::new(left), Box::new(right)), span, &heights)
-}
-
 fn unary(input: ParseStream, depth: usize) -> Result<Expr> {
     if !input.peek(Token![-]) {
         return postfix(input, depth);
@@ -154,8 +92,7 @@ fn postfix(input: ParseStream, depth: usize) -> Result<Expr> {
             ));
         }
         let name = Ident::parse_any(input)?;
-        value =
-            if input.peek(token::Paren) { call::method(value, name, input, depth)? } else { component(value, name)? };
+        value = if input.peek(token::Paren) { method(value, name, input, depth)? } else { component(value, name)? };
     }
     Ok(value)
 }
@@ -184,14 +121,14 @@ fn primary(input: ParseStream, depth: usize) -> Result<Expr> {
     if input.peek(Ident::peek_any) {
         if input.peek2(token::Paren) && input.peek(Ident) {
             let name = identifier(input)?;
-            return call::function(name, input, deeper(input, depth)?);
+            return function(name, input, deeper(input, depth)?);
         }
         if input.peek2(Token![::]) || input.peek2(Token![!]) && !input.peek2(Token![!=]) {
             return Err(here(input, "an expression has names, numbers and functions; paths and macros are not read"));
         }
         let name = name_use(input)?;
         if name.index.is_some() && input.peek(token::Paren) {
-            return call::member(name, input, deeper(input, depth)?);
+            return member(name, input, deeper(input, depth)?);
         }
         if name.index.is_none() && (input.peek(Ident) || input.peek(Lit)) {
             call::has_brackets(&name.ident)?;
@@ -219,31 +156,138 @@ fn parentheses(input: ParseStream, depth: usize) -> Result<Expr> {
     Ok(inner)
 }
 
-fn number(literal: Lit) -> Result<Expr> {
-    let span = literal.span();
-    let (digits, suffix) = match &literal {
-        Lit::Int(int) => (int.base10_digits(), int.suffix()),
-        Lit::Float(float) => (float.base10_digits(), float.suffix()),
-        Lit::Str(_) => {
-            return Err(Error::new(span, "a number is written without quotes; angles are in radians"));
-        }
-        _ => return Err(Error::new(span, "expected a number, a name or a function")),
-    };
-    if !matches!(suffix, "" | "f64") {
-        let message = format!("the suffix `{suffix}` has no meaning here; numbers are written `40`, `0.1` or `1e-3`");
-        return Err(Error::new(span, message));
+/// `name(…)`; the cursor stands before the parenthesis.
+fn function(name: Ident, input: ParseStream, depth: usize) -> Result<Expr> {
+    let content;
+    let parens = parenthesized!(content in input);
+    let span = join(name.span(), parens.span.join());
+    if text(&name) == "distance" {
+        return distance(&name, &content, depth);
     }
-    let is_zero = digits.split(['e', 'E']).next().is_none_or(|digits| !digits.contains(|c| matches!(c, '1'..='9')));
-    match digits.parse::<f64>() {
-        Ok(0.0) if !is_zero => {
-            Err(Error::new(span, "this number is too small and would become 0; the smallest is about 5e-324"))
+    call::is_function(&name)?;
+    call::function(name, arguments(&content, depth)?, span)
+}
+
+/// `name[i](…)`, a member of an array of supplied functions; the cursor stands before the parenthesis.
+fn member(name: NameUse, input: ParseStream, depth: usize) -> Result<Expr> {
+    let content;
+    let parens = parenthesized!(content in input);
+    let span = join(name.ident.span(), parens.span.join());
+    call::supplied(name, arguments(&content, depth)?, span)
+}
+
+/// `value.name(…)`; the cursor stands before the parenthesis.
+fn method(value: Expr, name: Ident, input: ParseStream, depth: usize) -> Result<Expr> {
+    let depth = deeper(input, depth)?;
+    let content;
+    let parens = parenthesized!(content in input);
+    let span = join(value.span, parens.span.join());
+    call::method(value, name, arguments(&content, depth)?, span)
+}
+
+fn arguments(content: ParseStream, depth: usize) -> Result<Vec<Expr>> {
+    let mut arguments = Vec::new();
+    while !content.is_empty() {
+        arguments.push(sum(content, depth)?);
+        end_of_expr(content)?;
+        if content.is_empty() {
+            break;
         }
-        Ok(value) if value.is_finite() => Ok(Expr::number(value, span)),
-        _ => Err(Error::new(span, "this number is too large; the largest is about 1.8e308")),
+        content
+            .parse::<Token![,]>()
+            .map_err(|error| Error::new(error.span(), "an `=` cannot stand inside the brackets of a function"))?;
+    }
+    Ok(arguments)
+}
+
+fn distance(name: &Ident, content: ParseStream, depth: usize) -> Result<Expr> {
+    let wrong = || Error::new(name.span(), "`distance` takes two points: `distance(P, Q)`, `distance(a @ (0, 0), Q)`");
+    if content.is_empty() {
+        return Err(wrong());
+    }
+    let (p, p_height) = point_at_depth(content, depth)?;
+    if content.is_empty() {
+        return Err(wrong());
+    }
+    content.parse::<Token![,]>().map_err(|error| Error::new(error.span(), "expected a comma between two points"))?;
+    if content.is_empty() {
+        return Err(wrong());
+    }
+    let (q, q_height) = point_at_depth(content, depth)?;
+    if content.peek(Token![,]) {
+        content.parse::<Token![,]>()?;
+    }
+    if !content.is_empty() {
+        return Err(wrong());
+    }
+    Expr::over(ExprKind::Distance(p, q), name.span(), &[p_height, q_height])
+}
+
+/// A point and the height of its coordinates, inside brackets that are `depth` levels deep.
+pub(super) fn point_at_depth(input: ParseStream, depth: usize) -> Result<(PointExpr, usize)> {
+    if !input.peek(Ident::peek_any) {
+        return Err(here(input, "expected a point: `body @ (x, y)` or the name of a `point`"));
+    }
+    let name = name_use(input)?;
+    if input.peek(Token![.]) {
+        return Err(here(input, "a point is `body @ (x, y)` or the name of a `point`, without a component"));
+    }
+    if input.peek(token::Paren) {
+        let error = here(input, "a point is written `body @ (x, y)`");
+        input.parse::<TokenTree>()?;
+        return Err(error);
+    }
+    if !input.peek(Token![@]) {
+        return Ok((PointExpr::Named(name), 0));
+    }
+    input.parse::<Token![@]>()?;
+    let (x, y, _) = pair(input, deeper(input, depth)?, "a point is written `body @ (x, y)`")?;
+    let height = x.height.max(y.height);
+    Ok((PointExpr::At { body: name, x: Box::new(x), y: Box::new(y) }, height))
+}
+
+/// `(x, y)`, inside brackets that are `depth` levels deep.
+pub(super) fn pair(input: ParseStream, depth: usize, form: &str) -> Result<(Expr, Expr, Span)> {
+    if !input.peek(token::Paren) {
+        let error = here(input, form);
+        skip_bare_pair(input, depth);
+        return Err(error);
+    }
+    let content;
+    let parens = parenthesized!(content in input);
+    let span = parens.span.join();
+    if content.is_empty() {
+        return Err(Error::new(span, form));
+    }
+    let x = coordinate(&content, depth)?;
+    if content.is_empty() {
+        return Err(Error::new(span, format!("{form}; the second component is missing")));
+    }
+    content.parse::<Token![,]>()?;
+    if content.is_empty() {
+        return Err(Error::new(span, format!("{form}; the second component is missing")));
+    }
+    let y = coordinate(&content, depth)?;
+    if content.peek(Token![,]) {
+        content.parse::<Token![,]>()?;
+    }
+    if content.is_empty() { Ok((x, y, span)) } else { Err(here(&content, "a pair has two components")) }
+}
+
+/// Skips `x, y` without brackets, so that `y` is not taken for what follows the pair.
+fn skip_bare_pair(input: ParseStream, depth: usize) {
+    let ahead = input.fork();
+    let pair = sum(&ahead, depth).and_then(|_| ahead.parse::<Token![,]>()).and_then(|_| sum(&ahead, depth));
+    if pair.is_ok() && (ahead.is_empty() || ahead.peek(Token![,])) {
+        input.advance_to(&ahead);
     }
 }
 
-/// Both spans where the compiler can join them, else the first.
-pub(super) fn join(first: Span, last: Span) -> Span {
-    first.join(last).unwrap_or(first)
+fn coordinate(content: ParseStream, depth: usize) -> Result<Expr> {
+    let expr = sum(content, depth)?;
+    end_of_expr(content)?;
+    if content.peek(Token![=]) {
+        return Err(reject::after_expr(content));
+    }
+    Ok(expr)
 }

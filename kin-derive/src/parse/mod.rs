@@ -14,6 +14,7 @@ mod generics;
 mod index;
 mod keyword;
 mod list;
+mod node;
 mod parts;
 mod point;
 mod read;

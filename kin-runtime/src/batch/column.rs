@@ -1,7 +1,7 @@
 //! Columns: one quantity over all configurations of a batch.
 
-use crate::lanes::Pack;
 use crate::mechanism::{LengthError, Mechanism};
+use crate::scalar::lanes::Pack;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 use alloc::vec::Vec;

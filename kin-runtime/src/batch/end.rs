@@ -1,7 +1,7 @@
 //! Where a set of parameters cannot go on, and what becomes of a group of lanes.
 
-use crate::lanes::Lanes;
 use crate::planned::Limit;
+use crate::scalar::lanes::Lanes;
 
 /// Where a set cannot go on.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,8 +3,8 @@
 use super::BatchError;
 use super::column::{Arguments, Block, Configurations};
 use super::run::{Watch, Work, blocks, run};
-use crate::lanes::Lanes;
 use crate::mechanism::{Mechanism, Workspace};
+use crate::scalar::lanes::Lanes;
 use crate::workspace::Subset;
 use alloc::vec::Vec;
 

@@ -1,8 +1,8 @@
 //! The assembly modes of the configurations of a batch.
 
 use super::column::{Column, check_list};
-use crate::lanes::Pack;
 use crate::mechanism::{LengthError, Mechanism};
+use crate::scalar::lanes::Pack;
 use crate::signal::Instant;
 
 /// Where the assembly modes of a batch come from. A configuration with a mode that is not decided has no answer.

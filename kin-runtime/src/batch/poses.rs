@@ -1,9 +1,9 @@
 //! q, q̇ and q̈ of a block, each lane judged for itself.
 
-use crate::lanes::Pack;
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::planned::lists::Margins;
+use crate::scalar::lanes::Pack;
 use crate::signal::Instant;
 use crate::workspace::Array;
 

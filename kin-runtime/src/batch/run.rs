@@ -1,7 +1,7 @@
 //! The driver of all batches: work over blocks of lanes, one after another or across the cores.
 
 use super::BatchError;
-use crate::lanes::Lanes;
+use crate::scalar::lanes::Lanes;
 use core::ops::ControlFlow;
 use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 

@@ -1,7 +1,7 @@
 //! The driver, with work that only writes down what it was asked for.
 
 use super::{BatchError, Progress, Work, always, blocks, run};
-use crate::lanes::Lanes;
+use crate::scalar::lanes::Lanes;
 use core::ops::ControlFlow;
 use core::sync::atomic::{AtomicUsize, Ordering};
 

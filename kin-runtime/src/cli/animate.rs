@@ -2,9 +2,8 @@
 
 use super::columns::{column_infos, shown};
 use super::engine::{Engine, Setup};
-use super::examples::Names;
+use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::help::Help;
 use super::moving::{self, GridArgs, Moved, interrupted, motions, moved, natural_end, note_motion};
 use super::options::{FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};

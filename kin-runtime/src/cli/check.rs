@@ -3,9 +3,8 @@
 use serde::Serialize;
 
 use super::engine::{Engine, Miss};
-use super::examples::Names;
+use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::help::Help;
 use super::options::{FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;

@@ -4,9 +4,8 @@ use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap_complete::Shell;
 
-use super::examples::Names;
+use super::examples::{Help, Names};
 use super::failure::Failure;
-use super::help::Help;
 use super::output::{Destination, Form, Target, either, forms};
 use super::session::Session;
 use crate::model::Model;

@@ -3,8 +3,8 @@
 use super::failure::Failure;
 use super::names::listing;
 use crate::cross_check::{CrossCheck, CrossCheckOptions, PlanCheck};
-use crate::curve::CurvePoint;
 use crate::error::SolveError;
+use crate::evaluation::curve::CurvePoint;
 use crate::mechanism::Mechanism;
 use crate::mobility::Mobility;
 use crate::model::Model;

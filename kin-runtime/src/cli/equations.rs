@@ -1,9 +1,8 @@
 //! `equations`: the derivation, joint by joint.
 
 use super::engine::Engine;
-use super::examples::Names;
+use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
-use super::help::Help;
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use crate::present::equations::{self, Part};

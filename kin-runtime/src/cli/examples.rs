@@ -13,6 +13,12 @@ const BESIDE: usize = 62;
 /// The arguments behind the program's name, and what they do.
 pub(super) type Example = (String, &'static str);
 
+/// What `-h` and `--help` say beside the options.
+pub(super) struct Help {
+    pub(super) examples: fn(&Names) -> Vec<Option<Example>>,
+    pub(super) details: &'static str,
+}
+
 /// Names of this mechanism that an example may use, with values that they have or may have; none where there are none.
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(not(all(feature = "plot", feature = "equations")), allow(dead_code, reason = "for their examples"))]

@@ -1,22 +1,14 @@
 //! The help: clap's, with examples and names of the mechanism at hand.
 
-use clap::CommandFactory;
-
 use super::engine::Engine;
-use super::examples::{Example, Names};
+use super::examples::{Help, Names};
 use super::names::listing;
 use super::output::{either, forms};
-use super::{Arguments, animate, check, completions, info, paint, report, solve, sweep};
+use super::{animate, check, completions, info, paint, report, solve, sweep};
 use crate::model::Model;
 
-/// What `-h` and `--help` say beside the options.
-pub(super) struct Help {
-    pub(super) examples: fn(&Names) -> Vec<Option<Example>>,
-    pub(super) details: &'static str,
-}
-
-/// The whole command line of a mechanism.
-pub(super) fn command(engine: &dyn Engine, program: String) -> clap::Command {
+/// The whole command line of a mechanism, of the options that all mechanisms have.
+pub(super) fn command(options: clap::Command, engine: &dyn Engine, program: String) -> clap::Command {
     let model = engine.model();
     let names = Names::new(program.clone(), engine);
     let with = |command: clap::Command, name: &str, help: &Help| {
@@ -27,7 +19,7 @@ pub(super) fn command(engine: &dyn Engine, program: String) -> clap::Command {
         let listed = listed(model, &command);
         command.after_help(few).after_long_help(format!("{all}\n{}{listed}", help.details))
     };
-    let mut command = Arguments::command()
+    let mut command = options
         .name(model.name)
         .bin_name(program)
         .about(if model.doc.is_empty() { "A planar mechanism" } else { model.doc })

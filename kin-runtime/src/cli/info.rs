@@ -1,9 +1,8 @@
 //! `info`: what the mechanism is.
 
 use super::engine::Engine;
-use super::examples::Names;
+use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::help::Help;
 use super::options::{InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;

@@ -25,8 +25,8 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
-use clap::FromArgMatches;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{CommandFactory, FromArgMatches};
 
 use engine::{Bound, Engine};
 use failure::Failure;
@@ -115,7 +115,7 @@ fn run(
     around: Surroundings,
 ) -> u8 {
     let mut session = Session::new(out, err, around);
-    let mut command = help::command(engine, program(engine, &args));
+    let mut command = help::command(Arguments::command(), engine, program(engine, &args));
     let parsed = command.try_get_matches_from_mut(with_negative_values(args));
     let arguments = match parsed.and_then(|matches| Arguments::from_arg_matches(&matches)) {
         Ok(arguments) => arguments,

@@ -2,9 +2,8 @@
 
 use super::columns::{column_infos, shown};
 use super::engine::{Engine, Setup};
-use super::examples::{Names, quoted};
+use super::examples::{Help, Names, quoted};
 use super::failure::{Failure, Ledger, zip3};
-use super::help::Help;
 use super::moving::{self, GridArgs, Moved, moved, natural_end, note_motion};
 use super::names::{Kind, find, find_in};
 use super::options::{FreedomArgs, SetupArgs};

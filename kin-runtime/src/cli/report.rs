@@ -4,9 +4,8 @@ use serde::Serialize;
 
 use super::check::{Findings, facts, find};
 use super::engine::Engine;
-use super::examples::Names;
+use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::help::Help;
 use super::info;
 use super::options::{FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};

@@ -1,9 +1,8 @@
 //! `sweep`: the motion over many instants.
 
 use super::engine::Engine;
-use super::examples::Names;
+use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::help::Help;
 use super::moving::{self, GridArgs, Moved, interrupted, moved, note_motion};
 use super::options::{FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};

@@ -1,6 +1,6 @@
 //! Derivatives of the generic Φ by dual numbers.
 
-use super::Configuration;
+use super::configuration::Configuration;
 use crate::mechanism::{LengthError, Mechanism};
 use crate::model::Level;
 use crate::workspace::{Array, Instant, Signal};

@@ -1,8 +1,9 @@
 //! Closed forms and dual numbers, entry by entry.
 
 use super::automatic::{Automatic, automatic};
+use super::configuration::Configuration;
 use super::functions::FunctionChecks;
-use super::{Configuration, CrossCheck, WorstEntry};
+use super::result::{CrossCheck, WorstEntry};
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::model::Model;

@@ -4,7 +4,7 @@
 //! Φ_q q̇ = −Φ_t and Φ_q q̈ = γ, row by row; from configurations of the caller full Newton solves as well, and q, q̇ and q̈
 //! are compared number by number.
 
-use super::{Configuration, CrossCheckOptions, random_configuration};
+use super::configuration::{Configuration, CrossCheckOptions, random_configuration};
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind, Model};

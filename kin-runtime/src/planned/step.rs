@@ -73,7 +73,7 @@ impl Step {
     }
 
     /// The drivers whose range its limit ends: those among its joints or, where there are none, all that move what it
-    /// closes upon. None where these cannot be told, in mechanisms of more coordinates than [`COORDINATES`].
+    /// closes upon. None where these cannot be told, in mechanisms of more than 1024 coordinates.
     pub fn drivers(&self) -> impl Iterator<Item = &'static str> + use<> {
         let (model, own, moving) = (self.model, self.info().joints, self.coordinates_before());
         let drives = move |joint: usize| model.rows.iter().any(|row| row.joint == joint && row.driving);

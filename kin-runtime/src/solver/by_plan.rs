@@ -8,16 +8,16 @@
 //! of which nothing is guessed is left to the general path.
 
 use super::{Position, Solver};
-use crate::contact::has_curves;
+use crate::analysis::poses::{shows_coordinates, write_coordinates, write_poses};
+use crate::equations::contact::has_curves;
+use crate::equations::residual::{Row, Tolerances, closed, closed_position, write_lengths, write_sizes};
+use crate::equations::system::Parts;
 use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind, JointKind, Model, Role};
-use crate::motion::{shows_coordinates, write_coordinates, write_poses};
 use crate::plan::{Depth, Solved, StepKind};
 use crate::planned::follower::{Follower, Poses};
 use crate::planned::lists::{Closures, Margins, Modes};
-use crate::residual::{Row, Tolerances, closed, closed_position, write_lengths, write_sizes};
 use crate::state::State;
-use crate::system::Parts;
 use crate::workspace::{Array, Evaluation, Instant, Subset};
 
 /// Where the plan starts: angles come out within half a turn of these, in these modes.

@@ -2,16 +2,16 @@
 
 use super::{Position, Solver};
 use crate::analysis;
-use crate::continuation::{kinematic, kinematic_each};
+use crate::analysis::position::position;
 use crate::equations::Equations;
+use crate::equations::system::Evaluator;
 use crate::error::{SolveError, SweepError};
 use crate::linear::Factorization;
 use crate::mechanism::Mechanism;
 use crate::modes::assemble_in;
 use crate::observer::Observed;
-use crate::position::position;
 use crate::state::State;
-use crate::system::Evaluator;
+use crate::sweep::continuation::{kinematic, kinematic_each};
 use crate::trajectory::Trajectory;
 use crate::workspace::{Instant, Signal};
 use core::ops::ControlFlow;

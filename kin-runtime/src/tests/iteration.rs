@@ -1,6 +1,6 @@
 //! The globalised iteration on functions with known roots.
 
-use crate::newton::{Outcome, Residual, Settings, solve};
+use crate::nonlinear::newton::{Outcome, Residual, Settings, solve};
 use nalgebra::{DMatrix, DVector};
 
 /// r and J.

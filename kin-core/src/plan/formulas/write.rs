@@ -6,7 +6,8 @@ use super::share::Naming;
 use super::{Formulas, Line};
 use crate::expr::{ExprId, Graph, Jet, Shown, Symbol, total_derivatives};
 use crate::mechanism::Function;
-use crate::plan::steps::{Kind, Listed, Step};
+use crate::plan::step::{Kind, Step};
+use crate::plan::steps::Listed;
 use crate::system::KinematicSystem;
 
 struct Writer<'a> {

@@ -1,9 +1,9 @@
 //! What joints look like, kind by kind.
 
+use super::carrier::{Carrier, upright};
 use super::links::Links;
 use super::part::{Ink, Part, Stroke};
-use super::scene::Carrier;
-use super::subject::{Pose, Subject, distance};
+use super::subject::{Pose, Subject, distance, is_still};
 use super::{ropes, slides, wheels};
 use crate::model::{Frame, JointInfo, JointKind, Role};
 
@@ -43,7 +43,7 @@ fn pinned(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &m
     let (Some((i, p)), Some((j, q))) = (first, second) else { return };
     links.attach(i, p);
     links.attach(j, q);
-    let track = track(subject, joint, Role::P);
+    let track = subject.track(joint, Role::P);
     let on_ground = i == Frame::Ground || j == Frame::Ground;
     links.pin(joint.name, track.clone());
     front.push(upright(track, if on_ground { Part::Foot([0.0; 2]) } else { part }));
@@ -53,7 +53,7 @@ fn pinned(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &m
 fn prescribed(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>) {
     let Some((frame, local)) = subject.local(0, joint, Role::P) else { return };
     links.attach(frame, local);
-    let track = track(subject, joint, Role::P);
+    let track = subject.track(joint, Role::P);
     if is_still(&track, links.size()) {
         front.push(upright(track, Part::Foot([0.0; 2])));
         return;
@@ -84,9 +84,9 @@ fn massless(
         let Some((frame, local)) = subject.local(0, joint, role) else { return };
         links.attach(frame, local);
         let part = if frame == Frame::Ground { Part::Foot([0.0; 2]) } else { Part::Pin([0.0; 2]) };
-        front.push(upright(track(subject, joint, role), part));
+        front.push(upright(subject.track(joint, role), part));
     }
-    let (from, to) = (track(subject, joint, Role::P), track(subject, joint, Role::Q));
+    let (from, to) = (subject.track(joint, Role::P), subject.track(joint, Role::Q));
     let along = |from: &[[f64; 2]], to: &[[f64; 2]]| -> Vec<Pose> {
         from.iter().zip(to).map(|(&[x, y], &[u, v])| [x, y, (v - y).atan2(u - x)]).collect()
     };
@@ -114,19 +114,4 @@ fn tread(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mu
         Some([x, y, subject.direction(k, joint)?])
     });
     front.push(Carrier { body: None, poses: poses.collect(), parts: vec![Part::Tread] });
-}
-
-/// Where a point of a joint is at every instant.
-pub(super) fn track(subject: &Subject<'_>, joint: &JointInfo, role: Role) -> Vec<[f64; 2]> {
-    subject.instants().filter_map(|k| subject.point(k, joint, role)).collect()
-}
-
-/// A part that stands upright along a track.
-pub(super) fn upright(track: Vec<[f64; 2]>, part: Part) -> Carrier {
-    Carrier { body: None, poses: track.into_iter().map(|[x, y]| [x, y, 0.0]).collect(), parts: vec![part] }
-}
-
-/// Whether a track never leaves its start.
-pub(super) fn is_still(track: &[[f64; 2]], size: f64) -> bool {
-    track.iter().all(|&p| distance(p, track[0]) <= 1e-6 * size)
 }

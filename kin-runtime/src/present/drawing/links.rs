@@ -1,11 +1,10 @@
 //! The shapes of bodies: a bar through the places where something is attached, the plate that they span, or the arms that
 //! go from an axle to all others; a slot hangs on the nearest of them.
 
-use super::joints::{is_still, upright};
+use super::carrier::{Carrier, upright};
 use super::part::{Ink, Part};
-use super::scene::Carrier;
-use super::subject::{Pose, Subject, distance, placed, seen_from};
-use super::wheels::Wheel;
+use super::subject::{Pose, Subject, distance, is_still, placed, seen_from};
+use super::teeth::Wheel;
 use crate::model::{Frame, JointKind, OriginKind, Role};
 
 /// Places nearer than this, relative to the size of the mechanism, are one.
@@ -143,7 +142,7 @@ impl Links {
             Carrier { body: Some(place), poses, parts: body.shape(Ink::Body(place)) }
         });
         let mut carriers: Vec<Carrier> = carriers.collect();
-        carriers.sort_by(|a, b| reach(b).total_cmp(&reach(a)));
+        carriers.sort_by(|a, b| b.reach().total_cmp(&a.reach()));
         carriers
     }
 
@@ -198,20 +197,6 @@ fn nearest([from, to]: &[[f64; 2]; 2], places: &[Place]) -> Option<([f64; 2], [f
     let ways = places.iter().map(|place| (foot(place.at), place.at));
     let shortest = ways.min_by(|(a, b), (c, d)| distance(*a, *b).total_cmp(&distance(*c, *d)));
     shortest.filter(|(a, b)| distance(*a, *b) > SAME * length)
-}
-
-/// How far the parts of a carrier go from one another.
-fn reach(carrier: &Carrier) -> f64 {
-    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    for part in &carrier.parts {
-        part.reach(&mut |place| {
-            for axis in 0..2 {
-                low[axis] = low[axis].min(place[axis]);
-                high[axis] = high[axis].max(place[axis]);
-            }
-        });
-    }
-    (high[0] - low[0]).max(high[1] - low[1])
 }
 
 /// The convex hull, counter-clockwise; of places on a line the two ends (Andrew's monotone chain).

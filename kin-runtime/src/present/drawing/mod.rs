@@ -10,6 +10,7 @@
 //! part        lines, bars, circles, …     view    from lengths to pixels     svg    the text
 //! ```
 
+mod carrier;
 mod joints;
 mod links;
 mod outlines;
@@ -20,6 +21,7 @@ mod scene;
 mod slides;
 mod subject;
 mod svg;
+mod teeth;
 mod view;
 mod wheels;
 

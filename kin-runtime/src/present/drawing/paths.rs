@@ -1,9 +1,8 @@
 //! The paths of the named points.
 
-use super::joints::is_still;
 use super::links::Links;
 use super::part::{Ink, Part, Stroke};
-use super::subject::Subject;
+use super::subject::{Subject, is_still};
 
 /// A path for every point that moves, in the inertial frame; the points themselves go on their bodies.
 pub(super) fn paths(subject: &Subject<'_>, links: &mut Links) -> Vec<Part> {

@@ -1,9 +1,8 @@
 //! Ropes: taut lines whose parts change their lengths.
 
-use super::joints::upright;
+use super::carrier::{Carrier, upright};
 use super::links::Links;
 use super::part::{Ink, Part, Stroke};
-use super::scene::Carrier;
 use super::subject::{Pose, Subject, distance, placed};
 use crate::model::{Frame, Geometry, JointInfo, Role};
 

@@ -1,21 +1,11 @@
 //! A motion as carriers and their parts.
 
+use super::carrier::Carrier;
 use super::links::Links;
 use super::part::{Kind, Part};
 use super::subject::{Pose, Subject, distance};
 use super::{joints, outlines, paths};
 use crate::model::Frame;
-
-/// Something that moves as a rigid whole.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Carrier {
-    /// The body it is, where it is one.
-    pub(crate) body: Option<usize>,
-    /// A pose for every instant, or a single one where it never moves.
-    pub(crate) poses: Vec<Pose>,
-    /// What it shows.
-    pub(crate) parts: Vec<Part>,
-}
 
 /// A motion that can be drawn.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,9 +1,8 @@
 //! Sliders: a rail on the first body or the ground, a block on the second.
 
-use super::joints::{track, upright};
+use super::carrier::{Carrier, upright};
 use super::links::Links;
 use super::part::{Ink, Part};
-use super::scene::Carrier;
 use super::subject::{Subject, seen_from};
 use crate::model::{Frame, JointInfo, JointKind, Role};
 
@@ -32,7 +31,7 @@ pub(super) fn slide(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links,
         Some([x, y, subject.direction(k, joint)?])
     });
     front.push(Carrier { body: None, poses: poses.collect(), parts: vec![Part::Block(ink)] });
-    let at = track(subject, joint, Role::Q);
+    let at = subject.track(joint, Role::Q);
     links.pin(joint.name, at.clone());
     // A composite turns as well: its block carries a pin.
     if joint.kind == JointKind::PointOnLine {

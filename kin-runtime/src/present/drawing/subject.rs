@@ -1,6 +1,6 @@
 //! What is drawn: the poses and the geometry of every instant.
 
-use crate::curve::CurvePoint;
+use crate::evaluation::curve::CurvePoint;
 use crate::model::{Frame, Geometry, JointInfo, Model, Role};
 
 /// One instant as a drawing needs it.
@@ -62,6 +62,11 @@ impl Subject<'_> {
         Some(placed(self.pose(instant, frame), local))
     }
 
+    /// Where a point of a joint is at every instant.
+    pub(crate) fn track(&self, joint: &JointInfo, role: Role) -> Vec<[f64; 2]> {
+        self.instants().filter_map(|k| self.point(k, joint, role)).collect()
+    }
+
     /// The direction of a joint's axis in the inertial frame, as an angle.
     pub(crate) fn direction(&self, instant: usize, joint: &JointInfo) -> Option<f64> {
         let (frame, [x, y]) = self.local(instant, joint, Role::Axis)?;
@@ -100,4 +105,9 @@ pub(crate) fn seen_from([x, y, phi]: Pose, [px, py]: [f64; 2]) -> [f64; 2] {
 /// The distance of two points.
 pub(crate) fn distance([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
     (bx - ax).hypot(by - ay)
+}
+
+/// Whether a track never leaves its start.
+pub(crate) fn is_still(track: &[[f64; 2]], size: f64) -> bool {
+    track.iter().all(|&p| distance(p, track[0]) <= 1e-6 * size)
 }

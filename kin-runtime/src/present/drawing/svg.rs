@@ -1,7 +1,8 @@
 //! A scene as SVG: its parts once, and what moves them.
 
+use super::carrier::Carrier;
 use super::part::{Ink, Kind, Part, Stroke};
-use super::scene::{Carrier, Scene};
+use super::scene::Scene;
 use super::view::{Pixels, View, short};
 use core::fmt::Write;
 

@@ -3,16 +3,17 @@
 //! Radii of gears and belts may be numbers of teeth, for only their ratio counts: they are drawn so that they meet on the
 //! line of centres.
 
-mod teeth;
-
-pub(super) use teeth::Wheel;
-
+use super::carrier::Carrier;
 use super::links::Links;
 use super::part::{Ink, Part, Stroke};
-use super::scene::Carrier;
 use super::slides::Way;
 use super::subject::{Subject, distance, piece, placed, seen_from};
+use super::teeth::{Contact, Strip, Wheel};
 use crate::model::{Frame, JointInfo, JointKind, Role};
+use core::f64::consts::TAU;
+
+/// Teeth of the smallest wheel.
+const FEWEST: f64 = 14.0;
 
 /// A wheel of a pair: its frame, its centre there, its radius.
 #[derive(Clone, Copy)]
@@ -68,15 +69,21 @@ pub(super) fn gear(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links) 
     };
     let internal = (a.radius < 0.0) != (b.radius < 0.0);
     let turned = |half: Half| subject.pose(0, half.frame)[2];
-    let pitch = teeth::pitch(subject, links, a.radius.abs().min(b.radius.abs()));
-    let first = teeth::Contact { angle: at_a - turned(a), phase: None };
+    let pitch = pitch(subject, links, a.radius.abs().min(b.radius.abs()));
+    let first = Contact { angle: at_a - turned(a), phase: None };
     let phase = mount(links, a, pitch, first);
     let meshing = if internal { 0.5 + phase } else { 0.5 - phase };
-    mount(links, b, pitch, teeth::Contact { angle: at_b - turned(b), phase: Some(meshing) });
+    mount(links, b, pitch, Contact { angle: at_b - turned(b), phase: Some(meshing) });
+}
+
+/// The pitch of all teeth of a mechanism, measured on the circle: the first pair decides, so that trains mesh.
+fn pitch(subject: &Subject<'_>, links: &mut Links, smaller: f64) -> f64 {
+    debug_assert!(!subject.snapshots.is_empty(), "a motion has an instant");
+    links.wheels().first().map_or(TAU * smaller / FEWEST, |wheel| wheel.pitch)
 }
 
 /// Puts a toothed wheel on its body, unless it is there; gives where between its teeth the contact is, 0 on a tooth.
-fn mount(links: &mut Links, half: Half, pitch: f64, contact: teeth::Contact) -> f64 {
+fn mount(links: &mut Links, half: Half, pitch: f64, contact: Contact) -> f64 {
     let Half { frame, centre, radius } = half;
     let same = 1e-6 * links.size();
     let known = links.wheels().iter().find(|wheel| {
@@ -136,10 +143,10 @@ pub(super) fn rack(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links) 
     let Some(direction) = subject.direction(0, joint) else { return };
     links.attach(bar, q);
     let centre = axle(subject, pinion, guide);
-    let pitch = teeth::pitch(subject, links, radius.abs());
+    let pitch = pitch(subject, links, radius.abs());
     // Seen along the axis, a positive radius meshes on the right of the axle.
     let down = direction - core::f64::consts::FRAC_PI_2 * radius.signum();
-    let contact = teeth::Contact { angle: down - subject.pose(0, pinion)[2], phase: None };
+    let contact = Contact { angle: down - subject.pose(0, pinion)[2], phase: None };
     let phase = mount(links, Half { frame: pinion, centre, radius: radius.abs() }, pitch, contact);
     let beyond = 0.1 * links.size();
     let Some(way) = Way::of(subject, joint, guide, p, axis, beyond) else { return };
@@ -152,7 +159,7 @@ pub(super) fn rack(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links) 
         let [x, y] = seen_from(subject.pose(0, guide), point);
         (x - fx) * axis[0] + (y - fy) * axis[1]
     });
-    let strip = teeth::Strip { touch, direction, down, before: length - start, after: start, pitch, phase };
+    let strip = Strip { touch, direction, down, before: length - start, after: start, pitch, phase };
     let points = strip.points().into_iter().map(|place| seen_from(subject.pose(0, bar), place)).collect();
     links.add(bar, Part::Line { points, ink: Ink::of(bar), stroke: Stroke::Full, closed: false });
 }

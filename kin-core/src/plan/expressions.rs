@@ -1,0 +1,296 @@
+//! From the tree of a plan to expressions: q step by step, then q̇ and q̈ by the linear level of the same tree.
+//!
+//! Angles that close are known by cosine and sine; the angle itself is only taken for what is reported (atan2, and
+//! whole turns so that it is near where it was). A sign that says which closure is meant stands before every root, and
+//! the root is taken of the magnitude, so that nothing is ever not a number: the margin says whether it counts.
+
+use super::build::{Build, Divisor, Stage};
+use super::closures::{self, angle_indicator, circle_indicator, inverse, quadratic_indicator};
+use super::dense;
+use super::known::turned;
+use super::rates::Rates;
+use super::reduce::Agreeing;
+use super::rewrite::Turned;
+use super::tree::{Block, Core, Pair, PairValue, Part, Pivot, Way};
+use crate::expr::{ExprId, Symbol, total_derivatives};
+use crate::hash::FastMap;
+use crate::program::Slot;
+use std::collections::BTreeMap;
+
+impl Build<'_> {
+    /// All stages of q, q̇ and q̈, watching the rows that are left out; gives where those of q̇ and q̈ begin.
+    pub(super) fn all(&mut self, tree: &Block, left_out: &[usize], agreeing: &[Agreeing]) -> [usize; 2] {
+        self.block(tree);
+        self.divisor_margins();
+        self.watch(left_out, agreeing);
+        let mut starts = [0; 2];
+        for (order, start) in starts.iter_mut().enumerate() {
+            let right: Vec<ExprId> = (self.system.equations.iter())
+                .map(|equation| if order == 0 { equation.phi_t } else { equation.gamma })
+                .collect();
+            let right: Vec<ExprId> = right.into_iter().map(|e| self.known_value(e)).collect();
+            let right = if order == 0 { right.into_iter().map(|e| self.graph.neg(e)).collect() } else { right };
+            let (solution, margins) = self.rates(tree, right.clone());
+            if order == 0 {
+                self.iteration_margins(&margins);
+                self.watch_positions();
+            }
+            *start = self.stages.len();
+            let slot = |k| if order == 0 { Slot::Velocity(k) } else { Slot::Acceleration(k) };
+            self.stages.push(Stage::Closed(solution.iter().enumerate().map(|(k, e)| (slot(k), *e)).collect()));
+            let solution: Vec<ExprId> = solution.into_iter().map(|e| self.graph.whole(e)).collect();
+            self.watch_rates(order, &right, &solution);
+            self.known.rates = (0..).zip(solution).collect();
+        }
+        self.number_margins();
+        starts
+    }
+
+    /// x with Φ_q x = right, all coordinates known.
+    fn rates(&mut self, tree: &Block, right: Vec<ExprId>) -> (Vec<ExprId>, BTreeMap<usize, ExprId>) {
+        let mut entries = Vec::new();
+        for equation in &self.system.equations {
+            let row: Vec<(u32, ExprId)> = equation.phi_q.clone();
+            entries.push(row.into_iter().map(|(k, e)| (k, self.known_value(e))).collect());
+        }
+        let known = constants(tree).into_iter().map(|e| (e, self.known_value(e))).collect();
+        let mut rates = Rates::new(&mut self.graph, entries, right, &self.system.set.coordinates, known);
+        rates.block(tree);
+        let zero = rates.graph.zero();
+        (rates.solution.iter().map(|value| value.unwrap_or(zero)).collect(), rates.margins)
+    }
+
+    /// Knows a coordinate by its value, and by its cosine and sine where they were found first.
+    fn know(&mut self, k: u32, value: ExprId, turned: Option<Turned>) {
+        let value = self.graph.whole(value);
+        self.known.values.insert(k, value);
+        self.known.turns.insert(k, turned.unwrap_or(Turned::Angle(value)));
+        self.write(Slot::Position(k as usize), value);
+    }
+
+    fn block(&mut self, block: &Block) {
+        for part in &block.parts {
+            match part {
+                Part::Core(core) => self.core(core),
+                Part::Block(block) => self.block(block),
+                Part::Pair(pair) => {
+                    self.block(&pair.inner);
+                    self.pair(pair);
+                }
+            }
+        }
+        for &Pivot { row, coordinate, coefficient, value } in block.pivots.iter().rev() {
+            let step = self.listed.attached();
+            let coefficient = self.known_value(coefficient);
+            self.divide_by_coefficient(step, vec![row], coordinate, coefficient);
+            let known = self.known_value(value);
+            let turned = turned(&mut self.graph, &self.known.turns, &self.known.rewritten, value);
+            self.know(coordinate, known, Some(turned));
+        }
+    }
+
+    fn pair(&mut self, pair: &Pair) {
+        let step = self.listed.attached();
+        match &pair.value {
+            PairValue::Linear { value, by, square } => {
+                if square.is_none() {
+                    let by = by.map(|e| self.known_value(e));
+                    let square = self.graph.plain_dot(by, by);
+                    self.divide(step, pair, square, by.to_vec());
+                }
+                let value = self.known_value(*value);
+                self.know(pair.coordinate, value, None);
+            }
+            PairValue::Angle { turn, cos, sin, size, vectors, .. } => {
+                if !self.graph.depends(*size).is_static() || vectors.is_some() {
+                    let size = self.known_value(*size);
+                    match vectors.map(|vectors| vectors.map(|e| self.known_value(e))) {
+                        Some(vectors) if self.graph.literal(size).is_none() => {
+                            let margin = closures::spread(&mut self.graph, size, vectors);
+                            self.write_margin(step, margin);
+                        }
+                        Some(_) => {}
+                        None => self.divide(step, pair, size, Vec::new()),
+                    }
+                }
+                let found = [*cos, *sin].map(|e| self.known_value(e)).map(|e| self.graph.whole(e));
+                let size = self.known_value(*size);
+                let inverse = inverse(&mut self.graph, size);
+                self.angle(pair.coordinate, turn, found, inverse);
+            }
+        }
+    }
+
+    fn divide(&mut self, step: usize, pair: &Pair, square: ExprId, parts: Vec<ExprId>) {
+        self.divisors.push(Divisor { step, rows: pair.rows.to_vec(), unknown: pair.coordinate, square, parts });
+    }
+
+    /// An angle from the cosine and sine of a sum of multiples of angles; both times something positive, whose inverse
+    /// is `scale`. Of the values that whole turns and the angle's own multiple leave, the one nearest the start.
+    fn angle(&mut self, k: u32, turn: &[(u32, i32)], [x, y]: [ExprId; 2], scale: ExprId) {
+        let graph = &mut self.graph;
+        let [cos, sin] = [x, y].map(|e| graph.mul(e, scale)).map(|e| graph.whole(e));
+        let (mut start, mut others) = (graph.zero(), graph.zero());
+        let (mut pair, mut own) = ([cos, sin], 1);
+        for &(other, n) in turn {
+            let factor = graph.number(f64::from(n));
+            if other == k {
+                own = n;
+                let symbol = graph.symbol(Symbol::Start(k));
+                start = graph.mul(factor, symbol);
+                continue;
+            }
+            let value = self.known.values.get(&other).copied().unwrap_or(factor);
+            let term = graph.mul(factor, value);
+            others = graph.add(others, term);
+            if let Some(turn) = self.known.turns.get(&other).copied() {
+                // Turned back by the others, one at a time.
+                let (c, s) = (turn.cos(graph), turn.sin(graph));
+                let s = if n > 0 { graph.neg(s) } else { s };
+                for _ in 0..n.unsigned_abs() {
+                    let [x, y] = pair;
+                    pair = [graph.plain_cross([c, s], [y, x]), graph.plain_dot([s, c], [x, y])];
+                }
+            }
+        }
+        let (angle, near) = (graph.atan2(y, x), graph.add(start, others));
+        let angle = graph.nearest(angle, near);
+        let rest = graph.sub(angle, others);
+        let part = graph.number(1.0 / f64::from(own));
+        let value = graph.mul(part, rest);
+        let sin = if own < 0 { graph.neg(pair[1]) } else { pair[1] };
+        // The cosine and sine of a multiple are none of the angle itself.
+        self.know(k, value, (own.abs() == 1).then_some(Turned::Pair([pair[0], sin])));
+    }
+
+    fn core(&mut self, core: &Core) {
+        let step = self.listed.core();
+        match &core.way {
+            Way::Linear { matrix, constant } => {
+                let matrix: Vec<Vec<ExprId>> =
+                    matrix.iter().map(|row| row.iter().map(|&e| self.known_value(e)).collect()).collect();
+                let right: Vec<ExprId> = constant.iter().map(|&e| self.known_value(e)).collect();
+                let right = right.into_iter().map(|e| self.graph.neg(e)).collect();
+                let lengths = dense::lengths(&self.system.set.coordinates, &core.coordinates);
+                let dense::Solved { solutions, margin, .. } =
+                    dense::solve(&mut self.graph, &matrix, &[right], &lengths);
+                match (matrix.as_slice(), margin) {
+                    ([row], _) => {
+                        let rows = self.listed.steps[step].rows.iter().copied().collect();
+                        self.divide_by_coefficient(step, rows, core.coordinates[0], row[0]);
+                    }
+                    (_, Some(margin)) => self.write_margin(step, margin),
+                    (_, None) => {}
+                }
+                for (&k, value) in core.coordinates.iter().zip(solutions.into_iter().flatten()) {
+                    self.know(k, value, None);
+                }
+            }
+            Way::Newton { residuals } => self.newton(step, core, residuals),
+            Way::Angle { times, a, b, c } => {
+                let k = core.coordinates[0];
+                let indicator = angle_indicator(&mut self.graph, (k, *times), [*a, *b]);
+                let (mode, place) = self.closure(step, indicator);
+                let [a, b, c] = [*a, *b, *c].map(|e| self.known_value(e)).map(|e| self.graph.whole(e));
+                let (turned, inverse, margin) = closures::angle(&mut self.graph, mode, [a, b, c]);
+                self.write(Slot::Margin(place), margin);
+                self.angle(k, &[(k, *times)], turned, inverse);
+            }
+            Way::Quadratic { a, b, c } => {
+                let k = core.coordinates[0];
+                let indicator = quadratic_indicator(&mut self.graph, k, [*a, *b, *c]);
+                let (mode, place) = self.closure(step, indicator);
+                let known = [*a, *b, *c].map(|e| self.known_value(e));
+                let (value, margin) = closures::quadratic(&mut self.graph, mode, known);
+                self.write(Slot::Margin(place), margin);
+                self.know(k, value, None);
+            }
+            Way::Circle { e, l, k, n, m, .. } => {
+                let at = [core.coordinates[0], core.coordinates[1]];
+                let indicator = circle_indicator(&mut self.graph, at, [*e, l[0], l[1], *k, n[0], n[1]]);
+                let (mode, place) = self.closure(step, indicator);
+                let known = [*e, l[0], l[1], *k, n[0], n[1], *m].map(|e| self.known_value(e));
+                let ([x, y], margin) = closures::circle(&mut self.graph, mode, known);
+                self.write(Slot::Margin(place), margin);
+                self.know(at[0], x, None);
+                self.know(at[1], y, None);
+            }
+        }
+    }
+
+    /// A new mode and its margin, given what tells the mode of a configuration.
+    fn closure(&mut self, step: usize, indicator: ExprId) -> (ExprId, usize) {
+        self.closures.push(indicator);
+        let place = self.listed.margin(step);
+        let mode = self.listed.mode(self.system, step, place);
+        (self.graph.symbol(Symbol::Mode(mode as u32)), place)
+    }
+
+    fn newton(&mut self, step: usize, core: &Core, residuals: &[ExprId]) {
+        let jets = total_derivatives(&mut self.graph, residuals);
+        for &k in &core.coordinates {
+            let unknown = self.graph.symbol(Symbol::Unknown(k));
+            self.know(k, unknown, None);
+        }
+        // What was written of the unknowns stands after the iteration.
+        let written = match self.stages.last_mut() {
+            Some(Stage::Closed(outputs)) => outputs.split_off(outputs.len() - core.coordinates.len()),
+            _ => Vec::new(),
+        };
+        let right: Vec<ExprId> = residuals.iter().map(|&e| self.known_value(e)).collect();
+        let mut matrix = Vec::new();
+        for jet in jets {
+            let zero = self.graph.zero();
+            let entry = |k: u32| jet.gradient.iter().find(|(other, _)| *other == k).map_or(zero, |(_, e)| *e);
+            let row: Vec<ExprId> = core.coordinates.iter().map(|&k| entry(k)).collect();
+            matrix.push(row.into_iter().map(|e| self.known_value(e)).collect::<Vec<_>>());
+        }
+        let lengths = dense::lengths(&self.system.set.coordinates, &core.coordinates);
+        let corrections = dense::solve(&mut self.graph, &matrix, &[right], &lengths).solutions;
+        let (unknowns, converged) = (core.coordinates.clone(), self.iterations);
+        let corrections = corrections.into_iter().flatten().collect();
+        self.stages.push(Stage::Newton { unknowns, corrections, converged });
+        self.stages.push(Stage::Closed(written));
+        self.iterations += 1;
+        let place = self.listed.margin(step);
+        self.pending.push((core.rows[0], place, converged));
+        self.iterated.push((core.rows[0], step, place));
+    }
+
+    /// x with Φ_q x = b at a given q, entries of b as symbols; what is 0 where a divisor is; and for every iteration, in
+    /// their order, the determinant of its own system there, as [`dense::Solved::orientation`] has it.
+    pub(super) fn resolve(&mut self, tree: &Block) -> (Vec<(Slot, ExprId)>, Vec<ExprId>, Vec<ExprId>) {
+        let right = (0..self.system.equations.len()).map(|row| self.graph.symbol(Symbol::Right(row as u32))).collect();
+        let entries = self.system.equations.iter().map(|equation| equation.phi_q.iter().copied().collect()).collect();
+        let mut rates = Rates::new(&mut self.graph, entries, right, &self.system.set.coordinates, FastMap::default());
+        rates.block(tree);
+        let zero = rates.graph.zero();
+        let solution = rates.solution.iter().enumerate().map(|(k, value)| (Slot::Entry(k), value.unwrap_or(zero)));
+        let (solution, regular, orientations) = (solution.collect(), rates.regular, rates.orientations);
+        let of_iteration = |(row, ..): &(usize, usize, usize)| orientations.get(row).copied().unwrap_or(zero);
+        (solution, regular, self.iterated.iter().map(of_iteration).collect())
+    }
+}
+
+/// What the linear level takes from the tree: squared lengths of vectors that turn, factors of exchanges.
+fn constants(block: &Block) -> Vec<ExprId> {
+    let (mut out, mut open) = (Vec::new(), vec![block]);
+    while let Some(block) = open.pop() {
+        for part in &block.parts {
+            match part {
+                Part::Core(_) => {}
+                Part::Block(block) => open.push(block),
+                Part::Pair(pair) => {
+                    if let PairValue::Angle { square: Some(square), .. }
+                    | PairValue::Linear { square: Some(square), .. } = pair.value
+                    {
+                        out.push(square);
+                    }
+                    out.extend(pair.exchanges.iter().flat_map(|exchange| exchange.factors));
+                    open.push(&pair.inner);
+                }
+            }
+        }
+    }
+    out
+}

@@ -1,0 +1,54 @@
+//! The steps of a plan in words: which joint gives which coordinate, and how.
+
+use std::collections::BTreeSet;
+
+/// What kind of step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Given by a formula of what is known.
+    Explicit,
+    /// A linear system of so many unknowns.
+    Linear(usize),
+    /// A group that closes without iteration, in one of two ways.
+    Closure,
+    /// An iteration over so many unknowns.
+    Newton(usize),
+    /// Rows that the steps do without: they give nothing, and their margins say whether they are satisfied.
+    Watched,
+}
+
+/// A step of a plan.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Step {
+    /// What kind.
+    pub kind: Kind,
+    /// Its kinematic group where it is a dyad: `RRR`, `RRP`, …; empty otherwise.
+    pub group: String,
+    /// Its joints, along the group where it is a dyad.
+    pub joints: Vec<usize>,
+    /// The coordinates that it gives, each with the joint whose row gives it.
+    pub coordinates: Vec<(u32, usize)>,
+    /// Its modes, as places in [`SolutionPlan::modes`](super::SolutionPlan::modes).
+    pub modes: core::ops::Range<usize>,
+    /// Its margins, as places among those of a solution.
+    pub margins: core::ops::Range<usize>,
+    /// When it is singular.
+    pub singular: String,
+    /// The rows of Φ that it is made of.
+    pub rows: BTreeSet<usize>,
+    /// The bodies of its group, while it is being named.
+    pub(super) bodies: BTreeSet<usize>,
+    /// What its equations are, whatever they were written as.
+    pub(super) closed_as: Option<&'static str>,
+}
+
+/// An assembly mode: a group that closes in two ways, told apart by a sign.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mode {
+    /// The names of its joints, joined with `-`.
+    pub name: String,
+    /// Its step.
+    pub step: usize,
+    /// Its margin.
+    pub margin: usize,
+}

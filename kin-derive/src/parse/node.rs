@@ -1,0 +1,94 @@
+//! Nodes of expressions: how tall they may be, numbers, and long sums and products as balanced trees.
+
+use crate::ast::{Expr, ExprKind, Operator};
+use proc_macro2::Span;
+use syn::{Error, Lit, Result};
+
+impl Expr {
+    /// An expression over `children`, unless it gets too tall.
+    pub(super) fn over(kind: ExprKind, span: Span, children: &[usize]) -> Result<Self> {
+        let height = 1 + children.iter().copied().max().unwrap_or(0);
+        if height > Self::MAX_HEIGHT {
+            return Err(too_deep(span));
+        }
+        Ok(Self { kind, span, height })
+    }
+}
+
+pub(super) fn too_deep(span: Span) -> Error {
+    let limit = Expr::MAX_HEIGHT;
+    Error::new(span, format!("an expression is at most {limit} levels deep; give a part of it a name with `define`"))
+}
+
+/// Operands of one sum or product up to which it stays as it was written, from left to right.
+const LONGEST_AS_WRITTEN: usize = 16;
+
+/// A sum or a product of many operands. A longer one becomes a balanced tree, since it is long and not deep: passes over
+/// expressions recurse. `inverse` is the operator that takes away, − of a sum and / of a product.
+pub(super) fn chain(first: Expr, rest: Vec<(Operator, Expr)>, inverse: Operator) -> Result<Expr> {
+    if rest.len() < LONGEST_AS_WRITTEN {
+        return rest.into_iter().try_fold(first, |left, (operator, right)| binary(operator, left, right));
+    }
+    // Neighbours are paired until one operand is left: a ∘ b, and under an inverse operator a ∘ (b ∘⁻¹ c), which takes away
+    // b and what was added to it.
+    let mut operands: Vec<(Operator, Expr)> = core::iter::once((plain(inverse), first)).chain(rest).collect();
+    while operands.len() > 1 {
+        let mut paired = Vec::with_capacity(operands.len().div_ceil(2));
+        let mut waiting = operands.into_iter();
+        while let Some((before, left)) = waiting.next() {
+            paired.push(match waiting.next() {
+                None => (before, left),
+                Some((between, right)) => {
+                    let inner = match before == between {
+                        true => plain(inverse),
+                        false => inverse,
+                    };
+                    (before, binary(inner, left, right)?)
+                }
+            });
+        }
+        operands = paired;
+    }
+    // The first operand is never taken away.
+    operands.pop().map(|(_, whole)| whole).ok_or_else(|| Error::new(Span::call_site(), "an expression is missing"))
+}
+
+/// The operator that puts together what its inverse takes away.
+fn plain(inverse: Operator) -> Operator {
+    if inverse == Operator::Sub { Operator::Add } else { Operator::Mul }
+}
+
+fn binary(operator: Operator, left: Expr, right: Expr) -> Result<Expr> {
+    let span = join(left.span, right.span);
+    let heights = [left.height, right.height];
+    Expr::over(ExprKind::Binary(operator, Box::new(left), Box::new(right)), span, &heights)
+}
+
+pub(super) fn number(literal: Lit) -> Result<Expr> {
+    let span = literal.span();
+    let (digits, suffix) = match &literal {
+        Lit::Int(int) => (int.base10_digits(), int.suffix()),
+        Lit::Float(float) => (float.base10_digits(), float.suffix()),
+        Lit::Str(_) => {
+            return Err(Error::new(span, "a number is written without quotes; angles are in radians"));
+        }
+        _ => return Err(Error::new(span, "expected a number, a name or a function")),
+    };
+    if !matches!(suffix, "" | "f64") {
+        let message = format!("the suffix `{suffix}` has no meaning here; numbers are written `40`, `0.1` or `1e-3`");
+        return Err(Error::new(span, message));
+    }
+    let is_zero = digits.split(['e', 'E']).next().is_none_or(|digits| !digits.contains(|c| matches!(c, '1'..='9')));
+    match digits.parse::<f64>() {
+        Ok(0.0) if !is_zero => {
+            Err(Error::new(span, "this number is too small and would become 0; the smallest is about 5e-324"))
+        }
+        Ok(value) if value.is_finite() => Ok(Expr::number(value, span)),
+        _ => Err(Error::new(span, "this number is too large; the largest is about 1.8e308")),
+    }
+}
+
+/// Both spans where the compiler can join them, else the first.
+pub(super) fn join(first: Span, last: Span) -> Span {
+    first.join(last).unwrap_or(first)
+}

@@ -1,0 +1,138 @@
+//! Assembly from guesses, of which some or all may be missing.
+//!
+//! 1. **Propagate**: a row in which one unknown coordinate is left, and which is affine in it, gives that coordinate;
+//!    repeated until nothing changes. This carries driven angles and, from the ground outwards, the pins of bodies
+//!    whose angle is known.
+//! 2. **Partial**: coordinates that are still unknown start at zero and are moved alone, everything else held.
+//! 3. **Full** position analysis from there.
+//!
+//! When that fails, it is tried again with other values of the coordinates that have no guess, always the same ones.
+//! A guess is the user's word for the mode, and is not varied.
+
+use crate::analysis::closure::close;
+use crate::analysis::position::{Position, close_all, finish};
+use crate::equations::Equations;
+use crate::equations::scale::Scale;
+use crate::error::SolveError;
+use crate::nonlinear::newton::Outcome;
+use crate::random::Random;
+use crate::workspace::Subset;
+
+/// The configuration that the guesses lead to.
+pub(crate) fn assemble(equations: &mut Equations<'_>, guesses: &[Option<f64>]) -> Result<Position, SolveError> {
+    let mut assembled = attempts(equations, guesses);
+    if let Err(SolveError::NotAssembled { all_guessed, .. }) = &mut assembled {
+        *all_guessed = !guesses.is_empty() && guesses.iter().all(Option::is_some);
+    }
+    assembled
+}
+
+/// As often as there is something to vary.
+fn attempts(equations: &mut Equations<'_>, guesses: &[Option<f64>]) -> Result<Position, SolveError> {
+    let start: Vec<f64> = guesses.iter().map(|g| g.unwrap_or(0.0)).collect();
+    equations.check("guess", &start)?;
+    let (q, _) = propagate(equations, guesses, &start);
+    equations.scale = Scale::around(equations, &q);
+    let unguessed: Vec<usize> = (0..guesses.len()).filter(|&k| guesses[k].is_none()).collect();
+
+    let mut best: Option<(Vec<f64>, Outcome)> = None;
+    let mut random = Random::new(0x00a5_5e3b_1e00);
+    let attempts = if unguessed.is_empty() { 0 } else { equations.options.restarts };
+    for attempt in 0..=attempts {
+        let mut start = start.clone();
+        if attempt > 0 {
+            for &k in &unguessed {
+                start[k] += equations.scale.columns[k] * core::f64::consts::PI * random.symmetric();
+            }
+        }
+        let (mut q, open) = propagate(equations, guesses, &start);
+        if open.is_empty() && attempt > 0 {
+            // Nothing was left to perturb: perturb what propagation gave.
+            for &k in &unguessed {
+                q[k] += equations.scale.columns[k] * 0.5 * random.symmetric();
+            }
+        }
+        if !open.is_empty() && attempt % 2 == 0 {
+            // Rows without an unknown stay what they are.
+            let moves = |e: &Equations<'_>, row| e.row(row).any(|(k, _)| open.binary_search(&k).is_ok());
+            let rows = equations.rows_where(|e, row| e.holonomic(row) && moves(e, row));
+            close(equations, &rows, &open, &mut q);
+        }
+        let outcome = close_all(equations, &mut q);
+        if outcome.converged {
+            return finish(equations, q, outcome);
+        }
+        if best.as_ref().is_none_or(|(_, best)| outcome.gap < best.gap) {
+            best = Some((q, outcome));
+        }
+    }
+    match best {
+        Some((q, outcome)) => finish(equations, q, outcome),
+        None => close_and_finish(equations, q),
+    }
+}
+
+/// The guesses, with what rows say of the other coordinates; 0 for the rest.
+pub(crate) fn propagated(equations: &mut Equations<'_>, guesses: &[Option<f64>]) -> Vec<f64> {
+    let start: Vec<f64> = guesses.iter().map(|g| g.unwrap_or(0.0)).collect();
+    propagate(equations, guesses, &start).0
+}
+
+/// One attempt, reported as it ends.
+fn close_and_finish(equations: &mut Equations<'_>, mut q: Vec<f64>) -> Result<Position, SolveError> {
+    let outcome = close_all(equations, &mut q);
+    finish(equations, q, outcome)
+}
+
+/// Determines unguessed coordinates row by row; returns q and the coordinates that stay undetermined.
+fn propagate(equations: &mut Equations<'_>, guesses: &[Option<f64>], start: &[f64]) -> (Vec<f64>, Vec<usize>) {
+    let mut q = start.to_vec();
+    let mut known: Vec<bool> = guesses.iter().map(Option::is_some).collect();
+    let rows: Vec<(usize, Vec<usize>)> =
+        equations.rows_where(Equations::holonomic).into_iter().map(|row| (row, columns_of(equations, row))).collect();
+    // What a row says alone, a driven angle for example, needs no guess, and no guess can change it.
+    for (row, columns) in &rows {
+        let &[k] = columns.as_slice() else { continue };
+        if let Some(value) = affine_root(equations, *row, k, &mut q) {
+            q[k] = value;
+            known[k] = true;
+        }
+    }
+    loop {
+        let mut changed = false;
+        for (row, columns) in &rows {
+            let mut unknown = columns.iter().copied().filter(|&k| !known[k]);
+            let (Some(k), None) = (unknown.next(), unknown.next()) else { continue };
+            if let Some(value) = affine_root(equations, *row, k, &mut q) {
+                q[k] = value;
+                known[k] = true;
+                changed = true;
+            }
+        }
+        if !changed {
+            break;
+        }
+    }
+    let open = (0..q.len()).filter(|&k| !known[k]).collect();
+    (q, open)
+}
+
+/// Columns in which a row has entries.
+fn columns_of(equations: &Equations<'_>, row: usize) -> Vec<usize> {
+    equations.row(row).map(|(column, _)| column).collect()
+}
+
+/// The root of a row in one coordinate, if one Newton step solves it.
+fn affine_root(equations: &mut Equations<'_>, row: usize, k: usize, q: &mut [f64]) -> Option<f64> {
+    let before = q[k];
+    equations.evaluate(Subset::POSITION, q, None).ok()?;
+    let (value, slope) = (equations.phi[row], equations.entry(row, k));
+    q[k] = before - value / slope;
+    let root = q[k];
+    let solved = root.is_finite()
+        && equations.evaluate(Subset::POSITION, q, None).is_ok()
+        && equations.phi[row].abs() <= 1e-9 * value.abs().max(slope.abs() * (root.abs() + before.abs()))
+        && (equations.entry(row, k) - slope).abs() <= 1e-9 * slope.abs();
+    q[k] = before;
+    solved.then_some(root)
+}

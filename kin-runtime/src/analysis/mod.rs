@@ -1,0 +1,14 @@
+//! Analyses of one instant: assembly and its modes, positions, velocities, accelerations, and where Φ_q loses rank.
+
+pub(crate) mod acceleration;
+mod assemble;
+pub(crate) mod by_plan;
+pub(crate) mod closure;
+pub mod modes;
+pub(crate) mod poses;
+pub(crate) mod position;
+pub(crate) mod singular;
+mod state;
+pub(crate) mod velocity;
+
+pub(crate) use state::state;

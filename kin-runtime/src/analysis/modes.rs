@@ -1,0 +1,110 @@
+//! Assembly modes of configurations, and assembly in a mode that is asked for.
+
+use crate::analysis::assemble::{assemble, propagated};
+use crate::analysis::by_plan::{self, Answer};
+use crate::analysis::position::{Position, position};
+use crate::equations::Equations;
+use crate::error::SolveError;
+use crate::plan::Depth;
+use crate::planned::{Limit, PlanError, Sign, Step};
+use crate::text::number;
+use core::fmt;
+
+/// A mode of a configuration.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Mode {
+    /// Its name: those of its joints, joined with `-`.
+    pub name: &'static str,
+    /// The kinematic group that it belongs to, `RRR` for example; empty where it has no name.
+    pub group: &'static str,
+    /// The joints of the group.
+    pub joints: Vec<&'static str>,
+    /// Which of its two closures the configuration has; none where they meet.
+    pub sign: Option<Sign>,
+    /// A number in −1 ≤ w ≤ 1 with that sign, whose size says how far the configuration is from the limit at which the
+    /// closures meet.
+    pub closure: f64,
+}
+
+/// Where assembly begins: guesses, and modes that are asked for, by their places.
+#[derive(Clone, Debug)]
+pub(crate) struct Wanted {
+    pub(crate) guess: Vec<Option<f64>>,
+    pub(crate) modes: Vec<(usize, Sign)>,
+}
+
+/// The modes of q.
+pub(crate) fn modes(equations: &Equations<'_>, q: &[f64]) -> Result<Vec<Mode>, SolveError> {
+    equations.check("q", q)?;
+    let plan = &equations.model.plan;
+    if let Some(why) = plan.absent {
+        return Err(SolveError::Plan(PlanError::NoPlan { why }));
+    }
+    let mut closures = vec![0.0; plan.signs()];
+    equations.system.branches(&equations.instant(), q, &mut closures)?;
+    let mode = |(info, closure): (&crate::plan::ModeInfo, f64)| {
+        let step = Step::new(equations.model, info.step);
+        Mode {
+            name: info.name,
+            group: step.map_or("", |step| step.info().group),
+            joints: step.map_or_else(Vec::new, |step| step.joints().collect()),
+            sign: Sign::of(closure),
+            closure,
+        }
+    };
+    Ok(plan.modes.iter().zip(closures).map(mode).collect())
+}
+
+/// The configuration that the guesses lead to, in the modes asked for.
+///
+/// It is assembled as without modes; then the plan solves with the signs asked for, all other modes being those of what was
+/// assembled or, where nothing was, of the guess; and full Newton closes what the plan gives.
+pub(crate) fn assemble_in(equations: &mut Equations<'_>, wanted: &Wanted) -> Result<Position, SolveError> {
+    let assembled = assemble(equations, &wanted.guess);
+    if wanted.modes.is_empty() {
+        return assembled;
+    }
+    if !by_plan::exists(equations) {
+        let why = equations.model.plan.absent.unwrap_or("coordinates are prescribed");
+        return Err(SolveError::Plan(PlanError::NoPlan { why }));
+    }
+    let near = match &assembled {
+        Ok(position) => position.q.clone(),
+        Err(SolveError::NotAssembled { .. }) => propagated(equations, &wanted.guess),
+        Err(_) => return assembled,
+    };
+    let mut signs = Vec::new();
+    by_plan::modes(equations, &near, &mut signs);
+    let found = signs.clone();
+    wanted.modes.iter().for_each(|&(place, sign)| signs[place] = sign.value());
+    if assembled.is_ok() && found == signs {
+        return assembled;
+    }
+    signs.iter_mut().filter(|sign| **sign == 0.0).for_each(|sign| *sign = 1.0);
+    let mut answer = Answer::new(equations);
+    answer.solve(equations, &signs, &near, Depth::Position).map_err(|limit| refusal(equations, wanted, limit))?;
+    let closed = position(equations, &answer.q)?;
+    if answer.is_in(equations, &signs, &closed.q) { Ok(closed) } else { Err(refusal(equations, wanted, None)) }
+}
+
+/// The modes asked for have no configuration.
+fn refusal(equations: &Equations<'_>, wanted: &Wanted, limit: Option<Limit>) -> SolveError {
+    let name = |place: usize| equations.model.plan.modes.get(place).map_or("", |mode| mode.name);
+    let modes = wanted.modes.iter().map(|&(place, sign)| (name(place), sign)).collect();
+    SolveError::ModeNotAssembled { t: equations.t, modes, limit }
+}
+
+/// `A-B-D: - (closure -0.735)`.
+impl fmt::Display for Mode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: ", self.name)?;
+        match self.sign {
+            Some(sign) => sign.fmt(f)?,
+            None => f.write_str("undecided")?,
+        }
+        f.write_str(" (closure ")?;
+        number(f, &self.closure)?;
+        f.write_str(")")
+    }
+}

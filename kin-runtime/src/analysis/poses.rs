@@ -1,0 +1,80 @@
+//! Bodies and points of a state, for typed access: what a state shows without another call.
+
+use crate::equations::system::Parts;
+use crate::equations::{Equations, finite};
+use crate::error::SolveError;
+use crate::model::Model;
+use crate::motion::{BodyMotion, PointMotion, Rates, name};
+use crate::state::State;
+use crate::workspace::Instant;
+
+/// True where nothing is held or carried, and no point is named: then all poses are coordinates.
+pub(crate) fn shows_coordinates(model: &Model) -> bool {
+    model.points.is_empty() && model.bodies.iter().all(|body| !body.coordinates.contains(&None))
+}
+
+/// Writes the motion of bodies where it is that of their coordinates.
+pub(crate) fn write_coordinates(state: &mut State) {
+    let State { model, q, q_dot, q_ddot, bodies, points, .. } = state;
+    points.clear();
+    bodies.clear();
+    bodies.extend(model.bodies.iter().map(|body| {
+        let [x, y, phi] = body.coordinates.map(|place| {
+            let at = |numbers: &[f64]| place.and_then(|k| numbers.get(k).copied()).unwrap_or(0.0);
+            [at(q), at(q_dot), at(q_ddot)]
+        });
+        BodyMotion {
+            x: x[0],
+            y: y[0],
+            phi: phi[0],
+            x_dot: x[1],
+            y_dot: y[1],
+            phi_dot: phi[1],
+            x_ddot: x[2],
+            y_ddot: y[2],
+            phi_ddot: phi[2],
+        }
+    }));
+}
+
+/// Writes the motion of bodies and points, for the q, q̇ and q̈ of the state.
+pub(crate) fn poses(equations: &mut Equations<'_>, state: &mut State) -> Result<(), SolveError> {
+    if shows_coordinates(equations.model) {
+        write_coordinates(state);
+        return Ok(());
+    }
+    let at = Instant { t: state.t, inputs: &state.inputs };
+    equations.system.observe(&at, &state.q, &state.q_dot)?;
+    write_poses(&equations.system.observables(), state)
+}
+
+/// Writes the motion of bodies and points by the observables, which were evaluated at the q and q̇ of the state.
+pub(crate) fn write_poses(parts: &Parts<'_>, state: &mut State) -> Result<(), SolveError> {
+    let model = state.model;
+    let mut fault = None;
+    write(model, state, |state, observable, coordinate| {
+        let rates =
+            coordinate.map_or_else(|| parts.rates(&model.observable_pattern, observable, state), |k| state.rates(k));
+        for value in [rates.value, rates.rate, rates.acceleration] {
+            let error = finite("observables", observable, name(model, observable), value);
+            fault = fault.take().or(error.map_err(|error| error.at(state.t)).err());
+        }
+        rates
+    });
+    fault.map_or(Ok(()), Err)
+}
+
+/// Writes bodies and points by what `rates` says of an observable, which may be a coordinate.
+fn write(model: &Model, state: &mut State, mut rates: impl FnMut(&State, usize, Option<usize>) -> Rates) {
+    // The vectors are used again: a tracker allocates nothing here.
+    let (mut bodies, mut points) = (core::mem::take(&mut state.bodies), core::mem::take(&mut state.points));
+    bodies.clear();
+    bodies.extend(model.bodies.iter().map(|body| {
+        let [x, y, phi] = [0, 1, 2].map(|k| rates(state, body.observables[k], body.coordinates[k]));
+        BodyMotion::from([x, y, phi])
+    }));
+    points.clear();
+    points.extend(model.points.iter().map(|point| PointMotion::from(point.observables.map(|k| rates(state, k, None)))));
+    state.bodies = bodies;
+    state.points = points;
+}

@@ -1,0 +1,115 @@
+//! Position analysis: q with Φ(q, t) = 0 near a start.
+//!
+//! All rows of position level are closed at once by the globalised iteration of [`newton`](crate::nonlinear::newton). Where rows
+//! are fewer than coordinates each correction has the least Euclidean norm; where they are more, they must agree.
+
+use crate::analysis::by_plan;
+use crate::analysis::closure::close;
+use crate::equations::Equations;
+use crate::equations::scale::Scale;
+use crate::error::SolveError;
+use crate::linear::Factorization;
+use crate::model::{Component, CoordinateKind};
+use crate::nonlinear::newton::Outcome;
+use crate::text::numbers;
+use crate::workspace::Subset;
+use core::fmt;
+
+/// An assembled position.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Position {
+    /// q, n numbers.
+    pub q: Vec<f64>,
+    /// Iterations it took.
+    pub iterations: usize,
+    /// Largest |Φ_i|, in the rows' own units.
+    pub residual: f64,
+}
+
+/// The assembled configuration near `start`.
+pub(crate) fn position(equations: &mut Equations<'_>, start: &[f64]) -> Result<Position, SolveError> {
+    equations.check("q", start)?;
+    equations.scale = Scale::around(equations, start);
+    let mut q = start.to_vec();
+    let mut outcome = close_all(equations, &mut q);
+    let origins = origins(equations);
+    if !outcome.converged && !origins.is_empty() {
+        // Angles say more about the mode than origins do: once more with origins that fit the angles.
+        let mut other = start.to_vec();
+        let rows = equations.rows_where(Equations::holonomic);
+        let before = close(equations, &rows, &origins, &mut other);
+        let again = close_all(equations, &mut other);
+        if again.converged || again.gap < outcome.gap {
+            let iterations = outcome.iterations + before.iterations + again.iterations;
+            (q, outcome) = (other, Outcome { iterations, ..again });
+        }
+    }
+    finish(equations, q, outcome)
+}
+
+/// The coordinates that are x or y of a body.
+fn origins(equations: &Equations<'_>) -> Vec<usize> {
+    let is_origin = |kind| matches!(kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. });
+    (0..equations.coordinates()).filter(|&k| is_origin(equations.model.coordinates[k].kind)).collect()
+}
+
+/// Closes all rows of position level.
+pub(crate) fn close_all(equations: &mut Equations<'_>, q: &mut [f64]) -> Outcome {
+    let rows = equations.rows_where(Equations::holonomic);
+    let columns: Vec<usize> = (0..equations.coordinates()).collect();
+    close(equations, &rows, &columns, q)
+}
+
+/// The outcome as a result: residuals in the rows' own units, or a typed error.
+pub(crate) fn finish(equations: &mut Equations<'_>, q: Vec<f64>, outcome: Outcome) -> Result<Position, SolveError> {
+    // Errors here name a number that is not finite at the best configuration found.
+    equations.evaluate(Subset::POSITION, &q, None)?;
+    if outcome.converged {
+        let rows = equations.rows_where(Equations::holonomic);
+        let residual = rows.iter().map(|&row| equations.phi[row].abs()).fold(0.0, f64::max);
+        return Ok(Position { q, iterations: outcome.iterations, residual });
+    }
+    if let Some(conflict) = given_conflict(equations) {
+        return Err(conflict);
+    }
+    Err(SolveError::NotAssembled {
+        t: equations.t,
+        gap: outcome.gap,
+        residual: equations.phi.get(outcome.worst).copied().unwrap_or(0.0),
+        row: outcome.worst,
+        row_name: equations.row_name(outcome.worst),
+        joint: equations.joint_name(outcome.worst),
+        iterations: outcome.iterations as u32,
+        all_guessed: false,
+        limit: by_plan::limit(equations, &q),
+    })
+}
+
+/// The first prescribed coordinate whose row adds no rank, at the Jacobian evaluated last.
+pub(crate) fn given_conflict(equations: &Equations<'_>) -> Option<SolveError> {
+    let given = equations.given();
+    if given == 0 {
+        return None;
+    }
+    let own = equations.rows() - given;
+    let rank = |count: usize| {
+        let rows: Vec<usize> = (0..count).collect();
+        let columns = &equations.scale.columns;
+        Factorization::revealing(&equations.scaled_rows(&rows), columns, equations.options.rank_tolerance).rank
+    };
+    let without = rank(own);
+    let k = (0..given).find(|k| rank(own + k + 1) < without + k + 1)?;
+    let (coordinate, value) = equations.given_value(k);
+    let open = equations.coordinates() - without;
+    Some(SolveError::GivenConflict { t: equations.t, coordinate, value, open, given })
+}
+
+/// q, the residual and the iterations.
+impl fmt::Display for Position {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("q = ")?;
+        numbers(f, &self.q)?;
+        write!(f, ", largest |Φ| {:.1e} after {} iterations", self.residual, self.iterations)
+    }
+}

@@ -1,0 +1,142 @@
+//! Singular configuration or permanent redundancy?
+//!
+//! Where Φ_q has less rank than rows and coordinates allow, either the mechanism says something twice, everywhere, or
+//! this configuration is special. The difference shows in the neighbourhood: the mechanism is moved a little along
+//! null vectors of the rows of position level that do not drive, closed again on those rows alone, and the rank of all
+//! rows compared. Full row rank and full column rank are never singular.
+//!
+//! Rows of velocity level may lose rank by inputs or time alone, at every configuration. Where that leaves no velocity,
+//! the rank at other inputs and times shows that this instant is special.
+
+use crate::analysis::by_plan;
+use crate::analysis::closure::close;
+use crate::equations::Equations;
+use crate::equations::geometry::without_length;
+use crate::error::SolveError;
+use crate::linear::{Factorization, null_space};
+use crate::random::Random;
+use crate::workspace::Subset;
+use nalgebra::DVector;
+
+/// Distances of the probes, on the common scale.
+const DISTANCES: [f64; 2] = [1e-2, 5e-2];
+/// Changes of inputs and time, relative to their values, but to no less than one.
+const CHANGES: [f64; 4] = [1e-2, -1e-2, 0.1, -0.1];
+/// Most null vectors that are tried one by one.
+const DIRECTIONS: usize = 6;
+
+/// The error if `q`, whose Φ_q was evaluated last and has the factorisation `here`, is singular.
+pub(crate) fn diagnose(equations: &mut Equations<'_>, q: &[f64], here: &Factorization) -> Option<SolveError> {
+    if let Some(error) = without_length(equations) {
+        return Some(error);
+    }
+    let all: Vec<usize> = (0..equations.rows()).collect();
+    let scaled = equations.scaled(&all);
+    let expected_rank = rank_nearby(equations, q, here.rank, &all);
+    if expected_rank <= here.rank {
+        return None;
+    }
+    let tolerance = equations.options.rank_tolerance;
+    let rows = dependent_rows(equations, &null_space(&scaled.transpose(), tolerance));
+    let (t, rank, condition) = (equations.t, here.rank, here.full_condition);
+    let limit = by_plan::limit(equations, q);
+    Some(SolveError::Singular { t, rank, expected_rank, rows, condition, limit })
+}
+
+/// What an inconsistency at `q` is: singular, where the rows that drive have more rank at other inputs or times.
+pub(crate) fn explain(equations: &mut Equations<'_>, q: &[f64], here: &Factorization, error: SolveError) -> SolveError {
+    let inconsistent =
+        matches!(error, SolveError::InconsistentVelocity { .. } | SolveError::InconsistentAcceleration { .. });
+    if !inconsistent || here.rank >= equations.rows().min(equations.coordinates()) {
+        return error;
+    }
+    let rows: Vec<usize> = (0..equations.rows()).collect();
+    if equations.evaluate(Subset::JACOBIAN, q, None).is_err() {
+        return error;
+    }
+    let left = null_space(&equations.scaled(&rows).transpose(), equations.options.rank_tolerance);
+    let expected_rank = rank_at_other_instants(equations, q, &rows);
+    if expected_rank <= here.rank {
+        return error;
+    }
+    let rows = dependent_rows(equations, &left);
+    let (t, rank, condition) = (equations.t, here.rank, here.full_condition);
+    SolveError::Singular { t, rank, expected_rank, rows, condition, limit: by_plan::limit(equations, q) }
+}
+
+/// Largest rank of `rows` at q with other inputs and times. The rows that do not drive depend on neither.
+fn rank_at_other_instants(equations: &mut Equations<'_>, q: &[f64], rows: &[usize]) -> usize {
+    let (t, inputs) = (equations.t, equations.inputs.clone());
+    let mut random = Random::new(0x0001_4b07);
+    let mut best = 0;
+    for change in CHANGES {
+        let mut moved = |value: f64| value + change * value.abs().max(1.0) * (1.5 + random.symmetric());
+        equations.t = moved(t);
+        equations.inputs.iter_mut().zip(&inputs).for_each(|(input, now)| input.value = moved(now.value));
+        best = best.max(rank_at(equations, q, rows).unwrap_or(0));
+    }
+    (equations.t, equations.inputs) = (t, inputs);
+    best
+}
+
+/// Names of the rows that take part in a dependency, given the left null vectors of the scaled Φ_q.
+pub(crate) fn dependent_rows(equations: &Equations<'_>, left: &nalgebra::DMatrix<f64>) -> Vec<&'static str> {
+    let largest = left.amax();
+    (0..left.nrows()).filter(|&i| left.row(i).amax() > 1e-3 * largest).map(|i| equations.row_name(i)).collect()
+}
+
+/// Largest rank of `rows` at assembled configurations around `q`; stops at the first above `here`.
+pub(crate) fn rank_nearby(equations: &mut Equations<'_>, q: &[f64], here: usize, rows: &[usize]) -> usize {
+    let closing = equations.rows_where(|e, row| !e.drives(row) && e.holonomic(row));
+    let columns: Vec<usize> = (0..equations.coordinates()).collect();
+    // Rows of velocity level do not say which configurations there are.
+    let free = null_space(&equations.scaled(&closing), equations.options.rank_tolerance);
+    let mut random = Random::new(0x0051_4ea1);
+    let mut directions: Vec<DVector<f64>> = free.column_iter().take(DIRECTIONS).map(|c| c.into_owned()).collect();
+    for _ in 0..free.ncols().min(4) {
+        let mix = DVector::from_fn(free.ncols(), |_, _| random.symmetric());
+        directions.push((&free * mix).normalize());
+    }
+    let mut best = here;
+    let mut moved = false;
+    for distance in DISTANCES {
+        for direction in &directions {
+            for sign in [distance, -distance] {
+                let largest = direction.amax().max(f64::MIN_POSITIVE);
+                let mut nearby = displaced(equations, q, |k| direction[k] * sign / largest);
+                if !close(equations, &closing, &columns, &mut nearby).converged {
+                    continue;
+                }
+                let travel: Vec<f64> = nearby.iter().zip(q).map(|(a, b)| a - b).collect();
+                let travel = equations.scale.size(&travel);
+                if travel > 0.1 * distance && travel < 10.0 * distance {
+                    moved = true;
+                    best = best.max(rank_at(equations, &nearby, rows).unwrap_or(0));
+                }
+                if best > here {
+                    return best;
+                }
+            }
+        }
+    }
+    if !moved && !directions.is_empty() {
+        // Null vectors that lead nowhere: a shaky structure. Any perturbation shows its usual rank.
+        for _ in 0..4 {
+            let nearby = displaced(equations, q, |_| 1e-2 * random.symmetric());
+            best = best.max(rank_at(equations, &nearby, rows).unwrap_or(0));
+        }
+    }
+    best
+}
+
+/// q displaced by a scaled displacement.
+fn displaced(equations: &Equations<'_>, q: &[f64], mut by: impl FnMut(usize) -> f64) -> Vec<f64> {
+    q.iter().zip(&equations.scale.columns).enumerate().map(|(k, (x, d))| x + d * by(k)).collect()
+}
+
+/// Rank of `rows` at q.
+fn rank_at(equations: &mut Equations<'_>, q: &[f64], rows: &[usize]) -> Option<usize> {
+    equations.evaluate(Subset::JACOBIAN, q, None).ok()?;
+    let matrix = equations.scaled_rows(rows);
+    Some(Factorization::absolute(&matrix, &equations.scale.columns, equations.options.rank_tolerance).rank)
+}

@@ -1,0 +1,339 @@
+//! Sets of parameters on their way from instant to instant.
+//!
+//! Eight sets go through the follower's usual step together: predict, solve, and judge by what was expected. A set for
+//! which that step does not count takes it alone, by the follower itself, so that every set goes where it would go alone.
+
+use super::end::{End, Outcome};
+use super::poses::{Limits, Poses, Question, copy_lane};
+use crate::mechanism::Mechanism;
+use crate::plan::{Depth, Plan};
+use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
+use crate::planned::follower::{Control, Follower, NEGLIGIBLE};
+use crate::planned::lists::{Closures, Distances, Margins, Modes};
+use crate::planned::passed::CLOSE;
+use crate::planned::predict::{parabola, turned, weights};
+use crate::planned::{Limit, PlanError, Step};
+use crate::scalar::Scalar;
+use crate::scalar::compare::Compare;
+use crate::scalar::lanes::{Lanes, Octet, Pack};
+use crate::signal::{Instant, Signal};
+use crate::workspace::Array;
+
+/// Margins above this leave rates enough digits for all sets to be judged together.
+const FAR: f64 = 1e-2;
+
+/// Eight sets on their way.
+pub(super) struct Motion<M: Mechanism> {
+    pub(super) parameters: M::Parameters<Octet>,
+    pub(super) modes: Modes<M, Octet>,
+    pub(super) predicted: M::Coordinates<Octet>,
+    distances: Distances<M, Octet>,
+    margins: Margins<M, Octet>,
+    /// The last instant, and the one that is being tried.
+    poses: [Poses<M::Coordinates<Octet>, Octet>; 2],
+    good: usize,
+    /// The margins of the last instant, and its inputs, which all sets share.
+    margins_before: Margins<M, Octet>,
+    inputs: M::Inputs<f64>,
+    t: f64,
+    /// Radians that a unit of each coordinate counts for.
+    weights: M::Coordinates<f64>,
+}
+
+/// Why a set has no answer: the margin to report, and the step of the plan where one is to blame.
+type Refusals = [Option<(f64, Option<Limit>)>; Octet::COUNT];
+
+impl<M: Mechanism> Motion<M> {
+    /// Room for them.
+    pub(super) fn nothing() -> Self {
+        let nothing = |_| Octet::default();
+        Self {
+            parameters: Array::generate(nothing),
+            modes: Modes::filled(Octet::default()),
+            predicted: Array::generate(nothing),
+            distances: Distances::filled(Octet::default()),
+            margins: Margins::filled(Octet::default()),
+            poses: [Poses::nothing(); 2],
+            good: 0,
+            margins_before: Margins::filled(Octet::default()),
+            inputs: Array::filled(Signal::constant(0.0)),
+            t: 0.0,
+            weights: Array::filled(0.0),
+        }
+    }
+
+    /// The state of the last instant.
+    pub(super) fn poses(&self) -> &Poses<M::Coordinates<Octet>, Octet> {
+        &self.poses[self.good]
+    }
+
+    /// The first instant, from a start that stands in `predicted`.
+    pub(super) fn begin(&mut self, mechanism: &M, at: &Instant<'_, Octet>) -> Option<Refusals> {
+        let mut limits = self.solve(mechanism, at);
+        self.orient(mechanism, at);
+        let lengths = least_length(mechanism, self.parameters.as_ref(), at);
+        for lane in 0..Octet::COUNT {
+            if lengths.lane(lane) < 0.0 {
+                self.poses[1 - self.good].refuse(lane);
+                self.poses[1 - self.good].margin.set(lane, 0.0);
+                limits.get_or_insert([None; Octet::COUNT]);
+            }
+        }
+        let q = self.poses[1 - self.good].q;
+        let first: M::Coordinates<f64> = Array::generate(|k| q.as_ref()[k].lane(0));
+        weights(M::model(), first.as_ref(), self.weights.as_mut());
+        self.keep(at);
+        let poses = self.poses();
+        let limits = limits?;
+        let refused =
+            |lane: usize| (!poses.is_good(lane)).then(|| (poses.margin.lane(lane), limit_of::<M>(limits[lane])));
+        Some(Octet::each(refused))
+    }
+
+    /// What tells the branches of all groups apart, at the state that is being tried.
+    fn found(&self, mechanism: &M, at: &Instant<'_, Octet>) -> Closures<M, Octet> {
+        self.closures(mechanism, at, self.poses[1 - self.good].q.as_ref())
+    }
+
+    fn closures(&self, mechanism: &M, at: &Instant<'_, Octet>, q: &[Octet]) -> Closures<M, Octet> {
+        let closures = Closures::at(mechanism, self.parameters.as_ref(), at, q);
+        debug_assert!(closures.is_ok(), "the columns have been counted");
+        closures.unwrap_or_else(|_| Closures::filled(Octet::default()))
+    }
+
+    /// The signs of iterated groups, as they were found.
+    fn orient(&mut self, mechanism: &M, at: &Instant<'_, Octet>) {
+        let plan = &M::model().plan;
+        if !plan.orientations.is_empty() {
+            let found = self.found(mechanism, at);
+            let modes = self.modes.as_mut().iter_mut().zip(found.as_ref());
+            modes.skip(plan.modes.len()).for_each(|(mode, found)| *mode = found.direction());
+        }
+    }
+
+    /// Negative in lanes in which an iterated group has another orientation than before.
+    #[cold]
+    #[inline(never)]
+    fn kept_orientation(&self, mechanism: &M, at: &Instant<'_, Octet>) -> Octet {
+        let plan = &M::model().plan;
+        let found = self.found(mechanism, at);
+        let modes = self.modes.as_ref().iter().zip(found.as_ref()).skip(plan.modes.len());
+        modes.fold(Octet::from_f64(1.0), |least, (mode, found)| least.least(*mode * *found))
+    }
+
+    /// The next instant; refusals where a set has no answer.
+    #[inline(always)]
+    pub(super) fn advance(&mut self, mechanism: &M, at: &Instant<'_, Octet>, t: f64) -> Option<Refusals> {
+        let h = t - self.t;
+        let Poses { q, q_dot, q_ddot, .. } = &self.poses[self.good];
+        let rates = [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()];
+        let turn = parabola(self.predicted.as_mut(), rates, self.weights.as_ref(), h);
+        let limits = self.solve(mechanism, at);
+        let plan = &M::model().plan;
+        let tried = &self.poses[1 - self.good];
+        let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
+        let control = Control::USUAL;
+        let allowed = Octet::from_f64(control.correction) * turn + Octet::from_f64(NEGLIGIBLE);
+        // All that must not be negative, as one number.
+        let rotation = Octet::from_f64(control.rotation) - turn;
+        let mut least = rotation.least(allowed - away);
+        if M::LENGTHS > 0 {
+            // Where one is negative, the follower says so.
+            least = least.least(least_length(mechanism, self.parameters.as_ref(), at));
+        }
+        let nearer = tried.margin.least(self.poses[self.good].margin);
+        let reach = Octet::from_f64(OUT_OF_REACH) * turn;
+        let beyond = nearer - reach * reach;
+        if !is_positive(beyond) || !plan.orientations.is_empty() {
+            let certain = self.certainty_of_prediction(mechanism, at, nearer.abs().sqrt(), turn);
+            // Out of reach of all limits nothing need be certain.
+            least = least.least(certain.greatest(beyond));
+            if !plan.orientations.is_empty() {
+                least = least.least(self.kept_orientation(mechanism, at));
+            }
+        }
+        // No group is so near to its limit that rates may mean nothing, and nothing is NaN.
+        let far = (nearer - Octet::from_f64(1.0)).is_within(1.0 - FAR);
+        if limits.is_none() & far & is_positive(least) {
+            self.keep(at);
+            return None;
+        }
+        let refusals = self.alone(mechanism, at, least);
+        self.keep(at);
+        refusals
+    }
+
+    /// How certain it is that all groups have stayed on their branches, by what tells them apart at the prediction.
+    #[inline(never)]
+    fn certainty_of_prediction(
+        &mut self,
+        mechanism: &M,
+        at: &Instant<'_, Octet>,
+        nearest: Octet,
+        turn: Octet,
+    ) -> Octet {
+        self.margins.write_distances(&mut self.distances);
+        let foretold = self.closures(mechanism, at, self.predicted.as_ref());
+        let groups = foretold.as_ref().iter().zip(self.modes.as_ref()).zip(self.distances.as_ref());
+        // Where a group may have come to its limit and back, the follower looks.
+        let start = resolves(nearest, turn).least(nearest - Octet::from_f64(CLOSE));
+        groups.fold(start, |least, ((w, mode), now)| least.least(certainty_of(*now, *mode * *w)))
+    }
+
+    #[inline(never)]
+    fn solve(&mut self, mechanism: &M, at: &Instant<'_, Octet>) -> Option<Limits<Octet>> {
+        let modes = self.modes.of_closures();
+        let (parameters, start) = (self.parameters.as_ref(), self.predicted.as_ref());
+        let question = Question { parameters, at, modes, start, depth: Depth::Acceleration };
+        self.poses[1 - self.good].solve(mechanism, &question, &mut self.margins)
+    }
+
+    /// What was tried is the last instant now.
+    #[inline(always)]
+    fn keep(&mut self, at: &Instant<'_, Octet>) {
+        self.margins_before = self.margins;
+        self.good = 1 - self.good;
+        self.t = at.t.lane(0);
+        self.inputs.as_mut().iter_mut().zip(at.inputs).for_each(|(to, from)| *to = from.map(|x| x.lane(0)));
+    }
+
+    /// The sets whose step does not count, one by one.
+    #[cold]
+    #[inline(never)]
+    fn alone(&mut self, mechanism: &M, at: &Instant<'_, Octet>, least: Octet) -> Option<Refusals> {
+        let mut refusals: Refusals = [None; Octet::COUNT];
+        for (lane, refusal) in refusals.iter_mut().enumerate() {
+            let margin = self.poses[1 - self.good].margin.lane(lane);
+            let nearer = margin.min(self.poses[self.good].margin.lane(lane));
+            let counts = self.poses[1 - self.good].is_good(lane) && nearer >= FAR && least.lane(lane) >= 0.0;
+            if counts {
+                continue;
+            }
+            if let Err(error) = self.one(mechanism, at, lane) {
+                let limit = error.limit().copied();
+                // Where the instant itself has an answer, a limit stands before it.
+                let margin = match error {
+                    PlanError::NegativeLength { .. } => 0.0,
+                    _ => limit.map_or(margin, |limit| limit.margin),
+                };
+                let margin = if margin > Plan::SMALLEST_MARGIN && limit.is_some() { 0.0 } else { margin };
+                *refusal = Some((if margin.is_finite() { margin } else { 0.0 }, limit));
+                self.poses[1 - self.good].refuse(lane);
+            }
+        }
+        refusals.iter().any(Option::is_some).then_some(refusals)
+    }
+
+    /// One set by the follower.
+    fn one(&mut self, mechanism: &M, at: &Instant<'_, Octet>, lane: usize) -> Result<(), PlanError> {
+        let pick = |list: &[Octet]| -> M::Coordinates<f64> { Array::generate(|k| list[k].lane(lane)) };
+        let before = &self.poses[self.good];
+        let parameters = Array::generate(|k| self.parameters.as_ref()[k].lane(lane));
+        let margins = Margins::lane_of(&self.margins_before, lane);
+        let state = [pick(before.q.as_ref()), pick(before.q_dot.as_ref()), pick(before.q_ddot.as_ref())];
+        let from = Instant { t: self.t, inputs: self.inputs.as_ref() };
+        let modes = Modes::lane_of(&self.modes, lane);
+        let mut follower = Follower::<M>::resume(parameters, modes, &from, state, margins);
+        let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
+        inputs.as_mut().iter_mut().zip(at.inputs).for_each(|(to, from)| *to = from.map(|x| x.lane(lane)));
+        let at = Instant { t: at.t.lane(lane), inputs: inputs.as_ref() };
+        follower.update(mechanism, &at, &Control::USUAL)?;
+        let set = |to: &mut [Octet], from: &[f64]| to.iter_mut().zip(from).for_each(|(to, x)| to.set(lane, *x));
+        let found = follower.state();
+        let tried = &mut self.poses[1 - self.good];
+        set(tried.q.as_mut(), found.q.as_ref());
+        set(tried.q_dot.as_mut(), found.q_dot.as_ref());
+        set(tried.q_ddot.as_mut(), found.q_ddot.as_ref());
+        tried.accept(lane, found.margins.least());
+        set(self.margins.as_mut(), found.margins.as_ref());
+        set(self.modes.as_mut(), follower.modes().as_ref());
+        Ok(())
+    }
+
+    /// Ends the sets that have no answer, and lets their lanes repeat one that has; false where there is none.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn mask<S>(&mut self, instant: usize, refusals: &Refusals, out: &mut [Outcome<S>]) -> bool {
+        // Lanes behind the last set have no outcome of their own: nothing is ever copied from them.
+        let mut ended = [true; Octet::COUNT];
+        let ends = out.iter_mut().flat_map(|(_, ends)| ends);
+        for (lane, (end, ended)) in ends.zip(&mut ended).enumerate() {
+            if let Some((margin, limit)) = refusals[lane] {
+                end.get_or_insert(End { instant, margin, limit });
+            }
+            *ended = end.is_some();
+        }
+        let Some(first) = ended.iter().position(|ended| !ended) else { return false };
+        for lane in (0..Octet::COUNT).filter(|lane| ended[*lane]) {
+            // One of its own group, where there is one: nobody sees the others.
+            let group = lane - lane % Lanes::COUNT;
+            let other = (group..group + Lanes::COUNT).find(|other| !ended[*other]).unwrap_or(first);
+            self.repeat(other, lane);
+        }
+        true
+    }
+
+    /// Lane `from` into lane `to`.
+    fn repeat(&mut self, from: usize, to: usize) {
+        fn own(numbers: &mut (impl AsRef<[Octet]> + AsMut<[Octet]> + Copy), from: usize, to: usize) {
+            let others = *numbers;
+            copy_lane(numbers.as_mut(), others.as_ref(), from, to);
+        }
+        own(&mut self.parameters, from, to);
+        own(&mut self.modes, from, to);
+        own(&mut self.margins_before, from, to);
+        let poses = &mut self.poses[self.good];
+        let others = *poses;
+        poses.copy_lane(&others, from, to);
+        poses.accept(to, others.margin.lane(from));
+    }
+}
+
+impl<M: Mechanism> Modes<M> {
+    /// Those of one lane.
+    fn lane_of(modes: &Modes<M, Octet>, lane: usize) -> Self {
+        let mut own = Self::filled(0.0);
+        own.as_mut().iter_mut().zip(modes.as_ref()).for_each(|(to, from)| *to = from.lane(lane));
+        own
+    }
+}
+
+impl<M: Mechanism> Margins<M> {
+    /// Those of one lane.
+    fn lane_of(margins: &Margins<M, Octet>, lane: usize) -> Self {
+        let mut own = Self::filled(0.0);
+        own.as_mut().iter_mut().zip(margins.as_ref()).for_each(|(to, from)| *to = from.lane(lane));
+        own
+    }
+}
+
+/// The smallest length that a joint keeps; 1 where none keeps any.
+#[inline]
+pub(super) fn least_length<M: Mechanism>(mechanism: &M, parameters: &[Octet], at: &Instant<'_, Octet>) -> Octet {
+    let most = Octet::from_f64(1.0);
+    if M::LENGTHS == 0 {
+        return most;
+    }
+    let mut lengths = M::Rows::<Octet>::filled(most);
+    let lengths = &mut lengths.as_mut()[..M::LENGTHS];
+    let counted = mechanism.lengths_with(parameters, at, lengths);
+    debug_assert!(counted.is_ok(), "the columns have been counted");
+    lengths.iter().fold(most, |least, length| least.least(*length))
+}
+
+/// True where the numbers of all lanes are positive and not large, and none is NaN.
+#[inline(always)]
+fn is_positive(x: Octet) -> bool {
+    let half = Octet::from_f64(0.5);
+    // Of NaN and 1 the smaller may be 1; a number times 0 is 0.
+    (x.least(Octet::from_f64(1.0)) - half).is_within(0.5) & (x * Octet::default()).is_within(0.0)
+}
+
+/// The step of the plan that a margin belongs to.
+fn limit_of<M: Mechanism>(found: Option<(usize, f64)>) -> Option<Limit> {
+    let (place, margin) = found?;
+    Step::of_margin(M::model(), place).map(|step| Limit::new(step, margin))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,140 @@
+//! Contacts with curves at points where the curve says nothing: reported by name, with what is degenerate there.
+//!
+//! - A polar curve at w = 0: θ = atan2(w_y, w_x) has no value.
+//! - An implicit curve where ∇e = 0 on the curve, a double point or a cusp: its row of Φ_q vanishes.
+//! - A parametric curve under a roller where c′ = 0: the roller has no side to run on.
+
+use crate::equations::Equations;
+use crate::equations::placement::Placement;
+use crate::error::{Degeneracy, SolveError};
+use crate::model::{CoordinateKind, JointInfo, JointKind, Model, Role};
+use crate::workspace::Instant;
+
+/// Squares of lengths below this are 0.
+const NOTHING: f64 = 1e-150;
+/// Distance from the centre of a polar curve, relative to the typical length, at which the direction is rounding.
+const AT_CENTRE: f64 = 1e-12;
+/// Places on the way of one step at which the direction of a curve under a roller is compared.
+const SAMPLES: u32 = 4;
+/// Cosine of the largest turn between two of them.
+const TURN: f64 = 0.87;
+
+/// The error of an evaluation at q, by the name of the contact that is degenerate there, if one is.
+pub(crate) fn explain(equations: &mut Equations<'_>, q: &[f64], error: SolveError) -> SolveError {
+    let SolveError::NonFinite { what: "Φ" | "Φ_q" | "Φ_t" | "γ", index: row, .. } = error else { return error };
+    let Some(joint) = equations.model.rows.get(row).map(|row| row.joint) else { return error };
+    let info = &equations.model.joints[joint];
+    let what = match info.kind {
+        JointKind::OnPolarCurve => at_centre(equations, info, q),
+        JointKind::OnParametricCurve => without_direction(equations, joint, q),
+        _ => None,
+    };
+    what.map_or(error, |what| degenerate(equations, row, what))
+}
+
+/// True where a joint has a curve that may say nothing at some of its points.
+pub(crate) fn has_curves(model: &Model) -> bool {
+    use JointKind::{OnImplicitCurve, OnParametricCurve, OnPolarCurve};
+    model.joints.iter().any(|joint| matches!(joint.kind, OnPolarCurve | OnImplicitCurve | OnParametricCurve))
+}
+
+/// The first polar curve whose point stands at its centre at q, as far as rounding lets one say.
+pub(crate) fn without_angle(equations: &mut Equations<'_>, q: &[f64]) -> Option<SolveError> {
+    let joints = equations.model.joints;
+    let mut polar = joints.iter().filter(|joint| joint.kind == JointKind::OnPolarCurve);
+    polar.find_map(|joint| at_centre(equations, joint, q).map(|what| degenerate(equations, joint.first_row, what)))
+}
+
+/// The first implicit curve whose row of Φ_q, evaluated last, has no entry above `tolerance` on the common scale.
+pub(crate) fn without_gradient(equations: &Equations<'_>, tolerance: f64) -> Option<SolveError> {
+    let rows = equations.model.rows.iter().enumerate();
+    let implicit = rows.filter(|(_, row)| equations.model.joints[row.joint].kind == JointKind::OnImplicitCurve);
+    implicit
+        .map(|(row, _)| (row, equations.largest_scaled(row)))
+        .find(|(_, largest)| *largest <= tolerance)
+        .map(|(row, largest)| degenerate(equations, row, Degeneracy::Gradient { largest }))
+}
+
+fn degenerate(equations: &Equations<'_>, row: usize, what: Degeneracy) -> SolveError {
+    let (row_name, joint) = (equations.row_name(row), equations.joint_name(row));
+    SolveError::DegenerateContact { t: equations.t, joint, row_name, what }
+}
+
+/// Q stands at the centre of the curve.
+fn at_centre(equations: &mut Equations<'_>, joint: &JointInfo, q: &[f64]) -> Option<Degeneracy> {
+    let nothing = (AT_CENTRE * equations.scale.length).max(NOTHING);
+    let placement = Placement::at(equations, q).ok()?;
+    let place = |role: Role| placement.point(joint.geometry.iter().find(|geometry| geometry.role == role)?);
+    let ([px, py], [qx, qy]) = (place(Role::P)?, place(Role::Q)?);
+    let distance = (qx - px).hypot(qy - py);
+    (distance <= nothing).then_some(Degeneracy::Centre { distance })
+}
+
+/// The first roller whose curve stands still at q, on the common scale.
+pub(crate) fn at_a_standstill(equations: &Equations<'_>, q: &[f64]) -> Option<SolveError> {
+    rollers(equations).find_map(|(place, joint)| {
+        let (column, _, speed) = speed(equations, place, q)?;
+        let length = equations.scale.length;
+        let still = speed * equations.scale.columns[column] <= equations.options.rank_tolerance * length;
+        let what = Degeneracy::Direction { parameter: equations.model.coordinates[column].name, value: q[column] };
+        still.then(|| degenerate(equations, joint.first_row, what))
+    })
+}
+
+/// The first row of a roller whose curve turns too far on the way from one configuration to the next for its side to be
+/// the same for sure: at a cusp the normal flips, and the roller with it, while Φ stays closed on either side.
+pub(crate) fn turned_about(equations: &Equations<'_>, from: &[f64], to: &[f64]) -> Option<usize> {
+    rollers(equations).find_map(|(place, joint)| {
+        let column = parameter(equations, joint)?;
+        let direction = |k: u32| {
+            let value = from[column] + f64::from(k) / f64::from(SAMPLES) * (to[column] - from[column]);
+            let [x, y] = tangent(equations, place, value)?;
+            let speed = x.hypot(y);
+            Some([x / speed, y / speed])
+        };
+        let mut before = direction(0)?;
+        for k in 1..=SAMPLES {
+            let after = direction(k)?;
+            let cosine = before[0] * after[0] + before[1] * after[1];
+            if cosine.is_nan() || cosine < TURN {
+                return Some(joint.first_row);
+            }
+            before = after;
+        }
+        None
+    })
+}
+
+/// The parametric curves under a roller.
+fn rollers<'e>(equations: &'e Equations<'_>) -> impl Iterator<Item = (usize, &'static JointInfo)> + use<'e> {
+    equations.model.joints.iter().enumerate().filter(|(_, joint)| {
+        joint.kind == JointKind::OnParametricCurve && joint.geometry.iter().any(|g| g.role == Role::Radius)
+    })
+}
+
+/// The curve stands still at the parameter's value.
+fn without_direction(equations: &Equations<'_>, joint: usize, q: &[f64]) -> Option<Degeneracy> {
+    let (column, value, speed) = speed(equations, joint, q)?;
+    (speed < NOTHING).then_some(Degeneracy::Direction { parameter: equations.model.coordinates[column].name, value })
+}
+
+/// Place and value of the parameter of a joint's curve, and |c′| there.
+fn speed(equations: &Equations<'_>, joint: usize, q: &[f64]) -> Option<(usize, f64, f64)> {
+    let column = parameter(equations, &equations.model.joints[joint])?;
+    let [x, y] = tangent(equations, joint, q[column])?;
+    Some((column, q[column], x.hypot(y)))
+}
+
+/// Place in q of the parameter of a curve.
+fn parameter(equations: &Equations<'_>, joint: &JointInfo) -> Option<usize> {
+    let rows = joint.first_row..joint.first_row + joint.rows;
+    let is_scalar = |column: usize| equations.model.coordinates[column].kind == CoordinateKind::Scalar;
+    let entries = equations.model.constraint_pattern.entries.iter();
+    entries.filter(|entry| rows.contains(&entry.0)).map(|entry| entry.1).find(|k| is_scalar(*k))
+}
+
+/// c′ at a value of the parameter.
+fn tangent(equations: &Equations<'_>, joint: usize, value: f64) -> Option<[f64; 2]> {
+    let at = Instant { t: equations.t, inputs: &equations.inputs };
+    Some(equations.system.curve(&at, joint, value)?.tangent)
+}

@@ -1,0 +1,66 @@
+//! Geometry that is degenerate at the values of the parameters: reported by the name of the joint.
+//!
+//! - An axis whose components are both 0, or so small or large that their squares are no numbers, cannot be normalised.
+//! - A distance of 0 has no gradient where it is kept; its row of Φ_q vanishes.
+
+use crate::equations::Equations;
+use crate::error::{GeometryFault, SolveError};
+use crate::model::{JointInfo, Role};
+use crate::workspace::Instant;
+
+/// The error of an evaluation, by the name of the joint whose axis has no direction, if that is why.
+pub(crate) fn explain(equations: &mut Equations<'_>, error: SolveError) -> SolveError {
+    let SolveError::NonFinite { what: "Φ" | "Φ_q" | "Φ_t" | "γ", index: row, .. } = error else { return error };
+    let Some(joint) = equations.model.rows.get(row).map(|row| &equations.model.joints[row.joint]) else { return error };
+    match numbers(equations, joint, Role::Axis) {
+        Some([x, y]) if !(x.is_finite() && y.is_finite()) => {
+            SolveError::DegenerateGeometry { t: equations.t, joint: joint.name, fault: GeometryFault::Axis }
+        }
+        _ => error,
+    }
+}
+
+/// Deviation of a unit vector's length from one that is more than rounding.
+const UNIT: f64 = 1e-9;
+
+/// The first joint whose axis is no unit vector, at the current instant.
+pub(crate) fn without_direction(equations: &Equations<'_>) -> Option<SolveError> {
+    let joints = equations.model.joints;
+    if !joints.iter().flat_map(|joint| joint.geometry).any(|geometry| geometry.role == Role::Axis) {
+        return None;
+    }
+    let at = Instant { t: equations.t, inputs: &equations.inputs };
+    let all = equations.system.geometry(&at).ok()?;
+    joints.iter().find_map(|joint| {
+        let mut axes = joint.geometry.iter().filter(|geometry| geometry.role == Role::Axis);
+        let is_unit = |offset: usize| match all.get(offset..offset + 2) {
+            Some(&[x, y]) => (x.hypot(y) - 1.0).abs() <= UNIT,
+            _ => true,
+        };
+        let (t, joint, fault) = (equations.t, joint.name, GeometryFault::Axis);
+        axes.any(|axis| !is_unit(axis.offset)).then_some(SolveError::DegenerateGeometry { t, joint, fault })
+    })
+}
+
+/// The first joint that keeps a distance of nothing, on the common scale.
+pub(crate) fn without_length(equations: &mut Equations<'_>) -> Option<SolveError> {
+    let tolerance = equations.options.rank_tolerance * equations.scale.length;
+    let joints: Vec<&JointInfo> = equations.model.joints.iter().filter(|joint| joint.keeps_distance()).collect();
+    joints.into_iter().find_map(|joint| {
+        let [length] = numbers(equations, joint, Role::Value)?;
+        let fault = GeometryFault::Length { length };
+        (length.abs() <= tolerance).then_some(SolveError::DegenerateGeometry {
+            t: equations.t,
+            joint: joint.name,
+            fault,
+        })
+    })
+}
+
+/// The numbers of a piece of a joint's geometry.
+fn numbers<const N: usize>(equations: &mut Equations<'_>, joint: &JointInfo, role: Role) -> Option<[f64; N]> {
+    let geometry = joint.geometry.iter().find(|geometry| geometry.role == role)?;
+    let at = Instant { t: equations.t, inputs: &equations.inputs };
+    let all = equations.system.geometry(&at).ok()?;
+    all.get(geometry.offset..geometry.offset + N)?.try_into().ok()
+}

@@ -1,0 +1,247 @@
+//! The equations of one analysis: the mechanism's rows, then one row per prescribed coordinate, at a current instant.
+
+use crate::course::{InputFunction, Kind, Way};
+use crate::equations::scale::Scale;
+use crate::equations::system::System;
+use crate::error::SolveError;
+use crate::linear::Ordered;
+use crate::mechanism::LengthError;
+use crate::model::{Level, Model};
+use crate::observer::Observed;
+use crate::options::Options;
+use crate::workspace::{Instant, Signal};
+use kept_length::{KeptLength, lengths_exist};
+use nalgebra::DVector;
+
+pub(crate) mod contact;
+mod entries;
+mod evaluation;
+pub(crate) mod factorisation;
+pub(crate) mod geometry;
+mod kept_length;
+pub(crate) mod placement;
+mod radii;
+pub(crate) mod residual;
+pub(crate) mod scale;
+pub(crate) mod system;
+
+/// A coordinate that the caller prescribes: the row q_k − value.
+#[derive(Clone, Copy, Debug)]
+struct Given {
+    coordinate: usize,
+    /// At the instant the analysis started from.
+    start: Signal,
+    /// At the current instant.
+    now: Signal,
+}
+
+/// Rows of the mechanism and of prescribed coordinates, with dense results in the rows' own units.
+pub(crate) struct Equations<'a> {
+    pub(crate) system: Box<dyn System + 'a>,
+    pub(crate) model: &'static Model,
+    pub(crate) options: Options,
+    pub(crate) scale: Scale,
+    given: Vec<Given>,
+    start_time: f64,
+    input_function: InputFunction<'a>,
+    /// The way that is followed, where it is not time.
+    pub(crate) way: Option<Way>,
+    /// Who watches a sweep.
+    pub(crate) observed: Observed<'a>,
+    /// The distances that joints keep; those that move are looked at on the way to every instant.
+    lengths: Vec<KeptLength>,
+    /// Current time.
+    pub(crate) t: f64,
+    /// Inputs at the current time.
+    pub(crate) inputs: Vec<Signal>,
+    /// Φ.
+    pub(crate) phi: DVector<f64>,
+    /// The entries of Φ_q, in the order of the pattern, then those of prescribed coordinates.
+    pub(crate) phi_q: Vec<f64>,
+    /// Their places, sorted by rows, with the order of elimination.
+    pub(crate) ordered: Ordered,
+    /// Φ_t.
+    pub(crate) phi_t: DVector<f64>,
+    /// γ.
+    pub(crate) gamma: DVector<f64>,
+    /// Room for local points, axes and values.
+    pub(crate) geometry: Vec<f64>,
+    /// Zeros: rates at rest.
+    pub(crate) still: Vec<f64>,
+    /// Buffers for what time itself contributes on a frozen way.
+    reversed: Vec<f64>,
+    moving: Vec<Signal>,
+}
+
+impl<'a> Equations<'a> {
+    /// The inputs as functions of time, where they are known so.
+    pub(crate) const fn input_function(&self) -> InputFunction<'a> {
+        self.input_function
+    }
+
+    /// Number of coordinates n.
+    pub(crate) fn coordinates(&self) -> usize {
+        self.still.len()
+    }
+
+    /// Number of rows, prescribed coordinates included.
+    pub(crate) fn rows(&self) -> usize {
+        self.phi.len()
+    }
+
+    /// Number of prescribed coordinates; their rows are the last.
+    pub(crate) fn given(&self) -> usize {
+        self.given.len()
+    }
+
+    /// Name and value of the k-th prescribed coordinate.
+    pub(crate) fn given_value(&self, k: usize) -> (&'static str, f64) {
+        self.given.get(k).map_or(("", f64::NAN), |g| (self.model.coordinates[g.coordinate].name, g.now.value))
+    }
+
+    /// Name of a row.
+    pub(crate) fn row_name(&self, row: usize) -> &'static str {
+        match self.model.rows.get(row) {
+            Some(info) => info.name,
+            None => self.given_value(row - self.model.rows.len()).0,
+        }
+    }
+
+    /// Joint of a row.
+    pub(crate) fn joint_name(&self, row: usize) -> &'static str {
+        self.model.rows.get(row).map_or("given", |info| self.model.joints.get(info.joint).map_or("", |j| j.name))
+    }
+
+    /// True for driving rows; prescribed coordinates drive.
+    pub(crate) fn drives(&self, row: usize) -> bool {
+        self.model.rows.get(row).is_none_or(|info| info.driving)
+    }
+
+    /// True for rows of position level.
+    pub(crate) fn holonomic(&self, row: usize) -> bool {
+        self.model.rows.get(row).is_none_or(|info| info.level == Level::Position)
+    }
+
+    /// The rows that satisfy a condition.
+    pub(crate) fn rows_where(&self, condition: impl Fn(&Self, usize) -> bool) -> Vec<usize> {
+        (0..self.rows()).filter(|&row| condition(self, row)).collect()
+    }
+
+    /// Checks an instant.
+    pub(crate) fn check_instant(&mut self, at: &Instant<'_>) -> Result<(), SolveError> {
+        finite("t", 0, "t", at.t)?;
+        length("inputs", self.model.inputs.len(), at.inputs.len())?;
+        self.check_inputs(at.inputs)?;
+        self.check_lengths(at, |kept| kept.moves)
+    }
+
+    /// An error where one of the distances that joints keep is negative at this instant.
+    fn check_lengths(&mut self, at: &Instant<'_>, which: impl Fn(&KeptLength) -> bool) -> Result<(), SolveError> {
+        let mut lengths = self.lengths.iter().filter(|kept| which(kept)).peekable();
+        if lengths.peek().is_none() {
+            return Ok(());
+        }
+        self.system.write_geometry(at, &mut self.geometry)?;
+        lengths_exist(&self.geometry, lengths, at.t)
+    }
+
+    fn check_inputs(&self, inputs: &[Signal]) -> Result<(), SolveError> {
+        let mut numbered = inputs.iter().enumerate();
+        numbered.try_for_each(|(index, &signal)| finite_signal("inputs", index, self.model.inputs[index], signal))
+    }
+
+    /// Moves to another instant; prescribed coordinates go on with constant acceleration.
+    pub(crate) fn set_instant(&mut self, at: &Instant<'_>) -> Result<(), SolveError> {
+        self.check_instant(at)?;
+        self.set_time(at.t);
+        self.inputs.clear();
+        self.inputs.extend_from_slice(at.inputs);
+        Ok(())
+    }
+
+    /// Prescribed coordinates begin anew at time `t`; gives the time at which they began.
+    pub(crate) fn begin_at(&mut self, t: f64) -> f64 {
+        core::mem::replace(&mut self.start_time, t)
+    }
+
+    fn set_time(&mut self, t: f64) {
+        self.t = t;
+        let elapsed = t - self.start_time;
+        for given in &mut self.given {
+            given.now = given.start.after(elapsed);
+        }
+    }
+
+    /// The time at a place of the way; without a way places are times.
+    pub(crate) fn time_at(&self, s: f64) -> f64 {
+        self.way.as_ref().map_or(s, |way| way.time(s))
+    }
+
+    /// Moves to a place: inputs follow the way, or their functions of time, and prescribed coordinates go on with
+    /// constant acceleration.
+    pub(crate) fn move_to(&mut self, s: f64) -> Result<(), SolveError> {
+        finite("t", 0, "t", s)?;
+        self.set_time(self.time_at(s));
+        match (&self.way, self.input_function) {
+            (Some(way), _) => way.write(s, &mut self.inputs),
+            (None, Some(function)) => function(s, &mut self.inputs),
+            (None, None) => {}
+        }
+        self.check_inputs(&self.inputs).map_err(|error| error.at(self.t))?;
+        let inputs = core::mem::take(&mut self.inputs);
+        let checked = self.check_lengths(&Instant { t: self.t, inputs: &inputs }, |kept| kept.moves);
+        self.inputs = inputs;
+        checked
+    }
+
+    /// Evaluates with derivatives by time, whatever the way.
+    pub(crate) fn by_time<R>(&mut self, evaluate: impl FnOnce(&mut Self) -> R) -> R {
+        let way = self.way.take();
+        let result = evaluate(self);
+        self.way = way;
+        result
+    }
+
+    /// Evaluates with derivatives along the rates of the inputs alone, as on a frozen way: Φ_t is Φ_u u′, γ is
+    /// −(Φ_q q′)_q q′ − 2 Φ_qu u′ q′ − (Φ_u u′)_u u′.
+    pub(crate) fn by_inputs<R>(&mut self, evaluate: impl FnOnce(&mut Self) -> R) -> R {
+        let way = self.way.replace(Way::frozen());
+        let result = evaluate(self);
+        self.way = way;
+        result
+    }
+
+    /// The current instant.
+    pub(crate) fn instant(&self) -> Instant<'_> {
+        Instant { t: self.t, inputs: &self.inputs }
+    }
+
+    /// True where derivatives are along the way and not by time.
+    pub(crate) fn is_frozen(&self) -> bool {
+        self.way.as_ref().is_some_and(|way| way.kind == Kind::Frozen)
+    }
+
+    /// Checks length and numbers of q or q̇.
+    pub(crate) fn check(&self, what: &'static str, q: &[f64]) -> Result<(), SolveError> {
+        length(what, self.coordinates(), q.len())?;
+        for (index, &value) in q.iter().enumerate() {
+            finite(what, index, self.model.coordinates[index].name, value)?;
+        }
+        Ok(())
+    }
+}
+
+/// An error unless `value` is finite.
+pub(crate) fn finite(what: &'static str, index: usize, name: &'static str, value: f64) -> Result<(), SolveError> {
+    if value.is_finite() { Ok(()) } else { Err(SolveError::NonFinite { what, index, name, t: None }) }
+}
+
+/// An error unless all three numbers are finite.
+fn finite_signal(what: &'static str, index: usize, name: &'static str, signal: Signal) -> Result<(), SolveError> {
+    [signal.value, signal.rate, signal.acceleration].into_iter().try_for_each(|v| finite(what, index, name, v))
+}
+
+/// An error unless the lengths agree.
+pub(crate) fn length(what: &'static str, expected: usize, found: usize) -> Result<(), SolveError> {
+    if expected == found { Ok(()) } else { Err(SolveError::Length(LengthError { what, expected, found })) }
+}

@@ -1,0 +1,150 @@
+//! What is left of the equations at a solution: Φ, Φ_q q̇ + Φ_t and Φ_q q̈ − γ, row by row, against what counts as closed.
+//!
+//! Every row is judged by its own entries, so that no unit matters and nothing has to be known of other configurations:
+//!
+//! ```text
+//! Rᵢ = Σⱼ |∂Φᵢ/∂qⱼ| cⱼ        cⱼ = 1 for angles and scalars, L for lengths
+//! |Φᵢ| ≤ ε Rᵢ        |Φ_q q̇ + Φ_t|ᵢ ≤ δ Rᵢ maxⱼ |q̇ⱼ|/cⱼ        |Φ_q q̈ − γ|ᵢ ≤ δ Rᵢ maxⱼ |q̈ⱼ|/cⱼ
+//! ```
+//!
+//! with L the largest arm that angles have in a row of lengths, and the right-hand sides in the place of the rates where
+//! they are larger.
+
+use crate::equations::system::Parts;
+use crate::model::{Component, CoordinateKind, Level, Model};
+use crate::nonlinear::newton::rounding;
+
+/// What counts as closed.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tolerances {
+    /// ε.
+    pub(crate) position: f64,
+    /// δ.
+    pub(crate) rates: f64,
+}
+
+/// Sums over a row of Φ_q.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Row {
+    /// Σ |∂Φᵢ/∂qⱼ| over lengths.
+    lengths: f64,
+    /// The same over angles and scalars.
+    angles: f64,
+    /// Φ_q q̇.
+    velocity: f64,
+    /// Φ_q q̈.
+    acceleration: f64,
+}
+
+/// Writes 1 for every coordinate that is x or y of a body, and 0 for the others.
+pub(crate) fn write_lengths(model: &Model, lengths: &mut [f64]) {
+    for (length, coordinate) in lengths.iter_mut().zip(model.coordinates) {
+        let is_length = matches!(coordinate.kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. });
+        *length = f64::from(u8::from(is_length));
+    }
+}
+
+/// max |xⱼ|/cⱼ.
+fn largest(x: &[f64], lengths: &[f64], inverse: f64) -> f64 {
+    x.iter().zip(lengths).fold(0.0, |most, (x, length)| {
+        let size = x.abs() * if *length > 0.0 { inverse } else { 1.0 };
+        if size > most { size } else { most }
+    })
+}
+
+/// L.
+fn arm(rows: &[Row]) -> f64 {
+    let arms = rows.iter().map(|row| if row.lengths > 0.0 { row.angles / row.lengths } else { 0.0 });
+    let arm = arms.fold(0.0, |most, arm| if arm > most { arm } else { most });
+    if arm > 0.0 && arm.is_finite() { arm } else { 1.0 }
+}
+
+/// Writes Rᵢ for every row; gives what a residual may be of it at q. `rows` is room for as many.
+pub(crate) fn write_sizes(
+    model: &Model,
+    phi_q: &[f64],
+    q: &[f64],
+    lengths: &[f64],
+    position: f64,
+    sizes: &mut [f64],
+) -> f64 {
+    // First over lengths alone, and how large the arms of angles are beside them.
+    sizes.fill(0.0);
+    let entries = model.constraint_pattern.entries;
+    let (mut arm, mut row, mut sums) = (0.0, usize::MAX, [0.0; 2]);
+    let mut finish = |row: usize, [angles, lengths]: [f64; 2]| {
+        if let Some(size) = sizes.get_mut(row) {
+            *size = lengths;
+            let own = if lengths > 0.0 { angles / lengths } else { 0.0 };
+            arm = if own > arm { own } else { arm };
+        }
+    };
+    for (&(i, j), a) in entries.iter().zip(phi_q) {
+        if i != row {
+            finish(row, sums);
+            (row, sums) = (i, [0.0; 2]);
+        }
+        let length = lengths[j];
+        sums[0] += (1.0 - length) * a.abs();
+        sums[1] += length * a.abs();
+    }
+    finish(row, sums);
+    let unit = if arm > 0.0 && arm.is_finite() { arm } else { 1.0 };
+    sizes.iter_mut().for_each(|size| *size *= unit);
+    for (&(i, j), a) in entries.iter().zip(phi_q) {
+        sizes[i] += (1.0 - lengths[j]) * a.abs();
+    }
+    position.max(rounding(largest(q, lengths, 1.0 / unit)))
+}
+
+/// Largest |Φᵢ| where every row of position level is closed as far as it may be; none where one is not.
+#[inline]
+pub(crate) fn closed_position(model: &Model, phi: &[f64], sizes: &[f64], allowed: f64) -> Option<f64> {
+    let (mut residual, mut all) = (0.0, true);
+    for ((row, phi), size) in model.rows.iter().zip(phi).zip(sizes) {
+        let phi = phi.abs();
+        let counts = row.level == Level::Position;
+        all &= !counts | (phi <= allowed * size);
+        residual = if counts & (phi > residual) { phi } else { residual };
+    }
+    all.then_some(residual)
+}
+
+/// Largest |Φᵢ| where all rows hold at q; with q̇ and q̈ also those of velocity and acceleration. None where one does not.
+/// `lengths` is what [`write_lengths`] writes, `rows` room for every row.
+pub(crate) fn closed(
+    model: &Model,
+    parts: &Parts<'_>,
+    [q, q_dot, q_ddot]: [&[f64]; 3],
+    lengths: &[f64],
+    tolerances: Tolerances,
+    rows: &mut [Row],
+) -> Option<f64> {
+    rows.fill(Row::default());
+    for (&(i, j), a) in model.constraint_pattern.entries.iter().zip(parts.phi_q) {
+        let (row, size, length) = (&mut rows[i], a.abs(), lengths[j]);
+        row.lengths += length * size;
+        row.angles += (1.0 - length) * size;
+        row.velocity += a * q_dot[j];
+        row.acceleration += a * q_ddot[j];
+    }
+    let unit = arm(rows);
+    let inverse = 1.0 / unit;
+    let allowed = tolerances.position.max(rounding(largest(q, lengths, inverse)));
+    let [fast, faster] = [q_dot, q_ddot].map(|rates| tolerances.rates * largest(rates, lengths, inverse));
+    let delta = tolerances.rates;
+    let (mut residual, mut all) = (0.0, true);
+    let right = parts.phi.iter().zip(parts.phi_t).zip(parts.gamma);
+    for ((row, info), ((phi, phi_t), gamma)) in rows.iter().zip(model.rows).zip(right) {
+        let size = row.lengths * unit + row.angles;
+        if info.level == Level::Position {
+            let phi = phi.abs();
+            all &= phi <= allowed * size;
+            residual = if phi > residual { phi } else { residual };
+        }
+        let (v, a) = ((row.velocity + phi_t).abs(), (row.acceleration - gamma).abs());
+        all &= v <= f64::max(size * fast, delta * phi_t.abs());
+        all &= a <= f64::max(size * faster, delta * gamma.abs());
+    }
+    all.then_some(residual)
+}

@@ -1,0 +1,191 @@
+//! The scale at a configuration, by the typical sizes of the entries of Φ_q at several configurations around it.
+
+use super::Scale;
+use crate::equations::Equations;
+use crate::model::{Component, CoordinateKind, Frame, Role};
+use crate::random::Random;
+use crate::workspace::{Instant, Subset};
+
+/// Configurations over which the typical size of an entry is taken.
+const SAMPLES: usize = 9;
+/// Arguments at which the size of a curve is looked at.
+const CURVE_SAMPLES: [f64; 3] = [0.3, 2.4, 4.5];
+/// Sweeps of row and column equilibration.
+const SWEEPS: usize = 6;
+
+/// Size that a column of an angle has at least beside the lengths in its rows: what is smaller is nearly singular.
+const SMALLEST_ANGLE_COLUMN: f64 = 1e-3;
+
+impl Scale {
+    /// Scales at the current instant, from configurations around `q`.
+    pub(crate) fn around(equations: &mut Equations<'_>, q: &[f64]) -> Self {
+        let (s, n) = (equations.rows(), equations.coordinates());
+        let length = typical_length(equations);
+        let spread: Vec<f64> = (0..n).map(|k| spread(equations, k, q[k], length)).collect();
+        let mut random = Random::new(0x5ca1e);
+        let entries = equations.model.constraint_pattern.entries;
+        let mut sizes = vec![[0.0; SAMPLES]; entries.len()];
+        let mut sample = q.to_vec();
+        for k in 0..SAMPLES {
+            if equations.evaluate(Subset::JACOBIAN, &sample, None).is_ok() {
+                sizes.iter_mut().zip(&equations.phi_q).for_each(|(size, entry)| size[k] = entry.abs());
+            }
+            for ((x, &centre), &width) in sample.iter_mut().zip(q).zip(&spread) {
+                *x = centre + width * random.symmetric();
+            }
+        }
+        let mut typical: Vec<(usize, usize, f64)> =
+            entries.iter().zip(&mut sizes).map(|(&(i, j), size)| (i, j, median_of_samples(size))).collect();
+        typical.extend(equations.entries().skip(entries.len()).map(|((row, column), _)| (row, column, 1.0)));
+        let angles = (0..n).filter(|&k| is_angle(equations.model.coordinates[k].kind)).collect();
+        let mut scale = Self { length, angles, is_known: true, ..Self::unit(s, n) };
+        scale.start(equations, &typical);
+        scale.raise_angles(&mut typical);
+        scale.equilibrate(&typical);
+        scale.normalise(equations);
+        scale.inverse = scale.columns.iter().map(|d| 1.0 / d).collect();
+        scale
+    }
+
+    /// Lengths over the typical length, and every row over its largest entry: from here on no unit matters.
+    fn start(&mut self, equations: &Equations<'_>, entries: &[(usize, usize, f64)]) {
+        for (column, info) in self.columns.iter_mut().zip(equations.model.coordinates) {
+            if matches!(info.kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. }) {
+                *column = self.length;
+            }
+        }
+        let mut largest = vec![0.0_f64; self.rows.len()];
+        for &(i, j, size) in entries {
+            largest[i] = largest[i].max(size * self.columns[j]);
+        }
+        for (row, max) in self.rows.iter_mut().zip(largest) {
+            if max > 0.0 && max.is_finite() {
+                *row = 1.0 / max;
+            }
+        }
+    }
+
+    /// Takes the columns of angles for no smaller than [`SMALLEST_ANGLE_COLUMN`], where rows and lengths have their sizes.
+    fn raise_angles(&self, entries: &mut [(usize, usize, f64)]) {
+        for &angle in &self.angles {
+            let own = entries.iter().filter(|entry| entry.1 == angle);
+            let largest = own.map(|&(i, j, size)| size * self.rows[i] * self.columns[j]).fold(0.0, f64::max);
+            let missing = SMALLEST_ANGLE_COLUMN / largest;
+            if missing > 1.0 && missing.is_finite() {
+                entries.iter_mut().filter(|entry| entry.1 == angle).for_each(|entry| entry.2 *= missing);
+            }
+        }
+    }
+
+    /// Alternating division of rows and columns by the square roots of their largest entries.
+    fn equilibrate(&mut self, entries: &[(usize, usize, f64)]) {
+        for _ in 0..SWEEPS {
+            let mut row_max = vec![0.0_f64; self.rows.len()];
+            let mut column_max = vec![0.0_f64; self.columns.len()];
+            for &(i, j, size) in entries {
+                let value = size * self.rows[i] * self.columns[j];
+                row_max[i] = row_max[i].max(value);
+                column_max[j] = column_max[j].max(value);
+            }
+            let divide = |scales: &mut [f64], largest: &[f64]| {
+                for (scale, &max) in scales.iter_mut().zip(largest) {
+                    if max > 0.0 && max.is_finite() {
+                        *scale /= max.sqrt();
+                    }
+                }
+            };
+            divide(&mut self.rows, &row_max);
+            divide(&mut self.columns, &column_max);
+        }
+    }
+
+    /// Makes the column scale of angles one, or of lengths the typical length, or the smallest of scalars one.
+    fn normalise(&mut self, equations: &Equations<'_>) {
+        let of = |wanted: fn(CoordinateKind) -> bool| {
+            let mut scales: Vec<f64> = equations
+                .model
+                .coordinates
+                .iter()
+                .zip(&self.columns)
+                .filter(|(c, _)| wanted(c.kind))
+                .map(|(_, &d)| d)
+                .collect();
+            (!scales.is_empty()).then(|| median_of_nonzero(&mut scales))
+        };
+        let poses = |kind| matches!(kind, CoordinateKind::Pose { .. });
+        let factor = match (of(is_angle), of(poses), of(|_| true)) {
+            (Some(angle), _, _) => angle,
+            (None, Some(pose), _) => pose / self.length,
+            // Scalars that are angles move rows of a mechanism in millimetres more than those that are lengths.
+            (None, None, Some(_)) => self.columns.iter().copied().filter(|&d| d > 0.0).fold(f64::INFINITY, f64::min),
+            (None, None, None) => 1.0,
+        };
+        if factor > 0.0 && factor.is_finite() {
+            self.columns.iter_mut().for_each(|d| *d /= factor);
+            self.rows.iter_mut().for_each(|s| *s *= factor);
+        }
+    }
+}
+
+/// True for φ of a body.
+fn is_angle(kind: CoordinateKind) -> bool {
+    matches!(kind, CoordinateKind::Pose { component: Component::Phi, .. })
+}
+
+/// Distance of joints from the origins of their moving bodies; of the ground's joints where there is none; then the
+/// radii, which are last because those of gears may be numbers of teeth.
+fn typical_length(equations: &Equations<'_>) -> f64 {
+    let at = Instant { t: equations.t, inputs: &equations.inputs };
+    let Ok(numbers) = equations.system.geometry(&at) else { return 1.0 };
+    let mut lengths = [Vec::new(), Vec::new(), Vec::new()];
+    for geometry in equations.model.joints.iter().flat_map(|j| j.geometry) {
+        let part = |k: usize| numbers.get(geometry.offset + k).copied().unwrap_or(0.0);
+        match geometry.role {
+            Role::P | Role::Q => {
+                lengths[usize::from(geometry.frame == Frame::Ground)].push(part(0).hypot(part(1)));
+            }
+            Role::Radius => lengths[2].push(part(0).abs()),
+            _ => {}
+        }
+    }
+    for joint in 0..equations.model.joints.len() {
+        let points = CURVE_SAMPLES.iter().filter_map(|&s| equations.system.curve(&at, joint, s));
+        lengths[2].extend(points.map(|point| point.r[0].hypot(point.r[1])));
+    }
+    let found = lengths.map(|mut lengths| median_of_nonzero(&mut lengths));
+    found.into_iter().find(|&l| l > 0.0 && l.is_finite()).unwrap_or(1.0)
+}
+
+/// How far around its value a coordinate is sampled.
+fn spread(equations: &Equations<'_>, coordinate: usize, value: f64, length: f64) -> f64 {
+    match equations.model.coordinates[coordinate].kind {
+        CoordinateKind::Pose { component: Component::Phi, .. } => core::f64::consts::PI,
+        CoordinateKind::Pose { .. } => length,
+        CoordinateKind::Scalar => value.abs().max(1.0),
+    }
+}
+
+/// [`median_of_nonzero`] of few numbers, none of which is negative.
+fn median_of_samples(values: &mut [f64; SAMPLES]) -> f64 {
+    let mut positive = 0;
+    for k in 0..SAMPLES {
+        let value = values[k];
+        if value > 0.0 && value.is_finite() {
+            let mut place = positive;
+            while place > 0 && values[place - 1] > value {
+                values[place] = values[place - 1];
+                place -= 1;
+            }
+            values[place] = value;
+            positive += 1;
+        }
+    }
+    if positive == 0 { 0.0 } else { values[positive / 2] }
+}
+
+/// Median of the positive finite numbers; 0 where there are none.
+fn median_of_nonzero(values: &mut Vec<f64>) -> f64 {
+    values.retain(|v| *v > 0.0 && v.is_finite());
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
+}

@@ -1,0 +1,260 @@
+//! The thin generic layer: a mechanism as an object that evaluates in `f64`.
+//!
+//! Everything numerical works on `dyn System`, so that it is compiled once, in this crate, and not again for every
+//! mechanism of the user.
+
+use crate::course::InputFunction;
+use crate::evaluation::curve::CurvePoint;
+use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
+use crate::model::{Model, Pattern};
+use crate::motion::Rates;
+use crate::plan::{Depth, Solved};
+use crate::planned::PlanError;
+use crate::planned::follower::{Control, Follower};
+use crate::state::State;
+use crate::workspace::{Instant, Subset};
+use core::borrow::Borrow;
+
+/// Values, Jacobian non-zeros, time derivatives and acceleration right-hand sides, as slices.
+pub(crate) struct Parts<'a> {
+    /// e, one number per row.
+    pub(crate) phi: &'a [f64],
+    /// Non-zeros of e_q.
+    pub(crate) phi_q: &'a [f64],
+    /// e_t.
+    pub(crate) phi_t: &'a [f64],
+    /// −(e_q q̇)_q q̇ − 2 e_qt q̇ − e_tt.
+    pub(crate) gamma: &'a [f64],
+}
+
+impl<'a> Parts<'a> {
+    /// The entries of a row of e_q, with their places in q; `pattern` is sorted by rows.
+    pub(crate) fn gradient(&self, pattern: &Pattern, row: usize) -> impl Iterator<Item = (usize, f64)> + use<'a> {
+        let entries = pattern.entries;
+        let first = entries.partition_point(|&(r, _)| r < row);
+        let of_row = entries.iter().zip(self.phi_q).skip(first).take_while(move |((r, _), _)| *r == row);
+        of_row.map(|(&(_, column), &entry)| (column, entry))
+    }
+
+    /// e, ė = e_q q̇ + e_t and ë = e_q q̈ − γ of a row, evaluated at q and q̇ of the state.
+    pub(crate) fn rates(&self, pattern: &Pattern, row: usize, state: &State) -> Rates {
+        let still = Rates { value: self.phi[row], rate: self.phi_t[row], acceleration: -self.gamma[row] };
+        self.gradient(pattern, row).fold(still, |sum, (k, entry)| Rates {
+            rate: sum.rate + entry * state.q_dot[k],
+            acceleration: sum.acceleration + entry * state.q_ddot[k],
+            ..sum
+        })
+    }
+}
+
+/// A mechanism with its parameters and workspaces.
+pub(crate) trait System {
+    /// Names, rows and patterns.
+    fn model(&self) -> &'static Model;
+    /// The parameters.
+    fn parameters(&self) -> &[f64];
+    /// Evaluates Φ, Φ_q, Φ_t, γ, or a subset.
+    fn evaluate(&mut self, subset: Subset, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<(), LengthError>;
+    /// What [`evaluate`](Self::evaluate) wrote last.
+    fn constraints(&self) -> Parts<'_>;
+    /// Evaluates the observables.
+    fn observe(&mut self, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<(), LengthError>;
+    /// What [`observe`](Self::observe) wrote last.
+    fn observables(&self) -> Parts<'_>;
+    /// A point of the curve of a joint.
+    fn curve(&self, at: &Instant<'_>, joint: usize, s: f64) -> Option<CurvePoint>;
+    /// q, q̇ and q̈ by the plan.
+    fn solve(
+        &mut self,
+        at: &Instant<'_>,
+        modes: &[f64],
+        start: &[f64],
+        depth: Depth,
+        solved: Solved<'_, f64>,
+    ) -> Result<(), LengthError> {
+        // Without a plan there is nothing to solve.
+        let _ = (at, modes, start, depth, solved);
+        Ok(())
+    }
+    /// What tells the branches of every group apart at q, with the sign of the group.
+    fn branches(&self, at: &Instant<'_>, q: &[f64], closures: &mut [f64]) -> Result<(), LengthError> {
+        let _ = (at, q, closures);
+        Ok(())
+    }
+    /// Local points, axes and values.
+    fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, LengthError> {
+        let mut numbers = vec![0.0; self.model().geometry];
+        self.write_geometry(at, &mut numbers)?;
+        Ok(numbers)
+    }
+    /// Writes local points, axes and values, as many numbers as [`Model::geometry`] says.
+    fn write_geometry(&self, at: &Instant<'_>, numbers: &mut [f64]) -> Result<(), LengthError>;
+    /// Puts the follower of the plan at an instant, in the modes of q.
+    fn follow_from(&mut self, at: &Instant<'_>, q: &[f64]) -> Result<(), PlanError> {
+        let _ = (at, q);
+        Err(PlanError::NoPlan { why: self.model().plan.absent.unwrap_or("nothing is followed") })
+    }
+    /// Moves the follower of the plan to another instant on its branch, whose inputs are functions of time or not.
+    fn follow(
+        &mut self,
+        at: &Instant<'_>,
+        inputs: InputFunction<'_>,
+        control: &Control,
+    ) -> Result<Followed<'_>, PlanError> {
+        let _ = (inputs, control);
+        self.follow_from(at, &[])?;
+        Err(PlanError::NoPlan { why: "nothing is followed" })
+    }
+    /// q at the limit that ended what [`follow`](Self::follow) was asked for last, where it was found.
+    fn q_at_limit(&self) -> Option<&[f64]> {
+        None
+    }
+    /// What [`follow`](Self::follow) would give at an instant; the follower stays where it is.
+    fn glance(
+        &mut self,
+        at: &Instant<'_>,
+        inputs: InputFunction<'_>,
+        control: &Control,
+        see: &mut dyn FnMut(Followed<'_>),
+    ) -> Result<(), PlanError> {
+        self.follow(at, inputs, control).map(see)
+    }
+}
+
+/// What a follower has found.
+#[derive(Clone, Copy)]
+pub(crate) struct Followed<'f> {
+    pub(crate) q: &'f [f64],
+    pub(crate) q_dot: &'f [f64],
+    pub(crate) q_ddot: &'f [f64],
+    /// The smallest margin.
+    pub(crate) least_margin: f64,
+    /// True where it is one step from the state before.
+    pub(crate) in_one_step: bool,
+}
+
+impl<'f, M: Mechanism> From<&'f Follower<M>> for Followed<'f> {
+    fn from(follower: &'f Follower<M>) -> Self {
+        let state = follower.state();
+        let least_margin = state.margins.least();
+        let (q, q_dot, q_ddot) = (state.q.as_ref(), state.q_dot.as_ref(), state.q_ddot.as_ref());
+        Self { q, q_dot, q_ddot, least_margin, in_one_step: follower.in_one_step() }
+    }
+}
+
+/// The [`System`] of a [`Mechanism`], borrowed or owned.
+pub(crate) struct Evaluator<B, M: Mechanism> {
+    mechanism: B,
+    parameters: M::Parameters<f64>,
+    workspace: Box<Workspace<M>>,
+    observations: Box<Observations<M>>,
+    follower: Option<Box<Follower<M>>>,
+}
+
+impl<B: Borrow<M>, M: Mechanism> Evaluator<B, M> {
+    /// Takes the struct's parameters and makes workspaces.
+    pub(crate) fn new(mechanism: B) -> Self {
+        let parameters = mechanism.borrow().parameters();
+        Self {
+            mechanism,
+            parameters,
+            workspace: Box::new(M::workspace()),
+            observations: Box::new(M::observations()),
+            follower: None,
+        }
+    }
+}
+
+impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
+    fn model(&self) -> &'static Model {
+        M::model()
+    }
+
+    fn parameters(&self) -> &[f64] {
+        self.parameters.as_ref()
+    }
+
+    fn evaluate(&mut self, subset: Subset, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<(), LengthError> {
+        self.mechanism.borrow().evaluate_with(self.parameters.as_ref(), subset, at, q, q_dot, &mut self.workspace)
+    }
+
+    fn constraints(&self) -> Parts<'_> {
+        let w = &self.workspace;
+        Parts { phi: w.phi(), phi_q: w.phi_q(), phi_t: w.phi_t(), gamma: w.gamma() }
+    }
+
+    fn observe(&mut self, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<(), LengthError> {
+        self.mechanism.borrow().observe_with(self.parameters.as_ref(), at, q, q_dot, &mut self.observations)
+    }
+
+    fn observables(&self) -> Parts<'_> {
+        let w = &self.observations;
+        Parts { phi: w.phi(), phi_q: w.phi_q(), phi_t: w.phi_t(), gamma: w.gamma() }
+    }
+
+    fn curve(&self, at: &Instant<'_>, joint: usize, s: f64) -> Option<CurvePoint> {
+        self.mechanism.borrow().curve_with(self.parameters.as_ref(), at, joint, s).ok().flatten()
+    }
+
+    fn solve(
+        &mut self,
+        at: &Instant<'_>,
+        modes: &[f64],
+        start: &[f64],
+        depth: Depth,
+        solved: Solved<'_, f64>,
+    ) -> Result<(), LengthError> {
+        self.mechanism.borrow().solve_with(self.parameters.as_ref(), at, modes, start, depth, solved)
+    }
+
+    fn branches(&self, at: &Instant<'_>, q: &[f64], closures: &mut [f64]) -> Result<(), LengthError> {
+        self.mechanism.borrow().branches_with(self.parameters.as_ref(), at, q, closures)
+    }
+
+    fn follow_from(&mut self, at: &Instant<'_>, q: &[f64]) -> Result<(), PlanError> {
+        let mechanism = self.mechanism.borrow();
+        match &mut self.follower {
+            Some(follower) => follower.restart(mechanism, at, q),
+            None => {
+                self.follower = Some(Box::new(Follower::new(mechanism, at, q)?));
+                Ok(())
+            }
+        }
+    }
+
+    fn follow(
+        &mut self,
+        at: &Instant<'_>,
+        inputs: InputFunction<'_>,
+        control: &Control,
+    ) -> Result<Followed<'_>, PlanError> {
+        let Some(follower) = &mut self.follower else { return Err(PlanError::NoPlan { why: "nothing is followed" }) };
+        let mechanism = self.mechanism.borrow();
+        match inputs {
+            Some(inputs) => follower.update_timed(mechanism, at, inputs, control)?,
+            None => follower.update(mechanism, at, control)?,
+        }
+        Ok(Followed::from(&**follower))
+    }
+
+    fn q_at_limit(&self) -> Option<&[f64]> {
+        self.follower.as_ref()?.q_at_limit()
+    }
+
+    fn glance(
+        &mut self,
+        at: &Instant<'_>,
+        inputs: InputFunction<'_>,
+        control: &Control,
+        see: &mut dyn FnMut(Followed<'_>),
+    ) -> Result<(), PlanError> {
+        let kept = self.follower.clone();
+        let found = self.follow(at, inputs, control).map(see);
+        self.follower = kept;
+        found
+    }
+
+    fn write_geometry(&self, at: &Instant<'_>, numbers: &mut [f64]) -> Result<(), LengthError> {
+        self.mechanism.borrow().write_geometry(self.parameters.as_ref(), at, numbers)
+    }
+}

@@ -1,0 +1,390 @@
+//! What is known about a mechanism before any number is: names, rows, patterns, geometry.
+//!
+//! Generated code holds one static [`Model`] per mechanism. All indices are 0-based.
+
+use crate::plan::Plan;
+
+mod handles;
+mod joint;
+mod text;
+
+pub use handles::{Body, Coordinate, Input, Point, Quantity};
+pub use joint::{Geometry, JointInfo, JointKind, JointQuantity, Role};
+
+/// A body or the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Frame {
+    /// The inertial frame O–xy.
+    Ground,
+    /// A moving body, by its place in [`Model::bodies`].
+    Body(usize),
+}
+
+/// One coordinate of a pose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Component {
+    /// x.
+    X,
+    /// y.
+    Y,
+    /// φ, counter-clockwise, never wrapped.
+    Phi,
+}
+
+/// What a generalized coordinate is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CoordinateKind {
+    /// x, y or φ of a body.
+    Pose {
+        /// Place in [`Model::bodies`].
+        body: usize,
+        /// Which of the three.
+        component: Component,
+    },
+    /// A scalar coordinate.
+    Scalar,
+}
+
+/// A generalized coordinate: one entry of q.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CoordinateInfo {
+    /// `crank.phi`, `link[3].x`, or the scalar's own name.
+    pub name: &'static str,
+    /// What it is.
+    pub kind: CoordinateKind,
+}
+
+/// A parameter, array fields element by element.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParameterInfo {
+    /// `l1` or `l[3]`.
+    pub name: &'static str,
+    /// Unit as written.
+    pub unit: Option<&'static str>,
+    /// Default value.
+    pub default: Option<f64>,
+    /// The field's documentation, first paragraph.
+    pub doc: &'static str,
+}
+
+/// How the origin of a body is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OriginKind {
+    /// x and y are generalized coordinates, unless held.
+    Free,
+    /// The origin is a point of another body.
+    Carried(Frame),
+}
+
+/// A body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyInfo {
+    /// `crank` or `link[3]`.
+    pub name: &'static str,
+    /// Places in q of x, y, φ; `None` where held or carried.
+    pub coordinates: [Option<usize>; 3],
+    /// Where its origin comes from.
+    pub origin: OriginKind,
+    /// Observables of x, y, φ in [`Model::observables`].
+    pub observables: [usize; 3],
+}
+
+/// A named point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointInfo {
+    /// Its name.
+    pub name: &'static str,
+    /// The body that carries it.
+    pub frame: Frame,
+    /// Place of its two body-fixed coordinates in the geometry array.
+    pub local: usize,
+    /// Observables of x and y in [`Model::observables`].
+    pub observables: [usize; 2],
+}
+
+/// A named expression.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DefineInfo {
+    /// Its name.
+    pub name: &'static str,
+    /// Its observable in [`Model::observables`].
+    pub observable: usize,
+    /// True when it holds coordinates, t or inputs.
+    pub varies: bool,
+}
+
+/// On which level a row constrains the motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Level {
+    /// Φ(q, t) = 0: holonomic.
+    Position,
+    /// η(q, q̇, t) = 0, linear in q̇: non-holonomic; enters velocity and acceleration analysis only.
+    Velocity,
+}
+
+/// A row of Φ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RowInfo {
+    /// `A.x`, `A.y`, `slide.angle`, or the joint's name where it has one row.
+    pub name: &'static str,
+    /// Its joint, in [`Model::joints`].
+    pub joint: usize,
+    /// Holonomic or not.
+    pub level: Level,
+    /// Rheonomic (t or an input appears) or scleronomic.
+    pub rheonomic: bool,
+    /// Declared by `driver` or `speed`, or t or an input appears in its own length, angle, offset or right-hand side. A
+    /// joint that is rheonomic only because a held coordinate of its body moves does not drive.
+    pub driving: bool,
+    /// Equation or inequality; every row of Φ is bilateral.
+    pub bilateral: bool,
+}
+
+/// A unilateral condition: an inequality that is watched and never solved as an equation.
+///
+/// It is no row of Φ. Its observable is g, by how much the larger side exceeds the other: satisfied while g > 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ConditionInfo {
+    /// `limit` or `limit[3]`; it differs from the names of all joints.
+    pub name: &'static str,
+    /// The inequality as it is written, a family's with its index variable: `slider.x < stroke`, `link[i].phi > 0`.
+    pub text: &'static str,
+    /// Its observable in [`Model::observables`].
+    pub observable: usize,
+    /// Rheonomic (t or an input appears) or scleronomic; it is holonomic and unilateral.
+    pub rheonomic: bool,
+}
+
+/// What an observable is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Observable {
+    /// x, y or φ of a body.
+    Pose {
+        /// Place in [`Model::bodies`].
+        body: usize,
+        /// Which.
+        component: Component,
+    },
+    /// x or y of a named point.
+    Point {
+        /// Place in [`Model::points`].
+        point: usize,
+        /// [`Component::X`] or [`Component::Y`].
+        component: Component,
+    },
+    /// A named expression.
+    Define(usize),
+    /// A quantity of a joint.
+    Joint {
+        /// Place in [`Model::joints`].
+        joint: usize,
+        /// Place in its [`JointInfo::quantities`].
+        quantity: usize,
+    },
+    /// By how much a unilateral condition is satisfied.
+    Condition(usize),
+}
+
+/// What the members of a family are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum FamilyKind {
+    /// Bodies, `bodies(link[10])`.
+    Bodies,
+    /// Rows, `N[i in 0..10]: …`.
+    Rows,
+}
+
+/// A repeated body or row; its members stand one after another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FamilyInfo {
+    /// Name without index.
+    pub name: &'static str,
+    /// Bodies or rows.
+    pub kind: FamilyKind,
+    /// Place of the first member in [`Model::bodies`] or [`Model::rows`].
+    pub first: usize,
+    /// Number of members.
+    pub members: usize,
+    /// Bodies or rows of one member; that of member k begins at `first + k * stride`.
+    pub stride: usize,
+}
+
+/// Sparsity of a Jacobian: the entries in row-major order, and which of them never change.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pattern {
+    /// Number of rows.
+    pub rows: usize,
+    /// (row, column) of every entry that is not identically zero, row by row.
+    pub entries: &'static [(usize, usize)],
+    /// Entries that are literal constants: place in `entries` and value.
+    pub constants: &'static [(usize, f64)],
+}
+
+/// Operations of one combined evaluation of Φ, Φ_q, Φ_t and γ.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct OperationCount {
+    /// Additions and subtractions.
+    pub add: usize,
+    /// Multiplications.
+    pub mul: usize,
+    /// Negations.
+    pub neg: usize,
+    /// Divisions.
+    pub div: usize,
+    /// Square roots.
+    pub sqrt: usize,
+    /// Sine and cosine pairs.
+    pub sincos: usize,
+    /// Every other function (tan, atan2, exp, powers with an exponent that is not a small integer, …).
+    pub function: usize,
+}
+
+/// The equations of one joint as text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EquationText {
+    /// Name of the row.
+    pub row: &'static str,
+    /// Φ; of a row of velocity level η, whose B and b stand in `phi_q` and `phi_t`.
+    pub phi: &'static str,
+    /// Non-zero entries of Φ_q as (coordinate, expression).
+    pub phi_q: &'static [(&'static str, &'static str)],
+    /// Φ_t.
+    pub phi_t: &'static str,
+    /// γ.
+    pub gamma: &'static str,
+}
+
+/// What a step of the solution plan computes, as text in the user's names; a step whose coordinates come at several
+/// places is there several times.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StepText {
+    /// Place in [`Plan::steps`].
+    pub step: usize,
+    /// What it is, in words.
+    pub what: &'static str,
+    /// Lines for q, q̇ and q̈.
+    pub lines: [&'static [LineText]; 3],
+}
+
+/// A line of a [`StepText`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LineText {
+    /// What a name is: a coordinate, a rate or acceleration of one (`_dot`, `_ddot`), or a name that later lines use.
+    Equation {
+        /// The name.
+        left: &'static str,
+        /// Its value.
+        right: &'static str,
+    },
+    /// What an iteration brings to zero.
+    Zero {
+        /// Its name.
+        left: &'static str,
+        /// Its value.
+        right: &'static str,
+    },
+    /// matrix · unknowns = right.
+    System {
+        /// Row by row.
+        matrix: &'static [&'static [&'static str]],
+        /// Coordinates, or their rates or accelerations.
+        unknowns: &'static [&'static str],
+        /// As many as rows.
+        right: &'static [&'static str],
+    },
+}
+
+/// A row that repeats, or contradicts, what other rows say: at every pose and for all dimensions they depend on one
+/// another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GenericRedundancy {
+    /// Place in [`Model::rows`]; of a circuit, the row declared last, where driving rows count as later than all others.
+    pub row: usize,
+    /// The other joints of the circuit, in order of declaration.
+    pub circuit: &'static [&'static str],
+}
+
+/// What the symbols alone say: ranks of Φ_q at a general pose of a mechanism with the same joints, directions, ratios
+/// and angle relations, and general dimensions.
+///
+/// No pose and no dimensions give a larger rank. Smaller ones are possible: a parallelogram with a fifth bar moves only
+/// because of its lengths. [`Mobility`](crate::Mobility) tells the two apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Structure {
+    /// Rank of all rows.
+    pub rank: usize,
+    /// Rank of the rows that do not drive.
+    pub rank_without_driving: usize,
+    /// Rank of the rows of position level that do not drive.
+    pub position_rank_without_driving: usize,
+    /// Redundant rows, those that do not drive first.
+    pub redundant: &'static [GenericRedundancy],
+}
+
+/// Everything about a mechanism that no number changes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Model {
+    /// Name of the struct.
+    pub name: &'static str,
+    /// First paragraph of its documentation.
+    pub doc: &'static str,
+    /// Entries of q.
+    pub coordinates: &'static [CoordinateInfo],
+    /// Parameters, array fields element by element.
+    pub parameters: &'static [ParameterInfo],
+    /// Inputs.
+    pub inputs: &'static [&'static str],
+    /// Supplied functions, array fields element by element.
+    pub functions: &'static [&'static str],
+    /// The supplied function, by its place in `functions`, of every argument that
+    /// [`Mechanism::write_arguments`](crate::Mechanism::write_arguments) writes.
+    pub arguments: &'static [usize],
+    /// Bodies.
+    pub bodies: &'static [BodyInfo],
+    /// Named points.
+    pub points: &'static [PointInfo],
+    /// Named expressions.
+    pub defines: &'static [DefineInfo],
+    /// Joints, constraints and drivers in order of declaration.
+    pub joints: &'static [JointInfo],
+    /// Rows of Φ.
+    pub rows: &'static [RowInfo],
+    /// Unilateral conditions in order of declaration.
+    pub conditions: &'static [ConditionInfo],
+    /// Sparsity of Φ_q.
+    pub constraint_pattern: Pattern,
+    /// What the mechanism reports besides q.
+    pub observables: &'static [Observable],
+    /// Sparsity of the observables' Jacobian.
+    pub observable_pattern: Pattern,
+    /// Repeated bodies and rows.
+    pub families: &'static [FamilyInfo],
+    /// Coordinates that have a guess, in the order of the values that [`Mechanism::write_guesses`](crate::Mechanism::write_guesses) writes.
+    pub guesses: &'static [usize],
+    /// Length of the geometry array.
+    pub geometry: usize,
+    /// True with `#[mechanism(allow_redundant)]`.
+    pub allow_redundant: bool,
+    /// Generic ranks and redundant rows; `None` in a model that was written by hand.
+    pub structure: Option<Structure>,
+    /// How the mechanism is solved block by block.
+    pub plan: Plan,
+    /// Operations of one combined evaluation.
+    pub operations: OperationCount,
+    /// The derivation as text; empty without the feature `equations`.
+    pub equations: &'static [EquationText],
+    /// The closed forms of the plan as text; empty without the feature `equations`, and where there is no plan.
+    pub solution: &'static [StepText],
+}
+
+impl Model {
+    /// The place in q of the coordinate called `name`: `crank.phi`, `link[3].x`, or a scalar's own name.
+    pub fn coordinate(&self, name: &str) -> Option<usize> {
+        self.coordinates.iter().position(|coordinate| coordinate.name == name)
+    }
+
+    /// The input called `name`.
+    pub fn input(&self, name: &str) -> Option<Input> {
+        self.inputs.iter().position(|input| *input == name).map(Input)
+    }
+}

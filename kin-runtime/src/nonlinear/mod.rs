@@ -1,0 +1,5 @@
+//! Numerical methods that know nothing of mechanisms: Newton's iteration, roots in brackets, Runge–Kutta steps.
+
+pub(crate) mod dormand_prince;
+pub(crate) mod newton;
+pub(crate) mod root;

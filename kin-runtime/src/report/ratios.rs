@@ -1,0 +1,236 @@
+//! Velocity ratios: how the mechanism follows each of its driving rows and each of its inputs.
+//!
+//! For a driving row d with right-hand side f, written left minus right,
+//!
+//! ```text
+//! Φ_q k = e_d        k = ∂q/∂f        first-order ratio (velocity ratio)
+//! Φ_q l = −(Φ_q k)_q k        l = ∂²q/∂f²        second-order ratio (acceleration coefficient)
+//! ```
+//!
+//! −(Φ_q k)_q k is the even part of γ in q̇: ½ [γ(k) + γ(−k)] − γ(0). A distance is written with squares, |d|² − f² = 0;
+//! its ratios are per change of f itself: Φ_q k = 2 f e_d and Φ_q l = −(Φ_q k)_q k + 2 e_d.
+//!
+//! For an input u, wherever it stands in Φ,
+//!
+//! ```text
+//! Φ_q k = −Φ_u                                k = ∂q/∂u
+//! Φ_q l = −(Φ_q k)_q k − 2 Φ_qu k − Φ_uu      l = ∂²q/∂u²
+//! ```
+//!
+//! Where rows of velocity level take part a row's k is ∂q̇/∂f, an input's k is ∂q̇/∂u̇ and l u̇² its share of q̈, and there is no q(u).
+//! Φ_u is the part of Φ_t that is linear in u̇, Φ_t(u̇ = 1) − Φ_t(u̇ = 0); the right-hand side of l is the part of γ that
+//! is even in q̇ and u̇ together, at q̇ = k, u̇ = 1.
+
+use crate::analysis::velocity::{factorize, inconsistency, scaled};
+use crate::equations::Equations;
+use crate::error::SolveError;
+use crate::linear::Factorization;
+use crate::model::Input;
+use crate::model::{JointInfo, JointKind, Role};
+use crate::state::State;
+use crate::text::numbers;
+use crate::workspace::{Instant, Signal, Subset};
+use core::fmt;
+use nalgebra::DVector;
+
+/// How q follows one driving row.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct VelocityRatio {
+    /// The driving row, place in Φ.
+    pub row: usize,
+    /// Its name.
+    pub row_name: &'static str,
+    /// Its joint.
+    pub joint: &'static str,
+    /// k = ∂q/∂f (∂q̇/∂f for a row of velocity level), n numbers: Φ_q k = e_d, with f the row's right-hand side (Φ_q k = 2 f e_d for a distance).
+    pub first: Vec<f64>,
+    /// l = ∂²q/∂f², n numbers: Φ_q l = −(Φ_q k)_q k (plus 2 e_d for a distance).
+    pub second: Vec<f64>,
+    /// The row's own share of q̇: k ḟ.
+    pub q_dot: Vec<f64>,
+    /// The row's own share of q̈, all others standing still: k f̈ + l ḟ².
+    pub q_ddot: Vec<f64>,
+}
+
+/// How q follows one input, all others and time standing still.
+///
+/// Counted is what follows u̇ and ü. Where a row of velocity level holds the *value* of the input (a `speed` that it sets),
+/// q̇ follows u itself; that is the row's [`VelocityRatio`], and no part of these numbers.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct InputRatio {
+    /// The input's name.
+    pub name: &'static str,
+    /// k = ∂q/∂u, n numbers.
+    pub first: Vec<f64>,
+    /// l = ∂²q/∂u², n numbers.
+    pub second: Vec<f64>,
+    /// The input's own share of q̇: k u̇.
+    pub q_dot: Vec<f64>,
+    /// The input's own share of q̈: k ü + l u̇².
+    pub q_ddot: Vec<f64>,
+}
+
+/// Velocity ratios per driving row and per input, in order of declaration; indexed by the handles of inputs.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct VelocityRatios {
+    /// One entry per driving row.
+    pub drivers: Vec<VelocityRatio>,
+    /// One entry per input.
+    pub inputs: Vec<InputRatio>,
+}
+
+impl core::ops::Index<Input> for VelocityRatios {
+    type Output = InputRatio;
+
+    fn index(&self, input: Input) -> &InputRatio {
+        &self.inputs[input.0]
+    }
+}
+
+/// The ratios of every driving row at a state; prescribed coordinates are driving rows too.
+pub(crate) fn velocity_ratios(equations: &mut Equations<'_>, state: &State) -> Result<VelocityRatios, SolveError> {
+    equations.check("q", &state.q)?;
+    let factor = factorize(equations, &state.q, None)?;
+    let nu = -equations.phi_t.clone();
+    let at_rest = gamma(equations, &state.q, &vec![0.0; state.q.len()])?;
+    let distances = distances(equations)?;
+    let mut drivers = Vec::new();
+    for row in equations.rows_where(|e, row| e.drives(row)) {
+        let mut unit = DVector::zeros(equations.rows());
+        unit[row] = 1.0;
+        let first = respond(equations, &factor, &unit)?;
+        let bend = along(equations, None, |equations| gamma(equations, &state.q, first.as_slice()))?;
+        let second = respond(equations, &factor, &bend)?;
+        let distance = distances.iter().find(|(of, _)| *of == row).map(|&(_, f)| f);
+        drivers.push(VelocityRatio {
+            row,
+            row_name: equations.row_name(row),
+            joint: equations.joint_name(row),
+            q_dot: (nu[row] * &first).as_slice().to_vec(),
+            q_ddot: (at_rest[row] * &first + nu[row] * nu[row] * &second).as_slice().to_vec(),
+            second: match distance {
+                Some(f) => (4.0 * f * f * second + 2.0 * &first).as_slice().to_vec(),
+                None => second.as_slice().to_vec(),
+            },
+            first: (distance.map_or(1.0, |f| 2.0 * f) * first).as_slice().to_vec(),
+        });
+    }
+    let inputs = (0..equations.inputs.len()).map(|k| input_ratio(equations, &factor, &state.q, k));
+    Ok(VelocityRatios { drivers, inputs: inputs.collect::<Result<_, _>>()? })
+}
+
+/// The ratios of input k.
+fn input_ratio(
+    equations: &mut Equations<'_>,
+    factor: &Factorization,
+    q: &[f64],
+    k: usize,
+) -> Result<InputRatio, SolveError> {
+    let phi_u = along(equations, Some(k), |equations| {
+        equations.evaluate(Subset::TIME_DERIVATIVE, q, None)?;
+        Ok(equations.phi_t.clone())
+    })?;
+    let first = respond(equations, factor, &-phi_u)?;
+    let bend = along(equations, Some(k), |equations| gamma(equations, q, first.as_slice()))?;
+    let second = respond(equations, factor, &bend)?;
+    let Signal { rate, acceleration, .. } = equations.inputs[k];
+    Ok(InputRatio {
+        name: equations.model.inputs.get(k).copied().unwrap_or(""),
+        q_dot: (rate * &first).as_slice().to_vec(),
+        q_ddot: (acceleration * &first + rate * rate * &second).as_slice().to_vec(),
+        first: first.as_slice().to_vec(),
+        second: second.as_slice().to_vec(),
+    })
+}
+
+/// Evaluates with time standing still, and all inputs but one, whose rate is 1.
+fn along<R>(
+    equations: &mut Equations<'_>,
+    input: Option<usize>,
+    evaluate: impl FnOnce(&mut Equations<'_>) -> Result<R, SolveError>,
+) -> Result<R, SolveError> {
+    let inputs = equations.inputs.clone();
+    for (k, u) in equations.inputs.iter_mut().enumerate() {
+        *u = Signal::new(u.value, if Some(k) == input { 1.0 } else { 0.0 }, 0.0);
+    }
+    let result = equations.by_inputs(evaluate);
+    equations.inputs = inputs;
+    result
+}
+
+/// Rows |d|² − f² with their f.
+fn distances(equations: &Equations<'_>) -> Result<Vec<(usize, f64)>, SolveError> {
+    let at = Instant { t: equations.t, inputs: &equations.inputs };
+    let numbers = equations.system.geometry(&at)?;
+    let value = |joint: &JointInfo| {
+        let has = |role| joint.geometry.iter().find(|g| g.role == role);
+        let place = has(Role::P).and(has(Role::Q)).and(has(Role::Value))?.offset;
+        numbers.get(place).map(|&f| (joint.first_row, f))
+    };
+    let squared = |joint: &&JointInfo| matches!(joint.kind, JointKind::Distance | JointKind::Driver);
+    Ok(equations.model.joints.iter().filter(squared).filter_map(value).collect())
+}
+
+/// γ at q and q̇.
+fn gamma(equations: &mut Equations<'_>, q: &[f64], q_dot: &[f64]) -> Result<DVector<f64>, SolveError> {
+    equations.evaluate(Subset::GAMMA, q, Some(q_dot))?;
+    Ok(equations.gamma.clone())
+}
+
+/// x with Φ_q x = right.
+fn respond(
+    equations: &Equations<'_>,
+    factor: &Factorization,
+    right: &DVector<f64>,
+) -> Result<DVector<f64>, SolveError> {
+    let right = scaled(equations, right);
+    let x = factor.solve(&right);
+    match inconsistency(equations, &x, &right) {
+        None => Ok(x),
+        Some((row, residual)) => Err(SolveError::InconsistentVelocity {
+            t: equations.t,
+            residual,
+            row_name: equations.row_name(row),
+            joint: equations.joint_name(row),
+            rank: factor.rank,
+        }),
+    }
+}
+
+/// `drive: k = (…), l = (…)`.
+impl fmt::Display for VelocityRatio {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        ratio(f, self.row_name, &self.first, &self.second)
+    }
+}
+
+/// `cylinder: k = (…), l = (…)`.
+impl fmt::Display for InputRatio {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        ratio(f, self.name, &self.first, &self.second)
+    }
+}
+
+/// A line per driving row and per input.
+impl fmt::Display for VelocityRatios {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let rows = self.drivers.iter().map(|d| (d.row_name, &d.first, &d.second));
+        let inputs = self.inputs.iter().map(|i| (i.name, &i.first, &i.second));
+        rows.chain(inputs).enumerate().try_for_each(|(k, (name, first, second))| {
+            if k > 0 {
+                f.write_str("\n")?;
+            }
+            ratio(f, name, first, second)
+        })
+    }
+}
+
+fn ratio(f: &mut fmt::Formatter<'_>, name: &str, first: &[f64], second: &[f64]) -> fmt::Result {
+    write!(f, "{name}: k = ")?;
+    numbers(f, first)?;
+    f.write_str(", l = ")?;
+    numbers(f, second)
+}

@@ -1,0 +1,155 @@
+//! Transmission angles.
+//!
+//! At a revolute joint N between moving bodies i and j, every other joint a on i and b on j that stands at a point
+//! gives one angle, between r_a − r_N and r_b − r_N. In a four-bar the one at the joint of coupler and rocker, between
+//! the crank's end and the rocker's pivot, is the textbook's. Joints of a body whose rotation is driven, and joints
+//! whose relative angle is driven, transmit from the drive and not to an output: they are left out.
+
+use crate::equations::placement::Placement;
+use crate::equations::{Equations, finite};
+use crate::error::SolveError;
+use crate::model::{Component, CoordinateKind, Frame, Geometry, JointInfo, JointKind, Model, Role};
+use core::fmt;
+
+/// The angle at a revolute joint between the lines to the next joints of its two bodies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct TransmissionAngle {
+    /// The revolute joint.
+    pub joint: &'static str,
+    /// The neighbouring joint on its first body, and the one on its second.
+    pub between: [&'static str; 2],
+    /// The angle, in [0, π]; force is transmitted best at π/2.
+    pub angle: f64,
+}
+
+impl TransmissionAngle {
+    /// Deviation from the best, |angle − π/2|, in [0, π/2].
+    pub fn deviation(&self) -> f64 {
+        (self.angle - core::f64::consts::FRAC_PI_2).abs()
+    }
+}
+
+impl fmt::Display for TransmissionAngle {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} between {} and {}: {:.6}", self.joint, self.between[0], self.between[1], self.angle)
+    }
+}
+
+/// Arms shorter than this, relative to the other one, have no direction.
+const DEGENERATE: f64 = 1e-9;
+
+/// A joint's point on a body.
+struct Place {
+    joint: usize,
+    body: usize,
+    r: [f64; 2],
+}
+
+/// The transmission angles at q.
+pub(crate) fn transmission_angles(
+    equations: &mut Equations<'_>,
+    q: &[f64],
+) -> Result<Vec<TransmissionAngle>, SolveError> {
+    equations.check("q", q)?;
+    let joints = equations.model.joints;
+    let places = places(equations, q)?;
+    let driven = driven(equations.model);
+    let mut found = Vec::new();
+    for (index, joint) in joints.iter().enumerate() {
+        let (JointKind::Revolute, [Some(Frame::Body(i)), Some(Frame::Body(j))]) = (joint.kind, joint.frames) else {
+            continue;
+        };
+        if driven.iter().any(|bodies| matches!(bodies[..], [a] if a == i || a == j) || *bodies == sorted(i, j)) {
+            continue;
+        }
+        let at = |body: usize| places.iter().filter(move |p| p.body == body);
+        let Some(centre) = at(i).find(|p| p.joint == index) else { continue };
+        for a in at(i).filter(|p| p.joint != index) {
+            for b in at(j).filter(|p| p.joint != index && p.joint != a.joint) {
+                if let Some(angle) = angle_between(centre.r, a.r, b.r) {
+                    let between = [joints[a.joint].name, joints[b.joint].name];
+                    found.push(TransmissionAngle { joint: joint.name, between, angle });
+                }
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// For every driving row that mentions nothing but rotations of bodies: those bodies, sorted.
+fn driven(model: &Model) -> Vec<Vec<usize>> {
+    let rotations = |row: usize| -> Option<Vec<usize>> {
+        let columns = model.constraint_pattern.entries.iter().filter(|entry| entry.0 == row);
+        let mut bodies: Vec<usize> = columns
+            .map(|&(_, column)| match model.coordinates[column].kind {
+                CoordinateKind::Pose { body, component: Component::Phi } => Some(body),
+                _ => None,
+            })
+            .collect::<Option<_>>()?;
+        bodies.sort_unstable();
+        Some(bodies)
+    };
+    (0..model.rows.len()).filter(|&row| model.rows[row].driving).filter_map(rotations).collect()
+}
+
+fn sorted(i: usize, j: usize) -> Vec<usize> {
+    vec![i.min(j), i.max(j)]
+}
+
+/// The points of all point-like joints on moving bodies, in the inertial frame.
+fn places(equations: &mut Equations<'_>, q: &[f64]) -> Result<Vec<Place>, SolveError> {
+    let (model, t) = (equations.model, equations.t);
+    let placement = Placement::at(equations, q)?;
+    let mut places = Vec::new();
+    for (joint, info) in model.joints.iter().enumerate().filter(|(_, info)| is_point_like(info)) {
+        for geometry in info.geometry.iter().filter(|g| matches!(g.role, Role::P | Role::Q)) {
+            let (Frame::Body(body), true) = (geometry.frame, stands_still(info, geometry)) else { continue };
+            let Some(r) = placement.point(geometry) else { continue };
+            for value in r {
+                finite("geometry", joint, info.name, value).map_err(|error| error.at(t))?;
+            }
+            places.push(Place { joint, body, r });
+        }
+    }
+    Ok(places)
+}
+
+/// True for joints that act at a point.
+fn is_point_like(joint: &JointInfo) -> bool {
+    matches!(
+        joint.kind,
+        JointKind::Revolute
+            | JointKind::Distance
+            | JointKind::PointOnLine
+            | JointKind::Fixed
+            | JointKind::X
+            | JointKind::Y
+    )
+}
+
+/// True where the joint's point is fixed in that body: not for the guide of a point on a line.
+fn stands_still(joint: &JointInfo, geometry: &Geometry) -> bool {
+    joint.kind != JointKind::PointOnLine || geometry.role == Role::Q
+}
+
+/// The angle at `centre`, in [0, π]; none where an arm has no length.
+fn angle_between(centre: [f64; 2], a: [f64; 2], b: [f64; 2]) -> Option<f64> {
+    let [(ax, ay), (bx, by)] = [a, b].map(|p| (p[0] - centre[0], p[1] - centre[1]));
+    let (la, lb) = (ax.hypot(ay), bx.hypot(by));
+    (la > DEGENERATE * lb && lb > DEGENERATE * la).then(|| (ax * by - ay * bx).abs().atan2(ax * bx + ay * by))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angles_lie_between_zero_and_pi_and_degenerate_arms_have_none() {
+        let at = |b| angle_between([1.0, 1.0], [3.0, 1.0], b);
+        assert_eq!(at([1.0, 5.0]), Some(core::f64::consts::FRAC_PI_2));
+        assert_eq!(at([1.0, -5.0]), Some(core::f64::consts::FRAC_PI_2));
+        assert_eq!(at([0.0, 1.0]), Some(core::f64::consts::PI));
+        assert_eq!(at([1.0, 1.0]), None);
+    }
+}

@@ -1,0 +1,9 @@
+//! What analyses take and give, as data: options, states, motions, trajectories, crossings and errors.
+
+pub mod error;
+pub(crate) mod event;
+pub mod motion;
+pub mod observer;
+pub mod options;
+pub mod state;
+pub mod trajectory;

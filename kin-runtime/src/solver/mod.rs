@@ -1,0 +1,300 @@
+//! The analyses of one mechanism, with its options, guesses and prescribed coordinates.
+
+use crate::analysis;
+use crate::analysis::acceleration::acceleration;
+use crate::analysis::position::position;
+use crate::analysis::singular::explain;
+use crate::analysis::velocity::{factorize, velocity};
+use crate::course::InputFunction;
+use crate::cross_check::{CrossCheck, CrossCheckOptions, PlanCheck, cross_check, plan_check};
+use crate::equations::scale::Scale;
+use crate::equations::system::Evaluator;
+use crate::equations::{Equations, finite};
+use crate::error::SolveError;
+use crate::mechanism::Mechanism;
+use crate::mobility::{Mobility, mobility};
+use crate::model::Point;
+use crate::modes::{Mode, Wanted, assemble_in, modes};
+use crate::motion::Motion;
+use crate::observer::Observer;
+use crate::options::Options;
+use crate::planned::{PlanError, Planned, Sign};
+use crate::ratios::{VelocityRatios, velocity_ratios};
+use crate::report::motion::{motion, point_jacobian};
+use crate::state::State;
+use crate::transmission::{TransmissionAngle, transmission_angles};
+use crate::workspace::{Instant, Signal};
+use nalgebra::DMatrix;
+
+mod by_plan;
+mod settings;
+mod sweep;
+
+pub use crate::analysis::position::Position;
+
+/// Position, velocity and acceleration analysis of one mechanism.
+///
+/// ```text
+/// Φ(q, t) = 0        Φ_q q̇ = −Φ_t        Φ_q q̈ = γ
+/// ```
+///
+/// Where degrees of freedom are left, every answer is the one of least Euclidean norm over q: the shortest correction
+/// of the start, the smallest q̇, the smallest q̈. Prescribe coordinates with [`with_given`](Self::with_given), or add
+/// drivers, for one that means something.
+pub struct Solver<'m, M: Mechanism> {
+    pub(crate) mechanism: &'m M,
+    pub(crate) options: Options,
+    pub(crate) guesses: Vec<(usize, f64)>,
+    pub(crate) given: Vec<(usize, Signal)>,
+    /// Modes asked for, by what they are called, and their signs.
+    modes: Vec<(String, Option<usize>, Sign)>,
+    pub(crate) inputs: InputFunction<'m>,
+    observer: Option<Observer<'m>>,
+}
+
+impl<'m, M: Mechanism> Solver<'m, M> {
+    /// A solver with default options and the mechanism's own guesses.
+    pub fn new(mechanism: &'m M) -> Self {
+        let (guesses, given, modes) = (Vec::new(), Vec::new(), Vec::new());
+        Self { mechanism, options: Options::default(), guesses, given, modes, inputs: None, observer: None }
+    }
+
+    /// Assembles the mechanism from the guesses; coordinates without a guess are found.
+    ///
+    /// # Errors
+    /// [`NotAssembled`](SolveError::NotAssembled) with the best attempt's gap, [`GivenConflict`](SolveError::GivenConflict),
+    /// [`UnknownCoordinate`](SolveError::UnknownCoordinate); [`UnknownMode`](SolveError::UnknownMode),
+    /// [`ModeNotAssembled`](SolveError::ModeNotAssembled) and [`Plan`](SolveError::Plan) where a mode is asked for;
+    /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length) for arguments and parameters, here and in
+    /// every other analysis.
+    pub fn assemble(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError> {
+        let wanted = self.wanted()?;
+        match self.position_by_plan(at) {
+            Some(position) => Ok(position.q),
+            None => self.analyse(at, |equations| Ok(assemble_in(equations, &wanted)?.q)),
+        }
+    }
+
+    /// The modes of a configuration: the sign of each, and how far it is from its limit.
+    ///
+    /// # Errors
+    /// [`Plan`](SolveError::Plan) where there is no plan; [`NonFinite`](SolveError::NonFinite) and
+    /// [`Length`](SolveError::Length).
+    pub fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Result<Vec<Mode>, SolveError> {
+        self.analyse(at, |equations| modes(equations, q))
+    }
+
+    /// Assembles the mechanism from the guesses, to be solved by its plan from there; prescribed coordinates have no part
+    /// in it.
+    ///
+    /// # Errors
+    /// As [`assemble`](Self::assemble), and [`Plan`](SolveError::Plan).
+    pub fn planned(&self, at: &Instant<'_>) -> Result<Planned<'m, M>, SolveError> {
+        if !self.given.is_empty() {
+            return Err(SolveError::Plan(PlanError::NoPlan { why: "coordinates are prescribed" }));
+        }
+        Ok(Planned::new(self.mechanism, at, &self.assemble(at)?)?)
+    }
+
+    /// Position analysis from a complete start, n numbers: the configuration near it.
+    ///
+    /// # Errors
+    /// As [`assemble`](Self::assemble).
+    pub fn position(&self, at: &Instant<'_>, start: &[f64]) -> Result<Position, SolveError> {
+        match self.position_near(at, start) {
+            Some(position) => Ok(position),
+            None => self.analyse(at, |equations| position(equations, start)),
+        }
+    }
+
+    /// Velocity analysis of an assembled configuration: q̇ with Φ_q q̇ = −Φ_t.
+    ///
+    /// # Errors
+    /// [`Singular`](SolveError::Singular) where Φ_q loses rank in this configuration alone,
+    /// [`InconsistentVelocity`](SolveError::InconsistentVelocity) where redundant rows disagree,
+    /// [`GivenConflict`](SolveError::GivenConflict).
+    pub fn velocity(&self, at: &Instant<'_>, q: &[f64]) -> Result<Vec<f64>, SolveError> {
+        self.analyse(at, |equations| {
+            equations.check("q", q)?;
+            equations.scale = Scale::around(equations, q);
+            Ok(velocity(equations, q, None)?.0)
+        })
+    }
+
+    /// Acceleration analysis of an assembled configuration with its q̇: q̈ with Φ_q q̈ = γ.
+    ///
+    /// # Errors
+    /// As [`velocity`](Self::velocity), and [`InconsistentAcceleration`](SolveError::InconsistentAcceleration).
+    pub fn acceleration(&self, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<Vec<f64>, SolveError> {
+        self.analyse(at, |equations| {
+            equations.check("q", q)?;
+            equations.check("q_dot", q_dot)?;
+            equations.scale = Scale::around(equations, q);
+            let factor = factorize(equations, q, None)?;
+            acceleration(equations, q, q_dot, &factor).map_err(|error| explain(equations, q, &factor, error))
+        })
+    }
+
+    /// Assembly from the guesses, then velocity and acceleration.
+    ///
+    /// # Errors
+    /// As [`assemble`](Self::assemble), [`velocity`](Self::velocity) and [`acceleration`](Self::acceleration).
+    pub fn state(&self, at: &Instant<'_>) -> Result<State, SolveError> {
+        if let Some(state) = self.state_by_plan(at) {
+            return Ok(state);
+        }
+        let wanted = self.wanted()?;
+        self.analyse(at, |equations| {
+            let position = assemble_in(equations, &wanted)?;
+            Ok(analysis::state(equations, position)?.0)
+        })
+    }
+
+    /// Position analysis from a complete start, then velocity and acceleration.
+    ///
+    /// # Errors
+    /// As [`state`](Self::state).
+    pub fn state_from(&self, at: &Instant<'_>, start: &[f64]) -> Result<State, SolveError> {
+        if let Some(state) = self.state_near(at, start) {
+            return Ok(state);
+        }
+        self.analyse(at, |equations| {
+            let position = position(equations, start)?;
+            Ok(analysis::state(equations, position)?.0)
+        })
+    }
+
+    /// Motion of bodies, points, defines and joints.
+    ///
+    /// # Errors
+    /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
+    pub fn motion(&self, state: &State) -> Result<Motion, SolveError> {
+        self.analyse(&state.instant(), |equations| motion(equations, state))
+    }
+
+    /// Estimated condition number of the scaled Φ_q at a state: see [`State::condition`].
+    ///
+    /// # Errors
+    /// As [`velocity`](Self::velocity).
+    pub fn condition(&self, state: &State) -> Result<f64, SolveError> {
+        if let Some(condition) = state.condition {
+            return Ok(condition);
+        }
+        self.analyse(&state.instant(), |equations| {
+            equations.check("q", &state.q)?;
+            equations.scale = Scale::around(equations, &state.q);
+            Ok(factorize(equations, &state.q, None)?.condition)
+        })
+    }
+
+    /// Degrees of freedom, independent coordinates, redundant rows and conditioning at a configuration.
+    ///
+    /// # Errors
+    /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
+    pub fn mobility(&self, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError> {
+        self.analyse(at, |equations| mobility(equations, q))
+    }
+
+    /// Velocity ratios and second-order ratios per driving row and per input.
+    ///
+    /// # Errors
+    /// As [`velocity`](Self::velocity); [`InconsistentVelocity`](SolveError::InconsistentVelocity) also where one
+    /// driving row cannot move without another.
+    pub fn velocity_ratios(&self, state: &State) -> Result<VelocityRatios, SolveError> {
+        self.analyse(&state.instant(), |equations| {
+            equations.check("q", &state.q)?;
+            equations.scale = Scale::around(equations, &state.q);
+            velocity_ratios(equations, state)
+        })
+    }
+
+    /// ∂r_P/∂q of a named point, 2×n.
+    ///
+    /// # Errors
+    /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
+    pub fn point_jacobian(&self, at: &Instant<'_>, q: &[f64], point: Point) -> Result<DMatrix<f64>, SolveError> {
+        self.analyse(at, |equations| point_jacobian(equations, q, point))
+    }
+
+    /// Transmission angles at all revolute joints between two moving bodies.
+    ///
+    /// # Errors
+    /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
+    pub fn transmission_angles(&self, at: &Instant<'_>, q: &[f64]) -> Result<Vec<TransmissionAngle>, SolveError> {
+        self.analyse(at, |equations| transmission_angles(equations, q))
+    }
+
+    /// Every entry of Φ_q, Φ_t and γ against dual numbers, at the configurations given and at random ones around the
+    /// guess.
+    ///
+    /// # Errors
+    /// [`NothingCompared`](SolveError::NothingCompared) where Φ is not finite at any of them;
+    /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
+    pub fn cross_check(&self, options: &CrossCheckOptions) -> Result<CrossCheck, SolveError> {
+        let (centre, length) = self.around(options)?;
+        cross_check(self.mechanism, options, &centre, length, self.observer)
+    }
+
+    /// The plan against the equations, from the configurations given and from random ones around the guess; and against
+    /// full Newton from those given. Parameters stay what they are.
+    ///
+    /// # Errors
+    /// [`Plan`](SolveError::Plan) where there is no plan; as [`state_from`](Self::state_from) for the configurations given.
+    pub fn plan_check(&self, options: &CrossCheckOptions) -> Result<PlanCheck, SolveError> {
+        let (centre, length) = self.around(options)?;
+        plan_check(self.mechanism, options, &centre, length, self.observer, |at, start| {
+            Self::new(self.mechanism).state_from(at, start)
+        })
+    }
+
+    /// The guess as centre of random configurations, and their width in x and y; those of the caller are checked.
+    fn around(&self, options: &CrossCheckOptions) -> Result<(Vec<f64>, f64), SolveError> {
+        let centre: Vec<f64> = self.checked_guess()?.into_iter().map(|g| g.unwrap_or(0.0)).collect();
+        let inputs = vec![Signal::default(); M::INPUTS];
+        let length = self.analyse(&Instant { t: 0.0, inputs: &inputs }, |equations| {
+            for given in &options.given {
+                finite("t", 0, "t", given.t)?;
+                equations.check("q", &given.q)?;
+                equations.check("q_dot", &given.q_dot)?;
+            }
+            Ok(Scale::around(equations, &centre).length)
+        })?;
+        Ok((centre, length))
+    }
+
+    /// The guesses, unless one of them is for a coordinate that does not exist.
+    pub(crate) fn checked_guess(&self) -> Result<Vec<Option<f64>>, SolveError> {
+        let coordinates = M::COORDINATES;
+        match self.guesses.iter().find(|(index, _)| *index >= coordinates) {
+            Some(&(index, _)) => Err(SolveError::UnknownCoordinate { index, coordinates }),
+            None => Ok(self.guess()),
+        }
+    }
+
+    /// The guesses, and the places of the modes that are asked for.
+    pub(crate) fn wanted(&self) -> Result<Wanted, SolveError> {
+        let guess = self.checked_guess()?;
+        let place = |(mode, place, sign): &(String, Option<usize>, Sign)| match place {
+            Some(place) => Ok((*place, *sign)),
+            None => {
+                let plan = &M::model().plan;
+                if let Some(why) = plan.absent {
+                    return Err(SolveError::Plan(PlanError::NoPlan { why }));
+                }
+                let modes = plan.modes.iter().map(|mode| mode.name).collect();
+                Err(SolveError::UnknownMode { mode: mode.clone(), modes })
+            }
+        };
+        Ok(Wanted { guess, modes: self.modes.iter().map(place).collect::<Result<_, _>>()? })
+    }
+
+    /// Hands the equations at `at` to an analysis.
+    pub(crate) fn analyse<R>(
+        &self,
+        at: &Instant<'_>,
+        analysis: impl FnOnce(&mut Equations<'_>) -> Result<R, SolveError>,
+    ) -> Result<R, SolveError> {
+        let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
+        analysis(&mut Equations::new(evaluator, self.options, &self.given, self.inputs, at)?)
+    }
+}

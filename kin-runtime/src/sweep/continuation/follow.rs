@@ -1,0 +1,362 @@
+//! Step control: from one instant to another on the same branch.
+
+use super::groups;
+use super::integrate::integrate;
+use super::nodes::{at_instant, basis_with, found_on, natural_step, rates};
+use super::planned::ByPlan;
+use super::refusal::refusal;
+use super::step::{Fault, Node, Scratch, Start, step};
+use crate::analysis::poses::poses;
+use crate::equations::Equations;
+use crate::equations::scale::Scale;
+use crate::error::{Refusal, SolveError};
+use crate::events::Watch;
+use crate::linear::Factorization;
+use crate::state::State;
+use crate::trajectory::Fallback;
+use crate::workspace::{Instant, Subset};
+
+/// One step by full Newton to a place, which writes the node there and gives by how much the next step may be longer. The
+/// flag says that the place was asked for.
+type Step = fn(&mut Equations<'_>, &mut Scratch, Start<'_>, &mut Node, f64, bool) -> Result<f64, Fault>;
+
+/// A branch and the instant reached on it. All nodes and buffers are used again for the next one.
+pub(crate) struct Follower {
+    /// The instant reached; in a box, as the others are, so that they change places quickly.
+    node: Box<Node>,
+    /// Its place on the course ahead, and its rates along it.
+    s: f64,
+    q_dot: Vec<f64>,
+    q_ddot: Vec<f64>,
+    /// The last internal step towards the next instant, and the one being tried.
+    here: Box<Node>,
+    next: Box<Node>,
+    /// The plan, where it is used.
+    plan: Option<ByPlan>,
+    /// How full Newton finds the next node: continuation of Φ, or integration of the velocities.
+    step: Step,
+    /// Length of the next internal step.
+    proposed: f64,
+    scratch: Scratch,
+    /// The unilateral conditions, where they are watched.
+    pub(crate) watch: Option<Watch>,
+    /// Internal steps that the plan had no answer for.
+    pub(crate) fallbacks: Vec<Fallback>,
+}
+
+impl Follower {
+    /// Starts at a state of the current instant, where Φ_q was evaluated last and has the factorisation `factor`; without
+    /// one the state is one of the plan.
+    pub(crate) fn new(
+        equations: &mut Equations<'_>,
+        state: State,
+        factor: Option<Factorization>,
+    ) -> Result<Self, SolveError> {
+        let plan = ByPlan::new(equations);
+        let mut node = Box::new(Node { s: state.t, state, basis: None, fallback: None });
+        if let Some(factor) = factor {
+            node.basis = Some(basis_with(equations, &node.state, factor)?);
+        }
+        let integrates = !equations.rows_where(|e, row| !e.holonomic(row)).is_empty();
+        Ok(Self {
+            s: node.s,
+            q_dot: node.state.q_dot.clone(),
+            q_ddot: node.state.q_ddot.clone(),
+            here: node.clone(),
+            next: node.clone(),
+            plan,
+            step: if integrates { integrate } else { step },
+            proposed: f64::INFINITY,
+            scratch: Scratch::new(equations),
+            watch: None,
+            fallbacks: Vec::new(),
+            node,
+        })
+    }
+
+    /// The first event, when the sweep is to end there and it was passed.
+    pub(crate) fn stopped(&self, equations: &Equations<'_>) -> Option<&State> {
+        let watch = self.watch.as_ref().filter(|_| equations.options.stop_at_events)?;
+        watch.events().first().map(|event| &event.state)
+    }
+
+    /// The instant reached.
+    pub(crate) const fn state(&self) -> &State {
+        &self.node.state
+    }
+
+    /// Puts the instant reached at the start of a course in time, and forgets the length of earlier steps.
+    pub(crate) fn depart_in_time(&mut self) {
+        let state = &self.node.state;
+        self.s = state.t;
+        self.q_dot.clone_from(&state.q_dot);
+        self.q_ddot.clone_from(&state.q_ddot);
+        self.proposed = f64::INFINITY;
+    }
+
+    /// Puts the instant reached at the start `s` of a course along which rates are others than in time.
+    pub(crate) fn depart(&mut self, equations: &mut Equations<'_>, s: f64) -> Result<(), SolveError> {
+        self.s = s;
+        self.proposed = f64::INFINITY;
+        let Self { node, q_dot, q_ddot, .. } = self;
+        equations.by_time(|equations| found_on(equations, node))?;
+        equations.move_to(s)?;
+        equations.evaluate(Subset::VELOCITY, &node.state.q, None)?;
+        let Some(basis) = &node.basis else { return Ok(()) };
+        rates(equations, &node.state.q, &basis.factor, q_dot, q_ddot)
+    }
+
+    /// Goes to an instant by the plan alone, whatever its inputs are; false where the plan has no answer.
+    pub(crate) fn advance_by_plan(
+        &mut self,
+        equations: &mut Equations<'_>,
+        at: &Instant<'_>,
+    ) -> Result<bool, SolveError> {
+        let Self { node, here, plan, .. } = self;
+        let Some(plan) = plan else { return Ok(false) };
+        equations.by_time(|equations| {
+            if !plan.stand(equations, &node.state) {
+                return Ok(false);
+            }
+            equations.set_instant(at)?;
+            here.basis = None;
+            here.fallback = None;
+            if plan.solve(equations, &node.state.q, &mut here.state)? {
+                if plan.has_curves && !plan.in_one_step {
+                    // Rollers are watched from step to step.
+                    plan.stands = false;
+                    return Ok(false);
+                }
+                here.s = at.t;
+                core::mem::swap(node, here);
+                return Ok(true);
+            }
+            Ok(false)
+        })
+    }
+
+    /// Goes to the place `target` of the course, in internal steps, or past the first event when the sweep is to end
+    /// there; where the plan is not to be asked, by full Newton. After an error the instant reached stays what it was.
+    pub(crate) fn advance(
+        &mut self,
+        equations: &mut Equations<'_>,
+        target: f64,
+        by_plan: bool,
+    ) -> Result<(), SolveError> {
+        if self.follow(equations, target, by_plan)? {
+            if self.here.basis.is_some() {
+                poses(equations, &mut self.here.state)?;
+            }
+            core::mem::swap(&mut self.node, &mut self.here);
+            self.s = self.node.s;
+            self.q_dot.clone_from(&self.node.state.q_dot);
+            self.q_ddot.clone_from(&self.node.state.q_ddot);
+        } else {
+            self.node.state.iterations = 0;
+        }
+        Ok(())
+    }
+
+    /// As [`advance`](Self::advance) by full Newton to the end of a course along which rates are others than in time; those
+    /// of the instant `at` there are written.
+    pub(crate) fn arrive(
+        &mut self,
+        equations: &mut Equations<'_>,
+        target: f64,
+        at: &Instant<'_>,
+    ) -> Result<(), SolveError> {
+        if !self.follow(equations, target, false)? {
+            return self.stay(equations, at);
+        }
+        let Node { state, basis, .. } = &mut *self.here;
+        if let Some(basis) = basis {
+            at_instant(equations, at, state, &basis.factor)?;
+        }
+        poses(equations, state)?;
+        core::mem::swap(&mut self.node, &mut self.here);
+        Ok(())
+    }
+
+    /// New rates at the place reached, where neither time nor a value has changed.
+    pub(crate) fn stay(&mut self, equations: &mut Equations<'_>, at: &Instant<'_>) -> Result<(), SolveError> {
+        equations.by_time(|equations| found_on(equations, &mut self.node))?;
+        let spare = &mut self.here.state;
+        spare.clone_from(&self.node.state);
+        spare.iterations = 0;
+        if let Some(basis) = &self.node.basis {
+            at_instant(equations, at, spare, &basis.factor)?;
+        }
+        poses(equations, spare)?;
+        core::mem::swap(&mut self.node.state, spare);
+        Ok(())
+    }
+
+    /// Internal steps to `target`, the last of which is left in `here`; false when none was needed.
+    fn follow(&mut self, equations: &mut Equations<'_>, target: f64, by_plan: bool) -> Result<bool, SolveError> {
+        let options = equations.options;
+        let mut iterations = 0;
+        let mut smallest = None;
+        let mut moved = false;
+        let has_curves = self.plan.as_ref().is_some_and(|plan| plan.has_curves);
+        let looked_at = self.watch.is_some() || equations.observed.is_there() || has_curves;
+        let mut by_plan = by_plan && self.plan.is_some();
+        for _ in 0..options.max_steps {
+            let from = if moved { self.here.s } else { self.s };
+            let remaining = target - from;
+            if remaining == 0.0 {
+                if self.here.basis.is_some() {
+                    self.here.state.iterations = iterations;
+                }
+                return Ok(moved);
+            }
+            let length = if by_plan && !looked_at {
+                f64::INFINITY
+            } else {
+                let rates = if moved {
+                    [self.here.state.q_dot.as_slice(), &self.here.state.q_ddot]
+                } else {
+                    [self.q_dot.as_slice(), &self.q_ddot]
+                };
+                if !equations.scale.is_known {
+                    let q = if moved { &self.here.state.q } else { &self.node.state.q };
+                    equations.scale = Scale::around(equations, q);
+                }
+                let node = if moved { &self.here } else { &self.node };
+                // Redundant rows carry a motion past limits of the others.
+                let basis = node.basis.as_ref().filter(|_| equations.model.plan.watched().next().is_none());
+                let nearest = basis.map_or(1.0, |basis| groups::nearest(&basis.groups));
+                natural_step(equations, rates, nearest).min(if by_plan { f64::INFINITY } else { self.proposed })
+            };
+            let smallest = *smallest.get_or_insert_with(|| {
+                let shortest = options.min_step * length.min(remaining.abs());
+                shortest.max(4.0 * f64::EPSILON * from.abs().max(target.abs()))
+            });
+            // The last two steps are of equal length, so that none is a sliver.
+            let share = remaining.abs() / length;
+            let s = match share {
+                share if share <= 1.0 => target,
+                share if share < 2.0 => from + 0.5 * remaining,
+                _ => from + length.copysign(remaining),
+            };
+            if by_plan {
+                by_plan = self.step_by_plan(equations, moved, s)?;
+                if !by_plan {
+                    continue;
+                }
+                self.see(equations, moved, from)?;
+            } else {
+                let limit = self.plan.as_ref().and_then(ByPlan::limit);
+                let jumps = self.plan.as_ref().is_some_and(ByPlan::found_a_jump);
+                let Self { node, here, next, q_dot, q_ddot, scratch, .. } = self;
+                let node = if moved { here } else { node };
+                found_on(equations, node)?;
+                let (node, Some(basis)) = (&*node, &node.basis) else { continue };
+                let rates = if moved { [&node.state.q_dot, &node.state.q_ddot] } else { [&*q_dot, &*q_ddot] };
+                let start = Start { node, basis, s: from, q_dot: rates[0], q_ddot: rates[1] };
+                if s == from {
+                    // Between neighbouring numbers there is no step to take.
+                    return Err(refusal(equations, &start, target, Fault::Coarse(0.5), (limit, jumps)));
+                }
+                match (self.step)(equations, scratch, start, next, s, s == target) {
+                    Ok(growth) => {
+                        iterations += self.next.state.iterations;
+                        if let Some(plan) = &mut self.plan {
+                            plan.stands = false;
+                            self.fallbacks.push(Fallback { t: self.next.state.t, limit });
+                        }
+                        self.see(equations, moved, from)?;
+                        let walked = (s - from).abs();
+                        // A step cut short by the target says nothing against the longer one proposed before.
+                        self.proposed = if share <= 2.0 { self.proposed.max(growth * walked) } else { growth * walked };
+                    }
+                    Err(fault) => {
+                        let factor = if let Fault::Coarse(factor) = fault { factor } else { 0.5 };
+                        let shorter = factor * (s - from).abs();
+                        if shorter < smallest {
+                            return Err(refusal(equations, &start, s, fault, (limit, jumps)));
+                        }
+                        self.proposed = shorter;
+                        continue;
+                    }
+                }
+            }
+            core::mem::swap(&mut self.here, &mut self.next);
+            moved = true;
+            if self.stopped(equations).is_some() {
+                return Ok(moved);
+            }
+            if s != target {
+                equations.observed.pass(self.here.state.t)?;
+            }
+        }
+        let last = if moved { &self.here } else { &self.node };
+        Err(SolveError::StepRefused {
+            t: last.state.t,
+            t_refused: equations.time_at(target),
+            row_name: "",
+            joint: "",
+            reason: Refusal::TooManySteps,
+            limit: None,
+        })
+    }
+
+    /// One step by the plan; false where it has no answer.
+    fn step_by_plan(&mut self, equations: &mut Equations<'_>, moved: bool, s: f64) -> Result<bool, SolveError> {
+        let Self { node, here, next, plan, .. } = self;
+        let Some(plan) = plan else { return Ok(false) };
+        let from = if moved { &here.state } else { &node.state };
+        Ok(plan.stand(equations, from) && plan.step(equations, &from.q, next, s)?)
+    }
+
+    /// Shows the step that was taken to who watches conditions.
+    fn see(&mut self, equations: &mut Equations<'_>, moved: bool, from: f64) -> Result<(), SolveError> {
+        let Self { node, here, next, plan, step, scratch, watch, q_dot, q_ddot, .. } = self;
+        let Some(watch) = watch else { return Ok(()) };
+        let (node, rates): (&Node, [&[f64]; 2]) =
+            if moved { (here, [&here.state.q_dot, &here.state.q_ddot]) } else { (node, [q_dot, q_ddot]) };
+        let by_plan = next.basis.is_none();
+        let mut between = |equations: &mut Equations<'_>, s: f64| match (&mut *plan, &node.basis) {
+            (Some(plan), _) if by_plan => {
+                equations.move_to(s).ok()?;
+                let mut state = node.state.clone();
+                plan.glance(equations, &mut state).map(|()| state)
+            }
+            (_, Some(basis)) => {
+                let start = Start { node, basis, s: from, q_dot: rates[0], q_ddot: rates[1] };
+                state_between(equations, *step, scratch, start, s)
+            }
+            _ => None,
+        };
+        watch.pass(equations, &next.state, &mut between)?;
+        if equations.options.stop_at_events {
+            watch.keep_first();
+        }
+        Ok(())
+    }
+}
+
+impl<'n> Start<'n> {
+    /// A node on the course.
+    fn at(node: &'n Node) -> Option<Self> {
+        let State { q_dot, q_ddot, .. } = &node.state;
+        Some(Self { node, basis: node.basis.as_ref()?, s: node.s, q_dot, q_ddot })
+    }
+}
+
+/// The state at `s` on the way from a node to one that was reached in one step; it is closed to the end.
+fn state_between(
+    equations: &mut Equations<'_>,
+    step: Step,
+    scratch: &mut Scratch,
+    from: Start<'_>,
+    s: f64,
+) -> Option<State> {
+    let mut reached = from.node.clone();
+    if step(equations, scratch, from, &mut reached, s, true).is_err() {
+        let mut middle = from.node.clone();
+        step(equations, scratch, from, &mut middle, from.s + 0.5 * (s - from.s), false).ok()?;
+        reached = middle.clone();
+        step(equations, scratch, Start::at(&middle)?, &mut reached, s, true).ok()?;
+    }
+    Some(reached.state)
+}

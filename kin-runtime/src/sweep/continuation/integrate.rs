@@ -1,0 +1,122 @@
+//! One step of a motion with rows of velocity level: integrate, project, judge.
+//!
+//! Such rows leave the position to the motion before. With Φ of the rows of position level and B, b of the others,
+//!
+//! ```text
+//! q̇ = v(q, t):   [Φ_q; B] q̇ = −[Φ_t; b]
+//! ```
+//!
+//! is integrated by the Runge–Kutta pair of [`dormand_prince`](crate::nonlinear::dormand_prince), with a step length such that the
+//! estimated error of every coordinate stays below `Options::integration_tolerance` on the common scale; its result is
+//! then moved onto Φ(q, t) = 0 by the correction of least norm, which is of the size of that error. Where degrees of
+//! freedom are left, v is the velocity of least Euclidean norm, as everywhere; with redundant rows it is that of all of
+//! them in the sense of least squares, which agree on Φ. Rank and orientation of the branch are judged as in
+//! [`step`](super::step), so that no singular configuration is passed.
+
+use super::step::{Fault, Node, Scratch, Start, correct, settle};
+use crate::analysis::velocity::scaled;
+use crate::equations::Equations;
+use crate::equations::factorisation::Wanted;
+use crate::nonlinear::dormand_prince::{Taken, take};
+use crate::workspace::Subset;
+
+/// Share of the step that the error estimate would allow.
+const SAFETY: f64 = 0.9;
+/// Corrections onto Φ may be larger than the tolerance of one step by this factor.
+const DRIFT: f64 = 1e3;
+
+/// Writes the node at the place `s` to `to`; gives by how much the next step may be longer.
+pub(super) fn integrate(
+    equations: &mut Equations<'_>,
+    scratch: &mut Scratch,
+    from: Start<'_>,
+    to: &mut Node,
+    s: f64,
+    last: bool,
+) -> Result<f64, Fault> {
+    let h = s - from.s;
+    let q = &from.node.state.q;
+    let rank = from.basis.factor.rank;
+    let taken = take(from.s, h, q, from.q_dot, |s, q| velocity(equations, rank, s, q))?;
+    let tolerance = equations.options.integration_tolerance;
+    let effort = error(equations, q, &taken) / tolerance;
+    let factor = SAFETY * effort.powf(-0.2);
+    if effort > 1.0 || effort.is_nan() {
+        return Err(Fault::Coarse(if factor.is_finite() { factor.clamp(0.1, 0.8) } else { 0.1 }));
+    }
+    equations.move_to(s)?;
+    let size = 1.0 + equations.scale.size(&taken.y);
+    scratch.predicted = taken.y;
+    let corrected = correct(equations, scratch, &mut to.state.q, DRIFT * tolerance * size, 1e-9)?;
+    settle(equations, scratch, from, to, corrected, s, last)?;
+    Ok(factor.clamp(0.5, 4.0))
+}
+
+/// q̇ at a stage, near Φ but not on it.
+fn velocity(equations: &mut Equations<'_>, rank: usize, s: f64, q: &[f64]) -> Result<Vec<f64>, Fault> {
+    equations.move_to(s)?;
+    equations.evaluate(Subset::VELOCITY, q, None)?;
+    let factor = equations.factorise(Wanted::Solutions, None);
+    if factor.rank < rank {
+        return Err(Fault::Coarse(0.5));
+    }
+    Ok(factor.solve(&-scaled(equations, &equations.phi_t)).as_slice().to_vec())
+}
+
+/// Largest estimated error of a coordinate on the common scale, relative to its own size where that is more than one.
+fn error(equations: &Equations<'_>, before: &[f64], taken: &Taken) -> f64 {
+    let mut largest = 0.0;
+    for (k, d) in equations.scale.columns.iter().enumerate() {
+        let size = 1.0 + before[k].abs().max(taken.y[k].abs()) / d;
+        let error = (taken.error[k] / d).abs() / size;
+        if error.is_nan() {
+            return f64::NAN;
+        }
+        largest = f64::max(largest, error);
+    }
+    largest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::equations::system::Evaluator;
+    use crate::fixture::StretchedSlider;
+    use crate::options::Options;
+    use crate::workspace::Instant;
+
+    /// A velocity that some rows leave open is none: the step is too long.
+    #[test]
+    fn a_stage_that_loses_rank_has_no_velocity() {
+        let slider = StretchedSlider;
+        let system = Box::new(Evaluator::<_, StretchedSlider>::new(&slider));
+        let mut equations = Equations::new(system, Options::default(), &[], None, &Instant::at(0.0)).unwrap();
+        let at = |phi: f64| {
+            let (sin, cos) = phi.sin_cos();
+            [0.0, 0.0, phi, 0.23 * cos + 0.355, 0.23 * sin, 0.0, 0.23 * cos + 0.71, 0.0, 0.0]
+        };
+        assert!(velocity(&mut equations, 9, 0.475, &at(0.4)).is_ok());
+        let stretched = velocity(&mut equations, 9, 0.475, &at(0.0));
+        assert!(matches!(stretched, Err(Fault::Coarse(factor)) if factor < 1.0), "{stretched:?}");
+    }
+
+    /// Beside the size of a coordinate, on its own scale, where that is more than one.
+    #[test]
+    fn an_error_is_that_of_the_worst_coordinate_beside_its_size() {
+        let slider = StretchedSlider;
+        let system = Box::new(Evaluator::<_, StretchedSlider>::new(&slider));
+        let mut equations = Equations::new(system, Options::default(), &[], None, &Instant::at(0.0)).unwrap();
+        equations.scale.columns.fill(2.0);
+        let of = |before: f64, after: f64, found: [f64; 2]| {
+            let (mut start, mut y, mut errors) = (vec![0.0; 9], vec![0.0; 9], vec![0.0; 9]);
+            (start[3], y[3], errors[3], errors[8]) = (before, after, found[0], found[1]);
+            error(&equations, &start, &Taken { y, error: errors })
+        };
+        let is = |expected: f64, found: f64| assert!((found - expected).abs() < 1e-15, "{found} for {expected}");
+        is(0.5, of(0.0, 0.0, [1.0, -0.4]));
+        is(0.5, of(0.0, 0.0, [0.4, -1.0]));
+        is(0.1, of(-8.0, 2.0, [-1.0, 0.0]));
+        is(0.1, of(2.0, -8.0, [-1.0, 0.1]));
+        assert!(of(0.0, 0.0, [f64::NAN, 1.0]).is_nan() && of(0.0, 0.0, [1.0, f64::NAN]).is_nan());
+    }
+}

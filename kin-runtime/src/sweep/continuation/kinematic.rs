@@ -1,0 +1,102 @@
+//! Kinematic analysis: position, velocity and acceleration over a time grid.
+
+use super::follow::Follower;
+use crate::equations::scale::Scale;
+use crate::equations::{Equations, finite};
+use crate::error::{SolveError, SweepError};
+use crate::events::{Seen, Watch};
+use crate::linear::Factorization;
+use crate::state::State;
+use crate::trajectory::Trajectory;
+use core::ops::ControlFlow;
+
+/// Is shown every state of a sweep, and says whether to go on.
+pub(crate) type Visit<'v> = dyn FnMut(&State) -> ControlFlow<()> + 'v;
+
+/// The states at `times`, on the branch of `first`, which is the one at the first of them; with the factorisation of Φ_q
+/// where that was evaluated there last.
+pub(crate) fn kinematic(
+    equations: &mut Equations<'_>,
+    first: (State, Option<Factorization>),
+    times: &[f64],
+) -> Result<Trajectory, SweepError> {
+    let mut states = Vec::with_capacity(times.len());
+    let mut keep = |state: &State| {
+        states.push(state.clone());
+        ControlFlow::Continue(())
+    };
+    match kinematic_each(equations, first, times, &mut keep) {
+        Ok(trajectory) => Ok(Trajectory { states, ..trajectory }),
+        Err(mut error) => {
+            error.trajectory.states = states;
+            Err(error)
+        }
+    }
+}
+
+/// As [`kinematic`]; every state is shown, and none is kept.
+pub(crate) fn kinematic_each(
+    equations: &mut Equations<'_>,
+    first: (State, Option<Factorization>),
+    times: &[f64],
+    visit: &mut Visit<'_>,
+) -> Result<Trajectory, SweepError> {
+    let mut trajectory = Trajectory::new(equations.model);
+    match follow(equations, first, times, visit, &mut trajectory) {
+        Ok(()) => Ok(trajectory),
+        Err(source) => {
+            let is_located = source.limit().is_some_and(|limit| limit.at().is_some());
+            trajectory.q_at_limit = equations.system.q_at_limit().filter(|_| is_located).map(<[f64]>::to_vec);
+            Err(SweepError { trajectory: Box::new(trajectory), source })
+        }
+    }
+}
+
+/// Shows one state per instant until one fails or the sweep is to stop at an event.
+fn follow(
+    equations: &mut Equations<'_>,
+    (state, factor): (State, Option<Factorization>),
+    times: &[f64],
+    visit: &mut Visit<'_>,
+    trajectory: &mut Trajectory,
+) -> Result<(), SolveError> {
+    let total = times.len();
+    let reached = &mut trajectory.reached;
+    let mut show = |equations: &mut Equations<'_>, state: &State, done: usize| {
+        *reached = done;
+        let told = equations.observed.finish(state.t, Some(state));
+        match visit(state) {
+            // Who stops it with the last one has all of them.
+            ControlFlow::Break(()) if done < total => Err(SolveError::Stopped { t: state.t, done, total }),
+            _ => told,
+        }
+    };
+    let told = show(equations, &state, 1);
+    if !equations.model.conditions.is_empty() && !equations.scale.is_known {
+        equations.scale = Scale::around(equations, &state.q);
+    }
+    let mut follower = Follower::new(equations, state, factor)?;
+    follower.watch = Watch::start(equations, follower.state())?;
+    let mut instants = times.iter().enumerate().skip(1);
+    let result = told.and_then(|()| {
+        instants.try_for_each(|(index, &t)| {
+            if trajectory.stopped {
+                return Ok(());
+            }
+            finite("times", index, "", t)?;
+            follower.advance(equations, t, true)?;
+            let event = follower.stopped(equations);
+            trajectory.stopped = event.is_some();
+            let told = show(equations, event.unwrap_or(follower.state()), index + 1);
+            // A sweep that its first event ended is whole.
+            if trajectory.stopped { Ok(()) } else { told }
+        })
+    });
+    trajectory.fallbacks = follower.fallbacks;
+    if let Some(watch) = follower.watch {
+        let Seen { events, violated_at_start, unwatched } = watch.finish();
+        (trajectory.events, trajectory.violated_at_start, trajectory.unwatched) =
+            (events, violated_at_start, unwatched);
+    }
+    result
+}

@@ -1,0 +1,228 @@
+//! Instants by the plan: solved by its follower, held against all rows, and completed to a state.
+
+use super::step::Node;
+use crate::analysis::poses::poses;
+use crate::equations::Equations;
+use crate::equations::contact;
+use crate::equations::residual::{Row, Tolerances, closed, closed_position, write_lengths, write_sizes};
+use crate::equations::scale::Scale;
+use crate::equations::system::Followed;
+use crate::error::SolveError;
+use crate::options::Options;
+use crate::planned::follower::Control;
+use crate::planned::{Limit, PlanError};
+use crate::state::State;
+use crate::workspace::{Instant, Subset};
+
+/// The plan of a motion, where one is used.
+#[derive(Clone, Debug)]
+pub(super) struct ByPlan {
+    control: Control,
+    /// Whether the follower stands where the motion does.
+    pub(super) stands: bool,
+    /// Why the plan had no answer, the last time that it had none.
+    pub(super) refused: Option<PlanError>,
+    /// Whether there are curves, which may say nothing at some of their points.
+    pub(super) has_curves: bool,
+    /// Whether the last state was reached in one step of the follower.
+    pub(super) in_one_step: bool,
+    /// Room for the sums of every row, and which coordinates are lengths.
+    rows: Vec<Row>,
+    lengths: Vec<f64>,
+    /// How large rows are, as they were at the first state; none yet where the list is empty.
+    sizes: Vec<f64>,
+    /// What a residual may be of them.
+    allowed: f64,
+}
+
+/// Margins above this leave rates enough digits not to be compared with their equations.
+const FAR: f64 = 1e-4;
+
+impl Control {
+    /// As the options of a solver say.
+    pub(crate) fn of(options: &Options) -> Self {
+        Self {
+            rotation: options.max_rotation_per_step,
+            correction: options.prediction_tolerance,
+            min_step: options.min_step,
+            max_steps: options.max_steps,
+        }
+    }
+}
+
+impl ByPlan {
+    /// None where the plan is not to be used, or there is none.
+    pub(super) fn new(equations: &Equations<'_>) -> Option<Self> {
+        let used = equations.options.use_plan && equations.model.plan.exists() && equations.given() == 0;
+        let rows = vec![Row::default(); equations.rows()];
+        let mut lengths = vec![0.0; equations.coordinates()];
+        write_lengths(equations.model, &mut lengths);
+        used.then(|| Self {
+            control: Control::of(&equations.options),
+            stands: false,
+            refused: None,
+            has_curves: contact::has_curves(equations.model),
+            in_one_step: true,
+            rows,
+            lengths,
+            sizes: Vec::new(),
+            allowed: 0.0,
+        })
+    }
+
+    /// What is to blame for the last refusal.
+    pub(super) fn limit(&self) -> Option<Limit> {
+        self.refused.as_ref().and_then(PlanError::limit).copied()
+    }
+
+    /// True where the follower found that a driver or an input jumps.
+    pub(super) fn found_a_jump(&self) -> bool {
+        matches!(self.refused, Some(PlanError::Jump { .. }))
+    }
+
+    /// Puts the follower where the motion stands; false where it has no answer there.
+    pub(super) fn stand(&mut self, equations: &mut Equations<'_>, state: &State) -> bool {
+        if !self.stands {
+            self.refused = equations.system.follow_from(&state.instant(), &state.q).err();
+            self.stands = self.refused.is_none();
+        }
+        self.stands
+    }
+
+    /// Writes the state at the equations' instant, on the branch of the follower; false where the plan has none that closes.
+    pub(super) fn solve(
+        &mut self,
+        equations: &mut Equations<'_>,
+        before: &[f64],
+        state: &mut State,
+    ) -> Result<bool, SolveError> {
+        let at = Instant { t: equations.t, inputs: &equations.inputs };
+        let inputs = equations.input_function();
+        let mut least = 0.0;
+        self.refused = match equations.system.follow(&at, inputs, &self.control) {
+            Ok(found) => {
+                copy(state, found);
+                least = found.least_margin;
+                self.in_one_step = found.in_one_step;
+                None
+            }
+            Err(error) => Some(error),
+        };
+        if self.refused.is_none() && least > FAR && self.is_closed(equations, state)? {
+            return Ok(true);
+        }
+        if self.refused.is_some() || !self.complete(equations, Some(before), state)? {
+            self.stands = false;
+            return Ok(false);
+        }
+        Ok(true)
+    }
+
+    /// Writes the state at the equations' instant, the follower staying where it is.
+    pub(super) fn glance(&mut self, equations: &mut Equations<'_>, state: &mut State) -> Option<()> {
+        let at = Instant { t: equations.t, inputs: &equations.inputs };
+        let inputs = equations.input_function();
+        equations.system.glance(&at, inputs, &self.control, &mut |found| copy(state, found)).ok()?;
+        self.complete(equations, None, state).ok()?.then_some(())
+    }
+
+    /// Completes a state far from all limits by what is left of Φ alone: rates follow from a q that closes. False where that
+    /// is not certain.
+    fn is_closed(&mut self, equations: &mut Equations<'_>, state: &mut State) -> Result<bool, SolveError> {
+        if self.has_curves || self.sizes.is_empty() {
+            return Ok(false);
+        }
+        let at = Instant { t: equations.t, inputs: &equations.inputs };
+        equations.system.evaluate(Subset::PHI, &at, &state.q, &state.q_dot)?;
+        let phi = equations.system.constraints().phi;
+        let Some(residual) = closed_position(equations.model, phi, &self.sizes, self.allowed) else {
+            return Ok(false);
+        };
+        self.finish(equations, state, residual)?;
+        Ok(true)
+    }
+
+    /// Writes what a state has besides its q, q̇ and q̈.
+    fn finish(&self, equations: &mut Equations<'_>, state: &mut State, residual: f64) -> Result<(), SolveError> {
+        state.t = equations.t;
+        state.inputs.clone_from(&equations.inputs);
+        state.residual = residual;
+        state.iterations = 1;
+        state.condition = None;
+        state.degrees_of_freedom_left = 0;
+        poses(equations, state)
+    }
+
+    /// True if all curves say where they are touched, and no roller has changed its side since `before`.
+    fn touches(
+        &self,
+        equations: &mut Equations<'_>,
+        before: Option<&[f64]>,
+        state: &State,
+    ) -> Result<bool, SolveError> {
+        if !equations.scale.is_known {
+            equations.scale = Scale::around(equations, &state.q);
+        }
+        if let Some(before) = before
+            && contact::turned_about(equations, before, &state.q).is_some()
+        {
+            return Ok(false);
+        }
+        equations.evaluate(Subset::VELOCITY, &state.q, None)?;
+        let tolerance = equations.options.rank_tolerance;
+        Ok(contact::at_a_standstill(equations, &state.q).is_none()
+            && contact::without_angle(equations, &state.q).is_none()
+            && contact::without_gradient(equations, tolerance).is_none())
+    }
+
+    /// Completes a state with this q, q̇ and q̈; false where they do not satisfy all rows. With curves `before` is the q of
+    /// the last state.
+    fn complete(
+        &mut self,
+        equations: &mut Equations<'_>,
+        before: Option<&[f64]>,
+        state: &mut State,
+    ) -> Result<bool, SolveError> {
+        let at = Instant { t: equations.t, inputs: &equations.inputs };
+        equations.system.evaluate(Subset::ALL, &at, &state.q, &state.q_dot)?;
+        let tolerances =
+            Tolerances { position: equations.options.tolerance, rates: equations.options.consistency_tolerance };
+        let solution = [state.q.as_slice(), &state.q_dot, &state.q_ddot];
+        let parts = equations.system.constraints();
+        let found = closed(equations.model, &parts, solution, &self.lengths, tolerances, &mut self.rows);
+        let Some(residual) = found else { return Ok(false) };
+        if self.has_curves && !self.touches(equations, before, state)? {
+            return Ok(false);
+        }
+        if self.sizes.is_empty() {
+            self.sizes.resize(self.rows.len(), 0.0);
+            let parts = equations.system.constraints();
+            let (position, lengths) = (equations.options.tolerance, &self.lengths);
+            self.allowed = write_sizes(equations.model, parts.phi_q, &state.q, lengths, position, &mut self.sizes);
+        }
+        self.finish(equations, state, residual)?;
+        Ok(true)
+    }
+
+    /// One step by the plan from the node where the follower stands, to the equations' instant at the place `s`.
+    pub(super) fn step(
+        &mut self,
+        equations: &mut Equations<'_>,
+        before: &[f64],
+        to: &mut Node,
+        s: f64,
+    ) -> Result<bool, SolveError> {
+        equations.move_to(s)?;
+        to.s = s;
+        to.basis = None;
+        to.fallback = None;
+        self.solve(equations, before, &mut to.state)
+    }
+}
+
+fn copy(state: &mut State, found: Followed<'_>) {
+    for (to, from) in [(&mut state.q, found.q), (&mut state.q_dot, found.q_dot), (&mut state.q_ddot, found.q_ddot)] {
+        to.clear();
+        to.extend_from_slice(from);
+    }
+}

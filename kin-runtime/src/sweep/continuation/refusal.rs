@@ -1,0 +1,105 @@
+//! Why a motion does not go on.
+
+use super::nodes::natural_step;
+use super::step::{Fault, Node, Start};
+use crate::analysis::by_plan;
+use crate::analysis::singular::dependent_rows;
+use crate::equations::Equations;
+use crate::equations::contact;
+use crate::error::{Refusal, SolveError};
+use crate::linear::{Factorization, null_space};
+use crate::planned::Limit;
+use crate::state::State;
+use crate::workspace::Subset;
+
+/// Pivots below this, at the last configuration before a refused step, say that the motion ends in a singular one.
+const NEARLY_SINGULAR: f64 = 1e-4;
+
+/// Largest spacing of the numbers of t, relative to a step in which the motion turns as far as it may: where it is larger,
+/// the rounding of t moves the mechanism visibly.
+const COARSEST: f64 = 1e-2;
+
+/// How far behind the last instant tried a limit may be, relative to a step in which the motion turns as far as it may.
+const BESIDE: f64 = 1e-3;
+
+/// Why there is no way on from `start` to the place `refused`; `located` is where the plan has found the limit.
+pub(super) fn refusal(
+    equations: &mut Equations<'_>,
+    start: &Start<'_>,
+    refused: f64,
+    fault: Fault,
+    (located, jumps): (Option<Limit>, bool),
+) -> SolveError {
+    let (row, reason) = match fault {
+        Fault::Error(error) => return error,
+        Fault::Open(row) => (Some(row), Refusal::NotAssembled),
+        Fault::Jump(row) => (Some(row), Refusal::WouldJump),
+        Fault::Coarse(_) => (None, Refusal::StepTooSmall),
+    };
+    let spacing = f64::EPSILON * start.s.abs();
+    let natural = natural_step(equations, [start.q_dot, start.q_ddot], 1.0);
+    let is_coarse = spacing > COARSEST * natural;
+    let jumps = jumps && !is_coarse;
+    let reason = match reason {
+        _ if is_coarse => Refusal::TimeTooCoarse,
+        _ if jumps => Refusal::Discontinuous,
+        reason => reason,
+    };
+    let t_refused = equations.time_at(refused);
+    let Node { state: State { q, .. }, .. } = start.node;
+    let groups = &start.basis.groups;
+    let there = |equations: &mut Equations<'_>| {
+        equations.move_to(refused).ok().and_then(|()| by_plan::limit_in(equations, groups, q))
+    };
+    let limit = located.filter(|limit| limit.at().is_some()).or_else(|| there(equations)).filter(|_| !jumps);
+    let evaluated = equations.move_to(start.s).and_then(|()| equations.evaluate(Subset::VELOCITY, q, None));
+    if let Err(error) = evaluated {
+        return error;
+    }
+    let expected_rank = start.basis.factor.rank;
+    // The limit itself, where the motion was followed up to it.
+    let beside = (equations.time_at(start.s + BESIDE * natural) - equations.t).abs();
+    let is_here = |at: &f64| is_between(*at, equations.t, t_refused, beside);
+    let t = limit.and_then(|limit| limit.at()).filter(is_here).unwrap_or(equations.t);
+    let all: Vec<usize> = (0..equations.rows()).collect();
+    let columns = &equations.scale.columns;
+    let factor = Factorization::revealing(&equations.scaled_rows(&all), columns, NEARLY_SINGULAR);
+    if let Some(error) = contact::without_gradient(equations, NEARLY_SINGULAR) {
+        return error;
+    }
+    if factor.rank < expected_rank {
+        let left = null_space(&equations.scaled(&all).transpose(), NEARLY_SINGULAR);
+        let rows = dependent_rows(equations, &left);
+        let (rank, condition) = (factor.rank, factor.full_condition);
+        return SolveError::Singular { t, rank, expected_rank, rows, condition, limit };
+    }
+    let names = |row| (equations.row_name(row), equations.joint_name(row));
+    let (row_name, joint) = row.map_or(("", ""), names);
+    SolveError::StepRefused { t, t_refused, row_name, joint, reason, limit }
+}
+
+/// True for a time on the way between two others, or beside them by no more than `beside` and rounding.
+fn is_between(t: f64, a: f64, b: f64, beside: f64) -> bool {
+    let beside = beside + 1e-9 * a.abs().max(b.abs());
+    t >= a.min(b) - beside && t <= a.max(b) + beside
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_between;
+
+    #[test]
+    fn a_time_is_on_the_way_in_either_direction_or_just_beside_it() {
+        for (a, b) in [(2.0, 3.0), (3.0, 2.0)] {
+            let on_the_way = |t: f64| is_between(t, a, b, 0.1);
+            assert!([1.91, 2.0, 2.5, 3.0, 3.09].into_iter().all(on_the_way));
+            assert!(![1.89, 3.11, f64::NAN, -2.5].into_iter().any(on_the_way));
+            // Times themselves are rounded.
+            let to_rounding = |t: f64| is_between(t, a, b, 0.0);
+            assert!([2.0 - 2.9e-9, 3.0 + 2.9e-9].into_iter().all(to_rounding));
+            assert!(![2.0 - 3.1e-9, 3.0 + 3.1e-9].into_iter().any(to_rounding));
+        }
+        // Rounding of the larger one, whatever its sign.
+        assert!(is_between(1e-7, -200.0, 0.0, 0.0) && !is_between(3e-7, -200.0, 0.0, 0.0));
+    }
+}

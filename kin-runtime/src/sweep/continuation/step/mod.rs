@@ -1,0 +1,289 @@
+//! One step of the continuation: predict, correct, judge.
+
+use super::branch::Orientation;
+use super::groups;
+use crate::analysis::acceleration::acceleration;
+use crate::analysis::velocity::{inconsistency, scaled};
+use crate::equations::Equations;
+use crate::equations::contact;
+use crate::equations::factorisation::Wanted;
+use crate::error::SolveError;
+use crate::linear::Factorization;
+use crate::nonlinear::newton::rounding;
+use crate::state::State;
+use crate::trajectory::Fallback;
+use crate::workspace::Subset;
+use nalgebra::DVector;
+
+/// Most corrections of one step.
+const CORRECTIONS: usize = 6;
+/// Each correction must be smaller than the one before by this factor.
+const CONTRACTION: f64 = 0.3;
+/// Corrections that are always small enough, on the common scale: where the motion starts from rest.
+const NEGLIGIBLE: f64 = 1e-4;
+/// Motion so short that a jump of the velocity in it is the driver's own.
+const INSTANTANEOUS: f64 = 1e-7;
+/// Largest deviation of the velocity from its prediction, relative to the larger of the two.
+const VELOCITY: f64 = 0.5;
+
+/// A configuration on the branch.
+#[derive(Clone, Debug)]
+pub(crate) struct Node {
+    /// Place on the course: time, unless the course is frozen.
+    pub(crate) s: f64,
+    pub(crate) state: State,
+    /// What Newton's iteration goes on from; none where the plan has solved.
+    pub(crate) basis: Option<Basis>,
+    /// Why full Newton had to find this node, where there is a plan.
+    pub(crate) fallback: Option<Fallback>,
+}
+
+/// Φ_q at a configuration, and on which branch it is.
+#[derive(Clone, Debug)]
+pub(crate) struct Basis {
+    pub(crate) orientation: Orientation,
+    pub(crate) factor: Factorization,
+    /// What tells the branches of every group of the plan apart; empty where there is none.
+    pub(crate) groups: Vec<f64>,
+}
+
+/// Where a step begins: a node, its place on the course, and its rates along it.
+#[derive(Clone, Copy)]
+pub(crate) struct Start<'n> {
+    pub(crate) node: &'n Node,
+    pub(crate) basis: &'n Basis,
+    pub(crate) s: f64,
+    pub(crate) q_dot: &'n [f64],
+    pub(crate) q_ddot: &'n [f64],
+}
+
+/// Why a step did not count.
+#[derive(Clone, Debug)]
+pub(crate) enum Fault {
+    /// The rows do not close, or too slowly; the row that resists most.
+    Open(usize),
+    /// It closes, but not on this branch; the row that resisted most.
+    Jump(usize),
+    /// The step is too long for the accuracy asked for; by which factor it should be shorter.
+    Coarse(f64),
+    /// An evaluation failed.
+    Error(SolveError),
+}
+
+impl From<SolveError> for Fault {
+    fn from(error: SolveError) -> Self {
+        Self::Error(error)
+    }
+}
+
+/// Buffers of the steps.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Scratch {
+    motion: Vec<f64>,
+    pub(super) predicted: Vec<f64>,
+    difference: Vec<f64>,
+    /// Rows of position level.
+    closing: Vec<usize>,
+    /// What tells the branches of groups apart at the prediction, and at what was found.
+    groups: [Vec<f64>; 2],
+}
+
+impl Scratch {
+    pub(crate) fn new(equations: &Equations<'_>) -> Self {
+        Self { closing: equations.rows_where(Equations::holonomic), ..Self::default() }
+    }
+}
+
+/// Writes the node at the place `s` to `to`; gives by how much the next step may be longer.
+///
+/// With `last` the node is an instant that was asked for: closed to the end and with its rank revealed.
+pub(crate) fn step(
+    equations: &mut Equations<'_>,
+    scratch: &mut Scratch,
+    from: Start<'_>,
+    to: &mut Node,
+    s: f64,
+    last: bool,
+) -> Result<f64, Fault> {
+    let h = s - from.s;
+    equations.move_to(s)?;
+    let Scratch { motion, predicted, .. } = &mut *scratch;
+    fill(motion, from.q_dot.iter().zip(from.q_ddot).map(|(v, a)| h * (v + 0.5 * h * a)));
+    fill(predicted, from.node.state.q.iter().zip(motion.iter()).map(|(q, d)| q + d));
+    let allowed = equations.options.prediction_tolerance * equations.scale.size(motion) + NEGLIGIBLE;
+    let corrected = correct(equations, scratch, &mut to.state.q, allowed, if last { 1e-9 } else { 1e-6 })?;
+    to.fallback = None;
+    finish(equations, scratch, from, to, corrected, (s, allowed, last))
+}
+
+/// Completes and judges a step whose q was found; gives by how much the next one may be longer.
+fn finish(
+    equations: &mut Equations<'_>,
+    scratch: &mut Scratch,
+    from: Start<'_>,
+    to: &mut Node,
+    corrected: Corrected,
+    (s, allowed, last): (f64, f64, bool),
+) -> Result<f64, Fault> {
+    let effort = corrected.correction / allowed;
+    let worst = corrected.worst;
+    settle(equations, scratch, from, to, corrected, s, last)?;
+    if !expected(equations, &mut scratch.difference, &from, s - from.s, &to.state.q_dot) {
+        return Err(Fault::Jump(worst));
+    }
+    Ok(if effort <= 0.3 / 64.0 { 4.0 } else { (0.3 / effort).cbrt().clamp(0.5, 4.0) })
+}
+
+/// Completes the node at the place `s`, whose q was found, if it is on the branch of `from`.
+pub(super) fn settle(
+    equations: &mut Equations<'_>,
+    scratch: &mut Scratch,
+    from: Start<'_>,
+    to: &mut Node,
+    corrected: Corrected,
+    s: f64,
+    last: bool,
+) -> Result<(), Fault> {
+    let Corrected { iterations, worst, .. } = corrected;
+    let Scratch { closing, groups: [predicted_groups, groups], predicted, motion, .. } = scratch;
+    let state = &mut to.state;
+    equations.evaluate(Subset { phi: true, ..Subset::VELOCITY }, &state.q, None)?;
+    let gap = closing.iter().map(|&row| (equations.phi[row] * equations.scale.rows[row]).abs()).fold(0.0, f64::max);
+    if gap > equations.options.tolerance && gap > closed(equations, &state.q) {
+        return Err(Fault::Open(worst));
+    }
+    if let Some(row) = contact::turned_about(equations, &from.node.state.q, &state.q) {
+        return Err(Fault::Jump(row));
+    }
+    let Basis { orientation, factor, groups: before } = from.basis;
+    let memory = to.basis.take();
+    let (memory, mut oriented) =
+        memory.map_or((None, orientation.clone()), |basis| (Some(basis.factor), basis.orientation));
+    let found = equations.factorise(Wanted::Rank, memory);
+    let rank = found.rank;
+    if rank != factor.rank || !orientation.keep(equations, &found, &mut oriented) {
+        return Err(Fault::Jump(worst));
+    }
+    groups::write(equations, predicted, predicted_groups);
+    groups::write(equations, &state.q, groups);
+    let is_redundant = equations.model.plan.watched().next().is_some();
+    fill(motion, predicted.iter().zip(&from.node.state.q).map(|(a, b)| a - b));
+    let turn = equations.scale.turn(motion);
+    if !groups::stay([before, predicted_groups, groups], turn, is_redundant) {
+        return Err(Fault::Jump(worst));
+    }
+    let right = -scaled(equations, &equations.phi_t);
+    let q_dot = found.solve(&right);
+    if inconsistency(equations, &q_dot, &right).is_some() {
+        return Err(Fault::Open(worst));
+    }
+    equations.check("q_dot", q_dot.as_slice())?;
+    fill(&mut state.q_dot, q_dot.iter().copied());
+    // Beside a singular configuration it is rounding that contradicts.
+    state.q_ddot = acceleration(equations, &state.q, &state.q_dot, &found).map_err(|error| match error {
+        SolveError::InconsistentAcceleration { .. } if rank == state.q.len() => Fault::Jump(worst),
+        error => Fault::Error(error),
+    })?;
+    if last
+        && !is_redundant
+        && groups::are_blurred(equations, groups, [&state.q, &state.q_dot, &state.q_ddot], found.condition)
+    {
+        return Err(Fault::Jump(worst));
+    }
+    to.s = s;
+    state.t = equations.t;
+    state.inputs.clone_from(&equations.inputs);
+    state.degrees_of_freedom_left = state.q.len() - rank;
+    state.condition = Some(found.condition);
+    state.residual = closing.iter().map(|&row| equations.phi[row].abs()).fold(0.0, f64::max);
+    state.iterations = iterations;
+    to.basis = Some(Basis { orientation: oriented, factor: found, groups: groups.clone() });
+    Ok(())
+}
+
+/// Replaces what a buffer holds.
+fn fill(buffer: &mut Vec<f64>, values: impl Iterator<Item = f64>) {
+    buffer.clear();
+    buffer.extend(values);
+}
+
+/// A corrected position.
+pub(super) struct Corrected {
+    iterations: usize,
+    /// The row with the largest residual at the prediction.
+    worst: usize,
+    /// Distance from the prediction, on the common scale.
+    correction: f64,
+}
+
+/// Full Newton steps from the prediction in `scratch` until one is below `last_step`; q is written.
+pub(super) fn correct(
+    equations: &mut Equations<'_>,
+    scratch: &mut Scratch,
+    q: &mut Vec<f64>,
+    allowed: f64,
+    last_step: f64,
+) -> Result<Corrected, Fault> {
+    let Scratch { predicted, difference: travel, closing: rows, .. } = scratch;
+    q.clone_from(predicted);
+    let mut before = f64::INFINITY;
+    let mut worst = 0;
+    let all = rows.len() == equations.rows();
+    let mut memory: Option<Factorization> = None;
+    for iterations in 1..=CORRECTIONS {
+        equations.evaluate(Subset::POSITION, q, None)?;
+        let phi = DVector::from_iterator(rows.len(), rows.iter().map(|&r| equations.phi[r] * equations.scale.rows[r]));
+        if iterations == 1 {
+            worst = rows.get(phi.iamax_or_zero()).copied().unwrap_or(0);
+        }
+        let tolerance = 0.1 * equations.options.rank_tolerance;
+        let sparse = if all { equations.factorise_sparse(Wanted::Solutions, memory.take()) } else { None };
+        let factor = sparse
+            .unwrap_or_else(|| Factorization::quick(&equations.scaled_rows(rows), &equations.scale.columns, tolerance));
+        let step = factor.solve(&phi);
+        memory = Some(factor);
+        q.iter_mut().zip(step.iter()).for_each(|(q, s)| *q -= s);
+        let length = equations.scale.size(step.as_slice());
+        fill(travel, q.iter().zip(predicted.iter()).map(|(a, b)| a - b));
+        let correction = equations.scale.size(travel);
+        if !(length <= CONTRACTION * before && correction <= allowed) {
+            // Also when something is not a number. At the level of rounding nothing contracts any more.
+            if !(length <= last_step && correction <= allowed) {
+                return Err(Fault::Open(worst));
+            }
+        }
+        if length <= last_step {
+            return Ok(Corrected { iterations, worst, correction });
+        }
+        before = length;
+    }
+    Err(Fault::Open(worst))
+}
+
+/// Largest scaled residual that counts as closed at q.
+fn closed(equations: &Equations<'_>, q: &[f64]) -> f64 {
+    equations.options.tolerance.max(rounding(equations.scale.size(q)))
+}
+
+/// True if the velocity is about where q̇ + h q̈ expects it.
+fn expected(equations: &Equations<'_>, change: &mut Vec<f64>, from: &Start<'_>, h: f64, q_dot: &[f64]) -> bool {
+    let scale = &equations.scale;
+    fill(change, q_dot.iter().zip(from.q_dot).zip(from.q_ddot).map(|((new, old), a)| new - (old + h * a)));
+    let (change, size) = (scale.size(change), scale.size(q_dot).max(scale.size(from.q_dot)));
+    // Accelerations are no excuse: near a singular configuration they are large, or rounding.
+    change <= VELOCITY * size || h.abs() * size <= INSTANTANEOUS
+}
+
+/// `iamax` that accepts an empty vector.
+trait LargestEntry {
+    fn iamax_or_zero(&self) -> usize;
+}
+
+impl LargestEntry for DVector<f64> {
+    fn iamax_or_zero(&self) -> usize {
+        if self.is_empty() { 0 } else { self.iamax() }
+    }
+}
+
+#[cfg(test)]
+mod tests;

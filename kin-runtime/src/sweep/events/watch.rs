@@ -1,0 +1,337 @@
+//! The watch over all conditions of a sweep.
+
+use super::sample::{Sample, samples};
+use super::shape::{Shape, doubt, is_known, shape};
+use crate::analysis::poses::poses;
+use crate::equations::Equations;
+use crate::error::SolveError;
+use crate::nonlinear::root::{Value, bracket, tolerance};
+use crate::results::event::{Crossing, Event, Unwatched};
+use crate::state::State;
+use std::collections::HashMap;
+
+/// How often an interval is halved in which samples do not foretell one another; what is shorter is an instant.
+const HALVINGS: usize = 30;
+/// How often in a row it is halved where they do: what is unclear then is so near to zero that rounding decides.
+const HALVINGS_OF_KNOWN: usize = 9;
+/// Most samples in one step of the sweep that halving may take for one condition.
+const PATIENCE: usize = 1 << 14;
+/// The same, at least, after steps in which they were not enough.
+const IMPATIENCE: usize = 1 << 6;
+
+/// The state of a motion at a time between two states that it passed; none where it cannot be solved.
+pub(crate) type Between<'f> = dyn FnMut(&mut Equations<'_>, f64) -> Option<State> + 'f;
+
+/// What was seen of the conditions of a sweep so far.
+#[derive(Clone, Debug)]
+pub(crate) struct Watch {
+    /// The last state, and its samples.
+    state: State,
+    samples: Vec<Sample>,
+    /// The samples of the state before that; none at the start.
+    earlier: Vec<Sample>,
+    /// How many samples each condition may take in the next step.
+    patience: Vec<usize>,
+    /// Whether each condition is satisfied; unknown where the sweep begins at the limit, until it moves.
+    satisfied: Vec<Option<bool>>,
+    /// Conditions violated at the first instant.
+    violated_at_start: Vec<usize>,
+    events: Vec<Event>,
+    unwatched: Vec<Unwatched>,
+}
+
+/// What a watch has seen.
+pub(crate) struct Seen {
+    pub(crate) events: Vec<Event>,
+    pub(crate) violated_at_start: Vec<usize>,
+    pub(crate) unwatched: Vec<Unwatched>,
+}
+
+impl Watch {
+    /// Begins at a state; none where there is nothing to watch.
+    pub(crate) fn start(equations: &mut Equations<'_>, state: &State) -> Result<Option<Self>, SolveError> {
+        if equations.model.conditions.is_empty() {
+            return Ok(None);
+        }
+        let samples = samples(equations, state)?;
+        let known = |s: &Sample| (s.value.abs() > s.noise).then_some(s.value > 0.0);
+        let satisfied: Vec<Option<bool>> = samples.iter().map(known).collect();
+        let violated_at_start = (0..satisfied.len()).filter(|&k| satisfied[k] == Some(false)).collect();
+        Ok(Some(Self {
+            state: state.clone(),
+            earlier: Vec::new(),
+            patience: vec![PATIENCE; samples.len()],
+            samples,
+            satisfied,
+            violated_at_start,
+            events: Vec::new(),
+            unwatched: Vec::new(),
+        }))
+    }
+
+    /// Looks at the motion from the last state to `to`; `between` gives its states in between, `to` included.
+    ///
+    /// What happened is noted in [`events`](Self::events), in the order in which the motion meets it.
+    pub(crate) fn pass(
+        &mut self,
+        equations: &mut Equations<'_>,
+        to: &State,
+        between: &mut Between<'_>,
+    ) -> Result<(), SolveError> {
+        let h = to.t - self.state.t;
+        if h == 0.0 {
+            return Ok(());
+        }
+        let mut ends = samples(equations, to)?;
+        if ends.iter().any(Sample::is_near)
+            && let Some(closed) = between(equations, to.t)
+        {
+            // A step on the way need not be closed to the last digit.
+            for (end, better) in ends.iter_mut().zip(samples(equations, &closed)?) {
+                *end = better;
+            }
+        }
+        let (before, unwatched_before) = (self.events.len(), self.unwatched.len());
+        let mut known = HashMap::new();
+        for (condition, &end) in ends.iter().enumerate() {
+            let start = self.samples[condition];
+            let side = self.satisfied[condition].unwrap_or_else(|| {
+                let side = start.side_after(h);
+                if !side {
+                    self.violated_at_start.push(condition);
+                }
+                side
+            });
+            let (equations, between) = (&mut *equations, &mut *between);
+            // The step before foretells this one; the other way, or after a much longer or shorter step, it does not.
+            let doubt = self.earlier.get(condition).map_or(f64::INFINITY, |earlier| doubt(earlier, &start, &end));
+            let patience = self.patience[condition];
+            let (known, found, lost) = (&mut known, Vec::new(), Vec::new());
+            let mut search = Search { equations, between, known, condition, step: h, side, patience, found, lost };
+            search.between(&start, &end, doubt, Depth::default());
+            self.satisfied[condition] = Some(search.side);
+            self.patience[condition] = if search.patience > 0 { PATIENCE } else { (patience / 4).max(IMPATIENCE) };
+            let Search { found, lost, .. } = search;
+            let name = equations.model.conditions[condition].name;
+            self.unwatched.extend(lost.into_iter().map(|[from, to]| Unwatched { name, condition, from, to }));
+            for Found { crossing, ends } in found {
+                let event = self.event(equations, between, to, condition, crossing, ends)?;
+                self.events.push(event);
+            }
+        }
+        self.violated_at_start.sort_unstable();
+        self.events[before..].sort_by(|a, b| (a.t * h.signum()).total_cmp(&(b.t * h.signum())));
+        self.join_unwatched(unwatched_before);
+        self.state = to.clone();
+        self.earlier = core::mem::replace(&mut self.samples, ends);
+        Ok(())
+    }
+
+    /// Joins what was not watched in this step, from the place `new` on, to what was not watched in the step before, where
+    /// one begins at the end of the other.
+    fn join_unwatched(&mut self, new: usize) {
+        for next in self.unwatched.split_off(new) {
+            let known = self.unwatched.iter_mut().rev();
+            match known.take(2 * self.samples.len()).find(|k| k.condition == next.condition && k.to == next.from) {
+                Some(before) => before.to = next.to,
+                None => self.unwatched.push(next),
+            }
+        }
+    }
+
+    /// The state at a located event.
+    fn event(
+        &self,
+        equations: &mut Equations<'_>,
+        between: &mut Between<'_>,
+        to: &State,
+        condition: usize,
+        crossing: Crossing,
+        [a, b]: [Value; 2],
+    ) -> Result<Event, SolveError> {
+        let t = if a.f.abs() <= b.f.abs() { a.t } else { b.t };
+        let name = equations.model.conditions[condition].name;
+        let open = (b.t - a.t).abs();
+        let (t, within, mut state) = match between(equations, t) {
+            Some(state) => (t, open, state),
+            None => {
+                // The nearer end is known.
+                let nearer = (t - self.state.t).abs() <= (to.t - t).abs();
+                let state = if nearer { self.state.clone() } else { to.clone() };
+                (state.t, open.max((t - state.t).abs()), state)
+            }
+        };
+        poses(equations, &mut state)?;
+        Ok(Event { name, condition, t, crossing, within, state })
+    }
+
+    /// The events so far.
+    pub(crate) fn events(&self) -> &[Event] {
+        &self.events
+    }
+
+    /// Keeps the first event, with those at the same instant.
+    pub(crate) fn keep_first(&mut self) {
+        if let Some(first) = self.events.first().map(|event| event.t) {
+            self.events.retain(|event| (event.t - first).abs() <= 2.0 * tolerance(first.abs()));
+            // Later stretches belong to a motion that does not take place.
+            let forwards = self.unwatched.first().is_none_or(|unwatched| unwatched.from < unwatched.to);
+            let is_before = |t: f64| if forwards { t < first } else { t > first };
+            self.unwatched.retain(|unwatched| is_before(unwatched.from));
+            self.unwatched.iter_mut().filter(|unwatched| !is_before(unwatched.to)).for_each(|it| it.to = first);
+        }
+    }
+
+    /// Everything that was seen.
+    pub(crate) fn finish(mut self) -> Seen {
+        let at_limit = |k: &usize| self.satisfied[*k].is_none() && self.samples[*k].value <= 0.0;
+        let still: Vec<usize> = (0..self.satisfied.len()).filter(at_limit).collect();
+        self.violated_at_start.extend(still);
+        self.violated_at_start.sort_unstable();
+        let Self { events, violated_at_start, unwatched, .. } = self;
+        Seen { events, violated_at_start, unwatched }
+    }
+}
+
+/// A limit that was met, and the interval in which.
+struct Found {
+    crossing: Crossing,
+    ends: [Value; 2],
+}
+
+/// How often an interval has been halved.
+#[derive(Clone, Copy, Default)]
+struct Depth {
+    halved: usize,
+    /// How often in a row where the samples foretold one another.
+    known: usize,
+}
+
+/// The search for one condition between two states.
+struct Search<'s, 'e, 'a, 'b> {
+    equations: &'e mut Equations<'a>,
+    between: &'b mut Between<'s>,
+    /// The samples of all conditions at the times of this step that any of them asked for.
+    known: &'b mut HashMap<u64, Option<Vec<Sample>>>,
+    condition: usize,
+    /// Time from one state to the other, with its sign.
+    step: f64,
+    /// Whether the condition is satisfied where the search has come to.
+    side: bool,
+    /// How many more samples halving may take.
+    patience: usize,
+    found: Vec<Found>,
+    /// Where the condition was not watched, from and to.
+    lost: Vec<[f64; 2]>,
+}
+
+impl Search<'_, '_, '_, '_> {
+    /// The condition at a time in between; none where the motion cannot be solved there.
+    fn sample(&mut self, t: f64) -> Option<Sample> {
+        let Self { equations, between, known, .. } = self;
+        let all = known.entry(t.to_bits()).or_insert_with(|| {
+            let state = between(equations, t)?;
+            samples(equations, &state).ok()
+        });
+        all.as_ref()?.get(self.condition).copied()
+    }
+
+    /// What happens between two samples, which say what g is but for `doubt`.
+    fn between(&mut self, a: &Sample, b: &Sample, doubt: f64, depth: Depth) {
+        match shape(a, b, doubt) {
+            Shape::Unclear if depth.halved == HALVINGS || depth.known == HALVINGS_OF_KNOWN => self.monotone(a, b),
+            Shape::Unclear => match self.middle(a, b) {
+                Some(middle) => self.halve([a, &middle, b], doubt, depth),
+                None => self.lose(a, b),
+            },
+            known => self.take(known, a, b),
+        }
+    }
+
+    /// What happens in an interval with a sample in its middle, that may be enough to believe what the ends say.
+    fn halve(&mut self, [a, middle, b]: [&Sample; 3], before: f64, depth: Depth) {
+        let doubt = self::doubt(a, middle, b);
+        let whole = if doubt < before { shape(a, b, doubt) } else { Shape::Unclear };
+        if whole != Shape::Unclear {
+            return self.take(whole, a, b);
+        }
+        let known = if is_known(a, b, doubt) { depth.known + 1 } else { 0 };
+        let depth = Depth { halved: depth.halved + 1, known };
+        self.between(a, middle, doubt, depth);
+        self.between(middle, b, doubt, depth);
+    }
+
+    /// What happens on a course whose shape is known.
+    fn take(&mut self, shape: Shape, a: &Sample, b: &Sample) {
+        match shape {
+            Shape::Clear | Shape::Still => {}
+            Shape::Turning => self.turning(a, b),
+            Shape::Monotone | Shape::Unclear => self.monotone(a, b),
+        }
+    }
+
+    /// The sample in the middle, if there is the patience for another one.
+    fn middle(&mut self, a: &Sample, b: &Sample) -> Option<Sample> {
+        self.patience = self.patience.checked_sub(1)?;
+        self.sample(a.t + 0.5 * (b.t - a.t))
+    }
+
+    /// Does without a sample in between: what both ends say by themselves is taken for the whole, and where they say
+    /// nothing, that is noted.
+    fn lose(&mut self, a: &Sample, b: &Sample) {
+        let alone = if self.patience > 0 { shape(a, b, 0.0) } else { Shape::Unclear };
+        if alone == Shape::Unclear {
+            match self.lost.last_mut() {
+                Some([_, to]) if *to == a.t => *to = b.t,
+                _ => self.lost.push([a.t, b.t]),
+            }
+        }
+        self.take(alone, a, b);
+    }
+
+    /// One crossing where the ends lie on different sides.
+    fn monotone(&mut self, a: &Sample, b: &Sample) {
+        if b.side_after(self.step) == self.side {
+            return;
+        }
+        let sign = if self.side { 1.0 } else { -1.0 };
+        let value = |s: &Sample| Value { t: s.t, f: sign * s.value, rate: sign * s.rate };
+        let narrow = tolerance(a.t.abs().max(b.t.abs()));
+        let ends = bracket(value(a), value(b), narrow, |t| self.sample(t).as_ref().map(value));
+        self.found.push(Found { crossing: if self.side { Crossing::Violated } else { Crossing::Restored }, ends });
+        self.side = !self.side;
+    }
+
+    /// The extremum first, where it is on the way to the limit.
+    fn turning(&mut self, a: &Sample, b: &Sample) {
+        let sign = if self.side { 1.0 } else { -1.0 };
+        let slope = |s: &Sample| sign * self.step.signum() * s.rate;
+        if slope(a) >= 0.0 {
+            return self.monotone(a, b);
+        }
+        let towards = self.step.signum();
+        // Falling towards the limit, then rising: −ḟ changes from positive to negative.
+        let value = |s: &Sample| Value { t: s.t, f: -sign * towards * s.rate, rate: -sign * towards * s.acceleration };
+        let narrow = tolerance(a.t.abs().max(b.t.abs()));
+        let mut beyond = None;
+        let ends = bracket(value(a), value(b), narrow, |t| {
+            let sample = self.sample(t)?;
+            if sign * sample.value < -sample.noise {
+                // Already beyond the limit: how far it goes does not matter.
+                beyond = Some(sample);
+                return Some(Value { t, f: 0.0, rate: 0.0 });
+            }
+            Some(value(&sample))
+        });
+        if let Some(beyond) = beyond {
+            self.monotone(a, &beyond);
+            return self.monotone(&beyond, b);
+        }
+        let t = if ends[0].f.abs() <= ends[1].f.abs() { ends[0].t } else { ends[1].t };
+        let Some(extremum) = self.sample(t) else { return self.monotone(a, b) };
+        if extremum.touches(narrow) {
+            self.found.push(Found { crossing: Crossing::Touched, ends });
+        }
+        self.monotone(&extremum, b);
+    }
+}

@@ -1,0 +1,4 @@
+//! A motion over many instants, and the events on its way.
+
+pub(crate) mod continuation;
+pub mod events;
