@@ -1,12 +1,11 @@
 //! Where the units of a mechanism do not agree.
 
-use super::quantity::Quantity::{self, Of};
-use super::quantity::first_origin;
+use super::quantity::{Checker, Quantity::Of};
 use super::{Unit, near, parse};
 use crate::check::order_of_defines;
 use crate::error::{ModelError, Origin};
 use crate::mechanism::{
-    Axis, BodyOrigin, Component, Curve, Dimension, Formula, GuessTarget, Joint, Mechanism, Operand, Place, Slot, Value,
+    Axis, BodyOrigin, Component, Curve, Dimension, GuessTarget, Joint, Mechanism, Operand, Slot, Value,
 };
 
 /// Every place where quantities of different units are added, compared or equated. The mechanism is sound: indices
@@ -36,21 +35,6 @@ fn base(unit: &str, kind: usize) -> Option<f64> {
     let symbols = unit.split(|c: char| !c.is_alphabetic());
     let mut bases = symbols.filter_map(|symbol| parse(symbol).ok()).filter(|unit| near(unit.powers[kind], 1.0));
     bases.find(|unit| unit.powers.iter().sum::<f64>() == 1.0).and_then(|unit| unit.scale)
-}
-
-pub(super) struct Checker<'m> {
-    pub(super) mechanism: &'m Mechanism,
-    /// Of the parameters, where they have one.
-    pub(super) units: Vec<Option<Unit>>,
-    /// Of positions.
-    pub(super) length: Unit,
-    /// Of t.
-    pub(super) time: Unit,
-    /// Of the defines that have been looked at.
-    pub(super) defines: Vec<Option<Quantity>>,
-    /// Where the formula at hand stands.
-    pub(super) at: Origin,
-    pub(super) errors: Vec<ModelError>,
 }
 
 impl Checker<'_> {
@@ -147,12 +131,6 @@ impl Checker<'_> {
         }
     }
 
-    pub(super) fn place(&mut self, place: &Place) {
-        for value in [&place.x, &place.y] {
-            self.expect(value, self.length, place.origin);
-        }
-    }
-
     fn axis(&mut self, axis: &Axis) {
         self.at = axis.origin;
         self.same(&axis.x, &axis.y);
@@ -170,22 +148,6 @@ impl Checker<'_> {
                     self.expect(value, self.length, *origin);
                 }
             }
-        }
-    }
-
-    /// `formula` is in `unit`; `at` is where it stands when none of its names does.
-    fn expect(&mut self, formula: &Formula, unit: Unit, at: Origin) {
-        self.at = at;
-        if let Of(found) = self.quantity(formula)
-            && !found.agrees(unit)
-        {
-            let wanted = match unit.scale {
-                None => "a length".to_owned(),
-                Some(_) if unit.is_number() => "an angle in rad".to_owned(),
-                Some(_) => unit.to_string(),
-            };
-            let message = format!("the units do not agree: this is {found}, and {wanted} is wanted");
-            self.errors.push(ModelError::new(first_origin(formula).unwrap_or(at), message));
         }
     }
 }

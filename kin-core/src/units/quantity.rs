@@ -1,9 +1,8 @@
 //! The units of formulas, from those of what stands in them.
 
-use super::check::Checker;
 use super::{Unit, near};
 use crate::error::{ModelError, Origin};
-use crate::mechanism::{Component, CurveVariable, Formula, Function};
+use crate::mechanism::{Component, CurveVariable, Formula, Function, Mechanism, Place};
 use Quantity::{Any, Of, Plain};
 
 /// What is known of a quantity.
@@ -17,7 +16,45 @@ pub(super) enum Quantity {
     Of(Unit),
 }
 
+/// The state of checking units.
+pub(super) struct Checker<'m> {
+    pub(super) mechanism: &'m Mechanism,
+    /// Of the parameters, where they have one.
+    pub(super) units: Vec<Option<Unit>>,
+    /// Of positions.
+    pub(super) length: Unit,
+    /// Of t.
+    pub(super) time: Unit,
+    /// Of the defines that have been looked at.
+    pub(super) defines: Vec<Option<Quantity>>,
+    /// Where the formula at hand stands.
+    pub(super) at: Origin,
+    pub(super) errors: Vec<ModelError>,
+}
+
 impl Checker<'_> {
+    pub(super) fn place(&mut self, place: &Place) {
+        for value in [&place.x, &place.y] {
+            self.expect(value, self.length, place.origin);
+        }
+    }
+
+    /// `formula` is in `unit`; `at` is where it stands when none of its names does.
+    pub(super) fn expect(&mut self, formula: &Formula, unit: Unit, at: Origin) {
+        self.at = at;
+        if let Of(found) = self.quantity(formula)
+            && !found.agrees(unit)
+        {
+            let wanted = match unit.scale {
+                None => "a length".to_owned(),
+                Some(_) if unit.is_number() => "an angle in rad".to_owned(),
+                Some(_) => unit.to_string(),
+            };
+            let message = format!("the units do not agree: this is {found}, and {wanted} is wanted");
+            self.errors.push(ModelError::new(first_origin(formula).unwrap_or(at), message));
+        }
+    }
+
     /// Both are in one unit, which they give; the second is to blame, if it has a name.
     pub(super) fn same(&mut self, a: &Formula, b: &Formula) -> Quantity {
         let (left, right) = (self.quantity(a), self.quantity(b));

@@ -1,8 +1,8 @@
 //! Points, defines and bodies: what was declared gets its meaning.
 
-use super::declare::IndexRange;
 use super::formula::{Allow, Scope};
 use super::names::Symbol;
+use super::range::IndexRange;
 use super::{Class, Lowerer};
 use crate::ast::{BodyDecl, Bracket, Expr, ExprKind, Item, NewName, PointExpr, text};
 use kin_core::check::{chain, cycle};

@@ -1,7 +1,7 @@
 //! Curves: their variables are known inside their formulas only, where they shadow other names.
 
-use super::declare::IndexRange;
 use super::formula::{Allow, Scope};
+use super::range::IndexRange;
 use super::{Class, Lowerer};
 use crate::ast::{CurveExpr, Expr, NameUse, PathExpr};
 use crate::suggest::{listed, nearest};

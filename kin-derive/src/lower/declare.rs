@@ -1,34 +1,13 @@
 //! Who is who: every declared name with its number, in the order of the source.
 
+use super::mention::MentionKind;
 use super::names::{Declared, Names, Shape, Symbol};
-use super::{Lowerer, MentionKind, body, place};
+use super::range::IndexRange;
+use super::{Lowerer, body, place};
 use crate::ast::{Bracket, Description, FunctionDecl, Item, NewName, RangeDecl, text};
 use crate::suggest::did_you_mean;
 use kin_core::error::Origin;
-use kin_core::mechanism::{
-    Body, Define, Formula, Input, Mechanism, NamedPoint, Parameter, Range, Scalar, SuppliedFunction,
-};
-
-/// The range that the index variable of an item runs over.
-#[derive(Clone, Debug)]
-pub(super) enum IndexRange {
-    /// No index variable.
-    None,
-    /// `i in start..end`.
-    Over(RangeDecl),
-    /// The brackets could not be read.
-    Unknown,
-}
-
-impl IndexRange {
-    /// The range in the model.
-    pub(super) fn model(&self) -> Option<Range> {
-        match self {
-            Self::Over(range) => Some(Range { start: range.start, end: range.end }),
-            Self::None | Self::Unknown => None,
-        }
-    }
-}
+use kin_core::mechanism::{Body, Define, Formula, Input, Mechanism, NamedPoint, Parameter, Scalar, SuppliedFunction};
 
 impl Lowerer<'_> {
     /// Numbers everything that has a name; the index ranges are those of the items, in their order.

@@ -1,7 +1,7 @@
 //! Expressions where they stand: names resolved, and only what may stand there let through.
 
-use super::declare::IndexRange;
 use super::names::{Declared, Shape, Symbol};
+use super::range::IndexRange;
 use super::{Class, Lowerer, MentionKind};
 use crate::ast::{Expr, ExprKind, NameUse, Operator, text};
 use crate::suggest::{did_you_mean, is_rate, listed};

@@ -1,9 +1,9 @@
 //! Radii, and scalar coordinates that options name.
 
 use super::Lowerer;
-use super::declare::IndexRange;
 use super::formula::{Allow, Scope};
 use super::names::Symbol;
+use super::range::IndexRange;
 use crate::ast::{Expr, NameUse, RadiiExpr};
 use kin_core::mechanism::{Member, Radii, Value};
 

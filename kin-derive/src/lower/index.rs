@@ -1,8 +1,8 @@
 //! Indices: `link[2*i + 1]` in a row that runs over `i`.
 
 use super::Lowerer;
-use super::declare::IndexRange;
 use super::names::{Declared, Shape};
+use super::range::IndexRange;
 use crate::ast::{IndexExpr, NameUse, text};
 use kin_core::mechanism::Index;
 use std::ops::Range;

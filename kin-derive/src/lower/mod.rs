@@ -6,8 +6,10 @@ mod declare;
 mod formula;
 mod gearing;
 mod index;
+mod mention;
 mod names;
 mod place;
+mod range;
 mod row;
 mod substitute;
 
@@ -15,6 +17,7 @@ use crate::ast::{Description, Flags, Item, text};
 use crate::report::Report;
 use kin_core::error::Origin;
 use kin_core::mechanism::{Define, Mechanism, NamedPoint};
+pub(crate) use mention::{Mention, MentionKind};
 use names::Names;
 use proc_macro2::Span;
 use std::collections::BTreeSet;
@@ -47,25 +50,6 @@ impl Lowered {
     pub(crate) fn span(&self, origin: Origin) -> Span {
         self.spans.get(origin.0 as usize).copied().unwrap_or_else(Span::call_site)
     }
-}
-
-/// A user's name, as written: emitted with its own span it keeps go-to-definition, hover and rename alive.
-#[derive(Clone, Debug)]
-pub(crate) struct Mention {
-    pub(crate) kind: MentionKind,
-    pub(crate) ident: Ident,
-}
-
-/// What a mentioned name is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum MentionKind {
-    Parameter,
-    Body,
-    Scalar,
-    Point,
-    Define,
-    Input,
-    Function,
 }
 
 /// A field of the struct.

@@ -1,6 +1,6 @@
 //! The table of names and what is said about those that are not in it.
 
-use super::MentionKind;
+use super::mention::MentionKind;
 use crate::suggest::{listed, nearest};
 use std::collections::{BTreeMap, BTreeSet};
 

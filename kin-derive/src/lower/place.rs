@@ -1,8 +1,8 @@
 //! Bodies and points where they are used.
 
-use super::declare::IndexRange;
 use super::formula::{Allow, Scope};
 use super::names::{Declared, Symbol};
+use super::range::IndexRange;
 use super::{Lowerer, MentionKind, substitute};
 use crate::ast::{NameUse, PointExpr};
 use kin_core::error::Origin;

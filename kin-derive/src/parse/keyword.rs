@@ -1,6 +1,6 @@
 //! Which attributes are ours.
 
-use super::rows::{self, RowForm};
+use super::forms::{self, RowForm};
 use crate::suggest::{listed, near};
 
 /// What an attribute of ours declares.
@@ -51,7 +51,7 @@ const WORDS: [(&str, Keyword); 11] = [
 ];
 
 fn words() -> impl Iterator<Item = (&'static str, Keyword)> {
-    WORDS.into_iter().chain(rows::FORMS.iter().map(|form| (form.keyword, Keyword::Row(form))))
+    WORDS.into_iter().chain(forms::FORMS.iter().map(|form| (form.keyword, Keyword::Row(form))))
 }
 
 /// Every word of the language, with an example where it is a row.

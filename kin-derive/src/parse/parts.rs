@@ -1,36 +1,11 @@
 //! The parts of a row: operands in order, then `key = value` in any order.
 
-use super::rows::RowForm;
+use super::forms::{OptionForm, RowForm};
 use crate::ast::{AxisExpr, BodyExpr, Expr, NameUse, PointExpr, RadiiExpr, text};
 use crate::report::Report;
 use proc_macro2::Span;
 use std::collections::VecDeque;
 use syn::Ident;
-
-/// What an operand is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum OperandForm {
-    Point,
-    /// Two points or more.
-    Points,
-    Body,
-    Expression,
-}
-
-/// What the value of an option is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum OptionForm {
-    Axis,
-    Expression,
-    /// `key(theta) = expression`, with the words that stand in the brackets.
-    Curve(&'static [&'static str]),
-    /// `key(u) = (ex, ey)`.
-    Path,
-    Radii,
-    Body,
-    /// The name of a scalar coordinate.
-    Scalar,
-}
 
 /// An operand that was read, or its hole.
 pub(super) enum Operand {

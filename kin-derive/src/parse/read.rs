@@ -2,12 +2,12 @@
 
 use super::curve::{self, is_bracketed};
 use super::expr::{end_of_expr, expr};
+use super::forms::{OperandForm, OptionForm, RowForm};
 use super::index::identifier;
 use super::list::{comma, end_of_part, skip_part, skip_to};
-use super::parts::{Operand, OperandForm, OptionForm, Parts, Value};
+use super::parts::{Operand, Parts, Value};
 use super::point::{axis, body, point, radii, scalar};
 use super::reject::{self, here};
-use super::rows::RowForm;
 use crate::ast::{Expr, PointExpr, text};
 use crate::report::Report;
 use crate::suggest::{did_you_mean, listed};

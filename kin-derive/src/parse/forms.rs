@@ -1,0 +1,121 @@
+//! How joints, drivers and equations are written: the kinds and their forms are kin-core's ([`forms`]).
+
+use kin_core::joints::forms;
+use kin_core::mechanism::{JointForm, Slot, Takes, Written};
+use std::sync::LazyLock;
+
+/// What an operand is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum OperandForm {
+    Point,
+    /// Two points or more.
+    Points,
+    Body,
+    Expression,
+}
+
+/// What the value of an option is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum OptionForm {
+    Axis,
+    Expression,
+    /// `key(theta) = expression`, with the words that stand in the brackets.
+    Curve(&'static [&'static str]),
+    /// `key(u) = (ex, ey)`.
+    Path,
+    Radii,
+    Body,
+    /// The name of a scalar coordinate.
+    Scalar,
+}
+
+/// How the rows of a keyword are written.
+pub(super) struct RowForm {
+    /// The attribute.
+    pub(super) keyword: &'static str,
+    /// The kinds that share it: they have the same operands, and options of their own.
+    pub(super) kinds: Vec<&'static JointForm>,
+    /// What stands behind the name, in order.
+    pub(super) operands: Vec<OperandForm>,
+    /// What can follow as `key = value`.
+    pub(super) options: Vec<(&'static str, OptionForm)>,
+}
+
+/// Every row of the language, in the order of the guide.
+pub(super) static FORMS: LazyLock<Vec<RowForm>> = LazyLock::new(|| {
+    let mut rows: Vec<RowForm> = Vec::new();
+    for form in forms() {
+        let options = form.written(Written::Option).flat_map(options_of);
+        match rows.last_mut().filter(|row| row.keyword == form.kind.keyword()) {
+            Some(row) => {
+                row.kinds.push(form);
+                let new: Vec<_> =
+                    options.filter(|(key, _)| row.options.iter().all(|(known, _)| known != key)).collect();
+                row.options.extend(new);
+            }
+            None => rows.push(RowForm {
+                keyword: form.kind.keyword(),
+                kinds: vec![form],
+                operands: form.written(Written::Operand).map(operand_of).collect(),
+                options: options.collect(),
+            }),
+        }
+    }
+    rows
+});
+
+fn operand_of(slot: &Slot) -> OperandForm {
+    match slot.takes {
+        Takes::Point => OperandForm::Point,
+        Takes::Points => OperandForm::Points,
+        Takes::Body | Takes::Carrier => OperandForm::Body,
+        _ => OperandForm::Expression,
+    }
+}
+
+/// The options that a slot is written with.
+fn options_of(slot: &Slot) -> Vec<(&'static str, OptionForm)> {
+    let form = match slot.takes {
+        Takes::Axis => OptionForm::Axis,
+        Takes::Radii => OptionForm::Radii,
+        Takes::Body | Takes::Carrier => OptionForm::Body,
+        Takes::Scalar(_) => OptionForm::Scalar,
+        Takes::Support => OptionForm::Curve(&["theta"]),
+        Takes::Curve => {
+            return vec![
+                ("polar", OptionForm::Curve(&["theta"])),
+                ("implicit", OptionForm::Curve(&["X", "Y"])),
+                ("parametric", OptionForm::Path),
+                ("roller", OptionForm::Expression),
+            ];
+        }
+        _ => OptionForm::Expression,
+    };
+    vec![(slot.key, form)]
+}
+
+impl RowForm {
+    /// A row as the user writes it.
+    pub(super) fn example(&self) -> &'static str {
+        self.kinds.first().map_or("", |form| form.example)
+    }
+
+    /// What would be right, for a message: the ways in which the kinds are told apart, or else the example.
+    pub(super) fn right(&self) -> String {
+        match self.kinds.first().map(|form| form.choice) {
+            Some(choice) if !choice.is_empty() => choice.to_owned(),
+            _ => format!("`{}`", self.example()),
+        }
+    }
+
+    /// True when `= expression` follows the last operand.
+    pub(super) fn is_equation(&self) -> bool {
+        self.kinds.iter().any(|form| form.is_equation())
+    }
+}
+
+impl core::fmt::Debug for RowForm {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(self.keyword)
+    }
+}
