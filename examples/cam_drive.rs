@@ -14,7 +14,7 @@
 //! The table is this example's own, of the size of a car's intake valve.
 //!
 //! ```text
-//! cargo run --release --example cam_drive -- plot tappet.y tappet.y_ddot --from 0.2 --to 0.4 --out lift.svg
+//! cargo run --release --example cam_drive --features plot -- plot tappet.y tappet.y_ddot --from 0.2 --to 0.4 --out lift.svg
 //! cargo run --release --example cam_drive -- sweep --from 0 --to 1.2 --steps 240 --format csv
 //! cargo run --release --example cam_drive -- check
 //! ```

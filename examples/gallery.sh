@@ -4,7 +4,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 out=${1:-examples/pictures}
 mkdir -p "$out"
-cargo build --quiet --release --locked --examples
+cargo build --quiet --release --locked --examples --features plot
 programs=${CARGO_TARGET_DIR:-target}/release/examples
 
 # NAME ARGUMENTS…: a picture that moves.

@@ -16,7 +16,7 @@
 //!
 //! ```text
 //! cargo run --release --example hart -- sweep --from 0 --to 6.283 --steps 24 --points --format csv
-//! cargo run --release --example hart -- plot q.x --to 6.283 --out line.svg
+//! cargo run --release --example hart --features plot -- plot q.x --to 6.283 --out line.svg
 //! ```
 
 use kin_runtime::mechanism;

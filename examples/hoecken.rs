@@ -16,7 +16,7 @@
 //! of β = 180°. That of β = 120°, `--set d=0.02625,l=0.03438`, is ten times as straight and three quarters as long.
 //!
 //! ```text
-//! cargo run --release --example hoecken -- plot T --out curve.svg
+//! cargo run --release --example hoecken --features plot -- plot T --out curve.svg
 //! cargo run --release --example hoecken -- sweep --from 1.5708 --to 4.7124 --steps 18 --points
 //! ```
 

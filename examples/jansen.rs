@@ -19,7 +19,7 @@
 //! Dimensions: Jansen's eleven "holy numbers" and a, l (Theo Jansen, The Great Pretender, 2007), read as millimetres.
 //!
 //! ```text
-//! cargo run --release --example jansen -- plot 'foot[0]' --out foot.svg
+//! cargo run --release --example jansen --features plot -- plot 'foot[0]' --out foot.svg
 //! cargo run --release --example jansen -- animate --out jansen.html
 //! ```
 

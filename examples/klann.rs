@@ -17,7 +17,7 @@
 //! FG = 59, EG = 111.7. J. Klann, US patent 6260862, has the leg.
 //!
 //! ```text
-//! cargo run --release --example klann -- plot foot --out foot.svg
+//! cargo run --release --example klann --features plot -- plot foot --out foot.svg
 //! cargo run --release --example klann -- animate --out klann.html
 //! ```
 

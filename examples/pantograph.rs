@@ -14,7 +14,7 @@
 //! The dimensions are this example's own, those of a pantograph for the desk; the principle is Christoph Scheiner's (1603).
 //!
 //! ```text
-//! cargo run --release --example pantograph -- plot stylus pen --to 6.283 --out hearts.svg
+//! cargo run --release --example pantograph --features plot -- plot stylus pen --to 6.283 --out hearts.svg
 //! cargo run --release --example pantograph -- animate --to 6.283 --out pantograph.html --set ratio=2
 //! ```
 

@@ -19,7 +19,7 @@
 //!
 //! ```text
 //! cargo run --release --example peaucellier -- sweep --from 0 --to 6.283 --steps 24 --points --format csv
-//! cargo run --release --example peaucellier -- plot Q.x --to 6.283 --out line.svg
+//! cargo run --release --example peaucellier --features plot -- plot Q.x --to 6.283 --out line.svg
 //! ```
 
 use kin_runtime::mechanism;

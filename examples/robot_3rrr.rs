@@ -16,7 +16,7 @@
 //! J. Angeles, "The optimum kinematic design of a planar three-degree-of-freedom parallel manipulator" (1988).
 //!
 //! ```text
-//! cargo run --release --example robot_3rrr -- plot 'crank[0].phi' 'crank[1].phi' 'crank[2].phi' --out motors.svg
+//! cargo run --release --example robot_3rrr --features plot -- plot 'crank[0].phi' 'crank[1].phi' 'crank[2].phi' --out motors.svg
 //! cargo run --release --example robot_3rrr -- solve --at 0.5 --set angle=0.3
 //! ```
 

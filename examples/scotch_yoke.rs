@@ -14,7 +14,7 @@
 //!
 //! ```text
 //! cargo run --release --example scotch_yoke -- sweep --from 0 --to 0.1 --steps 24
-//! cargo run --release --example scotch_yoke -- plot piston.x piston.x_dot --out piston.svg
+//! cargo run --release --example scotch_yoke --features plot -- plot piston.x piston.x_dot --out piston.svg
 //! ```
 
 use kin_runtime::mechanism;

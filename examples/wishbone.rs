@@ -16,7 +16,7 @@
 //! The dimensions are this example's own, those of a small sports car.
 //!
 //! ```text
-//! cargo run --release --example wishbone -- plot camber:rise track:rise --to 6.283 --out curves.svg
+//! cargo run --release --example wishbone --features plot -- plot camber:rise track:rise --to 6.283 --out curves.svg
 //! cargo run --release --example wishbone -- sweep --to 6.283 --steps 12 --points
 //! ```
 

@@ -48,13 +48,14 @@ fn the_starting_point_is_the_template() {
     let template = without_head(include_str!("../../examples/template.rs"));
     assert_eq!(blocks(README, "rust,no_run"), [template]);
 
-    // The examples are built with what the README's manifest asks for.
+    // The examples are built with what the README's manifest asks for, diagrams and equations where they are wanted.
     let [manifest, ..] = blocks(README, "toml")[..] else { panic!("a manifest") };
-    let features =
-        |text: &str| text.split("features = ").nth(1).and_then(|rest| rest.split('}').next()).map(str::to_owned);
-    let of_the_examples = features(include_str!("../../examples/Cargo.toml"));
-    assert!(of_the_examples.is_some());
-    assert_eq!(features(manifest), of_the_examples);
+    let examples = include_str!("../../examples/Cargo.toml");
+    assert!(examples.contains("kin-runtime = { workspace = true, features = [\"std\", \"cli\"] }"));
+    assert!(manifest.contains("features = [\"cli\", \"plot\", \"equations\"]"));
+    for feature in ["plot", "equations"] {
+        assert!(examples.contains(&format!("{feature} = [\"kin-runtime/{feature}\"]")));
+    }
     assert!(manifest.contains("path = \"../kin/kin-runtime\""));
 
     // The mistake that is shown is one in that file.

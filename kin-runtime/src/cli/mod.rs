@@ -45,6 +45,8 @@ mod failure;
 mod help;
 mod info;
 mod interrupt;
+#[cfg(not(all(feature = "plot", feature = "equations")))]
+mod missing;
 mod moving;
 mod names;
 mod options;
@@ -100,9 +102,15 @@ enum Command {
     Check(check::CheckArgs),
     #[cfg(feature = "equations")]
     Equations(equations::EquationsArgs),
+    #[cfg(not(feature = "equations"))]
+    #[command(hide = true)]
+    Equations(missing::MissingArgs),
     Animate(animate::AnimateArgs),
     #[cfg(feature = "plot")]
     Plot(plot::PlotArgs),
+    #[cfg(not(feature = "plot"))]
+    #[command(hide = true)]
+    Plot(missing::MissingArgs),
     Completions(completions::CompletionsArgs),
 }
 
@@ -135,9 +143,13 @@ fn run(
         Some(Command::Check(args)) => check::run(args, engine, &mut session),
         #[cfg(feature = "equations")]
         Some(Command::Equations(args)) => equations::run(args, engine, &mut session),
+        #[cfg(not(feature = "equations"))]
+        Some(Command::Equations(args)) => missing::run(args, "equations"),
         Some(Command::Animate(args)) => animate::run(args, engine, &mut session),
         #[cfg(feature = "plot")]
         Some(Command::Plot(args)) => plot::run(args, engine, &mut session),
+        #[cfg(not(feature = "plot"))]
+        Some(Command::Plot(args)) => missing::run(args, "plot"),
         Some(Command::Completions(args)) => completions::run(args, command, engine.model(), &mut session),
     };
     session.finish(done)

@@ -40,11 +40,20 @@ fn run(command: &str, own: &str, scratch: &Path) -> Result<(), String> {
     }
     let mut words = words.map(|word| word.trim_matches('\'').to_owned());
     let of_cargo: Vec<String> = words.by_ref().take_while(|word| word != "--").collect();
-    let program = match &of_cargo[..] {
-        [] => own,
-        [release, example, name] if release == "--release" && example == "--example" => name,
+    let (program, feature) = match &of_cargo[..] {
+        [] => (own, None),
+        [release, example, name, features @ ..] if release == "--release" && example == "--example" => match features {
+            [] => (name.as_str(), None),
+            [word, feature] if word == "--features" => (name.as_str(), Some(feature)),
+            _ => return Err("it has more than a feature".to_owned()),
+        },
         _ => return Err("it starts no example".to_owned()),
     };
+    // The examples are built without diagrams and equations unless they are asked for.
+    let needs = ["plot", "equations"].into_iter().find(|command| words.clone().next().as_deref() == Some(command));
+    if !of_cargo.is_empty() && needs != feature.map(String::as_str) {
+        return Err(format!("it needs {needs:?} and asks for the feature {feature:?}"));
+    }
     let mut arguments: Vec<String> = ["program".to_owned()].into_iter().chain(words).collect();
     if arguments.len() == 1 && read(&format!("examples/{program}.rs")).contains("std::env::args()") {
         // It tells a story of its own then.

@@ -1,0 +1,20 @@
+//! Commands that this program was built without.
+
+use super::failure::Failure;
+use std::ffi::OsString;
+
+/// Whatever stands behind the command.
+#[derive(Debug, clap::Args)]
+#[command(disable_help_flag = true)]
+pub(super) struct MissingArgs {
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true, hide = true)]
+    rest: Vec<OsString>,
+}
+
+/// Says which feature has the command.
+pub(super) fn run(_: &MissingArgs, command: &str) -> Result<(), Failure> {
+    Err(Failure::usage(format!(
+        "this program was built without `{command}`: it is in the feature `{command}` of kin-runtime, which stands in \
+         Cargo.toml, `features = [\"cli\", \"{command}\"]`; the examples take it as `--features {command}`"
+    )))
+}
