@@ -2,8 +2,8 @@
 //! is not written.
 
 use super::gather::{Item, Solved};
+use super::line::{Formulas, Line};
 use super::share::Naming;
-use super::{Formulas, Line};
 use crate::expr::{ExprId, Graph, Jet, Shown, Symbol, total_derivatives};
 use crate::mechanism::Function;
 use crate::plan::step::{Kind, Step};

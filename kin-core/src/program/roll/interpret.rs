@@ -1,6 +1,6 @@
 //! The interpreter of rolled programs: what the loops say, and nothing of the program they came from.
 
-use super::{Part, Piece, Rolled, Source, Step};
+use super::rolled::{Part, Piece, Rolled, Source, Step};
 use crate::expr::{Environment, Symbol};
 use crate::program::interpret::compute;
 use crate::program::{Slot, Value};

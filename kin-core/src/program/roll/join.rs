@@ -3,7 +3,7 @@
 //! Members of several kinds have angles of several kinds, a loop and an array for each. A call takes eight angles at a
 //! time and fills up what is missing: one call of thirty angles is less work than three calls of ten.
 
-use super::{Keep, Part, Piece, Rolled, Source, Step};
+use super::rolled::{Keep, Part, Piece, Rolled, Source, Step};
 use crate::program::{Instruction, Value};
 
 /// A step that takes sines and cosines.

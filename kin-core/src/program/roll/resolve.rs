@@ -1,8 +1,8 @@
 //! From loops of a stream to a rolled program: names, arrays and tables.
 
 use super::detect::Span;
+use super::rolled::{Keep, Part, Piece, Rolled, Source, Step};
 use super::stream::{Action, Operand, Stream};
-use super::{Keep, Part, Piece, Rolled, Source, Step};
 use crate::program::{Program, Value};
 use std::collections::{BTreeMap, BTreeSet};
 

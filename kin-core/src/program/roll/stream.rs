@@ -4,7 +4,7 @@
 //! address: the item that computes it, the index of a symbol, the index of a slot. Everything else about an item is its
 //! kind; so two items are the same code exactly if they are of one kind, and addresses say how far they are apart.
 
-use super::Part;
+use super::rolled::Part;
 use crate::expr::{Bits, Symbol};
 use crate::hash::{Table, mixed};
 use crate::program::{Instruction, Program, Slot, Value};

@@ -1,6 +1,6 @@
 //! Cycloidal motion: s = τ − sin(2πτ)/2π, s′ = 1 − cos 2πτ, s″ = 2π sin 2πτ.
 
-use super::Wave;
+use super::wave::Wave;
 use crate::scalar::Scalar;
 use core::f64::consts::TAU;
 

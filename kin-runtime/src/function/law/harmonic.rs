@@ -1,6 +1,6 @@
 //! Simple harmonic motion: s = (1 − cos πτ)/2, s′ = π/2 sin πτ, s″ = π²/2 cos πτ.
 
-use super::Wave;
+use super::wave::Wave;
 use crate::scalar::Scalar;
 use core::f64::consts::PI;
 

@@ -7,10 +7,12 @@ mod modified_trapezoidal;
 mod polynomials;
 #[cfg(test)]
 mod tests;
+mod wave;
 
 use super::ScalarFunction;
 use super::polynomial::all_derivatives;
 use core::fmt;
+use wave::Wave;
 
 /// A normalised motion law s(τ) with s(0) = 0 and s(1) = 1 for τ in [0, 1].
 ///
@@ -123,20 +125,6 @@ impl ScalarFunction for MotionLaw {
     fn derivatives(&self, tau: f64, out: &mut [f64]) -> usize {
         Self::derivatives(*self, tau, out);
         out.len()
-    }
-}
-
-/// s″ = a sin θ as a piece of a wave: a sin θ, a cos θ, and θ′.
-#[derive(Clone, Copy, Default)]
-struct Wave {
-    sine: f64,
-    cosine: f64,
-    omega: f64,
-}
-
-impl Wave {
-    fn new(amplitude: f64, (sin, cos): (f64, f64), omega: f64) -> Self {
-        Self { sine: amplitude * sin, cosine: amplitude * cos, omega }
     }
 }
 

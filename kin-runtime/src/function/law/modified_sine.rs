@@ -3,7 +3,7 @@
 //!
 //! τ ≤ 1/8 or τ ≥ 7/8: s″ = C sin 4πτ; between: s″ = C sin((4πτ + π)/3).
 
-use super::Wave;
+use super::wave::Wave;
 use crate::scalar::Scalar;
 use core::f64::consts::PI;
 

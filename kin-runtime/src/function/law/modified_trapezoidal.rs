@@ -1,7 +1,7 @@
 //! Modified trapezoidal: the acceleration rises over a quarter sine to its peak C = 8π/(2 + π), stays there for a
 //! quarter of the duration, and falls over a quarter sine to 0 at τ = 1/2; the second half mirrors the first.
 
-use super::Wave;
+use super::wave::Wave;
 use crate::scalar::Scalar;
 use core::f64::consts::PI;
 
