@@ -181,6 +181,7 @@ impl<M: Mechanism> Follower<M> {
     }
 
     /// True where it was reached in one step from the state before.
+    #[cfg(feature = "std")]
     pub(crate) const fn in_one_step(&self) -> bool {
         !self.before.is_nan()
     }
