@@ -1,16 +1,25 @@
 //! The example of the guide's chapter on a new constraint, `equidistant(N: P, Q, R)`: it compiles, and Φ is what it says.
 
+use super::joint::{JointType, joint};
 use crate::constraint::{Assembly, ConstraintSet, Rows};
 use crate::error::Origin;
-use crate::mechanism::{BodyRef, Formula, Mechanism, Place};
+use crate::mechanism::{BodyRef, Formula, Mechanism, Place, Slot};
 
-struct Equidistant {
-    p: Place,
-    q: Place,
-    r: Place,
+// A kind of its own has a word of its own in the vocabulary.
+joint! {
+    /// Operands of a point with two equal distances.
+    Equidistant as Constraint {
+        /// P of body i.
+        p: Place = Slot::point("p"),
+        /// Q of body j.
+        q: Place = Slot::point("q"),
+        /// R of a third body.
+        r: Place = Slot::point("r"),
+    }
+    example: "#[equidistant(N: runner @ (0, 0), left @ (l, 0), right @ (l, 0))]"
 }
 
-impl Equidistant {
+impl JointType for Equidistant {
     fn rows(&self, a: &mut Assembly<'_>) -> Rows {
         let [p, q, r] = [&self.p, &self.q, &self.r].map(|place| a.place(place));
         let (to_q, to_r) = (a.square_of_distance(&p, &q), a.square_of_distance(&p, &r));

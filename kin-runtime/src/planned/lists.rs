@@ -111,7 +111,7 @@ impl<M: Mechanism, T: Scalar> Modes<M, T> {
 
 impl<M: Mechanism, V: Compare> Margins<M, V> {
     /// The smallest; NaN is none.
-    #[cfg(feature = "alloc")]
+    #[cfg(any(feature = "std", all(feature = "simd", feature = "alloc")))]
     #[inline(always)]
     pub(crate) fn least(&self) -> V {
         self.as_ref().iter().fold(V::from_f64(1.0), |least, margin| least.least(*margin))
