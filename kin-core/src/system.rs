@@ -9,7 +9,6 @@
 use crate::constraint::{ConstraintRow, ConstraintSet, ObservableKind, VelocityRow};
 use crate::error::{ModelError, Origin};
 use crate::expr::{ExprId, Jet, MAX_ORDER, Node, Symbol, total_derivatives, velocity_derivatives};
-use crate::vocabulary::JointKind;
 use core::fmt;
 
 /// A row with its derivatives.
@@ -120,7 +119,7 @@ fn class(set: &ConstraintSet, row: &ConstraintRow) -> RowClass {
     let holonomic = row.velocity.is_none();
     let value = row.velocity.map_or(row.phi, |velocity| velocity.eta);
     let rheonomic = set.graph.depends(value).is_rheonomic();
-    let declared = matches!(set.joints[row.joint].kind, JointKind::Driver | JointKind::Speed);
+    let declared = set.joints[row.joint].kind.drives();
     RowClass { holonomic, rheonomic, driving: declared || (rheonomic && row.operands_move) }
 }
 

@@ -89,6 +89,16 @@ impl JointKind {
 }
 
 impl JointKind {
+    /// True for what is declared to drive; a joint may drive, too, with a length or an angle that moves.
+    pub const fn drives(self) -> bool {
+        matches!(self, Self::Driver | Self::Speed)
+    }
+
+    /// True for an equation whose both sides are the user's own formulas.
+    pub const fn is_free_equation(self) -> bool {
+        matches!(self, Self::Constraint | Self::Nonholonomic | Self::Driver)
+    }
+
     /// True where it keeps a distance between points, which is not negative: a link, a cylinder, a rope, or a driver of a
     /// distance, which is the only driver with a second point.
     pub const fn keeps_length(self, has_second_point: bool) -> bool {

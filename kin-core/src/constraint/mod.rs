@@ -22,6 +22,6 @@ pub(crate) use rows::Rows;
 pub use set::{
     BodyInstance, ConditionInstance, ConstraintRow, ConstraintSet, Coordinate, CoordinateKind, CurveInstance,
     DefineInstance, Family, Frame, Geometry, JointInstance, Observable, ObservableKind, PointInstance, Quantity,
-    VelocityRow,
+    RowMeaning, VelocityRow,
 };
 pub(crate) use variables::Variables;

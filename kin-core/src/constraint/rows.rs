@@ -2,15 +2,15 @@
 
 use super::assembly::Assembly;
 use super::pose::PlacedPoint;
-use super::set::{Frame, VelocityRow};
+use super::set::{Frame, RowMeaning, VelocityRow};
 use crate::expr::ExprId;
 use crate::mechanism::Formula;
 use crate::vocabulary::Role;
 
-/// What a joint hands back: rows as (suffix of the name, residual), and what it reports.
+/// What a joint hands back: rows as (suffix of the name, what the row says, residual), and what it reports.
 #[derive(Default)]
 pub(crate) struct Rows {
-    pub(crate) residuals: Vec<(&'static str, ExprId)>,
+    pub(crate) residuals: Vec<(&'static str, RowMeaning, ExprId)>,
     /// The row of velocity level; its joint has no other.
     pub(crate) velocity: Option<VelocityRow>,
     pub(crate) geometry: Vec<(Role, Frame, Vec<ExprId>)>,
@@ -31,6 +31,6 @@ impl Rows {
     /// The row left − right.
     pub(crate) fn equation(a: &mut Assembly<'_>, left: &Formula, right: &Formula) -> Self {
         let (left, right) = (a.formula(left), a.formula(right));
-        Self { residuals: vec![("", a.graph.sub(left, right))], ..Self::default() }
+        Self { residuals: vec![("", RowMeaning::Other, a.graph.sub(left, right))], ..Self::default() }
     }
 }

@@ -141,6 +141,23 @@ pub struct CurveInstance {
     pub point: [ExprId; 4],
 }
 
+/// What a row of Φ says of the points, axes and bodies of its joint, as far as others can use it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RowMeaning {
+    /// A coordinate of r_Q − r_P: 0 for x, 1 for y.
+    Coincidence(usize),
+    /// A coordinate of r_P, 0 for x, 1 for y, minus the joint's value.
+    Coordinate(usize),
+    /// perp(A v̂)·(r_Q − r_P), minus an offset where there is one.
+    AcrossAxis(Option<ExprId>),
+    /// |r_Q − r_P|² − e².
+    SquaredDistance,
+    /// The angle of a body, or between two.
+    Angle,
+    /// Something else.
+    Other,
+}
+
 /// A row of Φ, or of velocity level.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConstraintRow {
@@ -150,6 +167,8 @@ pub struct ConstraintRow {
     pub joint: usize,
     /// Its residual; 0 for a row of velocity level.
     pub phi: ExprId,
+    /// What it says.
+    pub meaning: RowMeaning,
     /// What a row of velocity level says.
     pub velocity: Option<VelocityRow>,
     /// True when its own operands contain t or an input; false when t reaches it only through the pose of a body.
@@ -290,6 +309,12 @@ impl ConstraintSet {
             self.geometry.get(piece.offset).copied()
         };
         self.joints.iter().filter(keeps).filter_map(value)
+    }
+
+    /// What the rows of a joint say.
+    pub fn meanings(&self, joint: &JointInstance) -> Vec<RowMeaning> {
+        let rows = self.rows.get(joint.first_row..joint.first_row + joint.rows).unwrap_or_default();
+        rows.iter().map(|row| row.meaning).collect()
     }
 
     /// The name of q_k.

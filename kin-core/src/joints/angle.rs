@@ -7,7 +7,7 @@
 //! After Haug (1989), section 3.2 and 3.3.
 
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, Frame, Rows};
+use crate::constraint::{Assembly, Frame, RowMeaning, Rows};
 use crate::mechanism::{BodyRef, Dimension, Formula, Slot};
 use crate::vectors::{Equation, NamedJoint, Terms};
 use crate::vocabulary::Role;
@@ -42,7 +42,7 @@ impl JointType for Angle {
         let phi = a.pose(&self.body)[2];
         let value = a.formula(&self.value);
         Rows {
-            residuals: vec![("", a.graph.sub(phi, value))],
+            residuals: vec![("", RowMeaning::Angle, a.graph.sub(phi, value))],
             geometry: vec![(Role::Value, frame.unwrap_or(Frame::Ground), vec![value])],
             frames: [frame, None],
             ..Rows::default()
@@ -57,7 +57,7 @@ impl JointType for RelativeAngle {
         let value = a.formula(&self.value);
         let turn = a.graph.sub(phi_b, phi_a);
         Rows {
-            residuals: vec![("", a.graph.sub(turn, value))],
+            residuals: vec![("", RowMeaning::Angle, a.graph.sub(turn, value))],
             geometry: vec![(Role::Value, frames[0].unwrap_or(Frame::Ground), vec![value])],
             quantities: vec![("angle", turn)],
             frames,

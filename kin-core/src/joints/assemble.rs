@@ -3,7 +3,7 @@
 use super::kinds::kind_of;
 use crate::constraint::{
     Assembly, ConstraintRow, ConstraintSet, CurveInstance, Family, Geometry, JointInstance, ObservableKind, Quantity,
-    Rows, indexed,
+    RowMeaning, Rows, indexed,
 };
 use crate::error::ModelError;
 use crate::mechanism::{Joint, Mechanism, Operands, contains_signal};
@@ -67,14 +67,15 @@ fn write(a: &mut Assembly<'_>, set: &mut ConstraintSet, joint: &Joint, family: (
     let first_row = set.rows.len();
     let total = rows.residuals.len() + usize::from(rows.velocity.is_some());
     let moving = moving_rows(a.mechanism, &joint.operands, total);
-    for (k, (suffix, phi)) in rows.residuals.into_iter().enumerate() {
+    for (k, (suffix, meaning, phi)) in rows.residuals.into_iter().enumerate() {
         let name = if suffix.is_empty() { name.clone() } else { format!("{name}.{suffix}") };
         let operands_move = moving.contains(&k);
-        set.rows.push(ConstraintRow { name, joint: place, phi, velocity: None, operands_move });
+        set.rows.push(ConstraintRow { name, joint: place, phi, meaning, velocity: None, operands_move });
     }
     if let Some(velocity) = rows.velocity {
         let (name, phi, operands_move) = (name.clone(), a.graph.zero(), !moving.is_empty());
-        set.rows.push(ConstraintRow { name, joint: place, phi, velocity: Some(velocity), operands_move });
+        let (meaning, velocity) = (RowMeaning::Other, Some(velocity));
+        set.rows.push(ConstraintRow { name, joint: place, phi, meaning, velocity, operands_move });
     }
     let count = set.rows.len() - first_row;
     if let Some(point) = a.outline.take() {

@@ -7,7 +7,7 @@
 //! After Haug (1989), section 3.2.
 
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, Rows};
+use crate::constraint::{Assembly, RowMeaning, Rows};
 use crate::mechanism::{Component, Dimension, Formula, Place, Slot};
 use crate::vocabulary::Role;
 
@@ -49,7 +49,7 @@ fn rows(a: &mut Assembly<'_>, p: &Place, component: usize, value: &Formula) -> R
     let p = a.place(p);
     let value = a.formula(value);
     Rows {
-        residuals: vec![("", a.graph.sub(p.r[component], value))],
+        residuals: vec![("", RowMeaning::Coordinate(component), a.graph.sub(p.r[component], value))],
         geometry: vec![(Role::P, p.frame, p.local.to_vec()), (Role::Value, p.frame, vec![value])],
         frames: [Some(p.frame), None],
         ..Rows::default()

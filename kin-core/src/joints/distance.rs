@@ -8,7 +8,7 @@
 //! joint for that. Reports the distance. After Haug (1989), section 3.2.
 
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, PlacedPoint, Rows};
+use crate::constraint::{Assembly, PlacedPoint, RowMeaning, Rows};
 use crate::error::Origin;
 use crate::expr::ExprId;
 use crate::mechanism::{Function, Place, Slot, Takes, Value};
@@ -61,7 +61,7 @@ pub(super) fn between(a: &mut Assembly<'_>, p: &PlacedPoint, q: &PlacedPoint, le
     rows.geometry.push((Role::Value, p.frame, vec![length]));
     let square = a.square_of_distance(p, q);
     let target = a.graph.square(length);
-    rows.residuals = vec![("", a.graph.sub(square, target))];
+    rows.residuals = vec![("", RowMeaning::SquaredDistance, a.graph.sub(square, target))];
     rows.quantities = vec![("distance", a.graph.call(Function::Sqrt, square))];
     rows
 }

@@ -8,7 +8,7 @@
 
 use super::joint::{JointType, joint};
 use super::revolute::coincidence;
-use crate::constraint::{Assembly, Rows};
+use crate::constraint::{Assembly, RowMeaning, Rows};
 use crate::mechanism::{Dimension, Formula, Place, Slot};
 use crate::vectors::{Equation, NamedJoint, Terms, equals, zero};
 use crate::vocabulary::Role;
@@ -34,7 +34,7 @@ impl JointType for Fixed {
         rows.geometry.push((Role::Value, p.frame, vec![angle]));
         rows.residuals = coincidence(a, p.r, q.r);
         let turn = a.graph.sub(q.angle, p.angle);
-        rows.residuals.push(("angle", a.graph.sub(turn, angle)));
+        rows.residuals.push(("angle", RowMeaning::Angle, a.graph.sub(turn, angle)));
         rows
     }
 

@@ -10,7 +10,7 @@
 //! R_a + R_b = 0 the carrier drops out. After Haug (1989), section 3.3; relative to the carrier it is Willis' equation.
 
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, Frame, Rows};
+use crate::constraint::{Assembly, Frame, RowMeaning, Rows};
 use crate::error::{ModelError, Origin};
 use crate::expr::ExprId;
 use crate::mechanism::{BodyRef, Dimension, Formula, Joint, Mechanism, Radii, Slot, Takes};
@@ -69,7 +69,7 @@ pub(super) fn coupled(
     let whole = join(a, arcs);
     let frame = |frame: Option<Frame>| frame.unwrap_or(Frame::Ground);
     Rows {
-        residuals: vec![("", a.graph.sub(whole, offset))],
+        residuals: vec![("", RowMeaning::Other, a.graph.sub(whole, offset))],
         geometry: vec![
             (Role::Radius, frame(i), vec![radii[0]]),
             (Role::Radius, frame(j), vec![radii[1]]),

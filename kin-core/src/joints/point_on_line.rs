@@ -9,7 +9,7 @@
 
 use super::joint::{JointType, joint};
 use super::translational::{across, along};
-use crate::constraint::{Assembly, Rows};
+use crate::constraint::{Assembly, RowMeaning, Rows};
 use crate::mechanism::{Axis, Dimension, Formula, Place, Slot, Takes};
 use crate::vectors::{Equation, NamedJoint, Terms, equals};
 use crate::vocabulary::Role;
@@ -38,7 +38,7 @@ impl JointType for PointOnLine {
         rows.geometry.push((Role::Axis, p.frame, axis.local.to_vec()));
         rows.geometry.push((Role::Value, p.frame, vec![offset]));
         let normal = across(a, &axis, &p, &q);
-        rows.residuals = vec![("", a.graph.sub(normal, offset))];
+        rows.residuals = vec![("", RowMeaning::AcrossAxis(Some(offset)), a.graph.sub(normal, offset))];
         rows.quantities = vec![("stroke", along(a, &axis, &p, &q))];
         rows
     }

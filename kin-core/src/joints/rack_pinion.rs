@@ -11,7 +11,7 @@
 
 use super::joint::{JointType, joint};
 use super::translational::along;
-use crate::constraint::{Assembly, Frame, Rows};
+use crate::constraint::{Assembly, Frame, RowMeaning, Rows};
 use crate::error::ModelError;
 use crate::mechanism::{Axis, BodyRef, Dimension, Formula, Joint, Mechanism, Place, Slot, Takes, Value};
 use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
@@ -50,7 +50,7 @@ impl JointType for RackPinion {
         let angle = a.graph.sub(turned, p.angle);
         let arc = a.graph.mul(radius, angle);
         let whole = a.graph.sub(stroke, arc);
-        rows.residuals = vec![("", a.graph.sub(whole, offset))];
+        rows.residuals = vec![("", RowMeaning::Other, a.graph.sub(whole, offset))];
         rows.quantities = vec![("stroke", stroke)];
         rows
     }

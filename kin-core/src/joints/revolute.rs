@@ -8,7 +8,7 @@
 //! Reports the relative angle φ_j − φ_i. Never singular by itself. After Haug (1989), section 3.3.
 
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, Rows};
+use crate::constraint::{Assembly, RowMeaning, Rows};
 use crate::expr::ExprId;
 use crate::mechanism::{Place, Slot};
 use crate::vectors::{Equation, NamedJoint, Terms, equals, zero};
@@ -39,6 +39,13 @@ impl JointType for Revolute {
 }
 
 /// r_Q − r_P, two rows.
-pub(super) fn coincidence(a: &mut Assembly<'_>, p: [ExprId; 2], q: [ExprId; 2]) -> Vec<(&'static str, ExprId)> {
-    vec![("x", a.graph.sub(q[0], p[0])), ("y", a.graph.sub(q[1], p[1]))]
+pub(super) fn coincidence(
+    a: &mut Assembly<'_>,
+    p: [ExprId; 2],
+    q: [ExprId; 2],
+) -> Vec<(&'static str, RowMeaning, ExprId)> {
+    vec![
+        ("x", RowMeaning::Coincidence(0), a.graph.sub(q[0], p[0])),
+        ("y", RowMeaning::Coincidence(1), a.graph.sub(q[1], p[1])),
+    ]
 }

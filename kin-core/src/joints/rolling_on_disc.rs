@@ -13,7 +13,7 @@
 
 use super::joint::{JointType, joint};
 use super::rolling_on_line::WAYS;
-use crate::constraint::{Assembly, Rows};
+use crate::constraint::{Assembly, RowMeaning, Rows};
 use crate::error::ModelError;
 use crate::mechanism::{Dimension, Formula, Joint, Mechanism, Member, Place, Radii, Slot, Takes};
 use crate::vocabulary::Role;
@@ -64,9 +64,9 @@ impl JointType for RollingOnDisc {
         });
         let rolled = a.graph.add(arcs[0], arcs[1]);
         rows.residuals = vec![
-            ("x", a.graph.sub(d[0], centres[0])),
-            ("y", a.graph.sub(d[1], centres[1])),
-            ("roll", a.graph.sub(rolled, offset)),
+            ("x", RowMeaning::Other, a.graph.sub(d[0], centres[0])),
+            ("y", RowMeaning::Other, a.graph.sub(d[1], centres[1])),
+            ("roll", RowMeaning::Other, a.graph.sub(rolled, offset)),
         ];
         rows
     }

@@ -12,7 +12,7 @@
 
 use super::joint::{JointType, joint};
 use super::translational::{across, along};
-use crate::constraint::{Assembly, Rows};
+use crate::constraint::{Assembly, RowMeaning, Rows};
 use crate::mechanism::{Axis, Dimension, Formula, Place, Slot, Takes, Value};
 use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
 use crate::vocabulary::Role;
@@ -52,7 +52,10 @@ impl JointType for RollingOnLine {
         let turn = a.graph.sub(q.angle, p.angle);
         let arc = a.graph.mul(radius, turn);
         let rolled = a.graph.add(stroke, arc);
-        rows.residuals = vec![("normal", a.graph.sub(height, radius)), ("roll", a.graph.sub(rolled, offset))];
+        rows.residuals = vec![
+            ("normal", RowMeaning::Other, a.graph.sub(height, radius)),
+            ("roll", RowMeaning::Other, a.graph.sub(rolled, offset)),
+        ];
         rows.quantities = vec![("stroke", stroke)];
         rows
     }

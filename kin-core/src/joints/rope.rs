@@ -9,7 +9,7 @@
 //! has no gradient there. The row is an equation: it does not see whether the rope would be pushed. Reports its length.
 
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, Rows};
+use crate::constraint::{Assembly, RowMeaning, Rows};
 use crate::mechanism::{Place, Slot, Takes, Value};
 use crate::vocabulary::Role;
 
@@ -50,7 +50,7 @@ impl JointType for Rope {
             ..Rows::default()
         };
         rows.geometry.push((Role::Value, points[0].frame, vec![target]));
-        rows.residuals = vec![("", a.graph.sub(length, target))];
+        rows.residuals = vec![("", RowMeaning::Other, a.graph.sub(length, target))];
         rows.quantities = vec![("length", length)];
         rows
     }

@@ -12,7 +12,7 @@
 
 use super::joint::{JointType, joint};
 use super::translational::along;
-use crate::constraint::{Assembly, Rows};
+use crate::constraint::{Assembly, RowMeaning, Rows};
 use crate::error::ModelError;
 use crate::mechanism::{Axis, BodyRef, Dimension, Formula, Joint, Mechanism, Place, Slot, Takes};
 use crate::vocabulary::Role;
@@ -51,7 +51,7 @@ impl JointType for Screw {
         let mut rows = Rows::between(&p, &q);
         rows.geometry.push((Role::Axis, p.frame, axis.local.to_vec()));
         rows.geometry.push((Role::Value, p.frame, vec![offset]));
-        rows.residuals = vec![("", a.graph.sub(rest, offset))];
+        rows.residuals = vec![("", RowMeaning::Other, a.graph.sub(rest, offset))];
         rows.quantities = vec![("stroke", stroke)];
         rows
     }

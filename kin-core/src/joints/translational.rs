@@ -9,7 +9,7 @@
 //! constant: the same number with fewer operations. Reports the stroke u·(r_Q − r_P). After Haug (1989), section 3.3.
 
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, PlacedAxis, PlacedPoint, Rows};
+use crate::constraint::{Assembly, PlacedAxis, PlacedPoint, RowMeaning, Rows};
 use crate::expr::ExprId;
 use crate::mechanism::{Axis, Dimension, Formula, Place, Slot, Takes};
 use crate::vectors::{Equation, NamedJoint, Terms, equals, zero};
@@ -39,7 +39,10 @@ impl JointType for Translational {
         rows.geometry.push((Role::Axis, p.frame, axis.local.to_vec()));
         rows.geometry.push((Role::Value, p.frame, vec![angle]));
         let turn = a.graph.sub(q.angle, p.angle);
-        rows.residuals = vec![("normal", across(a, &axis, &p, &q)), ("angle", a.graph.sub(turn, angle))];
+        rows.residuals = vec![
+            ("normal", RowMeaning::AcrossAxis(None), across(a, &axis, &p, &q)),
+            ("angle", RowMeaning::Angle, a.graph.sub(turn, angle)),
+        ];
         rows.quantities = vec![("stroke", along(a, &axis, &p, &q))];
         rows
     }

@@ -2,7 +2,7 @@
 
 use super::step::{Kind, Step};
 use super::tree::{Core, Pair, PairValue, Part, Way};
-use crate::constraint::{ConstraintSet, Frame};
+use crate::constraint::{ConstraintSet, Frame, RowMeaning};
 use crate::expr::{Graph, Node, Symbol};
 use crate::vocabulary::JointKind;
 use std::collections::BTreeSet;
@@ -107,14 +107,14 @@ fn walk(set: &ConstraintSet, joints: &[usize], bodies: &BTreeSet<usize>) -> Opti
             letters.push('R');
             continue;
         };
-        letters.push_str(match (set.joints[joint].kind, forwards) {
-            (JointKind::Revolute, _) => "R",
-            (JointKind::Translational, _) => "P",
-            (JointKind::Distance, _) => "RR",
-            // A driven distance is a link whose length changes.
-            (JointKind::Driver, _) if set.joints[joint].frames.iter().all(Option::is_some) => "RR",
-            (JointKind::PointOnLine, true) => "PR",
-            (JointKind::PointOnLine, false) => "RP",
+        // A driven distance is a link whose length changes; one without frames is a formula of coordinates.
+        let joins = set.joints[joint].frames.iter().all(Option::is_some);
+        letters.push_str(match (&set.meanings(&set.joints[joint])[..], forwards) {
+            ([RowMeaning::Coincidence(_), RowMeaning::Coincidence(_)], _) => "R",
+            ([RowMeaning::AcrossAxis(_), RowMeaning::Angle], _) => "P",
+            ([RowMeaning::SquaredDistance], _) if joins => "RR",
+            ([RowMeaning::AcrossAxis(_)], true) => "PR",
+            ([RowMeaning::AcrossAxis(_)], false) => "RP",
             _ => return None,
         });
     }

@@ -2,11 +2,10 @@
 
 use super::diagnosis::{Redundancy, Structure};
 use crate::check::meets_held;
-use crate::constraint::ConstraintSet;
+use crate::constraint::{ConstraintSet, RowMeaning};
 use crate::error::ModelError;
 use crate::mechanism::Mechanism;
 use crate::system::KinematicSystem;
-use crate::vocabulary::JointKind;
 use std::collections::BTreeMap;
 
 /// Most names that a message lists.
@@ -62,7 +61,7 @@ fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redund
         // Joints that are redundant at special lengths leave more to be driven.
         let has_lengths = |joint: &usize| {
             let joint = &set.joints[*joint];
-            let is_angle = matches!(joint.kind, JointKind::Angle | JointKind::RelativeAngle);
+            let is_angle = set.meanings(joint).iter().all(|meaning| *meaning == RowMeaning::Angle);
             !is_angle && !system.classes[joint.first_row].driving
         };
         let by_lengths = others.iter().any(has_lengths);
@@ -96,9 +95,7 @@ fn says_nothing(
     let (rows, names) = (rows(set, own, redundant), list(own.iter().map(|joint| set.joints[*joint].name.as_str())));
     let plural = own.len() > 1;
     let residual = |row: usize| set.rows[row].velocity.map_or(set.rows[row].phi, |velocity| velocity.eta);
-    let is_equation = |joint: &usize| {
-        matches!(set.joints[*joint].kind, JointKind::Driver | JointKind::Constraint | JointKind::Nonholonomic)
-    };
+    let is_equation = |joint: &usize| set.joints[*joint].kind.is_free_equation();
     let same_sides = redundant.iter().all(|r| set.graph.is_zero(residual(r.row)));
     if same_sides && own.iter().all(is_equation) {
         let (says, each, it) = if plural { ("say", "of each", "them") } else { ("says", "of it", "it") };
@@ -163,17 +160,20 @@ fn advice(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy], driving
 /// What holds only as much as the rows of a joint do that are not redundant, if that has a name.
 fn instead_of(set: &ConstraintSet, place: usize, redundant: &[&Redundancy]) -> Option<&'static str> {
     let joint = &set.joints[place];
-    let own = redundant.iter().filter(|r| set.rows[r.row].joint == place);
-    let mut numbers: Vec<usize> = own.map(|r| r.row - joint.first_row).collect();
-    numbers.sort_unstable();
-    match (joint.kind, &numbers[..]) {
-        (JointKind::Translational, [1]) => Some("`point_on_line`, which leaves the angle to the other joints"),
-        (JointKind::Translational, [0]) => Some("`relative_angle`, which leaves the place to the other joints"),
-        (JointKind::Fixed, [2]) => Some("`revolute`, which leaves the angle to the other joints"),
-        (JointKind::Fixed, [0, 1]) => Some("`relative_angle`, which leaves the place to the other joints"),
-        (JointKind::Revolute | JointKind::Fixed, [_]) => {
-            Some("`point_on_line`, which holds the point in one direction only")
+    let is_redundant = |row: usize| redundant.iter().any(|r| r.row == row);
+    let (mut redundant_rows, mut rest) = (Vec::new(), Vec::new());
+    for row in joint.first_row..joint.first_row + joint.rows {
+        let rows = if is_redundant(row) { &mut redundant_rows } else { &mut rest };
+        rows.push(set.rows[row].meaning);
+    }
+    use RowMeaning::{AcrossAxis, Angle, Coincidence};
+    match (&redundant_rows[..], &rest[..]) {
+        ([Angle], [AcrossAxis(_)]) => Some("`point_on_line`, which leaves the angle to the other joints"),
+        ([Angle], [Coincidence(_), Coincidence(_)]) => Some("`revolute`, which leaves the angle to the other joints"),
+        ([AcrossAxis(_)] | [Coincidence(_), Coincidence(_)], [Angle]) => {
+            Some("`relative_angle`, which leaves the place to the other joints")
         }
+        ([Coincidence(_)], _) => Some("`point_on_line`, which holds the point in one direction only"),
         _ => None,
     }
 }

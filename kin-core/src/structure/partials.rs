@@ -8,10 +8,9 @@ use super::field::Residue;
 use super::place::local;
 use super::rank::{Row, add_to};
 use super::residue::Residues;
-use crate::constraint::{ConstraintSet, Frame, JointInstance};
+use crate::constraint::{ConstraintSet, Frame, JointInstance, RowMeaning};
 use crate::expr::Depends;
 use crate::system::KinematicSystem;
-use crate::vocabulary::JointKind;
 use crate::vocabulary::Role;
 
 /// ∂r of a point for the coordinates that move it.
@@ -32,23 +31,21 @@ pub(super) fn row(system: &KinematicSystem, residues: &mut Residues<'_>, row: us
 fn of_joint(system: &KinematicSystem, residues: &mut Residues<'_>, row: usize) -> Option<Row> {
     let set = &system.set;
     let joint = &set.joints[set.rows[row].joint];
-    let number = row - joint.first_row;
     let p = local(set, joint, Role::P)?;
     let r_p = residues.places.point(&set.graph, p);
     let motion_p = motion(residues, p.0, r_p);
-    if let JointKind::X | JointKind::Y = joint.kind {
-        let component = usize::from(joint.kind == JointKind::Y);
+    if let RowMeaning::Coordinate(component) = set.rows[row].meaning {
         return Some(combined(&[(&motion_p, unit(component))]));
     }
     let q = local(set, joint, Role::Q)?;
     let r_q = residues.places.point(&set.graph, q);
     let motion_q = motion(residues, q.0, r_q);
     let minus = |v: [Residue; 2]| v.map(|component| -component);
-    match (joint.kind, number) {
-        (JointKind::Revolute | JointKind::Fixed, 0 | 1) => {
+    match set.rows[row].meaning {
+        RowMeaning::Coincidence(number) => {
             Some(combined(&[(&motion_q, unit(number)), (&motion_p, minus(unit(number)))]))
         }
-        (JointKind::Translational | JointKind::PointOnLine, 0) => {
+        RowMeaning::AcrossAxis(_) => {
             let (frame, x, y) = local(set, joint, Role::Axis)?;
             let direction = residues.direction([x, y]);
             let (u, angle) = match frame {
@@ -68,7 +65,7 @@ fn of_joint(system: &KinematicSystem, residues: &mut Residues<'_>, row: usize) -
             Some(entries)
         }
         // A driver's right side may hold coordinates, which have partials of their own.
-        (JointKind::Distance | JointKind::Driver, 0) if !follows_coordinates(set, joint) => {
+        RowMeaning::SquaredDistance if !follows_coordinates(set, joint) => {
             let d = [r_q[0] - r_p[0], r_q[1] - r_p[1]];
             Some(combined(&[(&motion_q, d), (&motion_p, minus(d))]))
         }

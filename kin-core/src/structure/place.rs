@@ -13,10 +13,9 @@
 use super::field::{Draw, Residue, fraction};
 use super::rank::{Elimination, Row, add_to};
 use super::turn::Turns;
-use crate::constraint::{ConstraintSet, Frame, JointInstance};
+use crate::constraint::{ConstraintSet, Frame, JointInstance, RowMeaning};
 use crate::expr::{Depends, ExprId, Graph, Node, Rotation};
 use crate::system::KinematicSystem;
-use crate::vocabulary::JointKind;
 use crate::vocabulary::Role;
 use std::collections::HashMap;
 
@@ -208,26 +207,25 @@ fn equations(system: &KinematicSystem, turns: &Turns, unknowns: &mut Unknowns) -
     for joint in &set.joints {
         let [p, q] = [Role::P, Role::Q].map(|role| local(set, joint, role).map(|key| unknowns.point(graph, key)));
         let driving = system.classes.get(joint.first_row).is_some_and(|class| class.driving);
-        match (joint.kind, p, q) {
-            (JointKind::Revolute | JointKind::Fixed, Some([px, py]), Some([qx, qy])) => {
-                pairs.push(equal(px, qx));
-                pairs.push(equal(py, qy));
-            }
-            (JointKind::X | JointKind::Y, Some([px, py]), _) if !driving => {
-                let held = value(set, joint).filter(|value| !graph.depends(*value).on(Depends::COORDINATE));
-                if let Some(held) = held {
-                    pairs.push(equal(if joint.kind == JointKind::X { px } else { py }, unknowns.value(graph, held)));
+        for meaning in set.meanings(joint) {
+            match (meaning, &p, &q) {
+                (RowMeaning::Coincidence(c), Some(p), Some(q)) => pairs.push(equal(p[c].clone(), q[c].clone())),
+                (RowMeaning::Coordinate(c), Some(p), _) if !driving => {
+                    let held = value(set, joint).filter(|value| !graph.depends(*value).on(Depends::COORDINATE));
+                    if let Some(held) = held {
+                        pairs.push(equal(p[c].clone(), unknowns.value(graph, held)));
+                    }
                 }
-            }
-            (JointKind::Translational | JointKind::PointOnLine, Some([px, py]), Some([qx, qy])) => {
-                let through = joint.kind == JointKind::Translational
-                    || value(set, joint).is_some_and(|offset| graph.is_zero(offset));
-                if let Some([ux, uy]) = fixed_direction(set, turns, joint).filter(|_| through) {
-                    // perp(u)·(r_Q − r_P) = 0.
-                    pairs.push(vec![(-uy, qx), (uy, px), (ux, qy), (-ux, py)]);
+                (RowMeaning::AcrossAxis(offset), Some([px, py]), Some([qx, qy])) => {
+                    let through = offset.is_none_or(|offset| graph.is_zero(offset));
+                    if let Some([ux, uy]) = fixed_direction(set, turns, joint).filter(|_| through) {
+                        // perp(u)·(r_Q − r_P) = 0.
+                        let terms = [(-uy, qx), (uy, px), (ux, qy), (-ux, py)];
+                        pairs.push(terms.map(|(factor, of)| (factor, of.clone())).to_vec());
+                    }
                 }
+                _ => {}
             }
-            _ => {}
         }
     }
     let one = unknowns.count;

@@ -7,9 +7,8 @@
 
 use super::diagnosis::{DRAWS, Drawn, Redundancy};
 use super::field::Draw;
-use crate::constraint::{CoordinateKind, Frame};
+use crate::constraint::{CoordinateKind, Frame, RowMeaning};
 use crate::system::{KinematicSystem, RowClass};
-use crate::vocabulary::JointKind;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 /// Φ_q at a drawn pose, for one choice after another.
@@ -121,14 +120,10 @@ fn doubled(system: &KinematicSystem, drawn: &Drawn<'_>) -> BTreeSet<usize> {
     };
     let mut between: BTreeMap<[usize; 2], Vec<usize>> = BTreeMap::new();
     for (place, joint) in set.joints.iter().enumerate() {
-        let says_places = matches!(
-            joint.kind,
-            JointKind::Revolute
-                | JointKind::Translational
-                | JointKind::Fixed
-                | JointKind::PointOnLine
-                | JointKind::Distance
-        );
+        let of_places = |meaning: &RowMeaning| {
+            matches!(meaning, RowMeaning::Coincidence(_) | RowMeaning::AcrossAxis(_) | RowMeaning::SquaredDistance)
+        };
+        let says_places = !joint.kind.drives() && set.meanings(joint).iter().any(of_places);
         if let ([Some(a), Some(b)], true) = (joint.frames, says_places) {
             let [a, b] = [a, b].map(number);
             between.entry([a.min(b), a.max(b)]).or_default().push(place);

@@ -18,7 +18,7 @@
 //! *Cam Design and Manufacturing Handbook* (flat-faced followers).
 
 use super::relative::{draw, in_theta};
-use crate::constraint::{Assembly, PlacedAxis, Rows};
+use crate::constraint::{Assembly, PlacedAxis, RowMeaning, Rows};
 use crate::expr::{ExprId, Symbol, partial};
 use crate::joints::joint::{JointType, joint};
 use crate::mechanism::{Axis, Formula, Place, Slot, Takes};
@@ -61,7 +61,7 @@ impl JointType for FlatFollower {
         let contact = [[cos, minus_sin], [sin, cos]].map(|row| a.graph.plain_dot([h, slope], row));
         draw(a, &p, contact);
         let support = in_theta(a, &self.support, theta);
-        rows.residuals = vec![("", a.graph.sub(lift, support))];
+        rows.residuals = vec![("", RowMeaning::Other, a.graph.sub(lift, support))];
         rows.quantities = vec![("theta", theta)];
         rows
     }

@@ -18,7 +18,7 @@
 //! section 3.4; parallel curves after do Carmo, *Differential Geometry of Curves and Surfaces*, section 1-7.
 
 use super::relative::{between, draw, in_parameter};
-use crate::constraint::{Assembly, PlacedPoint, Rows};
+use crate::constraint::{Assembly, PlacedPoint, RowMeaning, Rows};
 use crate::expr::{ExprId, Symbol, partial};
 use crate::mechanism::{Formula, Function, Member};
 use crate::vocabulary::Role;
@@ -47,7 +47,8 @@ pub(super) fn rows(
         _ => c,
     };
     let (d, c) = (between(a, p, q), a.graph.rotate(p.angle, c));
-    rows.residuals = vec![("x", a.graph.sub(d[0], c[0])), ("y", a.graph.sub(d[1], c[1]))];
+    rows.residuals =
+        vec![("x", RowMeaning::Other, a.graph.sub(d[0], c[0])), ("y", RowMeaning::Other, a.graph.sub(d[1], c[1]))];
     rows
 }
 

@@ -9,7 +9,7 @@
 //! where ρ is not positive there is no contact. After Haug (1989), section 3.4 (cam with a point follower).
 
 use super::relative::{draw, in_theta, seen};
-use crate::constraint::{Assembly, PlacedPoint, Rows};
+use crate::constraint::{Assembly, PlacedPoint, RowMeaning, Rows};
 use crate::error::Origin;
 use crate::expr::Symbol;
 use crate::mechanism::Formula;
@@ -28,7 +28,7 @@ pub(super) fn rows(a: &mut Assembly<'_>, p: &PlacedPoint, q: &PlacedPoint, radiu
     let drawn = [a.graph.mul(rho, cos), a.graph.mul(rho, sin)];
     draw(a, p, drawn);
     let radius = in_theta(a, radius, theta);
-    rows.residuals = vec![("", a.graph.sub(distance, radius))];
+    rows.residuals = vec![("", RowMeaning::Other, a.graph.sub(distance, radius))];
     rows.quantities = vec![("distance", distance)];
     rows
 }
