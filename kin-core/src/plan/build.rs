@@ -349,13 +349,6 @@ impl<'a> Build<'a> {
         let of_iteration = |(row, ..): &(usize, usize, usize)| orientations.get(row).copied().unwrap_or(zero);
         (solution, regular, self.iterated.iter().map(of_iteration).collect())
     }
-
-    /// The last stage: expressions in q, written one after another where the solution is known.
-    pub(super) fn last(&mut self, expressions: &[ExprId]) {
-        let known = expressions.iter().enumerate().map(|(k, &e)| (Slot::Entry(k), self.known_value(e)));
-        let outputs = known.collect();
-        self.stages.push(Stage::Closed(outputs));
-    }
 }
 
 /// What the linear level takes from the tree: squared lengths of vectors that turn, factors of exchanges.

@@ -15,13 +15,13 @@ fn fields(lowered: &Lowered) -> impl Iterator<Item = &Field> {
     (0..lowered.mechanism.functions.len()).filter_map(field_of)
 }
 
-/// All supplied functions at an argument `x`, element by element: calls of what [`helpers`] writes.
-fn calls(lowered: &Lowered) -> Vec<TokenStream> {
+/// Calls of what [`helpers`] writes, element by element: `helper` names the method of a field, `arguments` are its last.
+fn calls(lowered: &Lowered, helper: fn(usize) -> Ident, arguments: &TokenStream) -> Vec<TokenStream> {
     let elements = fields(lowered).enumerate().flat_map(|(number, field)| {
         let helper = helper(number);
         (0..field.len.unwrap_or(1)).map(move |k| match field.len {
-            None => quote! { __Functions::#helper(self, x) },
-            Some(_) => quote! { __Functions::#helper(self, #k, x) },
+            None => quote! { __Functions::#helper(self, #arguments) },
+            Some(_) => quote! { __Functions::#helper(self, #k, #arguments) },
         })
     });
     elements.collect()
@@ -31,20 +31,8 @@ fn helper(number: usize) -> Ident {
     format_ident!("function_{number}")
 }
 
-fn series_helper(number: usize) -> Ident {
+fn derivatives_helper(number: usize) -> Ident {
     format_ident!("derivatives_{number}")
-}
-
-/// The supplied functions as closures over `self` that write f, f′, f″, … as far as they are known.
-pub(super) fn series_closures(lowered: &Lowered) -> Vec<TokenStream> {
-    let elements = fields(lowered).enumerate().flat_map(|(number, field)| {
-        let helper = series_helper(number);
-        (0..field.len.unwrap_or(1)).map(move |k| match field.len {
-            None => quote! { |x: f64, out: &mut [f64]| __Functions::#helper(self, x, out) },
-            Some(_) => quote! { |x: f64, out: &mut [f64]| __Functions::#helper(self, #k, x, out) },
-        })
-    });
-    elements.collect()
 }
 
 /// One method for every field with functions, in a trait that nobody sees.
@@ -54,7 +42,7 @@ pub(crate) fn helpers(lowered: &Lowered) -> TokenStream {
     let (mut heads, mut bodies) = (Vec::new(), Vec::new());
     for (number, field) in fields(lowered).enumerate().filter(|(_, field)| field.len != Some(0)) {
         let (helper, ident, ty) = (helper(number), &field.ident, function_type(field));
-        let series = series_helper(number);
+        let derivatives = derivatives_helper(number);
         let (place, function) = match field.len {
             None => (None, quote! { &self.#ident }),
             Some(len) => {
@@ -67,7 +55,7 @@ pub(crate) fn helpers(lowered: &Lowered) -> TokenStream {
         let head = quote! { fn #helper(&self, #place x: f64) -> [f64; 3] };
         bodies.push(quote! { #[inline] #head { <#ty as __kin::ScalarFunction>::evaluate(#function, x) } });
         heads.push(head);
-        let head = quote! { fn #series(&self, #place x: f64, out: &mut [f64]) -> usize };
+        let head = quote! { fn #derivatives(&self, #place x: f64, out: &mut [f64]) -> usize };
         bodies.push(quote! { #[inline] #head { <#ty as __kin::ScalarFunction>::derivatives(#function, x, out) } });
         heads.push(head);
     }
@@ -111,8 +99,13 @@ fn function_type(field: &Field) -> &Type {
 
 /// The supplied functions as closures over `self`.
 pub(crate) fn functions(lowered: &Lowered) -> Vec<Supplied> {
-    let closure = |call| Supplied { closure: quote! { |x: f64| #call } };
-    calls(lowered).into_iter().map(closure).collect()
+    let values = calls(lowered, helper, &quote! { x });
+    let derivatives = calls(lowered, derivatives_helper, &quote! { x, out });
+    let closures = |(value, derivatives)| Supplied {
+        value: quote! { |x: f64| #value },
+        derivatives: quote! { |x: f64, out: &mut [f64]| #derivatives },
+    };
+    values.into_iter().zip(derivatives).map(closures).collect()
 }
 
 /// Every (function, argument) at which a supplied function is evaluated, once.
@@ -137,7 +130,7 @@ pub(crate) fn arguments(system: &KinematicSystem) -> Vec<(u32, ExprId)> {
 
 /// `fn evaluate_function` and `fn write_arguments`, where there is a supplied function.
 pub(crate) fn access(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
-    let calls = calls(lowered);
+    let calls = calls(lowered, helper, &quote! { x });
     if calls.is_empty() {
         return TokenStream::new();
     }

@@ -14,9 +14,6 @@ mod parameters;
 mod plan;
 mod program;
 mod rolled;
-mod rolled_series;
-mod series;
-mod series_statements;
 mod statements;
 mod steps;
 mod tables;
@@ -118,7 +115,6 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
     let kept_lengths = kept_lengths(lowered, system);
     let curves = curves::curves(lowered, system);
     let guesses = list(lowered, system, set.guesses.iter().map(|(_, value)| *value));
-    let series = series::implementation(lowered, system, &observables);
     quote! {
         type __Parameters<__T> = [__T; #p];
         type __Inputs<__T> = [__kin::Signal<__T>; #u];
@@ -234,8 +230,6 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
 
             #curves
         }
-
-        #series
     }
 }
 

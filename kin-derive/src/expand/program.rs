@@ -69,9 +69,9 @@ struct Emitter<'p> {
     program: &'p Program,
 }
 
-/// The argument of a kernel that is supplied function `number`.
-pub(crate) fn function_name(number: u32) -> Ident {
-    format_ident!("__function{number}")
+/// The arguments of a kernel that are supplied function `number` and its derivatives.
+pub(crate) fn function_names(number: u32) -> [Ident; 2] {
+    [format_ident!("__function{number}"), format_ident!("__derivatives{number}")]
 }
 
 /// A local of its own; see `kin_runtime::private::locals` for why no user's constant may have its name.
@@ -256,8 +256,8 @@ pub(super) fn definition(
             quote! { __kin::Scalar::powf(#a, #n) }
         }
         Instruction::Supplied(f, a) => {
-            let (function, a) = (function_name(f), v(a));
-            quote! { __kin::Scalar::lift(#a, #function) }
+            let ([function, derivatives], a, number) = (function_names(f), v(a), Literal::usize_unsuffixed(f as usize));
+            quote! { __kin::Scalar::compose(#a, #number, #function, #derivatives) }
         }
     };
     let names = names_of(value, instruction);
