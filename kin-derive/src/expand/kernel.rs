@@ -1,7 +1,8 @@
 //! Kernels: the functions that evaluate a set of rows, one for every subset worth its own code.
 
-use super::functions::functions;
-use super::program::{Reads, body, function_names, target_name};
+use super::functions::{Supplied, functions};
+use super::instructions::{function_names, target_name};
+use super::program::{Reads, body};
 use crate::lower::Lowered;
 use kin_core::constraint::Family;
 use kin_core::expr::Graph;
@@ -41,14 +42,6 @@ impl Layout {
             _ => None,
         }
     }
-}
-
-/// A supplied function as generated code sees it: closures over a field, or over an element of an array field.
-pub(crate) struct Supplied {
-    /// `|x| …` with `self`: (f, f′, f″).
-    pub(crate) value: TokenStream,
-    /// `|x, out| …`: f, f′, f″, … as far as they are known.
-    pub(crate) derivatives: TokenStream,
 }
 
 /// A kernel as a function item, and the call of it.

@@ -1,7 +1,7 @@
 //! The solution plan: its sections as kernels, and the methods that run them.
 
+use super::evaluations::position_lengths;
 use super::kernel::{Kernel, kernel, kernel_after};
-use super::position_lengths;
 use crate::lower::Lowered;
 use kin_core::plan::{Depth, Section, SolutionPlan};
 use kin_core::program::Program;
