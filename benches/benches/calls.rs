@@ -1,5 +1,5 @@
 //! What an ordinary program calls, on the lecture's four-bar: states from a guess and from the last one, a tracker, sweeps
-//! whose states are kept or lent, position analysis alone, the follower of the plan. They are held against a step by hand,
+//! whose states are kept or lent, position analysis alone, the follower of the plan. They are compared with a step by hand,
 //! Newton's iteration with a dense LU from the last solution; it, the tracker and the follower turn on and on.
 //! `cargo bench -p kin-benches --bench calls`.
 

@@ -1,4 +1,4 @@
-//! Results at addresses that are drawn anew in every round.
+//! Results at addresses that are chosen at random in every round.
 //!
 //! A store and a later load whose addresses agree in their last twelve bits wait for one another, and two arrays that
 //! share the sets of a cache drive one another out. Which contender has that luck is decided where the allocator

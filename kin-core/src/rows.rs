@@ -48,13 +48,6 @@ impl Rows {
     }
 }
 
-/// Φ alone, row by row: what power series compute. The plan leaves its sines and cosines in the order in which they are in
-/// this program.
-pub fn values(graph: &Graph, equations: &[Equation]) -> Program {
-    let outputs = equations.iter().enumerate().map(|(row, equation)| (Slot::Phi(row), equation.phi));
-    lower(graph, &outputs.collect::<Vec<_>>())
-}
-
 /// Lowers the first member of every family of rows, then the second of every family, and so on: what one row of a member
 /// shares with another stays at hand, and all of it is one loop. Outputs stand as they were.
 fn member_by_member(

@@ -117,7 +117,7 @@ fn so_is_the_plan_of_a_chain() {
         let one = plan(&differentiate(assemble(&chain(1)).expect("sound")).expect("smooth"));
         let steps = one.sections.iter().map(|(section, _)| section.program());
         let steps: usize = steps.map(|program| program.instructions.len() + program.outputs.len()).sum();
-        assert!(sizes[0] < 4 * steps, "{sizes:?} for {steps}");
+        assert!(sizes[0] < 5 * steps, "{sizes:?} for {steps}");
     }
 }
 

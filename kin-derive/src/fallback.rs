@@ -75,11 +75,6 @@ pub(crate) fn fallback(cleaned: Option<&ItemStruct>, item: TokenStream, broken: 
                 ) #nothing
                 fn write_guesses<__T: __kin::Scalar>(&self, _: &[__T], _: &mut [__T]) #nothing
             }
-            #[automatically_derived]
-            impl #impl_generics __kin::PowerSeries for #name #type_generics #where_clause {
-                fn constraint_series<__X: __kin::Arithmetic>(&self, _: &[f64], _: &mut __X) #nothing
-                fn observable_series<__X: __kin::Arithmetic>(&self, _: &[f64], _: &mut __X) #nothing
-            }
             #generic
             #default
         };

@@ -12,7 +12,6 @@ pub use crate::model::{
 };
 pub use crate::plan::{Depth, ModeInfo, Plan, PlanStep, Solved, StepKind, coarseness, iterate};
 pub use crate::scalar::Scalar;
-pub use crate::series::{Arithmetic, PowerSeries};
 pub use crate::tables;
 pub use crate::workspace::{Evaluation, Instant, Signal, Subset};
 pub use core::default::Default;

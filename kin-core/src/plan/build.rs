@@ -115,11 +115,4 @@ impl<'a> Build<'a> {
             _ => self.stages.push(Stage::Closed(vec![(slot, value)])),
         }
     }
-
-    /// The last stage: expressions in q, written one after another where the solution is known.
-    pub(super) fn last(&mut self, expressions: &[ExprId]) {
-        let known = expressions.iter().enumerate().map(|(k, &e)| (Slot::Entry(k), self.known_value(e)));
-        let outputs = known.collect();
-        self.stages.push(Stage::Closed(outputs));
-    }
 }

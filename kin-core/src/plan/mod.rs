@@ -46,9 +46,7 @@ pub use sections::Section;
 pub use step::{Kind, Mode, Step};
 pub use watch::TOLERANCE;
 
-use crate::expr::{ExprId, Graph};
 use crate::program::{Program, Slot, lower};
-use crate::rows;
 use crate::system::KinematicSystem;
 use build::Build;
 use choice::Chosen;
@@ -64,8 +62,6 @@ pub enum Depth {
     Velocity,
     /// q̈.
     Acceleration,
-    /// What Φ_q x = b and power series of the motion begin with: entries as in [`SolutionPlan::resolve`].
-    Factors,
 }
 
 /// How a mechanism is solved, block by block.
@@ -90,11 +86,9 @@ pub struct SolutionPlan {
     pub closures: Program,
     /// For x with Φ_q x = b at a configuration: what depends on Φ_q alone, `factors` values held; then x from these and b.
     pub resolve: [Program; 2],
-    /// How many values the first leaves: those that the second reads, then `turns`, then `regular`.
+    /// How many values the first leaves: those that the second reads, then `regular`.
     pub factors: usize,
-    /// Among them the sines and cosines that a program of Φ takes, in its order: sin, cos, sin, cos, ….
-    pub turns: Range<usize>,
-    /// Among them what is 0 where Φ_q x = b says nothing of x. The last section does not write it: a solution has margins.
+    /// Among them what is 0 where Φ_q x = b says nothing of x.
     pub regular: Range<usize>,
     /// The steps as formulas, where they were asked for.
     pub formulas: Vec<Formulas>,
@@ -141,22 +135,14 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<Solut
     let mut build = Build::new(system, graph, listed);
     let [velocity, acceleration] = build.all(&tree, &left_out, &agreeing);
     let (resolve, regular, orientations) = build.resolve(&tree);
-    let mut more = turns(&mut build.graph, system);
-    let [turns, count] = [more.len(), regular.len()];
-    more.extend(regular);
-    let (resolve, left) = sections::split(&mut build.graph, resolve, &more);
-    let factors = left.len();
-    let regular = factors - count..factors;
-    let turns = regular.start - turns..regular.start;
-    let beginnings = build.stages.len();
-    build.last(&left[..turns.end]);
+    let (resolve, factors) = sections::split(&mut build.graph, resolve, &regular);
+    let regular = factors - regular.len()..factors;
     let Build { mut graph, stages, listed, iterations, closures, iterated, .. } = build;
     let indicators: Vec<_> =
         closures.into_iter().chain(orientations).enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let closures = lower(&graph, &indicators);
     let (sections, held) = sections::sections(&mut graph, stages, iterations);
     let depth = |place| match place {
-        place if place >= beginnings => Depth::Factors,
         place if place >= acceleration => Depth::Acceleration,
         place if place >= velocity => Depth::Velocity,
         _ => Depth::Position,
@@ -176,14 +162,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<Solut
         closures,
         resolve,
         factors,
-        turns,
         regular,
         formulas,
     })
-}
-
-/// Sines and cosines of the angles in the program of Φ, in its order.
-fn turns(graph: &mut Graph, system: &KinematicSystem) -> Vec<ExprId> {
-    let program = rows::values(&system.set.graph, &system.equations);
-    program.angles(graph).into_iter().flat_map(|angle| [graph.sin(angle), graph.cos(angle)]).collect()
 }

@@ -17,8 +17,6 @@ pub struct Solution {
     pub margins: Vec<f64>,
     /// Corrections that iterations took.
     pub iterations: usize,
-    /// What Φ_q x = b and power series begin with, but for [`SolutionPlan::regular`].
-    pub factors: Vec<f64>,
 }
 
 /// Most corrections of an iteration.
@@ -59,7 +57,6 @@ pub fn run(plan: &SolutionPlan, environment: &impl Environment, modes: &[f64], s
     let mut out =
         Solution { q: vec![f64::NAN; n], q_dot: vec![f64::NAN; n], q_ddot: vec![f64::NAN; n], ..Solution::default() };
     out.margins = vec![f64::NAN; plan.margins];
-    out.factors = vec![f64::NAN; plan.factors];
     let (mut unknowns, mut held) = (start.to_vec(), vec![f64::NAN; plan.held as usize]);
     for (section, _) in &plan.sections {
         match section {
@@ -71,7 +68,6 @@ pub fn run(plan: &SolutionPlan, environment: &impl Environment, modes: &[f64], s
                         Slot::Velocity(k) => out.q_dot[k] = value,
                         Slot::Acceleration(k) => out.q_ddot[k] = value,
                         Slot::Margin(k) => out.margins[k] = value,
-                        Slot::Entry(k) => out.factors[k] = value,
                         Slot::Held(k) => held[k] = value,
                         _ => {}
                     }

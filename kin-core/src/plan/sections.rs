@@ -63,22 +63,29 @@ struct Done<'p> {
     symbols: bool,
 }
 
-impl Substitution for Done<'_> {
-    fn symbol(&mut self, _graph: &mut Graph, _symbol: Symbol) -> Option<ExprId> {
-        None
-    }
-
-    fn whole(&mut self, graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-        let owner = *self.places.owner.get(id)?;
+impl Done<'_> {
+    /// Whether an earlier section computes it and holds it.
+    fn is_held(&self, graph: &Graph, id: ExprId) -> bool {
         let known = match graph.node(id) {
             // The other sign is as good.
             Node::Number(_) | Node::Neg(_) => true,
             Node::Symbol(_) => !self.symbols,
             _ => false,
         };
-        if owner >= self.section || known {
+        !known && self.places.owner.get(id).is_some_and(|owner| *owner < self.section)
+    }
+}
+
+impl Substitution for Done<'_> {
+    fn symbol(&mut self, _graph: &mut Graph, _symbol: Symbol) -> Option<ExprId> {
+        None
+    }
+
+    fn whole(&mut self, graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+        if !self.is_held(graph, id) {
             return None;
         }
+        let owner = *self.places.owner.get(id)?;
         let place = match self.places.held.get(id) {
             Some(&place) => place,
             None => {
@@ -141,8 +148,8 @@ fn own_constants(graph: &mut Graph, places: &mut Places, number: usize, unknowns
 }
 
 /// The same outputs in two programs: what does not depend on right sides, held, and the rest, which reads what is held
-/// and right sides alone. The first leaves `more` behind what it holds. Gives everything that it leaves, in order, too.
-pub(super) fn split(graph: &mut Graph, outputs: Vec<(Slot, ExprId)>, more: &[ExprId]) -> ([Program; 2], Vec<ExprId>) {
+/// and right sides alone. The first leaves `more` behind what it holds. Gives how many values it leaves, too.
+pub(super) fn split(graph: &mut Graph, outputs: Vec<(Slot, ExprId)>, more: &[ExprId]) -> ([Program; 2], usize) {
     let mut places = Places { owner: IdMap::default(), held: IdMap::default(), wanted: Vec::new(), next: 0 };
     for id in graph.reachable(outputs.iter().map(|(_, id)| *id)) {
         let node = graph.node(id);
@@ -150,7 +157,7 @@ pub(super) fn split(graph: &mut Graph, outputs: Vec<(Slot, ExprId)>, more: &[Exp
         node.for_each_operand(|operand| owner = owner.max(places.owner.or(operand, 0)));
         places.owner.insert(id, owner);
     }
-    let mut left = more.to_vec();
+    let left = more.len();
     let more: Vec<_> = more.iter().enumerate().map(|(k, &id)| (Slot::Entry(k), id)).collect();
     let mut programs = programs(graph, &mut places, vec![more, outputs], true);
     for (slot, _) in programs.iter_mut().take(1).flat_map(|first| &mut first.outputs) {
@@ -158,11 +165,8 @@ pub(super) fn split(graph: &mut Graph, outputs: Vec<(Slot, ExprId)>, more: &[Exp
             *slot = Slot::Held(places.next as usize + k);
         }
     }
-    let mut held: Vec<(u32, ExprId)> = places.wanted.into_iter().map(|(_, place, id)| (place, id)).collect();
-    held.sort_unstable();
-    left.splice(0..0, held.into_iter().map(|(_, id)| id));
     let mut programs = programs.into_iter();
-    ([(); 2].map(|()| programs.next().unwrap_or_default()), left)
+    ([(); 2].map(|()| programs.next().unwrap_or_default()), places.next as usize + left)
 }
 
 /// A program for the outputs of every section, and for what later ones want of it.
@@ -179,10 +183,31 @@ fn programs(
         let wanted: Vec<_> = wanted.map(|&(_, place, id)| (Slot::Held(place as usize), id)).collect();
         roots[section].extend(wanted);
         rewritten.clear();
+        let mut done = Done { places: &mut *places, section, symbols };
+        hold(graph, &roots[section], &mut done);
         for (_, id) in &mut roots[section] {
-            let mut done = Done { places: &mut *places, section, symbols };
             *id = rewrite(graph, *id, &mut rewritten, &mut done);
         }
     }
     roots.into_iter().map(|outputs| lower(graph, &outputs)).collect()
+}
+
+/// Asks `done` for all that `outputs` need of it, in the order in which it was derived: so equal groups hold theirs in equal
+/// order.
+fn hold(graph: &mut Graph, outputs: &[(Slot, ExprId)], done: &mut Done<'_>) {
+    let (mut seen, mut needed): (IdMap<()>, Vec<ExprId>) = Default::default();
+    let mut open: Vec<ExprId> = outputs.iter().map(|(_, id)| *id).collect();
+    while let Some(id) = open.pop() {
+        if !seen.contains(id) {
+            seen.insert(id, ());
+            match done.is_held(graph, id) {
+                true => needed.push(id),
+                false => graph.node(id).for_each_operand(|operand| open.push(operand)),
+            }
+        }
+    }
+    needed.sort_unstable();
+    for id in needed {
+        done.whole(graph, id);
+    }
 }

@@ -7,7 +7,6 @@ mod gather;
 mod interpret;
 mod lower;
 mod numbered;
-mod raise;
 mod roll;
 mod signs;
 mod sums;

@@ -1,14 +1,13 @@
-//! Structs with parameters of their own: what the impls and kernels repeat of them, and evaluation in the struct's own
-//! scalar.
+//! Structs with parameters of their own: what the impls and kernels repeat of them.
 
-use super::{Evaluations, functions, lengths, parameters};
+use super::functions;
 use crate::lower::Lowered;
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use syn::{GenericParam, Generics, parse_quote};
 
 /// The type parameters that are numbers, each once, in the order of the fields.
-fn scalars(lowered: &Lowered) -> Vec<&Ident> {
+pub(super) fn scalars(lowered: &Lowered) -> Vec<&Ident> {
     let mut scalars = Vec::new();
     for scalar in lowered.fields.iter().filter_map(|field| field.scalar.as_ref()) {
         if !scalars.contains(&scalar) {
@@ -68,85 +67,5 @@ pub(crate) fn in_numbers(lowered: &Lowered) -> TokenStream {
         TokenStream::new()
     } else {
         quote! { <#(#arguments),*> }
-    }
-}
-
-/// Empty evaluation in the struct's own scalar, beside errors.
-pub(crate) fn placeholder(lowered: &Lowered) -> TokenStream {
-    let scalars = scalars(lowered);
-    let &[scalar] = scalars.as_slice() else { return TokenStream::new() };
-    let name = &lowered.item.ident;
-    let generics = bounded(lowered, "Scalar");
-    let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
-    let at = quote! { _: &__kin::Instant<'_, #scalar>, _: &[#scalar], _: &[#scalar] };
-    let room = quote! { __kin::Evaluation<[#scalar; 0], [#scalar; 0]> };
-    let nothing = quote! { -> __kin::Result<(), __kin::LengthError> { __kin::Ok(()) } };
-    quote! {
-        #[automatically_derived]
-        impl #impl_generics __kin::GenericMechanism for #name #type_generics #where_clause {
-            type Scalar = #scalar;
-            type Parameters = [#scalar; 0];
-            type Workspace = #room;
-            type Observations = #room;
-            fn own_workspace() -> #room { ::core::unimplemented!() }
-            fn own_observations() -> #room { ::core::unimplemented!() }
-            fn own_parameters(&self) -> [#scalar; 0] { [] }
-            fn evaluate_own(&self, _: __kin::Subset, #at, _: &mut #room) #nothing
-            fn observe_own(&self, #at, _: &mut #room) #nothing
-        }
-    }
-}
-
-/// Evaluation in the struct's own scalar, where it has one.
-pub(super) fn own(lowered: &Lowered, evaluations: &Evaluations) -> TokenStream {
-    let scalars = scalars(lowered);
-    let &[scalar] = scalars.as_slice() else { return TokenStream::new() };
-    let name = &lowered.item.ident;
-    let generics = bounded(lowered, "Scalar");
-    let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
-    let [p, s, entries, seen, seen_entries] = evaluations.counts;
-    let (evaluate, observe) = (&evaluations.evaluate.call, &evaluations.observe.call);
-    let (lengths, own_parameters) = (lengths(scalar), parameters::own(lowered, scalar));
-    quote! {
-        #[automatically_derived]
-        impl #impl_generics __kin::GenericMechanism for #name #type_generics #where_clause {
-            type Scalar = #scalar;
-            type Parameters = [#scalar; #p];
-            type Workspace = __kin::Evaluation<[#scalar; #s], [#scalar; #entries]>;
-            type Observations = __kin::Evaluation<[#scalar; #seen], [#scalar; #seen_entries]>;
-
-            fn own_workspace() -> Self::Workspace { __kin::Evaluation::new(&__MODEL.constraint_pattern) }
-
-            fn own_observations() -> Self::Observations { __kin::Evaluation::new(&__MODEL.observable_pattern) }
-
-            #own_parameters
-
-            fn evaluate_own(
-                &self,
-                subset: __kin::Subset,
-                at: &__kin::Instant<'_, #scalar>,
-                q: &[#scalar],
-                q_dot: &[#scalar],
-                workspace: &mut Self::Workspace,
-            ) -> __kin::Result<(), __kin::LengthError> {
-                let parameters: &[#scalar] = &__kin::GenericMechanism::own_parameters(self);
-                #lengths
-                #evaluate
-                __kin::Ok(())
-            }
-
-            fn observe_own(
-                &self,
-                at: &__kin::Instant<'_, #scalar>,
-                q: &[#scalar],
-                q_dot: &[#scalar],
-                observations: &mut Self::Observations,
-            ) -> __kin::Result<(), __kin::LengthError> {
-                let parameters: &[#scalar] = &__kin::GenericMechanism::own_parameters(self);
-                #lengths
-                #observe
-                __kin::Ok(())
-            }
-        }
     }
 }

@@ -1,7 +1,7 @@
 //! The joints in the static model: kinds, frames, geometry and quantities.
 
+use super::entries::{frame, optional, variant};
 use super::packed::Packed;
-use super::tables::{frame, optional, variant};
 use kin_core::constraint::Frame;
 use kin_core::system::KinematicSystem;
 use kin_core::vocabulary::JointKind;
@@ -14,7 +14,7 @@ pub(super) fn joints(system: &KinematicSystem, packed: bool) -> TokenStream {
     let joints = &system.set.joints;
     let role = |role: Role| variant("Role", &format!("{role:?}"));
     let geometry = |of: Role, frame: Frame, offset: usize| {
-        let (role, frame) = (role(of), super::tables::frame(frame));
+        let (role, frame) = (role(of), self::frame(frame));
         quote! { __kin::Geometry { role: #role, frame: #frame, offset: #offset } }
     };
     let quantity = |name: &str, observable: usize| {

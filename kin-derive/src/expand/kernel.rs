@@ -1,7 +1,8 @@
 //! Kernels: the functions that evaluate a set of rows, one for every subset worth its own code.
 
-use super::functions::functions;
-use super::program::{Reads, body, function_name, target_name};
+use super::functions::{Supplied, functions};
+use super::instructions::{function_names, target_name};
+use super::program::{Reads, body};
 use crate::lower::Lowered;
 use kin_core::constraint::Family;
 use kin_core::expr::Graph;
@@ -41,12 +42,6 @@ impl Layout {
             _ => None,
         }
     }
-}
-
-/// A supplied function as generated code sees it: a closure over a field, or over an element of an array field.
-pub(crate) struct Supplied {
-    /// `|x| …` with `self`.
-    pub(crate) closure: TokenStream,
 }
 
 /// A kernel as a function item, and the call of it.
@@ -99,11 +94,13 @@ pub(crate) fn kernel_after(
     let functions = if reads.functions.is_empty() { Vec::new() } else { functions(lowered) };
     for number in &reads.functions {
         let Some(function) = functions.get(*number as usize) else { continue };
-        let (argument, ty) = (function_name(*number), format_ident!("__Function{number}"));
-        arguments.push(quote! { #argument: &#ty });
-        let closure = &function.closure;
-        values.push(quote! { &#closure });
+        let [argument, higher] = function_names(*number);
+        let [ty, higher_ty] = [format_ident!("__Function{number}"), format_ident!("__Derivatives{number}")];
+        arguments.push(quote! { #argument: &#ty, #higher: &#higher_ty });
+        let Supplied { value, derivatives } = function;
+        values.push(quote! { &#value, &#derivatives });
         types.push(quote! { #ty: ::core::ops::Fn(f64) -> [f64; 3] });
+        types.push(quote! { #higher_ty: ::core::ops::Fn(f64, &mut [f64]) -> usize });
     }
     for (target, ty) in targets {
         if writes(target) {

@@ -4,34 +4,36 @@
 
 mod curves;
 mod derivation;
+mod entries;
+mod evaluations;
 mod functions;
 mod generics;
 mod handles;
+mod instructions;
 mod joints;
 mod kernel;
+mod own_scalar;
 mod packed;
 mod parameters;
 mod plan;
 mod program;
 mod rolled;
-mod rolled_series;
-mod series;
-mod series_statements;
 mod statements;
 mod steps;
+mod supplied;
 mod tables;
 mod test;
 
 pub(crate) use derivation::WRITTEN;
-pub(crate) use generics::placeholder;
 pub(crate) use handles::{mentions, placeholders};
 #[cfg(test)]
-pub(crate) use program::literal;
+pub(crate) use instructions::literal;
+pub(crate) use own_scalar::placeholder;
 
 use crate::lower::Lowered;
-use kernel::{Kernel, Layout, kernel};
+use evaluations::{Evaluations, evaluate, lengths, list, observe, position_lengths, values, velocity_constraints};
+use kernel::Layout;
 use kin_core::plan::SolutionPlan;
-use kin_core::program::{Program, Slot, lower};
 use kin_core::structure::Structure;
 use kin_core::system::KinematicSystem;
 use proc_macro2::{Ident, Span, TokenStream};
@@ -98,14 +100,14 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
         (constraints.rows.entries.len(), set.observables.len(), observables.rows.entries.len());
     let parameters = parameters::read(lowered);
     let set_parameter = parameters::write(lowered);
-    let (helpers, functions) = (functions::helpers(lowered), functions::access(lowered, system));
+    let (helpers, functions) = (supplied::helpers(lowered), supplied::access(lowered, system));
     let values = values(lowered, system, &constraints);
     let evaluations = Evaluations {
         evaluate: evaluate(lowered, system, &constraints, &all, &values),
         observe: observe(lowered, system, &observables),
         counts: [p, s, entries, seen, seen_entries],
     };
-    let generic = generics::own(lowered, &evaluations);
+    let generic = own_scalar::own(lowered, &evaluations);
     let scalar = Ident::new("__T", Span::call_site());
     let [position_lengths, lengths] = [position_lengths(&scalar, "q"), lengths(&scalar)];
     let Evaluations { evaluate, observe, .. } = &evaluations;
@@ -118,7 +120,6 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
     let kept_lengths = kept_lengths(lowered, system);
     let curves = curves::curves(lowered, system);
     let guesses = list(lowered, system, set.guesses.iter().map(|(_, value)| *value));
-    let series = series::implementation(lowered, system, &observables);
     quote! {
         type __Parameters<__T> = [__T; #p];
         type __Inputs<__T> = [__kin::Signal<__T>; #u];
@@ -234,8 +235,6 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
 
             #curves
         }
-
-        #series
     }
 }
 
@@ -263,140 +262,5 @@ fn kept_lengths(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
             #lengths
             __kin::Ok(())
         }
-    }
-}
-
-/// The four arrays of an evaluation with their types.
-fn targets(rows: usize, entries: usize) -> [(&'static str, TokenStream); 4] {
-    [
-        ("phi", quote! { [__T; #rows] }),
-        ("phi_q", quote! { [__T; #entries] }),
-        ("phi_t", quote! { [__T; #rows] }),
-        ("gamma", quote! { [__T; #rows] }),
-    ]
-}
-
-fn lengths(scalar: &Ident) -> TokenStream {
-    let position = position_lengths(scalar, "q");
-    quote! {
-        #position
-        let w: &__Coordinates<#scalar> = __kin::fixed("q_dot", q_dot)?;
-    }
-}
-
-fn position_lengths(scalar: &Ident, q: &str) -> TokenStream {
-    let name = Ident::new(q, Span::call_site());
-    quote! {
-        let p: &__Parameters<#scalar> = __kin::fixed("parameters", parameters)?;
-        let u: &__Inputs<#scalar> = __kin::fixed("inputs", at.inputs)?;
-        let #name: &__Coordinates<#scalar> = __kin::fixed(#q, #name)?;
-    }
-}
-
-/// Kernels as items beside the trait, and the statements that call them.
-struct Evaluations {
-    evaluate: Kernel,
-    observe: Kernel,
-    /// Parameters, rows, non-zeros, observables, and non-zeros of these.
-    counts: [usize; 5],
-}
-
-/// Φ alone, in a function of its own: what is only evaluated for Φ (dual numbers) compiles nothing else.
-fn values(lowered: &Lowered, system: &KinematicSystem, layout: &Layout) -> Kernel {
-    let program = layout.program(|slot| matches!(slot, Slot::Phi(_)));
-    let targets = targets(system.set.rows.len(), layout.rows.entries.len());
-    kernel("values", lowered, &program, &targets)
-}
-
-/// η of the rows of velocity level, where there are any.
-fn velocity_constraints(lowered: &Lowered, system: &KinematicSystem, lengths: &TokenStream) -> TokenStream {
-    let set = &system.set;
-    if set.rows.iter().all(|row| row.velocity.is_none()) {
-        return TokenStream::new();
-    }
-    let s = set.rows.len();
-    let etas = set.rows.iter().enumerate().filter_map(|(row, info)| Some((row, info.velocity?.eta)));
-    let outputs: Vec<_> = etas.map(|(row, eta)| (Slot::Entry(row), eta)).collect();
-    let program = lower(&set.graph, &outputs);
-    let kernel = kernel("rates", lowered, &program, &[("out", quote! { [__T; #s] })]);
-    let (item, call) = (kernel.item, kernel.call);
-    quote! {
-        fn velocity_constraints_with<__T: __kin::Scalar>(
-            &self,
-            parameters: &[__T],
-            at: &__kin::Instant<'_, __T>,
-            q: &[__T],
-            q_dot: &[__T],
-            eta: &mut [__T; #s],
-        ) -> __kin::Result<(), __kin::LengthError> {
-            #item
-            #lengths
-            let out = eta;
-            *out = [__kin::Scalar::from_f64(0.0); #s];
-            let _ = (p, u, q, w, &out);
-            #call
-            __kin::Ok(())
-        }
-    }
-}
-
-fn evaluate(lowered: &Lowered, system: &KinematicSystem, layout: &Layout, all: &Program, values: &Kernel) -> Kernel {
-    let targets = targets(system.set.rows.len(), layout.rows.entries.len());
-    let named = |name: &str, program: &Program| kernel(name, lowered, program, &targets);
-    let position = layout.program(|slot| matches!(slot, Slot::Phi(_) | Slot::PhiQ(_)));
-    let position = named("values_and_jacobian", &position);
-    let velocity = layout.program(|slot| matches!(slot, Slot::PhiQ(_) | Slot::PhiT(_)));
-    let velocity = named("jacobian_and_rates", &velocity);
-    let all = named("everything", all);
-    let items = [&position, &velocity, &all].map(|kernel| &kernel.item);
-    let [values, position, velocity, all] = [values, &position, &velocity, &all].map(|kernel| &kernel.call);
-    Kernel {
-        item: quote! { #(#items)* },
-        call: quote! {
-            let (phi, phi_q, phi_t, gamma) = workspace.parts_mut();
-            let _ = (p, u, q, w, &phi, &phi_q, &phi_t, &gamma);
-            if subset.gamma || subset.phi && subset.phi_t {
-                #all
-            } else if subset.phi_t {
-                #velocity
-            } else if subset.phi_q {
-                #position
-            } else if subset.phi {
-                #values
-            }
-        },
-    }
-}
-
-fn observe(lowered: &Lowered, system: &KinematicSystem, layout: &Layout) -> Kernel {
-    let targets = targets(system.set.observables.len(), layout.rows.entries.len());
-    let program = layout.program(|_| true);
-    let Kernel { item, call } = kernel("observe", lowered, &program, &targets);
-    Kernel {
-        item,
-        call: quote! {
-            let (phi, phi_q, phi_t, gamma) = observations.parts_mut();
-            let _ = (p, u, q, w, &phi, &phi_q, &phi_t, &gamma);
-            #call
-        },
-    }
-}
-
-/// A kernel that writes a plain list of expressions.
-pub(crate) fn list(
-    lowered: &Lowered,
-    system: &KinematicSystem,
-    values: impl Iterator<Item = kin_core::expr::ExprId>,
-) -> TokenStream {
-    let outputs: Vec<_> = values.enumerate().map(|(place, value)| (Slot::Entry(place), value)).collect();
-    let count = outputs.len();
-    let program = lower(&system.set.graph, &outputs);
-    let kernel = kernel("write", lowered, &program, &[("out", quote! { [__T; #count] })]);
-    let (item, call) = (kernel.item, kernel.call);
-    quote! {
-        #item
-        let out: &mut [__T; #count] = out;
-        let _ = &out;
-        #call
     }
 }

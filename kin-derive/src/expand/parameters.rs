@@ -2,7 +2,7 @@
 
 use super::generics::bounded;
 use super::handles::mentions;
-use super::program::literal;
+use super::instructions::literal;
 use crate::lower::{FieldRole, Lowered};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

@@ -1,7 +1,7 @@
 //! The solution plan: its sections as kernels, and the methods that run them.
 
+use super::evaluations::position_lengths;
 use super::kernel::{Kernel, kernel, kernel_after};
-use super::position_lengths;
 use crate::lower::Lowered;
 use kin_core::plan::{Depth, Section, SolutionPlan};
 use kin_core::program::Program;
@@ -49,14 +49,8 @@ pub(super) fn planned(lowered: &Lowered, system: &KinematicSystem, plan: &Soluti
         type __Factors<__T> = [__T; #factors];
         #(#kernels)*
     };
-    let [turns, regular] = [&plan.turns, &plan.regular].map(|range| {
-        let (start, end) = (range.start, range.end);
-        quote! { (#start, #end) }
-    });
-    let places = quote! {
-        const TURNS: (usize, usize) = #turns;
-        const REGULAR: (usize, usize) = #regular;
-    };
+    let (start, end) = (plan.regular.start, plan.regular.end);
+    let places = quote! { const REGULAR: (usize, usize) = (#start, #end); };
     let methods = [places, solve.method, closures_methods(&tell, plan), resolve_methods(&factorise, &resolve)];
     Planned { items, methods: quote! { #(#methods)* } }
 }
@@ -79,7 +73,6 @@ fn solve(lowered: &Lowered, system: &KinematicSystem, plan: &SolutionPlan) -> So
         ("acceleration", coordinates),
         ("margins", quote! { [__T; #margins] }),
         ("held", quote! { __Held<__T> }),
-        ("out", quote! { __Factors<__T> }),
     ];
     // The parts of a short plan are one function, in which what one part holds for another stays in registers.
     let instructions: usize = plan.sections.iter().map(|(section, _)| section.program().instructions.len()).sum();
@@ -92,13 +85,8 @@ fn solve(lowered: &Lowered, system: &KinematicSystem, plan: &SolutionPlan) -> So
     let mut before = Depth::Position;
     for (number, (section, depth)) in plan.sections.iter().enumerate() {
         if *depth != before {
-            statements.push(match depth {
-                Depth::Factors => quote! { let __kin::Some(out) = factors else { return __kin::Ok(()) }; },
-                _ => {
-                    let last = depth_tokens(before);
-                    quote! { if let #last = depth { return __kin::Ok(()); } }
-                }
-            });
+            let last = depth_tokens(before);
+            statements.push(quote! { if let #last = depth { return __kin::Ok(()); } });
             before = *depth;
         }
         let name = format!("solve_part_{number}");
@@ -131,7 +119,7 @@ fn solve(lowered: &Lowered, system: &KinematicSystem, plan: &SolutionPlan) -> So
     let lengths = position_lengths(&Ident::new("__T", Span::call_site()), "start");
     let method = quote! {
         #[inline]
-        fn solve_and_factorise<__T: __kin::Scalar>(
+        fn solve_with<__T: __kin::Scalar>(
             &self,
             parameters: &[__T],
             at: &__kin::Instant<'_, __T>,
@@ -139,7 +127,6 @@ fn solve(lowered: &Lowered, system: &KinematicSystem, plan: &SolutionPlan) -> So
             start: &[__T],
             depth: __kin::Depth,
             solved: __kin::Solved<'_, __T>,
-            factors: __kin::Option<&mut Self::Factors<__T>>,
         ) -> __kin::Result<(), __kin::LengthError> {
             #lengths
             let modes: &__Modes<__T> = __kin::fixed("modes", modes)?;
@@ -149,7 +136,7 @@ fn solve(lowered: &Lowered, system: &KinematicSystem, plan: &SolutionPlan) -> So
             let margins: &mut [__T; #margins] = __kin::fixed_mut("margins", solved.margins)?;
             let held: &mut __Held<__T> = &mut [<__T as __kin::Scalar>::from_f64(0.0); #held];
             let unknowns: &mut __Coordinates<__T> = &mut { *start };
-            let _ = (p, u, modes, &position, &velocity, &acceleration, &margins, &held, &unknowns, &factors);
+            let _ = (p, u, modes, &position, &velocity, &acceleration, &margins, &held, &unknowns);
             #(#statements)*
             __kin::Ok(())
         }
@@ -161,7 +148,7 @@ fn depth_tokens(depth: Depth) -> TokenStream {
     match depth {
         Depth::Position => quote! { __kin::Depth::Position },
         Depth::Velocity => quote! { __kin::Depth::Velocity },
-        Depth::Acceleration | Depth::Factors => quote! { __kin::Depth::Acceleration },
+        Depth::Acceleration => quote! { __kin::Depth::Acceleration },
     }
 }
 

@@ -3,7 +3,7 @@
 //! Arrays have the loops' lengths and every index is affine in the loop's variable, so that the compiler can see that
 //! it is in bounds. The sines and cosines of a loop whose angles are known before it are taken of all members at once.
 
-use super::program::{ANGLES, definition, literal, load_at, name, names_of, target_at};
+use super::instructions::{ANGLES, definition, literal, load_at, name, names_of, target_at};
 use super::statements::{Statement, blocks};
 use kin_core::program::{Angles, Instruction, Keep, Part, Piece, Rolled, Source, Step, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -35,11 +35,11 @@ pub(super) fn body(rolled: &Rolled) -> TokenStream {
     quote! { #(#tables)* #(#lengths)* #statements }
 }
 
-pub(super) fn array(number: usize) -> Ident {
+fn array(number: usize) -> Ident {
     format_ident!("__a{number}")
 }
 
-pub(super) fn table(number: usize) -> Ident {
+fn table(number: usize) -> Ident {
     format_ident!("__TABLE{number}")
 }
 
@@ -132,7 +132,7 @@ fn places(first: usize, count: usize) -> TokenStream {
     quote! { #first..#end }
 }
 
-pub(super) fn uses(statements: &[Statement]) -> Vec<Value> {
+fn uses(statements: &[Statement]) -> Vec<Value> {
     statements.iter().flat_map(|statement| &statement.uses).copied().collect()
 }
 
@@ -145,7 +145,7 @@ fn local_value(rolled: &Rolled, operand: Value) -> Option<Value> {
 }
 
 /// The values that a step reads under their names.
-pub(super) fn step_uses(rolled: &Rolled, step: &Step) -> Vec<Value> {
+fn step_uses(rolled: &Rolled, step: &Step) -> Vec<Value> {
     let mut uses = Vec::new();
     let mut read = |operand: Value| uses.extend(local_value(rolled, operand));
     match step {
@@ -157,17 +157,17 @@ pub(super) fn step_uses(rolled: &Rolled, step: &Step) -> Vec<Value> {
 
 /// The member of a loop that is written: iteration k, or straight code.
 #[derive(Clone, Copy)]
-pub(super) struct Member {
+struct Member {
     /// False where k is 0.
-    pub(super) varies: bool,
+    varies: bool,
 }
 
 impl Member {
     /// Straight code.
-    pub(super) const ONE: Self = Self { varies: false };
+    const ONE: Self = Self { varies: false };
 
     /// The index `first` + `step`·k.
-    pub(super) fn index(self, first: usize, step: i64) -> TokenStream {
+    fn index(self, first: usize, step: i64) -> TokenStream {
         let start = Literal::usize_unsuffixed(first);
         if !self.varies || step == 0 {
             return quote! { #start };
@@ -282,7 +282,7 @@ impl Emitter<'_> {
 }
 
 /// The name of a part of a value.
-pub(super) fn local(value: Value, part: Part) -> Ident {
+fn local(value: Value, part: Part) -> Ident {
     let prefix = match part {
         Part::Whole => 'v',
         Part::Sin => 's',

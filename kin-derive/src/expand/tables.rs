@@ -1,17 +1,18 @@
 //! The static [`Model`] of a mechanism: names, rows, patterns, geometry.
 
 use super::derivation;
+use super::entries::{frame, optional, variant};
+use super::instructions::literal;
 use super::joints::joints;
 use super::kernel::Layout;
 use super::packed::{Packed, any_is_long};
-use super::program::literal;
-use kin_core::constraint::{CoordinateKind, Family, Frame, ObservableKind};
+use kin_core::constraint::{CoordinateKind, Family, ObservableKind};
 use kin_core::mechanism::{Component, Mechanism};
 use kin_core::plan::SolutionPlan;
 use kin_core::program::OperationCount;
 use kin_core::structure::Structure;
 use kin_core::system::{KinematicSystem, RowClass};
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 /// Everything the table needs.
@@ -36,7 +37,7 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     let parameters = parameters(tables.mechanism, packed);
     let inputs = set.inputs.iter();
     let functions = set.functions.iter();
-    let arguments = super::functions::arguments(tables.system).into_iter().map(|(function, _)| function as usize);
+    let arguments = super::supplied::arguments(tables.system).into_iter().map(|(function, _)| function as usize);
     let bodies = bodies(tables.system, packed);
     let points = set.points.iter().map(|point| {
         let (name, frame, local, observables) = (&point.name, frame(point.frame), point.local, point.observables);
@@ -122,27 +123,8 @@ fn is_packed(tables: &Tables<'_>) -> bool {
     ])
 }
 
-pub(super) fn variant(path: &str, name: &str) -> TokenStream {
-    let (path, name) = (Ident::new(path, Span::call_site()), Ident::new(name, Span::call_site()));
-    quote! { __kin::#path::#name }
-}
-
 fn component(component: Component) -> TokenStream {
     variant("Component", ["X", "Y", "Phi"][component as usize])
-}
-
-pub(super) fn frame(frame: Frame) -> TokenStream {
-    match frame {
-        Frame::Ground => quote! { __kin::Frame::Ground },
-        Frame::Body(body) => quote! { __kin::Frame::Body(#body) },
-    }
-}
-
-pub(super) fn optional(value: Option<impl quote::ToTokens>) -> TokenStream {
-    match value {
-        Some(value) => quote! { __kin::Some(#value) },
-        None => quote! { __kin::None },
-    }
 }
 
 fn coordinates(system: &KinematicSystem, packed: bool) -> TokenStream {

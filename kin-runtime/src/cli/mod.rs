@@ -9,7 +9,7 @@
 //!
 //! The commands are `info`, `solve`, `sweep`, `animate`, `plot` and `equations` (with the
 //! features of their names), `check` and `completions`, one per file; without a command a report at t = 0 is printed.
-//! Results go to stdout or to the file of `--out`, whose ending says the form; everything else goes to stderr. The exit
+//! Results go to stdout or to the file of `--out`, whose ending chooses the format; everything else goes to stderr. The exit
 //! status is 0 only when the answer is good, 2 when the options make no sense, 1 when the mechanism has no good answer,
 //! 130 after Ctrl-C, which leaves all that a sweep, a plot or an animation has finished in the result, and 141 when a reader
 //! left before all was written (`… | head`), of which nothing is said.

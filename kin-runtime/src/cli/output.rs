@@ -106,7 +106,7 @@ pub(super) struct OutputArgs {
         value_name = "FILE",
         value_hint = clap::ValueHint::FilePath,
         long_help = "\
-Write the result to a file, whole or not at all; its ending says the form.
+Write the result to a file, whole or not at all; its ending chooses the format.
 A file that is there keeps what it has until all of the new result is written.
 `-` is stdout; pipes and devices are written to directly"
     )]

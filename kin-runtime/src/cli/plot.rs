@@ -25,7 +25,7 @@ pub(super) const STEPS: usize = 360;
 /// Diagrams of the motion: quantities over time, against one another, paths of points
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct PlotArgs {
-    /// NAME over time, X:Y, or a point's or a body's path [default: what tells most]
+    /// NAME over time, X:Y, or a point's or a body's path [default: chosen by what moves]
     #[arg(value_name = "WHAT")]
     what: Vec<String>,
     /// A curve for each of several values: NAME=0.08..0.12:5 or NAME=0.08,0.1
@@ -67,7 +67,7 @@ pub(super) const HELP: Help = Help {
             .zip(names.vary.as_ref())
             .map(|(path, vary)| format!("plot {path} --vary {vary} --out paths.svg"));
         vec![
-            names.analysis("plot --out motion.svg", "what tells most"),
+            names.analysis("plot --out motion.svg", "diagrams of what moves"),
             names.analysis(&format!("plot {value} {rate} --to 2 --out motion.png"), ""),
             path.and_then(|line| names.analysis(&line, "the path of a point")),
             names.analysis(&format!("plot {phase} --out phase.svg"), "the second against the first"),

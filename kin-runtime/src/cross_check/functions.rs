@@ -1,7 +1,7 @@
-//! Supplied functions held against their own differences.
+//! Supplied functions compared with their own differences.
 //!
 //! Closed forms and dual numbers both take f, f′ and f″ from the function, so that neither can tell a wrong derivative.
-//! Here the difference quotient of g over an interval is held against the mean of g′ over it (five-point Gauss–Lobatto
+//! Here the difference quotient of g over an interval is compared with the mean of g′ over it (five-point Gauss–Lobatto
 //! quadrature), for g = f and g = f′. Intervals begin or end at the argument and shrink by and by; the best of them
 //! counts. So a smooth function agrees to rounding, and a knot of a spline or a jump of an acceleration lies outside of
 //! all intervals that are short enough, on one side at least; a wrong derivative is wrong on all of them.
@@ -19,7 +19,7 @@ pub struct FunctionCheck {
     pub arguments: usize,
     /// Arguments at which nothing could be said: the function has no value there, or varies less than it is rounded.
     pub skipped: usize,
-    /// The worst derivative: `f′`, held against differences of f, or `f″`, held against those of f′.
+    /// The worst derivative: `f′`, compared with differences of f, or `f″`, compared with those of f′.
     pub derivative: &'static str,
     /// The worst argument.
     pub x: f64,
@@ -214,7 +214,7 @@ mod tests {
                 [f, f1 * slip[0], f2 * slip[1]]
             };
             let found = worst(wrong, -0.5, 2.0).map(|error| error > 5e-4);
-            // f″ is held against the f′ that is given, so that a wrong f′ is not right for f″ either.
+            // f″ is compared with the f′ that is given, so that a wrong f′ is not right for f″ either.
             assert!(found[1] && found[0] == first_is_wrong, "{slip:?} {found:?}");
         }
         let nan = worst(|x| [x, 1.0, f64::NAN], 0.0, 1.0);

@@ -1,10 +1,10 @@
-//! Closed forms held against dual numbers.
+//! Closed forms compared with dual numbers.
 //!
 //! The generic Φ alone is differentiated: Φ_q column by column and Φ_t with first-order dual numbers, γ as the negative
 //! second derivative of s ↦ Φ(q + s q̇, t + s) at 0 with second-order ones. Inputs move with their rates and
 //! accelerations. Entries that the sparsity pattern calls zero are compared as well.
 //!
-//! Supplied functions enter both sides as they are, so that their derivatives are held against their own differences, at
+//! Supplied functions enter both sides as they are, so that their derivatives are compared with their own differences, at
 //! the arguments at which they are evaluated in these configurations.
 //! Rows of velocity level are compared in the same places: B, b and γ against derivatives of the generic η.
 

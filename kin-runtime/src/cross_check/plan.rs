@@ -1,4 +1,4 @@
-//! The plan held against the equations, and against full Newton.
+//! The plan compared with the equations, and with full Newton.
 //!
 //! From every configuration the plan solves in the modes that it finds there. What it gives must close Φ and satisfy
 //! Φ_q q̇ = −Φ_t and Φ_q q̈ = γ, row by row; from configurations of the caller full Newton solves as well, and q, q̇ and q̈

@@ -139,8 +139,6 @@ impl Plan {
     }
 }
 
-/// Most corrections of an iteration inside a plan.
-const CORRECTIONS: usize = 12;
 /// A correction this small, for an unknown of size 1, is the last: the next one is its square.
 const LAST: f64 = 3e-9;
 
@@ -180,7 +178,7 @@ pub fn iterate<T: Scalar, const N: usize, const M: usize>(
 ) -> T {
     let [last_step, rounding_step] = const { last_and_rounding(T::EPSILON) };
     let (mut rounding, start) = (false, *x);
-    for _ in 0..CORRECTIONS {
+    for _ in 0..T::CORRECTIONS {
         let steps = correction(x);
         // Never 0, so that lengths that are all 0 are found, too.
         let mut length = T::from_f64(f64::from(f32::MIN_POSITIVE));

@@ -7,11 +7,16 @@
 pub(crate) mod compare;
 #[cfg(feature = "std")]
 mod dual;
+pub(crate) mod expansion;
 #[cfg(feature = "simd")]
 pub(crate) mod lanes;
+pub(crate) mod recurrence;
 pub(crate) mod standard;
+mod taylor;
 #[cfg(feature = "simd")]
 pub(crate) mod trig;
+
+pub use taylor::Taylor;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -21,6 +26,8 @@ pub trait Scalar:
 {
     /// The distance from 1 to the next larger number: what tolerances inside generated code go by.
     const EPSILON: f64 = f64::EPSILON;
+    /// Most corrections of an iteration inside generated code.
+    const CORRECTIONS: usize = 12;
     /// The constant `value`.
     fn from_f64(value: f64) -> Self;
     /// Sine and cosine together.
@@ -84,6 +91,18 @@ pub trait Scalar:
     /// at `self`. A scalar that carries derivatives applies the chain rule to f and f′; f″ has no known derivative
     /// and its derivative parts are NaN.
     fn lift(self, f: impl Fn(f64) -> [f64; 3]) -> [Self; 3];
+    /// [`lift`](Self::lift) for a scalar that carries higher derivatives: `derivatives` writes f, f′, f″, … as far as they
+    /// are known and says how many, and `number` says which function of the mechanism it is.
+    #[inline(always)]
+    fn compose(
+        self,
+        number: usize,
+        f: impl Fn(f64) -> [f64; 3],
+        derivatives: impl Fn(f64, &mut [f64]) -> usize,
+    ) -> [Self; 3] {
+        let _ = (number, derivatives);
+        self.lift(f)
+    }
 }
 
 /// Sine and cosine of one angle: in lanes where they are asked for.

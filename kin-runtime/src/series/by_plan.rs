@@ -1,31 +1,27 @@
-//! All orders at once by the plan: with q, q̇, q̈ it leaves sines, cosines and the factors of every block, from which the
-//! coefficients go on.
-//!
-//! Everything here is one function after inlining: right-hand sides and solutions go from one kernel to the next in
-//! registers, as coefficients; factorials come last.
+//! All orders at once: the generated plan over a Taylor series.
 
-use super::arithmetic::PowerSeries;
-use super::at_zero::Known;
-use super::news::Found;
-use super::next::Next;
+use super::PowerSeries;
+use super::inputs::factorial;
 use super::orders::{HigherOrders, array};
-use super::start::Start;
 use crate::mechanism::LengthError;
-use crate::plan::{Depth, Plan, Solved};
+use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;
+use crate::scalar::{Scalar, Taylor};
 use crate::workspace::{Array, Instant};
 
+/// Coefficients of all coordinates, at most, whose series are on the stack: a plan has about twenty values for each.
+const LARGEST: usize = 1500;
+
 impl<M: PowerSeries> HigherOrders<'_, M> {
-    /// q, q̇, q̈ by the plan, and all orders up to the highest: what was computed for the ones
-    /// ([`Mechanism::solve_and_factorise`]) the others begin with. Then [`derivative`](Self::derivative) has the orders
-    /// from the third on; as q, q̇ and q̈ they are only good where all margins are positive.
+    /// q, q̇, q̈ by the plan, and all orders up to the highest: [`derivative`](Self::derivative) has those from the third
+    /// on. They are only good where all margins are positive.
     ///
-    /// What [`begin`](Self::begin) left is gone then: [`order`](Self::order) is 0.
+    /// The plan is evaluated over [`Taylor`] series, whose coefficients are all orders. Above the tenth, and for
+    /// mechanisms of hundreds of coordinates, it takes one order after another, by [`right`](Self::right) and [`solve`](Self::solve). What [`begin`](Self::begin) left is gone then:
+    /// [`order`](Self::order) is 0.
     ///
     /// # Errors
     /// [`PlanError::NoPlan`], and [`PlanError::Length`] when an argument has the wrong length.
-    ///
-    /// [`Mechanism::solve_and_factorise`]: crate::Mechanism::solve_and_factorise
     pub fn solve_by_plan(
         &mut self,
         at: &Instant<'_>,
@@ -36,97 +32,115 @@ impl<M: PowerSeries> HigherOrders<'_, M> {
         if let Some(why) = M::model().plan.absent {
             return Err(PlanError::NoPlan { why });
         }
+        (self.order, self.solved) = (0, 0);
+        let Solved { q, q_dot, q_ddot, margins } = solved;
+        let solved = Solved { q: &mut *q, q_dot, q_ddot, margins };
+        match self.highest {
+            3.. if M::COORDINATES * (self.highest + 1) > LARGEST => self.solve_one_by_one(at, modes, start, solved)?,
+            0..3 => {
+                let parameters = self.parameters.as_ref();
+                self.mechanism.solve_with(parameters, at, modes, start, Depth::Acceleration, solved)?;
+            }
+            3 => self.expand::<4>(at, modes, start, solved)?,
+            4..6 => self.expand::<6>(at, modes, start, solved)?,
+            6..8 => self.expand::<8>(at, modes, start, solved)?,
+            8..11 => self.expand::<11>(at, modes, start, solved)?,
+            _ => self.solve_one_by_one(at, modes, start, solved)?,
+        }
+        self.derivatives[0] = *array("q", M::COORDINATES, q)?;
+        self.solved = self.highest;
+        Ok(())
+    }
+
+    /// The plan over series with `N` coefficients.
+    #[inline]
+    fn expand<const N: usize>(
+        &mut self,
+        at: &Instant<'_>,
+        modes: &[f64],
+        start: &[f64],
+        solved: Solved<'_, f64>,
+    ) -> Result<(), LengthError> {
+        let (mechanism, plan) = (self.mechanism, &M::model().plan);
+        let Solved { q, q_dot, q_ddot, margins } = solved;
+        let length = |what, expected, found| {
+            if expected == found { Ok(()) } else { Err(LengthError { what, expected, found }) }
+        };
+        length("inputs", M::INPUTS, at.inputs.len())?;
+        length("modes", plan.modes.len(), modes.len())?;
+        length("margins", plan.margins, margins.len())?;
+        let mut start: M::Coordinates<f64> = *array("start", M::COORDINATES, start)?;
+        // Iterations converge from what they give for numbers, and redundant rows are watched in q̇ and q̈, too.
+        let by_numbers = !plan.orientations.is_empty() || plan.watched().next().is_some();
+        if by_numbers {
+            let solved = Solved { q: &mut *q, q_dot: &mut *q_dot, q_ddot: &mut *q_ddot, margins: &mut *margins };
+            let parameters = self.parameters.as_ref();
+            mechanism.solve_with(parameters, at, modes, start.as_ref(), Depth::Acceleration, solved)?;
+            start = *array("q", M::COORDINATES, q)?;
+        }
+        self.inputs.begin(at, &[]);
+        let number = Taylor::<N>::from_f64;
+        let inputs = M::Inputs::<Taylor<N>>::generate(|k| {
+            self.inputs.signal(k, |coefficient| Taylor::new(core::array::from_fn(coefficient)))
+        });
+        let at = Instant { t: Taylor::variable(at.t), inputs: inputs.as_ref() };
+        // There are never more modes than coordinates, nor more margins than rows.
+        let all_modes = M::Coordinates::<Taylor<N>>::generate(|k| number(modes.get(k).copied().unwrap_or(0.0)));
+        let start = M::Coordinates::<Taylor<N>>::generate(|k| number(start.as_ref()[k]));
+        let [mut found, mut rates, mut accelerations] = [M::Coordinates::filled(number(0.0)); 3];
+        let mut found_margins = M::Rows::filled(number(0.0));
+        let solved = Solved {
+            q: found.as_mut(),
+            q_dot: rates.as_mut(),
+            q_ddot: accelerations.as_mut(),
+            margins: &mut found_margins.as_mut()[..plan.margins],
+        };
+        let (parameters, modes) = (mechanism.parameters::<Taylor<N>>(), &all_modes.as_ref()[..modes.len()]);
+        mechanism.solve_with(parameters.as_ref(), &at, modes, start.as_ref(), Depth::Position, solved)?;
+        let found = found.as_ref();
+        if !by_numbers {
+            for (derivative, order) in [q, q_dot, q_ddot].into_iter().zip(0..) {
+                length(["q", "q_dot", "q_ddot"][order], M::COORDINATES, derivative.len())?;
+                let values = found.iter().map(|series| factorial(order) * series.coefficients()[order]);
+                derivative.iter_mut().zip(values).for_each(|(place, value)| *place = value);
+            }
+            for (margin, found) in margins.iter_mut().zip(found_margins.as_ref()) {
+                *margin = found.coefficients()[0];
+            }
+        }
+        for (order, derivative) in self.derivatives.iter_mut().enumerate().skip(3) {
+            let factorial = factorial(order);
+            let values = found.iter().map(|series| factorial * series.coefficients()[order]);
+            derivative.as_mut().iter_mut().zip(values).for_each(|(place, value)| *place = value);
+        }
+        Ok(())
+    }
+
+    /// q, q̇ and q̈ by the plan, then order after order with the factors of Φ_q.
+    fn solve_one_by_one(
+        &mut self,
+        at: &Instant<'_>,
+        modes: &[f64],
+        start: &[f64],
+        solved: Solved<'_, f64>,
+    ) -> Result<(), LengthError> {
         let Solved { q, q_dot, q_ddot, margins } = solved;
         let solved = Solved { q: &mut *q, q_dot: &mut *q_dot, q_ddot: &mut *q_ddot, margins };
-        let (parameters, factors) = (self.parameters.as_ref(), Some(&mut self.factors));
-        self.mechanism.solve_and_factorise(parameters, at, modes, start, Depth::Acceleration, solved, factors)?;
-        Ok(self.solve_all(at, &[], [q, q_dot, q_ddot])?)
-    }
-
-    /// All orders from the third on at a known position, velocity and acceleration; false where there is no plan, where
-    /// a block is singular or nearly so, and where something is no number.
-    pub(super) fn solve_at(
-        &mut self,
-        at: &Instant<'_>,
-        further: &[&[f64]],
-        known: [&[f64]; 3],
-    ) -> Result<bool, LengthError> {
-        self.mechanism.factorise_with(self.parameters.as_ref(), at, known[0], &mut self.factors)?;
-        if !self.is_regular() {
-            return Ok(false);
+        self.mechanism.solve_with(self.parameters.as_ref(), at, modes, start, Depth::Acceleration, solved)?;
+        self.begin(at, q, q_dot, q_ddot)?;
+        self.factorise(at)?;
+        while self.order > 0 {
+            let mut derivative = M::Coordinates::<f64>::filled(0.0);
+            self.solve(derivative.as_mut())?;
+            self.derivatives[self.order] = derivative;
+            self.advance(derivative.as_ref())?;
         }
-        self.solve_all(at, further, known)?;
-        Ok(self.derivatives.iter().all(|derivative| derivative.as_ref().iter().all(|value| value.is_finite())))
-    }
-
-    /// True where there are factors, taken at a position, and all of them are far from singular.
-    pub(super) fn is_regular(&self) -> bool {
-        let (first, end) = M::REGULAR;
-        let margins = self.factors.as_ref().get(first..end).unwrap_or_default();
-        M::model().plan.exists() && margins.iter().all(|margin| *margin > Plan::SMALLEST_MARGIN)
-    }
-
-    /// All orders from the third on, with the factors that are there.
-    pub(super) fn solve_all(
-        &mut self,
-        at: &Instant<'_>,
-        further: &[&[f64]],
-        known: [&[f64]; 3],
-    ) -> Result<(), LengthError> {
-        (self.missing, self.solved, self.order) = (None, 0, 0);
-        let [q, q_dot, q_ddot] = known;
-        let q: &M::Coordinates<f64> = array("q", M::COORDINATES, q)?;
-        let (q_dot, q_ddot) = (array("q_dot", M::COORDINATES, q_dot)?, array("q_ddot", M::COORDINATES, q_ddot)?);
-        self.q = *q;
-        if self.highest < 3 {
-            return Ok(());
-        }
-        if M::INPUTS > 0 {
-            self.inputs.begin(at, further);
-        }
-        self.inputs.t = at.t;
-        let zero = M::Coordinates::<f64>::filled(0.0);
-        let mut right = M::Rows::<f64>::filled(0.0);
-        let (first, end) = M::TURNS;
-        let mut run = Start::<_, _, _, 4, false> {
-            inputs: &self.inputs,
-            q: [q, q_dot, q_ddot, &zero, &zero],
-            at_zero: Known(self.factors.as_ref().get(first..end).unwrap_or_default()),
-            tape: &mut self.constraints,
-            keep: self.highest > 3,
-            place: 0,
-            rows: core::slice::from_mut(&mut right),
-            missing: &mut self.missing,
-        };
-        self.mechanism.constraint_series(self.parameters.as_ref(), &mut run)?;
-        let (mut found, mut order, mut factorial) = (zero, 3, 6.0);
-        loop {
-            M::solve_factorised(&self.factors, right.as_ref(), found.as_mut())?;
-            if let Some(derivative) = self.derivatives.get_mut(order - 3) {
-                *derivative = Array::generate(|k| factorial * found.as_ref()[k]);
-            }
-            self.solved = order;
-            if order == self.highest {
-                return Ok(());
-            }
-            order += 1;
-            factorial *= order as f64;
-            let mut run = Next {
-                inputs: &self.inputs,
-                news: Found(&found),
-                tape: &mut self.constraints,
-                place: 0,
-                order,
-                rows: &mut right,
-                missing: &mut self.missing,
-            };
-            self.mechanism.constraint_series(self.parameters.as_ref(), &mut run)?;
-        }
+        Ok(())
     }
 
     /// q⁽ᵏ⁾ for an order k ≥ 3 that [`solve_by_plan`](Self::solve_by_plan) has found, n numbers.
     pub fn derivative(&self, order: usize) -> Option<&[f64]> {
-        let place = order.checked_sub(3).filter(|_| order <= self.solved)?;
-        self.derivatives.get(place).map(AsRef::as_ref)
+        let is_found = (3..=self.solved).contains(&order);
+        self.derivatives.get(order).filter(|_| is_found).map(AsRef::as_ref)
     }
 }

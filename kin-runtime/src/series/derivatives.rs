@@ -1,6 +1,6 @@
 //! The analysis of higher order: order after order with the factorisation of velocity and acceleration analysis.
 
-use super::arithmetic::PowerSeries;
+use super::PowerSeries;
 use super::orders::{HigherOrders, Orders};
 use super::tape::Missing;
 use crate::analysis::by_plan;
@@ -132,40 +132,58 @@ fn derivatives(
     }
     let mut q: Vec<Vec<f64>> = known.into_iter().take(order + 1).cloned().collect();
     let mut by_plan = false;
-    // Nothing watches higher orders of rows that a plan does without: the whole Φ_q says whether they agree.
-    let all_rows = equations.model.plan.watched().next().is_none();
-    if order > 2 && all_rows && equations.options.use_plan && by_plan::exists(equations) {
-        by_plan = orders.solve_at(&state.instant(), further, known.map(Vec::as_slice))?;
-        q.extend((3..=order).map_while(|k| orders.derivative(k).filter(|_| by_plan)).map(<[f64]>::to_vec));
+    if order > 2 {
+        orders.begin_with(&state.instant(), further, known.map(Vec::as_slice))?;
+        // Nothing watches higher orders of rows that a plan does without: the whole Φ_q says whether they agree.
+        let all_rows = equations.model.plan.watched().next().is_none();
+        let may_use_plan = all_rows && equations.options.use_plan && by_plan::exists(equations);
+        by_plan = may_use_plan && orders.factorise(&state.instant())?;
     }
+    let mut whole = None;
     if order > 2 && !by_plan {
         equations.scale = Scale::around(equations, &state.q);
-        let factor = factorize(equations, &state.q, None)?;
-        orders.begin_with(&state.instant(), further, known.map(Vec::as_slice))?;
-        for k in 3..=order {
-            if k > 3 {
-                orders.advance(&q[k - 1])?;
-            }
-            if let Some(error) = undefined(equations, orders, k, &q[k - 1]) {
-                return Err(error);
-            }
-            q.push(solve(equations, &factor, orders.right(), k)?);
+        whole = Some(factorize(equations, &state.q, None)?);
+    }
+    for k in 3..=order {
+        if let Some(error) = undefined(equations, orders, k, &q[k - 1]) {
+            return Err(error);
         }
+        let derivative = solve(equations, orders, whole.as_ref(), k)?;
+        if k < order {
+            orders.advance(&derivative)?;
+        }
+        q.push(derivative);
     }
     let further = further.iter().map(|list| list.to_vec()).collect();
     Ok(Derivatives { t: state.t, inputs: state.inputs.clone(), further, q, by_plan })
 }
 
-/// q⁽ᵏ⁾ with Φ_q q⁽ᵏ⁾ = b, given b of the mechanism's own rows. That of prescribed coordinates is 0.
-fn solve(equations: &Equations<'_>, factor: &Factorization, own: &[f64], k: usize) -> Result<Vec<f64>, SolveError> {
+/// q⁽ᵏ⁾ with Φ_q q⁽ᵏ⁾ = b: by the blocks of the plan where Φ_q is not factorised as a whole. That of prescribed coordinates
+/// is 0.
+fn solve(
+    equations: &Equations<'_>,
+    orders: &dyn Orders,
+    whole: Option<&Factorization>,
+    k: usize,
+) -> Result<Vec<f64>, SolveError> {
+    let own = orders.right();
     let right = DVector::from_fn(equations.rows(), |row, _| own.get(row).copied().unwrap_or(0.0));
     let right = scaled(equations, &right);
-    let solution = factor.solve(&right);
+    let solution = match whole {
+        Some(factor) => factor.solve(&right),
+        None => {
+            let mut solution = DVector::zeros(equations.coordinates());
+            orders.solve(solution.as_mut_slice())?;
+            solution
+        }
+    };
     // Of a right-hand side that is a number: whether it is consistent cannot be said of what is none.
     if !solution.iter().all(|x| x.is_finite()) {
         return Err(SolveError::OutOfRange { t: equations.t, order: k });
     }
-    if let Some((row, residual)) = inconsistency(equations, &solution, &right) {
+    if let Some(factor) = whole
+        && let Some((row, residual)) = inconsistency(equations, &solution, &right)
+    {
         let (row_name, joint) = (equations.row_name(row), equations.joint_name(row));
         let (t, rank) = (equations.t, factor.rank);
         return Err(SolveError::InconsistentDerivative { t, order: k, residual, row_name, joint, rank });

@@ -1,7 +1,8 @@
-//! Time and the inputs as power series.
+//! Time, the inputs and the coordinates as power series.
 
-use super::tape::Missing;
-use crate::workspace::{Instant, Signal};
+use super::tape::{Missing, Series, Tape};
+use crate::mechanism::Mechanism;
+use crate::workspace::{Array, Instant, Signal};
 
 /// Coefficients of time and of the inputs in powers of τ.
 pub(super) struct Inputs {
@@ -12,46 +13,90 @@ pub(super) struct Inputs {
     stride: usize,
 }
 
+/// k!, as far as an `f64` can hold it.
+const FACTORIALS: [f64; 171] = {
+    let (mut factorials, mut k) = ([1.0; 171], 1);
+    while k < factorials.len() {
+        factorials[k] = factorials[k - 1] * k as f64;
+        k += 1;
+    }
+    factorials
+};
+
 /// k!
+#[inline]
 pub(super) fn factorial(k: usize) -> f64 {
-    (1..=k).map(|i| i as f64).product()
+    FACTORIALS.get(k).copied().unwrap_or(f64::INFINITY)
 }
 
 impl Inputs {
-    /// Room for series up to this order.
+    /// Room for series up to this order, and two more for the derivatives of inputs that rows may hold.
     pub(super) fn new(order: usize, inputs: usize) -> Self {
-        // The first run looks at order 3 whatever is asked for, and rows may hold second derivatives of inputs.
-        let stride = order.max(3) + 3;
+        let stride = order + 3;
         Self { t: 0.0, coefficients: vec![f64::NAN; inputs * stride], stride }
     }
 
     /// Begins at an instant. `further` has the derivatives of the inputs from the third on, as far as they are known.
-    #[inline]
     pub(super) fn begin(&mut self, at: &Instant<'_>, further: &[&[f64]]) {
+        self.t = at.t;
         for (k, series) in self.coefficients.chunks_exact_mut(self.stride).enumerate() {
             let Signal { value, rate, acceleration } = at.inputs.get(k).copied().unwrap_or_default();
             let higher = further.get(k).copied().unwrap_or_default();
             let known = [value, rate, acceleration].into_iter().chain(higher.iter().copied());
             series.fill(f64::NAN);
-            let mut factorial = 1.0;
             for (order, (coefficient, derivative)) in series.iter_mut().zip(known).enumerate() {
-                factorial *= order.max(1) as f64;
-                *coefficient = derivative / factorial;
+                *coefficient = derivative / factorial(order);
             }
         }
     }
 
-    /// Coefficient `i` of the derivative of this order of an input.
-    #[inline(always)]
-    pub(super) fn input(&self, k: usize, order: usize, i: usize) -> f64 {
-        let factor: f64 = (i + 1..=i + order).map(|m| m as f64).product();
-        factor * self.coefficients[k * self.stride + i + order]
+    /// Input `k` with its rate and its acceleration; `series` makes one of the function that gives its coefficients.
+    pub(super) fn signal<T>(&self, k: usize, mut series: impl FnMut(&dyn Fn(usize) -> f64) -> T) -> Signal<T> {
+        let coefficients = &self.coefficients[k * self.stride..][..self.stride];
+        let [value, rate, acceleration] = [0, 1, 2]
+            .map(|order| series(&|i| (i + 1..=i + order).map(|m| m as f64).product::<f64>() * coefficients[i + order]));
+        Signal { value, rate, acceleration }
     }
 
-    /// That an input is not known far enough.
-    #[cold]
-    pub(super) fn missing(&self, k: usize) -> Missing {
+    /// How far an input is known.
+    fn known(&self, k: usize) -> Missing {
         let series = &self.coefficients[k * self.stride..][..self.stride];
         Missing::Input { index: k, known: series.iter().take_while(|c| !c.is_nan()).count().saturating_sub(1) }
     }
+}
+
+/// What code is evaluated with, on a tape.
+pub(super) struct Setting<'t, M: Mechanism> {
+    pub(super) parameters: M::Parameters<Series<'t>>,
+    t: Series<'t>,
+    inputs: M::Inputs<Series<'t>>,
+    pub(super) q: M::Coordinates<Series<'t>>,
+}
+
+impl<'t, M: Mechanism> Setting<'t, M> {
+    /// With q given by its derivatives, order by order.
+    pub(super) fn new(mechanism: &M, inputs: &Inputs, derivatives: &[M::Coordinates<f64>], tape: &'t Tape) -> Self {
+        Self {
+            parameters: mechanism.parameters(),
+            t: tape.leaf(|k| match k {
+                0 => inputs.t,
+                1 => 1.0,
+                _ => 0.0,
+            }),
+            inputs: Array::generate(|k| inputs.signal(k, |series| tape.source(inputs.known(k), series))),
+            q: coordinates::<M>(derivatives, tape),
+        }
+    }
+
+    pub(super) fn at(&self) -> Instant<'_, Series<'t>> {
+        Instant { t: self.t, inputs: self.inputs.as_ref() }
+    }
+}
+
+/// Coordinates by their derivatives, order by order; their rates by those from the first on.
+pub(super) fn coordinates<'t, M: Mechanism>(
+    derivatives: &[M::Coordinates<f64>],
+    tape: &'t Tape,
+) -> M::Coordinates<Series<'t>> {
+    Array::generate(|k| tape.leaf(|order| derivatives[order].as_ref()[k] / factorial(order)))
 }

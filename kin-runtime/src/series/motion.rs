@@ -1,15 +1,18 @@
 //! Higher derivatives of everything that a mechanism reports.
 
-use super::arithmetic::PowerSeries;
+use super::PowerSeries;
 use super::derivatives::{Derivatives, unknown};
-use super::inputs::factorial;
-use super::orders::{HigherOrders, Orders};
+use super::inputs::{Inputs, Setting, factorial};
+use super::orders::array;
+use super::tape::{Missing, Series, Tape};
 use crate::equations::{Equations, length};
 use crate::error::SolveError;
+use crate::mechanism::{LengthError, Mechanism};
 use crate::model::Model;
 use crate::motion::{name, report};
 use crate::solver::Solver;
 use crate::text::{number, numbers, separated};
+use crate::workspace::Array;
 use core::fmt;
 
 /// Derivatives of bodies, points, defines, joints and conditions at one instant, order by order.
@@ -42,27 +45,50 @@ impl<M: PowerSeries> Solver<'_, M> {
     /// [`UnknownDerivative`](SolveError::UnknownDerivative) where an input or a supplied function is not known far
     /// enough; [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn motion_derivatives(&self, derivatives: &Derivatives) -> Result<MotionDerivatives, SolveError> {
-        let mut orders = HigherOrders::new(self.mechanism, derivatives.order());
-        self.analyse(&derivatives.instant(), |equations| motion(equations, &mut orders, derivatives))
+        let observe = || observe(self.mechanism, derivatives);
+        self.analyse(&derivatives.instant(), |equations| motion(equations, &observe, derivatives))
     }
+}
+
+/// Coefficients of all observables, order by order, and what some coefficient would have needed.
+type Observed = (Vec<f64>, Option<Missing>);
+
+/// The observables of q as a power series.
+fn observe<M: Mechanism>(mechanism: &M, derivatives: &Derivatives) -> Result<Observed, LengthError> {
+    let order = derivatives.order();
+    let (mut inputs, tape) = (Inputs::new(order, M::INPUTS), Tape::new(order));
+    inputs.begin(&derivatives.instant(), &derivatives.further());
+    let q = derivatives.q.iter().map(|q| array("q", M::COORDINATES, q).copied());
+    let q: Vec<M::Coordinates<f64>> = q.collect::<Result<_, _>>()?;
+    tape.start(0..=order);
+    let setting = Setting::<M>::new(mechanism, &inputs, &q, &tape);
+    // Rates enter time derivatives alone, which the series have already.
+    let rest = M::Coordinates::filled(Series::Number(0.0));
+    let mut observations = M::observations::<Series<'_>>();
+    let (parameters, q) = (setting.parameters.as_ref(), setting.q.as_ref());
+    mechanism.observe_with(parameters, &setting.at(), q, rest.as_ref(), &mut observations)?;
+    let rows = observations.phi();
+    let coefficients = (0..=order).flat_map(|k| rows.iter().map(move |row| (k, *row)));
+    let coefficients = coefficients.map(|(k, row)| tape.coefficient(row, k)).collect();
+    Ok((coefficients, tape.missing()))
 }
 
 fn motion(
     equations: &mut Equations<'_>,
-    orders: &mut dyn Orders,
+    observe: &dyn Fn() -> Result<Observed, LengthError>,
     derivatives: &Derivatives,
 ) -> Result<MotionDerivatives, SolveError> {
     length("derivatives of inputs", equations.inputs.len().min(derivatives.further.len()), derivatives.further.len())?;
     for vector in &derivatives.q {
         equations.check("q", vector)?;
     }
-    let rows = orders.observe(&derivatives.instant(), &derivatives.further(), &derivatives.q)?;
+    let (rows, missing) = observe()?;
     let model = equations.model;
     let count = model.observables.len();
     if let Some((place, value)) = rows.iter().enumerate().find(|(_, value)| !value.is_finite()) {
         let (order, index) = (place / count, place % count);
         let error = SolveError::NonFinite { what: "observables", index, name: name(model, index), t: None };
-        let error = unknown(equations, orders.missing(), order).filter(|_| value.is_nan()).unwrap_or(error);
+        let error = unknown(equations, missing, order).filter(|_| value.is_nan()).unwrap_or(error);
         return Err(error.at(equations.t));
     }
     let at = |observable: usize, order: usize| rows[order * count + observable] * factorial(order);

@@ -1,14 +1,11 @@
 //! Right-hand sides order by order, and what is known of q so far.
 
-use super::arithmetic::PowerSeries;
-use super::at_zero::Computed;
-use super::inputs::{Inputs, factorial};
-use super::news::{Found, FoundRates, Known};
-use super::next::Next;
-use super::start::Start;
-use super::tape::{Missing, Tape};
+use super::PowerSeries;
+use super::inputs::{Inputs, Setting, coordinates, factorial};
+use super::tape::{Missing, Series, Tape};
 use crate::mechanism::LengthError;
 use crate::model::Level;
+use crate::plan::Plan;
 use crate::workspace::{Array, Instant};
 
 /// The equations of derivatives of order 3 and higher, for a caller with a linear solver of its own.
@@ -42,20 +39,17 @@ pub struct HigherOrders<'m, M: PowerSeries> {
     pub(super) mechanism: &'m M,
     pub(super) parameters: M::Parameters<f64>,
     pub(super) inputs: Inputs,
-    pub(super) constraints: Tape,
+    constraints: Tape,
     velocities: Tape,
-    observables: Tape,
-    /// q of the last instant.
-    pub(super) q: M::Coordinates<f64>,
-    right: M::Rows<f64>,
-    pub(super) factors: M::Factors<f64>,
-    /// From the third on, as far as they are solved.
+    /// q, q̇, q̈ and what is known above; 0 for what is not.
     pub(super) derivatives: Vec<M::Coordinates<f64>>,
+    right: M::Rows<f64>,
+    factors: M::Factors<f64>,
+    /// The highest order that [`solve_by_plan`](Self::solve_by_plan) has found.
     pub(super) solved: usize,
-    pub(super) missing: Option<Missing>,
-    /// The order of `right`, and its factorial; 0 where it means nothing.
+    missing: Option<Missing>,
+    /// The order of `right`; 0 where it means nothing.
     pub(super) order: usize,
-    factorial: f64,
     pub(super) highest: usize,
     /// Rows of velocity level.
     of_velocity: Vec<usize>,
@@ -78,21 +72,20 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
     pub fn new(mechanism: &'m M, highest: usize) -> Self {
         let (rows, highest) = (M::model().rows, highest.min(Self::MOST));
         let is_of_velocity = |row: &usize| rows.get(*row).is_some_and(|info| info.level == Level::Velocity);
+        // The third order is looked at whatever is asked for.
+        let room = highest.max(3);
         Self {
             mechanism,
             parameters: mechanism.parameters(),
-            inputs: Inputs::new(highest, M::INPUTS),
-            constraints: Tape::new(highest.max(3)),
-            velocities: Tape::new(highest.max(3)),
-            observables: Tape::new(highest.max(3)),
-            q: Array::filled(0.0),
+            inputs: Inputs::new(room, M::INPUTS),
+            constraints: Tape::new(room),
+            velocities: Tape::new(room),
+            derivatives: vec![Array::filled(0.0); room + 1],
             right: Array::filled(0.0),
             factors: Array::filled(0.0),
-            derivatives: vec![Array::filled(0.0); (highest + 1).saturating_sub(3)],
             solved: 0,
             missing: None,
             order: 0,
-            factorial: 1.0,
             highest,
             of_velocity: (0..M::ROWS).filter(is_of_velocity).collect(),
         }
@@ -112,50 +105,16 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
     /// # Errors
     /// When an argument has the wrong length.
     pub fn begin_with(&mut self, at: &Instant<'_>, further: &[&[f64]], known: [&[f64]; 3]) -> Result<(), LengthError> {
-        self.check_inputs(at)?;
-        let [q, q_dot, q_ddot] = known;
-        let q: &M::Coordinates<f64> = array("q", M::COORDINATES, q)?;
-        let (q_dot, q_ddot) = (array("q_dot", M::COORDINATES, q_dot)?, array("q_ddot", M::COORDINATES, q_ddot)?);
-        if M::INPUTS > 0 {
-            self.inputs.begin(at, further);
-        }
-        self.inputs.t = at.t;
-        (self.q, self.order, self.factorial, self.missing, self.solved) = (*q, 3, 6.0, None, 0);
-        let keep = self.highest > 3;
-        let zero = M::Coordinates::<f64>::filled(0.0);
-        let known = [q, q_dot, q_ddot, &zero, &zero];
-        let (mut phi, mut eta) = (self.right, self.right);
-        let mut start = Start::<_, _, _, 4, false> {
-            inputs: &self.inputs,
-            q: known,
-            at_zero: Computed,
-            tape: &mut self.constraints,
-            keep,
-            place: 0,
-            rows: core::slice::from_mut(&mut phi),
-            missing: &mut self.missing,
-        };
-        self.mechanism.constraint_series(self.parameters.as_ref(), &mut start)?;
-        if !self.of_velocity.is_empty() {
-            let mut start = Start::<_, _, _, 3, false> {
-                inputs: &self.inputs,
-                q: known,
-                at_zero: Computed,
-                tape: &mut self.velocities,
-                keep,
-                place: 0,
-                rows: core::slice::from_mut(&mut eta),
-                missing: &mut self.missing,
-            };
-            self.mechanism.velocity_series(self.parameters.as_ref(), &mut start)?;
-        }
-        self.write_right(&phi, &eta);
-        Ok(())
-    }
-
-    pub(super) fn check_inputs(&self, at: &Instant<'_>) -> Result<(), LengthError> {
         let (expected, found) = (M::INPUTS, at.inputs.len());
-        if expected == found { Ok(()) } else { Err(LengthError { what: "inputs", expected, found }) }
+        if expected != found {
+            return Err(LengthError { what: "inputs", expected, found });
+        }
+        for (order, (what, known)) in ["q", "q_dot", "q_ddot"].into_iter().zip(known).enumerate() {
+            self.derivatives[order] = *array(what, M::COORDINATES, known)?;
+        }
+        self.inputs.begin(at, further);
+        (self.order, self.missing, self.solved) = (3, None, 0);
+        self.write_right(0)
     }
 
     /// The order k of [`right`](Self::right); 0 where nothing has begun, and after the last order that was asked for.
@@ -174,8 +133,11 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
     /// # Errors
     /// When the inputs have the wrong length.
     pub fn factorise(&mut self, at: &Instant<'_>) -> Result<bool, LengthError> {
-        self.mechanism.factorise_with(self.parameters.as_ref(), at, self.q.as_ref(), &mut self.factors)?;
-        Ok(self.is_regular())
+        let q = self.derivatives[0].as_ref();
+        self.mechanism.factorise_with(self.parameters.as_ref(), at, q, &mut self.factors)?;
+        let (first, end) = M::REGULAR;
+        let margins = self.factors.as_ref().get(first..end).unwrap_or_default();
+        Ok(M::model().plan.exists() && margins.iter().all(|margin| *margin > Plan::SMALLEST_MARGIN))
     }
 
     /// q⁽ᵏ⁾ with the factors of [`factorise`](Self::factorise), n numbers, to hand to [`advance`](Self::advance). As in
@@ -201,45 +163,41 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
             self.order = 0;
             return Ok(());
         }
-        let part = 1.0 / self.factorial;
-        let found = M::Coordinates::<f64>::generate(|k| part * derivative.as_ref()[k]);
+        self.derivatives[self.order] = *derivative;
         self.order += 1;
-        self.factorial *= self.order as f64;
-        let (mut phi, mut eta) = (self.right, self.right);
-        let mut next = Next {
-            inputs: &self.inputs,
-            news: Found(&found),
-            tape: &mut self.constraints,
-            place: 0,
-            order: self.order,
-            rows: &mut phi,
-            missing: &mut self.missing,
-        };
-        self.mechanism.constraint_series(self.parameters.as_ref(), &mut next)?;
-        if !self.of_velocity.is_empty() {
-            let order = self.order - 1;
-            let mut next = Next {
-                inputs: &self.inputs,
-                news: FoundRates { found: &found, order },
-                tape: &mut self.velocities,
-                place: 0,
-                order,
-                rows: &mut eta,
-                missing: &mut self.missing,
-            };
-            self.mechanism.velocity_series(self.parameters.as_ref(), &mut next)?;
-        }
-        self.write_right(&phi, &eta);
-        Ok(())
+        self.write_right(self.order - 1)
     }
 
-    /// b = −k! [τᵏ] Φ, and −(k − 1)! [τ^{k−1}] η, given the opposites of both.
-    fn write_right(&mut self, phi: &M::Rows<f64>, eta: &M::Rows<f64>) {
-        let (right, phi) = (self.right.as_mut(), phi.as_ref());
-        right.iter_mut().zip(phi).for_each(|(right, phi)| *right = self.factorial * phi);
-        for &row in &self.of_velocity {
-            right[row] = self.factorial / self.order as f64 * eta.as_ref()[row];
+    /// b = −k! [τᵏ] Φ, and −(k − 1)! [τ^{k−1}] η, with q_k = 0 for the order k at hand. Coefficients from `first` on are
+    /// computed: below, what the tapes hold is right already.
+    fn write_right(&mut self, first: usize) -> Result<(), LengthError> {
+        let (order, right) = (self.order, self.right.as_mut());
+        self.derivatives[order] = Array::filled(0.0);
+        let (tape, mut phi) = (&self.constraints, M::Rows::filled(Series::Number(0.0)));
+        tape.start(first..=order);
+        let setting = Setting::<M>::new(self.mechanism, &self.inputs, &self.derivatives, tape);
+        let (parameters, q) = (setting.parameters.as_ref(), setting.q.as_ref());
+        self.mechanism.constraints_with(parameters, &setting.at(), q, &mut phi)?;
+        let scale = -factorial(order);
+        for (right, phi) in right.iter_mut().zip(phi.as_ref()) {
+            *right = scale * tape.coefficient(*phi, order);
         }
+        self.missing = self.missing.or(tape.missing());
+        if self.of_velocity.is_empty() {
+            return Ok(());
+        }
+        let (tape, mut eta, order) = (&self.velocities, M::Rows::filled(Series::Number(0.0)), order - 1);
+        tape.start(first.saturating_sub(1)..=order);
+        let setting = Setting::<M>::new(self.mechanism, &self.inputs, &self.derivatives, tape);
+        let rates = coordinates::<M>(&self.derivatives[1..], tape);
+        let (parameters, q) = (setting.parameters.as_ref(), setting.q.as_ref());
+        self.mechanism.velocity_constraints_with(parameters, &setting.at(), q, rates.as_ref(), &mut eta)?;
+        let scale = -factorial(order);
+        for &row in &self.of_velocity {
+            right[row] = scale * tape.coefficient(eta.as_ref()[row], order);
+        }
+        self.missing = self.missing.or(tape.missing());
+        Ok(())
     }
 }
 
@@ -251,14 +209,12 @@ pub(super) trait Orders {
     fn right(&self) -> &[f64];
     /// [`HigherOrders::advance`].
     fn advance(&mut self, derivative: &[f64]) -> Result<(), LengthError>;
+    /// [`HigherOrders::factorise`].
+    fn factorise(&mut self, at: &Instant<'_>) -> Result<bool, LengthError>;
+    /// [`HigherOrders::solve`].
+    fn solve(&self, derivative: &mut [f64]) -> Result<(), LengthError>;
     /// What some coefficient would have needed.
     fn missing(&self) -> Option<Missing>;
-    /// [`HigherOrders::solve_at`].
-    fn solve_at(&mut self, at: &Instant<'_>, further: &[&[f64]], known: [&[f64]; 3]) -> Result<bool, LengthError>;
-    /// [`HigherOrders::derivative`].
-    fn derivative(&self, order: usize) -> Option<&[f64]>;
-    /// The coefficients of all observables, order by order, where q is known with `q` to the highest order.
-    fn observe(&mut self, at: &Instant<'_>, further: &[&[f64]], q: &[Vec<f64>]) -> Result<Vec<f64>, LengthError>;
 }
 
 impl<M: PowerSeries> Orders for HigherOrders<'_, M> {
@@ -274,55 +230,16 @@ impl<M: PowerSeries> Orders for HigherOrders<'_, M> {
         HigherOrders::advance(self, derivative)
     }
 
+    fn factorise(&mut self, at: &Instant<'_>) -> Result<bool, LengthError> {
+        HigherOrders::factorise(self, at)
+    }
+
+    fn solve(&self, derivative: &mut [f64]) -> Result<(), LengthError> {
+        HigherOrders::solve(self, derivative)
+    }
+
     fn missing(&self) -> Option<Missing> {
         self.missing
-    }
-
-    fn solve_at(&mut self, at: &Instant<'_>, further: &[&[f64]], known: [&[f64]; 3]) -> Result<bool, LengthError> {
-        HigherOrders::solve_at(self, at, further, known)
-    }
-
-    fn derivative(&self, order: usize) -> Option<&[f64]> {
-        HigherOrders::derivative(self, order)
-    }
-
-    fn observe(&mut self, at: &Instant<'_>, further: &[&[f64]], q: &[Vec<f64>]) -> Result<Vec<f64>, LengthError> {
-        if M::INPUTS > 0 {
-            self.inputs.begin(at, further);
-        }
-        self.inputs.t = at.t;
-        self.missing = None;
-        let zero = M::Coordinates::<f64>::filled(0.0);
-        let mut known = [&zero; 5];
-        for (known, derivative) in known.iter_mut().zip(q) {
-            *known = array("q", M::COORDINATES, derivative)?;
-        }
-        let mut rows = vec![<M::Observables<f64> as Array<f64>>::filled(0.0); self.highest.max(3) + 1];
-        let mut start = Start::<_, _, _, 4, true> {
-            inputs: &self.inputs,
-            q: known,
-            at_zero: Computed,
-            tape: &mut self.observables,
-            keep: self.highest > 3,
-            place: 0,
-            rows: &mut rows,
-            missing: &mut self.missing,
-        };
-        self.mechanism.observable_series(self.parameters.as_ref(), &mut start)?;
-        let at = |order: usize| q.get(order).map_or(zero.as_ref(), Vec::as_slice);
-        for (order, rows) in rows.iter_mut().enumerate().skip(4) {
-            let mut next = Next {
-                inputs: &self.inputs,
-                news: Known { derivatives: [at(order), at(order + 1)], factorial: factorial(order) },
-                tape: &mut self.observables,
-                place: 0,
-                order,
-                rows,
-                missing: &mut self.missing,
-            };
-            self.mechanism.observable_series(self.parameters.as_ref(), &mut next)?;
-        }
-        Ok(rows.iter().take(self.highest + 1).flat_map(|order| order.as_ref()).map(|opposite| -opposite).collect())
     }
 }
 

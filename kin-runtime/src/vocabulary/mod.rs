@@ -2,7 +2,7 @@
 //!
 //! In all of it r_P = r_i + A_i s′ is a point P of body i, A(φ) = [[cos φ, −sin φ], [sin φ, cos φ]],
 //! perp(v) = (−v_y, v_x), v̂ = v/|v| (normalised by kin), and the first operand belongs to body i, the second to body j.
-//! The examples are compiled and held against dual numbers by the tests.
+//! The examples are compiled and compared with dual numbers by the tests.
 //!
 //! - [`parts`]: bodies, coordinates, points, defines, guesses, families;
 //! - [`joints`]: revolute, translational, fixed, point on line;
@@ -14,7 +14,7 @@
 //! - [`inputs`]: signals known only at run time;
 //! - [`velocity`]: knife edges, speeds and other rows of velocity level;
 //! - [`unilateral`]: inequalities that are watched along a motion;
-//! - [`units`]: units of parameters, held against one another.
+//! - [`units`]: units of parameters, and whether they agree.
 //!
 //! These modules hold documentation only.
 

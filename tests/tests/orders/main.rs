@@ -1,5 +1,6 @@
 //! Derivatives above the second: closed forms, functions, what is refused, and that nothing is allocated.
 
+mod by_plan;
 mod closed_forms;
 mod functions;
 mod long;

@@ -53,9 +53,6 @@ pub trait Mechanism: Sized {
     type ObservableNonZeros<T: Scalar>: Array<T>;
     /// What [`factorise_with`](Self::factorise_with) leaves for one right-hand side after another; without a plan empty.
     type Factors<T: Scalar>: Array<T>;
-    /// Where among the factors the sines and cosines of Φ are, with which power series begin: first place and one past
-    /// the last.
-    const TURNS: (usize, usize) = (0, 0);
     /// Where among the factors it says how far they are from being singular, as margins do: first place and one past the
     /// last.
     const REGULAR: (usize, usize) = (0, 0);
@@ -154,7 +151,6 @@ pub trait Mechanism: Sized {
     ///
     /// # Errors
     /// When an argument has the wrong length.
-    #[inline]
     fn solve_with<T: Scalar>(
         &self,
         parameters: &[T],
@@ -164,27 +160,7 @@ pub trait Mechanism: Sized {
         depth: Depth,
         solved: Solved<'_, T>,
     ) -> Result<(), LengthError> {
-        self.solve_and_factorise(parameters, at, modes, start, depth, solved, None)
-    }
-
-    /// [`solve_with`](Self::solve_with), and at the depth of q̈ the factors of Φ_q at the solution on the way, where they
-    /// are asked for: everything in them was needed for q̇ and q̈. What is at [`REGULAR`](Self::REGULAR)
-    /// is not written: the margins of the solution say it.
-    ///
-    /// # Errors
-    /// When an argument has the wrong length.
-    #[expect(clippy::too_many_arguments, reason = "what a solution reads, and what it writes")]
-    fn solve_and_factorise<T: Scalar>(
-        &self,
-        parameters: &[T],
-        at: &Instant<'_, T>,
-        modes: &[T],
-        start: &[T],
-        depth: Depth,
-        solved: Solved<'_, T>,
-        factors: Option<&mut Self::Factors<T>>,
-    ) -> Result<(), LengthError> {
-        let _ = (parameters, at, modes, start, depth, solved, factors);
+        let _ = (parameters, at, modes, start, depth, solved);
         Ok(())
     }
 
@@ -244,23 +220,6 @@ pub trait Mechanism: Sized {
     fn solve_factorised<T: Scalar>(factors: &Self::Factors<T>, b: &[T], x: &mut [T]) -> Result<(), LengthError> {
         let _ = (factors, b, x);
         Ok(())
-    }
-
-    /// [`factorise_with`](Self::factorise_with) and [`solve_factorised`](Self::solve_factorised) for a single b.
-    ///
-    /// # Errors
-    /// When an argument has the wrong length.
-    fn resolve_with<T: Scalar>(
-        &self,
-        parameters: &[T],
-        at: &Instant<'_, T>,
-        q: &[T],
-        b: &[T],
-        x: &mut [T],
-    ) -> Result<(), LengthError> {
-        let mut factors = Self::Factors::<T>::filled(T::from_f64(0.0));
-        self.factorise_with(parameters, at, q, &mut factors)?;
-        Self::solve_factorised(&factors, b, x)
     }
 
     /// The observables with their Jacobian, time derivative and acceleration right-hand side.

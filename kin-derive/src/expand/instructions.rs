@@ -1,0 +1,175 @@
+//! Instructions, symbols and slots of a program as tokens.
+
+use kin_core::expr::Symbol;
+use kin_core::mechanism::Function;
+use kin_core::program::{Instruction, Slot, Value};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{format_ident, quote};
+
+/// Angles in one call of `sin_cos_all`.
+pub(super) const ANGLES: usize = 64;
+
+/// The arguments of a kernel that are supplied function `number` and its derivatives.
+pub(crate) fn function_names(number: u32) -> [Ident; 2] {
+    [format_ident!("__function{number}"), format_ident!("__derivatives{number}")]
+}
+
+/// A local of its own; see `kin_runtime::private::locals` for why no user's constant may have its name.
+pub(super) fn name(prefix: char, value: Value) -> Ident {
+    Ident::new(&format!("__{prefix}{}", value.0), Span::call_site())
+}
+
+/// The identifiers that a statement gives to the value of an instruction.
+pub(super) fn names_of(value: Value, instruction: &Instruction) -> Vec<Ident> {
+    match instruction {
+        Instruction::SinCos(_) => vec![name('s', value), name('c', value)],
+        Instruction::Supplied(..) => vec![name('d', value), name('e', value), name('f', value)],
+        _ => vec![name('v', value)],
+    }
+}
+
+/// `let … = …;` for an instruction with operands as `v` writes them; nothing for what is written where it is used.
+pub(super) fn definition(
+    value: Value,
+    instruction: &Instruction,
+    v: impl Fn(Value) -> TokenStream,
+) -> Option<TokenStream> {
+    let expression = match *instruction {
+        Instruction::Number(_)
+        | Instruction::Load(_)
+        | Instruction::SinOf(_)
+        | Instruction::CosOf(_)
+        | Instruction::SuppliedOf(..) => return None,
+        Instruction::SinCos(a) => {
+            let a = v(a);
+            quote! { __kin::Scalar::sin_cos(#a) }
+        }
+        Instruction::Neg(a) => {
+            let a = v(a);
+            quote! { -#a }
+        }
+        Instruction::Add(a, b) => binary(v(a), quote! { + }, v(b)),
+        Instruction::Sub(a, b) => binary(v(a), quote! { - }, v(b)),
+        Instruction::Mul(a, b) => binary(v(a), quote! { * }, v(b)),
+        Instruction::Div(a, b) => binary(v(a), quote! { / }, v(b)),
+        Instruction::Call(f, a) => {
+            let (f, a) = (function(f), v(a));
+            quote! { __kin::Scalar::#f(#a) }
+        }
+        Instruction::Sign(a) => {
+            let a = v(a);
+            quote! { __kin::Scalar::signum(#a) }
+        }
+        Instruction::Atan2(y, x) => {
+            let (y, x) = (v(y), v(x));
+            quote! { __kin::Scalar::atan2(#y, #x) }
+        }
+        Instruction::Nearest(a, b) => {
+            let (a, b) = (v(a), v(b));
+            quote! { __kin::Scalar::nearest(#a, #b) }
+        }
+        Instruction::Powi(a, n) => {
+            let (a, n) = (v(a), Literal::i32_suffixed(n));
+            quote! { __kin::Scalar::powi(#a, #n) }
+        }
+        Instruction::Powf(a, n) => {
+            let (a, n) = (v(a), literal(n.value()));
+            quote! { __kin::Scalar::powf(#a, #n) }
+        }
+        Instruction::Supplied(f, a) => {
+            let ([function, derivatives], a, number) = (function_names(f), v(a), Literal::usize_unsuffixed(f as usize));
+            quote! { __kin::Scalar::compose(#a, #number, #function, #derivatives) }
+        }
+    };
+    let names = names_of(value, instruction);
+    Some(match instruction {
+        Instruction::SinCos(_) => quote! { let (#(#names),*) = #expression; },
+        Instruction::Supplied(..) => quote! { let [#(#names),*] = #expression; },
+        _ => quote! { let #(#names)* = #expression; },
+    })
+}
+
+pub(super) fn ident(ident: Ident) -> TokenStream {
+    quote! { #ident }
+}
+
+fn binary(a: TokenStream, operator: TokenStream, b: TokenStream) -> TokenStream {
+    quote! { #a #operator #b }
+}
+
+/// A literal with its sign; finite by construction.
+pub(crate) fn literal(value: f64) -> TokenStream {
+    let plain = Literal::f64_suffixed(value.abs());
+    // Without an exponent a small or a large one is hundreds of digits.
+    let magnitude = match value.abs() {
+        0.0 | 1e-4..1e16 => plain,
+        far => format!("{far:e}f64").parse().unwrap_or(plain),
+    };
+    if value.is_sign_negative() && value != 0.0 {
+        quote! { -#magnitude }
+    } else {
+        quote! { #magnitude }
+    }
+}
+
+pub(super) fn number(value: f64) -> TokenStream {
+    let value = literal(value);
+    quote! { <__T as __kin::Scalar>::from_f64(#value) }
+}
+
+pub(super) fn load(symbol: Symbol) -> TokenStream {
+    let at = Literal::usize_unsuffixed(symbol.index() as usize);
+    load_at(symbol, &quote! { #at })
+}
+
+/// The symbol of this kind with this index.
+pub(super) fn load_at(symbol: Symbol, at: &TokenStream) -> TokenStream {
+    match symbol {
+        Symbol::Time => quote! { t },
+        Symbol::ARGUMENT => quote! { s },
+        Symbol::Parameter(_) => quote! { p[#at] },
+        Symbol::Input(_, order) => {
+            let part = format_ident!("{}", ["value", "rate", "acceleration"][usize::from(order.min(2))]);
+            quote! { u[#at].#part }
+        }
+        Symbol::Coordinate(_) => quote! { q[#at] },
+        Symbol::Rate(_) => quote! { w[#at] },
+        Symbol::Mode(_) => quote! { modes[#at] },
+        Symbol::Start(_) => quote! { start[#at] },
+        Symbol::Unknown(_) => quote! { unknowns[#at] },
+        Symbol::Held(_) => quote! { held[#at] },
+        Symbol::Right(_) => quote! { right[#at] },
+        Symbol::Coarseness => quote! { <__T as __kin::Scalar>::from_f64(__kin::coarseness::<__T>()) },
+    }
+}
+
+fn function(f: Function) -> Ident {
+    Ident::new(f.name(), Span::call_site())
+}
+
+pub(super) fn target(slot: Slot) -> TokenStream {
+    let at = Literal::usize_unsuffixed(slot.index());
+    target_at(slot, &quote! { #at })
+}
+
+/// The slot of this array with this index.
+pub(super) fn target_at(slot: Slot, at: &TokenStream) -> TokenStream {
+    let array = Ident::new(target_name(slot), Span::call_site());
+    quote! { #array[#at] }
+}
+
+/// The array that a slot is of.
+pub(super) fn target_name(slot: Slot) -> &'static str {
+    match slot {
+        Slot::Phi(_) => "phi",
+        Slot::PhiQ(_) => "phi_q",
+        Slot::PhiT(_) => "phi_t",
+        Slot::Gamma(_) => "gamma",
+        Slot::Entry(_) => "out",
+        Slot::Position(_) => "position",
+        Slot::Velocity(_) => "velocity",
+        Slot::Acceleration(_) => "acceleration",
+        Slot::Margin(_) => "margins",
+        Slot::Held(_) => "held",
+    }
+}

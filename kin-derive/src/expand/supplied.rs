@@ -1,0 +1,106 @@
+//! The items of supplied functions: a trait that nobody sees, and the methods that evaluate them by number.
+
+use super::evaluations::list;
+use super::functions::{calls, derivatives_helper, fields, function_type, helper};
+use super::generics::of_functions;
+use crate::lower::Lowered;
+use kin_core::expr::{ExprId, Node};
+use kin_core::system::KinematicSystem;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// One method for every field with functions, in a trait that nobody sees.
+///
+/// Whatever evaluates a function goes through it, so that a type that is no function is used, and told so, once.
+pub(crate) fn helpers(lowered: &Lowered) -> TokenStream {
+    let (mut heads, mut bodies) = (Vec::new(), Vec::new());
+    for (number, field) in fields(lowered).enumerate().filter(|(_, field)| field.len != Some(0)) {
+        let (helper, ident, ty) = (helper(number), &field.ident, function_type(field));
+        let derivatives = derivatives_helper(number);
+        let (place, function) = match field.len {
+            None => (None, quote! { &self.#ident }),
+            Some(len) => {
+                let others = (0..len - 1).map(Literal::usize_unsuffixed);
+                let last = Literal::usize_unsuffixed(len - 1);
+                let function = quote! { match k { #(#others => &self.#ident[#others],)* _ => &self.#ident[#last] } };
+                (Some(quote! { k: usize, }), function)
+            }
+        };
+        let head = quote! { fn #helper(&self, #place x: f64) -> [f64; 3] };
+        bodies.push(quote! { #[inline] #head { <#ty as __kin::ScalarFunction>::evaluate(#function, x) } });
+        heads.push(head);
+        let head = quote! { fn #derivatives(&self, #place x: f64, out: &mut [f64]) -> usize };
+        bodies.push(quote! { #[inline] #head { <#ty as __kin::ScalarFunction>::derivatives(#function, x, out) } });
+        heads.push(head);
+    }
+    if heads.is_empty() {
+        return TokenStream::new();
+    }
+    let name = &lowered.item.ident;
+    let generics = of_functions(lowered);
+    let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
+    quote! {
+        trait __Functions {
+            #(#heads;)*
+        }
+
+        #[automatically_derived]
+        impl #impl_generics __Functions for #name #type_generics #where_clause {
+            #(#bodies)*
+        }
+    }
+}
+
+/// Every (function, argument) at which a supplied function is evaluated, once.
+pub(crate) fn arguments(system: &KinematicSystem) -> Vec<(u32, ExprId)> {
+    let (set, graph) = (&system.set, &system.set.graph);
+    let equations = system.equations.iter().chain(&system.observables);
+    let differentiated = equations.flat_map(|equation| {
+        let entries = equation.phi_q.iter().map(|(_, entry)| *entry);
+        entries.chain([equation.phi, equation.phi_t, equation.gamma])
+    });
+    let others = set.geometry.iter().copied().chain(set.guesses.iter().map(|(_, value)| *value));
+    let mut all = Vec::new();
+    for id in graph.reachable(differentiated.chain(others)) {
+        if let Node::Supplied(function, _, argument) = graph.node(id)
+            && !all.contains(&(function, argument))
+        {
+            all.push((function, argument));
+        }
+    }
+    all
+}
+
+/// `fn evaluate_function` and `fn write_arguments`, where there is a supplied function.
+pub(crate) fn access(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
+    let calls = calls(lowered, helper, &quote! { x });
+    if calls.is_empty() {
+        return TokenStream::new();
+    }
+    let arms = calls.iter().enumerate().map(|(number, call)| quote! { #number => __kin::Some(#call), });
+    let arguments = list(lowered, system, arguments(system).into_iter().map(|(_, argument)| argument));
+    quote! {
+        fn evaluate_function(&self, index: usize, x: f64) -> __kin::Option<[f64; 3]> {
+            match index {
+                #(#arms)*
+                _ => { let _ = x; __kin::None }
+            }
+        }
+
+        fn write_arguments<__T: __kin::Scalar>(
+            &self,
+            parameters: &[__T],
+            at: &__kin::Instant<'_, __T>,
+            q: &[__T],
+            arguments: &mut [__T],
+        ) -> __kin::Result<(), __kin::LengthError> {
+            let p: &__Parameters<__T> = __kin::fixed("parameters", parameters)?;
+            let u: &__Inputs<__T> = __kin::fixed("inputs", at.inputs)?;
+            let q: &__Coordinates<__T> = __kin::fixed("q", q)?;
+            let out = __kin::fixed_mut("arguments", arguments)?;
+            let _ = (p, u, q);
+            #arguments
+            __kin::Ok(())
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! All orders at once by plans that iterate, that watch redundant rows, and that take functions and inputs.
+
+use kin_runtime::function::{FromFn, Polynomial};
+use kin_runtime::plan::Solved;
+use kin_runtime::series::HigherOrders;
+use kin_runtime::{Instant, Mechanism, Options, Signal, Solver, mechanism};
+use kin_tests::mechanisms::RedundantParallelogram;
+
+/// Orders by [`HigherOrders::solve_by_plan`] at a state, from a start beside it, against those of Φ_q as a whole.
+fn agrees<M: Mechanism>(mechanism: &M, at: &Instant<'_>, highest: usize) {
+    let options = Options { use_plan: false, ..Options::default() };
+    let solver = Solver::new(mechanism).with_options(options);
+    let state = solver.state(at).unwrap();
+    let further = vec![&[0.0; 20][..]; M::INPUTS];
+    let expected = solver.derivatives_with(&state, highest, &further).unwrap().q;
+    let plan = &M::model().plan;
+    let (mut modes, mut margins) = (vec![0.0; plan.modes.len()], vec![0.0; plan.margins]);
+    mechanism.closures_with(mechanism.parameters::<f64>().as_ref(), at, &state.q, &mut modes).unwrap();
+    modes.iter_mut().for_each(|mode| *mode = mode.signum());
+    let start: Vec<f64> = state.q.iter().map(|q| q + 1e-3).collect();
+    let [mut q, mut q_dot, mut q_ddot] = [(); 3].map(|()| vec![0.0; M::COORDINATES]);
+    let mut orders = HigherOrders::new(mechanism, highest);
+    let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
+    orders.solve_by_plan(at, &modes, &start, solved).unwrap();
+    assert!(margins.iter().all(|margin| *margin > 1e-3), "{margins:?}");
+    let found = [&q[..], &q_dot, &q_ddot].into_iter().chain((3..=highest).map(|k| orders.derivative(k).unwrap()));
+    for (order, (found, expected)) in found.zip(&expected).enumerate() {
+        // A derivative is k! coefficients, and so is its rounding.
+        let factorial: f64 = (1..=order).map(|k| k as f64).product();
+        let size = expected.iter().fold(1.0_f64.max(1e-2 * factorial), |size, value| size.max(value.abs()));
+        for (found, expected) in found.iter().zip(expected) {
+            let off = (found - expected).abs();
+            assert!(off <= 1e-11 * size, "{}, {order} of {highest}: {found} {expected}", M::model().name);
+        }
+    }
+}
+
+/// Kepler's equation, and what a point on the orbit sees.
+#[mechanism]
+#[coordinates(mean, eccentric)]
+#[driver(drive: mean = 1.3 * t)]
+#[constraint(kepler: eccentric - 0.4 * sin(eccentric) = mean)]
+#[derive(Default)]
+struct Orbit;
+
+#[test]
+fn iterations_take_all_orders_along() {
+    assert!(!Orbit::model().plan.orientations.is_empty());
+    for highest in [2, 3, 4, 6, 9, 10, 14] {
+        agrees(&Orbit, &Instant::at(0.8), highest);
+    }
+}
+
+#[test]
+fn rows_that_are_watched_change_nothing() {
+    for highest in [3, 10, 12] {
+        agrees(&RedundantParallelogram::default(), &Instant::at(0.3), highest);
+    }
+}
+
+/// A crank that an input turns, and a follower on a cam that a polynomial describes.
+#[mechanism]
+#[function(lift)]
+#[input(turn)]
+#[bodies(crank)]
+#[coordinates(follower)]
+#[revolute(O: ground @ (0, 0), crank @ (-0.2, 0))]
+#[driver(drive: crank.phi = sin(turn))]
+#[constraint(rise: follower = lift(crank.phi) + lift(0.3))]
+struct Cam<F> {
+    lift: F,
+}
+
+#[test]
+fn functions_and_inputs_have_their_orders() {
+    // Of an input the plan knows the acceleration, which stays 0 beyond: u = 0.3 + 0.7 τ − 0.1 τ².
+    let cam = Cam { lift: Polynomial([0.1, 0.2, -0.4, 0.3, 0.5]) };
+    let inputs = [Signal::new(0.3, 0.7, -0.2)];
+    let at = Instant { t: 0.5, inputs: &inputs };
+    agrees(&cam, &at, 2);
+    let mut orders = HigherOrders::new(&cam, 3);
+    let [mut q, mut q_dot, mut q_ddot] = [(); 3].map(|()| vec![0.0; 4]);
+    let mut margins = vec![0.0; Cam::<Polynomial<[f64; 5]>>::model().plan.margins];
+    let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
+    orders.solve_by_plan(&at, &[], &[0.0; 4], solved).unwrap();
+    // The third derivative of the input is not known.
+    assert!(orders.derivative(3).unwrap().iter().all(|value| value.is_nan()));
+}
+
+/// A cam at the end of a crank that turns uniformly.
+#[mechanism]
+#[function(lift)]
+#[bodies(crank)]
+#[coordinates(follower)]
+#[revolute(O: ground @ (0, 0), crank @ (-0.2, 0))]
+#[driver(drive: crank.phi = 0.3 + 0.7 * t + 0.2 * t * t)]
+#[constraint(rise: follower = lift(crank.phi) + lift(0.3))]
+struct Turned<F> {
+    lift: F,
+}
+
+#[test]
+fn functions_are_taken_as_far_as_they_are_known() {
+    let cam = Turned { lift: Polynomial([0.1, 0.2, -0.4, 0.3, 0.5]) };
+    for highest in [3, 5, 7, 10, 12] {
+        agrees(&cam, &Instant::at(0.5), highest);
+    }
+    let cam = Turned { lift: FromFn(|x: f64| [x.sin(), x.cos(), -x.sin()]) };
+    agrees(&cam, &Instant::at(0.5), 2);
+    let mut orders = HigherOrders::new(&cam, 3);
+    let [mut q, mut q_dot, mut q_ddot] = [(); 3].map(|()| vec![0.0; 4]);
+    let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut [] };
+    orders.solve_by_plan(&Instant::at(0.5), &[], &[0.0; 4], solved).unwrap();
+    let third = orders.derivative(3).unwrap();
+    assert!(third[..3].iter().all(|value| value.is_finite()) && third[3].is_nan(), "{third:?}");
+}
