@@ -17,8 +17,8 @@ impl<M: PowerSeries> HigherOrders<'_, M> {
     /// on. They are only good where all margins are positive.
     ///
     /// The plan is evaluated over [`Taylor`] series, whose coefficients are all orders. Above the tenth, and for
-    /// mechanisms of hundreds of coordinates, it takes one order after another, by [`right`](Self::right) and [`solve`](Self::solve). What [`begin`](Self::begin) left is gone then:
-    /// [`order`](Self::order) is 0.
+    /// mechanisms of hundreds of coordinates, it takes one order after another, by [`right`](Self::right) and
+    /// [`solve`](Self::solve). What [`begin`](Self::begin) left is gone then: [`order`](Self::order) is 0.
     ///
     /// # Errors
     /// [`PlanError::NoPlan`], and [`PlanError::Length`] when an argument has the wrong length.

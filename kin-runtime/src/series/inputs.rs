@@ -53,8 +53,10 @@ impl Inputs {
     /// Input `k` with its rate and its acceleration; `series` makes one of the function that gives its coefficients.
     pub(super) fn signal<T>(&self, k: usize, mut series: impl FnMut(&dyn Fn(usize) -> f64) -> T) -> Signal<T> {
         let coefficients = &self.coefficients[k * self.stride..][..self.stride];
-        let [value, rate, acceleration] = [0, 1, 2]
-            .map(|order| series(&|i| (i + 1..=i + order).map(|m| m as f64).product::<f64>() * coefficients[i + order]));
+        // Beyond the room nobody knows them either.
+        let at = |i: usize| coefficients.get(i).copied().unwrap_or(f64::NAN);
+        let [value, rate, acceleration] =
+            [0, 1, 2].map(|order| series(&|i| (i + 1..=i + order).map(|m| m as f64).product::<f64>() * at(i + order)));
         Signal { value, rate, acceleration }
     }
 

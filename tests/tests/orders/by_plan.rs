@@ -73,18 +73,20 @@ struct Cam<F> {
 
 #[test]
 fn functions_and_inputs_have_their_orders() {
-    // Of an input the plan knows the acceleration, which stays 0 beyond: u = 0.3 + 0.7 τ − 0.1 τ².
     let cam = Cam { lift: Polynomial([0.1, 0.2, -0.4, 0.3, 0.5]) };
     let inputs = [Signal::new(0.3, 0.7, -0.2)];
     let at = Instant { t: 0.5, inputs: &inputs };
     agrees(&cam, &at, 2);
-    let mut orders = HigherOrders::new(&cam, 3);
-    let [mut q, mut q_dot, mut q_ddot] = [(); 3].map(|()| vec![0.0; 4]);
-    let mut margins = vec![0.0; Cam::<Polynomial<[f64; 5]>>::model().plan.margins];
-    let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
-    orders.solve_by_plan(&at, &[], &[0.0; 4], solved).unwrap();
-    // The third derivative of the input is not known.
-    assert!(orders.derivative(3).unwrap().iter().all(|value| value.is_nan()));
+    for highest in 3..13 {
+        let mut orders = HigherOrders::new(&cam, highest);
+        let [mut q, mut q_dot, mut q_ddot] = [(); 3].map(|()| vec![0.0; 4]);
+        let mut margins = vec![0.0; Cam::<Polynomial<[f64; 5]>>::model().plan.margins];
+        let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
+        orders.solve_by_plan(&at, &[], &[0.0; 4], solved).unwrap();
+        assert!(q_ddot.iter().all(|value| value.is_finite()), "{q_ddot:?}");
+        // The third derivative of the input is not known.
+        assert!(orders.derivative(3).unwrap().iter().all(|value| value.is_nan()), "{highest}");
+    }
 }
 
 /// A cam at the end of a crank that turns uniformly.
