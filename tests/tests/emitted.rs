@@ -2,9 +2,10 @@
 //! expressions evaluated.
 
 use kin_core::expr::{Symbol, evaluate};
+use kin_core::joints::{Constraint, Distance, Driver, Translational};
 use kin_core::mechanism::{
-    Axis, Body, BodyOrigin, BodyRef, Component, Formula, Function, Index, Joint, JointKind, Mechanism as Model, Member,
-    Parameter, Place,
+    Axis, Body, BodyOrigin, BodyRef, Component, Formula, Function, Index, Joint, Mechanism as Model, Member, Operands,
+    Parameter, Place, Value,
 };
 use kin_core::program::{Slot, interpret, lower};
 use kin_core::{KinematicSystem, Origin, assemble, differentiate};
@@ -75,39 +76,41 @@ fn mixed() -> Model {
     let s = || Formula::Scalar(Member { family: 0, index: Index::constant(0), origin: AT });
     let turned = sub(pose(2, Component::Phi), pose(0, Component::Phi));
     let cubed = over(Formula::Pow(Box::new(s()), 3.0), l());
-    let kinds = [
+    let joints: [(&str, Operands); 4] = [
         (
             "guide",
-            JointKind::Translational {
+            Translational {
                 p: at(body(0), l(), n(0.2)),
                 q: at(body(1), n(0.1), over(neg(l()), n(2.0))),
                 axis: Axis { x: l(), y: n(0.3), origin: AT },
                 angle: n(0.25),
-            },
+            }
+            .into(),
         ),
         (
             "strut",
-            JointKind::Distance {
+            Distance {
                 p: at(BodyRef::Ground(AT), n(1.0), n(-0.4)),
                 q: at(body(2), n(0.2), h()),
-                length: add(n(0.9), mul(n(0.1), call(Function::Sin, Formula::Time))),
-                length_origin: AT,
-            },
+                length: Value { value: add(n(0.9), mul(n(0.1), call(Function::Sin, Formula::Time))), origin: AT },
+            }
+            .into(),
         ),
         (
             "free",
-            JointKind::Constraint {
+            Constraint {
                 left: add(mul(s(), call(Function::Cos, turned)), cubed),
                 right: binary(Formula::Atan2, pose(1, Component::Y), add(n(2.0), pose(1, Component::X))),
-            },
+            }
+            .into(),
         ),
         (
             "turn",
-            JointKind::Driver {
+            Driver {
                 left: pose(0, Component::Phi),
-                right: add(h(), mul(Formula::Time, Formula::Time)),
-                right_origin: AT,
-            },
+                right: Value { value: add(h(), mul(Formula::Time, Formula::Time)), origin: AT },
+            }
+            .into(),
         ),
     ];
     let parameters = ["l", "h"].map(|name| Parameter {
@@ -125,8 +128,8 @@ fn mixed() -> Model {
             .map(|(name, origin_at)| Body { name: name.into(), len: None, origin_at, phi: None, origin: AT })
             .to_vec(),
         scalars: vec![kin_core::mechanism::Scalar { name: "s".into(), len: None, origin: AT }],
-        joints: kinds
-            .map(|(name, kind)| Joint { name: name.into(), range: None, kind, keyword: AT, origin: AT })
+        joints: joints
+            .map(|(name, operands)| Joint { name: name.into(), range: None, operands, keyword: AT, origin: AT })
             .to_vec(),
         ..Model::default()
     }
