@@ -100,12 +100,9 @@ impl RowForm {
         self.kinds.first().map_or("", |form| form.example)
     }
 
-    /// What would be right, for a message: the ways in which the kinds are told apart, or else the example.
-    pub(super) fn right(&self) -> String {
-        match self.kinds.first().map(|form| form.choice) {
-            Some(choice) if !choice.is_empty() => choice.to_owned(),
-            _ => format!("`{}`", self.example()),
-        }
+    /// What would be right, for a message: the example, or for a kind that it is none of, how the kinds are told apart.
+    pub(super) fn right(&self, kind: &'static JointForm) -> String {
+        if self.kinds.first() == Some(&kind) { format!("`{}`", self.example()) } else { kind.choice.to_owned() }
     }
 
     /// True when `= expression` follows the last operand.

@@ -3,6 +3,7 @@
 use super::forms::{OptionForm, RowForm};
 use crate::ast::{AxisExpr, BodyExpr, Expr, NameUse, PointExpr, RadiiExpr, text};
 use crate::report::Report;
+use kin_core::mechanism::JointForm;
 use proc_macro2::Span;
 use std::collections::VecDeque;
 use syn::Ident;
@@ -27,6 +28,8 @@ pub(super) enum Value {
 pub(super) struct Parts<'a> {
     pub(super) keyword: &'a Ident,
     pub(super) form: &'static RowForm,
+    /// The kind that is meant, the first of its keyword until its options have been read.
+    pub(super) kind: &'static JointForm,
     pub(super) report: &'a Report,
     pub(super) operands: VecDeque<Operand>,
     pub(super) right: Option<Expr>,
@@ -160,7 +163,7 @@ impl Parts<'_> {
                 Some((_, OptionForm::Curve(variables))) => format!("({})", variables.join(", ")),
                 _ => String::new(),
             };
-            let message = format!("`{}` needs `{key}{variables} = …`: {}", self.keyword, self.form.right());
+            let message = format!("`{}` needs `{key}{variables} = …`: {}", self.keyword, self.form.right(self.kind));
             self.report.error(self.keyword.span(), message);
         }
     }

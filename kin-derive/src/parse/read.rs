@@ -21,6 +21,7 @@ impl<'a> Parts<'a> {
         let mut parts = Self {
             keyword,
             form,
+            kind: form.kinds[0],
             report,
             operands: VecDeque::new(),
             right: None,

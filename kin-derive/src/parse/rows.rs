@@ -15,7 +15,8 @@ fn own_options(kinds: &[&'static JointForm], form: &'static JointForm) -> Vec<&'
 impl Parts<'_> {
     /// What the row is, and what stands in its slots.
     pub(super) fn operands(mut self) -> (&'static JointForm, Vec<OperandExpr>) {
-        let kind = self.kind();
+        self.kind = self.meant();
+        let kind = self.kind;
         let operands = kind.slots.iter().map(|slot| self.operand(slot)).collect();
         (kind, operands)
     }
@@ -40,7 +41,7 @@ impl Parts<'_> {
     }
 
     /// The kind that is meant: where several share the keyword, the options tell which.
-    fn kind(&mut self) -> &'static JointForm {
+    fn meant(&mut self) -> &'static JointForm {
         let kinds: &'static [&'static JointForm] = &self.form.kinds;
         let [first, _, ..] = kinds else { return kinds[0] };
         let given = |form: &'static JointForm| self.given(&own_options(kinds, form));
