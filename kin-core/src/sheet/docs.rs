@@ -3,9 +3,10 @@
 //! A block of HTML ends at a blank line, so there is none. Of large mechanisms the equations of some joints are written
 //! out and the rest are named; derivatives are folded.
 
+use super::content::{Joint, Sheet};
 use super::html::{STYLE, WIDTH, html_step, math, own_equations, table};
 use super::lines::{derivatives, own};
-use super::{Joint, Sheet, symbol};
+use super::shown::symbol;
 use crate::notation::Notation::MathMl;
 use crate::notation::escaped;
 

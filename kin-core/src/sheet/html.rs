@@ -1,7 +1,8 @@
 //! As a page with MathML, which browsers show by themselves.
 
+use super::content::{Joint, Sheet};
 use super::lines::{Line, derivatives, own};
-use super::{Joint, Sheet, Step};
+use super::steps::Step;
 use crate::notation::Notation::MathMl;
 use crate::notation::escaped;
 use crate::vectors;

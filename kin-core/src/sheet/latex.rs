@@ -1,8 +1,8 @@
 //! As LaTeX: a document, or its inside.
 
+use super::content::{Joint, Sheet};
 use super::lines::{Line, derivatives, own};
 use super::steps::ORDERS;
-use super::{Joint, Sheet};
 use crate::notation::Notation::Latex;
 use crate::vectors;
 

@@ -1,6 +1,6 @@
 //! What every form of a sheet has in common: the lines of a row, with left sides and broken right sides.
 
-use super::{Row, Shown, symbol};
+use super::shown::{Row, Shown, symbol};
 use crate::notation::Notation;
 use crate::notation::escaped;
 

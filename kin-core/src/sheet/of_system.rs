@@ -1,6 +1,8 @@
 //! A sheet from the graph itself.
 
-use super::{Joint, Row, Sheet, Shown, Step};
+use super::content::{Joint, Sheet};
+use super::shown::{Row, Shown};
+use super::steps::Step;
 use crate::constraint::{Frame, JointInstance};
 use crate::plan::SolutionPlan;
 use crate::system::{Equation, KinematicSystem};

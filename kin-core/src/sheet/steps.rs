@@ -1,6 +1,7 @@
 //! The steps of the solution plan on a sheet.
 
-use super::{Shown, lines, symbol};
+use super::lines;
+use super::shown::{Shown, symbol};
 use crate::notation::{Formula, Name, Notation};
 use crate::plan;
 

@@ -1,7 +1,8 @@
 //! As aligned text.
 
+use super::content::{Joint, Sheet};
 use super::lines::{Line, derivatives, own};
-use super::{Joint, Row, Sheet};
+use super::shown::Row;
 use crate::notation::Notation::Unicode;
 use crate::vectors;
 

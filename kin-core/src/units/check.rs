@@ -1,7 +1,8 @@
 //! Where the units of a mechanism do not agree.
 
+use super::parse::parse;
 use super::quantity::{Checker, Quantity::Of};
-use super::{Unit, near, parse};
+use super::unit::{Unit, near};
 use crate::check::order_of_defines;
 use crate::error::{ModelError, Origin};
 use crate::mechanism::{

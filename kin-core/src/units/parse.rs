@@ -1,6 +1,6 @@
 //! Units as they are written: `m`, `rad/s`, `mm`, `m/s^2`, `m·s⁻¹`, `kg*m/s²`, `deg`, `rpm`.
 
-use super::Unit;
+use super::unit::Unit;
 use core::f64::consts::PI;
 
 /// The first part of a unit that is none.

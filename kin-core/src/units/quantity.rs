@@ -1,6 +1,6 @@
 //! The units of formulas, from those of what stands in them.
 
-use super::{Unit, near};
+use super::unit::{Unit, near};
 use crate::error::{ModelError, Origin};
 use crate::mechanism::{Component, CurveVariable, Formula, Function, Mechanism, Place};
 use Quantity::{Any, Of, Plain};

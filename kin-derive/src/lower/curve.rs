@@ -1,37 +1,12 @@
 //! Curves: their variables are known inside their formulas only, where they shadow other names.
 
+use super::curve_scope::Inside;
 use super::formula::{Allow, Scope};
+use super::lowerer::{Class, Lowerer};
 use super::range::IndexRange;
-use super::{Class, Lowerer};
 use crate::ast::{CurveExpr, Expr, NameUse, PathExpr};
 use crate::suggest::{listed, nearest};
-use kin_core::mechanism::{Curve, CurveVariable, Formula, Index, Member};
-
-/// What the curve whose formula is being lowered brings along.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Inside {
-    variables: &'static [CurveVariable],
-    /// Family and index of the parameter of a parametric curve, and how it is written.
-    parameter: Option<(usize, Index, String)>,
-}
-
-impl Inside {
-    /// The variable called `name`.
-    pub(super) fn variable(&self, name: &str) -> Option<CurveVariable> {
-        self.variables.iter().copied().find(|variable| variable.name() == name)
-    }
-
-    /// True for the parameter of the curve.
-    pub(super) fn is_parameter(&self, family: usize, index: Index) -> bool {
-        self.parameter.as_ref().is_some_and(|(own, at, _)| (*own, *at) == (family, index))
-    }
-
-    /// What can stand in the curve besides numbers, parameters and `t`; nothing outside of one.
-    pub(super) fn words(&self) -> Vec<&str> {
-        let variables = self.variables.iter().map(|variable| variable.name());
-        variables.chain(self.parameter.as_ref().map(|(_, _, word)| word.as_str())).collect()
-    }
-}
+use kin_core::mechanism::{Curve, CurveVariable, Formula, Member};
 
 const THETA: &[CurveVariable] = &[CurveVariable::Theta];
 const POINT: &[CurveVariable] = &[CurveVariable::X, CurveVariable::Y];

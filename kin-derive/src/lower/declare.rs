@@ -1,9 +1,10 @@
 //! Who is who: every declared name with its number, in the order of the source.
 
+use super::lowerer::Lowerer;
 use super::mention::MentionKind;
 use super::names::{Declared, Names, Shape, Symbol};
 use super::range::IndexRange;
-use super::{Lowerer, body, place};
+use super::{body, place};
 use crate::ast::{Bracket, Description, FunctionDecl, Item, NewName, RangeDecl, text};
 use crate::suggest::did_you_mean;
 use kin_core::error::Origin;

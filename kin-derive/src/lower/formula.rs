@@ -1,8 +1,9 @@
 //! Expressions where they stand: names resolved, and only what may stand there let through.
 
+use super::lowerer::{Class, Lowerer};
+use super::mention::{MentionKind, is_completion_marker};
 use super::names::{Declared, Shape, Symbol};
 use super::range::IndexRange;
-use super::{Class, Lowerer, MentionKind};
 use crate::ast::{Expr, ExprKind, NameUse, Operator, text};
 use crate::suggest::{did_you_mean, is_rate, listed};
 use kin_core::check::is_reserved;
@@ -332,7 +333,7 @@ impl Lowerer<'_> {
     }
 
     fn is_completed(&mut self, ident: &Ident) -> bool {
-        let is_marker = super::place::is_completion_marker(ident);
+        let is_marker = is_completion_marker(ident);
         self.completing |= is_marker;
         is_marker
     }

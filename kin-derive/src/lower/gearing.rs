@@ -1,7 +1,7 @@
 //! Radii, and scalar coordinates that options name.
 
-use super::Lowerer;
 use super::formula::{Allow, Scope};
+use super::lowerer::Lowerer;
 use super::names::Symbol;
 use super::range::IndexRange;
 use crate::ast::{Expr, NameUse, RadiiExpr};

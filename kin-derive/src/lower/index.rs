@@ -1,6 +1,6 @@
 //! Indices: `link[2*i + 1]` in a row that runs over `i`.
 
-use super::Lowerer;
+use super::lowerer::Lowerer;
 use super::names::{Declared, Shape};
 use super::range::IndexRange;
 use crate::ast::{IndexExpr, NameUse, text};

@@ -20,3 +20,9 @@ pub(crate) enum MentionKind {
     Input,
     Function,
 }
+
+/// True for the identifier that an editor puts where it wants to know what could stand.
+pub(super) fn is_completion_marker(ident: &Ident) -> bool {
+    let name = ident.to_string();
+    name.contains("raCompletionMarker") || name.contains("intellijRulezz")
+}

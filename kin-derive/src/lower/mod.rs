@@ -2,10 +2,12 @@
 
 mod body;
 mod curve;
+mod curve_scope;
 mod declare;
 mod formula;
 mod gearing;
 mod index;
+mod lowerer;
 mod mention;
 mod names;
 mod place;
@@ -16,9 +18,9 @@ mod substitute;
 use crate::ast::{Description, Flags, Item, text};
 use crate::report::Report;
 use kin_core::error::Origin;
-use kin_core::mechanism::{Define, Mechanism, NamedPoint};
+use kin_core::mechanism::Mechanism;
+use lowerer::Lowerer;
 pub(crate) use mention::{Mention, MentionKind};
-use names::Names;
 use proc_macro2::Span;
 use std::collections::BTreeSet;
 use syn::{Ident, ItemStruct, LitStr, Type};
@@ -171,66 +173,4 @@ fn docs(description: &Description) -> Docs {
         }
     }
     docs
-}
-
-/// What a formula depends on, from nothing to everything.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Class {
-    /// Numbers and parameters.
-    Constant,
-    /// Also t and inputs.
-    Signal,
-    /// Also coordinates.
-    Coordinate,
-}
-
-/// The state of lowering.
-struct Lowerer<'a> {
-    report: &'a Report,
-    names: Names,
-    /// A declaration could not be read: an unknown name may be one that it declares.
-    names_missing: bool,
-    spans: Vec<Span>,
-    mentions: Vec<Mention>,
-    completing: bool,
-    /// Families whose brackets could not be read.
-    boundless: BTreeSet<String>,
-    /// The highest class that the formula at hand has reached.
-    reached: Class,
-    /// The curve whose formula is at hand.
-    inside: curve::Inside,
-    /// Points by number; `None` for one with a mistake.
-    points: Vec<Option<NamedPoint>>,
-    /// Defines by number with their classes; `None` for one with a mistake.
-    defines: Vec<Option<(Define, Class)>>,
-}
-
-impl<'a> Lowerer<'a> {
-    fn new(description: &Description, report: &'a Report) -> Self {
-        Self {
-            report,
-            names: Names::default(),
-            names_missing: description.names_missing,
-            spans: Vec::new(),
-            mentions: Vec::new(),
-            completing: false,
-            boundless: BTreeSet::new(),
-            reached: Class::Constant,
-            inside: curve::Inside::default(),
-            points: Vec::new(),
-            defines: Vec::new(),
-        }
-    }
-
-    /// The origin of a token.
-    fn origin(&mut self, span: Span) -> Origin {
-        // More tokens than fit into 32 bits do not fit into a source file either.
-        let origin = Origin(u32::try_from(self.spans.len()).unwrap_or(u32::MAX));
-        self.spans.push(span);
-        origin
-    }
-
-    fn mention(&mut self, kind: MentionKind, ident: &Ident) {
-        self.mentions.push(Mention { kind, ident: ident.clone() });
-    }
 }

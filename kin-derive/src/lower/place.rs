@@ -1,23 +1,18 @@
 //! Bodies and points where they are used.
 
 use super::formula::{Allow, Scope};
+use super::lowerer::Lowerer;
+use super::mention::{MentionKind, is_completion_marker};
 use super::names::{Declared, Symbol};
 use super::range::IndexRange;
-use super::{Lowerer, MentionKind, substitute};
+use super::substitute;
 use crate::ast::{NameUse, PointExpr};
 use kin_core::error::Origin;
 use kin_core::mechanism::{BodyRef, Formula, Place};
-use syn::Ident;
 
 /// What stands for a point that could not be read.
 pub(super) const fn placeholder(origin: Origin) -> Place {
     Place { body: BodyRef::Ground(origin), x: Formula::ZERO, y: Formula::ZERO, origin }
-}
-
-/// True for the identifier that an editor puts where it wants to know what could stand.
-pub(super) fn is_completion_marker(ident: &Ident) -> bool {
-    let name = ident.to_string();
-    name.contains("raCompletionMarker") || name.contains("intellijRulezz")
 }
 
 impl Lowerer<'_> {

@@ -1,7 +1,7 @@
 //! Rows and guesses.
 
-use super::Lowerer;
 use super::formula::{Allow, Scope};
+use super::lowerer::Lowerer;
 use super::names::Symbol;
 use super::range::IndexRange;
 use crate::ast::{AxisExpr, BodyExpr, ConditionDecl, Expr, GuessDecl, Item, OperandExpr, Row, text};

@@ -3,7 +3,7 @@
 use super::expr::{end_of_expr, expr};
 use super::list::skip_to;
 use super::reject::here;
-use super::row_name;
+use super::row_name::row_name;
 use super::written::{between, written};
 use crate::ast::{ConditionDecl, Expr};
 use crate::report::Report;

@@ -20,6 +20,7 @@ mod parts;
 mod point;
 mod read;
 mod reject;
+mod row_name;
 mod rows;
 mod strip;
 mod written;
@@ -28,13 +29,14 @@ mod written;
 pub(crate) use keyword::vocabulary;
 pub(crate) use strip::without_ours;
 
-use crate::ast::{Description, Flags, Item, NewName, Row, text};
+use crate::ast::{Description, Flags, Item, Row, text};
 use crate::report::Report;
 use forms::RowForm;
 use keyword::Keyword;
 use list::inside;
 use parts::Parts;
 use proc_macro2::TokenStream;
+use row_name::row_name;
 use syn::parse::ParseStream;
 use syn::spanned::Spanned;
 use syn::{Attribute, Error, Fields, Ident, ItemStruct, Meta, Result, Token};
@@ -173,21 +175,6 @@ fn row(input: ParseStream, keyword: &Ident, form: &'static RowForm, report: &Rep
     let name = row_name(input, keyword, form.example(), report)?;
     let (form, operands) = Parts::read(input, keyword, form, report).operands();
     Ok(Row { keyword: keyword.clone(), name, form, operands })
-}
-
-/// `name:`, with which every row begins.
-fn row_name(input: ParseStream, keyword: &Ident, example: &str, report: &Report) -> Result<NewName> {
-    let nameless = |span| Error::new(span, format!("a `{keyword}` begins with its name and a colon: `{example}`"));
-    if input.is_empty() {
-        return Err(nameless(keyword.span()));
-    }
-    let start = input.span();
-    let name = index::new_name(input, report)?;
-    if !input.peek(Token![:]) || input.peek(Token![::]) {
-        return Err(nameless(start));
-    }
-    input.parse::<Token![:]>()?;
-    Ok(name)
 }
 
 fn fields(

@@ -1,0 +1,53 @@
+//! Formulas of a sheet, and rows of them.
+
+use crate::notation::{Formula, Name, Notation, escaped};
+
+/// A row with its formulas.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Its name.
+    pub name: String,
+    /// False for a row of velocity level: η, its B and b stand for Φ, Φ_q and Φ_t.
+    pub position: bool,
+    /// Φ.
+    pub phi: Shown,
+    /// Coordinates with the entries of Φ_q that are not 0.
+    pub phi_q: Vec<(String, Shown)>,
+    /// Φ_t.
+    pub phi_t: Shown,
+    /// γ.
+    pub gamma: Shown,
+}
+
+/// A formula, or a text that was too long to be one.
+#[derive(Clone, Debug)]
+pub enum Shown {
+    /// A formula, tidied.
+    Formula(Formula),
+    /// As it was printed.
+    Text(String),
+}
+
+impl Shown {
+    /// Reads what the graph prints.
+    pub fn new(text: &str) -> Self {
+        Formula::parse(text).map_or_else(|_| Self::Text(text.to_owned()), |formula| Self::Formula(formula.tidied()))
+    }
+
+    /// On one line.
+    pub(super) fn write(&self, notation: Notation) -> String {
+        match (self, notation) {
+            (Self::Formula(formula), _) => formula.write(notation),
+            (Self::Text(text), Notation::Unicode) => text.clone(),
+            (Self::Text(text), Notation::Latex) => {
+                format!(r"\text{{{}}}", text.replace('_', r"\_").replace('^', r"\^{}"))
+            }
+            (Self::Text(text), Notation::MathMl) => format!("<mtext>{}</mtext>", escaped(text)),
+        }
+    }
+}
+
+/// A name's symbol.
+pub(super) fn symbol(name: &str, notation: Notation) -> String {
+    Name::new(name).write(notation)
+}

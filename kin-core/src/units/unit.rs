@@ -1,0 +1,56 @@
+//! A unit.
+
+/// A unit: powers of length, time and mass, and how many SI units it is; an open scale fits every other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unit {
+    /// Exponents of length, time and mass.
+    pub powers: [f64; 3],
+    /// In SI units; `None` after a conversion.
+    pub scale: Option<f64>,
+}
+
+/// Exponents and scales that differ by rounding are equal.
+pub(super) fn near(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-9 * a.abs().max(b.abs()).max(1e-300) || (a - b).abs() < 1e-12 && a.abs() < 1e-12
+}
+
+impl Unit {
+    /// A number; an angle in radians.
+    pub const NUMBER: Self = Self { powers: [0.0; 3], scale: Some(1.0) };
+
+    /// The base unit of length (0), time (1) or mass (2), `scale` SI units large.
+    pub(super) const fn base(kind: usize, scale: f64) -> Self {
+        let mut powers = [0.0; 3];
+        powers[kind] = 1.0;
+        Self { powers, scale: Some(scale) }
+    }
+
+    /// The product of two units.
+    pub(super) fn times(self, other: Self) -> Self {
+        let [a, b, c] = self.powers;
+        let [d, e, f] = other.powers;
+        let scale = self.scale.zip(other.scale).map(|(a, b)| a * b);
+        Self { powers: [a + d, b + e, c + f], scale }
+    }
+
+    /// The unit to a power.
+    pub(super) fn power(self, n: f64) -> Self {
+        Self { powers: self.powers.map(|p| p * n), scale: self.scale.map(|s| s.powf(n)) }
+    }
+
+    /// True for what has no length, time or mass in it.
+    pub(super) fn is_number(self) -> bool {
+        self.powers.iter().all(|p| p.abs() < 1e-9)
+    }
+
+    /// True for time and its powers alone.
+    pub(super) fn is_time(self) -> bool {
+        self.powers[0].abs() < 1e-9 && self.powers[2].abs() < 1e-9 && self.powers[1] > 1e-9
+    }
+
+    /// True when quantities in the two units can be added.
+    pub fn agrees(self, other: Self) -> bool {
+        let powers = self.powers.iter().zip(&other.powers).all(|(a, b)| (a - b).abs() < 1e-9);
+        powers && self.scale.zip(other.scale).is_none_or(|(a, b)| near(a, b))
+    }
+}

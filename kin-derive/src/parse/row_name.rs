@@ -1,0 +1,22 @@
+//! The name of a row.
+
+use super::index;
+use crate::ast::NewName;
+use crate::report::Report;
+use syn::parse::ParseStream;
+use syn::{Error, Ident, Result, Token};
+
+/// `name:`, with which every row begins.
+pub(super) fn row_name(input: ParseStream, keyword: &Ident, example: &str, report: &Report) -> Result<NewName> {
+    let nameless = |span| Error::new(span, format!("a `{keyword}` begins with its name and a colon: `{example}`"));
+    if input.is_empty() {
+        return Err(nameless(keyword.span()));
+    }
+    let start = input.span();
+    let name = index::new_name(input, report)?;
+    if !input.peek(Token![:]) || input.peek(Token![::]) {
+        return Err(nameless(start));
+    }
+    input.parse::<Token![:]>()?;
+    Ok(name)
+}
