@@ -15,7 +15,7 @@
 //! - [`system`]: Φ_q, Φ_t, γ and the class of every row.
 //! - [`structure`]: what the equations say before any number is known: generic rank, redundant rows.
 //! - [`program`], [`rows`]: straight-line code shared by all outputs, with an interpreter as oracle; Φ, Φ_q, Φ_t and γ.
-//! - [`plan`]: how the mechanism is solved, step by step.
+//! - [`mod@plan`]: how the mechanism is solved, step by step.
 //! - [`sheet`]: the derivation for people.
 //!
 //! Each room imports only those before it in this list. There are no tokens, no spans and no I/O here.

@@ -5,7 +5,7 @@ use crate::error::ModelError;
 use crate::mechanism::{Joint, JointForm, Mechanism, Operands};
 use crate::vectors::{Equation, NamedJoint};
 
-/// The operands of a kind of joint, as a type; [`joint!`] writes it.
+/// The operands of a kind of joint, as a type; the macro `joint` writes it.
 pub trait JointOperands: Sized + Into<Operands> {
     /// How it is written.
     const FORM: &'static JointForm;
