@@ -1,6 +1,6 @@
 use super::{MAX_MEMBERS, check, check_parts, is_reserved};
 use crate::error::Origin;
-use crate::joints::{Angle, Distance, Revolute, Translational};
+use crate::joints::{Angle, Distance, Revolute, Rope, Translational};
 use crate::mechanism::{
     Axis, Body, BodyOrigin, BodyRef, Component, Define, Formula, Guess, GuessTarget, Index, Joint, Mechanism, Member,
     Operands, Parameter, Place, Range, Scalar, Value,
@@ -175,4 +175,19 @@ fn everything_that_can_move_is_mentioned() {
     assert_eq!(check(&m), []);
     m.joints.push(joint("K", Angle { body: single(1), value: Formula::ZERO }.into()));
     one(&m, "angle `K` mentions no coordinate");
+}
+
+/// A model that is not written in the user's language may hold what that cannot say.
+#[test]
+fn a_rope_of_fewer_than_two_points_is_an_error_and_no_panic() {
+    for count in [0, 1] {
+        let mut m = crank();
+        let length = Value { value: Formula::Number(1.0), origin: Origin(5) };
+        let points = vec![place(single(0)); count];
+        m.joints.push(joint("N", Rope { points, length }.into()));
+        // One without points mentions no coordinate either.
+        let said = said(&m);
+        assert!(said.len() == 2 - count && said.iter().any(|text| text.contains("two points or more")), "{said:?}");
+        assert!(crate::assemble(&m).is_ok());
+    }
 }

@@ -84,8 +84,7 @@ macro_rules! joint {
         impl From<$name> for $crate::mechanism::Operands {
             fn from(joint: $name) -> Self {
                 let values = vec![$($crate::mechanism::OperandValue::into_operand(joint.$field)),*];
-                let operands = Self::new(<$name as $crate::joints::JointOperands>::FORM, values);
-                operands.expect("the fields have the types that their slots take")
+                Self::of_fields(<$name as $crate::joints::JointOperands>::FORM, values)
             }
         }
     };

@@ -13,6 +13,7 @@ use super::joint::{JointType, joint};
 use super::translational::along;
 use crate::constraint::{Assembly, Frame, RowMeaning, Rows};
 use crate::error::ModelError;
+use crate::expr::ExprId;
 use crate::mechanism::{Axis, BodyRef, Dimension, Formula, Joint, Mechanism, Place, Slot, Takes, Value};
 use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
 use crate::vocabulary::Role;
@@ -38,30 +39,15 @@ joint! {
 
 impl JointType for RackPinion {
     fn rows(&self, a: &mut Assembly<'_>) -> Rows {
-        let (p, q) = (a.place(&self.p), a.place(&self.q));
-        let axis = a.axis(&self.axis, &p);
-        let (wheel, turned) = (a.frame(&self.pinion).unwrap_or(Frame::Ground), a.pose(&self.pinion)[2]);
-        let (radius, offset) = (a.radius(&self.radius), a.formula(&self.offset));
-        let mut rows = Rows::between(&p, &q);
-        rows.geometry.push((Role::Axis, p.frame, axis.local.to_vec()));
-        rows.geometry.push((Role::Radius, wheel, vec![radius]));
-        rows.geometry.push((Role::Value, p.frame, vec![offset]));
-        let stroke = along(a, &axis, &p, &q);
-        let angle = a.graph.sub(turned, p.angle);
-        let arc = a.graph.mul(radius, angle);
-        let whole = a.graph.sub(stroke, arc);
-        rows.residuals = vec![("", RowMeaning::Other, a.graph.sub(whole, offset))];
-        rows.quantities = vec![("stroke", stroke)];
+        let wheel = a.frame(&self.pinion).unwrap_or(Frame::Ground);
+        let radius = a.radius(&self.radius);
+        let mut rows = stroke_by_angle(a, [&self.p, &self.q], &self.axis, &self.pinion, radius, &self.offset);
+        rows.geometry.insert(3, (Role::Radius, wheel, vec![radius]));
         rows
     }
 
-    /// The guide is not the pinion, at no step of the range.
     fn check(&self, joint: &Joint, mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
-        if let Some(body) = mechanism.common_member(joint.range, self.p.body, self.pinion) {
-            let name = &joint.name;
-            let message = format!("`{body}` is the guide of rack_pinion `{name}`, against which the pinion turns");
-            errors.push(ModelError::new(self.pinion.origin(), message));
-        }
+        guide_does_not_turn(self.p.body, self.pinion, "pinion", joint, mechanism, errors);
     }
 
     fn vector_equations(joint: &NamedJoint<'_>) -> Vec<Equation> {
@@ -69,5 +55,46 @@ impl JointType for RackPinion {
         let arc = [Piece::Op(" − "), Piece::Scalar(Symbol::plain("R").of(joint.name)), Piece::Op("Δφ")];
         let stroke = terms.along().into_iter().chain(arc).collect();
         vec![equals(stroke, terms.scalar("e")), terms.d_is_difference()]
+    }
+}
+
+/// The row of a slide along `axis` that a body moves by turning, `by_radian` for every radian against the guide:
+/// u·(r_Q − r_P) − by_radian (φ_b − φ_i) − e.
+pub(super) fn stroke_by_angle(
+    a: &mut Assembly<'_>,
+    [p, q]: [&Place; 2],
+    axis: &Axis,
+    turning: &BodyRef,
+    by_radian: ExprId,
+    offset: &Formula,
+) -> Rows {
+    let (p, q) = (a.place(p), a.place(q));
+    let axis = a.axis(axis, &p);
+    let (turned, offset) = (a.pose(turning)[2], a.formula(offset));
+    let stroke = along(a, &axis, &p, &q);
+    let angle = a.graph.sub(turned, p.angle);
+    let advance = a.graph.mul(by_radian, angle);
+    let rest = a.graph.sub(stroke, advance);
+    let mut rows = Rows::between(&p, &q);
+    rows.geometry.push((Role::Axis, p.frame, axis.local.to_vec()));
+    rows.geometry.push((Role::Value, p.frame, vec![offset]));
+    rows.residuals = vec![("", RowMeaning::Other, a.graph.sub(rest, offset))];
+    rows.quantities = vec![("stroke", stroke)];
+    rows
+}
+
+/// The guide is not what turns, at no step of the range; `what` is the name of the latter.
+pub(super) fn guide_does_not_turn(
+    guide: BodyRef,
+    turning: BodyRef,
+    what: &str,
+    joint: &Joint,
+    mechanism: &Mechanism,
+    errors: &mut Vec<ModelError>,
+) {
+    if let Some(body) = mechanism.common_member(joint.range, guide, turning) {
+        let (keyword, name) = (joint.operands.keyword(), &joint.name);
+        let message = format!("`{body}` is the guide of {keyword} `{name}`, against which the {what} turns");
+        errors.push(ModelError::new(turning.origin(), message));
     }
 }

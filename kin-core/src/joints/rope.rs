@@ -9,8 +9,9 @@
 //! has no gradient there. The row is an equation: it does not see whether the rope would be pushed. Reports its length.
 
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, RowMeaning, Rows};
-use crate::mechanism::{Place, Slot, Takes, Value};
+use crate::constraint::{Assembly, Frame, RowMeaning, Rows};
+use crate::error::ModelError;
+use crate::mechanism::{Joint, Mechanism, Place, Slot, Takes, Value};
 use crate::vocabulary::Role;
 
 joint! {
@@ -29,7 +30,7 @@ impl JointType for Rope {
         let points: Vec<_> = self.points.iter().map(|place| a.place(place)).collect();
         let target = a.formula(&self.length.value);
         let mut length = a.graph.zero();
-        for (pair, place) in points.windows(2).zip(&self.points[1..]) {
+        for (pair, place) in points.windows(2).zip(self.points.iter().skip(1)) {
             let square = a.square_of_distance(&pair[0], &pair[1]);
             if a.graph.is_zero(square) {
                 let message = "is the one before it, so that the distance of the two has no gradient";
@@ -38,10 +39,9 @@ impl JointType for Rope {
             let part = a.distance(&pair[0], &pair[1]);
             length = a.graph.add(length, part);
         }
-        let last = points.len() - 1;
         let role = |k: usize| match k {
             0 => Role::P,
-            k if k == last => Role::Q,
+            k if k + 1 == points.len() => Role::Q,
             _ => Role::Via,
         };
         let mut rows = Rows {
@@ -49,9 +49,17 @@ impl JointType for Rope {
             geometry: points.iter().enumerate().map(|(k, p)| (role(k), p.frame, p.local.to_vec())).collect(),
             ..Rows::default()
         };
-        rows.geometry.push((Role::Value, points[0].frame, vec![target]));
+        rows.geometry.push((Role::Value, rows.frames[0].unwrap_or(Frame::Ground), vec![target]));
         rows.residuals = vec![("", RowMeaning::Other, a.graph.sub(length, target))];
         rows.quantities = vec![("length", length)];
         rows
+    }
+
+    /// A rope has two ends.
+    fn check(&self, joint: &Joint, _: &Mechanism, errors: &mut Vec<ModelError>) {
+        if self.points.len() < 2 {
+            let message = format!("rope `{}` runs over two points or more", joint.name);
+            errors.push(ModelError::new(joint.origin, message));
+        }
     }
 }

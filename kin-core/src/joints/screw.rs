@@ -11,11 +11,10 @@
 //! Reports the stroke u·(r_Q − r_P).
 
 use super::joint::{JointType, joint};
-use super::translational::along;
-use crate::constraint::{Assembly, RowMeaning, Rows};
+use super::rack_pinion::{guide_does_not_turn, stroke_by_angle};
+use crate::constraint::{Assembly, Rows};
 use crate::error::ModelError;
 use crate::mechanism::{Axis, BodyRef, Dimension, Formula, Joint, Mechanism, Place, Slot, Takes};
-use crate::vocabulary::Role;
 
 joint! {
     /// Operands of a screw.
@@ -38,29 +37,12 @@ joint! {
 
 impl JointType for Screw {
     fn rows(&self, a: &mut Assembly<'_>) -> Rows {
-        let (p, q) = (a.place(&self.p), a.place(&self.q));
-        let axis = a.axis(&self.axis, &p);
-        let turned = a.pose(&self.nut)[2];
-        let (lead, offset) = (a.formula(&self.lead), a.formula(&self.offset));
-        let stroke = along(a, &axis, &p, &q);
-        let by_radian = a.graph.number(0.5 * core::f64::consts::FRAC_1_PI);
-        let pitch = a.graph.mul(lead, by_radian);
-        let angle = a.graph.sub(turned, p.angle);
-        let advance = a.graph.mul(pitch, angle);
-        let rest = a.graph.sub(stroke, advance);
-        let mut rows = Rows::between(&p, &q);
-        rows.geometry.push((Role::Axis, p.frame, axis.local.to_vec()));
-        rows.geometry.push((Role::Value, p.frame, vec![offset]));
-        rows.residuals = vec![("", RowMeaning::Other, a.graph.sub(rest, offset))];
-        rows.quantities = vec![("stroke", stroke)];
-        rows
+        let (lead, turns) = (a.formula(&self.lead), a.graph.number(0.5 * core::f64::consts::FRAC_1_PI));
+        let by_radian = a.graph.mul(lead, turns);
+        stroke_by_angle(a, [&self.p, &self.q], &self.axis, &self.nut, by_radian, &self.offset)
     }
 
-    /// What turns is not the guide, at no step of the range.
     fn check(&self, joint: &Joint, mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
-        if let Some(body) = mechanism.common_member(joint.range, self.p.body, self.nut) {
-            let message = format!("`{body}` is the guide of screw `{}`, against which the nut turns", joint.name);
-            errors.push(ModelError::new(self.nut.origin(), message));
-        }
+        guide_does_not_turn(self.p.body, self.nut, "nut", joint, mechanism, errors);
     }
 }

@@ -154,7 +154,11 @@ impl Clone for Formula {
             Self::Atan2(y, x) => Self::Atan2(y.clone(), x.clone()),
             Self::Supplied(member, a) => Self::Supplied(*member, a.clone()),
             Self::Dot(a, origin) => Self::Dot(a.clone(), *origin),
-            Self::Add(..) | Self::Sub(..) | Self::Mul(..) | Self::Div(..) => unreachable!("walked above"),
+            // These have been walked.
+            Self::Add(a, b) => Self::Add(a.clone(), b.clone()),
+            Self::Sub(a, b) => Self::Sub(a.clone(), b.clone()),
+            Self::Mul(a, b) => Self::Mul(a.clone(), b.clone()),
+            Self::Div(a, b, origin) => Self::Div(a.clone(), b.clone(), *origin),
         };
         for operation in operations.into_iter().rev() {
             copy = match operation {

@@ -93,7 +93,7 @@ impl Operand {
     fn fits(&self, slot: &Slot) -> bool {
         match slot.takes {
             Takes::Point => matches!(self, Self::Point(_)),
-            Takes::Points => matches!(self, Self::Points(places) if places.len() > 1),
+            Takes::Points => matches!(self, Self::Points(_)),
             Takes::Body | Takes::Carrier => matches!(self, Self::Body(_)),
             Takes::Scalar(_) => matches!(self, Self::Scalar(_)),
             Takes::Axis => matches!(self, Self::Axis(_)),
@@ -156,6 +156,12 @@ impl Operands {
     pub fn new(form: &'static JointForm, values: Vec<Operand>) -> Option<Self> {
         let fit = form.slots.iter().zip(&values).all(|(slot, value)| value.fits(slot));
         (fit && form.slots.len() == values.len()).then_some(Self { form, values })
+    }
+
+    /// Operands out of the fields of a typed joint, which have the types that the slots of its form take.
+    pub(crate) fn of_fields(form: &'static JointForm, values: Vec<Operand>) -> Self {
+        debug_assert!(form.slots.iter().zip(&values).all(|(slot, value)| value.fits(slot)), "{form:?}: {values:?}");
+        Self { form, values }
     }
 
     /// How the joint is written.
