@@ -44,6 +44,8 @@ impl Lowerer<'_> {
     fn operand(&mut self, row: &Row, slot: &Slot, expr: &OperandExpr, range: &IndexRange) -> Option<Operand> {
         Some(match expr {
             OperandExpr::Point(point) => Operand::Point(self.place(point, range)?),
+            // That they are too few has been said.
+            OperandExpr::Points(points) if points.len() < 2 => return None,
             OperandExpr::Points(points) => {
                 let places: Vec<_> = points.iter().map(|point| self.place(point, range)).collect();
                 Operand::Points(places.into_iter().collect::<Option<_>>()?)
