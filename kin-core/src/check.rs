@@ -20,18 +20,23 @@
 //!   changes;
 //! - `guesses_are_for_coordinates`: a guess is for a free coordinate, one for each;
 //! - `rows_hold_coordinates`: a row that mentions no coordinate constrains nothing;
-//! - `conditions_change`: a condition of parameters alone is always or never satisfied.
+//! - `conditions_change`: a condition of parameters alone is always or never satisfied;
+//! - `loads_act_on_bodies`: a mass or a force belongs to a body, a spring joins two;
+//! - `centres_differ`: no two masses have one centre;
+//! - `loads_have_a_size`: masses are not negative, and a spring has a stiffness or a damping.
 //!
 //! As a whole ([`check`]), the last two where no row is wrong in what it joins or holds:
 //! - `has_coordinates`: something can move;
 //! - `bodies_are_touched`: some row mentions a coordinate of every body;
-//! - `scalars_are_mentioned`: some row mentions every scalar coordinate.
+//! - `scalars_are_mentioned`: some row mentions every scalar coordinate;
+//! - `gravity_pulls_masses`: there is one field of gravity, and a mass.
 
 mod condition;
 mod curve;
 pub mod cycle;
 mod geometry;
 mod guess;
+mod loads;
 mod mention;
 mod names;
 mod participation;
@@ -53,6 +58,7 @@ use geometry::{
     axes_have_a_direction, divisors_are_not_zero, joints_join_two_bodies, lengths_are_positive, radii_have_a_size,
 };
 use guess::guesses_are_for_coordinates;
+use loads::{centres_differ, gravity_pulls_masses, loads_act_on_bodies, loads_have_a_size};
 use names::{names_are_free, names_differ, row_names_differ};
 use participation::{bodies_are_touched, has_coordinates, rows_hold_coordinates, scalars_are_mentioned};
 use velocity::velocity_rows_are_linear;
@@ -74,6 +80,7 @@ pub fn check(mechanism: &Mechanism) -> Vec<ModelError> {
             bodies_are_touched(mechanism, &mut errors);
             scalars_are_mentioned(mechanism, &mut errors);
         }
+        gravity_pulls_masses(mechanism, &mut errors);
     }
     sorted(errors)
 }
@@ -94,10 +101,13 @@ pub fn check_parts(mechanism: &Mechanism) -> Vec<ModelError> {
     divisors_are_not_zero(mechanism, &mut errors);
     curves_are_curves(mechanism, &mut errors);
     rollers_know_their_curve(mechanism, &mut errors);
+    loads_have_a_size(mechanism, &mut errors);
     if is_sound(mechanism) {
         check_rows(mechanism, &mut errors);
         guesses_are_for_coordinates(mechanism, &mut errors);
         conditions_change(mechanism, &mut errors);
+        loads_act_on_bodies(mechanism, &mut errors);
+        centres_differ(mechanism, &mut errors);
     }
     sorted(errors)
 }
@@ -157,7 +167,7 @@ fn families_have_members(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     }
     let points = mechanism.points.iter().map(|p| (&p.name, p.range, p.origin));
     let defines = mechanism.defines.iter().map(|d| (&d.name, d.range, d.origin));
-    let joints = mechanism.joints.iter().map(|j| (&j.name, j.range, j.origin));
+    let joints = mechanism.joints.iter().chain(&mechanism.loads).map(|j| (&j.name, j.range, j.origin));
     let conditions = mechanism.conditions.iter().map(|c| (&c.name, c.range, c.origin));
     for (name, range, origin) in points.chain(defines).chain(joints).chain(conditions) {
         let Some(range) = range else { continue };

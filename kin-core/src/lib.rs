@@ -35,6 +35,8 @@ mod hash;
 #[cfg(feature = "compiler")]
 pub mod joints;
 #[cfg(feature = "compiler")]
+pub mod loads;
+#[cfg(feature = "compiler")]
 pub mod mechanism;
 #[cfg(feature = "compiler")]
 pub mod notation;

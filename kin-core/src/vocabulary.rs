@@ -112,6 +112,68 @@ impl fmt::Display for JointKind {
     }
 }
 
+/// What kind of mass or load.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum LoadKind {
+    /// A field that pulls every mass.
+    Gravity,
+    /// A mass with its centre and its moment of inertia.
+    Mass,
+    /// A force on a point of a body.
+    Force,
+    /// A couple on a body, or between two.
+    Torque,
+    /// A spring with a damper between two points.
+    Spring,
+    /// A spring with a damper between the angles of two bodies.
+    TorsionSpring,
+}
+
+impl LoadKind {
+    /// The keyword of the language.
+    pub const fn keyword(self) -> &'static str {
+        match self {
+            Self::Gravity => "gravity",
+            Self::Mass => "mass",
+            Self::Force => "force",
+            Self::Torque => "torque",
+            Self::Spring => "spring",
+            Self::TorsionSpring => "torsion_spring",
+        }
+    }
+}
+
+impl fmt::Display for LoadKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.keyword())
+    }
+}
+
+/// What a statement of the language that has operands declares.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum StatementKind {
+    /// A joint, constraint or driver: it has rows of Φ.
+    Joint(JointKind),
+    /// A mass or a load: it has no rows.
+    Load(LoadKind),
+}
+
+impl StatementKind {
+    /// True for a mass or a load.
+    pub const fn is_load(self) -> bool {
+        matches!(self, Self::Load(_))
+    }
+
+    /// The keyword of the language.
+    pub const fn keyword(self) -> &'static str {
+        match self {
+            Self::Joint(kind) => kind.keyword(),
+            Self::Load(kind) => kind.keyword(),
+        }
+    }
+}
+
 /// What a piece of geometry is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]

@@ -3,7 +3,7 @@
 //! What could not be parsed is a hole ([`ExprKind::Hole`], [`PointExpr::Hole`]): its error is already reported,
 //! and the rest of its row is still read for mistakes.
 
-use kin_core::mechanism::{Function, JointForm, Relation};
+use kin_core::mechanism::{Function, StatementForm, Relation};
 use proc_macro2::Span;
 use syn::ext::IdentExt;
 use syn::{Ident, LitStr, Type};
@@ -168,7 +168,7 @@ pub(crate) struct Row {
     pub(crate) keyword: Ident,
     pub(crate) name: NewName,
     /// How its kind is written.
-    pub(crate) form: &'static JointForm,
+    pub(crate) form: &'static StatementForm,
     /// What stands in the slots of its form.
     pub(crate) operands: Vec<OperandExpr>,
 }
@@ -179,6 +179,10 @@ pub(crate) enum OperandExpr {
     Point(PointExpr),
     Points(Vec<PointExpr>),
     Body(BodyExpr),
+    /// One body, or two.
+    Bodies(Vec<BodyExpr>),
+    /// A vector.
+    Vector(AxisExpr),
     /// A scalar coordinate; `None` could not be read, which is reported.
     Scalar(Option<NameUse>),
     Axis(AxisExpr),
@@ -208,12 +212,19 @@ pub(crate) struct PathExpr {
     pub(crate) roller: Option<Expr>,
 }
 
-/// `(vx, vy)`.
+/// `(vx, vy)`, an axis or a vector.
 #[derive(Debug)]
 pub(crate) struct AxisExpr {
     pub(crate) x: Expr,
     pub(crate) y: Expr,
     pub(crate) span: Span,
+}
+
+impl AxisExpr {
+    /// What stands for a pair that could not be read.
+    pub(crate) const fn hole(span: Span) -> Self {
+        Self { x: Expr::hole(span), y: Expr::hole(span), span }
+    }
 }
 
 /// `(ra, rb)`.

@@ -137,7 +137,8 @@ impl<'a> Mentions<'a> {
                 Operand::Body(body) => self.pose(*body, Component::Phi, i),
                 // An axis and radii are formulas of parameters.
                 Operand::Axis(_) | Operand::Radii(_) => {}
-                Operand::Scalar(_) | Operand::Value(_) | Operand::Curve(_) => {
+                Operand::Bodies(bodies) => bodies.iter().for_each(|body| self.pose(*body, Component::Phi, i)),
+                Operand::Scalar(_) | Operand::Vector(_) | Operand::Value(_) | Operand::Curve(_) => {
                     operand.formulas().into_iter().for_each(|formula| self.formula(formula, i));
                     operand.scalar().iter().for_each(|member| self.scalar(member, i));
                 }

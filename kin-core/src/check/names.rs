@@ -1,7 +1,7 @@
 //! Rules on names.
 
 use crate::error::{ModelError, Origin};
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Load, Mechanism};
 use std::collections::BTreeMap;
 
 /// The words that the language keeps for itself.
@@ -73,9 +73,11 @@ pub(super) fn names_are_free(mechanism: &Mechanism, errors: &mut Vec<ModelError>
     }
 }
 
-/// Two rows with one name; a condition counts as a row.
+/// Two rows with one name; conditions, masses and loads that have a name count as rows.
 pub(super) fn row_names_differ(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
-    let joints = mechanism.joints.iter().map(|joint| (joint.name.as_str(), joint.operands.keyword(), joint.origin));
+    let named = |load: &&Load| load.operands.form().named || load.name != load.operands.keyword();
+    let statements = mechanism.joints.iter().chain(mechanism.loads.iter().filter(named));
+    let joints = statements.map(|joint| (joint.name.as_str(), joint.operands.keyword(), joint.origin));
     let conditions = mechanism.conditions.iter().map(|c| (c.name.as_str(), "unilateral", c.origin));
     let mut rows: Vec<_> = joints.chain(conditions).collect();
     rows.sort_by_key(|(_, _, origin)| *origin);

@@ -45,7 +45,7 @@ pub(super) fn scopes(mechanism: &Mechanism) -> Vec<Scope<'_>> {
     let bodies = mechanism.bodies.iter().map(Scope::of_body);
     let points = mechanism.points.iter().map(|point| Scope::new(point.range).place(&point.place));
     let defines = mechanism.defines.iter().map(|define| Scope::new(define.range).formula(&define.formula));
-    let joints = mechanism.joints.iter().map(Scope::of_joint);
+    let joints = mechanism.joints.iter().chain(&mechanism.loads).map(Scope::of_joint);
     let guesses = mechanism.guesses.iter().map(|guess| {
         let scope = Scope::new(guess.range).formula(&guess.value);
         match guess.target {

@@ -16,6 +16,8 @@ pub(crate) struct Assembly<'m> {
     pub(crate) first_body: Vec<usize>,
     /// The poses of all bodies, as far as known.
     pub(crate) poses: Vec<Pose>,
+    /// The pose of the ground.
+    pub(crate) ground: [ExprId; 3],
     pub(crate) coordinates_of: Vec<[Option<u32>; 3]>,
     pub(crate) first_scalar: Vec<u32>,
     pub(crate) first_parameter: Vec<u32>,

@@ -73,9 +73,12 @@ impl<'m> Assembly<'m> {
             }
         }
         let poses = vec![Pose::Unknown; coordinates_of.len()];
+        let mut graph = Graph::new();
+        let ground = [graph.zero(); 3];
         Self {
             mechanism,
-            graph: Graph::new(),
+            graph,
+            ground,
             first_body,
             poses,
             coordinates_of,

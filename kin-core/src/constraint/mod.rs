@@ -17,7 +17,7 @@ mod variables;
 
 pub(crate) use assembly::Assembly;
 pub(crate) use layout::indexed;
-pub(crate) use pose::{PlacedAxis, PlacedPoint};
+pub(crate) use pose::{PlacedAxis, PlacedPoint, Pose};
 pub(crate) use rows::Rows;
 pub use set::{
     BodyInstance, ConditionInstance, ConstraintRow, ConstraintSet, Coordinate, CoordinateKind, CurveInstance,

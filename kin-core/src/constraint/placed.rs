@@ -42,7 +42,7 @@ impl<'m> Assembly<'m> {
     fn pose_in(&mut self, frame: Frame) -> [ExprId; 3] {
         match frame {
             Frame::Body(place) => self.pose_of(place),
-            Frame::Ground => [self.graph.zero(); 3],
+            Frame::Ground => self.ground,
         }
     }
 

@@ -288,6 +288,7 @@ impl Names for ConstraintSet {
             Symbol::Input(k, order) => name(&self.inputs, k) + crate::expr::suffix(order),
             Symbol::Coordinate(k) => self.coordinate_name(k).to_owned(),
             Symbol::Rate(k) => format!("{}_dot", self.coordinate_name(k)),
+            Symbol::Acceleration(k) => format!("{}_ddot", self.coordinate_name(k)),
             Symbol::Start(k) => format!("{}_start", self.coordinate_name(k)),
             Symbol::Unknown(k) => self.coordinate_name(k).to_owned(),
             other => other.of_plan(),

@@ -170,6 +170,7 @@ pub(super) fn rate_of_given(graph: &mut Graph, symbol: Symbol) -> ExprId {
         Symbol::Input(k, order) => graph.symbol(Symbol::Input(k, order + 1)),
         Symbol::Coordinate(_)
         | Symbol::Rate(_)
+        | Symbol::Acceleration(_)
         | Symbol::Parameter(_)
         | Symbol::Mode(_)
         | Symbol::Start(_)

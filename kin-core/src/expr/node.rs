@@ -31,6 +31,8 @@ pub enum Symbol {
     Coordinate(u32),
     /// Its rate q̇_k.
     Rate(u32),
+    /// Its acceleration q̈_k, where forces are asked for.
+    Acceleration(u32),
     /// The sign, ±1, of an assembly mode. This and the following stand in the programs of a solution plan only.
     Mode(u32),
     /// q_k where a solution begins: what angles are counted from, and where an iteration starts.
@@ -60,6 +62,7 @@ impl Symbol {
             | Self::Input(k, _)
             | Self::Coordinate(k)
             | Self::Rate(k)
+            | Self::Acceleration(k)
             | Self::Mode(k)
             | Self::Start(k)
             | Self::Unknown(k)
@@ -76,6 +79,7 @@ impl Symbol {
             Self::Input(_, order) => Self::Input(k, order),
             Self::Coordinate(_) => Self::Coordinate(k),
             Self::Rate(_) => Self::Rate(k),
+            Self::Acceleration(_) => Self::Acceleration(k),
             Self::Mode(_) => Self::Mode(k),
             Self::Start(_) => Self::Start(k),
             Self::Unknown(_) => Self::Unknown(k),
@@ -99,6 +103,7 @@ impl Symbol {
             Self::Held(_) => (8, 0),
             Self::Right(_) => (9, 0),
             Self::Coarseness => (10, 0),
+            Self::Acceleration(_) => (11, 0),
         };
         mixed(of, u64::from(self.index()) << 16 | u64::from(order) << 8 | kind)
     }
@@ -317,7 +322,7 @@ impl Depends {
             Symbol::Time => Self::TIME,
             Symbol::Input(..) => Self::INPUT,
             Symbol::Coordinate(_) => Self::COORDINATE,
-            Symbol::Rate(_) => Self::RATE,
+            Symbol::Rate(_) | Symbol::Acceleration(_) => Self::RATE,
             Symbol::Mode(_)
             | Symbol::Start(_)
             | Symbol::Unknown(_)

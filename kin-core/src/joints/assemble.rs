@@ -1,12 +1,13 @@
 //! Assembly: walks the mechanism and asks every joint for its rows.
 
-use super::kinds::kind_of;
+use super::kinds::rows_of;
 use crate::constraint::{
     Assembly, ConstraintRow, ConstraintSet, CurveInstance, Family, Geometry, JointInstance, ObservableKind, Quantity,
     RowMeaning, Rows, indexed,
 };
 use crate::error::ModelError;
 use crate::mechanism::{Joint, Mechanism, Operands, contains_signal};
+use crate::vocabulary::StatementKind;
 use core::ops::Range;
 
 /// Assembles Φ and everything that is reported.
@@ -36,7 +37,7 @@ fn joints(a: &mut Assembly<'_>, set: &mut ConstraintSet) {
             a.index = index;
             let name = indexed(&joint.name, shown.is_some(), index);
             a.member = shown.map(|_| name.clone());
-            let rows = kind_of(&joint.operands).map_or_else(Rows::default, |kind| (kind.rows)(a, &joint.operands));
+            let rows = rows_of(a, &joint.operands);
             write(a, set, joint, (family, index), name, rows);
         }
         a.member = None;
@@ -48,6 +49,7 @@ fn joints(a: &mut Assembly<'_>, set: &mut ConstraintSet) {
 }
 
 fn write(a: &mut Assembly<'_>, set: &mut ConstraintSet, joint: &Joint, family: (usize, i64), name: String, rows: Rows) {
+    let StatementKind::Joint(kind) = joint.operands.kind() else { return };
     let place = set.joints.len();
     let geometry = rows
         .geometry
@@ -85,7 +87,7 @@ fn write(a: &mut Assembly<'_>, set: &mut ConstraintSet, joint: &Joint, family: (
         name,
         origin: joint.keyword,
         family,
-        kind: joint.operands.kind(),
+        kind,
         frames: rows.frames,
         first_row,
         rows: count,

@@ -8,7 +8,7 @@
 //! the row of a [`gear`](super::gear) with the second radius reversed.
 
 use super::gear::{carrier_is_a_third_body, coupled, coupled_angles};
-use super::joint::{JointType, joint};
+use super::joint::{JointType, Reaction, joint};
 use crate::constraint::{Assembly, Rows};
 use crate::error::ModelError;
 use crate::mechanism::{BodyRef, Dimension, Formula, Joint, Mechanism, Radii, Slot, Takes};
@@ -32,6 +32,8 @@ joint! {
 }
 
 impl JointType for Belt {
+    const REACTION: Reaction = Reaction::Couples;
+
     fn rows(&self, a: &mut Assembly<'_>) -> Rows {
         coupled(a, [&self.a, &self.b, &self.carrier], &self.radii, &self.offset, |a, [first, second]| {
             a.graph.sub(first, second)

@@ -8,7 +8,7 @@
 //! the same solutions for f > 0. After Haug (1989), section 3.5.
 
 use super::distance;
-use super::joint::{JointType, joint};
+use super::joint::{JointType, Reaction, joint};
 use crate::constraint::{Assembly, Rows};
 use crate::mechanism::{Formula, Slot, Takes, Value};
 
@@ -24,6 +24,8 @@ joint! {
 }
 
 impl JointType for Driver {
+    const REACTION: Reaction = Reaction::Generalized;
+
     fn rows(&self, a: &mut Assembly<'_>) -> Rows {
         if let Formula::Distance(p, q) = &self.left {
             let (p, q) = (a.place(p), a.place(q));

@@ -5,7 +5,7 @@
 //! left − right = 0
 //! ```
 
-use super::joint::{JointType, joint};
+use super::joint::{JointType, Reaction, joint};
 use crate::constraint::{Assembly, Rows};
 use crate::mechanism::{Formula, Slot, Takes};
 
@@ -21,6 +21,8 @@ joint! {
 }
 
 impl JointType for Constraint {
+    const REACTION: Reaction = Reaction::Generalized;
+
     fn rows(&self, a: &mut Assembly<'_>) -> Rows {
         Rows::equation(a, &self.left, &self.right)
     }

@@ -9,7 +9,7 @@
 //! the axles: revolute joints on the carrier put them where they belong. Never singular while a radius is not 0; with
 //! R_a + R_b = 0 the carrier drops out. After Haug (1989), section 3.3; relative to the carrier it is Willis' equation.
 
-use super::joint::{JointType, joint};
+use super::joint::{JointType, Reaction, joint};
 use crate::constraint::{Assembly, Frame, RowMeaning, Rows};
 use crate::error::{ModelError, Origin};
 use crate::expr::ExprId;
@@ -35,6 +35,8 @@ joint! {
 }
 
 impl JointType for Gear {
+    const REACTION: Reaction = Reaction::Couples;
+
     fn rows(&self, a: &mut Assembly<'_>) -> Rows {
         coupled(a, [&self.a, &self.b, &self.carrier], &self.radii, &self.offset, |a, [first, second]| {
             a.graph.add(first, second)

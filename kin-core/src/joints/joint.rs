@@ -2,20 +2,27 @@
 
 use crate::constraint::{Assembly, Rows};
 use crate::error::ModelError;
-use crate::mechanism::{Joint, JointForm, Mechanism, Operands};
+use crate::mechanism::{Joint, Mechanism, Operands, StatementForm, TypedOperands};
 use crate::vectors::{Equation, NamedJoint};
 
-/// The operands of a kind of joint, as a type; the macro `joint` writes it.
-pub trait JointOperands: Sized + Into<Operands> {
-    /// How it is written.
-    const FORM: &'static JointForm;
-
-    /// The typed operands of a joint of this kind; none for a joint of another kind.
-    fn of(operands: &Operands) -> Option<Self>;
+/// What the rows of a joint exert on its bodies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Reaction {
+    /// A force at the joint's point and a couple, on the body of the second operand, and the opposite on the first.
+    OnSecond,
+    /// Couples alone, on every body that the rows turn.
+    Couples,
+    /// Both: a force on the body of the second operand, and couples on all others.
+    OnSecondAndCouples,
+    /// What is conjugate to the rows, which are the user's own.
+    Generalized,
 }
 
 /// A kind of joint.
-pub(super) trait JointType: JointOperands {
+pub(super) trait JointType: TypedOperands {
+    /// What its rows exert.
+    const REACTION: Reaction = Reaction::OnSecond;
+
     /// Its rows.
     fn rows(&self, a: &mut Assembly<'_>) -> Rows;
 
@@ -30,7 +37,8 @@ pub(super) trait JointType: JointOperands {
 
 /// A kind of joint as an entry of the table of all kinds.
 pub(super) struct Kind {
-    pub(super) form: &'static JointForm,
+    pub(super) form: &'static StatementForm,
+    pub(super) reaction: Reaction,
     pub(super) rows: fn(&mut Assembly<'_>, &Operands) -> Rows,
     pub(super) check: fn(&Joint, &Mechanism, &mut Vec<ModelError>),
     pub(super) vector_equations: fn(&NamedJoint<'_>) -> Vec<Equation>,
@@ -40,6 +48,7 @@ impl Kind {
     pub(super) const fn of<J: JointType>() -> Self {
         Self {
             form: J::FORM,
+            reaction: J::REACTION,
             rows: |a, operands| J::of(operands).map_or_else(Rows::default, |joint| joint.rows(a)),
             check: |joint, mechanism, errors| {
                 if let Some(typed) = J::of(&joint.operands) {
@@ -55,37 +64,16 @@ impl Kind {
 macro_rules! joint {
     (
         $(#[$meta:meta])*
-        $name:ident $(as $kind:ident)? { $($(#[$field_meta:meta])* $field:ident: $type:ty = $slot:expr,)* }
+        $name:ident $(as $kind:ident)? { $($fields:tt)* }
         example: $example:expr $(, choice: $choice:expr)?
     ) => {
-        $(#[$meta])*
-        #[derive(Clone, Debug, PartialEq)]
-        pub struct $name {
-            $($(#[$field_meta])* pub $field: $type,)*
-        }
-
-        impl $crate::joints::JointOperands for $name {
-            const FORM: &'static $crate::mechanism::JointForm = &$crate::mechanism::JointForm {
-                kind: joint!(@kind $name $($kind)?),
-                slots: &[$($slot),*],
-                example: $example,
-                choice: joint!(@choice $($choice)?),
-            };
-
-            fn of(operands: &$crate::mechanism::Operands) -> Option<Self> {
-                if operands.form() != Self::FORM {
-                    return None;
-                }
-                let mut places = 0..;
-                Some(Self { $($field: operands.get(places.next()?)?,)* })
-            }
-        }
-
-        impl From<$name> for $crate::mechanism::Operands {
-            fn from(joint: $name) -> Self {
-                let values = vec![$($crate::mechanism::OperandValue::into_operand(joint.$field)),*];
-                Self::of_fields(<$name as $crate::joints::JointOperands>::FORM, values)
-            }
+        $crate::mechanism::operands! {
+            $(#[$meta])*
+            $name { $($fields)* }
+            kind: $crate::vocabulary::StatementKind::Joint(joint!(@kind $name $($kind)?)),
+            named: true,
+            example: $example,
+            choice: joint!(@choice $($choice)?)
         }
     };
     (@kind $name:ident) => { $crate::vocabulary::JointKind::$name };

@@ -1,14 +1,16 @@
 //! The table of all kinds of joints.
 
-use super::joint::Kind;
+use super::joint::{Kind, Reaction};
 use super::{
     Angle, Belt, Constraint, Distance, Driver, Fixed, FlatFollower, Gear, KnifeEdge, Nonholonomic, OnCurve,
     PointOnLine, RackPinion, RelativeAngle, Revolute, RollingOnDisc, RollingOnLine, Rope, Screw, Speed, Translational,
     X, Y,
 };
+use crate::constraint::{Assembly, Rows};
 use crate::error::ModelError;
-use crate::mechanism::{Joint, JointForm, Mechanism, Operands};
+use crate::mechanism::{Joint, StatementForm, Mechanism, Operands};
 use crate::vectors::{Equation, NamedJoint};
+use crate::vocabulary::StatementKind;
 
 /// Every kind of joint, in the order of the guide. A new kind is a file of its own, its word in the
 /// [vocabulary](crate::vocabulary), and a row here.
@@ -39,13 +41,23 @@ const KINDS: &[Kind] = &[
 ];
 
 /// How every kind of joint is written, in the order of the guide; kinds that share a keyword stand side by side.
-pub fn forms() -> impl Iterator<Item = &'static JointForm> {
+pub fn forms() -> impl Iterator<Item = &'static StatementForm> {
     KINDS.iter().map(|kind| kind.form)
 }
 
 /// The kind of a joint.
-pub(super) fn kind_of(operands: &Operands) -> Option<&'static Kind> {
+fn kind_of(operands: &Operands) -> Option<&'static Kind> {
     KINDS.iter().find(|kind| kind.form == operands.form())
+}
+
+/// The rows of a joint; none for what is no joint.
+pub(crate) fn rows_of(a: &mut Assembly<'_>, operands: &Operands) -> Rows {
+    kind_of(operands).map_or_else(Rows::default, |kind| (kind.rows)(a, operands))
+}
+
+/// What the rows of a joint exert.
+pub(crate) fn reaction_of(operands: &Operands) -> Reaction {
+    kind_of(operands).map_or(Reaction::Generalized, |kind| kind.reaction)
 }
 
 /// The rules that only the joint's kind has.
@@ -57,7 +69,7 @@ pub(crate) fn check(joint: &Joint, mechanism: &Mechanism, errors: &mut Vec<Model
 
 /// The equations of a joint's rows in vectors; none where the rows are the user's own formulas.
 pub(crate) fn vector_equations(joint: &NamedJoint<'_>) -> Vec<Equation> {
-    let same = |kind: &&Kind| kind.form.kind == joint.kind;
+    let same = |kind: &&Kind| kind.form.kind == StatementKind::Joint(joint.kind);
     // The forms of a curve are one kind of joint.
     let written_alike = |kind: &&Kind| kind.form.kind.keyword() == joint.kind.keyword();
     let kind = KINDS.iter().find(same).or_else(|| KINDS.iter().find(written_alike));

@@ -8,7 +8,7 @@
 //! integrated: which positions can be reached is not determined by it. After Haug (1989), section 3.5.3, and Nikravesh
 //! (1988), section 1.3.
 
-use super::joint::{JointType, joint};
+use super::joint::{JointType, Reaction, joint};
 use crate::constraint::{Assembly, PlacedPoint, Rows, VelocityRow};
 use crate::expr::ExprId;
 use crate::mechanism::{Formula, Place, Slot, Takes};
@@ -26,6 +26,8 @@ joint! {
 }
 
 impl JointType for Nonholonomic {
+    const REACTION: Reaction = Reaction::Generalized;
+
     fn rows(&self, a: &mut Assembly<'_>) -> Rows {
         let velocity = velocity_row(a, |a| {
             let (left, right) = (a.formula(&self.left), a.formula(&self.right));

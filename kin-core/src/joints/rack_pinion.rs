@@ -9,7 +9,7 @@
 //! its guide, and a revolute joint the pinion on its axle. Never singular while R is not 0. Reports the stroke
 //! u·(r_Q − r_P). After Haug (1989), section 3.3.
 
-use super::joint::{JointType, joint};
+use super::joint::{JointType, Reaction, joint};
 use super::translational::along;
 use crate::constraint::{Assembly, Frame, RowMeaning, Rows};
 use crate::error::ModelError;
@@ -38,6 +38,8 @@ joint! {
 }
 
 impl JointType for RackPinion {
+    const REACTION: Reaction = Reaction::OnSecondAndCouples;
+
     fn rows(&self, a: &mut Assembly<'_>) -> Rows {
         let wheel = a.frame(&self.pinion).unwrap_or(Frame::Ground);
         let radius = a.radius(&self.radius);

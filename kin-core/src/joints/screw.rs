@@ -10,7 +10,7 @@
 //! joint or a held origin keeps b in its place. It is the row of a [rack](super::RackPinion) with the radius p/(2π).
 //! Reports the stroke u·(r_Q − r_P).
 
-use super::joint::{JointType, joint};
+use super::joint::{JointType, Reaction, joint};
 use super::rack_pinion::{guide_does_not_turn, stroke_by_angle};
 use crate::constraint::{Assembly, Rows};
 use crate::error::ModelError;
@@ -36,6 +36,8 @@ joint! {
 }
 
 impl JointType for Screw {
+    const REACTION: Reaction = Reaction::OnSecondAndCouples;
+
     fn rows(&self, a: &mut Assembly<'_>) -> Rows {
         let (lead, turns) = (a.formula(&self.lead), a.graph.number(0.5 * core::f64::consts::FRAC_1_PI));
         let by_radian = a.graph.mul(lead, turns);

@@ -41,7 +41,7 @@ impl fmt::Display for Mechanism {
         for define in &self.defines {
             writeln!(f, "  define {} = {}", define.name, self.text(&define.formula))?;
         }
-        for joint in &self.joints {
+        for joint in self.joints.iter().chain(&self.loads) {
             writeln!(f, "  {}", self.joint(joint))?;
         }
         for condition in &self.conditions {
@@ -112,6 +112,8 @@ impl Mechanism {
             Operand::Points(places) => places.iter().map(|place| self.place(place)).collect::<Vec<_>>().join(", "),
             Operand::Body(body) => self.body(body),
             Operand::Scalar(member) => self.member(self.scalars.get(member.family).map(|s| &s.name), member),
+            Operand::Bodies(bodies) => bodies.iter().map(|body| self.body(body)).collect::<Vec<_>>().join(", "),
+            Operand::Vector(vector) => format!("({}, {})", self.text(&vector.x), self.text(&vector.y)),
             Operand::Axis(axis) => format!("({}, {})", self.text(&axis.x), self.text(&axis.y)),
             Operand::Value(value) => self.text(&value.value),
             Operand::Radii(radii) => format!("({}, {})", self.text(&radii.i.value), self.text(&radii.j.value)),

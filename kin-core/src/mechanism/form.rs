@@ -1,24 +1,27 @@
-//! How a joint is written: its keyword, and the operands that it takes, slot by slot.
+//! How a joint, a mass or a load is written: its keyword, and the operands that it takes, slot by slot.
 //!
-//! Everything that reads, checks, prints or measures a joint goes through its slots, so that none of it knows the kinds.
+//! Everything that reads, checks, prints or measures such a statement goes through its slots, so that none of it knows
+//! the kinds.
 
 use super::Component;
-use crate::vocabulary::JointKind;
+use crate::vocabulary::StatementKind;
 
-/// How a joint of one kind is written.
+/// How a statement of one kind is written.
 #[derive(Debug, PartialEq)]
-pub struct JointForm {
+pub struct StatementForm {
     /// The kind; of a joint with a curve its kind depends on how the curve is written, too.
-    pub kind: JointKind,
+    pub kind: StatementKind,
+    /// It begins with a name and a colon; otherwise it may.
+    pub named: bool,
     /// What it takes, in the order in which it is written: operands, then the right-hand side, then options.
     pub slots: &'static [Slot],
-    /// A joint of the kind as the user writes it.
+    /// A statement of the kind as the user writes it.
     pub example: &'static str,
     /// What to say where kinds share a keyword and nothing tells which of them is meant; otherwise empty.
     pub choice: &'static str,
 }
 
-impl JointForm {
+impl StatementForm {
     /// The slots that are written in one way.
     pub fn written(&self, written: Written) -> impl Iterator<Item = &'static Slot> + use<> {
         self.slots.iter().filter(move |slot| slot.written == written)
@@ -50,6 +53,12 @@ pub enum Takes {
     Points,
     /// A body.
     Body,
+    /// One body, or two.
+    Bodies,
+    /// `(fx, fy)`, two formulas of anything, which may hold `dot(…)`.
+    Vector,
+    /// A formula of parameters.
+    Constant,
     /// A body; the ground where none is given.
     Carrier,
     /// The name of a scalar coordinate, and what to say where it is none.
@@ -81,6 +90,8 @@ pub enum Dimension {
     Angle,
     /// A length by a time.
     Speed,
+    /// A product of powers of mass, length and time, in this order.
+    Derived([i8; 3]),
     /// Whatever all slots of this dimension agree on.
     Common,
     /// As [`Common`](Self::Common), and a length unless it is a plain number: radii, for which numbers of teeth do as
@@ -159,6 +170,11 @@ impl Slot {
         Self::new(letter, Written::Operand, Takes::Body)
     }
 
+    /// An operand of another kind.
+    pub const fn operand(letter: &'static str, takes: Takes) -> Self {
+        Self::new(letter, Written::Operand, takes)
+    }
+
     /// The left side of an equation.
     pub const fn left(takes: Takes) -> Self {
         Self { dimension: Dimension::Common, ..Self::new("left", Written::Operand, takes) }
@@ -187,6 +203,11 @@ impl Slot {
     /// An option measured in something else than a length.
     pub const fn measured_in(self, dimension: Dimension) -> Self {
         Self { dimension, ..self }
+    }
+
+    /// An option that is something else.
+    pub const fn taking(self, takes: Takes) -> Self {
+        Self { takes, ..self }
     }
 
     /// An option that only the last row holds.

@@ -1,4 +1,4 @@
-//! Joints, drivers and free equations: what contributes rows to Φ; and guesses.
+//! Joints, drivers and free equations, which contribute rows to Φ; masses and loads, which do not; and guesses.
 
 use super::{BodyRef, Component, Formula, Member, Operands, Range};
 use crate::error::Origin;
@@ -17,6 +17,9 @@ pub struct Joint {
     /// The name's token.
     pub origin: Origin,
 }
+
+/// A mass or a load, or a family of them; without a name of its own it has that of its keyword.
+pub type Load = Joint;
 
 /// What a guess sets.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -12,16 +12,19 @@ mod formula;
 mod joint;
 mod operand;
 mod reference;
+mod typed;
 mod walk;
 
 pub use body::{Body, BodyOrigin, Define, Input, NamedPoint, Parameter, Range, Scalar, Source, SuppliedFunction};
 pub use condition::{Condition, Relation};
 pub use curve::Curve;
-pub use form::{Dimension, JointForm, Sees, Slot, Takes, Written};
+pub use form::{Dimension, StatementForm, Sees, Slot, Takes, Written};
 pub use formula::{Formula, Function, Place};
-pub use joint::{Guess, GuessTarget, Joint};
-pub use operand::{Axis, Operand, OperandValue, Operands, Radii, Value};
+pub use joint::{Guess, GuessTarget, Joint, Load};
+pub use operand::{Axis, Operand, OperandValue, Operands, Radii, Value, Vector};
 pub use reference::{BodyRef, Component, CurveVariable, Index, Member};
+pub use typed::TypedOperands;
+pub(crate) use typed::operands;
 pub(crate) use walk::{contains_signal, defines_in, nodes};
 
 use crate::error::Origin;
@@ -49,6 +52,8 @@ pub struct Mechanism {
     pub defines: Vec<Define>,
     /// Joints, drivers and equations in order of declaration; their rows stand in this order in Φ.
     pub joints: Vec<Joint>,
+    /// Masses and loads in order of declaration; they have no rows.
+    pub loads: Vec<Load>,
     /// Unilateral conditions in order of declaration; they are no rows of Φ.
     pub conditions: Vec<Condition>,
     /// Start of assembly.

@@ -1,9 +1,9 @@
-//! The operands of a joint: what stands in its slots.
+//! The operands of a joint, a mass or a load: what stands in its slots.
 
-use super::form::{JointForm, Slot, Takes, Written};
+use super::form::{StatementForm, Slot, Takes, Written};
 use super::{BodyRef, Curve, Formula, Member, Place};
 use crate::error::Origin;
-use crate::vocabulary::JointKind;
+use crate::vocabulary::{JointKind, StatementKind};
 
 /// An axis direction in the frame of the first operand's body (a flat follower's: of the second); kin normalises it.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +36,17 @@ pub struct Radii {
     pub origin: Origin,
 }
 
+/// Two components in the inertial frame, or in that of a body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Vector {
+    /// First component.
+    pub x: Formula,
+    /// Second component.
+    pub y: Formula,
+    /// The tokens of the pair.
+    pub origin: Origin,
+}
+
 /// What stands in a slot.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Operand {
@@ -45,6 +56,10 @@ pub enum Operand {
     Points(Vec<Place>),
     /// A body.
     Body(BodyRef),
+    /// One body, or two.
+    Bodies(Vec<BodyRef>),
+    /// A vector.
+    Vector(Vector),
     /// A scalar coordinate.
     Scalar(Member),
     /// An axis.
@@ -63,7 +78,8 @@ impl Operand {
         match self {
             Self::Point(place) => vec![&place.x, &place.y],
             Self::Points(places) => places.iter().flat_map(|place| [&place.x, &place.y]).collect(),
-            Self::Body(_) | Self::Scalar(_) => Vec::new(),
+            Self::Body(_) | Self::Bodies(_) | Self::Scalar(_) => Vec::new(),
+            Self::Vector(vector) => vec![&vector.x, &vector.y],
             Self::Axis(axis) => vec![&axis.x, &axis.y],
             Self::Value(value) => vec![&value.value],
             Self::Radii(radii) => vec![&radii.i.value, &radii.j.value],
@@ -77,7 +93,8 @@ impl Operand {
             Self::Point(place) => vec![place.body],
             Self::Points(places) => places.iter().map(|place| place.body).collect(),
             Self::Body(body) => vec![*body],
-            Self::Scalar(_) | Self::Axis(_) | Self::Value(_) | Self::Radii(_) | Self::Curve(_) => Vec::new(),
+            Self::Bodies(bodies) => bodies.clone(),
+            Self::Scalar(_) | Self::Vector(_) | Self::Axis(_) | Self::Value(_) | Self::Radii(_) | Self::Curve(_) => Vec::new(),
         }
     }
 
@@ -95,11 +112,13 @@ impl Operand {
             Takes::Point => matches!(self, Self::Point(_)),
             Takes::Points => matches!(self, Self::Points(_)),
             Takes::Body | Takes::Carrier => matches!(self, Self::Body(_)),
+            Takes::Bodies => matches!(self, Self::Bodies(_)),
+            Takes::Vector => matches!(self, Self::Vector(_)),
             Takes::Scalar(_) => matches!(self, Self::Scalar(_)),
             Takes::Axis => matches!(self, Self::Axis(_)),
             Takes::Radii => matches!(self, Self::Radii(_)),
             Takes::Curve => matches!(self, Self::Curve(_)),
-            Takes::Radius | Takes::Signal | Takes::Side | Takes::SideOfRates | Takes::Support => {
+            Takes::Constant | Takes::Radius | Takes::Signal | Takes::Side | Takes::SideOfRates | Takes::Support => {
                 matches!(self, Self::Value(_))
             }
         }
@@ -130,7 +149,7 @@ macro_rules! operand_values {
 }
 
 operand_values!(
-    Point: Place, Points: Vec<Place>, Body: BodyRef, Scalar: Member, Axis: Axis, Value: Value, Radii: Radii, Curve: Curve
+    Point: Place, Points: Vec<Place>, Body: BodyRef, Bodies: Vec<BodyRef>, Vector: Vector, Scalar: Member, Axis: Axis, Value: Value, Radii: Radii, Curve: Curve
 );
 
 /// A formula of which nobody needs to know where it stands.
@@ -144,44 +163,39 @@ impl OperandValue for Formula {
     }
 }
 
-/// The operands of a joint, one for every slot of its form.
+/// The operands of a statement, one for every slot of its form.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Operands {
-    form: &'static JointForm,
+    form: &'static StatementForm,
     values: Vec<Operand>,
 }
 
 impl Operands {
     /// Operands for a form; none where they are too many, too few, or not what the slots take.
-    pub fn new(form: &'static JointForm, values: Vec<Operand>) -> Option<Self> {
+    pub fn new(form: &'static StatementForm, values: Vec<Operand>) -> Option<Self> {
         let fit = form.slots.iter().zip(&values).all(|(slot, value)| value.fits(slot));
         (fit && form.slots.len() == values.len()).then_some(Self { form, values })
     }
 
     /// Operands out of the fields of a typed joint, which have the types that the slots of its form take.
-    pub(crate) fn of_fields(form: &'static JointForm, values: Vec<Operand>) -> Self {
+    pub(crate) fn of_fields(form: &'static StatementForm, values: Vec<Operand>) -> Self {
         debug_assert!(form.slots.iter().zip(&values).all(|(slot, value)| value.fits(slot)), "{form:?}: {values:?}");
         Self { form, values }
     }
 
     /// How the joint is written.
-    pub const fn form(&self) -> &'static JointForm {
+    pub const fn form(&self) -> &'static StatementForm {
         self.form
     }
 
-    /// The kind of the joint.
-    pub fn kind(&self) -> JointKind {
-        self.values
-            .iter()
-            .find_map(|value| match value {
-                Operand::Curve(curve) => Some(match curve {
-                    Curve::Polar { .. } => JointKind::OnPolarCurve,
-                    Curve::Implicit { .. } => JointKind::OnImplicitCurve,
-                    Curve::Parametric { .. } => JointKind::OnParametricCurve,
-                }),
-                _ => None,
-            })
-            .unwrap_or(self.form.kind)
+    /// The kind of statement.
+    pub fn kind(&self) -> StatementKind {
+        let of_curve = |curve: &Curve| match curve {
+            Curve::Polar { .. } => JointKind::OnPolarCurve,
+            Curve::Implicit { .. } => JointKind::OnImplicitCurve,
+            Curve::Parametric { .. } => JointKind::OnParametricCurve,
+        };
+        self.curve().map_or(self.form.kind, |curve| StatementKind::Joint(of_curve(curve)))
     }
 
     /// The keyword of the user's language.

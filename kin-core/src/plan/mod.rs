@@ -41,11 +41,14 @@ mod tree;
 mod watch;
 
 pub use formulas::{Formulas, Line};
+pub(crate) use probe::Probe;
+pub(crate) use rewrite::{Substitution, rewrite};
 pub use run::{Solution, closures, resolve, run};
 pub use sections::Section;
 pub use step::{Kind, Mode, Step};
 pub use watch::TOLERANCE;
 
+use crate::expr::{ExprId, Graph};
 use crate::program::{Program, Slot, lower};
 use crate::system::KinematicSystem;
 use build::Build;
@@ -94,6 +97,15 @@ pub struct SolutionPlan {
     pub formulas: Vec<Formulas>,
 }
 
+/// The linear level of a plan as expressions.
+#[derive(Clone, Debug)]
+pub struct Linear {
+    /// Their graph, which begins with that of the system.
+    pub graph: Graph,
+    /// x of Φ_q x = b, where b are the symbols [`Right`](crate::expr::Symbol::Right).
+    pub solution: Vec<ExprId>,
+}
+
 /// The plan of a mechanism whose rows determine its coordinates; for others, why there is none.
 pub fn plan(system: &KinematicSystem) -> SolutionPlan {
     plan_of_rank(system, system.set.coordinates.len())
@@ -102,19 +114,23 @@ pub fn plan(system: &KinematicSystem) -> SolutionPlan {
 /// [`plan`] where the generic rank of Φ_q is known: rows of less rank than coordinates say something twice and leave
 /// something open at every configuration, however many there are.
 pub fn plan_of_rank(system: &KinematicSystem, rank: usize) -> SolutionPlan {
-    or_why(planned(system, rank, false))
+    plan_and_linear(system, rank, false).0
 }
 
 /// [`plan_of_rank`] with its [`formulas`](SolutionPlan::formulas).
 pub fn plan_with_formulas(system: &KinematicSystem, rank: usize) -> SolutionPlan {
-    or_why(planned(system, rank, true))
+    plan_and_linear(system, rank, true).0
 }
 
-fn or_why(plan: Result<SolutionPlan, String>) -> SolutionPlan {
-    plan.unwrap_or_else(|why| SolutionPlan { absent: Some(why), ..SolutionPlan::default() })
+/// [`plan_of_rank`] with its linear level, and where they are wanted its [`formulas`](SolutionPlan::formulas).
+pub fn plan_and_linear(system: &KinematicSystem, rank: usize, formulas: bool) -> (SolutionPlan, Option<Linear>) {
+    match planned(system, rank, formulas) {
+        Ok((plan, linear)) => (plan, Some(linear)),
+        Err(why) => (SolutionPlan { absent: Some(why), ..SolutionPlan::default() }, None),
+    }
 }
 
-fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<SolutionPlan, String> {
+fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(SolutionPlan, Linear), String> {
     let set = &system.set;
     let (n, s) = (set.coordinates.len(), set.rows.len());
     if system.classes.iter().any(|class| !class.holonomic) {
@@ -135,6 +151,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<Solut
     let mut build = Build::new(system, graph, listed);
     let [velocity, acceleration] = build.all(&tree, &left_out, &agreeing);
     let (resolve, regular, orientations) = build.resolve(&tree);
+    let solution = resolve.iter().map(|(_, x)| *x).collect();
     let (resolve, factors) = sections::split(&mut build.graph, resolve, &regular);
     let regular = factors - regular.len()..factors;
     let Build { mut graph, stages, listed, iterations, closures, iterated, .. } = build;
@@ -151,7 +168,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<Solut
     let formulas = before.map_or_else(Vec::new, |graph| formulas::formulas(system, graph, &listed, &tree));
     let orientations = iterated.into_iter().map(|(_, step, margin)| listed.iteration(system, step, margin)).collect();
     let Listed { steps, modes, margins, .. } = listed;
-    Ok(SolutionPlan {
+    let plan = SolutionPlan {
         steps,
         modes,
         orientations,
@@ -164,5 +181,6 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<Solut
         factors,
         regular,
         formulas,
-    })
+    };
+    Ok((plan, Linear { graph, solution }))
 }

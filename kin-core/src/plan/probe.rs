@@ -13,7 +13,7 @@ const SORT_SYMBOL: u64 = 20;
 const SORT_FUNCTION: u64 = 21;
 
 /// Residues, as far as they were asked for.
-pub(super) struct Probe {
+pub(crate) struct Probe {
     turns: Turns,
     draw: Draw,
     known: IdMap<Residue>,
@@ -21,13 +21,13 @@ pub(super) struct Probe {
 
 impl Probe {
     /// A probe for expressions over so many coordinates.
-    pub(super) fn new(coordinates: usize) -> Self {
+    pub(crate) fn new(coordinates: usize) -> Self {
         let draw = Draw(0x6b69_6e00_706c_616e);
         Self { turns: Turns::free(coordinates, draw), draw, known: IdMap::default() }
     }
 
     /// True when `id` is zero for all values of its symbols.
-    pub(super) fn is_zero(&mut self, graph: &Graph, id: ExprId) -> bool {
+    pub(crate) fn is_zero(&mut self, graph: &Graph, id: ExprId) -> bool {
         graph.is_zero(id) || self.of(graph, id).is_zero()
     }
 

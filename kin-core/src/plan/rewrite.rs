@@ -4,7 +4,7 @@ use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
 use crate::mechanism::Function;
 
 /// What stands for symbols and for sines and cosines; `None` leaves them as they are.
-pub(super) trait Substitution {
+pub(crate) trait Substitution {
     /// What stands for a symbol.
     fn symbol(&mut self, graph: &mut Graph, symbol: Symbol) -> Option<ExprId>;
     /// What stands for a whole expression.
@@ -19,7 +19,7 @@ pub(super) trait Substitution {
 
 /// What a rotation is made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Turned {
+pub(crate) enum Turned {
     /// The sine and cosine of an angle.
     Angle(ExprId),
     /// A cosine and a sine that were found without their angle.
@@ -27,14 +27,14 @@ pub(super) enum Turned {
 }
 
 impl Turned {
-    pub(super) fn cos(self, graph: &mut Graph) -> ExprId {
+    pub(crate) fn cos(self, graph: &mut Graph) -> ExprId {
         match self {
             Self::Angle(angle) => graph.cos(angle),
             Self::Pair([cos, _]) => cos,
         }
     }
 
-    pub(super) fn sin(self, graph: &mut Graph) -> ExprId {
+    pub(crate) fn sin(self, graph: &mut Graph) -> ExprId {
         match self {
             Self::Angle(angle) => graph.sin(angle),
             Self::Pair([_, sin]) => sin,
@@ -53,7 +53,7 @@ impl Turned {
 }
 
 /// `root` after a substitution; `known` remembers what was rewritten.
-pub(super) fn rewrite(
+pub(crate) fn rewrite(
     graph: &mut Graph,
     root: ExprId,
     known: &mut IdMap<ExprId>,

@@ -20,6 +20,7 @@ pub fn check(mechanism: &Mechanism) -> Vec<ModelError> {
         units,
         length: Unit { powers: [1.0, 0.0, 0.0], scale: first(0) },
         time: Unit { powers: [0.0, 1.0, 0.0], scale: Some(first(1).unwrap_or(1.0)) },
+        mass: Unit { powers: [0.0, 0.0, 1.0], scale: first(2) },
         defines: vec![None; mechanism.defines.len()],
         at: Origin::default(),
         errors: Vec::new(),
@@ -31,7 +32,7 @@ pub fn check(mechanism: &Mechanism) -> Vec<ModelError> {
     errors
 }
 
-/// The scale of the first symbol of a length (0) or time (1) in a unit, as in `mm/s`.
+/// The scale of the first symbol of a length (0), time (1) or mass (2) in a unit, as in `mm/s`.
 fn base(unit: &str, kind: usize) -> Option<f64> {
     let symbols = unit.split(|c: char| !c.is_alphabetic());
     let mut bases = symbols.filter_map(|symbol| parse(symbol).ok()).filter(|unit| near(unit.powers[kind], 1.0));
@@ -59,7 +60,7 @@ impl Checker<'_> {
             }
         }
         m.points.iter().for_each(|point| self.place(&point.place));
-        m.joints.iter().for_each(|joint| self.joint(joint));
+        m.joints.iter().chain(&m.loads).for_each(|joint| self.joint(joint));
         for condition in &m.conditions {
             self.at = condition.origin;
             self.same(&condition.left, &condition.right);
@@ -84,6 +85,11 @@ impl Checker<'_> {
                 Dimension::Length => Some(self.length),
                 Dimension::Angle => Some(Unit::NUMBER),
                 Dimension::Speed => Some(self.length.times(self.time.power(-1.0))),
+                Dimension::Derived([mass, length, time]) => {
+                    let powers = [(self.mass, mass), (self.length, length), (self.time, time)];
+                    let unit = powers.into_iter().map(|(unit, power)| unit.power(f64::from(power)));
+                    Some(unit.fold(Unit::NUMBER, Unit::times))
+                }
                 Dimension::Common => None,
                 Dimension::CommonLength => match operand {
                     Operand::Radii(_) => agreed.filter(|unit| *unit != Unit::NUMBER).map(|_| self.length),
@@ -93,7 +99,12 @@ impl Checker<'_> {
             match operand {
                 Operand::Point(place) => self.place(place),
                 Operand::Points(places) => places.iter().for_each(|place| self.place(place)),
-                Operand::Body(_) | Operand::Scalar(_) => {}
+                Operand::Body(_) | Operand::Bodies(_) | Operand::Scalar(_) => {}
+                Operand::Vector(vector) => {
+                    for value in [&vector.x, &vector.y] {
+                        self.expect(value, wanted.unwrap_or(Unit::NUMBER), vector.origin);
+                    }
+                }
                 Operand::Axis(axis) => self.axis(axis),
                 Operand::Value(value) => self.measured(value, wanted),
                 Operand::Radii(radii) => [&radii.i, &radii.j].into_iter().for_each(|r| self.measured(r, wanted)),

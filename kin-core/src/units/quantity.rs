@@ -25,6 +25,8 @@ pub(super) struct Checker<'m> {
     pub(super) length: Unit,
     /// Of t.
     pub(super) time: Unit,
+    /// Of masses.
+    pub(super) mass: Unit,
     /// Of the defines that have been looked at.
     pub(super) defines: Vec<Option<Quantity>>,
     /// Where the formula at hand stands.

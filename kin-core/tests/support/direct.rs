@@ -2,10 +2,10 @@
 
 use super::Number;
 use kin_core::joints::{
-    Angle, Belt, Constraint, Distance, Driver, Fixed, FlatFollower, Gear, JointOperands, OnCurve, PointOnLine,
+    Angle, Belt, Constraint, Distance, Driver, Fixed, FlatFollower, Gear, OnCurve, PointOnLine,
     RackPinion, RelativeAngle, Revolute, RollingOnDisc, RollingOnLine, Rope, Screw, Translational, X, Y,
 };
-use kin_core::mechanism::{
+use kin_core::mechanism::{TypedOperands, 
     Axis, BodyOrigin, BodyRef, Component, Curve, CurveVariable, Formula, Function, Mechanism, Member, Operands, Place,
     Range,
 };

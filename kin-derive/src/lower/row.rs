@@ -7,8 +7,9 @@ use super::range::IndexRange;
 use crate::ast::{AxisExpr, BodyExpr, ConditionDecl, Expr, GuessDecl, Item, OperandExpr, Row, text};
 use kin_core::mechanism::{
     Axis, BodyRef, Condition, Formula, Guess, GuessTarget, Joint, Mechanism, Member, Operand, Operands, Slot, Takes,
-    Value, Written,
+    Value, Vector, Written,
 };
+use kin_core::vocabulary::StatementKind;
 
 impl Lowerer<'_> {
     /// All rows and guesses in order; one with a mistake is left out.
@@ -19,7 +20,11 @@ impl Lowerer<'_> {
                     let (keyword, origin) = (self.origin(row.keyword.span()), self.origin(row.name.ident.span()));
                     if let Some(operands) = self.operands(row, range) {
                         let name = text(&row.name.ident);
-                        mechanism.joints.push(Joint { name, range: range.model(), operands, keyword, origin });
+                        let list = match operands.kind() {
+                            StatementKind::Joint(_) => &mut mechanism.joints,
+                            StatementKind::Load(_) => &mut mechanism.loads,
+                        };
+                        list.push(Joint { name, range: range.model(), operands, keyword, origin });
                     }
                 }
                 Item::Condition(decl) => mechanism.conditions.extend(self.condition(decl, range)),
@@ -57,6 +62,17 @@ impl Lowerer<'_> {
                 let right = if let Takes::Scalar(right) = slot.takes { right } else { "" };
                 Operand::Scalar(self.scalar_operand(name, right, range)?)
             }
+            OperandExpr::Bodies(bodies) if bodies.is_empty() => return None,
+            OperandExpr::Bodies(bodies) => {
+                let bodies: Vec<_> = bodies.iter().map(|body| self.named_body(body, range)).collect();
+                Operand::Bodies(bodies.into_iter().collect::<Option<_>>()?)
+            }
+            OperandExpr::Vector(vector) => {
+                let scope = Scope { what: "a force", allow: Allow::Rates, range };
+                let origin = self.origin(vector.span);
+                let (x, y) = (self.formula(&vector.x, &scope), self.formula(&vector.y, &scope));
+                Operand::Vector(Vector { x: x?, y: y?, origin })
+            }
             OperandExpr::Axis(axis) => Operand::Axis(self.axis(axis, range)?),
             OperandExpr::Radii(radii) => Operand::Radii(self.radii(radii, range)?),
             OperandExpr::Curve(curve) => Operand::Curve(self.curve(curve, range)?),
@@ -74,12 +90,18 @@ impl Lowerer<'_> {
         };
         let scope = match slot.takes {
             Takes::Support => return self.support(expr, range),
+            Takes::Side if slot.written == Written::Option => Scope { what: &what, allow: Allow::Everything, range },
             Takes::Side => Scope { what: "an equation", allow: Allow::Everything, range },
+            Takes::SideOfRates if row.form.kind.is_load() => Scope { what: "a couple", allow: Allow::Rates, range },
             Takes::SideOfRates => Scope { what: "an equation", allow: Allow::Rates, range },
-            Takes::Radius => Scope { what: &what, allow: Allow::Parameters, range },
+            Takes::Radius | Takes::Constant => Scope { what: &what, allow: Allow::Parameters, range },
             _ => Scope { what: &what, allow: Allow::Signals, range },
         };
         self.formula(expr, &scope)
+    }
+
+    fn named_body(&mut self, body: &BodyExpr, range: &IndexRange) -> Option<BodyRef> {
+        if let BodyExpr::Named(body) = body { self.body(body, range) } else { None }
     }
 
     fn condition(&mut self, decl: &ConditionDecl, range: &IndexRange) -> Option<Condition> {

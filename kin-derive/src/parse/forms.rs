@@ -1,7 +1,7 @@
-//! How joints, drivers and equations are written: the kinds and their forms are kin-core's ([`forms`]).
+//! How joints, drivers, equations, masses and loads are written: the kinds and their forms are kin-core's.
 
-use kin_core::joints::forms;
-use kin_core::mechanism::{JointForm, Slot, Takes, Written};
+use kin_core::mechanism::{StatementForm, Slot, Takes, Written};
+use kin_core::{joints, loads};
 use std::sync::LazyLock;
 
 /// What an operand is.
@@ -11,6 +11,10 @@ pub(super) enum OperandForm {
     /// Two points or more.
     Points,
     Body,
+    /// One body, or two, in front of `=`.
+    Bodies,
+    /// `(fx, fy)`.
+    Vector,
     Expression,
 }
 
@@ -34,7 +38,7 @@ pub(super) struct RowForm {
     /// The attribute.
     pub(super) keyword: &'static str,
     /// The kinds that share it: they have the same operands, and options of their own.
-    pub(super) kinds: Vec<&'static JointForm>,
+    pub(super) kinds: Vec<&'static StatementForm>,
     /// What stands behind the name, in order.
     pub(super) operands: Vec<OperandForm>,
     /// What can follow as `key = value`.
@@ -44,7 +48,7 @@ pub(super) struct RowForm {
 /// Every row of the language, in the order of the guide.
 pub(super) static FORMS: LazyLock<Vec<RowForm>> = LazyLock::new(|| {
     let mut rows: Vec<RowForm> = Vec::new();
-    for form in forms() {
+    for form in joints::forms().chain(loads::forms()) {
         let options = form.written(Written::Option).flat_map(options_of);
         match rows.last_mut().filter(|row| row.keyword == form.kind.keyword()) {
             Some(row) => {
@@ -69,6 +73,8 @@ fn operand_of(slot: &Slot) -> OperandForm {
         Takes::Point => OperandForm::Point,
         Takes::Points => OperandForm::Points,
         Takes::Body | Takes::Carrier => OperandForm::Body,
+        Takes::Bodies => OperandForm::Bodies,
+        Takes::Vector => OperandForm::Vector,
         _ => OperandForm::Expression,
     }
 }
@@ -101,8 +107,13 @@ impl RowForm {
     }
 
     /// What would be right, for a message: the example, or for a kind that it is none of, how the kinds are told apart.
-    pub(super) fn right(&self, kind: &'static JointForm) -> String {
+    pub(super) fn right(&self, kind: &'static StatementForm) -> String {
         if self.kinds.first() == Some(&kind) { format!("`{}`", self.example()) } else { kind.choice.to_owned() }
+    }
+
+    /// True when it begins with a name; otherwise it may.
+    pub(super) fn is_named(&self) -> bool {
+        self.kinds.iter().any(|form| form.named)
     }
 
     /// True when `= expression` follows the last operand.

@@ -36,7 +36,7 @@ use keyword::Keyword;
 use list::inside;
 use parts::Parts;
 use proc_macro2::TokenStream;
-use row_name::row_name;
+use row_name::{row_name, row_name_or_keyword};
 use syn::parse::ParseStream;
 use syn::spanned::Spanned;
 use syn::{Attribute, Error, Fields, Ident, ItemStruct, Meta, Result, Token};
@@ -172,7 +172,10 @@ fn read(attribute: &Attribute, word: &Ident, keyword: Keyword, report: &Report, 
 }
 
 fn row(input: ParseStream, keyword: &Ident, form: &'static RowForm, report: &Report) -> Result<Row> {
-    let name = row_name(input, keyword, form.example(), report)?;
+    let name = match form.is_named() {
+        true => row_name(input, keyword, form.example(), report)?,
+        false => row_name_or_keyword(input, keyword, report)?,
+    };
     let (form, operands) = Parts::read(input, keyword, form, report).operands();
     Ok(Row { keyword: keyword.clone(), name, form, operands })
 }

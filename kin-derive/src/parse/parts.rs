@@ -3,7 +3,7 @@
 use super::forms::{OptionForm, RowForm};
 use crate::ast::{AxisExpr, BodyExpr, Expr, NameUse, PointExpr, RadiiExpr, text};
 use crate::report::Report;
-use kin_core::mechanism::JointForm;
+use kin_core::mechanism::StatementForm;
 use proc_macro2::Span;
 use std::collections::VecDeque;
 use syn::Ident;
@@ -12,6 +12,7 @@ use syn::Ident;
 pub(super) enum Operand {
     Point(PointExpr),
     Body(Option<NameUse>),
+    Vector(AxisExpr),
     Expression(Expr),
 }
 
@@ -29,7 +30,7 @@ pub(super) struct Parts<'a> {
     pub(super) keyword: &'a Ident,
     pub(super) form: &'static RowForm,
     /// The kind that is meant, the first of its keyword until its options have been read.
-    pub(super) kind: &'static JointForm,
+    pub(super) kind: &'static StatementForm,
     pub(super) report: &'a Report,
     pub(super) operands: VecDeque<Operand>,
     pub(super) right: Option<Expr>,
@@ -65,6 +66,20 @@ impl Parts<'_> {
         }
     }
 
+    /// All operands that are left, bodies.
+    pub(super) fn bodies(&mut self) -> Vec<BodyExpr> {
+        let count = self.operands.len();
+        (0..count).map(|_| self.body()).collect()
+    }
+
+    /// The next operand, a pair.
+    pub(super) fn vector(&mut self) -> AxisExpr {
+        match self.operands.pop_front() {
+            Some(Operand::Vector(vector)) => vector,
+            _ => AxisExpr::hole(self.keyword.span()),
+        }
+    }
+
     /// The next operand, an expression.
     pub(super) fn expr(&mut self) -> Expr {
         match self.operands.pop_front() {
@@ -84,8 +99,7 @@ impl Parts<'_> {
             Some(Some(Value::Axis(axis))) => axis,
             given => {
                 self.missing(key, given.is_some());
-                let span = self.keyword.span();
-                AxisExpr { x: Expr::hole(span), y: Expr::hole(span), span }
+                AxisExpr::hole(self.keyword.span())
             }
         }
     }

@@ -34,6 +34,12 @@ pub(super) fn axis(input: ParseStream) -> Result<AxisExpr> {
     Ok(AxisExpr { x, y, span })
 }
 
+/// The components of a force.
+pub(super) fn vector(input: ParseStream) -> Result<AxisExpr> {
+    let (x, y, span) = pair(input, 0, "a force is a pair of components: `(fx, fy)`")?;
+    Ok(AxisExpr { x, y, span })
+}
+
 /// The value of `radii`.
 pub(super) fn radii(input: ParseStream) -> Result<RadiiExpr> {
     let (i, j, span) = pair(input, 0, "radii are a pair, in the order of the operands: `radii = (r1, r2)`")?;

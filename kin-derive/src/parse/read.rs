@@ -6,9 +6,9 @@ use super::forms::{OperandForm, OptionForm, RowForm};
 use super::index::identifier;
 use super::list::{comma, end_of_part, skip_part, skip_to};
 use super::parts::{Operand, Parts, Value};
-use super::point::{axis, body, point, radii, scalar};
+use super::point::{axis, body, point, radii, scalar, vector};
 use super::reject::{self, here};
-use crate::ast::{Expr, PointExpr, text};
+use crate::ast::{AxisExpr, Expr, PointExpr, text};
 use crate::report::Report;
 use crate::suggest::{did_you_mean, listed};
 use std::collections::VecDeque;
@@ -36,8 +36,10 @@ impl<'a> Parts<'a> {
     }
 
     fn read_operands(&mut self, input: ParseStream) {
-        if let [OperandForm::Points] = self.form.operands[..] {
-            return self.read_points(input);
+        match self.form.operands[..] {
+            [OperandForm::Points] => return self.read_points(input),
+            [OperandForm::Bodies] => return self.read_bodies(input),
+            _ => {}
         }
         let count = self.form.operands.len();
         for (k, operand) in self.form.operands.iter().enumerate() {
@@ -50,7 +52,8 @@ impl<'a> Parts<'a> {
             if !read {
                 self.operands.push_back(match operand {
                     OperandForm::Point | OperandForm::Points => Operand::Point(PointExpr::Hole),
-                    OperandForm::Body => Operand::Body(None),
+                    OperandForm::Body | OperandForm::Bodies => Operand::Body(None),
+                    OperandForm::Vector => Operand::Vector(AxisExpr::hole(self.keyword.span())),
                     OperandForm::Expression => Operand::Expression(Expr::hole(self.keyword.span())),
                 });
                 skip_to(input, |input| input.peek(Token![,]) || last && self.form.is_equation() && is_equals(input));
@@ -85,10 +88,33 @@ impl<'a> Parts<'a> {
         }
     }
 
+    /// One body, or two, and the right-hand side.
+    fn read_bodies(&mut self, input: ParseStream) {
+        let mut read = true;
+        while !input.is_empty() && !is_equals(input) {
+            let result = self.read_operand(input, OperandForm::Bodies);
+            if self.report.ok(result).is_none() {
+                read = false;
+                self.operands.push_back(Operand::Body(None));
+                skip_to(input, |input| input.peek(Token![,]) || is_equals(input));
+            }
+            if is_equals(input) || !input.peek(Token![,]) {
+                break;
+            }
+            comma(input);
+        }
+        if !(1..=2).contains(&self.operands.len()) {
+            read = false;
+            self.too_few();
+        }
+        self.read_right(input, read);
+    }
+
     fn read_operand(&mut self, input: ParseStream, form: OperandForm) -> Result<()> {
         let operand = match form {
             OperandForm::Point | OperandForm::Points => Operand::Point(point(input)?),
-            OperandForm::Body => Operand::Body(Some(body(input)?)),
+            OperandForm::Body | OperandForm::Bodies => Operand::Body(Some(body(input)?)),
+            OperandForm::Vector => Operand::Vector(vector(input)?),
             OperandForm::Expression => {
                 let expr = expr(input)?;
                 end_of_expr(input)?;
@@ -226,6 +252,9 @@ impl<'a> Parts<'a> {
     fn count_message(&self) -> String {
         let operands = match self.form.operands[..] {
             [OperandForm::Points, ..] => "two points or more",
+            [OperandForm::Bodies] => "one body or two, then `=` and an expression",
+            [OperandForm::Point, OperandForm::Vector] => "a point and a pair of components",
+            [OperandForm::Expression, OperandForm::Expression] => "two components",
             [OperandForm::Point] => "one point",
             [OperandForm::Point, ..] => "two points",
             [OperandForm::Body] => "one body",

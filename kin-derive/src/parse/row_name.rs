@@ -6,6 +6,16 @@ use crate::report::Report;
 use syn::parse::ParseStream;
 use syn::{Error, Ident, Result, Token};
 
+/// `name:` where it stands, and otherwise the keyword as a name.
+pub(super) fn row_name_or_keyword(input: ParseStream, keyword: &Ident, report: &Report) -> Result<NewName> {
+    let ahead = input.fork();
+    let is_name = index::new_name(&ahead, &Report::new()).is_ok() && ahead.peek(Token![:]) && !ahead.peek(Token![::]);
+    if is_name {
+        return row_name(input, keyword, "", report);
+    }
+    Ok(NewName { ident: keyword.clone(), bracket: None, doc: String::new() })
+}
+
 /// `name:`, with which every row begins.
 pub(super) fn row_name(input: ParseStream, keyword: &Ident, example: &str, report: &Report) -> Result<NewName> {
     let nameless = |span| Error::new(span, format!("a `{keyword}` begins with its name and a colon: `{example}`"));

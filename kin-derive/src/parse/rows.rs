@@ -3,10 +3,10 @@
 
 use super::parts::Parts;
 use crate::ast::OperandExpr;
-use kin_core::mechanism::{JointForm, Slot, Takes, Written};
+use kin_core::mechanism::{StatementForm, Slot, Takes, Written};
 
 /// The options that must be given, and that no other kind of the keyword has.
-fn own_options(kinds: &[&'static JointForm], form: &'static JointForm) -> Vec<&'static str> {
+fn own_options(kinds: &[&'static StatementForm], form: &'static StatementForm) -> Vec<&'static str> {
     let others = || kinds.iter().filter(|other| **other != form).flat_map(|other| other.slots);
     let required = form.written(Written::Option).filter(|slot| !slot.or_zero && slot.takes != Takes::Carrier);
     required.map(|slot| slot.key).filter(|key| others().all(|slot| slot.key != *key)).collect()
@@ -14,7 +14,7 @@ fn own_options(kinds: &[&'static JointForm], form: &'static JointForm) -> Vec<&'
 
 impl Parts<'_> {
     /// What the row is, and what stands in its slots.
-    pub(super) fn operands(mut self) -> (&'static JointForm, Vec<OperandExpr>) {
+    pub(super) fn operands(mut self) -> (&'static StatementForm, Vec<OperandExpr>) {
         self.kind = self.meant();
         let kind = self.kind;
         let operands = kind.slots.iter().map(|slot| self.operand(slot)).collect();
@@ -27,6 +27,8 @@ impl Parts<'_> {
             (Written::Operand, Takes::Point) => OperandExpr::Point(self.point()),
             (Written::Operand, Takes::Points) => OperandExpr::Points(self.points()),
             (Written::Operand, Takes::Body | Takes::Carrier) => OperandExpr::Body(self.body()),
+            (Written::Operand, Takes::Bodies) => OperandExpr::Bodies(self.bodies()),
+            (Written::Operand, Takes::Vector) => OperandExpr::Vector(self.vector()),
             (Written::Operand, _) => OperandExpr::Value(self.expr()),
             (Written::Right, _) => OperandExpr::Value(self.right()),
             (Written::Option, Takes::Axis) => OperandExpr::Axis(self.axis(key)),
@@ -41,11 +43,11 @@ impl Parts<'_> {
     }
 
     /// The kind that is meant: where several share the keyword, the options tell which.
-    fn meant(&mut self) -> &'static JointForm {
-        let kinds: &'static [&'static JointForm] = &self.form.kinds;
+    fn meant(&mut self) -> &'static StatementForm {
+        let kinds: &'static [&'static StatementForm] = &self.form.kinds;
         let [first, _, ..] = kinds else { return kinds[0] };
-        let given = |form: &'static JointForm| self.given(&own_options(kinds, form));
-        let mut meant: Vec<(&'static JointForm, &syn::Ident)> =
+        let given = |form: &'static StatementForm| self.given(&own_options(kinds, form));
+        let mut meant: Vec<(&'static StatementForm, &syn::Ident)> =
             kinds.iter().filter_map(|form| Some((*form, given(form)?))).collect();
         // What comes first says what is meant.
         let place = |key: &syn::Ident| self.options.iter().position(|(given, _)| given == key);

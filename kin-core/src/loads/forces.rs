@@ -1,0 +1,147 @@
+//! The programs of forces: numbers in a fixed order, and what each of them is.
+
+use super::equilibrium::Equilibrium;
+use super::free_bodies::FreeBodies;
+use super::kinds::acts;
+use super::load::Acting;
+use super::reactions::{Effort, ReactionForce, Writer};
+use super::transpose::transpose;
+use crate::constraint::{Assembly, indexed};
+use crate::expr::{ExprId, Graph, Symbol};
+use crate::mechanism::Mechanism;
+use crate::plan::{Linear, Probe};
+use crate::program::{Program, Slot, lower};
+use crate::system::KinematicSystem;
+use crate::vocabulary::{LoadKind, StatementKind};
+
+/// A spring: length or angle, its rate, tension or torque on the second body, energy, power of the damper.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpringForce {
+    /// Its name.
+    pub name: String,
+    /// True for a torsion spring.
+    pub turns: bool,
+    /// Its numbers.
+    pub numbers: [ExprId; 5],
+}
+
+/// What is asked of the forces of a mechanism.
+///
+/// The results stand in this order: force of shaking, its moment about the origin, the same of inertia alone; kinetic
+/// energy, that of gravity, that of springs; power of drivers, of applied loads, of dampers; λ; then efforts, reactions
+/// and springs.
+#[derive(Clone, Debug)]
+pub struct Forces {
+    /// r = Q − M q̈, one number for every coordinate; needed where λ is solved from outside.
+    pub generalized: Program,
+    /// All results.
+    pub results: Program,
+    /// Their number.
+    pub count: usize,
+    /// True where the results hold the solution for λ; otherwise they read it as right-hand sides.
+    pub solved: bool,
+    /// Efforts.
+    pub efforts: Vec<Effort>,
+    /// Reactions.
+    pub reactions: Vec<ReactionForce>,
+    /// Springs.
+    pub springs: Vec<SpringForce>,
+}
+
+/// Numbers before λ: shaking, inertia, energies, powers.
+const TOTALS: usize = 12;
+
+/// The forces of a mechanism, along the linear level of its plan where it has one; none where it has neither masses nor
+/// loads.
+pub fn forces(mechanism: &Mechanism, system: &KinematicSystem, linear: Option<Linear>) -> Option<Forces> {
+    if mechanism.loads.is_empty() {
+        return None;
+    }
+    let set = &system.set;
+    let (graph, solution) = match linear {
+        Some(Linear { graph, solution }) => (graph, Some(solution)),
+        None => (set.graph.clone(), None),
+    };
+    let mut bodies = FreeBodies::new(mechanism, set, graph);
+    let (acting, springs) = all_acting(&mut bodies);
+    let equilibrium = Equilibrium::new(&mut bodies, set, &acting);
+    let rows = set.rows.len();
+    // Rows that are more than coordinates share the forces in a way that the plan does not know.
+    let along_plan = solution.filter(|x| x.len() == rows);
+    let solved = along_plan.and_then(|x| transpose(&mut bodies.a.graph, &x, &equilibrium.posed, rows));
+    let is_solved = solved.is_some();
+    let given = |graph: &mut Graph| (0..rows).map(|row| graph.symbol(Symbol::Right(row as u32))).collect();
+    let lambda: Vec<ExprId> = solved.unwrap_or_else(|| given(&mut bodies.a.graph));
+    let of_holds = equilibrium.multipliers_of_holds(&mut bodies, &lambda);
+    let multipliers = lambda.iter().copied().chain(of_holds).collect();
+    let probe = Probe::new(set.coordinates.len());
+    let mut writer = Writer { bodies: &mut bodies, system, equilibrium: &equilibrium, multipliers, probe };
+    let (efforts, reactions) = (writer.efforts(), writer.reactions());
+    let mut results = totals(&mut bodies.a.graph, &acting, &efforts).to_vec();
+    results.extend(&lambda);
+    results.extend(efforts.iter().flat_map(|effort| effort.numbers));
+    for reaction in &reactions {
+        results.extend(reaction.force.iter().flatten().flatten());
+        results.extend(reaction.moment);
+        results.extend(reaction.couples.iter().map(|(_, couple)| *couple));
+        results.extend(&reaction.generalized);
+    }
+    results.extend(springs.iter().flat_map(|spring| spring.numbers));
+    let graph = &bodies.a.graph;
+    let program = |list: &[ExprId]| {
+        lower(graph, &list.iter().enumerate().map(|(k, id)| (Slot::Entry(k), *id)).collect::<Vec<_>>())
+    };
+    Some(Forces {
+        generalized: program(&equilibrium.posed),
+        results: program(&results),
+        count: results.len(),
+        solved: is_solved,
+        efforts,
+        reactions,
+        springs,
+    })
+}
+
+/// What all masses and loads do, the field of gravity first, and the springs among them.
+fn all_acting(bodies: &mut FreeBodies<'_>) -> (Vec<Acting>, Vec<SpringForce>) {
+    let (mut all, mut springs) = (Vec::new(), Vec::new());
+    let loads = &bodies.a.mechanism.loads;
+    let is_field = |kind| kind == StatementKind::Load(LoadKind::Gravity);
+    let (fields, others): (Vec<_>, Vec<_>) = loads.iter().partition(|load| is_field(load.operands.kind()));
+    for load in fields.into_iter().chain(others) {
+        for (shown, index) in Assembly::instances(load.range) {
+            bodies.a.index = index;
+            let Some(acting) = acts(bodies, &load.operands) else { continue };
+            if let Some(numbers) = acting.spring {
+                let turns = load.operands.kind() == StatementKind::Load(LoadKind::TorsionSpring);
+                springs.push(SpringForce { name: indexed(&load.name, shown.is_some(), index), turns, numbers });
+            }
+            all.push(acting);
+        }
+    }
+    (all, springs)
+}
+
+/// Shaking, inertia, energies and powers.
+fn totals(graph: &mut Graph, acting: &[Acting], efforts: &[Effort]) -> [ExprId; TOTALS] {
+    let zero = graph.zero();
+    let mut totals = [zero; TOTALS];
+    let mut add = |place: usize, value: ExprId| totals[place] = graph.add(totals[place], value);
+    for acting in acting {
+        for c in 0..3 {
+            add(c, acting.outside[c]);
+            add(c, acting.inertia[c]);
+            add(3 + c, acting.inertia[c]);
+        }
+        add(6, acting.kinetic);
+        add(7, acting.gravity);
+        add(8, acting.elastic);
+        add(10, acting.applied_power);
+        add(11, acting.damper_power);
+    }
+    for effort in efforts {
+        let power = graph.mul(effort.numbers[0], effort.numbers[1]);
+        totals[9] = graph.add(totals[9], power);
+    }
+    totals
+}

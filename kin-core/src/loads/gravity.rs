@@ -1,0 +1,24 @@
+//! Gravity: a field g = (g_x, g_y) in the inertial frame, an acceleration, that pulls every mass with m g.
+
+use super::free_bodies::FreeBodies;
+use super::load::{Acting, LoadType, load};
+use crate::mechanism::{Dimension, Formula, Slot, Takes};
+
+load! {
+    /// Components of the field.
+    Gravity {
+        /// g_x.
+        x: Formula = Slot::operand("x", Takes::Signal).measured_in(Dimension::Derived([0, 1, -2])),
+        /// g_y.
+        y: Formula = Slot::operand("y", Takes::Signal).measured_in(Dimension::Derived([0, 1, -2])),
+    }
+    named: false,
+    example: "#[gravity(0, -9.81)]"
+}
+
+impl LoadType for Gravity {
+    fn acts(&self, bodies: &mut FreeBodies<'_>) -> Acting {
+        bodies.field = [bodies.formula(&self.x), bodies.formula(&self.y)];
+        Acting::nothing(bodies.a.graph.zero())
+    }
+}

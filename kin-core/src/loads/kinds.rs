@@ -1,0 +1,28 @@
+//! The table of all kinds of masses and loads.
+
+use super::free_bodies::FreeBodies;
+use super::load::{Acting, Kind};
+use super::{Force, Gravity, Mass, Spring, TorsionSpring, Torque};
+use crate::mechanism::{Operands, StatementForm};
+
+/// Every kind of mass or load, in the order of the guide. A new kind is a file of its own, its word in the
+/// [vocabulary](crate::vocabulary), and a row here.
+const KINDS: &[Kind] = &[
+    Kind::of::<Gravity>(),
+    Kind::of::<Mass>(),
+    Kind::of::<Force>(),
+    Kind::of::<Torque>(),
+    Kind::of::<Spring>(),
+    Kind::of::<TorsionSpring>(),
+];
+
+/// How every kind of mass or load is written, in the order of the guide.
+pub fn forms() -> impl Iterator<Item = &'static StatementForm> {
+    KINDS.iter().map(|kind| kind.form)
+}
+
+/// What a mass or a load does; none for what is neither.
+pub(super) fn acts(bodies: &mut FreeBodies<'_>, operands: &Operands) -> Option<Acting> {
+    let kind = KINDS.iter().find(|kind| kind.form == operands.form())?;
+    (kind.acts)(bodies, operands)
+}

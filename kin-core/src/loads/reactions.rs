@@ -1,0 +1,239 @@
+//! What joints and drivers exert, from the multipliers of their rows.
+//!
+//! A row Φ with its multiplier exerts −λ ∂Φ/∂(x, y, φ) on a body: a force, and a moment about the body's origin. About a
+//! point P it is m_P = m − (r_P − r) × f. None of it depends on how a row is scaled or signed.
+
+use super::equilibrium::{Equilibrium, FreeRow, Hold};
+use super::free_bodies::FreeBodies;
+use super::load::Wrench;
+use crate::constraint::{ConstraintSet, Frame, JointInstance, RowMeaning};
+use crate::expr::ExprId;
+use crate::joints::{Reaction, reaction_of};
+use crate::mechanism::Component;
+use crate::plan::Probe;
+use crate::system::KinematicSystem;
+use crate::vocabulary::Role;
+
+/// What a driver exerts along the quantity that it drives, and the rate of that.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Effort {
+    /// The driver's name, or that of a row.
+    pub name: String,
+    /// Force or torque, and the rate.
+    pub numbers: [ExprId; 2],
+}
+
+/// What a joint exerts.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ReactionForce {
+    /// The joint's name.
+    pub name: String,
+    /// The rows whose multipliers it is made of; those of held and carried coordinates stand behind those of Φ.
+    pub rows: Vec<usize>,
+    /// The body that force and moment act on.
+    pub on: Option<Frame>,
+    /// Where, and what force.
+    pub force: Option<[[ExprId; 2]; 2]>,
+    /// The moment about that point, or the couple.
+    pub moment: Option<ExprId>,
+    /// Couples on other bodies.
+    pub couples: Vec<(Frame, ExprId)>,
+    /// What is conjugate to the user's own rows: −λ.
+    pub generalized: Vec<ExprId>,
+}
+
+/// Writes what is exerted.
+pub(super) struct Writer<'w, 'm> {
+    pub(super) bodies: &'w mut FreeBodies<'m>,
+    pub(super) system: &'w KinematicSystem,
+    pub(super) equilibrium: &'w Equilibrium,
+    /// λ, then the multipliers of held and carried coordinates.
+    pub(super) multipliers: Vec<ExprId>,
+    pub(super) probe: Probe,
+}
+
+impl Writer<'_, '_> {
+    fn set(&self) -> &ConstraintSet {
+        &self.system.set
+    }
+
+    fn row(&self, row: usize) -> &FreeRow {
+        let rows = &self.equilibrium.rows;
+        rows.get(row).unwrap_or_else(|| &self.equilibrium.holds[row - rows.len()].row)
+    }
+
+    /// What rows exert on a body, about its origin.
+    fn wrench(&mut self, rows: &[usize], frame: Frame) -> Wrench {
+        let places = self.bodies.places(frame);
+        places.map(|place| {
+            let mut sum = self.bodies.a.graph.zero();
+            for &row in rows {
+                if let Some(&entry) = self.row(row).gradient.get(&place) {
+                    let graph = &mut self.bodies.a.graph;
+                    let product = graph.mul(self.multipliers[row], entry);
+                    sum = graph.sub(sum, product);
+                }
+            }
+            sum
+        })
+    }
+
+    /// A wrench about a point instead of about the origin of its body.
+    fn about(&mut self, frame: Frame, point: [ExprId; 2], [x, y, moment]: Wrench) -> ExprId {
+        let pose = self.bodies.pose(frame);
+        let graph = &mut self.bodies.a.graph;
+        let arm = [graph.sub(point[0], pose[0]), graph.sub(point[1], pose[1])];
+        let turned = graph.plain_cross(arm, [x, y]);
+        let moment = graph.sub(moment, turned);
+        self.or_zero(moment)
+    }
+
+    /// What is zero for all values is a literal zero.
+    fn or_zero(&mut self, id: ExprId) -> ExprId {
+        let graph = &mut self.bodies.a.graph;
+        if self.probe.is_zero(graph, id) { graph.zero() } else { id }
+    }
+
+    /// The efforts of all drivers, and of coordinates that are held at something that moves.
+    pub(super) fn efforts(&mut self) -> Vec<Effort> {
+        let mut efforts = Vec::new();
+        for joint in &self.system.set.joints {
+            let rows = joint.first_row..joint.first_row + joint.rows;
+            let driving: Vec<usize> = rows.filter(|&row| self.system.classes[row].driving).collect();
+            for &row in &driving {
+                let name = if driving.len() == 1 { &joint.name } else { &self.system.set.rows[row].name };
+                let length = match self.system.set.rows[row].meaning {
+                    RowMeaning::SquaredDistance => joint.quantities.first().map(|quantity| quantity.observable),
+                    _ => None,
+                };
+                let length = length.map(|observable| self.system.set.observables[observable].value);
+                efforts.push(Effort { name: name.clone(), numbers: self.effort(row, length) });
+            }
+        }
+        for (k, hold) in self.equilibrium.holds.iter().enumerate() {
+            if !self.bodies.a.graph.is_zero(hold.row.partial_t) {
+                let name = hold.name(self.bodies, &self.system.set);
+                let numbers = self.effort(self.equilibrium.rows.len() + k, None);
+                efforts.push(Effort { name, numbers });
+            }
+        }
+        efforts
+    }
+
+    /// −λ and −Φ_t; of a row that is the square of a length ℓ, −2 ℓ λ and −Φ_t/(2 ℓ).
+    fn effort(&mut self, row: usize, length: Option<ExprId>) -> [ExprId; 2] {
+        let (lambda, partial_t) = (self.multipliers[row], self.row(row).partial_t);
+        let graph = &mut self.bodies.a.graph;
+        let (effort, rate) = (graph.neg(lambda), graph.neg(partial_t));
+        match length {
+            None => [effort, rate],
+            Some(length) => {
+                let twice = graph.double(length);
+                [graph.mul(twice, effort), graph.div(rate, twice)]
+            }
+        }
+    }
+
+    /// What joints exert, and what holds or carries coordinates.
+    pub(super) fn reactions(&mut self) -> Vec<ReactionForce> {
+        let joints = &self.system.set.joints;
+        let of_joints: Vec<ReactionForce> = joints.iter().filter_map(|joint| self.reaction(joint)).collect();
+        let mut of_holds: Vec<ReactionForce> = Vec::new();
+        for (k, hold) in self.equilibrium.holds.iter().enumerate() {
+            let (row, name) = (self.equilibrium.rows.len() + k, hold.name(self.bodies, &self.system.set));
+            match of_holds.last_mut().filter(|last| last.name == name) {
+                Some(last) => last.rows.push(row),
+                None => of_holds.push(ReactionForce {
+                    name,
+                    rows: vec![row],
+                    on: Some(Frame::Body(hold.body)),
+                    ..ReactionForce::default()
+                }),
+            }
+        }
+        for reaction in &mut of_holds {
+            self.of_hold(reaction);
+        }
+        of_joints.into_iter().chain(of_holds).collect()
+    }
+
+    fn of_hold(&mut self, reaction: &mut ReactionForce) {
+        let Some(frame) = reaction.on else { return };
+        let first = reaction.rows[0] - self.equilibrium.rows.len();
+        let Hold { component, .. } = self.equilibrium.holds[first];
+        let wrench = self.wrench(&reaction.rows, frame);
+        if component == Component::Phi {
+            reaction.moment = Some(wrench[2]);
+        } else {
+            let pose = self.bodies.pose(frame);
+            reaction.force = Some([[pose[0], pose[1]], [wrench[0], wrench[1]]]);
+            reaction.moment = Some(self.bodies.a.graph.zero());
+        }
+    }
+
+    fn reaction(&mut self, joint: &JointInstance) -> Option<ReactionForce> {
+        let rows: Vec<usize> = (joint.first_row..joint.first_row + joint.rows).collect();
+        let on = joint.frames[1].or(joint.frames[0]);
+        let operands = &self.bodies.a.mechanism.joints.get(joint.family.0)?.operands;
+        let kind = match reaction_of(operands) {
+            Reaction::Generalized if on.is_some() => Reaction::OnSecond,
+            kind => kind,
+        };
+        let mut reaction = ReactionForce { name: joint.name.clone(), rows, ..ReactionForce::default() };
+        match kind {
+            Reaction::Generalized if joint.kind.drives() => return None,
+            Reaction::Generalized => {
+                let graph = &mut self.bodies.a.graph;
+                reaction.generalized = reaction.rows.iter().map(|&row| graph.neg(self.multipliers[row])).collect();
+            }
+            Reaction::Couples => reaction.couples = self.couples(&reaction.rows, None, None),
+            Reaction::OnSecond | Reaction::OnSecondAndCouples => {
+                let frame = on?;
+                reaction.on = on;
+                let wrench = self.wrench(&reaction.rows, frame);
+                match self.point(joint, frame) {
+                    Some(point) => {
+                        reaction.force = Some([point, [wrench[0], wrench[1]]]);
+                        reaction.moment = Some(self.about(frame, point, wrench));
+                        if kind == Reaction::OnSecondAndCouples {
+                            reaction.couples = self.couples(&reaction.rows, Some(frame), Some(point));
+                        }
+                    }
+                    None => reaction.moment = Some(wrench[2]),
+                }
+            }
+        }
+        Some(reaction)
+    }
+
+    /// Where the joint's point of a body is.
+    fn point(&mut self, joint: &JointInstance, frame: Frame) -> Option<[ExprId; 2]> {
+        let has = |role: Role| joint.geometry.iter().rev().find(|piece| piece.role == role && piece.frame == frame);
+        let piece = has(Role::Q).or_else(|| has(Role::P))?;
+        let local = [self.set().geometry[piece.offset], self.set().geometry[piece.offset + 1]];
+        let [x, y, angle] = self.bodies.pose(frame);
+        let graph = &mut self.bodies.a.graph;
+        let rho = graph.rotate(angle, local);
+        Some([graph.add(x, rho[0]), graph.add(y, rho[1])])
+    }
+
+    /// The couples that rows exert on all bodies but one, about a point where there is one.
+    fn couples(&mut self, rows: &[usize], but: Option<Frame>, point: Option<[ExprId; 2]>) -> Vec<(Frame, ExprId)> {
+        let frames = (0..self.set().bodies.len()).map(Frame::Body).chain([Frame::Ground]);
+        let frames: Vec<Frame> = frames.filter(|frame| Some(*frame) != but).collect();
+        let mut couples = Vec::new();
+        for frame in frames {
+            let places = self.bodies.places(frame);
+            let turns = rows.iter().any(|&row| places.iter().any(|place| self.row(row).gradient.contains_key(place)));
+            if turns {
+                let wrench = self.wrench(rows, frame);
+                let couple = match point {
+                    Some(point) => self.about(frame, point, wrench),
+                    None => wrench[2],
+                };
+                couples.push((frame, couple));
+            }
+        }
+        couples
+    }
+}

@@ -1,0 +1,41 @@
+//! A spring with a damper between the points P and Q.
+//!
+//! ```text
+//! tension  N = k (ℓ − ℓ₀) + c ℓ̇,  ℓ = |r_Q − r_P|        along ℓ:  −N
+//! ```
+//! Energy ½ k (ℓ − ℓ₀)², power of the damper −c ℓ̇². Where k or ℓ₀ moves, what moves it supplies the power
+//! ½ k̇ (ℓ − ℓ₀)² − k (ℓ − ℓ₀) ℓ̇₀, which counts as applied.
+
+use super::elastic::{Elastic, stretched};
+use super::free_bodies::FreeBodies;
+use super::load::{Acting, LoadType, load};
+use crate::mechanism::{Dimension, Formula, Place, Slot, Takes};
+
+load! {
+    /// Operands of a spring.
+    Spring {
+        /// P.
+        p: Place = Slot::point("p"),
+        /// Q.
+        q: Place = Slot::point("q"),
+        /// k.
+        stiffness: Formula = Slot::offset("stiffness", Dimension::Derived([1, 0, -2])).taking(Takes::Side),
+        /// ℓ₀.
+        free_length: Formula = Slot::offset("free_length", Dimension::Length).taking(Takes::Side),
+        /// c.
+        damping: Formula = Slot::offset("damping", Dimension::Derived([1, 0, -1])).taking(Takes::Side),
+    }
+    named: true,
+    example: "#[spring(S: ground @ (0, 1), rocker @ (l3, 0), stiffness = k, free_length = l0)]"
+}
+
+impl LoadType for Spring {
+    fn acts(&self, bodies: &mut FreeBodies<'_>) -> Acting {
+        let length = bodies.both(|a| {
+            let (p, q) = (a.place(&self.p), a.place(&self.q));
+            a.distance(&p, &q)
+        });
+        let (stiffness, damping) = (&self.stiffness, &self.damping);
+        stretched(bodies, &Elastic { length, stiffness, free: &self.free_length, damping })
+    }
+}

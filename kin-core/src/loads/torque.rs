@@ -1,0 +1,44 @@
+//! A couple τ on a body, counter-clockwise; with two bodies it acts on the second, and its reaction on the first.
+//!
+//! ```text
+//! along φ_b:  τ        along φ_b − φ_a:  τ        power  τ φ̇_b, or τ (φ̇_b − φ̇_a)
+//! ```
+
+use super::free_bodies::FreeBodies;
+use super::load::{Acting, LoadType, Work, load};
+use crate::mechanism::{BodyRef, Dimension, Formula, Slot, Takes};
+
+load! {
+    /// Operands of a couple.
+    Torque {
+        /// b; or a and b.
+        bodies: Vec<BodyRef> = Slot::operand("b", Takes::Bodies),
+        /// τ.
+        torque: Formula = Slot::right(Takes::SideOfRates).measured_in(Dimension::Derived([1, 2, -2])),
+    }
+    named: true,
+    example: "#[torque(load: rocker = -c*dot(rocker.phi))]"
+}
+
+impl LoadType for Torque {
+    fn acts(&self, bodies: &mut FreeBodies<'_>) -> Acting {
+        let force = bodies.formula(&self.torque);
+        let angles: Vec<[_; 2]> = self.bodies.iter().map(|body| bodies.angle(body)).collect();
+        let zero = bodies.a.graph.zero();
+        let mut acting = Acting::nothing(zero);
+        let ([posed, free], from_outside) = match angles.as_slice() {
+            [b] => (*b, true),
+            [a, b] => ([0, 1].map(|view| bodies.a.graph.sub(b[view], a[view])), false),
+            _ => return acting,
+        };
+        let rate = bodies.motion(posed).rate;
+        let graph = &mut bodies.a.graph;
+        // What has its reaction on another body cancels, unless that is the ground: then it is no load from outside.
+        if from_outside {
+            acting.outside[2] = force;
+        }
+        acting.work.push(Work { posed, free, force });
+        acting.applied_power = graph.mul(force, rate);
+        acting
+    }
+}

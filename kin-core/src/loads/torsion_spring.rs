@@ -1,0 +1,43 @@
+//! A torsion spring with a damper between the bodies a and b.
+//!
+//! ```text
+//! couple on b  −k (α − α₀) − c α̇,  α = φ_b − φ_a, not wrapped        its reaction on a
+//! ```
+//! Energy ½ k (α − α₀)², power of the damper −c α̇².
+
+use super::elastic::{Elastic, stretched};
+use super::free_bodies::FreeBodies;
+use super::load::{Acting, LoadType, load};
+use crate::mechanism::{BodyRef, Dimension, Formula, Slot, Takes};
+
+load! {
+    /// Operands of a torsion spring.
+    TorsionSpring {
+        /// a.
+        a: BodyRef = Slot::body("a"),
+        /// b.
+        b: BodyRef = Slot::body("b"),
+        /// k.
+        stiffness: Formula = Slot::offset("stiffness", Dimension::Derived([1, 2, -2])).taking(Takes::Side),
+        /// α₀.
+        free_angle: Formula = Slot::offset("free_angle", Dimension::Angle).taking(Takes::Side),
+        /// c.
+        damping: Formula = Slot::offset("damping", Dimension::Derived([1, 2, -1])).taking(Takes::Side),
+    }
+    named: true,
+    example: "#[torsion_spring(S: ground, rocker, stiffness = k, free_angle = a0)]"
+}
+
+impl LoadType for TorsionSpring {
+    fn acts(&self, bodies: &mut FreeBodies<'_>) -> Acting {
+        let (a, b) = (bodies.angle(&self.a), bodies.angle(&self.b));
+        let length = [0, 1].map(|view| bodies.a.graph.sub(b[view], a[view]));
+        let (stiffness, damping) = (&self.stiffness, &self.damping);
+        let mut acting = stretched(bodies, &Elastic { length, stiffness, free: &self.free_angle, damping });
+        // The couple on b, where a spring of lengths has its tension.
+        if let (Some(spring), Some(work)) = (&mut acting.spring, acting.work.first()) {
+            spring[2] = work.force;
+        }
+        acting
+    }
+}
