@@ -69,7 +69,7 @@ pub use scalar::lanes::Lanes;
 pub use {
     analysis::modes,
     report::{mobility, ratios, transmission},
-    results::{error, motion, observer, options, state, trajectory},
+    results::{error, forces, motion, observer, options, state, trajectory},
     sweep::events,
 };
 
@@ -95,6 +95,7 @@ pub use crate::{
     cross_check::{Configuration, CrossCheck, CrossCheckOptions, FunctionCheck, PlanCheck, WorstEntry, WorstPlanned},
     error::{Degeneracy, GeometryFault, Refusal, SolveError, SweepError},
     events::{Crossing, Event, Unwatched},
+    forces::{Effort, Forces, Reaction, SpringForce, Wrench},
     kinematics::Kinematics,
     mobility::{Cause, Mobility, RedundantRow},
     modes::Mode,

@@ -94,6 +94,11 @@ impl<'a> Equations<'a> {
         self.given.len()
     }
 
+    /// Place in q of the k-th prescribed coordinate.
+    pub(crate) fn given_coordinate(&self, k: usize) -> Option<usize> {
+        self.given.get(k).map(|given| given.coordinate)
+    }
+
     /// Name and value of the k-th prescribed coordinate.
     pub(crate) fn given_value(&self, k: usize) -> (&'static str, f64) {
         self.given.get(k).map_or(("", f64::NAN), |g| (self.model.coordinates[g.coordinate].name, g.now.value))

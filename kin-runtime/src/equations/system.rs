@@ -6,7 +6,7 @@
 use crate::course::InputFunction;
 use crate::evaluation::curve::CurvePoint;
 use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
-use crate::model::{Model, Pattern};
+use crate::model::{ForceModel, Model, Pattern};
 use crate::motion::Rates;
 use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;
@@ -89,6 +89,26 @@ pub(crate) trait System {
     }
     /// Writes local points, axes and values, as many numbers as [`Model::geometry`] says.
     fn write_geometry(&self, at: &Instant<'_>, numbers: &mut [f64]) -> Result<(), LengthError>;
+    /// What the numbers of forces are, where there are masses or loads.
+    fn force_model(&self) -> Option<&'static ForceModel> {
+        None
+    }
+    /// r = Q − M q̈ at a solved state.
+    fn generalized_forces(&self, at: &Instant<'_>, state: &State, generalized: &mut [f64]) -> Result<(), LengthError> {
+        let _ = (at, state, generalized);
+        Ok(())
+    }
+    /// The numbers of forces at a solved state, given λ where the closed forms do not hold it.
+    fn forces(
+        &self,
+        at: &Instant<'_>,
+        state: &State,
+        multipliers: &[f64],
+        forces: &mut [f64],
+    ) -> Result<(), LengthError> {
+        let _ = (at, state, multipliers, forces);
+        Ok(())
+    }
     /// Puts the follower of the plan at an instant, in the modes of q.
     fn follow_from(&mut self, at: &Instant<'_>, q: &[f64]) -> Result<(), PlanError> {
         let _ = (at, q);
@@ -209,6 +229,26 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
 
     fn branches(&self, at: &Instant<'_>, q: &[f64], closures: &mut [f64]) -> Result<(), LengthError> {
         self.mechanism.borrow().branches_with(self.parameters.as_ref(), at, q, closures)
+    }
+
+    fn force_model(&self) -> Option<&'static ForceModel> {
+        M::force_model()
+    }
+
+    fn generalized_forces(&self, at: &Instant<'_>, state: &State, generalized: &mut [f64]) -> Result<(), LengthError> {
+        let (mechanism, parameters) = (self.mechanism.borrow(), self.parameters.as_ref());
+        mechanism.generalized_forces_with(parameters, at, &state.q, &state.q_dot, &state.q_ddot, generalized)
+    }
+
+    fn forces(
+        &self,
+        at: &Instant<'_>,
+        state: &State,
+        multipliers: &[f64],
+        forces: &mut [f64],
+    ) -> Result<(), LengthError> {
+        let (mechanism, parameters) = (self.mechanism.borrow(), self.parameters.as_ref());
+        mechanism.forces_with(parameters, at, &state.q, &state.q_dot, &state.q_ddot, multipliers, forces)
     }
 
     fn follow_from(&mut self, at: &Instant<'_>, q: &[f64]) -> Result<(), PlanError> {

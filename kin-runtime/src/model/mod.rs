@@ -4,10 +4,12 @@
 
 use crate::plan::Plan;
 
+pub(crate) mod forces;
 mod handles;
 mod joint;
 mod text;
 
+pub use forces::{EffortInfo, ForceModel, ReactionInfo, SpringInfo};
 pub use handles::{Body, Coordinate, Input, Point, Quantity};
 pub use joint::{Geometry, JointInfo, JointKind, JointQuantity, Role};
 

@@ -2,6 +2,7 @@
 
 pub mod error;
 pub(crate) mod event;
+pub mod forces;
 pub mod motion;
 pub mod observer;
 pub mod options;

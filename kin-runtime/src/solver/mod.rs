@@ -11,6 +11,7 @@ use crate::equations::scale::Scale;
 use crate::equations::system::Evaluator;
 use crate::equations::{Equations, finite};
 use crate::error::SolveError;
+use crate::forces::Forces;
 use crate::mechanism::Mechanism;
 use crate::mobility::{Mobility, mobility};
 use crate::model::Point;
@@ -170,6 +171,15 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn motion(&self, state: &State) -> Result<Motion, SolveError> {
         self.analyse(&state.instant(), |equations| motion(equations, state))
+    }
+
+    /// What drivers supply and joints carry at a solved state, from M q̈ + Φ_qᵀ λ = Q.
+    ///
+    /// # Errors
+    /// [`NoLoads`](SolveError::NoLoads) for a mechanism without masses and loads, [`NotHeld`](SolveError::NotHeld) where
+    /// degrees of freedom are left that loads act along; [`NonFinite`](SolveError::NonFinite).
+    pub fn forces(&self, state: &State) -> Result<Forces, SolveError> {
+        self.analyse(&state.instant(), |equations| analysis::forces::forces(equations, state))
     }
 
     /// Estimated condition number of the scaled Φ_q at a state: see [`State::condition`].

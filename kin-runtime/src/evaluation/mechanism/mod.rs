@@ -1,7 +1,7 @@
 //! The trait that `#[mechanism]` implements.
 
 use crate::evaluation::curve::CurvePoint;
-use crate::model::Model;
+use crate::model::{ForceModel, Model};
 use crate::plan::{Depth, Solved};
 use crate::scalar::Scalar;
 use crate::signal::Signal;
@@ -258,6 +258,47 @@ pub trait Mechanism: Sized {
         lengths: &mut [T],
     ) -> Result<(), LengthError> {
         let _ = (parameters, at, lengths);
+        Ok(())
+    }
+
+    /// What the numbers of forces are; none for a mechanism without masses and loads.
+    fn force_model() -> Option<&'static ForceModel> {
+        None
+    }
+
+    /// r = Q − M q̈, n numbers: what loads and inertia leave for the constraints, Φ_qᵀ λ = r.
+    ///
+    /// # Errors
+    /// As [`evaluate_with`](Self::evaluate_with).
+    fn generalized_forces_with<T: Scalar>(
+        &self,
+        parameters: &[T],
+        at: &Instant<'_, T>,
+        q: &[T],
+        q_dot: &[T],
+        q_ddot: &[T],
+        generalized: &mut [T],
+    ) -> Result<(), LengthError> {
+        let _ = (parameters, at, q, q_dot, q_ddot, generalized);
+        Ok(())
+    }
+
+    /// Efforts, reactions, energies and powers, [`ForceModel::count`] numbers in the order that is said there, at a solved
+    /// q, q̇, q̈. `right` is λ, s numbers, unless the closed forms hold it ([`ForceModel::solved`]).
+    ///
+    /// # Errors
+    /// As [`evaluate_with`](Self::evaluate_with).
+    fn forces_with<T: Scalar>(
+        &self,
+        parameters: &[T],
+        at: &Instant<'_, T>,
+        q: &[T],
+        q_dot: &[T],
+        q_ddot: &[T],
+        right: &[T],
+        forces: &mut [T],
+    ) -> Result<(), LengthError> {
+        let _ = (parameters, at, q, q_dot, q_ddot, right, forces);
         Ok(())
     }
 

@@ -194,6 +194,20 @@ pub enum SolveError {
         /// What it lacks.
         fault: GeometryFault,
     },
+    /// Forces were asked for, and the mechanism has neither masses nor loads.
+    NoLoads {
+        /// Its name.
+        mechanism: &'static str,
+    },
+    /// Degrees of freedom are left open that loads and inertia act along: no constraint or driver holds them.
+    NotHeld {
+        /// Time.
+        t: f64,
+        /// How many are left open.
+        open: usize,
+        /// Coordinates that could be given.
+        could_be_given: Vec<&'static str>,
+    },
     /// NaN or infinity in an argument, a parameter or a result.
     NonFinite {
         /// Where: `q`, `t`, `parameters`, `inputs`, `Φ`, ….

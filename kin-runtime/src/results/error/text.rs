@@ -85,6 +85,16 @@ impl fmt::Display for SolveError {
                 )?;
                 write_limit(f, limit)
             }
+            Self::NoLoads { mechanism } => write!(
+                f,
+                "{mechanism} has neither masses nor loads: forces follow from `mass`, `gravity`, `force`, `torque`, \
+                 `spring` and `torsion_spring`"
+            ),
+            Self::NotHeld { t, open, could_be_given } => {
+                let freedoms = if *open == 1 { "degree of freedom is" } else { "degrees of freedom are" };
+                write!(f, "at t = {t} loads act along what nothing holds: {open} {freedoms} left open")?;
+                if could_be_given.is_empty() { Ok(()) } else { write!(f, "; could be given: {}", could_be_given.join(", ")) }
+            }
             Self::DegenerateGeometry { t, joint, fault } => write!(f, "joint `{joint}` at t = {t}: {fault}"),
             Self::DegenerateContact { t, joint, what, .. } => {
                 write!(f, "degenerate contact of joint `{joint}` at t = {t}: {what}")
