@@ -2,6 +2,7 @@
 
 use crate::analyse::{Broken, analyse, system};
 use crate::{documentation, expand, fallback};
+use kin_core::kernels;
 use kin_core::plan::{plan_of_rank, plan_with_formulas};
 use proc_macro2::TokenStream;
 
@@ -12,8 +13,9 @@ pub(crate) fn derive(args: TokenStream, item: TokenStream) -> TokenStream {
         Ok((system, structure)) => {
             let planned = if expand::WRITTEN { plan_with_formulas } else { plan_of_rank };
             let plan = planned(&system, structure.rank);
+            let kernels = kernels(&system, &plan);
             let documentation = documentation::attribute(&args, &item);
-            Ok(expand::expand(&lowered, &system, &structure, &plan, &documentation))
+            Ok(expand::expand(&lowered, &system, &structure, &plan, &kernels, &documentation))
         }
         Err(error) => Err(Broken { error, lowered: Some(Box::new(lowered)) }),
     });

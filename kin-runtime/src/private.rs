@@ -29,7 +29,7 @@ pub mod locals {
         ($($name:ident)*) => { $(pub const fn $name() {})* };
     }
     names! {
-        arguments at eta gamma geometry guesses index joint k observations out p parameters phi phi_q phi_t q
+        arguments at eta gamma geometry guesses index joint k lengths observations out p parameters phi phi_q phi_t q
         acceleration b branches closures correction depth held margins modes position q_dot right s solved start subset t this u unknowns value velocity w
         workspace x
     }

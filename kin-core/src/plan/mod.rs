@@ -43,26 +43,16 @@ mod watch;
 pub use formulas::{Formulas, Line};
 pub use run::{Solution, closures, resolve, run};
 pub use sections::Section;
-pub use step::{Kind, Mode, Step};
+pub use step::{Mode, Step};
 pub use watch::TOLERANCE;
 
 use crate::program::{Program, Slot, lower};
 use crate::system::KinematicSystem;
+use crate::vocabulary::Depth;
 use build::Build;
 use choice::Chosen;
 use std::ops::Range;
 use steps::Listed;
-
-/// How far a section belongs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Depth {
-    /// q.
-    Position,
-    /// q̇.
-    Velocity,
-    /// q̈.
-    Acceleration,
-}
 
 /// How a mechanism is solved, block by block.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
