@@ -35,6 +35,8 @@ mod hash;
 #[cfg(feature = "compiler")]
 pub mod joints;
 #[cfg(feature = "compiler")]
+pub mod kernels;
+#[cfg(feature = "compiler")]
 pub mod loads;
 #[cfg(feature = "compiler")]
 pub mod mechanism;
@@ -44,8 +46,6 @@ pub mod notation;
 pub mod plan;
 #[cfg(feature = "compiler")]
 pub mod program;
-#[cfg(feature = "compiler")]
-pub mod rows;
 #[cfg(feature = "compiler")]
 pub mod sheet;
 #[cfg(feature = "compiler")]
@@ -63,6 +63,7 @@ pub use {
     constraint::ConstraintSet,
     error::{ModelError, Origin},
     joints::assemble,
+    kernels::{Kernels, kernels},
     mechanism::Mechanism,
     plan::{SolutionPlan, plan},
     program::Program,

@@ -1,4 +1,5 @@
-//! The words that all crates share: what kinds of joints there are, and what their geometry is for.
+//! The words that all crates share: what kinds of joints there are and what their geometry is for, what kinds of steps a
+//! solution plan has, and how far a solution goes.
 
 use core::fmt;
 
@@ -203,6 +204,58 @@ impl fmt::Display for Role {
             Self::Axis => "axis",
             Self::Value => "value",
             Self::Radius => "radius",
+        })
+    }
+}
+
+/// What kind of step of a solution plan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StepKind {
+    /// Given by a formula of what is known.
+    Explicit,
+    /// A linear system of so many unknowns.
+    Linear(usize),
+    /// A group that closes without iteration, in one of two ways.
+    Closure,
+    /// An iteration over so many unknowns.
+    Newton(usize),
+    /// Redundant rows that all other steps do without, whole or but for a sign that they decide. It gives no coordinate; a
+    /// margin for each of them says whether the solution satisfies it, too, with its velocities and accelerations as far
+    /// as they are solved.
+    Watched,
+}
+
+/// How far a solution goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Depth {
+    /// q.
+    Position,
+    /// q and q̇.
+    Velocity,
+    /// q, q̇ and q̈.
+    Acceleration,
+}
+
+/// How a step is solved.
+impl fmt::Display for StepKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Explicit => f.write_str("by formula"),
+            Self::Linear(1) => f.write_str("by a linear equation"),
+            Self::Linear(n) => write!(f, "by a {n}×{n} linear system"),
+            Self::Closure => f.write_str("in closed form"),
+            Self::Newton(n) => write!(f, "by a {n}×{n} Newton iteration"),
+            Self::Watched => f.write_str("redundant rows watched"),
+        }
+    }
+}
+
+impl fmt::Display for Depth {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Position => "q",
+            Self::Velocity => "q and q̇",
+            Self::Acceleration => "q, q̇ and q̈",
         })
     }
 }

@@ -5,7 +5,7 @@ mod support;
 
 use kin_core::joints::Constraint;
 use kin_core::mechanism::{Formula, Mechanism};
-use kin_core::plan::Kind as StepKind;
+use kin_core::vocabulary::StepKind;
 use std::f64::consts::TAU;
 use support::chains::*;
 use support::*;

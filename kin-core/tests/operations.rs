@@ -4,7 +4,7 @@ mod support;
 
 use kin_core::joints::{Angle, Distance, RelativeAngle, Translational, X, Y};
 use kin_core::mechanism::{Formula, Mechanism, Operands, Value};
-use kin_core::program::{OperationCount, Slot, lower};
+use kin_core::program::{OperationCount, lower};
 use kin_core::{assemble, differentiate};
 use support::*;
 
@@ -153,42 +153,4 @@ fn programs_grow_with_the_number_of_loops() {
     assert_eq!(2 * step(sizes[0].1, sizes[1].1), step(sizes[1].1, sizes[2].1));
     assert_eq!(2 * step(sizes[0].2, sizes[1].2), step(sizes[1].2, sizes[2].2));
     assert_eq!(lower(&kin_core::expr::Graph::new(), &[]).instructions.len(), 0);
-}
-
-/// Families survive to the program: the outputs of every member stand together, in order, and there are equally many.
-#[test]
-fn families_of_rows_reach_the_program() {
-    let system = differentiate(assemble(&chain(5)).expect("a sound mechanism")).expect("no third derivatives");
-    let set = &system.set;
-    assert!(set.body_families.iter().all(|family| (family.members, family.stride) == (5, 1)));
-    let entries: Vec<usize> = (system.equations.iter().enumerate())
-        .flat_map(|(row, equation)| equation.phi_q.iter().map(move |_| row))
-        .collect();
-    let row_of = |slot: Slot| match slot {
-        Slot::Phi(row) | Slot::PhiT(row) | Slot::Gamma(row) => Some(row),
-        Slot::PhiQ(place) => entries.get(place).copied(),
-        _ => None,
-    };
-    let mut program = combined(&system);
-    for family in &set.row_families {
-        let layout = [family.first, family.members, family.stride];
-        program.note_family(&family.name, layout, row_of);
-    }
-    assert_eq!(program.families.len(), set.row_families.len());
-    for (family, rows) in program.families.iter().zip(&set.row_families) {
-        assert_eq!((&family.name, family.members.len()), (&rows.name, rows.members));
-        for (k, member) in family.members.iter().enumerate() {
-            let phi = program.outputs[member.start].0;
-            assert_eq!(phi, Slot::Phi(rows.first + k * rows.stride), "{}[{k}]", family.name);
-            let rows_of_member = rows.first + k * rows.stride..rows.first + (k + 1) * rows.stride;
-            for (slot, _) in &program.outputs[member.clone()] {
-                assert!(row_of(*slot).is_some_and(|row| rows_of_member.contains(&row)), "{}[{k}]: {slot}", family.name);
-            }
-            // Φ, Φ_t and γ of every row at least, and all of them.
-            let own =
-                program.outputs.iter().filter(|(slot, _)| row_of(*slot).is_some_and(|r| rows_of_member.contains(&r)));
-            assert_eq!(member.len(), own.count(), "{}[{k}]", family.name);
-            assert!(member.len() >= 3 * rows.stride, "{}[{k}]", family.name);
-        }
-    }
 }

@@ -7,7 +7,8 @@ use kin_core::Mechanism;
 use kin_core::check::check;
 use kin_core::joints::{Distance, PointOnLine, RelativeAngle, Revolute};
 use kin_core::mechanism::{Joint, Value};
-use kin_core::plan::{Kind, SolutionPlan, TOLERANCE};
+use kin_core::plan::{SolutionPlan, TOLERANCE};
+use kin_core::vocabulary::StepKind;
 use std::ops::Range;
 use support::chains::*;
 use support::*;
@@ -219,7 +220,7 @@ const FAMILIES: [(&str, Family); 4] =
 
 /// The least margin of rows that are watched.
 fn least_watched(plan: &SolutionPlan, margins: &[f64]) -> f64 {
-    let watched = plan.steps.iter().filter(|step| step.kind == Kind::Watched);
+    let watched = plan.steps.iter().filter(|step| step.kind == StepKind::Watched);
     let of = watched.flat_map(|step| step.margins.clone()).map(|place| margins[place]);
     of.fold(f64::INFINITY, f64::min)
 }
@@ -248,7 +249,7 @@ fn plans_without_redundant_rows_agree_with_newton() {
         let planned = Planned::new(&oracle);
         let plan = &planned.0;
         let more = oracle.system.set.rows.len() - oracle.system.set.coordinates.len();
-        let watched: usize = plan.steps.iter().filter(|s| s.kind == Kind::Watched).map(|s| s.rows.len()).sum();
+        let watched: usize = plan.steps.iter().filter(|s| s.kind == StepKind::Watched).map(|s| s.rows.len()).sum();
         assert!(more > 0 && watched == more, "{watched} of {more}: {plan}{name}");
         assert_eq!(planned.newton(), [], "{plan}{name}");
         let modes: Vec<f64> = planned.closures(&oracle, 0.0, &start.q).iter().map(|w| w.signum()).collect();

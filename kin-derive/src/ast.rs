@@ -3,7 +3,7 @@
 //! What could not be parsed is a hole ([`ExprKind::Hole`], [`PointExpr::Hole`]): its error is already reported,
 //! and the rest of its row is still read for mistakes.
 
-use kin_core::mechanism::{Function, StatementForm, Relation};
+use kin_core::mechanism::{Function, Relation, StatementForm};
 use proc_macro2::Span;
 use syn::ext::IdentExt;
 use syn::{Ident, LitStr, Type};

@@ -2,7 +2,9 @@
 
 use crate::analyse::{Broken, analyse, system};
 use crate::{documentation, expand, fallback};
-use kin_core::plan::{plan_of_rank, plan_with_formulas};
+use kin_core::kernels;
+use kin_core::loads::forces;
+use kin_core::plan::plan_and_linear;
 use proc_macro2::TokenStream;
 
 /// The items of `#[mechanism(args)] item`.
@@ -10,10 +12,11 @@ pub(crate) fn derive(args: TokenStream, item: TokenStream) -> TokenStream {
     let (cleaned, lowered) = analyse(args.clone(), item.clone());
     let derived = lowered.and_then(|lowered| match system(&lowered) {
         Ok((system, structure)) => {
-            let planned = if expand::WRITTEN { plan_with_formulas } else { plan_of_rank };
-            let plan = planned(&system, structure.rank);
+            let (plan, linear) = plan_and_linear(&system, structure.rank, expand::WRITTEN);
+            let forces = forces(&lowered.mechanism, &system, linear);
+            let kernels = kernels(&system, &plan, forces.as_ref());
             let documentation = documentation::attribute(&args, &item);
-            Ok(expand::expand(&lowered, &system, &structure, &plan, &documentation))
+            Ok(expand::expand(&lowered, &system, &structure, &plan, forces.as_ref(), &kernels, &documentation))
         }
         Err(error) => Err(Broken { error, lowered: Some(Box::new(lowered)) }),
     });

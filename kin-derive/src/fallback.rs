@@ -70,10 +70,6 @@ pub(crate) fn fallback(cleaned: Option<&ItemStruct>, item: TokenStream, broken: 
                     &self, _: &[__T], _: &__kin::Instant<'_, __T>, _: &[__T], _: &[__T],
                     _: &mut __kin::Observations<Self, __T>,
                 ) #nothing
-                fn write_geometry<__T: __kin::Scalar>(
-                    &self, _: &[__T], _: &__kin::Instant<'_, __T>, _: &mut [__T],
-                ) #nothing
-                fn write_guesses<__T: __kin::Scalar>(&self, _: &[__T], _: &mut [__T]) #nothing
             }
             #generic
             #default

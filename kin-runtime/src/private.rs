@@ -5,10 +5,10 @@ pub use crate::function::ScalarFunction;
 pub use crate::generic::GenericMechanism;
 pub use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 pub use crate::model::{
-    Body, BodyInfo, Component, ConditionInfo, Coordinate, CoordinateInfo, CoordinateKind, DefineInfo, EquationText,
-    FamilyInfo, FamilyKind, Frame, GenericRedundancy, Geometry, Input, JointInfo, JointKind, JointQuantity, Level,
-    LineText, Model, Observable, OperationCount, OriginKind, ParameterInfo, Pattern, Point, PointInfo, Quantity, Role,
-    RowInfo, StepText, Structure,
+    Body, BodyInfo, Component, ConditionInfo, Coordinate, CoordinateInfo, CoordinateKind, DefineInfo, EffortInfo,
+    EquationText, FamilyInfo, FamilyKind, ForceModel, Frame, GenericRedundancy, Geometry, Input, JointInfo, JointKind,
+    JointQuantity, Level, LineText, Model, Observable, OperationCount, OriginKind, ParameterInfo, Pattern, Point,
+    PointInfo, Quantity, ReactionInfo, Role, RowInfo, SpringInfo, StepText, Structure,
 };
 pub use crate::plan::{Depth, ModeInfo, Plan, PlanStep, Solved, StepKind, coarseness, iterate};
 pub use crate::scalar::Scalar;
@@ -29,7 +29,7 @@ pub mod locals {
         ($($name:ident)*) => { $(pub const fn $name() {})* };
     }
     names! {
-        arguments at eta gamma geometry guesses index joint k observations out p parameters phi phi_q phi_t q
+        arguments at eta forces gamma generalized geometry guesses index joint k lengths observations out p parameters phi phi_q phi_t q q_ddot
         acceleration b branches closures correction depth held margins modes position q_dot right s solved start subset t this u unknowns value velocity w
         workspace x
     }

@@ -14,7 +14,8 @@ pub(super) fn loads_act_on_bodies(mechanism: &Mechanism, errors: &mut Vec<ModelE
             .collect();
         match (kind, bodies.as_slice()) {
             (LoadKind::Mass, [body]) if body.is_ground() => {
-                let message = "the ground does not move, so that its mass makes no difference; a mass belongs to a body";
+                let message =
+                    "the ground does not move, so that its mass makes no difference; a mass belongs to a body";
                 errors.push(ModelError::new(body.origin(), message));
             }
             (LoadKind::Force | LoadKind::Torque, [body]) if body.is_ground() => {

@@ -8,7 +8,7 @@ use super::{
 };
 use crate::constraint::{Assembly, Rows};
 use crate::error::ModelError;
-use crate::mechanism::{Joint, StatementForm, Mechanism, Operands};
+use crate::mechanism::{Joint, Mechanism, Operands, StatementForm};
 use crate::vectors::{Equation, NamedJoint};
 use crate::vocabulary::StatementKind;
 

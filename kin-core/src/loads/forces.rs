@@ -21,6 +21,8 @@ pub struct SpringForce {
     pub name: String,
     /// True for a torsion spring.
     pub turns: bool,
+    /// The place of its first number among the results.
+    pub place: usize,
     /// Its numbers.
     pub numbers: [ExprId; 5],
 }
@@ -63,7 +65,7 @@ pub fn forces(mechanism: &Mechanism, system: &KinematicSystem, linear: Option<Li
         None => (set.graph.clone(), None),
     };
     let mut bodies = FreeBodies::new(mechanism, set, graph);
-    let (acting, springs) = all_acting(&mut bodies);
+    let (acting, mut springs) = all_acting(&mut bodies);
     let equilibrium = Equilibrium::new(&mut bodies, set, &acting);
     let rows = set.rows.len();
     // Rows that are more than coordinates share the forces in a way that the plan does not know.
@@ -76,17 +78,24 @@ pub fn forces(mechanism: &Mechanism, system: &KinematicSystem, linear: Option<Li
     let multipliers = lambda.iter().copied().chain(of_holds).collect();
     let probe = Probe::new(set.coordinates.len());
     let mut writer = Writer { bodies: &mut bodies, system, equilibrium: &equilibrium, multipliers, probe };
-    let (efforts, reactions) = (writer.efforts(), writer.reactions());
+    let (mut efforts, mut reactions) = (writer.efforts(), writer.reactions());
     let mut results = totals(&mut bodies.a.graph, &acting, &efforts).to_vec();
     results.extend(&lambda);
-    results.extend(efforts.iter().flat_map(|effort| effort.numbers));
-    for reaction in &reactions {
+    for effort in &mut efforts {
+        effort.place = results.len();
+        results.extend(effort.numbers);
+    }
+    for reaction in &mut reactions {
+        reaction.place = results.len();
         results.extend(reaction.force.iter().flatten().flatten());
         results.extend(reaction.moment);
         results.extend(reaction.couples.iter().map(|(_, couple)| *couple));
         results.extend(&reaction.generalized);
     }
-    results.extend(springs.iter().flat_map(|spring| spring.numbers));
+    for spring in &mut springs {
+        spring.place = results.len();
+        results.extend(spring.numbers);
+    }
     let graph = &bodies.a.graph;
     let program = |list: &[ExprId]| {
         lower(graph, &list.iter().enumerate().map(|(k, id)| (Slot::Entry(k), *id)).collect::<Vec<_>>())
@@ -114,7 +123,12 @@ fn all_acting(bodies: &mut FreeBodies<'_>) -> (Vec<Acting>, Vec<SpringForce>) {
             let Some(acting) = acts(bodies, &load.operands) else { continue };
             if let Some(numbers) = acting.spring {
                 let turns = load.operands.kind() == StatementKind::Load(LoadKind::TorsionSpring);
-                springs.push(SpringForce { name: indexed(&load.name, shown.is_some(), index), turns, numbers });
+                springs.push(SpringForce {
+                    name: indexed(&load.name, shown.is_some(), index),
+                    turns,
+                    place: 0,
+                    numbers,
+                });
             }
             all.push(acting);
         }

@@ -2,7 +2,7 @@
 
 use super::free_bodies::FreeBodies;
 use super::load::{Acting, Kind};
-use super::{Force, Gravity, Mass, Spring, TorsionSpring, Torque};
+use super::{Force, Gravity, Mass, Spring, Torque, TorsionSpring};
 use crate::mechanism::{Operands, StatementForm};
 
 /// Every kind of mass or load, in the order of the guide. A new kind is a file of its own, its word in the

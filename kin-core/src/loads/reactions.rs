@@ -19,6 +19,8 @@ use crate::vocabulary::Role;
 pub struct Effort {
     /// The driver's name, or that of a row.
     pub name: String,
+    /// The place of its first number among the results.
+    pub place: usize,
     /// Force or torque, and the rate.
     pub numbers: [ExprId; 2],
 }
@@ -28,6 +30,8 @@ pub struct Effort {
 pub struct ReactionForce {
     /// The joint's name.
     pub name: String,
+    /// The place of its first number among the results.
+    pub place: usize,
     /// The rows whose multipliers it is made of; those of held and carried coordinates stand behind those of Φ.
     pub rows: Vec<usize>,
     /// The body that force and moment act on.
@@ -107,14 +111,15 @@ impl Writer<'_, '_> {
                     _ => None,
                 };
                 let length = length.map(|observable| self.system.set.observables[observable].value);
-                efforts.push(Effort { name: name.clone(), numbers: self.effort(row, length) });
+                let (name, numbers) = (name.clone(), self.effort(row, length));
+                efforts.push(Effort { name, place: 0, numbers });
             }
         }
         for (k, hold) in self.equilibrium.holds.iter().enumerate() {
             if !self.bodies.a.graph.is_zero(hold.row.partial_t) {
                 let name = hold.name(self.bodies, &self.system.set);
                 let numbers = self.effort(self.equilibrium.rows.len() + k, None);
-                efforts.push(Effort { name, numbers });
+                efforts.push(Effort { name, place: 0, numbers });
             }
         }
         efforts

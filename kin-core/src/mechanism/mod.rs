@@ -18,7 +18,7 @@ mod walk;
 pub use body::{Body, BodyOrigin, Define, Input, NamedPoint, Parameter, Range, Scalar, Source, SuppliedFunction};
 pub use condition::{Condition, Relation};
 pub use curve::Curve;
-pub use form::{Dimension, StatementForm, Sees, Slot, Takes, Written};
+pub use form::{Dimension, Sees, Slot, StatementForm, Takes, Written};
 pub use formula::{Formula, Function, Place};
 pub use joint::{Guess, GuessTarget, Joint, Load};
 pub use operand::{Axis, Operand, OperandValue, Operands, Radii, Value, Vector};

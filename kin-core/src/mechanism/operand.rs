@@ -1,6 +1,6 @@
 //! The operands of a joint, a mass or a load: what stands in its slots.
 
-use super::form::{StatementForm, Slot, Takes, Written};
+use super::form::{Slot, StatementForm, Takes, Written};
 use super::{BodyRef, Curve, Formula, Member, Place};
 use crate::error::Origin;
 use crate::vocabulary::{JointKind, StatementKind};
@@ -94,7 +94,9 @@ impl Operand {
             Self::Points(places) => places.iter().map(|place| place.body).collect(),
             Self::Body(body) => vec![*body],
             Self::Bodies(bodies) => bodies.clone(),
-            Self::Scalar(_) | Self::Vector(_) | Self::Axis(_) | Self::Value(_) | Self::Radii(_) | Self::Curve(_) => Vec::new(),
+            Self::Scalar(_) | Self::Vector(_) | Self::Axis(_) | Self::Value(_) | Self::Radii(_) | Self::Curve(_) => {
+                Vec::new()
+            }
         }
     }
 

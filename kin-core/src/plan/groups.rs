@@ -1,10 +1,11 @@
 //! Dyads by their letters: along their joints, carried origins being pins; in free equations by what closes there.
 
-use super::step::{Kind, Step};
+use super::step::Step;
 use super::tree::{Core, Pair, PairValue, Part, Way};
 use crate::constraint::{ConstraintSet, Frame, RowMeaning};
 use crate::expr::{Graph, Node, Symbol};
 use crate::vocabulary::JointKind;
+use crate::vocabulary::StepKind;
 use std::collections::BTreeSet;
 
 /// What a closure of two rows at once is: where two circles meet, or a circle and a line.
@@ -37,7 +38,7 @@ pub(super) fn letters_of_pair(graph: &Graph, pair: &Pair) -> Option<&'static str
 pub(super) fn name_group(set: &ConstraintSet, step: &mut Step) {
     let bodies = std::mem::take(&mut step.bodies);
     let free = step.joints.iter().all(|&joint| set.joints[joint].kind == JointKind::Constraint);
-    let along = if step.kind == Kind::Explicit { None } else { walk(set, &step.joints, &bodies) };
+    let along = if step.kind == StepKind::Explicit { None } else { walk(set, &step.joints, &bodies) };
     let walked = along.is_some();
     if let Some((joints, letters)) = along {
         (step.joints, step.group) = (joints, letters);
@@ -55,14 +56,16 @@ pub(super) fn name_group(set: &ConstraintSet, step: &mut Step) {
     let joints = names(&step.joints);
     let carried = bodies.iter().any(|&body| set.bodies[body].carried_by.is_some());
     step.singular = match (step.kind, step.group.as_str()) {
-        (Kind::Explicit | Kind::Watched, _) => String::new(),
-        (Kind::Closure, "RRR") if walked && carried => format!("{joints} and the pins that carry origins on one line"),
-        (Kind::Closure, "RRR") if walked => format!("{joints} on one line"),
-        (Kind::Closure, "RRP") => "the link square to the guide".to_owned(),
-        (Kind::Closure, _) => format!("both closures of {joints} in one place"),
-        (Kind::Linear(_), "PRP") => "both guides parallel".to_owned(),
-        (Kind::Linear(n), _) => format!("determinant {n}×{n} of {joints} zero"),
-        (Kind::Newton(n), _) => format!("Jacobian {n}×{n} of {joints} singular"),
+        (StepKind::Explicit | StepKind::Watched, _) => String::new(),
+        (StepKind::Closure, "RRR") if walked && carried => {
+            format!("{joints} and the pins that carry origins on one line")
+        }
+        (StepKind::Closure, "RRR") if walked => format!("{joints} on one line"),
+        (StepKind::Closure, "RRP") => "the link square to the guide".to_owned(),
+        (StepKind::Closure, _) => format!("both closures of {joints} in one place"),
+        (StepKind::Linear(_), "PRP") => "both guides parallel".to_owned(),
+        (StepKind::Linear(n), _) => format!("determinant {n}×{n} of {joints} zero"),
+        (StepKind::Newton(n), _) => format!("Jacobian {n}×{n} of {joints} singular"),
     };
 }
 

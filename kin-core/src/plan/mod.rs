@@ -45,27 +45,17 @@ pub(crate) use probe::Probe;
 pub(crate) use rewrite::{Substitution, rewrite};
 pub use run::{Solution, closures, resolve, run};
 pub use sections::Section;
-pub use step::{Kind, Mode, Step};
+pub use step::{Mode, Step};
 pub use watch::TOLERANCE;
 
 use crate::expr::{ExprId, Graph};
 use crate::program::{Program, Slot, lower};
 use crate::system::KinematicSystem;
+use crate::vocabulary::Depth;
 use build::Build;
 use choice::Chosen;
 use std::ops::Range;
 use steps::Listed;
-
-/// How far a section belongs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Depth {
-    /// q.
-    Position,
-    /// q̇.
-    Velocity,
-    /// q̈.
-    Acceleration,
-}
 
 /// How a mechanism is solved, block by block.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

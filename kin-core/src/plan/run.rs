@@ -1,8 +1,9 @@
 //! Runs a plan in double precision: the oracle of the generated code.
 
-use super::{Depth, Section, SolutionPlan};
+use super::{Section, SolutionPlan};
 use crate::expr::{Environment, Symbol};
 use crate::program::{Program, Slot, interpret};
+use crate::vocabulary::Depth;
 
 /// What a plan gives.
 #[derive(Clone, Debug, Default, PartialEq)]

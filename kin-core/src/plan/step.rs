@@ -1,27 +1,13 @@
 //! The steps of a plan in words: which joint gives which coordinate, and how.
 
+use crate::vocabulary::StepKind;
 use std::collections::BTreeSet;
-
-/// What kind of step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Given by a formula of what is known.
-    Explicit,
-    /// A linear system of so many unknowns.
-    Linear(usize),
-    /// A group that closes without iteration, in one of two ways.
-    Closure,
-    /// An iteration over so many unknowns.
-    Newton(usize),
-    /// Rows that the steps do without: they give nothing, and their margins say whether they are satisfied.
-    Watched,
-}
 
 /// A step of a plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Step {
     /// What kind.
-    pub kind: Kind,
+    pub kind: StepKind,
     /// Its kinematic group where it is a dyad: `RRR`, `RRP`, …; empty otherwise.
     pub group: String,
     /// Its joints, along the group where it is a dyad.

@@ -1,11 +1,12 @@
 //! The steps of a plan listed in their order, with their modes and margins.
 
 use super::groups::{letters_of_pair, letters_of_way, name_group};
-use super::step::{Kind, Mode, Step};
+use super::step::{Mode, Step};
 use super::tree::{Block, Core, Part, Way};
 use crate::constraint::{ConstraintSet, CoordinateKind};
 use crate::expr::Graph;
 use crate::system::KinematicSystem;
+use crate::vocabulary::StepKind;
 use std::collections::BTreeSet;
 
 /// The steps, modes and margins of a plan, as they are found.
@@ -41,12 +42,12 @@ impl Listed {
     /// A joint whose rows are explicit (an origin on a known pin, an axis along a known one) is a joint of the group
     /// that its body belongs to all the same.
     fn take_in_explicit(&mut self, set: &ConstraintSet) {
-        let explicit = self.steps.iter().filter(|step| step.kind == Kind::Explicit);
+        let explicit = self.steps.iter().filter(|step| step.kind == StepKind::Explicit);
         let given: Vec<(usize, usize)> = explicit
             .flat_map(|step| &step.coordinates)
             .filter_map(|&(k, joint)| Some((body_of(set, k)?, joint)))
             .collect();
-        for step in self.steps.iter_mut().filter(|step| step.kind != Kind::Explicit) {
+        for step in self.steps.iter_mut().filter(|step| step.kind != StepKind::Explicit) {
             let mut bodies = bodies(set, step);
             loop {
                 let before = (bodies.len(), step.joints.len());
@@ -90,10 +91,10 @@ impl Listed {
     fn add(&mut self, system: &KinematicSystem, core: &Core, made_of: &[BTreeSet<usize>]) {
         let rows: BTreeSet<usize> = core.rows.iter().flat_map(|&row| made_of[row].iter().copied()).collect();
         let kind = match &core.way {
-            Way::Linear { matrix, .. } if matrix.len() == 1 => Kind::Explicit,
-            Way::Linear { matrix, .. } => Kind::Linear(matrix.len()),
-            Way::Newton { residuals } => Kind::Newton(residuals.len()),
-            _ => Kind::Closure,
+            Way::Linear { matrix, .. } if matrix.len() == 1 => StepKind::Explicit,
+            Way::Linear { matrix, .. } => StepKind::Linear(matrix.len()),
+            Way::Newton { residuals } => StepKind::Newton(residuals.len()),
+            _ => StepKind::Closure,
         };
         let joint = |place: usize| {
             let row = core.rows.get(place).or(core.rows.first());
@@ -115,7 +116,7 @@ impl Listed {
         }
         let last = self.steps.len();
         if let Some(step) = self.steps.last_mut()
-            && step.kind == Kind::Explicit
+            && step.kind == StepKind::Explicit
             && step.joints == [joint]
         {
             step.rows.insert(row);
@@ -124,7 +125,7 @@ impl Listed {
             return;
         }
         self.of_attached.push(last);
-        self.steps.push(new_step(&system.set, Kind::Explicit, BTreeSet::from([row]), vec![(coordinate, joint)]));
+        self.steps.push(new_step(&system.set, StepKind::Explicit, BTreeSet::from([row]), vec![(coordinate, joint)]));
     }
 
     /// The step of a core, by its place in the order of the solution.
@@ -187,7 +188,7 @@ impl Listed {
             let joint = set.rows[row].joint;
             match steps.last().map(|&step| &mut self.steps[step]) {
                 Some(step) if step.joints == [joint] => _ = step.rows.insert(row),
-                _ => self.steps.push(new_step(set, Kind::Watched, BTreeSet::from([row]), Vec::new())),
+                _ => self.steps.push(new_step(set, StepKind::Watched, BTreeSet::from([row]), Vec::new())),
             }
             steps.push(self.steps.len() - 1);
         }
@@ -210,7 +211,7 @@ impl Listed {
     }
 }
 
-fn new_step(set: &ConstraintSet, kind: Kind, rows: BTreeSet<usize>, coordinates: Vec<(u32, usize)>) -> Step {
+fn new_step(set: &ConstraintSet, kind: StepKind, rows: BTreeSet<usize>, coordinates: Vec<(u32, usize)>) -> Step {
     let mut joints: Vec<usize> = rows.iter().map(|&row| set.rows[row].joint).collect();
     joints.dedup();
     Step {

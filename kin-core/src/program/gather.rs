@@ -23,7 +23,6 @@ impl Program {
         Self {
             instructions: order.iter().map(|old| self.instructions[*old].map_operands(to)).collect(),
             outputs: self.outputs.iter().map(|(slot, value)| (*slot, to(*value))).collect(),
-            families: self.families.clone(),
         }
     }
 }

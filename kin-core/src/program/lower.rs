@@ -27,11 +27,7 @@ pub fn lower(graph: &Graph, outputs: &[(Slot, ExprId)]) -> Program {
         let value = lowering.positive(*id);
         written.push((*slot, value));
     }
-    sums::early_terms_first(schedule(Program {
-        instructions: lowering.out.instructions,
-        outputs: written,
-        families: Vec::new(),
-    }))
+    sums::early_terms_first(schedule(Program { instructions: lowering.out.instructions, outputs: written }))
 }
 
 struct Lowering<'g> {
@@ -290,17 +286,17 @@ impl Lowering<'_> {
 }
 
 impl Program {
-    /// The outputs that `keep` keeps, with what they need: to the last bit what the whole gives. Families are not noted.
+    /// The outputs that `keep` keeps, with what they need: to the last bit what the whole gives.
     pub fn only(&self, keep: impl Fn(Slot) -> bool) -> Self {
         let outputs = self.outputs.iter().copied().filter(|(slot, _)| keep(*slot)).collect();
-        schedule(Self { instructions: self.instructions.clone(), outputs, families: Vec::new() })
+        schedule(Self { instructions: self.instructions.clone(), outputs })
     }
 }
 
 /// Drops what no output needs and orders the rest: angles come first, those of one depth in sines and cosines with what
 /// they need, so that their sines and cosines stand together; everything else follows where it is first used.
 fn schedule(program: Program) -> Program {
-    let Program { instructions, outputs, families } = program;
+    let Program { instructions, outputs } = program;
     let is_pair = |place: usize| matches!(instructions[place], Instruction::SinCos(_));
     let mut depth = vec![0_usize; instructions.len()];
     for (place, instruction) in instructions.iter().enumerate() {
@@ -327,5 +323,5 @@ fn schedule(program: Program) -> Program {
     let phase = |place: usize| if is_pair(place) { (depth[place], true) } else { (serves[place], false) };
     let mut order: Vec<usize> = (0..instructions.len()).filter(|place| needed[*place]).collect();
     order.sort_by_key(|place| phase(*place));
-    Program { instructions, outputs, families }.reordered(&order)
+    Program { instructions, outputs }.reordered(&order)
 }

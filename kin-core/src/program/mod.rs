@@ -14,7 +14,7 @@ mod sums;
 pub use gather::gather;
 pub use interpret::interpret;
 pub use lower::lower;
-pub use roll::{Angles, Keep, Part, Piece, Rolled, Source, Step, Worth, interpret_rolled, roll};
+pub use roll::{Angles, Keep, Part, Piece, Rolled, Source, Step, Worth, finished, interpret_rolled, roll};
 
 use crate::expr::{Bits, Symbol};
 use crate::hash::mixed;
@@ -274,15 +274,6 @@ impl OperationCount {
     }
 }
 
-/// A family of rows in a program: equal rows over an index range, laid out one member after another.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Family {
-    /// Name without index.
-    pub name: String,
-    /// The outputs of every member, as ranges of places in [`Program::outputs`].
-    pub members: Vec<core::ops::Range<usize>>,
-}
-
 /// A straight-line program.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Program {
@@ -291,26 +282,9 @@ pub struct Program {
     pub instructions: Vec<Instruction>,
     /// What is written where, in the order given to [`lower`].
     pub outputs: Vec<(Slot, Value)>,
-    /// Families of rows among the outputs, for whoever writes them as loops; lowering lays them out.
-    pub families: Vec<Family>,
 }
 
 impl Program {
-    /// Notes that `members` groups of `stride` rows from row `first` on are a family. Outputs stand row by row;
-    /// `row_of` gives the row of each.
-    pub fn note_family(
-        &mut self,
-        name: &str,
-        [first, members, stride]: [usize; 3],
-        row_of: impl Fn(Slot) -> Option<usize>,
-    ) {
-        let begins =
-            |row: usize| self.outputs.partition_point(|(slot, _)| row_of(*slot).is_some_and(|other| other < row));
-        let ranges = (0..members).map(|k| begins(first + k * stride)..begins(first + (k + 1) * stride));
-        let members = ranges.collect();
-        self.families.push(Family { name: name.to_owned(), members });
-    }
-
     /// The operations of one run.
     pub fn operations(&self) -> OperationCount {
         let mut count = OperationCount::default();

@@ -44,7 +44,7 @@ pub(super) fn early_terms_first(program: Program) -> Program {
         };
     }
     let outputs = program.outputs.iter().map(|(slot, value)| (*slot, renumbered[value.index()])).collect();
-    Program { instructions: numbered.instructions, outputs, families: program.families }
+    Program { instructions: numbered.instructions, outputs }
 }
 
 /// What waits for a function.

@@ -2,12 +2,12 @@
 
 use super::Number;
 use kin_core::joints::{
-    Angle, Belt, Constraint, Distance, Driver, Fixed, FlatFollower, Gear, OnCurve, PointOnLine,
-    RackPinion, RelativeAngle, Revolute, RollingOnDisc, RollingOnLine, Rope, Screw, Translational, X, Y,
+    Angle, Belt, Constraint, Distance, Driver, Fixed, FlatFollower, Gear, OnCurve, PointOnLine, RackPinion,
+    RelativeAngle, Revolute, RollingOnDisc, RollingOnLine, Rope, Screw, Translational, X, Y,
 };
-use kin_core::mechanism::{TypedOperands, 
+use kin_core::mechanism::{
     Axis, BodyOrigin, BodyRef, Component, Curve, CurveVariable, Formula, Function, Mechanism, Member, Operands, Place,
-    Range,
+    Range, TypedOperands,
 };
 use std::cell::Cell;
 use std::collections::HashMap;

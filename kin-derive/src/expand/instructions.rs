@@ -4,10 +4,7 @@ use kin_core::expr::Symbol;
 use kin_core::mechanism::Function;
 use kin_core::program::{Instruction, Slot, Value};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::{format_ident, quote};
-
-/// Angles in one call of `sin_cos_all`.
-pub(super) const ANGLES: usize = 64;
+use quote::{ToTokens, format_ident, quote};
 
 /// The arguments of a kernel that are supplied function `number` and its derivatives.
 pub(crate) fn function_names(number: u32) -> [Ident; 2] {
@@ -39,11 +36,10 @@ pub(super) fn definition(
         | Instruction::Load(_)
         | Instruction::SinOf(_)
         | Instruction::CosOf(_)
-        | Instruction::SuppliedOf(..) => return None,
-        Instruction::SinCos(a) => {
-            let a = v(a);
-            quote! { __kin::Scalar::sin_cos(#a) }
-        }
+        | Instruction::SuppliedOf(..)
+        // These are taken in one call with others.
+        | Instruction::SinCos(_)
+        | Instruction::Atan2(..) => return None,
         Instruction::Neg(a) => {
             let a = v(a);
             quote! { -#a }
@@ -59,10 +55,6 @@ pub(super) fn definition(
         Instruction::Sign(a) => {
             let a = v(a);
             quote! { __kin::Scalar::signum(#a) }
-        }
-        Instruction::Atan2(y, x) => {
-            let (y, x) = (v(y), v(x));
-            quote! { __kin::Scalar::atan2(#y, #x) }
         }
         Instruction::Nearest(a, b) => {
             let (a, b) = (v(a), v(b));
@@ -83,14 +75,9 @@ pub(super) fn definition(
     };
     let names = names_of(value, instruction);
     Some(match instruction {
-        Instruction::SinCos(_) => quote! { let (#(#names),*) = #expression; },
         Instruction::Supplied(..) => quote! { let [#(#names),*] = #expression; },
         _ => quote! { let #(#names)* = #expression; },
     })
-}
-
-pub(super) fn ident(ident: Ident) -> TokenStream {
-    quote! { #ident }
 }
 
 fn binary(a: TokenStream, operator: TokenStream, b: TokenStream) -> TokenStream {
@@ -117,39 +104,45 @@ pub(super) fn number(value: f64) -> TokenStream {
     quote! { <__T as __kin::Scalar>::from_f64(#value) }
 }
 
-pub(super) fn load(symbol: Symbol) -> TokenStream {
-    let at = Literal::usize_unsuffixed(symbol.index() as usize);
-    load_at(symbol, &quote! { #at })
+/// The argument of a kernel that a symbol is read from.
+pub(super) fn argument(symbol: Symbol) -> &'static str {
+    match symbol {
+        Symbol::Time => "t",
+        Symbol::ARGUMENT => "s",
+        Symbol::Parameter(_) => "p",
+        Symbol::Input(..) => "u",
+        Symbol::Coordinate(_) => "q",
+        Symbol::Rate(_) => "w",
+        Symbol::Acceleration(_) => "acceleration",
+        Symbol::Mode(_) => "modes",
+        Symbol::Start(_) => "start",
+        Symbol::Unknown(_) => "unknowns",
+        Symbol::Held(_) => "held",
+        Symbol::Right(_) => "right",
+        Symbol::Coarseness => "",
+    }
 }
 
 /// The symbol of this kind with this index.
 pub(super) fn load_at(symbol: Symbol, at: &TokenStream) -> TokenStream {
+    let argument = || Ident::new(argument(symbol), Span::call_site());
     match symbol {
-        Symbol::Time => quote! { t },
-        Symbol::ARGUMENT => quote! { s },
-        Symbol::Parameter(_) => quote! { p[#at] },
-        Symbol::Input(_, order) => {
-            let part = format_ident!("{}", ["value", "rate", "acceleration"][usize::from(order.min(2))]);
-            quote! { u[#at].#part }
-        }
-        Symbol::Coordinate(_) => quote! { q[#at] },
-        Symbol::Rate(_) => quote! { w[#at] },
-        Symbol::Mode(_) => quote! { modes[#at] },
-        Symbol::Start(_) => quote! { start[#at] },
-        Symbol::Unknown(_) => quote! { unknowns[#at] },
-        Symbol::Held(_) => quote! { held[#at] },
-        Symbol::Right(_) => quote! { right[#at] },
         Symbol::Coarseness => quote! { <__T as __kin::Scalar>::from_f64(__kin::coarseness::<__T>()) },
+        Symbol::Time | Symbol::ARGUMENT => argument().into_token_stream(),
+        Symbol::Input(_, order) => {
+            let (inputs, part) = (argument(), ["value", "rate", "acceleration"][usize::from(order.min(2))]);
+            let part = Ident::new(part, Span::call_site());
+            quote! { #inputs[#at].#part }
+        }
+        _ => {
+            let array = argument();
+            quote! { #array[#at] }
+        }
     }
 }
 
 fn function(f: Function) -> Ident {
     Ident::new(f.name(), Span::call_site())
-}
-
-pub(super) fn target(slot: Slot) -> TokenStream {
-    let at = Literal::usize_unsuffixed(slot.index());
-    target_at(slot, &quote! { #at })
 }
 
 /// The slot of this array with this index.

@@ -2,22 +2,22 @@
 //!
 //! Nothing iterates a hash map on the way here: the same description gives the same tokens.
 
-mod curves;
+mod code;
 mod derivation;
 mod entries;
-mod evaluations;
+mod forces;
 mod functions;
 mod generics;
 mod handles;
 mod instructions;
 mod joints;
 mod kernel;
+mod lists;
 mod own_scalar;
 mod packed;
 mod parameters;
 mod plan;
-mod program;
-mod rolled;
+mod rows;
 mod statements;
 mod steps;
 mod supplied;
@@ -31,13 +31,14 @@ pub(crate) use instructions::literal;
 pub(crate) use own_scalar::placeholder;
 
 use crate::lower::Lowered;
-use evaluations::{Evaluations, evaluate, lengths, list, observe, position_lengths, values, velocity_constraints};
-use kernel::Layout;
+use kin_core::Kernels;
+use kin_core::loads::Forces;
 use kin_core::plan::SolutionPlan;
 use kin_core::structure::Structure;
 use kin_core::system::KinematicSystem;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
+use rows::{Evaluations, evaluations, lengths, position_lengths};
 
 /// All items of a mechanism: the struct, its handles, the trait, and what the flags ask for.
 pub(crate) fn expand(
@@ -45,11 +46,13 @@ pub(crate) fn expand(
     system: &KinematicSystem,
     structure: &Structure,
     plan: &SolutionPlan,
+    forces: Option<&Forces>,
+    kernels: &Kernels,
     documentation: &TokenStream,
 ) -> TokenStream {
     let item = &lowered.item;
     let handles = handles::handles(lowered, system);
-    let mechanism = mechanism(lowered, system, structure, plan);
+    let mechanism = mechanism(lowered, system, structure, plan, forces, kernels);
     let default = parameters::default(lowered);
     let cross_check = test::cross_check(lowered);
     // After the user's own text: attributes of documentation are one text in their order.
@@ -74,52 +77,41 @@ pub(crate) fn expand(
 }
 
 /// The implementation of the trait.
-fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure, plan: &SolutionPlan) -> TokenStream {
-    let item = &lowered.item;
-    let set = &system.set;
+fn mechanism(
+    lowered: &Lowered,
+    system: &KinematicSystem,
+    structure: &Structure,
+    plan: &SolutionPlan,
+    forces: Option<&Forces>,
+    kernels: &Kernels,
+) -> TokenStream {
+    let (item, set) = (&lowered.item, &system.set);
     let name = &item.ident;
     let generics = generics::bounded(lowered, "Parameter");
     let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
-    let constraints = Layout::new(&set.graph, &system.equations, &set.row_families);
-    let observables = Layout::new(&set.graph, &system.observables, &[]);
-    let all = constraints.program(|_| true);
-    let planned = plan::planned(lowered, system, plan);
+    let (n, u) = (set.coordinates.len(), set.inputs.len());
+    let evaluations = evaluations(lowered, kernels, set.parameters.len());
+    let generic = own_scalar::own(lowered, &evaluations);
+    let Evaluations { items: row_items, values, evaluate, observe, counts } = evaluations;
+    let [p, s, entries, seen, seen_entries] = counts;
+    let planned = plan::planned(lowered, kernels, plan, n);
+    let forces::ForceTokens { items: force_items, methods: force_methods } = forces::forces(forces, kernels, s);
+    let (factors, plan_items, plan_methods) = (plan.factors, planned.items, planned.methods);
     let tables = tables::model(&tables::Tables {
         mechanism: &lowered.mechanism,
         system,
-        constraints: &constraints,
-        observables: &observables,
-        operations: all.operations(),
+        kernels,
         doc: &lowered.docs.mechanism,
         allow_redundant: lowered.flags.allow_redundant,
         structure,
         plan,
     });
-    let (n, s, p, u) = (set.coordinates.len(), set.rows.len(), set.parameters.len(), set.inputs.len());
-    let (entries, seen, seen_entries) =
-        (constraints.rows.entries.len(), set.observables.len(), observables.rows.entries.len());
-    let parameters = parameters::read(lowered);
-    let set_parameter = parameters::write(lowered);
-    let (helpers, functions) = (supplied::helpers(lowered), supplied::access(lowered, system));
-    let values = values(lowered, system, &constraints);
-    let evaluations = Evaluations {
-        evaluate: evaluate(lowered, system, &constraints, &all, &values),
-        observe: observe(lowered, system, &observables),
-        counts: [p, s, entries, seen, seen_entries],
-    };
-    let generic = own_scalar::own(lowered, &evaluations);
+    let [read, write] = [parameters::read(lowered), parameters::write(lowered)];
+    let (helpers, functions) = (supplied::helpers(lowered), supplied::access(lowered));
     let scalar = Ident::new("__T", Span::call_site());
     let [position_lengths, lengths] = [position_lengths(&scalar, "q"), lengths(&scalar)];
-    let Evaluations { evaluate, observe, .. } = &evaluations;
-    let factors = plan.factors;
-    let (plan_items, plan_methods) = (&planned.items, &planned.methods);
-    let kernels = [&values.item, &evaluate.item, &observe.item];
-    let [values, evaluate, observe] = [&values.call, &evaluate.call, &observe.call];
-    let velocity_constraints = velocity_constraints(lowered, system, &lengths);
-    let geometry = list(lowered, system, set.geometry.iter().copied());
-    let kept_lengths = kept_lengths(lowered, system);
-    let curves = curves::curves(lowered, system);
-    let guesses = list(lowered, system, set.guesses.iter().map(|(_, value)| *value));
+    let (lists, curves, kept) =
+        (lists::lists(lowered, kernels), lists::curves(lowered, kernels), set.kept_lengths().count());
     quote! {
         type __Parameters<__T> = [__T; #p];
         type __Inputs<__T> = [__kin::Signal<__T>; #u];
@@ -129,9 +121,11 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
 
         #helpers
 
-        #(#kernels)*
+        #row_items
 
         #plan_items
+
+        #force_items
 
         #generic
 
@@ -141,6 +135,7 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
             const ROWS: usize = #s;
             const PARAMETERS: usize = #p;
             const INPUTS: usize = #u;
+            const LENGTHS: usize = #kept;
             type Parameters<__T: __kin::Scalar> = [__T; #p];
             type Inputs<__T: __kin::Scalar> = [__kin::Signal<__T>; #u];
             type Coordinates<__T: __kin::Scalar> = [__T; #n];
@@ -154,8 +149,8 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
                 &__MODEL
             }
 
-            #parameters
-            #set_parameter
+            #read
+            #write
             #functions
 
             fn constraints_with<__T: __kin::Scalar>(
@@ -171,9 +166,9 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
                 __kin::Ok(())
             }
 
-            #velocity_constraints
-
             #plan_methods
+
+            #force_methods
 
             #[inline(always)]
             fn evaluate_with<__T: __kin::Scalar>(
@@ -204,63 +199,9 @@ fn mechanism(lowered: &Lowered, system: &KinematicSystem, structure: &Structure,
                 __kin::Ok(())
             }
 
-            #[inline]
-            fn write_geometry<__T: __kin::Scalar>(
-                &self,
-                parameters: &[__T],
-                at: &__kin::Instant<'_, __T>,
-                geometry: &mut [__T],
-            ) -> __kin::Result<(), __kin::LengthError> {
-                let p: &__Parameters<__T> = __kin::fixed("parameters", parameters)?;
-                let u: &__Inputs<__T> = __kin::fixed("inputs", at.inputs)?;
-                let out = __kin::fixed_mut("geometry", geometry)?;
-                let _ = (p, u);
-                #geometry
-                __kin::Ok(())
-            }
-
-            #kept_lengths
-
-            fn write_guesses<__T: __kin::Scalar>(
-                &self,
-                parameters: &[__T],
-                guesses: &mut [__T],
-            ) -> __kin::Result<(), __kin::LengthError> {
-                let p: &__Parameters<__T> = __kin::fixed("parameters", parameters)?;
-                let out = __kin::fixed_mut("guesses", guesses)?;
-                let _ = p;
-                #guesses
-                __kin::Ok(())
-            }
+            #lists
 
             #curves
-        }
-    }
-}
-
-/// The lengths that joints keep, where there are any.
-fn kept_lengths(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
-    let count = system.set.kept_lengths().count();
-    if count == 0 {
-        return TokenStream::new();
-    }
-    let lengths = list(lowered, system, system.set.kept_lengths());
-    quote! {
-        const LENGTHS: usize = #count;
-
-        #[inline]
-        fn lengths_with<__T: __kin::Scalar>(
-            &self,
-            parameters: &[__T],
-            at: &__kin::Instant<'_, __T>,
-            lengths: &mut [__T],
-        ) -> __kin::Result<(), __kin::LengthError> {
-            let p: &__Parameters<__T> = __kin::fixed("parameters", parameters)?;
-            let u: &__Inputs<__T> = __kin::fixed("inputs", at.inputs)?;
-            let out = __kin::fixed_mut("lengths", lengths)?;
-            let _ = (p, u);
-            #lengths
-            __kin::Ok(())
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Evaluation in the struct's own scalar.
 
-use super::evaluations::{Evaluations, lengths};
 use super::generics::{bounded, scalars};
 use super::parameters;
+use super::rows::{Evaluations, lengths};
 use crate::lower::Lowered;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -41,7 +41,7 @@ pub(super) fn own(lowered: &Lowered, evaluations: &Evaluations) -> TokenStream {
     let generics = bounded(lowered, "Scalar");
     let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
     let [p, s, entries, seen, seen_entries] = evaluations.counts;
-    let (evaluate, observe) = (&evaluations.evaluate.call, &evaluations.observe.call);
+    let Evaluations { evaluate, observe, .. } = evaluations;
     let (lengths, own_parameters) = (lengths(scalar), parameters::own(lowered, scalar));
     quote! {
         #[automatically_derived]

@@ -1,7 +1,8 @@
 //! The solution plan in the static model: its steps and its modes.
 
 use super::packed::Packed;
-use kin_core::plan::{Kind, Mode, SolutionPlan, Step};
+use kin_core::plan::{Mode, SolutionPlan, Step};
+use kin_core::vocabulary::StepKind;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -24,19 +25,17 @@ pub(super) fn table(plan: &SolutionPlan, packed: bool) -> TokenStream {
 /// A step with these joints, coordinates, modes and margins.
 fn step(step: &Step, [joints, coordinates, modes, margins]: [&TokenStream; 4]) -> TokenStream {
     let kind = match step.kind {
-        Kind::Explicit => quote! { __kin::StepKind::Explicit },
-        Kind::Linear(n) => quote! { __kin::StepKind::Linear(#n) },
-        Kind::Closure => quote! { __kin::StepKind::Closure },
-        Kind::Newton(n) => quote! { __kin::StepKind::Newton(#n) },
-        Kind::Watched => {
-            let rows = step.rows.iter();
-            quote! { __kin::StepKind::Watched(&[#(#rows),*]) }
-        }
+        StepKind::Explicit => quote! { __kin::StepKind::Explicit },
+        StepKind::Linear(n) => quote! { __kin::StepKind::Linear(#n) },
+        StepKind::Closure => quote! { __kin::StepKind::Closure },
+        StepKind::Newton(n) => quote! { __kin::StepKind::Newton(#n) },
+        StepKind::Watched => quote! { __kin::StepKind::Watched },
     };
     let (group, singular) = (&step.group, &step.singular);
+    let rows = step.rows.iter().filter(|_| step.kind == StepKind::Watched);
     quote! {
         __kin::PlanStep {
-            kind: #kind, group: #group, joints: #joints, coordinates: #coordinates,
+            kind: #kind, rows: &[#(#rows),*], group: #group, joints: #joints, coordinates: #coordinates,
             modes: #modes, margins: #margins, singular: #singular,
         }
     }
@@ -73,7 +72,7 @@ impl PartialEq for Alike<'_> {
     fn eq(&self, other: &Self) -> bool {
         let (step, other) = (self.0, other.0);
         let alike = step.kind == other.kind && step.group == other.group && step.singular == other.singular;
-        alike && (step.kind != Kind::Watched || step.rows == other.rows)
+        alike && (step.kind != StepKind::Watched || step.rows == other.rows)
     }
 }
 

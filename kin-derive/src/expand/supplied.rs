@@ -1,11 +1,8 @@
 //! The items of supplied functions: a trait that nobody sees, and the methods that evaluate them by number.
 
-use super::evaluations::list;
 use super::functions::{calls, derivatives_helper, fields, function_type, helper};
 use super::generics::of_functions;
 use crate::lower::Lowered;
-use kin_core::expr::{ExprId, Node};
-use kin_core::system::KinematicSystem;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -51,56 +48,19 @@ pub(crate) fn helpers(lowered: &Lowered) -> TokenStream {
     }
 }
 
-/// Every (function, argument) at which a supplied function is evaluated, once.
-pub(crate) fn arguments(system: &KinematicSystem) -> Vec<(u32, ExprId)> {
-    let (set, graph) = (&system.set, &system.set.graph);
-    let equations = system.equations.iter().chain(&system.observables);
-    let differentiated = equations.flat_map(|equation| {
-        let entries = equation.phi_q.iter().map(|(_, entry)| *entry);
-        entries.chain([equation.phi, equation.phi_t, equation.gamma])
-    });
-    let others = set.geometry.iter().copied().chain(set.guesses.iter().map(|(_, value)| *value));
-    let mut all = Vec::new();
-    for id in graph.reachable(differentiated.chain(others)) {
-        if let Node::Supplied(function, _, argument) = graph.node(id)
-            && !all.contains(&(function, argument))
-        {
-            all.push((function, argument));
-        }
-    }
-    all
-}
-
-/// `fn evaluate_function` and `fn write_arguments`, where there is a supplied function.
-pub(crate) fn access(lowered: &Lowered, system: &KinematicSystem) -> TokenStream {
+/// `fn evaluate_function`, where there is a supplied function.
+pub(crate) fn access(lowered: &Lowered) -> TokenStream {
     let calls = calls(lowered, helper, &quote! { x });
     if calls.is_empty() {
         return TokenStream::new();
     }
     let arms = calls.iter().enumerate().map(|(number, call)| quote! { #number => __kin::Some(#call), });
-    let arguments = list(lowered, system, arguments(system).into_iter().map(|(_, argument)| argument));
     quote! {
         fn evaluate_function(&self, index: usize, x: f64) -> __kin::Option<[f64; 3]> {
             match index {
                 #(#arms)*
                 _ => { let _ = x; __kin::None }
             }
-        }
-
-        fn write_arguments<__T: __kin::Scalar>(
-            &self,
-            parameters: &[__T],
-            at: &__kin::Instant<'_, __T>,
-            q: &[__T],
-            arguments: &mut [__T],
-        ) -> __kin::Result<(), __kin::LengthError> {
-            let p: &__Parameters<__T> = __kin::fixed("parameters", parameters)?;
-            let u: &__Inputs<__T> = __kin::fixed("inputs", at.inputs)?;
-            let q: &__Coordinates<__T> = __kin::fixed("q", q)?;
-            let out = __kin::fixed_mut("arguments", arguments)?;
-            let _ = (p, u, q);
-            #arguments
-            __kin::Ok(())
         }
     }
 }

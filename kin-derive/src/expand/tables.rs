@@ -4,9 +4,10 @@ use super::derivation;
 use super::entries::{frame, optional, variant};
 use super::instructions::literal;
 use super::joints::joints;
-use super::kernel::Layout;
 use super::packed::{Packed, any_is_long};
+use kin_core::Kernels;
 use kin_core::constraint::{CoordinateKind, Family, ObservableKind};
+use kin_core::kernels::Pattern;
 use kin_core::mechanism::{Component, Mechanism};
 use kin_core::plan::SolutionPlan;
 use kin_core::program::OperationCount;
@@ -19,9 +20,7 @@ use quote::quote;
 pub(crate) struct Tables<'a> {
     pub(crate) mechanism: &'a Mechanism,
     pub(crate) system: &'a KinematicSystem,
-    pub(crate) constraints: &'a Layout,
-    pub(crate) observables: &'a Layout,
-    pub(crate) operations: OperationCount,
+    pub(crate) kernels: &'a Kernels,
     pub(crate) doc: &'a str,
     pub(crate) allow_redundant: bool,
     pub(crate) structure: &'a Structure,
@@ -37,7 +36,7 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     let parameters = parameters(tables.mechanism, packed);
     let inputs = set.inputs.iter();
     let functions = set.functions.iter();
-    let arguments = super::supplied::arguments(tables.system).into_iter().map(|(function, _)| function as usize);
+    let arguments = &tables.kernels.arguments;
     let bodies = bodies(tables.system, packed);
     let points = set.points.iter().map(|point| {
         let (name, frame, local, observables) = (&point.name, frame(point.frame), point.local, point.observables);
@@ -59,12 +58,12 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
             __kin::ConditionInfo { name: #name, text: #text, observable: #observable, rheonomic: #rheonomic }
         }
     });
-    let constraint_pattern = pattern(tables.constraints, set.rows.len(), packed);
-    let observable_pattern = pattern(tables.observables, set.observables.len(), packed);
+    let constraint_pattern = pattern(&tables.kernels.constraint_pattern, packed);
+    let observable_pattern = pattern(&tables.kernels.observable_pattern, packed);
     let families = families(tables.system);
     let guesses = set.guesses.iter().map(|(k, _)| *k as usize);
     let geometry = set.geometry.len();
-    let operations = operations(tables.operations);
+    let operations = operations(tables.kernels.operations);
     let equations = derivation::equations(tables.system);
     let solution = derivation::solution(tables.plan);
     let structure = structure(tables.system, tables.structure);
@@ -109,7 +108,7 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
 fn is_packed(tables: &Tables<'_>) -> bool {
     let set = &tables.system.set;
     let parameters = tables.mechanism.parameters.iter().map(|parameter| parameter.len.unwrap_or(1)).sum();
-    let [constraints, observables] = [tables.constraints, tables.observables].map(|layout| layout.rows.entries.len());
+    let Kernels { constraint_pattern, observable_pattern, .. } = tables.kernels;
     let (coordinates, rows, joints) = (set.coordinates.len(), set.rows.len(), set.joints.len());
     any_is_long(&[
         coordinates,
@@ -118,8 +117,8 @@ fn is_packed(tables: &Tables<'_>) -> bool {
         parameters,
         set.bodies.len(),
         set.observables.len(),
-        constraints,
-        observables,
+        constraint_pattern.entries.len(),
+        observable_pattern.entries.len(),
     ])
 }
 
@@ -295,27 +294,28 @@ fn families(system: &KinematicSystem) -> impl Iterator<Item = TokenStream> {
     of(&set.body_families, "Bodies").into_iter().chain(of(&set.row_families, "Rows"))
 }
 
-fn pattern(layout: &Layout, rows: usize, packed: bool) -> TokenStream {
+fn pattern(pattern: &Pattern, packed: bool) -> TokenStream {
+    let rows = pattern.rows;
     let entries = if packed {
-        let mut packed = Packed::<()>::new(layout.rows.entries.len());
-        for (row, column) in &layout.rows.entries {
+        let mut packed = Packed::<()>::new(pattern.entries.len());
+        for (row, column) in &pattern.entries {
             packed.word(*row);
             packed.word(*column);
         }
         packed.unpacked("entries", &TokenStream::new())
     } else {
-        let entries = layout.rows.entries.iter().map(|(row, column)| quote! { (#row, #column) });
+        let entries = pattern.entries.iter().map(|(row, column)| quote! { (#row, #column) });
         quote! { &[#(#entries),*] }
     };
     let constants = if packed {
-        let mut packed = Packed::new(layout.rows.constants.len());
-        for (place, value) in &layout.rows.constants {
+        let mut packed = Packed::new(pattern.constants.len());
+        for (place, value) in &pattern.constants {
             packed.word(*place);
             packed.kind(*value);
         }
         packed.with_kinds("constants", |value| literal(*value))
     } else {
-        let constants = layout.rows.constants.iter().map(|(place, value)| {
+        let constants = pattern.constants.iter().map(|(place, value)| {
             let value = literal(*value);
             quote! { (#place, #value) }
         });
@@ -324,7 +324,7 @@ fn pattern(layout: &Layout, rows: usize, packed: bool) -> TokenStream {
     quote! { __kin::Pattern { rows: #rows, entries: #entries, constants: #constants } }
 }
 
-fn operations(count: OperationCount) -> TokenStream {
+pub(super) fn operations(count: OperationCount) -> TokenStream {
     let OperationCount { add, mul, neg, div, sqrt, sincos, function } = count;
     quote! {
         __kin::OperationCount {

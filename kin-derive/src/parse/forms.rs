@@ -1,6 +1,6 @@
 //! How joints, drivers, equations, masses and loads are written: the kinds and their forms are kin-core's.
 
-use kin_core::mechanism::{StatementForm, Slot, Takes, Written};
+use kin_core::mechanism::{Slot, StatementForm, Takes, Written};
 use kin_core::{joints, loads};
 use std::sync::LazyLock;
 

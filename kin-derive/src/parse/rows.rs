@@ -3,7 +3,7 @@
 
 use super::parts::Parts;
 use crate::ast::OperandExpr;
-use kin_core::mechanism::{StatementForm, Slot, Takes, Written};
+use kin_core::mechanism::{Slot, StatementForm, Takes, Written};
 
 /// The options that must be given, and that no other kind of the keyword has.
 fn own_options(kinds: &[&'static StatementForm], form: &'static StatementForm) -> Vec<&'static str> {

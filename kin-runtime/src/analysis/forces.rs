@@ -9,9 +9,9 @@ use crate::equations::scale::Scale;
 use crate::error::SolveError;
 use crate::forces::{Effort, Forces, Reaction, SpringForce, Wrench};
 use crate::linear::{Factorization, null_space};
+use crate::mobility::mobility;
 use crate::model::forces::TOTALS;
 use crate::model::{ForceModel, Model};
-use crate::mobility::mobility;
 use crate::state::State;
 use crate::workspace::Subset;
 use nalgebra::DVector;
@@ -170,7 +170,11 @@ fn reaction_of(info: &crate::model::ReactionInfo, values: &[f64], determined: &[
             true => info.couples.iter().zip(couples).map(|(frame, place)| (*frame, values[place])).collect(),
             false => Vec::new(),
         },
-        generalized: if generalized_known { generalized.iter().map(|&place| values[place]).collect() } else { Vec::new() },
+        generalized: if generalized_known {
+            generalized.iter().map(|&place| values[place]).collect()
+        } else {
+            Vec::new()
+        },
         determined: known(&all),
     }
 }

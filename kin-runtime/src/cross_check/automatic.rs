@@ -80,7 +80,7 @@ fn eta<M: Mechanism>(
     let inputs: Vec<Signal<Dual64>> = at.inputs.iter().map(|u| moving(u, along)).collect();
     let instant = Instant { t: Dual64::new(at.t, along), inputs: &inputs };
     let mut eta = M::Rows::<Dual64>::filled(Dual64::from_re(0.0));
-    mechanism.velocity_constraints_with(&parameters, &instant, &q, rates, &mut eta)?;
+    mechanism.velocity_constraints_with(&parameters, &instant, &q, rates, eta.as_mut())?;
     Ok(eta.as_ref().to_vec())
 }
 

@@ -1,6 +1,6 @@
 //! What the numbers of forces are: names and places, as tables.
 
-use super::Frame;
+use super::{Frame, OperationCount};
 
 /// Numbers before the multipliers: shaking (3), inertia (3), energies (3), powers (3).
 pub(crate) const TOTALS: usize = 12;
@@ -16,8 +16,8 @@ pub struct ForceModel {
     pub count: usize,
     /// True where the closed forms hold the solution for λ, along the plan; otherwise λ is solved from Φ_qᵀ λ = r.
     pub solved: bool,
-    /// Operations of one evaluation: additions, multiplications, divisions and roots, sines and cosines.
-    pub operations: [usize; 4],
+    /// Operations of one evaluation.
+    pub operations: OperationCount,
     /// Drivers.
     pub efforts: &'static [EffortInfo],
     /// Joints.

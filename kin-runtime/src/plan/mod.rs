@@ -9,16 +9,7 @@ use crate::scalar::Scalar;
 
 mod text;
 
-/// How far a solution goes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Depth {
-    /// q.
-    Position,
-    /// q and q̇.
-    Velocity,
-    /// q, q̇ and q̈.
-    Acceleration,
-}
+pub use kin_core::vocabulary::{Depth, StepKind};
 
 /// Where a solution is written.
 #[derive(Debug)]
@@ -50,28 +41,13 @@ pub struct Plan {
     pub absent: Option<&'static str>,
 }
 
-/// What kind of step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StepKind {
-    /// Given by a formula of what is known.
-    Explicit,
-    /// A linear system of so many unknowns.
-    Linear(usize),
-    /// A group that closes without iteration, in one of two ways.
-    Closure,
-    /// An iteration over so many unknowns.
-    Newton(usize),
-    /// Redundant rows, places in [`Model::rows`](crate::model::Model::rows), that all other steps do without, whole or but
-    /// for a sign that they decide. It gives no coordinate; a margin for each of them says whether the solution satisfies
-    /// it, too, with its velocities and accelerations as far as they are solved.
-    Watched(&'static [usize]),
-}
-
 /// A step of a plan.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanStep {
     /// What kind.
     pub kind: StepKind,
+    /// The redundant rows that it watches, places in [`Model::rows`](crate::model::Model::rows); empty for other steps.
+    pub rows: &'static [usize],
     /// Its kinematic group, `RRR` or `RRP` for example, where it is a dyad.
     pub group: &'static str,
     /// Places of its joints in [`Model::joints`](crate::model::Model::joints).
@@ -129,8 +105,7 @@ impl Plan {
 
     /// The rows that the plan does without, places in [`Model::rows`](crate::model::Model::rows).
     pub fn watched(&self) -> impl Iterator<Item = usize> + use<> {
-        let rows = |step: &'static PlanStep| if let StepKind::Watched(rows) = step.kind { rows } else { &[] };
-        self.steps.iter().flat_map(rows).copied()
+        self.steps.iter().flat_map(|step: &'static PlanStep| step.rows).copied()
     }
 
     /// The step that a margin belongs to.

@@ -1,18 +1,8 @@
 //! A plan in words, without the names that only the model has; [`Step`](crate::planned::Step) has those.
 
-use super::{Depth, ModeInfo, Plan, PlanStep, Solved, StepKind};
+use super::{ModeInfo, Plan, PlanStep, Solved, StepKind};
 use crate::text::{counted, numbers};
 use core::fmt;
-
-impl fmt::Display for Depth {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Position => "q",
-            Self::Velocity => "q and q̇",
-            Self::Acceleration => "q, q̇ and q̈",
-        })
-    }
-}
 
 /// q, q̇, q̈ and the margins.
 impl<T: fmt::Display> fmt::Display for Solved<'_, T> {
@@ -28,27 +18,16 @@ impl<T: fmt::Display> fmt::Display for Solved<'_, T> {
     }
 }
 
-/// How a step is solved.
-impl fmt::Display for StepKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Explicit => f.write_str("by formula"),
-            Self::Linear(1) => f.write_str("by a linear equation"),
-            Self::Linear(n) => write!(f, "by a {n}×{n} linear system"),
-            Self::Closure => f.write_str("in closed form"),
-            Self::Newton(n) => write!(f, "by a {n}×{n} Newton iteration"),
-            Self::Watched(rows) => counted(f, rows.len(), "redundant row").and_then(|()| f.write_str(" watched")),
-        }
-    }
-}
-
 /// `group RRR in closed form, gives 6 coordinates, singular with …`.
 impl fmt::Display for PlanStep {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if !self.group.is_empty() {
             write!(f, "group {} ", self.group)?;
         }
-        self.kind.fmt(f)?;
+        match self.kind {
+            StepKind::Watched => counted(f, self.rows.len(), "redundant row").and_then(|()| f.write_str(" watched"))?,
+            kind => kind.fmt(f)?,
+        }
         if !self.coordinates.is_empty() {
             f.write_str(", gives ").and_then(|()| counted(f, self.coordinates.len(), "coordinate"))?;
         }

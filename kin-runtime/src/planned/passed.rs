@@ -61,7 +61,7 @@ impl<'c> Passed<'c> {
 
 /// True where the margins say that a watched row is not satisfied.
 pub(crate) fn is_missed(plan: &Plan, margin: impl Fn(usize) -> f64) -> bool {
-    let watched = plan.steps.iter().filter(|step| matches!(step.kind, StepKind::Watched(_)));
+    let watched = plan.steps.iter().filter(|step| step.kind == StepKind::Watched);
     watched.flat_map(|step| step.margins.0..step.margins.1).any(|place| margin(place) <= Plan::SMALLEST_MARGIN)
 }
 
@@ -120,10 +120,10 @@ mod tests {
     #[test]
     fn only_margins_of_watched_rows_say_that_these_are_missed() {
         const fn step(kind: StepKind, margins: (usize, usize)) -> PlanStep {
-            PlanStep { kind, group: "", joints: &[], coordinates: &[], modes: (0, 0), margins, singular: "" }
+            PlanStep { kind, rows: &[], group: "", joints: &[], coordinates: &[], modes: (0, 0), margins, singular: "" }
         }
         const PLAN: Plan = Plan {
-            steps: &[step(StepKind::Closure, (0, 2)), step(StepKind::Watched(&[0, 1]), (2, 4))],
+            steps: &[step(StepKind::Closure, (0, 2)), step(StepKind::Watched, (2, 4))],
             modes: &[],
             orientations: &[],
             margins: 4,

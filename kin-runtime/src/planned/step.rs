@@ -110,7 +110,7 @@ impl Step {
 
     /// True for redundant rows whose residual is watched.
     pub fn is_watched(&self) -> bool {
-        matches!(self.info().kind, StepKind::Watched(_))
+        self.info().kind == StepKind::Watched
     }
 
     /// True for a group that is solved by iteration.
@@ -137,8 +137,8 @@ impl fmt::Display for Step {
         let step = self.info();
         match (step.group, step.kind) {
             ("", StepKind::Explicit) => f.write_str("formula")?,
-            ("", StepKind::Watched([_])) => f.write_str("redundant row")?,
-            ("", StepKind::Watched(_)) => f.write_str("redundant rows")?,
+            ("", StepKind::Watched) if step.rows.len() == 1 => f.write_str("redundant row")?,
+            ("", StepKind::Watched) => f.write_str("redundant rows")?,
             ("", StepKind::Linear(1)) => f.write_str("linear equation")?,
             ("", StepKind::Linear(n)) => write!(f, "{n}×{n} linear system")?,
             ("", StepKind::Closure) => f.write_str("closure")?,

@@ -96,7 +96,7 @@ fn record(model: &'static Model, step: Step) -> StepRecord {
         StepKind::Linear(n) => ("linear", Some(n)),
         StepKind::Closure => ("closure", None),
         StepKind::Newton(n) => ("newton", Some(n)),
-        StepKind::Watched(_) => ("watched", None),
+        StepKind::Watched => ("watched", None),
     };
     let given = |&(coordinate, joint): &(usize, usize)| GivenRecord {
         name: model.coordinates.get(coordinate).map_or("", |c| c.name),
@@ -116,8 +116,7 @@ fn record(model: &'static Model, step: Step) -> StepRecord {
 
 /// The names of the rows that are watched.
 fn watched(model: &Model, step: &PlanStep) -> Vec<&'static str> {
-    let rows = if let StepKind::Watched(rows) = step.kind { rows } else { &[] };
-    rows.iter().filter_map(|&row| model.rows.get(row)).map(|row| row.name).collect()
+    step.rows.iter().filter_map(|&row| model.rows.get(row)).map(|row| row.name).collect()
 }
 
 fn mode_names(model: &Model, step: &PlanStep) -> Vec<&'static str> {
@@ -154,7 +153,7 @@ fn how(model: &Model, step: &Step) -> String {
         StepKind::Linear(_) => format!("{step} in closed form"),
         StepKind::Closure => format!("{step} in closed form, mode {}", mode_names(model, info).join(", ")),
         StepKind::Newton(_) => step.to_string(),
-        StepKind::Watched(_) => {
+        StepKind::Watched => {
             let rows = watched(model, info);
             let (is, its) = if rows.len() == 1 { ("is", "its") } else { ("are", "their") };
             format!("{} {is} redundant and not used: {its} residual is watched", rows.join(" and "))

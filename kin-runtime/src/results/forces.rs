@@ -152,10 +152,6 @@ impl fmt::Display for Forces {
         let Wrench { force: [x, y], moment } = self.shaking;
         writeln!(f, "shaking: force ({x}, {y}), moment {moment}")?;
         writeln!(f, "energy: kinetic {}, gravity {}, springs {}", self.kinetic, self.gravity, self.elastic)?;
-        write!(
-            f,
-            "power: drivers {}, applied {}, dampers {}",
-            self.driver_power, self.applied_power, self.damper_power
-        )
+        write!(f, "power: drivers {}, applied {}, dampers {}", self.driver_power, self.applied_power, self.damper_power)
     }
 }

@@ -191,7 +191,7 @@ impl<'m, M: PowerSeries> HigherOrders<'m, M> {
         let setting = Setting::<M>::new(self.mechanism, &self.inputs, &self.derivatives, tape);
         let rates = coordinates::<M>(&self.derivatives[1..], tape);
         let (parameters, q) = (setting.parameters.as_ref(), setting.q.as_ref());
-        self.mechanism.velocity_constraints_with(parameters, &setting.at(), q, rates.as_ref(), &mut eta)?;
+        self.mechanism.velocity_constraints_with(parameters, &setting.at(), q, rates.as_ref(), eta.as_mut())?;
         let scale = -factorial(order);
         for &row in &self.of_velocity {
             right[row] = scale * tape.coefficient(eta.as_ref()[row], order);

@@ -306,6 +306,7 @@ unpack!(
 
 const NO_STEP: PlanStep = PlanStep {
     kind: StepKind::Explicit,
+    rows: &[],
     group: "",
     joints: &[],
     coordinates: &[],

@@ -6,9 +6,10 @@ use super::line::{Formulas, Line};
 use super::share::Naming;
 use crate::expr::{ExprId, Graph, Jet, Shown, Symbol, total_derivatives};
 use crate::mechanism::Function;
-use crate::plan::step::{Kind, Step};
+use crate::plan::step::Step;
 use crate::plan::steps::Listed;
 use crate::system::KinematicSystem;
+use crate::vocabulary::StepKind;
 
 struct Writer<'a> {
     system: &'a KinematicSystem,
@@ -82,10 +83,10 @@ impl Writer<'_> {
         let names: Vec<&str> = joints.iter().map(|&joint| self.system.set.joints[joint].name.as_str()).collect();
         let mut what = names.join(", ");
         match kind {
-            Kind::Explicit => what.push_str(": by formula"),
-            Kind::Linear(n) if group.is_empty() => what.push_str(&format!(": {n} linear equations")),
-            Kind::Closure if group.is_empty() => what.push_str(": in closed form"),
-            Kind::Newton(n) => what.push_str(&format!(": {n} unknowns by Newton's iteration, which brings g to 0")),
+            StepKind::Explicit => what.push_str(": by formula"),
+            StepKind::Linear(n) if group.is_empty() => what.push_str(&format!(": {n} linear equations")),
+            StepKind::Closure if group.is_empty() => what.push_str(": in closed form"),
+            StepKind::Newton(n) => what.push_str(&format!(": {n} unknowns by Newton's iteration, which brings g to 0")),
             _ => what.push_str(&format!(": dyad {group}, in closed form")),
         }
         for place in modes.clone() {

@@ -17,6 +17,7 @@ mod interpret;
 mod join;
 mod resolve;
 mod rolled;
+mod straight;
 mod stream;
 
 pub use interpret::interpret_rolled;
@@ -44,6 +45,11 @@ impl Default for Worth {
     fn default() -> Self {
         Self { members: 6, saved: 96 }
     }
+}
+
+/// `program` as it is written down: with loops where they are worth it, and otherwise as one straight piece.
+pub fn finished(program: &Program) -> Rolled {
+    roll(program, Worth::default()).unwrap_or_else(|| straight::straight(program))
 }
 
 /// `program` with its repetition rolled up; nothing when there is none worth a loop.

@@ -172,7 +172,7 @@ impl Resolver<'_> {
                 Step::Compute { value, instruction, keeps: self.kept.get(&item).cloned().unwrap_or_default() }
             }
             // The first operand is the slot itself.
-            Action::Write(slot) => Step::Write { slot, step: self.step(span, item, 0), source: operands[1] },
+            Action::Write(slot, _) => Step::Write { slot, step: self.step(span, item, 0), source: operands[1] },
         }
     }
 
@@ -217,7 +217,7 @@ impl Resolver<'_> {
     fn value(&self, item: usize) -> Value {
         match self.stream.actions[item] {
             Action::Compute(value) => value,
-            Action::Write(_) => Value(0),
+            Action::Write(..) => Value(0),
         }
     }
 }

@@ -14,8 +14,35 @@ use crate::program::{Instruction, Program, Slot, Value};
 pub(super) enum Action {
     /// Computes a value of the program.
     Compute(Value),
-    /// Writes an output.
-    Write(Slot),
+    /// Writes a value of the program to an output.
+    Write(Slot, Value),
+}
+
+/// What a program does, in order: every output right after what computes it, outputs that need no computation first.
+/// Instructions that are `taken_together` and follow one another stay so; what is written of them follows.
+pub(super) fn actions(program: &Program, taken_together: impl Fn(&Instruction) -> bool) -> Vec<Action> {
+    let (mut actions, mut after) = (Vec::new(), vec![Vec::new(); program.instructions.len()]);
+    for &(slot, value) in &program.outputs {
+        match program.instructions[value.index()] {
+            Instruction::Number(_) | Instruction::Load(_) => actions.push(Action::Write(slot, value)),
+            _ => after[holder(program, value).index()].push(Action::Write(slot, value)),
+        }
+    }
+    let mut waiting = Vec::new();
+    for (place, instruction) in program.instructions.iter().enumerate() {
+        if is_operand(instruction) {
+            continue;
+        }
+        let alone = !taken_together(instruction);
+        if alone {
+            actions.append(&mut waiting);
+        }
+        actions.push(Action::Compute(Value(place as u32)));
+        let written = if alone { &mut actions } else { &mut waiting };
+        written.append(&mut after[place]);
+    }
+    actions.append(&mut waiting);
+    actions
 }
 
 /// What an operand is.
@@ -90,16 +117,8 @@ pub(super) struct Stream {
 }
 
 impl Stream {
-    /// The items of a program: every output right after what computes it, outputs that need no computation first.
+    /// The items of a program.
     pub(super) fn of(program: &Program) -> Self {
-        let mut after: Vec<Vec<usize>> = vec![Vec::new(); program.instructions.len()];
-        let mut first = Vec::new();
-        for (number, (_, value)) in program.outputs.iter().enumerate() {
-            match program.instructions[value.index()] {
-                Instruction::Number(_) | Instruction::Load(_) => first.push(number),
-                _ => after[holder(program, *value).index()].push(number),
-            }
-        }
         let mut builder = Builder {
             program,
             positions: vec![usize::MAX; program.instructions.len()],
@@ -113,20 +132,12 @@ impl Stream {
                 addresses: Vec::new(),
             },
         };
-        first.into_iter().for_each(|number| builder.write(number));
-        let mut waiting = Vec::new();
-        for (place, instruction) in program.instructions.iter().enumerate() {
-            if is_operand(instruction) {
-                continue;
+        for action in actions(program, |instruction| matches!(instruction, Instruction::SinCos(_))) {
+            match action {
+                Action::Compute(value) => builder.compute(value),
+                Action::Write(slot, value) => builder.write(slot, value),
             }
-            if !matches!(instruction, Instruction::SinCos(_)) {
-                // Sines and cosines stand together; what is written of them follows.
-                std::mem::take(&mut waiting).into_iter().for_each(|number| builder.write(number));
-            }
-            builder.compute(Value(place as u32), *instruction);
-            waiting.append(&mut after[place]);
         }
-        waiting.into_iter().for_each(|number| builder.write(number));
         builder.stream
     }
 
@@ -177,7 +188,8 @@ struct Builder<'p> {
 }
 
 impl Builder<'_> {
-    fn compute(&mut self, value: Value, instruction: Instruction) {
+    fn compute(&mut self, value: Value) {
+        let instruction = self.program.instructions[value.index()];
         let (mut operands, mut count) = ([Operand::Slot(0); MOST], 0);
         instruction.for_each_operand(|operand| {
             operands[count] = self.operand(operand);
@@ -188,10 +200,9 @@ impl Builder<'_> {
         self.push(Action::Compute(value), Head::Compute(blank), &operands[..count]);
     }
 
-    fn write(&mut self, number: usize) {
-        let (slot, value) = self.program.outputs[number];
+    fn write(&mut self, slot: Slot, value: Value) {
         let operands = [Operand::Slot(slot.index()), self.operand(value)];
-        self.push(Action::Write(slot), Head::Write(slot.at(0)), &operands);
+        self.push(Action::Write(slot, value), Head::Write(slot.at(0)), &operands);
     }
 
     fn push(&mut self, action: Action, head: Head, operands: &[Operand]) {

@@ -2,7 +2,8 @@
 
 use super::{Oracle, environment};
 use kin_core::expr::Symbol;
-use kin_core::plan::{Kind as StepKind, Solution, SolutionPlan, closures, plan, resolve, run};
+use kin_core::plan::{Solution, SolutionPlan, closures, plan, resolve, run};
+use kin_core::vocabulary::StepKind;
 
 pub struct Planned(pub SolutionPlan);
 

@@ -1,6 +1,6 @@
 use super::{errors, good, one_error};
 use kin_core::joints::{Driver, Revolute};
-use kin_core::mechanism::{TypedOperands, BodyOrigin, BodyRef, Formula, GuessTarget, Index, Range};
+use kin_core::mechanism::{BodyOrigin, BodyRef, Formula, GuessTarget, Index, Range, TypedOperands};
 
 const CHAIN: &str = "
     #[bodies(link[10])]

@@ -1,10 +1,8 @@
 use super::{equation, errors, good, pendulum, tokens};
 use crate::analyse::analyse;
 use crate::lower::{FieldRole, MentionKind};
-use kin_core::joints::{
-    Belt, Constraint, Driver, Fixed, Gear, RackPinion, Revolute, RollingOnDisc, RollingOnLine,
-};
-use kin_core::mechanism::{TypedOperands, BodyOrigin, BodyRef, Component, Formula, GuessTarget, Index};
+use kin_core::joints::{Belt, Constraint, Driver, Fixed, Gear, RackPinion, Revolute, RollingOnDisc, RollingOnLine};
+use kin_core::mechanism::{BodyOrigin, BodyRef, Component, Formula, GuessTarget, Index, TypedOperands};
 use quote::ToTokens;
 
 const FOUR_BAR: &str = r#"

@@ -23,3 +23,11 @@ impl core::fmt::Display for LengthError {
 }
 
 impl core::error::Error for LengthError {}
+
+/// Writes a list that has nothing in it.
+pub(super) const fn empty<T>(what: &'static str, list: &[T]) -> Result<(), LengthError> {
+    match list.len() {
+        0 => Ok(()),
+        found => Err(LengthError { what, expected: 0, found }),
+    }
+}

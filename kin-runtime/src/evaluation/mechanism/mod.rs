@@ -84,10 +84,7 @@ pub trait Mechanism: Sized {
         arguments: &mut [T],
     ) -> Result<(), LengthError> {
         let _ = (parameters, at, q);
-        match arguments.len() {
-            0 => Ok(()),
-            found => Err(LengthError { what: "arguments", expected: 0, found }),
-        }
+        length::empty("arguments", arguments)
     }
 
     /// Φ, Φ_q, Φ_t, γ, or any subset of them, at parameters that the caller supplies; all shared work is done once.
@@ -135,11 +132,11 @@ pub trait Mechanism: Sized {
         at: &Instant<'_, T>,
         q: &[T],
         q_dot: &[T],
-        eta: &mut Self::Rows<T>,
+        eta: &mut [T],
     ) -> Result<(), LengthError> {
         // Without rows of velocity level there is nothing to evaluate.
         let _ = (parameters, at, q, q_dot);
-        *eta = Self::Rows::<T>::filled(T::from_f64(0.0));
+        eta.fill(T::from_f64(0.0));
         Ok(())
     }
 
@@ -244,7 +241,10 @@ pub trait Mechanism: Sized {
         parameters: &[T],
         at: &Instant<'_, T>,
         geometry: &mut [T],
-    ) -> Result<(), LengthError>;
+    ) -> Result<(), LengthError> {
+        let _ = (parameters, at);
+        length::empty("geometry", geometry)
+    }
 
     /// The lengths that joints keep, [`LENGTHS`](Self::LENGTHS) numbers in the order of their joints. A row of such a joint
     /// holds the square, which says nothing of the sign: a negative length is an error.
@@ -257,8 +257,8 @@ pub trait Mechanism: Sized {
         at: &Instant<'_, T>,
         lengths: &mut [T],
     ) -> Result<(), LengthError> {
-        let _ = (parameters, at, lengths);
-        Ok(())
+        let _ = (parameters, at);
+        length::empty("lengths", lengths)
     }
 
     /// What the numbers of forces are; none for a mechanism without masses and loads.
@@ -306,7 +306,10 @@ pub trait Mechanism: Sized {
     ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
-    fn write_guesses<T: Scalar>(&self, parameters: &[T], guesses: &mut [T]) -> Result<(), LengthError>;
+    fn write_guesses<T: Scalar>(&self, parameters: &[T], guesses: &mut [T]) -> Result<(), LengthError> {
+        let _ = parameters;
+        length::empty("guesses", guesses)
+    }
 
     /// A point of the curve of `joint`, a place in [`Model::joints`], at the argument `s` (see [`CurvePoint`]); `None`
     /// for a joint without a curve and for one in implicit form. The cam's own outline, whatever `roller` runs on it.

@@ -235,7 +235,7 @@ struct Spot {
 fn of_kind(t: f64, limit: Limit) -> PlanError {
     match limit.step.info().kind {
         StepKind::Closure if limit.step.closes() => PlanError::Limit { t, limit },
-        StepKind::Watched(_) => PlanError::Contradiction { t, limit },
+        StepKind::Watched => PlanError::Contradiction { t, limit },
         _ => PlanError::Singular { t, limit },
     }
 }

@@ -93,7 +93,11 @@ impl fmt::Display for SolveError {
             Self::NotHeld { t, open, could_be_given } => {
                 let freedoms = if *open == 1 { "degree of freedom is" } else { "degrees of freedom are" };
                 write!(f, "at t = {t} loads act along what nothing holds: {open} {freedoms} left open")?;
-                if could_be_given.is_empty() { Ok(()) } else { write!(f, "; could be given: {}", could_be_given.join(", ")) }
+                if could_be_given.is_empty() {
+                    Ok(())
+                } else {
+                    write!(f, "; could be given: {}", could_be_given.join(", "))
+                }
             }
             Self::DegenerateGeometry { t, joint, fault } => write!(f, "joint `{joint}` at t = {t}: {fault}"),
             Self::DegenerateContact { t, joint, what, .. } => {

@@ -1,15 +1,21 @@
-//! A rolled program as the body of a function: straight parts as they are, loops as `for`.
+//! The emitter: a finished program as the body of a function, straight parts as they are, loops as `for`.
+//!
+//! Sines and cosines that follow one another are taken in one call, and so are angles of vectors. Statements are those of
+//! all pieces, one after another, in blocks that rustc can stand.
 //!
 //! Arrays have the loops' lengths and every index is affine in the loop's variable, so that the compiler can see that
 //! it is in bounds. The sines and cosines of a loop whose angles are known before it are taken of all members at once.
 
-use super::instructions::{ANGLES, definition, literal, load_at, name, names_of, target_at};
+use super::instructions::{definition, literal, load_at, name, names_of, number, target_at};
 use super::statements::{Statement, blocks};
 use kin_core::program::{Angles, Instruction, Keep, Part, Piece, Rolled, Source, Step, Value};
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
-/// The statements that compute `rolled` and write its outputs.
+/// Angles in one call.
+const ANGLES: usize = 64;
+
+/// The statements that compute a program and write its outputs. Supplied functions are arguments of the kernel.
 pub(super) fn body(rolled: &Rolled) -> TokenStream {
     let lengths = rolled.arrays.iter().enumerate().map(|(number, length)| {
         let array = array(number);
@@ -196,40 +202,64 @@ impl Emitter<'_> {
         let mut out = Vec::new();
         let mut rest = steps;
         while let [step, tail @ ..] = rest {
-            let mut pairs: Vec<(Value, Value, &Vec<Keep>)> = Vec::new();
-            for step in rest.iter().take(ANGLES) {
-                let Step::Compute { value, instruction: Instruction::SinCos(angle), keeps } = step else { break };
-                if step_uses(self.rolled, step).iter().any(|used| pairs.iter().any(|(pair, ..)| pair == used)) {
-                    break;
+            match self.alike(rest) {
+                0 => {
+                    out.extend(self.step(step));
+                    rest = tail;
                 }
-                pairs.push((*value, *angle, keeps));
-            }
-            if pairs.len() > 1 {
-                let uses = rest[..pairs.len()].iter().flat_map(|step| step_uses(self.rolled, step)).collect();
-                rest = &rest[pairs.len()..];
-                out.push(Statement { uses, ..self.pairs(&pairs) });
-            } else {
-                rest = tail;
-                out.extend(self.step(step));
+                count => {
+                    out.push(self.at_once(&rest[..count]));
+                    rest = &rest[count..];
+                }
             }
         }
         out
     }
 
-    /// Sines and cosines that stand together.
-    fn pairs(&self, pairs: &[(Value, Value, &Vec<Keep>)]) -> Statement {
-        let names = pairs.iter().map(|(value, ..)| {
-            let (s, c) = (name('s', *value), name('c', *value));
-            quote! { (#s, #c) }
-        });
-        let angles = pairs.iter().map(|(_, angle, _)| self.operand(*angle));
-        let mut tokens = quote! { let [#(#names),*] = __kin::Scalar::sin_cos_all([#(#angles),*]); };
-        let mut defines = Vec::new();
-        for (value, angle, keeps) in pairs {
-            tokens.extend(keeps.iter().map(|keep| self.keep_local(keep, *value)));
-            defines.push((*value, names_of(*value, &Instruction::SinCos(*angle))));
+    /// How many steps at the beginning of `steps` take sines and cosines, or angles of vectors, without one another.
+    fn alike(&self, steps: &[Step]) -> usize {
+        let kind = |step: &Step| match step {
+            Step::Compute { value, instruction: Instruction::SinCos(_), .. } => Some((*value, false)),
+            Step::Compute { value, instruction: Instruction::Atan2(..), .. } => Some((*value, true)),
+            _ => None,
+        };
+        let Some((_, first)) = steps.first().and_then(kind) else { return 0 };
+        let mut taken: Vec<Value> = Vec::new();
+        for step in steps.iter().take(ANGLES) {
+            match kind(step) {
+                Some((value, other))
+                    if other == first && !step_uses(self.rolled, step).iter().any(|used| taken.contains(used)) =>
+                {
+                    taken.push(value);
+                }
+                _ => break,
+            }
         }
-        Statement { defines, tokens, uses: Vec::new() }
+        taken.len()
+    }
+
+    /// Steps of one kind that are taken in one call.
+    fn at_once(&self, steps: &[Step]) -> Statement {
+        let (mut names, mut operands, mut keep) = (Vec::new(), Vec::new(), TokenStream::new());
+        let (mut defines, mut function) = (Vec::new(), "sin_cos_all");
+        for step in steps {
+            let Step::Compute { value, instruction, keeps } = step else { continue };
+            let own = names_of(*value, instruction);
+            if let Instruction::Atan2(y, x) = *instruction {
+                let (y, x) = (self.operand(y), self.operand(x));
+                operands.push(quote! { (#y, #x) });
+                names.push(quote! { #(#own),* });
+                function = "atan2_all";
+            } else {
+                instruction.for_each_operand(|angle| operands.push(self.operand(angle)));
+                names.push(quote! { (#(#own),*) });
+            }
+            keep.extend(keeps.iter().map(|keep| self.keep(keep, *value)));
+            defines.push((*value, own));
+        }
+        let function = Ident::new(function, Span::call_site());
+        let tokens = quote! { let [#(#names),*] = __kin::Scalar::#function([#(#operands),*]); #keep };
+        Statement { defines, uses: steps.iter().flat_map(|step| step_uses(self.rolled, step)).collect(), tokens }
     }
 
     fn step(&self, step: &Step) -> Option<Statement> {
@@ -237,7 +267,7 @@ impl Emitter<'_> {
         Some(match step {
             Step::Compute { value, instruction, keeps } => {
                 let mut tokens = definition(*value, instruction, |operand| self.operand(operand))?;
-                tokens.extend(keeps.iter().map(|keep| self.keep_local(keep, *value)));
+                tokens.extend(keeps.iter().map(|keep| self.keep(keep, *value)));
                 Statement { defines: vec![(*value, names_of(*value, instruction))], uses, tokens }
             }
             Step::Write { slot, step, source } => {
@@ -248,22 +278,14 @@ impl Emitter<'_> {
         })
     }
 
-    fn keep_local(&self, keep: &Keep, value: Value) -> TokenStream {
-        let name = local(value, keep.part);
-        self.keep(keep, &quote! { #name })
-    }
-
-    fn keep(&self, keep: &Keep, value: &TokenStream) -> TokenStream {
-        let (array, place) = (array(keep.array), self.member.index(keep.first, 1));
-        quote! { #array[#place] = #value; }
+    fn keep(&self, keep: &Keep, value: Value) -> TokenStream {
+        let (name, array, place) = (local(value, keep.part), array(keep.array), self.member.index(keep.first, 1));
+        quote! { #array[#place] = #name; }
     }
 
     fn operand(&self, source: Value) -> TokenStream {
         match self.rolled.sources[source.index()] {
-            Source::Number(bits) => {
-                let value = literal(bits.value());
-                quote! { <__T as __kin::Scalar>::from_f64(#value) }
-            }
+            Source::Number(bits) => number(bits.value()),
             Source::Table(number) => {
                 let (table, place) = (table(number), self.member.index(0, 1));
                 quote! { <__T as __kin::Scalar>::from_f64(#table[#place]) }

@@ -1,26 +1,31 @@
 //! Rows as a program: what an evaluation writes, and in which order it is computed.
-//!
-//! Imports `constraint`, `expr`, `program`, `system`.
 
 use crate::constraint::Family;
 use crate::expr::{ExprId, Graph};
 use crate::program::{Program, Slot, lower};
 use crate::system::Equation;
 
-/// The program of Φ, Φ_q, Φ_t and γ, with the pattern of Φ_q.
-#[derive(Clone, Debug)]
-pub struct Rows {
+/// The pattern of a sparse Jacobian.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Pattern {
+    /// How many rows it has.
+    pub rows: usize,
     /// (row, column) of every entry, row by row.
     pub entries: Vec<(usize, usize)>,
     /// Entries that are literal constants, by their place.
     pub constants: Vec<(usize, f64)>,
-    /// Everything else. Whoever needs a part of it takes it by [`Program::only`]: to the last bit the same.
-    pub program: Program,
+}
+
+/// The program of Φ, Φ_q, Φ_t and γ, with the pattern of Φ_q.
+pub(super) struct Rows {
+    pub(super) pattern: Pattern,
+    /// All but the literal constants. A part of it is taken by [`Program::only`]: to the last bit the same.
+    pub(super) program: Program,
 }
 
 impl Rows {
     /// Lays out equations; literal entries of Φ_q and literal zeros of Φ_t and γ are never written.
-    pub fn new(graph: &Graph, equations: &[Equation], families: &[Family]) -> Self {
+    pub(super) fn new(graph: &Graph, equations: &[Equation], families: &[Family]) -> Self {
         let (mut entries, mut constants) = (Vec::new(), Vec::new());
         let mut outputs: Vec<(Slot, ExprId)> = Vec::new();
         for (row, equation) in equations.iter().enumerate() {
@@ -43,8 +48,8 @@ impl Rows {
             Slot::PhiQ(place) => entries[place].0,
             slot => slot.index(),
         };
-        let whole = member_by_member(graph, &outputs, families, row_of);
-        Self { entries, constants, program: whole }
+        let program = member_by_member(graph, &outputs, families, row_of);
+        Self { pattern: Pattern { rows: equations.len(), entries, constants }, program }
     }
 }
 

@@ -1,0 +1,79 @@
+//! Lists: what is evaluated as plain numbers, one method of a mechanism for each.
+
+use super::kernel::Kernel;
+use crate::constraint::{ConstraintRow, ConstraintSet};
+use crate::expr::{ExprId, Graph};
+use crate::loads::Forces;
+use crate::program::{Program, Slot, lower};
+
+/// What a list is evaluated from; each holds what stands before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Given {
+    /// Parameters.
+    Parameters,
+    /// t and the inputs, too.
+    Instant,
+    /// q, too.
+    Position,
+    /// q̇, too.
+    Velocity,
+    /// q̈, too.
+    Acceleration,
+    /// The multipliers λ, too.
+    Multipliers,
+}
+
+/// A list of numbers.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct List {
+    /// The method that writes it.
+    pub method: &'static str,
+    /// Its name among the arguments of that method.
+    pub name: &'static str,
+    /// What it is evaluated from.
+    pub given: Given,
+    /// How many numbers it has.
+    pub length: usize,
+    /// Its program.
+    pub kernel: Kernel,
+}
+
+impl List {
+    /// The list that a program writes.
+    pub(super) fn of(method: &'static str, name: &'static str, given: Given, program: &Program) -> Self {
+        let length = program.outputs.len();
+        Self { method, name, given, length, kernel: Kernel::new("write", program, &[(Slot::Entry(0), length)]) }
+    }
+}
+
+/// The program that writes expressions one after another.
+pub(super) fn listed(graph: &Graph, values: impl IntoIterator<Item = ExprId>) -> Program {
+    let outputs = values.into_iter().enumerate().map(|(place, value)| (Slot::Entry(place), value));
+    lower(graph, &outputs.collect::<Vec<_>>())
+}
+
+/// The lists of a mechanism; an empty one is left out. `arguments` are those of supplied functions.
+pub(super) fn lists(set: &ConstraintSet, arguments: &[ExprId]) -> Vec<List> {
+    // A row of velocity level has the literal 0 in Φ; it stands for η in all other rows.
+    let zero = set.rows.iter().find(|row| row.velocity.is_some()).map(|row| row.phi);
+    let eta = |row: &ConstraintRow| Some(row.velocity.map_or(zero?, |velocity| velocity.eta));
+    let lists: [(&str, &str, Given, Vec<ExprId>); 5] = [
+        ("write_geometry", "geometry", Given::Instant, set.geometry.clone()),
+        ("lengths_with", "lengths", Given::Instant, set.kept_lengths().collect()),
+        ("write_guesses", "guesses", Given::Parameters, set.guesses.iter().map(|(_, value)| *value).collect()),
+        ("write_arguments", "arguments", Given::Position, arguments.to_vec()),
+        ("velocity_constraints_with", "eta", Given::Velocity, set.rows.iter().filter_map(eta).collect()),
+    ];
+    let list = |(method, name, given, values)| List::of(method, name, given, &listed(&set.graph, values));
+    lists.into_iter().filter(|(.., values)| !values.is_empty()).map(list).collect()
+}
+
+/// The lists of forces: r, where λ is solved from it, and the results, given λ unless they hold it.
+pub(super) fn of_forces(forces: &Forces) -> Vec<List> {
+    let mut lists = Vec::new();
+    if !forces.solved {
+        lists.push(List::of("generalized_forces_with", "generalized", Given::Acceleration, &forces.generalized));
+    }
+    lists.push(List::of("forces_with", "forces", Given::Multipliers, &forces.results));
+    lists
+}

@@ -1,0 +1,73 @@
+//! The methods that evaluate rows, for any scalar and for the struct's own.
+
+use super::kernel::kernel;
+use crate::lower::Lowered;
+use kin_core::kernels::Kernels;
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+/// What the arguments of an evaluation are, at rates or at a position alone.
+pub(super) fn lengths(scalar: &Ident) -> TokenStream {
+    let position = position_lengths(scalar, "q");
+    quote! {
+        #position
+        let w: &__Coordinates<#scalar> = __kin::fixed("q_dot", q_dot)?;
+    }
+}
+
+pub(super) fn position_lengths(scalar: &Ident, q: &str) -> TokenStream {
+    let name = Ident::new(q, Span::call_site());
+    quote! {
+        let p: &__Parameters<#scalar> = __kin::fixed("parameters", parameters)?;
+        let u: &__Inputs<#scalar> = __kin::fixed("inputs", at.inputs)?;
+        let #name: &__Coordinates<#scalar> = __kin::fixed(#q, #name)?;
+    }
+}
+
+/// Functions beside the trait, and the statements that call them.
+pub(super) struct Evaluations {
+    pub(super) items: TokenStream,
+    /// Φ alone: what is only evaluated for Φ (dual numbers) compiles nothing else.
+    pub(super) values: TokenStream,
+    /// A subset of Φ, Φ_q, Φ_t and γ.
+    pub(super) evaluate: TokenStream,
+    /// All four of the observables.
+    pub(super) observe: TokenStream,
+    /// Parameters, rows, non-zeros, observables, and non-zeros of these.
+    pub(super) counts: [usize; 5],
+}
+
+/// The evaluations of rows.
+pub(super) fn evaluations(lowered: &Lowered, kernels: &Kernels, parameters: usize) -> Evaluations {
+    let Kernels { values, values_and_jacobian, jacobian_and_rates, everything, observe, .. } = kernels;
+    let [values, position, velocity, all, observe] =
+        [values, values_and_jacobian, jacobian_and_rates, everything, observe].map(|one| kernel(lowered, one));
+    let items = [&values, &position, &velocity, &all, &observe].map(|kernel| &kernel.item);
+    let items = quote! { #(#items)* };
+    let (values, observe) = (values.call, observe.call);
+    let [position, velocity, all] = [position, velocity, all].map(|kernel| kernel.call);
+    let [rows, observables] = [&kernels.constraint_pattern, &kernels.observable_pattern];
+    Evaluations {
+        items,
+        evaluate: quote! {
+            let (phi, phi_q, phi_t, gamma) = workspace.parts_mut();
+            let _ = (p, u, q, w, &phi, &phi_q, &phi_t, &gamma);
+            if subset.gamma || subset.phi && subset.phi_t {
+                #all
+            } else if subset.phi_t {
+                #velocity
+            } else if subset.phi_q {
+                #position
+            } else if subset.phi {
+                #values
+            }
+        },
+        observe: quote! {
+            let (phi, phi_q, phi_t, gamma) = observations.parts_mut();
+            let _ = (p, u, q, w, &phi, &phi_q, &phi_t, &gamma);
+            #observe
+        },
+        values,
+        counts: [parameters, rows.rows, rows.entries.len(), observables.rows, observables.entries.len()],
+    }
+}
