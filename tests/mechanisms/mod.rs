@@ -27,6 +27,7 @@ mod gear_train;
 mod geared_fivebar;
 mod infeasible_fourbar;
 mod klann_leg;
+pub mod loaded;
 mod macpherson_strut;
 mod marghitu_six_link;
 mod measured_excavator;

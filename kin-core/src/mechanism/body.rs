@@ -8,7 +8,7 @@ use crate::error::Origin;
 pub enum BodyOrigin {
     /// x and y are generalized coordinates unless held at a value (lecture, solutions 1 and 2).
     Free {
-        /// Held x, a formula of parameters, t and inputs.
+        /// Held x, a formula of parameters, t, inputs and scalar coordinates.
         x: Option<Formula>,
         /// Held y, likewise.
         y: Option<Formula>,
@@ -26,7 +26,7 @@ pub struct Body {
     pub len: Option<usize>,
     /// Where the origin comes from.
     pub origin_at: BodyOrigin,
-    /// Held rotation, a formula of parameters, t and inputs.
+    /// Held rotation, likewise.
     pub phi: Option<Formula>,
     /// The token that declared it.
     pub origin: Origin,

@@ -130,7 +130,7 @@ impl Lowerer<'_> {
         let carried = decl.carried.as_ref().map(|(key, point)| (key, self.place(point, &range)));
         let (mut x, mut y) = (None, None);
         for (key, value) in &decl.held {
-            let scope = Scope { what: "a held coordinate", allow: Allow::Signals, range: &range };
+            let scope = Scope { what: "a held coordinate", allow: Allow::Scalars, range: &range };
             let formula = self.formula(value, &scope);
             match text(key).as_str() {
                 "phi" => body.phi = formula,

@@ -18,6 +18,8 @@ pub(super) enum Allow {
     Parameters,
     /// Also t and inputs.
     Signals,
+    /// Also scalar coordinates.
+    Scalars,
     /// Also coordinates.
     Everything,
     /// Coordinates, of which `dot` takes the rates.
@@ -30,7 +32,7 @@ impl Allow {
     const fn class(self) -> Class {
         match self {
             Self::Parameters => Class::Constant,
-            Self::Signals => Class::Signal,
+            Self::Signals | Self::Scalars => Class::Signal,
             Self::Everything | Self::Dotted | Self::Rates => Class::Coordinate,
         }
     }
@@ -91,7 +93,7 @@ impl Lowerer<'_> {
                         self.report.error(name.span(), message);
                         return None;
                     }
-                    Allow::Parameters | Allow::Signals | Allow::Everything => {
+                    Allow::Parameters | Allow::Signals | Allow::Scalars | Allow::Everything => {
                         let message = format!(
                             "`dot` is a rate, and {} holds none; it stands in `nonholonomic` only: \
                              `#[nonholonomic(N: dot(a.x) = v)]`",
@@ -167,6 +169,10 @@ impl Lowerer<'_> {
                 Some(Formula::Input(Member { family, index, origin }))
             }
             Symbol::Scalar(family) if self.inside.is_parameter(family, index) && scope.allow == Allow::Signals => {
+                Some(Formula::Scalar(Member { family, index, origin }))
+            }
+            Symbol::Scalar(family) if scope.allow == Allow::Scalars => {
+                self.reached = self.reached.max(Class::Coordinate);
                 Some(Formula::Scalar(Member { family, index, origin }))
             }
             Symbol::Scalar(family) => {
@@ -385,6 +391,7 @@ impl Lowerer<'_> {
         let words = self.inside.words();
         let right = match scope.allow {
             Allow::Parameters => "numbers and parameters only".to_owned(),
+            Allow::Scalars => "numbers, parameters, `t`, inputs and scalar coordinates only".to_owned(),
             _ if words.is_empty() => "numbers, parameters, `t` and inputs only".to_owned(),
             _ => {
                 format!("numbers, parameters, `t`, inputs and {} only", listed(words, "and"))

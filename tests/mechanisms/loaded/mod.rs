@@ -1,0 +1,45 @@
+//! The mechanisms of `tests/data/forces`: those of `tests/data` with masses and loads.
+
+mod andrews_cartesian;
+mod bogie_on_rail;
+mod cam_ellipse_implicit;
+mod cam_oscillating_follower;
+mod chain10;
+mod elliptic_trammel;
+mod excavator;
+mod fourbar_lecture_angles;
+mod fourbar_lecture_mid;
+mod geared_fivebar;
+mod klann_leg;
+mod macpherson_strut;
+mod peaucellier;
+mod planetary_basic;
+mod quick_return;
+mod rack_pinion_slider;
+mod robot_3rrr;
+mod scotch_yoke;
+mod slider_crank_inline;
+mod toggle_press;
+mod watt_sixbar;
+
+pub use andrews_cartesian::AndrewsCartesian;
+pub use bogie_on_rail::BogieOnRail;
+pub use cam_ellipse_implicit::CamEllipseImplicit;
+pub use cam_oscillating_follower::CamOscillatingFollower;
+pub use chain10::Chain10;
+pub use elliptic_trammel::EllipticTrammel;
+pub use excavator::Excavator;
+pub use fourbar_lecture_angles::FourbarLectureAngles;
+pub use fourbar_lecture_mid::FourbarLectureMid;
+pub use geared_fivebar::GearedFivebar;
+pub use klann_leg::KlannLeg;
+pub use macpherson_strut::MacphersonStrut;
+pub use peaucellier::Peaucellier;
+pub use planetary_basic::PlanetaryBasic;
+pub use quick_return::QuickReturn;
+pub use rack_pinion_slider::RackPinionSlider;
+pub use robot_3rrr::Robot3rrr;
+pub use scotch_yoke::ScotchYoke;
+pub use slider_crank_inline::SliderCrankInline;
+pub use toggle_press::TogglePress;
+pub use watt_sixbar::WattSixbar;

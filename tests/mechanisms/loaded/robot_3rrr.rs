@@ -1,0 +1,35 @@
+//! Source: `tests/data/robot_3rrr.json`, with the loads of `tests/data/forces/robot_3rrr.json`.
+
+use kin_runtime::mechanism;
+
+/// 3-RRR planar parallel robot: a platform on three legs, each with a driven crank.
+#[mechanism]
+#[bodies(crank1, rod1, crank2, rod2, crank3, rod3, platform)]
+#[point(P3 = platform @ (0, 0.18))]
+#[revolute(B1: ground @ (0, 0), crank1 @ (0, 0))]
+#[revolute(A1: crank1 @ (0.38, 0), rod1 @ (-0.42/2, 0))]
+#[revolute(P1: rod1 @ (0.42/2, 0), platform @ (-0.15, -0.1))]
+#[revolute(B2: ground @ (1.2, 0.05), crank2 @ (0, 0))]
+#[revolute(A2: crank2 @ (0.4, 0), rod2 @ (-0.4/2, 0))]
+#[revolute(P2: rod2 @ (0.4/2, 0), platform @ (0.16, -0.09))]
+#[revolute(B3: ground @ (0.55, 1.1), crank3 @ (0, 0))]
+#[revolute(A3: crank3 @ (0.36, 0), rod3 @ (-0.44/2, 0))]
+#[revolute(P3: rod3 @ (0.44/2, 0), P3)]
+#[driver(d1: crank1.phi = 1.49 - 0.2 * sin(1.3 * t))]
+#[driver(d2: crank2.phi = 3.48 - 0.2 * t + 0.1 * pow(t, 2))]
+#[driver(d3: crank3.phi = -0.73 - 0.15 * sin(0.9 * t) + 0.1 * cos(2 * t))]
+#[guess(rod1.phi = -0.3, rod2.phi = 1.8, rod3.phi = -2.3, platform.phi = 0.1)]
+#[gravity(0, -9.81)]
+#[mass(crank1 @ (-0.082, -0.14), mass = 1.94, inertia = 0.0166)]
+#[mass(rod1 @ (0.1, 0.073), mass = 2.61, inertia = 0.0612)]
+#[mass(crank2 @ (-0.15, 0.15), mass = 1.6, inertia = 0.0254)]
+#[mass(rod2 @ (0.15, 0.085), mass = 2.64, inertia = 0.0148)]
+#[mass(crank3 @ (0.12, -0.039), mass = 0.624, inertia = 0.0149)]
+#[mass(rod3 @ (0.11, -0.1), mass = 2.74, inertia = 0.0276)]
+#[mass(platform @ (-0.024, -0.15), mass = 1.9, inertia = 0.0427)]
+#[force(pull: crank2 @ (0.15, 0.053), (12, -12.3))]
+#[force(thrust: rod1 @ (0.15, 0.085), (-11.1, 8.34), frame = rod1)]
+#[torque(load: platform = 4.7)]
+#[spring(spring: crank2 @ (-0.05, -0.15), rod2 @ (0.041, -0.023), stiffness = 47.5, free_length = 0.443, damping = 4.23)]
+#[torsion_spring(torsion: rod3, crank2, stiffness = 3.44, free_angle = -0.818, damping = 0.253)]
+pub struct Robot3rrr;
