@@ -4,6 +4,7 @@ pub mod chain;
 pub mod dual;
 pub mod four_bar;
 pub mod library;
+pub mod loaded;
 pub mod paired;
 pub mod placed;
 pub mod random;
