@@ -53,9 +53,7 @@ impl Motion {
 
     fn forces(&mut self, four_bar: &LoadedFourBar, t: f64) {
         let (at, q, q_dot, q_ddot) = (Instant::at(t), &self.q, &self.q_dot, &self.q_ddot);
-        four_bar
-            .forces_with(&self.parameters, &at, q, q_dot, q_ddot, &[], &mut self.forces)
-            .expect("nine coordinates");
+        four_bar.forces_with(&self.parameters, &at, q, q_dot, q_ddot, &[], &mut self.forces).expect("nine coordinates");
     }
 
     /// q̈ and λ at once.

@@ -18,6 +18,13 @@ impl<T> FromIterator<(&'static str, T)> for Named<T> {
     }
 }
 
+impl<T> Named<T> {
+    /// True for nothing at all.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
 impl<T: Serialize> Serialize for Named<T> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))

@@ -83,17 +83,15 @@ fn compare(found: &Forces, exact: &Value, at: &str) {
     };
     for effort in of("efforts") {
         let driver = effort["driver"].as_str().unwrap();
-        let found = found.efforts.iter().find(|found| found.name == driver).unwrap_or_else(|| panic!("{at}: no {driver}"));
+        let found =
+            found.efforts.iter().find(|found| found.name == driver).unwrap_or_else(|| panic!("{at}: no {driver}"));
         near(found.effort.unwrap(), number(&effort["effort"]), driver);
         near(found.rate, number(&effort["rate"]), driver);
     }
     let drivers: Vec<&str> = of("efforts").iter().map(|effort| effort["driver"].as_str().unwrap()).collect();
     for reaction in of("reactions").iter().filter(|reaction| !drivers.contains(&reaction["name"].as_str().unwrap())) {
         let same = |joint: &&Reaction| is(found, joint, reaction, EXACT * largest);
-        assert!(
-            found.reactions.iter().any(|joint| same(&joint)),
-            "{at}: no joint has {reaction}\n{found}"
-        );
+        assert!(found.reactions.iter().any(|joint| same(&joint)), "{at}: no joint has {reaction}\n{found}");
     }
     let shaking = &exact["shaking"];
     for (found, force, moment) in

@@ -5,6 +5,7 @@ use super::names::listing;
 use crate::cross_check::{CrossCheck, CrossCheckOptions, PlanCheck};
 use crate::error::SolveError;
 use crate::evaluation::curve::CurvePoint;
+use crate::forces::Forces;
 use crate::mechanism::Mechanism;
 use crate::mobility::Mobility;
 use crate::model::Model;
@@ -78,6 +79,9 @@ pub(super) trait Engine {
         observer: Observer<'_>,
     ) -> (Trajectory, Option<SolveError>);
     fn motion(&self, state: &State) -> Result<Motion, SolveError>;
+    /// Whether there are masses or loads.
+    fn has_loads(&self) -> bool;
+    fn forces(&self, setup: &Setup, state: &State) -> Result<Forces, SolveError>;
     fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError>;
     fn velocity_ratios(&self, setup: &Setup, state: &State) -> Result<VelocityRatios, SolveError>;
     fn transmission_angles(&self, state: &State) -> Result<Vec<TransmissionAngle>, SolveError>;
@@ -155,6 +159,14 @@ impl<M: Mechanism> Engine for Bound<M> {
 
     fn motion(&self, state: &State) -> Result<Motion, SolveError> {
         Solver::new(&self.mechanism).motion(state)
+    }
+
+    fn has_loads(&self) -> bool {
+        M::force_model().is_some()
+    }
+
+    fn forces(&self, setup: &Setup, state: &State) -> Result<Forces, SolveError> {
+        self.solver(setup).forces(state)
     }
 
     fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError> {

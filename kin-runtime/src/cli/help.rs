@@ -4,7 +4,7 @@ use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::names::listing;
 use super::output::{either, forms};
-use super::{animate, check, completions, info, paint, report, solve, sweep};
+use super::{animate, check, completions, forces, info, paint, report, solve, sweep};
 use crate::model::Model;
 
 /// The whole command line of a mechanism, of the options that all mechanisms have.
@@ -27,6 +27,9 @@ pub(super) fn command(options: clap::Command, engine: &dyn Engine, program: Stri
     for (name, help) in COMMANDS {
         command = command.mut_subcommand(name, |command| with(command, name, help));
     }
+    if !engine.has_loads() {
+        command = command.mut_subcommand("forces", |command| command.hide(true));
+    }
     with(command, "", &report::HELP)
 }
 
@@ -34,6 +37,7 @@ const COMMANDS: &[(&str, Help)] = &[
     ("info", info::HELP),
     ("solve", solve::HELP),
     ("sweep", sweep::HELP),
+    ("forces", forces::HELP),
     ("check", check::HELP),
     #[cfg(feature = "equations")]
     ("equations", super::equations::HELP),

@@ -42,6 +42,7 @@ mod engine;
 mod equations;
 mod examples;
 mod failure;
+mod forces;
 mod help;
 mod info;
 mod interrupt;
@@ -99,6 +100,7 @@ enum Command {
     Info(info::InfoArgs),
     Solve(solve::SolveArgs),
     Sweep(sweep::SweepArgs),
+    Forces(forces::ForcesArgs),
     Check(check::CheckArgs),
     #[cfg(feature = "equations")]
     Equations(equations::EquationsArgs),
@@ -140,6 +142,7 @@ fn run(
         Some(Command::Info(args)) => info::run(args, engine, &mut session),
         Some(Command::Solve(args)) => solve::run(args, engine, &mut session),
         Some(Command::Sweep(args)) => sweep::run(args, engine, &mut session),
+        Some(Command::Forces(args)) => forces::run(args, engine, &mut session),
         Some(Command::Check(args)) => check::run(args, engine, &mut session),
         #[cfg(feature = "equations")]
         Some(Command::Equations(args)) => equations::run(args, engine, &mut session),

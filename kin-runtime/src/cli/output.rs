@@ -80,6 +80,7 @@ const WRITERS: &[(&str, &[Form])] = &[
     ("", &[Form::Text, Form::Json]),
     ("info", &[Form::Text, Form::Json]),
     ("solve", &[Form::Text, Form::Json, Form::Csv]),
+    ("forces", &[Form::Text, Form::Json, Form::Csv]),
     ("sweep", &[Form::Text, Form::Json, Form::Csv]),
     ("check", &[Form::Text, Form::Json]),
     #[cfg(feature = "equations")]

@@ -11,6 +11,7 @@ pub(crate) mod condition;
 pub(crate) mod drawing;
 #[cfg(feature = "equations")]
 pub(crate) mod equations;
+pub(crate) mod forces;
 pub(crate) mod grid;
 pub(crate) mod json;
 pub(crate) mod plan;
