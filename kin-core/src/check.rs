@@ -23,13 +23,14 @@
 //! - `conditions_change`: a condition of parameters alone is always or never satisfied;
 //! - `loads_act_on_bodies`: a mass or a force belongs to a body, a spring joins two;
 //! - `centres_differ`: no two masses have one centre;
-//! - `loads_have_a_size`: masses are not negative, and a spring has a stiffness or a damping.
+//! - `loads_have_a_size`: masses are not negative, and a spring has a stiffness or a damping;
+//! - `one_field_of_gravity`: gravity is written once.
 //!
 //! As a whole ([`check`]), the last two where no row is wrong in what it joins or holds:
 //! - `has_coordinates`: something can move;
 //! - `bodies_are_touched`: some row mentions a coordinate of every body;
 //! - `scalars_are_mentioned`: some row mentions every scalar coordinate;
-//! - `gravity_pulls_masses`: there is one field of gravity, and a mass.
+//! - `gravity_pulls_masses`: where there is gravity, there is a mass.
 
 mod condition;
 mod curve;
@@ -58,7 +59,7 @@ use geometry::{
     axes_have_a_direction, divisors_are_not_zero, joints_join_two_bodies, lengths_are_positive, radii_have_a_size,
 };
 use guess::guesses_are_for_coordinates;
-use loads::{centres_differ, gravity_pulls_masses, loads_act_on_bodies, loads_have_a_size};
+use loads::{centres_differ, gravity_pulls_masses, loads_act_on_bodies, loads_have_a_size, one_field_of_gravity};
 use names::{names_are_free, names_differ, row_names_differ};
 use participation::{bodies_are_touched, has_coordinates, rows_hold_coordinates, scalars_are_mentioned};
 use velocity::velocity_rows_are_linear;
@@ -102,6 +103,7 @@ pub fn check_parts(mechanism: &Mechanism) -> Vec<ModelError> {
     curves_are_curves(mechanism, &mut errors);
     rollers_know_their_curve(mechanism, &mut errors);
     loads_have_a_size(mechanism, &mut errors);
+    one_field_of_gravity(mechanism, &mut errors);
     if is_sound(mechanism) {
         check_rows(mechanism, &mut errors);
         guesses_are_for_coordinates(mechanism, &mut errors);

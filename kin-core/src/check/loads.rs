@@ -36,14 +36,23 @@ pub(super) fn loads_act_on_bodies(mechanism: &Mechanism, errors: &mut Vec<ModelE
     }
 }
 
-/// There is one field of gravity, and something that it pulls.
-pub(super) fn gravity_pulls_masses(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
-    let of = |kind| mechanism.loads.iter().filter(move |load| load.operands.kind() == StatementKind::Load(kind));
-    for second in of(LoadKind::Gravity).skip(1) {
+/// All masses and loads of a kind.
+fn loads_of(mechanism: &Mechanism, kind: LoadKind) -> impl Iterator<Item = &Load> {
+    mechanism.loads.iter().filter(move |load| load.operands.kind() == StatementKind::Load(kind))
+}
+
+/// There is one field of gravity.
+pub(super) fn one_field_of_gravity(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    for second in loads_of(mechanism, LoadKind::Gravity).skip(1) {
         let message = "there is a `gravity` already; one field pulls all masses";
         errors.push(ModelError::new(second.keyword, message));
     }
-    if let (Some(gravity), None) = (of(LoadKind::Gravity).next(), of(LoadKind::Mass).next()) {
+}
+
+/// Gravity has something to pull.
+pub(super) fn gravity_pulls_masses(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    let first = |kind| loads_of(mechanism, kind).next();
+    if let (Some(gravity), None) = (first(LoadKind::Gravity), first(LoadKind::Mass)) {
         let message = "gravity pulls masses, and no body has one: `#[mass(crank @ (l1/2, 0), mass = m1)]`";
         errors.push(ModelError::new(gravity.keyword, message));
     }

@@ -95,7 +95,7 @@ impl Lowerer<'_> {
                     }
                     Allow::Parameters | Allow::Signals | Allow::Scalars | Allow::Everything => {
                         let message = format!(
-                            "`dot` is a rate, and {} holds none; it stands in `nonholonomic` only: \
+                            "`dot` is a rate, and {} holds none; it stands in `nonholonomic`, `force` and `torque` only: \
                              `#[nonholonomic(N: dot(a.x) = v)]`",
                             scope.what
                         );
@@ -314,7 +314,7 @@ impl Lowerer<'_> {
         if found.is_none() && !self.is_completed(component) {
             let right = match name.as_str() {
                 "x_dot" | "y_dot" | "phi_dot" | "xdot" | "ydot" | "phidot" | "dot" | "omega" => {
-                    ": a rate is written `dot(…)`, in `nonholonomic`"
+                    ": a rate is written `dot(…)`, in `nonholonomic`, `force` and `torque`"
                 }
                 _ => "",
             };
@@ -364,7 +364,7 @@ impl Lowerer<'_> {
                 let suggestion = match word.as_str() {
                     "log" => "; the natural logarithm is `ln`".to_owned(),
                     rate if is_rate(rate) && has_rates => "; a rate is written `dot(…)`".to_owned(),
-                    rate if is_rate(rate) => "; a rate is written `dot(…)`, in `nonholonomic` only".to_owned(),
+                    rate if is_rate(rate) => "; a rate is written `dot(…)`, in `nonholonomic`, `force` and `torque` only".to_owned(),
                     _ => did_you_mean(&word, known),
                 };
                 let last = if has_rates { ", pow, distance and dot" } else { ", pow and distance" };

@@ -160,6 +160,8 @@ impl Parts<'_> {
     /// The value of an option that is 0 when it is not given.
     pub(super) fn or_zero(&mut self, key: &str) -> Expr {
         match self.take(key) {
+            // A load of which an option was lost would seem to do nothing.
+            None if self.lost_option && self.kind.kind.is_load() => Expr::hole(self.keyword.span()),
             None => Expr::number(0.0, self.keyword.span()),
             Some(Some(Value::Expression(expr))) => expr,
             Some(_) => Expr::hole(self.keyword.span()),
