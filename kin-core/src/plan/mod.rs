@@ -43,7 +43,7 @@ mod watch;
 pub use formulas::{Formulas, Line};
 pub use run::{Solution, closures, resolve, run};
 pub use sections::Section;
-pub use step::{Mode, Step};
+pub use step::{Mode, Step, StepId};
 pub use watch::TOLERANCE;
 
 use crate::program::{Program, Slot, lower};

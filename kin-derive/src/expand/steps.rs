@@ -59,7 +59,7 @@ fn steps(plan: &SolutionPlan) -> TokenStream {
 
 fn modes(modes: &[Mode]) -> TokenStream {
     let modes = modes.iter().map(|mode| {
-        let (name, step, margin) = (&mode.name, mode.step, mode.margin);
+        let (name, step, margin) = (&mode.name, mode.step.index(), mode.margin);
         quote! { __kin::ModeInfo { name: #name, step: #step, margin: #margin } }
     });
     quote! { &[#(#modes),*] }
@@ -105,7 +105,7 @@ fn packed_modes(modes: &[Mode]) -> TokenStream {
     let mut packed = Packed::<()>::new(modes.len());
     for mode in modes {
         packed.name(&mode.name);
-        packed.word(mode.step);
+        packed.word(mode.step.index());
         packed.word(mode.margin);
     }
     packed.unpacked("modes", &TokenStream::new())
