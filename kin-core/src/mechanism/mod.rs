@@ -14,6 +14,7 @@ mod operand;
 mod reference;
 mod walk;
 
+pub use crate::vocabulary::Component;
 pub use body::{Body, BodyOrigin, Define, Input, NamedPoint, Parameter, Range, Scalar, Source, SuppliedFunction};
 pub use condition::{Condition, Relation};
 pub use curve::Curve;
@@ -21,7 +22,7 @@ pub use form::{Dimension, JointForm, Sees, Slot, Takes, Written};
 pub use formula::{Formula, Function, Place};
 pub use joint::{Guess, GuessTarget, Joint};
 pub use operand::{Axis, Operand, OperandValue, Operands, Radii, Value};
-pub use reference::{BodyRef, Component, CurveVariable, Index, Member};
+pub use reference::{BodyRef, CurveVariable, Index, Member};
 pub(crate) use walk::{contains_signal, defines_in, nodes};
 
 use crate::error::Origin;
