@@ -1,92 +1,100 @@
-//! The words that all crates share: what kinds of joints there are and what their geometry is for, what kinds of steps a
-//! solution plan has, and how far a solution goes.
+//! The words that all crates share: what kinds of joints there are and what their geometry is for, what a frame and a
+//! coordinate of a pose are, what kinds of steps a solution plan has, how far a solution goes, and what it costs.
 
 use core::fmt;
 
-/// What kind of joint, constraint or driver a row belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum JointKind {
-    /// r_Q − r_P.
-    Revolute,
-    /// perp(A_i v̂)·(r_Q − r_P); φ_j − φ_i − c.
-    Translational,
-    /// r_Q − r_P; φ_j − φ_i − c.
-    Fixed,
-    /// perp(A_i v̂)·(r_Q − r_P) − e.
-    PointOnLine,
-    /// |r_Q − r_P|² − e².
-    Distance,
-    /// x_P − e.
-    X,
-    /// y_P − e.
-    Y,
-    /// φ − e.
-    Angle,
-    /// φ_b − φ_a − e.
-    RelativeAngle,
-    /// |w| − ρ(θ): a point on a curve in polar form.
-    OnPolarCurve,
-    /// e(X, Y) at w: a point on a curve in implicit form.
-    OnImplicitCurve,
-    /// r_Q − r_P − A_i c(u): a point on a curve in parametric form.
-    OnParametricCurve,
-    /// n·(r_Q − r_P) − h(θ): a flat-faced follower on a cam.
-    FlatFollower,
-    /// R_a(φ_a − φ_c) + R_b(φ_b − φ_c) − e.
-    Gear,
-    /// R_a(φ_a − φ_c) − R_b(φ_b − φ_c) − e.
-    Belt,
-    /// (A_i v̂)·(r_Q − r_P) − R(φ_b − φ_i) − e.
-    RackPinion,
-    /// A disc on a line: perp(A_i v̂)·d − R; (A_i v̂)·d + R(φ_j − φ_i) − e, where d = r_Q − r_P.
-    RollingOnLine,
-    /// A disc on a disc: d − (R_i + R_j)(cos ψ, sin ψ); R_i(φ_i − ψ) + R_j(φ_j − ψ) − e.
-    RollingOnDisc,
-    /// (A_i v̂)·(r_Q − r_P) − p/(2π) (φ_b − φ_i) − e.
-    Screw,
-    /// Σ |r_{k+1} − r_k| − e.
-    Rope,
-    /// A free-form holonomic row.
-    Constraint,
-    /// No velocity of a point across a direction of its body.
-    KnifeEdge,
-    /// Velocity of a point along a direction of its body.
-    Speed,
-    /// A free-form row of velocity level.
-    Nonholonomic,
-    /// A driving constraint.
-    Driver,
+/// An enum with a word for every variant.
+macro_rules! words {
+    (
+        $(#[$meta:meta])* $name:ident, $(#[$what:meta])* $word:ident:
+        $($(#[$doc:meta])* $variant:ident $text:literal,)+
+    ) => {
+        $(#[$meta])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum $name {
+            $($(#[$doc])* $variant,)+
+        }
+
+        impl $name {
+            $(#[$what])*
+            pub const fn $word(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $text,)+
+                }
+            }
+
+            /// The variant as code writes it.
+            pub const fn variant(self) -> &'static str {
+                match self {
+                    $(Self::$variant => stringify!($variant),)+
+                }
+            }
+        }
+
+        impl fmt::Display for $name {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(self.$word())
+            }
+        }
+    };
 }
 
-impl JointKind {
+words! {
+    /// What kind of joint, constraint or driver a row belongs to.
+    #[non_exhaustive]
+    JointKind,
     /// The keyword of the language.
-    pub const fn keyword(self) -> &'static str {
-        match self {
-            Self::Revolute => "revolute",
-            Self::Translational => "translational",
-            Self::Fixed => "fixed",
-            Self::PointOnLine => "point_on_line",
-            Self::Distance => "distance",
-            Self::X => "x",
-            Self::Y => "y",
-            Self::Angle => "angle",
-            Self::RelativeAngle => "relative_angle",
-            Self::OnPolarCurve | Self::OnImplicitCurve | Self::OnParametricCurve => "on_curve",
-            Self::FlatFollower => "flat_follower",
-            Self::Gear => "gear",
-            Self::Belt => "belt",
-            Self::RackPinion => "rack_pinion",
-            Self::RollingOnLine | Self::RollingOnDisc => "rolling",
-            Self::Screw => "screw",
-            Self::Rope => "rope",
-            Self::Constraint => "constraint",
-            Self::KnifeEdge => "knife_edge",
-            Self::Speed => "speed",
-            Self::Nonholonomic => "nonholonomic",
-            Self::Driver => "driver",
-        }
-    }
+    keyword:
+    /// r_Q − r_P.
+    Revolute "revolute",
+    /// perp(A_i v̂)·(r_Q − r_P); φ_j − φ_i − c.
+    Translational "translational",
+    /// r_Q − r_P; φ_j − φ_i − c.
+    Fixed "fixed",
+    /// perp(A_i v̂)·(r_Q − r_P) − e.
+    PointOnLine "point_on_line",
+    /// |r_Q − r_P|² − e².
+    Distance "distance",
+    /// x_P − e.
+    X "x",
+    /// y_P − e.
+    Y "y",
+    /// φ − e.
+    Angle "angle",
+    /// φ_b − φ_a − e.
+    RelativeAngle "relative_angle",
+    /// |w| − ρ(θ): a point on a curve in polar form.
+    OnPolarCurve "on_curve",
+    /// e(X, Y) at w: a point on a curve in implicit form.
+    OnImplicitCurve "on_curve",
+    /// r_Q − r_P − A_i c(u): a point on a curve in parametric form.
+    OnParametricCurve "on_curve",
+    /// n·(r_Q − r_P) − h(θ): a flat-faced follower on a cam.
+    FlatFollower "flat_follower",
+    /// R_a(φ_a − φ_c) + R_b(φ_b − φ_c) − e.
+    Gear "gear",
+    /// R_a(φ_a − φ_c) − R_b(φ_b − φ_c) − e.
+    Belt "belt",
+    /// (A_i v̂)·(r_Q − r_P) − R(φ_b − φ_i) − e.
+    RackPinion "rack_pinion",
+    /// A disc on a line: perp(A_i v̂)·d − R; (A_i v̂)·d + R(φ_j − φ_i) − e, where d = r_Q − r_P.
+    RollingOnLine "rolling",
+    /// A disc on a disc: d − (R_i + R_j)(cos ψ, sin ψ); R_i(φ_i − ψ) + R_j(φ_j − ψ) − e.
+    RollingOnDisc "rolling",
+    /// (A_i v̂)·(r_Q − r_P) − p/(2π) (φ_b − φ_i) − e.
+    Screw "screw",
+    /// Σ |r_{k+1} − r_k| − e.
+    Rope "rope",
+    /// A free-form holonomic row.
+    Constraint "constraint",
+    /// No velocity of a point across a direction of its body.
+    KnifeEdge "knife_edge",
+    /// Velocity of a point along a direction of its body.
+    Speed "speed",
+    /// A free-form row of velocity level.
+    Nonholonomic "nonholonomic",
+    /// A driving constraint.
+    Driver "driver",
 }
 
 impl JointKind {
@@ -107,48 +115,24 @@ impl JointKind {
     }
 }
 
-impl fmt::Display for JointKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.keyword())
-    }
-}
-
-/// What kind of mass or load.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum LoadKind {
-    /// A field that pulls every mass.
-    Gravity,
-    /// A mass with its centre and its moment of inertia.
-    Mass,
-    /// A force on a point of a body.
-    Force,
-    /// A couple on a body, or between two.
-    Torque,
-    /// A spring with a damper between two points.
-    Spring,
-    /// A spring with a damper between the angles of two bodies.
-    TorsionSpring,
-}
-
-impl LoadKind {
+words! {
+    /// What kind of mass or load.
+    #[non_exhaustive]
+    LoadKind,
     /// The keyword of the language.
-    pub const fn keyword(self) -> &'static str {
-        match self {
-            Self::Gravity => "gravity",
-            Self::Mass => "mass",
-            Self::Force => "force",
-            Self::Torque => "torque",
-            Self::Spring => "spring",
-            Self::TorsionSpring => "torsion_spring",
-        }
-    }
-}
-
-impl fmt::Display for LoadKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.keyword())
-    }
+    keyword:
+    /// A field that pulls every mass.
+    Gravity "gravity",
+    /// A mass with its centre and its moment of inertia.
+    Mass "mass",
+    /// A force on a point of a body.
+    Force "force",
+    /// A couple on a body, or between two.
+    Torque "torque",
+    /// A spring with a damper between two points.
+    Spring "spring",
+    /// A spring with a damper between the angles of two bodies.
+    TorsionSpring "torsion_spring",
 }
 
 /// What a statement of the language that has operands declares.
@@ -175,37 +159,63 @@ impl StatementKind {
     }
 }
 
-/// What a piece of geometry is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Role {
+words! {
+    /// What a piece of geometry is for.
+    #[non_exhaustive]
+    Role,
+    /// What it is, in words.
+    words:
     /// Body-fixed coordinates of the first operand's point, two numbers.
-    P,
+    P "first point",
     /// Body-fixed coordinates of the second operand's point, two numbers.
-    Q,
+    Q "second point",
     /// Body-fixed coordinates of a point between the first and the last, two numbers; in the order of the joint.
-    Via,
+    Via "point between",
     /// Unit vector of an axis in the frame it is fixed in, two numbers.
-    Axis,
+    Axis "axis",
     /// Length, angle, offset or right-hand side, one number; may depend on t and inputs. The frame of a gear's or a
     /// belt's is that of its carrier.
-    Value,
+    Value "value",
     /// Radius of a disc or gear of that frame's body, one number; negative where the other runs inside. A roller's is that
     /// to the left of the curve that it runs on.
-    Radius,
+    Radius "radius",
 }
 
-impl fmt::Display for Role {
+/// A body or the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Frame {
+    /// The inertial frame O–xy.
+    Ground,
+    /// A moving body, by its place among all bodies.
+    Body(usize),
+}
+
+/// `ground` or the place of a body.
+impl fmt::Display for Frame {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::P => "first point",
-            Self::Q => "second point",
-            Self::Via => "point between",
-            Self::Axis => "axis",
-            Self::Value => "value",
-            Self::Radius => "radius",
-        })
+        match self {
+            Self::Ground => f.write_str("ground"),
+            Self::Body(place) => write!(f, "body {place}"),
+        }
     }
+}
+
+words! {
+    /// One of the three coordinates of a body's pose.
+    Component,
+    /// As in the name of a coordinate.
+    name:
+    /// x of the body's origin in the inertial frame.
+    X "x",
+    /// y of the body's origin in the inertial frame.
+    Y "y",
+    /// φ, the rotation of the body's frame: counter-clockwise, never wrapped.
+    Phi "phi",
+}
+
+impl Component {
+    /// All three, in the order of q.
+    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Phi];
 }
 
 /// What kind of step of a solution plan.
@@ -225,15 +235,25 @@ pub enum StepKind {
     Watched,
 }
 
-/// How far a solution goes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Depth {
-    /// q.
-    Position,
-    /// q and q̇.
-    Velocity,
-    /// q, q̇ and q̈.
-    Acceleration,
+impl StepKind {
+    /// The variant as code writes it, without its number of unknowns.
+    pub const fn variant(self) -> &'static str {
+        match self {
+            Self::Explicit => "Explicit",
+            Self::Linear(_) => "Linear",
+            Self::Closure => "Closure",
+            Self::Newton(_) => "Newton",
+            Self::Watched => "Watched",
+        }
+    }
+
+    /// How many unknowns a system or an iteration has.
+    pub const fn unknowns(self) -> Option<usize> {
+        match self {
+            Self::Linear(n) | Self::Newton(n) => Some(n),
+            Self::Explicit | Self::Closure | Self::Watched => None,
+        }
+    }
 }
 
 /// How a step is solved.
@@ -250,12 +270,55 @@ impl fmt::Display for StepKind {
     }
 }
 
-impl fmt::Display for Depth {
+words! {
+    /// How far a solution goes.
+    Depth,
+    /// What is solved.
+    solved:
+    /// q.
+    Position "q",
+    /// q and q̇.
+    Velocity "q and q̇",
+    /// q, q̇ and q̈.
+    Acceleration "q, q̇ and q̈",
+}
+
+/// Operations of a program: of one combined evaluation of Φ, Φ_q, Φ_t and γ, for example.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct OperationCount {
+    /// Additions and subtractions.
+    pub add: usize,
+    /// Multiplications.
+    pub mul: usize,
+    /// Negations.
+    pub neg: usize,
+    /// Divisions.
+    pub div: usize,
+    /// Square roots.
+    pub sqrt: usize,
+    /// Sine and cosine pairs.
+    pub sincos: usize,
+    /// Every other function (tan, atan2, exp, powers with an exponent that is not a small integer, …).
+    pub function: usize,
+}
+
+impl OperationCount {
+    /// Additions, multiplications, negations and divisions.
+    pub const fn flops(&self) -> usize {
+        self.add + self.mul + self.neg + self.div
+    }
+}
+
+/// `50: 19 mul, 24 add, 4 neg, 3 sincos`; what there is none of is left out.
+impl fmt::Display for OperationCount {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Position => "q",
-            Self::Velocity => "q and q̇",
-            Self::Acceleration => "q, q̇ and q̈",
-        })
+        let Self { add, mul, neg, div, sqrt, sincos, function } = *self;
+        let names = ["mul", "add", "neg", "div", "sqrt", "sincos", "function"];
+        let counts = [mul, add, neg, div, sqrt, sincos, function];
+        write!(f, "{}", counts.iter().sum::<usize>())?;
+        let there = counts.iter().zip(names).filter(|(count, _)| **count > 0);
+        there
+            .enumerate()
+            .try_for_each(|(k, (count, what))| write!(f, "{} {count} {what}", if k == 0 { ":" } else { "," }))
     }
 }

@@ -30,11 +30,15 @@ fn text(graph: &Graph, id: ExprId) -> String {
     Shown { graph, names: &(), id }.to_string()
 }
 
+fn built(tree: &Tree, simplify: bool, graph: &mut Graph) -> ExprId {
+    if simplify { tree.build(graph) } else { tree.plain(graph) }
+}
+
 #[test]
 fn simplified_equals_unsimplified() {
     for_all(1200, (trees(), values()), |(tree, values)| {
-        let (mut plain, mut simplified) = (Graph::unsimplified(), Graph::new());
-        let (a, b) = (tree.build(&mut plain), tree.build(&mut simplified));
+        let (mut plain, mut simplified) = (Graph::new(), Graph::new());
+        let (a, b) = (tree.plain(&mut plain), tree.build(&mut simplified));
         let Some(expected) = bounded(&plain, a, values.plain()) else { return Ok(()) };
         let found = evaluate(&simplified, &[b], &values)[0];
         prop_assert!(found.is_finite(), "{} became {}", text(&plain, a), text(&simplified, b));
@@ -45,8 +49,8 @@ fn simplified_equals_unsimplified() {
 #[test]
 fn the_evaluator_follows_the_definitions_of_the_nodes() {
     for_all(400, (trees(), values()), |(tree, values)| {
-        let mut graph = Graph::unsimplified();
-        let id = tree.build(&mut graph);
+        let mut graph = Graph::new();
+        let id = tree.plain(&mut graph);
         match bounded(&graph, id, values.plain()) {
             Some(expected) => agree("value", expected, evaluate(&graph, &[id], &values)[0]),
             None => Ok(()),
@@ -60,10 +64,10 @@ fn parts(jet: &Jet) -> Vec<(String, ExprId)> {
     gradient.chain([("∂/∂t".into(), jet.partial_t), ("rate".into(), jet.rate), ("rest".into(), jet.rest)]).collect()
 }
 
-/// Derivatives built in `graph` against dual numbers through the unsimplified expression.
-fn derivatives_equal_dual_numbers(mut graph: Graph, (tree, values): (Tree, Values)) -> Result<(), TestCaseError> {
-    let mut plain = Graph::unsimplified();
-    let (a, b) = (tree.build(&mut plain), tree.build(&mut graph));
+/// Derivatives of the simplified expression against dual numbers through the unsimplified expression.
+fn derivatives_equal_dual_numbers((tree, values): (Tree, Values)) -> Result<(), TestCaseError> {
+    let (mut plain, mut graph) = (Graph::new(), Graph::new());
+    let (a, b) = (tree.plain(&mut plain), tree.build(&mut graph));
     if bounded(&plain, a, values.plain()).is_none() {
         return Ok(());
     }
@@ -99,7 +103,7 @@ fn derivatives_equal_dual_numbers(mut graph: Graph, (tree, values): (Tree, Value
 
 #[test]
 fn derivatives_of_simplified_expressions_equal_dual_numbers() {
-    for_all(1000, (trees(), values()), |case| derivatives_equal_dual_numbers(Graph::new(), case));
+    for_all(1000, (trees(), values()), derivatives_equal_dual_numbers);
 }
 
 #[test]
@@ -178,8 +182,8 @@ fn is_well_formed(program: &Program) -> Result<(), TestCaseError> {
 fn programs_equal_the_evaluator() {
     let case = (proptest::collection::vec(trees(), 1..4), values(), any::<bool>());
     for_all(400, case, |(trees, values, simplify)| {
-        let mut graph = if simplify { Graph::new() } else { Graph::unsimplified() };
-        let mut roots: Vec<ExprId> = trees.iter().map(|tree| tree.build(&mut graph)).collect();
+        let mut graph = Graph::new();
+        let mut roots: Vec<ExprId> = trees.iter().map(|tree| built(tree, simplify, &mut graph)).collect();
         for (_, part) in total_derivatives(&mut graph, &roots).iter().flat_map(parts) {
             roots.push(part);
         }
@@ -223,8 +227,8 @@ fn named(name: &str, values: &Values) -> f64 {
 #[test]
 fn printed_expressions_mean_what_they_say() {
     for_all(800, (trees(), values(), any::<bool>(), any::<bool>()), |(tree, values, simplify, derive)| {
-        let mut graph = if simplify { Graph::new() } else { Graph::unsimplified() };
-        let mut id = tree.build(&mut graph);
+        let mut graph = Graph::new();
+        let mut id = built(&tree, simplify, &mut graph);
         if derive {
             id = total_derivatives(&mut graph, &[id])[0].rate;
         }

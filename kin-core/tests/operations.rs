@@ -4,7 +4,8 @@ mod support;
 
 use kin_core::joints::{Angle, Distance, RelativeAngle, Translational, X, Y};
 use kin_core::mechanism::{Formula, Mechanism, Operands, Value};
-use kin_core::program::{OperationCount, lower};
+use kin_core::program::lower;
+use kin_core::vocabulary::OperationCount;
 use kin_core::{assemble, differentiate};
 use support::*;
 

@@ -2,8 +2,9 @@
 
 use super::assembly::Assembly;
 use super::layout::indexed;
-use super::set::{ConstraintSet, DefineInstance, Frame, ObservableKind, PointInstance};
+use super::set::{ConstraintSet, DefineInstance, ObservableKind, PointInstance};
 use crate::mechanism::{BodyOrigin, Component, GuessTarget};
+use crate::vocabulary::Frame;
 
 impl Assembly<'_> {
     /// The poses of all bodies.

@@ -15,13 +15,14 @@ mod rows;
 mod set;
 mod variables;
 
+pub use crate::vocabulary::Frame;
 pub(crate) use assembly::Assembly;
 pub(crate) use layout::indexed;
 pub(crate) use pose::{PlacedAxis, PlacedPoint, Pose};
 pub(crate) use rows::Rows;
 pub use set::{
     BodyInstance, ConditionInstance, ConstraintRow, ConstraintSet, Coordinate, CoordinateKind, CurveInstance,
-    DefineInstance, Family, Frame, Geometry, JointInstance, Observable, ObservableKind, PointInstance, Quantity,
-    RowMeaning, VelocityRow,
+    DefineInstance, Family, Geometry, JointInstance, Observable, ObservableKind, PointInstance, Quantity, RowMeaning,
+    VelocityRow,
 };
 pub(crate) use variables::Variables;

@@ -2,9 +2,9 @@
 
 use super::assembly::Assembly;
 use super::pose::{PlacedAxis, PlacedPoint, Pose};
-use super::set::Frame;
 use crate::expr::{ExprId, Symbol};
 use crate::mechanism::{Axis, Body, BodyOrigin, BodyRef, Component, Function, Place, Source};
+use crate::vocabulary::Frame;
 
 impl<'m> Assembly<'m> {
     /// The frame that a body reference means at `index`, if there is one.

@@ -1,7 +1,7 @@
 //! Bodies, points and axes in the inertial frame.
 
-use super::set::Frame;
 use crate::expr::ExprId;
+use crate::vocabulary::Frame;
 
 /// A point in the inertial frame: r = r_i + A_i s.
 #[derive(Clone, Copy, Debug)]

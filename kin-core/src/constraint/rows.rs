@@ -2,9 +2,10 @@
 
 use super::assembly::Assembly;
 use super::pose::PlacedPoint;
-use super::set::{Frame, RowMeaning, VelocityRow};
+use super::set::{RowMeaning, VelocityRow};
 use crate::expr::ExprId;
 use crate::mechanism::Formula;
+use crate::vocabulary::Frame;
 use crate::vocabulary::Role;
 
 /// What a joint hands back: rows as (suffix of the name, what the row says, residual), and what it reports.

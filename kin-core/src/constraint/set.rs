@@ -3,17 +3,8 @@
 use crate::error::Origin;
 use crate::expr::{ExprId, Graph, Names, Symbol};
 use crate::mechanism::Component;
-use crate::vocabulary::{JointKind, Role};
+use crate::vocabulary::{Frame, JointKind, Role};
 use core::fmt;
-
-/// A body by its place in [`ConstraintSet::bodies`], or the ground.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Frame {
-    /// The inertial frame.
-    Ground,
-    /// A body.
-    Body(usize),
-}
 
 /// What a generalized coordinate is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,9 @@
 //! The reference evaluator: an expression's value in double precision, straight from the graph.
 
+use super::fold::Algebra;
 use super::graph::Graph;
-use super::node::{ExprId, Node, Symbol};
+use super::map::IdMap;
+use super::node::{ExprId, Node, Rotation, Symbol};
 use crate::mechanism::Function;
 
 /// What an evaluation supplies.
@@ -43,31 +45,63 @@ pub(crate) fn nearest(a: f64, b: f64) -> f64 {
 
 /// The values of `roots`.
 pub fn evaluate(graph: &Graph, roots: &[ExprId], environment: &impl Environment) -> Vec<f64> {
-    let mut values = vec![0.0; graph.len()];
-    for id in graph.reachable(roots.iter().copied()) {
-        let v = |id: ExprId| values[id.index()];
-        values[id.index()] = match graph.node(id) {
-            Node::Number(bits) => bits.value(),
-            Node::Symbol(Symbol::Coarseness) => 1.0,
-            Node::Symbol(symbol) => environment.symbol(symbol),
-            Node::Neg(a) => -v(a),
-            Node::Add(a, b) => v(a) + v(b),
-            Node::Sub(a, b) => v(a) - v(b),
-            Node::Mul(a, b) => v(a) * v(b),
-            Node::Div(a, b) => v(a) / v(b),
-            Node::Powi(a, n) => v(a).powi(n),
-            Node::Powf(a, n) => v(a).powf(n.value()),
-            Node::Call(f, a) => function(f, v(a)),
-            Node::Sign(a) => v(a).signum(),
-            Node::Atan2(y, x) => v(y).atan2(v(x)),
-            Node::Whole(a) => v(a),
-            Node::Nearest(a, b) => nearest(v(a), v(b)),
-            Node::RotX(r) => v(r.angle).cos() * v(r.x) - v(r.angle).sin() * v(r.y),
-            Node::RotY(r) => v(r.angle).sin() * v(r.x) + v(r.angle).cos() * v(r.y),
-            Node::Dot(t) => v(t.u[0]) * v(t.d[0]) + v(t.u[1]) * v(t.d[1]),
-            Node::Cross(t) => v(t.u[0]) * v(t.d[1]) - v(t.u[1]) * v(t.d[0]),
-            Node::Supplied(f, order, a) => environment.supplied(f, order, v(a)),
-        };
+    let mut numbers = Numbers { graph, environment, known: IdMap::default() };
+    roots.iter().map(|root| numbers.fold(*root)).collect()
+}
+
+/// Expressions in double precision.
+struct Numbers<'a, E> {
+    graph: &'a Graph,
+    environment: &'a E,
+    known: IdMap<f64>,
+}
+
+impl<E: Environment> Algebra for Numbers<'_, E> {
+    type Value = f64;
+
+    fn graph(&self) -> &Graph {
+        self.graph
     }
-    roots.iter().map(|root| values[root.index()]).collect()
+    fn known(&mut self) -> &mut IdMap<f64> {
+        &mut self.known
+    }
+    fn number(&mut self, _: ExprId, value: f64) -> f64 {
+        value
+    }
+    fn symbol(&mut self, _: ExprId, symbol: Symbol) -> f64 {
+        if symbol == Symbol::Coarseness { 1.0 } else { self.environment.symbol(symbol) }
+    }
+    fn neg(&mut self, a: f64) -> f64 {
+        -a
+    }
+    fn add(&mut self, a: f64, b: f64) -> f64 {
+        a + b
+    }
+    fn sub(&mut self, a: f64, b: f64) -> f64 {
+        a - b
+    }
+    fn mul(&mut self, a: f64, b: f64) -> f64 {
+        a * b
+    }
+    fn div(&mut self, _: ExprId, a: f64, b: f64) -> f64 {
+        a / b
+    }
+    fn powi(&mut self, _: ExprId, a: f64, n: i32) -> f64 {
+        a.powi(n)
+    }
+    fn rotate(&mut self, r: Rotation) -> [f64; 2] {
+        let ((sin, cos), x, y) = (self.value(r.angle).sin_cos(), self.value(r.x), self.value(r.y));
+        [cos * x - sin * y, sin * x + cos * y]
+    }
+    fn function(&mut self, _: ExprId, node: Node) -> f64 {
+        match node {
+            Node::Powf(a, n) => self.value(a).powf(n.value()),
+            Node::Call(f, a) => function(f, self.value(a)),
+            Node::Sign(a) => self.value(a).signum(),
+            Node::Atan2(y, x) => self.value(y).atan2(self.value(x)),
+            Node::Nearest(a, b) => nearest(self.value(a), self.value(b)),
+            Node::Supplied(f, order, a) => self.environment.supplied(f, order, self.value(a)),
+            _ => f64::NAN,
+        }
+    }
 }

@@ -5,33 +5,21 @@ use crate::hash::Table;
 
 /// An arena of expressions. Operands always come before the expressions that use them.
 ///
-/// Constructors simplify locally (see `simplify.rs`) and never expand a product over a sum. A graph made by
-/// [`Graph::unsimplified`] keeps every operation as it is written; it exists so that tests can compare the two.
-#[derive(Clone, Debug)]
+/// Constructors simplify locally (see `simplify.rs`) and never expand a product over a sum; only [`Graph::intern`] keeps an
+/// operation as it is written.
+#[derive(Clone, Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
     depends: Vec<Depends>,
     known: Table,
     /// The literal 0, which is asked for more often than anything else.
     zero: Option<ExprId>,
-    pub(super) simplify: bool,
-}
-
-impl Default for Graph {
-    fn default() -> Self {
-        Self::new()
-    }
 }
 
 impl Graph {
-    /// An empty graph that simplifies at construction.
+    /// An empty graph.
     pub fn new() -> Self {
-        Self { nodes: Vec::new(), depends: Vec::new(), known: Table::default(), zero: None, simplify: true }
-    }
-
-    /// An empty graph that keeps every operation as it is written.
-    pub fn unsimplified() -> Self {
-        Self { simplify: false, ..Self::new() }
+        Self::default()
     }
 
     /// Number of distinct expressions.
@@ -64,7 +52,7 @@ impl Graph {
     }
 
     /// The id of `node`, built as it is when it is new.
-    pub(super) fn intern(&mut self, node: Node) -> ExprId {
+    pub fn intern(&mut self, node: Node) -> ExprId {
         let hash = node.hashed();
         if let Some(id) = self.found(&node, hash) {
             return id;

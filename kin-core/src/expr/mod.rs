@@ -1,9 +1,10 @@
-//! Expressions: a hash-consed graph, local simplification, total time derivatives, a reference evaluator.
+//! Expressions: a hash-consed graph, local simplification, total time derivatives, one fold, a reference evaluator.
 //!
 //! This room imports nothing but the list of functions of the user's language.
 
 mod display;
 mod eval;
+mod fold;
 mod graph;
 mod jet;
 mod map;
@@ -16,6 +17,7 @@ pub(crate) use display::suffix;
 pub use display::{Names, Shown};
 pub use eval::{Environment, evaluate};
 pub(crate) use eval::{function, nearest};
+pub(crate) use fold::Algebra;
 pub use graph::Graph;
 pub use jet::{Jet, partial, total_derivatives};
 pub(crate) use map::IdMap;

@@ -21,12 +21,10 @@ const RATES: u8 = 2;
 impl Graph {
     /// −a.
     pub fn neg(&mut self, a: ExprId) -> ExprId {
-        if self.simplify {
-            match self.node(a) {
-                Node::Number(bits) => return self.number(-bits.value()),
-                Node::Neg(inner) => return inner,
-                _ => {}
-            }
+        match self.node(a) {
+            Node::Number(bits) => return self.number(-bits.value()),
+            Node::Neg(inner) => return inner,
+            _ => {}
         }
         self.intern(Node::Neg(a))
     }
@@ -46,9 +44,6 @@ impl Graph {
 
     /// a + b.
     pub fn add(&mut self, a: ExprId, b: ExprId) -> ExprId {
-        if !self.simplify {
-            return self.intern(Node::Add(a, b));
-        }
         if self.is_zero(a) {
             return b;
         }
@@ -81,9 +76,6 @@ impl Graph {
 
     /// a − b.
     pub fn sub(&mut self, a: ExprId, b: ExprId) -> ExprId {
-        if !self.simplify {
-            return self.intern(Node::Sub(a, b));
-        }
         if a == b {
             return self.zero();
         }
@@ -116,9 +108,6 @@ impl Graph {
 
     /// a · b.
     pub fn mul(&mut self, a: ExprId, b: ExprId) -> ExprId {
-        if !self.simplify {
-            return self.intern(Node::Mul(a, b));
-        }
         if self.is_zero(a) || self.is_zero(b) {
             return self.zero();
         }
@@ -198,9 +187,6 @@ impl Graph {
 
     /// a / b.
     pub fn div(&mut self, a: ExprId, b: ExprId) -> ExprId {
-        if !self.simplify {
-            return self.intern(Node::Div(a, b));
-        }
         if self.literal(b) == Some(1.0) {
             return a;
         }
@@ -234,9 +220,6 @@ impl Graph {
 
     /// 2a as a + a: one factor, which all products that hold it share.
     pub fn double(&mut self, a: ExprId) -> ExprId {
-        if !self.simplify {
-            return self.intern(Node::Add(a, a));
-        }
         if let Some(sum) = self.fold(a, a, |x, y| x + y) {
             return sum;
         }
@@ -253,18 +236,12 @@ impl Graph {
 
     /// a².
     pub fn square(&mut self, a: ExprId) -> ExprId {
-        if !self.simplify {
-            return self.intern(Node::Mul(a, a));
-        }
         let (_, a) = self.unsigned(a);
         self.mul(a, a)
     }
 
     /// a to the integer power n.
     pub fn powi(&mut self, a: ExprId, n: i32) -> ExprId {
-        if !self.simplify {
-            return self.intern(Node::Powi(a, n));
-        }
         match n {
             0 => return self.number(1.0),
             1 => return a,
@@ -281,9 +258,6 @@ impl Graph {
 
     /// a to the real constant power n.
     pub fn powf(&mut self, a: ExprId, n: f64) -> ExprId {
-        if !self.simplify {
-            return self.intern(Node::Powf(a, Bits::new(n)));
-        }
         if n == n.trunc() && n.abs() <= 1024.0 {
             return self.powi(a, n as i32);
         }
@@ -295,9 +269,6 @@ impl Graph {
 
     /// f(a).
     pub fn call(&mut self, f: Function, a: ExprId) -> ExprId {
-        if !self.simplify {
-            return self.intern(Node::Call(f, a));
-        }
         if self.is_zero(a) {
             match f {
                 Function::Cos | Function::Exp => return self.number(1.0),
@@ -334,9 +305,6 @@ impl Graph {
 
     /// The sign of a.
     pub fn sign(&mut self, a: ExprId) -> ExprId {
-        if !self.simplify {
-            return self.intern(Node::Sign(a));
-        }
         let (negative, inner) = self.unsigned(a);
         let sign = self.intern(Node::Sign(inner));
         self.signed(negative, sign)

@@ -17,10 +17,6 @@ impl Graph {
 
     /// ρ = A(φ)·(x, y). ρ and −ρ share one atom and differ by a sign.
     pub fn rotate(&mut self, angle: ExprId, [x, y]: [ExprId; 2]) -> [ExprId; 2] {
-        if !self.simplify {
-            let rotation = Rotation { angle, x, y };
-            return [self.intern(Node::RotX(rotation)), self.intern(Node::RotY(rotation))];
-        }
         if let Some(quarters) = self.quarters(angle) {
             let (minus_x, minus_y) = (self.neg(x), self.neg(y));
             return [[x, y], [minus_y, x], [minus_x, minus_y], [y, minus_x]][quarters];
@@ -39,7 +35,7 @@ impl Graph {
 
     /// u·d of a unit vector `u` that turns with `angle`.
     pub fn dot(&mut self, angle: ExprId, u: [ExprId; 2], d: [ExprId; 2]) -> ExprId {
-        if self.simplify && self.depends(angle).is_static() {
+        if self.depends(angle).is_static() {
             return self.plain_dot(u, d);
         }
         self.intern(Node::Dot(Turning { angle, u, d }))
@@ -47,7 +43,7 @@ impl Graph {
 
     /// u×d = perp(u)·d of a unit vector `u` that turns with `angle`.
     pub fn cross(&mut self, angle: ExprId, u: [ExprId; 2], d: [ExprId; 2]) -> ExprId {
-        if self.simplify && self.depends(angle).is_static() {
+        if self.depends(angle).is_static() {
             return self.plain_cross(u, d);
         }
         self.intern(Node::Cross(Turning { angle, u, d }))

@@ -16,8 +16,9 @@ pub use solution::{Iteration, Part, SolutionKernels};
 use crate::expr::{ExprId, Node};
 use crate::loads::Forces;
 use crate::plan::SolutionPlan;
-use crate::program::{OperationCount, Program, Slot};
+use crate::program::{Program, Slot};
 use crate::system::KinematicSystem;
+use crate::vocabulary::OperationCount;
 use rows::Rows;
 
 /// The programs of a mechanism.

@@ -15,6 +15,7 @@ mod reference;
 mod typed;
 mod walk;
 
+pub use crate::vocabulary::Component;
 pub use body::{Body, BodyOrigin, Define, Input, NamedPoint, Parameter, Range, Scalar, Source, SuppliedFunction};
 pub use condition::{Condition, Relation};
 pub use curve::Curve;
@@ -22,7 +23,7 @@ pub use form::{Dimension, Sees, Slot, StatementForm, Takes, Written};
 pub use formula::{Formula, Function, Place};
 pub use joint::{Guess, GuessTarget, Joint, Load};
 pub use operand::{Axis, Operand, OperandValue, Operands, Radii, Value, Vector};
-pub use reference::{BodyRef, Component, CurveVariable, Index, Member};
+pub use reference::{BodyRef, CurveVariable, Index, Member};
 pub use typed::TypedOperands;
 pub(crate) use typed::operands;
 pub(crate) use walk::{contains_signal, defines_in, nodes};

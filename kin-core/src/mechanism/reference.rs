@@ -1,7 +1,6 @@
 //! What a formula may refer to, names resolved: members of families, bodies, components of their poses, variables of curves.
 
 use crate::error::Origin;
-use core::fmt;
 
 /// An index into a family: `scale * i + offset`, where `i` is the variable of the row's range.
 ///
@@ -37,37 +36,6 @@ pub struct Member {
     pub index: Index,
     /// The token that named it.
     pub origin: Origin,
-}
-
-/// One of the three coordinates of a body's pose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Component {
-    /// x of the body's origin in the inertial frame.
-    X,
-    /// y of the body's origin in the inertial frame.
-    Y,
-    /// Rotation of the body's frame, counter-clockwise, never wrapped.
-    Phi,
-}
-
-impl Component {
-    /// All three, in the order of q.
-    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Phi];
-
-    /// `x`, `y` or `phi`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::X => "x",
-            Self::Y => "y",
-            Self::Phi => "phi",
-        }
-    }
-}
-
-impl fmt::Display for Component {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
 }
 
 /// A body: the ground or a member of a family of bodies.

@@ -2,6 +2,7 @@
 
 use super::known::Known;
 use super::reduce::Agreeing;
+use super::step::StepId;
 use super::steps::Listed;
 use crate::expr::{ExprId, Graph, Symbol};
 use crate::program::Slot;
@@ -18,7 +19,7 @@ pub(super) enum Stage {
 
 /// What a step divides by on its way to an unknown: its square, and what it is made of.
 pub(super) struct Divisor {
-    pub(super) step: usize,
+    pub(super) step: StepId,
     pub(super) rows: Vec<usize>,
     pub(super) unknown: u32,
     pub(super) square: ExprId,
@@ -61,7 +62,7 @@ pub(super) struct Build<'a> {
     /// (row, place of the margin, place that says whether it has converged) of every iteration.
     pub(super) pending: Vec<(usize, usize, u32)>,
     /// (first row, step, place of the margin) of every iteration.
-    pub(super) iterated: Vec<(usize, usize, usize)>,
+    pub(super) iterated: Vec<(usize, StepId, usize)>,
     /// What was divided by.
     pub(super) divisors: Vec<Divisor>,
     /// The closures' indicators at a given q.

@@ -11,6 +11,7 @@ use super::known::turned;
 use super::rates::Rates;
 use super::reduce::Agreeing;
 use super::rewrite::Turned;
+use super::step::StepId;
 use super::tree::{Block, Core, Pair, PairValue, Part, Pivot, Way};
 use crate::expr::{ExprId, Symbol, total_derivatives};
 use crate::hash::FastMap;
@@ -80,7 +81,7 @@ impl Build<'_> {
             }
         }
         for &Pivot { row, coordinate, coefficient, value } in block.pivots.iter().rev() {
-            let step = self.listed.attached();
+            let step = self.listed.giving(coordinate);
             let coefficient = self.known_value(coefficient);
             self.divide_by_coefficient(step, vec![row], coordinate, coefficient);
             let known = self.known_value(value);
@@ -90,7 +91,7 @@ impl Build<'_> {
     }
 
     fn pair(&mut self, pair: &Pair) {
-        let step = self.listed.attached();
+        let step = self.listed.giving(pair.coordinate);
         match &pair.value {
             PairValue::Linear { value, by, square } => {
                 if square.is_none() {
@@ -121,7 +122,7 @@ impl Build<'_> {
         }
     }
 
-    fn divide(&mut self, step: usize, pair: &Pair, square: ExprId, parts: Vec<ExprId>) {
+    fn divide(&mut self, step: StepId, pair: &Pair, square: ExprId, parts: Vec<ExprId>) {
         self.divisors.push(Divisor { step, rows: pair.rows.to_vec(), unknown: pair.coordinate, square, parts });
     }
 
@@ -164,7 +165,7 @@ impl Build<'_> {
     }
 
     fn core(&mut self, core: &Core) {
-        let step = self.listed.core();
+        let step = self.listed.giving(core.coordinates[0]);
         match &core.way {
             Way::Linear { matrix, constant } => {
                 let matrix: Vec<Vec<ExprId>> =
@@ -176,7 +177,7 @@ impl Build<'_> {
                     dense::solve(&mut self.graph, &matrix, &[right], &lengths);
                 match (matrix.as_slice(), margin) {
                     ([row], _) => {
-                        let rows = self.listed.steps[step].rows.iter().copied().collect();
+                        let rows = self.listed.step(step).rows.iter().copied().collect();
                         self.divide_by_coefficient(step, rows, core.coordinates[0], row[0]);
                     }
                     (_, Some(margin)) => self.write_margin(step, margin),
@@ -219,14 +220,14 @@ impl Build<'_> {
     }
 
     /// A new mode and its margin, given what tells the mode of a configuration.
-    fn closure(&mut self, step: usize, indicator: ExprId) -> (ExprId, usize) {
+    fn closure(&mut self, step: StepId, indicator: ExprId) -> (ExprId, usize) {
         self.closures.push(indicator);
         let place = self.listed.margin(step);
         let mode = self.listed.mode(self.system, step, place);
         (self.graph.symbol(Symbol::Mode(mode as u32)), place)
     }
 
-    fn newton(&mut self, step: usize, core: &Core, residuals: &[ExprId]) {
+    fn newton(&mut self, step: StepId, core: &Core, residuals: &[ExprId]) {
         let jets = total_derivatives(&mut self.graph, residuals);
         for &k in &core.coordinates {
             let unknown = self.graph.symbol(Symbol::Unknown(k));
@@ -267,7 +268,7 @@ impl Build<'_> {
         let zero = rates.graph.zero();
         let solution = rates.solution.iter().enumerate().map(|(k, value)| (Slot::Entry(k), value.unwrap_or(zero)));
         let (solution, regular, orientations) = (solution.collect(), rates.regular, rates.orientations);
-        let of_iteration = |(row, ..): &(usize, usize, usize)| orientations.get(row).copied().unwrap_or(zero);
+        let of_iteration = |(row, ..): &(usize, StepId, usize)| orientations.get(row).copied().unwrap_or(zero);
         (solution, regular, self.iterated.iter().map(of_iteration).collect())
     }
 }

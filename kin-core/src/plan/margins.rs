@@ -2,6 +2,7 @@
 
 use super::build::{Build, Divisor, Stage};
 use super::closures;
+use super::step::StepId;
 use crate::constraint::CoordinateKind;
 use crate::expr::{ExprId, Symbol};
 use crate::mechanism::Component;
@@ -9,13 +10,13 @@ use crate::program::Slot;
 use std::collections::BTreeMap;
 
 impl Build<'_> {
-    pub(super) fn write_margin(&mut self, step: usize, margin: ExprId) {
+    pub(super) fn write_margin(&mut self, step: StepId, margin: ExprId) {
         let place = self.listed.margin(step);
         self.write(Slot::Margin(place), margin);
     }
 
     /// The divisor of a single unknown is its coefficient.
-    pub(super) fn divide_by_coefficient(&mut self, step: usize, rows: Vec<usize>, unknown: u32, coefficient: ExprId) {
+    pub(super) fn divide_by_coefficient(&mut self, step: StepId, rows: Vec<usize>, unknown: u32, coefficient: ExprId) {
         match self.graph.literal(coefficient) {
             None => {
                 let square = self.graph.square(coefficient);

@@ -45,7 +45,7 @@ pub(crate) use probe::Probe;
 pub(crate) use rewrite::{Substitution, rewrite};
 pub use run::{Solution, closures, resolve, run};
 pub use sections::Section;
-pub use step::{Mode, Step};
+pub use step::{Mode, Step, StepId};
 pub use watch::TOLERANCE;
 
 use crate::expr::{ExprId, Graph};

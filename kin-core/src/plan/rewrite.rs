@@ -1,6 +1,6 @@
 //! Expressions with other things in the place of their symbols.
 
-use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
+use crate::expr::{Algebra, ExprId, Graph, IdMap, Node, Rotation, Symbol, Turning};
 use crate::mechanism::Function;
 
 /// What stands for symbols and for sines and cosines; `None` leaves them as they are.
@@ -59,75 +59,92 @@ pub(crate) fn rewrite(
     known: &mut IdMap<ExprId>,
     substitution: &mut impl Substitution,
 ) -> ExprId {
-    if known.contains(root) {
-        return known.or(root, root);
-    }
-    let mut open = vec![(root, false)];
-    while let Some((id, ready)) = open.pop() {
-        if known.contains(id) {
-            continue;
-        }
-        if let Some(other) = substitution.whole(graph, id) {
-            known.insert(id, other);
-            continue;
-        }
-        if ready {
-            let other = node(graph, id, known, substitution);
-            known.insert(id, other);
-            continue;
-        }
-        open.push((id, true));
-        graph.node(id).for_each_operand(|operand| {
-            if !known.contains(operand) {
-                open.push((operand, false));
-            }
-        });
-    }
-    known.or(root, root)
+    Rewriting { graph, known, substitution }.fold(root)
 }
 
-fn node(graph: &mut Graph, id: ExprId, known: &IdMap<ExprId>, substitution: &mut impl Substitution) -> ExprId {
-    let v = |id: ExprId| known.or(id, id);
-    match graph.node(id) {
-        Node::Number(_) => id,
-        Node::Symbol(symbol) => substitution.symbol(graph, symbol).unwrap_or(id),
-        Node::Neg(a) => graph.neg(v(a)),
-        Node::Add(a, b) if a == b => graph.double(v(a)),
-        Node::Add(a, b) => graph.add(v(a), v(b)),
-        Node::Sub(a, b) => graph.sub(v(a), v(b)),
-        Node::Mul(a, b) => graph.mul(v(a), v(b)),
-        Node::Div(a, b) => graph.div(v(a), v(b)),
-        Node::Powi(a, n) => graph.powi(v(a), n),
-        Node::Powf(a, n) => graph.powf(v(a), n.value()),
-        Node::Call(Function::Sin, a) => match substitution.turn(graph, known, a) {
-            Some(turned) => turned.sin(graph),
-            None => graph.sin(v(a)),
-        },
-        Node::Call(Function::Cos, a) => match substitution.turn(graph, known, a) {
-            Some(turned) => turned.cos(graph),
-            None => graph.cos(v(a)),
-        },
-        Node::Call(f, a) => graph.call(f, v(a)),
-        Node::Sign(a) => graph.sign(v(a)),
-        Node::Whole(a) => graph.whole(v(a)),
-        Node::Atan2(y, x) => graph.atan2(v(y), v(x)),
-        Node::Nearest(a, b) => graph.nearest(v(a), v(b)),
-        Node::RotX(r) | Node::RotY(r) => {
-            let side = usize::from(matches!(graph.node(id), Node::RotY(_)));
-            let vector = [v(r.x), v(r.y)];
-            match substitution.turn(graph, known, r.angle) {
-                Some(turned) => turned.rotate(graph, vector)[side],
-                None => graph.rotate(v(r.angle), vector)[side],
-            }
+struct Rewriting<'a, S> {
+    graph: &'a mut Graph,
+    known: &'a mut IdMap<ExprId>,
+    substitution: &'a mut S,
+}
+
+impl<S: Substitution> Rewriting<'_, S> {
+    fn turn(&mut self, angle: ExprId) -> Turned {
+        let turned = self.substitution.turn(self.graph, self.known, angle);
+        turned.unwrap_or_else(|| Turned::Angle(self.known.or(angle, angle)))
+    }
+
+    fn turning(&mut self, Turning { angle, u, d }: Turning) -> (ExprId, [ExprId; 2], [ExprId; 2]) {
+        (self.value(angle), u.map(|id| self.value(id)), d.map(|id| self.value(id)))
+    }
+}
+
+impl<S: Substitution> Algebra for Rewriting<'_, S> {
+    type Value = ExprId;
+
+    fn graph(&self) -> &Graph {
+        self.graph
+    }
+    fn known(&mut self) -> &mut IdMap<ExprId> {
+        self.known
+    }
+    fn at_once(&mut self, id: ExprId) -> Option<ExprId> {
+        self.substitution.whole(self.graph, id)
+    }
+    fn number(&mut self, id: ExprId, _: f64) -> ExprId {
+        id
+    }
+    fn symbol(&mut self, id: ExprId, symbol: Symbol) -> ExprId {
+        self.substitution.symbol(self.graph, symbol).unwrap_or(id)
+    }
+    fn neg(&mut self, a: ExprId) -> ExprId {
+        self.graph.neg(a)
+    }
+    fn add(&mut self, a: ExprId, b: ExprId) -> ExprId {
+        self.graph.add(a, b)
+    }
+    fn double(&mut self, a: ExprId) -> ExprId {
+        self.graph.double(a)
+    }
+    fn sub(&mut self, a: ExprId, b: ExprId) -> ExprId {
+        self.graph.sub(a, b)
+    }
+    fn mul(&mut self, a: ExprId, b: ExprId) -> ExprId {
+        self.graph.mul(a, b)
+    }
+    fn div(&mut self, _: ExprId, a: ExprId, b: ExprId) -> ExprId {
+        self.graph.div(a, b)
+    }
+    fn powi(&mut self, _: ExprId, a: ExprId, n: i32) -> ExprId {
+        self.graph.powi(a, n)
+    }
+    fn whole(&mut self, a: ExprId) -> ExprId {
+        self.graph.whole(a)
+    }
+    fn rotate(&mut self, r: Rotation) -> [ExprId; 2] {
+        let vector = [self.value(r.x), self.value(r.y)];
+        self.turn(r.angle).rotate(self.graph, vector)
+    }
+    fn dot(&mut self, turning: Turning) -> ExprId {
+        let (angle, u, d) = self.turning(turning);
+        self.graph.dot(angle, u, d)
+    }
+    fn cross(&mut self, turning: Turning) -> ExprId {
+        let (angle, u, d) = self.turning(turning);
+        self.graph.cross(angle, u, d)
+    }
+    fn function(&mut self, id: ExprId, node: Node) -> ExprId {
+        let v = |id: ExprId| self.known.or(id, id);
+        match node {
+            Node::Powf(a, n) => self.graph.powf(v(a), n.value()),
+            Node::Call(Function::Sin, a) => self.turn(a).sin(self.graph),
+            Node::Call(Function::Cos, a) => self.turn(a).cos(self.graph),
+            Node::Call(f, a) => self.graph.call(f, v(a)),
+            Node::Sign(a) => self.graph.sign(v(a)),
+            Node::Atan2(y, x) => self.graph.atan2(v(y), v(x)),
+            Node::Nearest(a, b) => self.graph.nearest(v(a), v(b)),
+            Node::Supplied(f, order, a) => self.graph.supplied(f, order, v(a)),
+            _ => id,
         }
-        Node::Dot(t) => {
-            let ([ux, uy], [dx, dy]) = (t.u.map(v), t.d.map(v));
-            graph.dot(v(t.angle), [ux, uy], [dx, dy])
-        }
-        Node::Cross(t) => {
-            let ([ux, uy], [dx, dy]) = (t.u.map(v), t.d.map(v));
-            graph.cross(v(t.angle), [ux, uy], [dx, dy])
-        }
-        Node::Supplied(f, order, a) => graph.supplied(f, order, v(a)),
     }
 }

@@ -3,6 +3,22 @@
 use crate::vocabulary::StepKind;
 use std::collections::BTreeSet;
 
+/// A step by its place in [`SolutionPlan::steps`](super::SolutionPlan::steps).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct StepId(pub(super) usize);
+
+impl StepId {
+    /// Its place.
+    pub const fn index(self) -> usize {
+        self.0
+    }
+
+    /// Its number, as people count steps.
+    pub const fn number(self) -> usize {
+        self.0 + 1
+    }
+}
+
 /// A step of a plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Step {
@@ -34,7 +50,7 @@ pub struct Mode {
     /// The names of its joints, joined with `-`.
     pub name: String,
     /// Its step.
-    pub step: usize,
+    pub step: StepId,
     /// Its margin.
     pub margin: usize,
 }

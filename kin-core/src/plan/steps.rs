@@ -1,13 +1,13 @@
 //! The steps of a plan listed in their order, with their modes and margins.
 
 use super::groups::{letters_of_pair, letters_of_way, name_group};
-use super::step::{Mode, Step};
+use super::step::{Mode, Step, StepId};
 use super::tree::{Block, Core, Part, Way};
 use crate::constraint::{ConstraintSet, CoordinateKind};
 use crate::expr::Graph;
 use crate::system::KinematicSystem;
 use crate::vocabulary::StepKind;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The steps, modes and margins of a plan, as they are found.
 #[derive(Debug, Default)]
@@ -15,14 +15,10 @@ pub(super) struct Listed {
     pub(super) steps: Vec<Step>,
     pub(super) modes: Vec<Mode>,
     pub(super) margins: usize,
-    /// The steps of cores, in their order.
-    of_cores: Vec<usize>,
-    taken: usize,
-    /// The steps of what is given once the rest of its group is known, in the order in which that is.
-    of_attached: Vec<usize>,
-    taken_attached: usize,
+    /// The step that gives each coordinate.
+    giving: BTreeMap<u32, StepId>,
     /// The steps of margins.
-    of_margins: Vec<usize>,
+    of_margins: Vec<StepId>,
     /// The numbers of margins, once they have been numbered, in the order in which they were found.
     places: Vec<usize>,
 }
@@ -32,6 +28,10 @@ impl Listed {
     pub(super) fn new(system: &KinematicSystem, graph: &Graph, tree: &Block, made_of: &[BTreeSet<usize>]) -> Self {
         let mut listed = Self::default();
         listed.block((system, graph), tree, made_of);
+        let given = |(place, step): (usize, &Step)| {
+            step.coordinates.iter().map(|&(k, _)| (k, StepId(place))).collect::<Vec<_>>()
+        };
+        listed.giving = listed.steps.iter().enumerate().flat_map(given).collect();
         listed.take_in_explicit(&system.set);
         for step in &mut listed.steps {
             name_group(&system.set, step);
@@ -101,7 +101,6 @@ impl Listed {
             row.map_or(0, |&row| system.set.rows[row].joint)
         };
         let coordinates = core.coordinates.iter().enumerate().map(|(place, &k)| (k, joint(place))).collect();
-        self.of_cores.push(self.steps.len());
         let step = new_step(&system.set, kind, rows, coordinates);
         self.steps.push(Step { closed_as: letters_of_way(&core.way), ..step });
     }
@@ -111,55 +110,38 @@ impl Listed {
         let joint = system.set.rows[row].joint;
         if let Some(place) = self.steps.iter().rposition(|step| step.rows.contains(&row)) {
             self.steps[place].coordinates.push((coordinate, joint));
-            self.of_attached.push(place);
             return;
         }
-        let last = self.steps.len();
         if let Some(step) = self.steps.last_mut()
             && step.kind == StepKind::Explicit
             && step.joints == [joint]
         {
             step.rows.insert(row);
             step.coordinates.push((coordinate, joint));
-            self.of_attached.push(last - 1);
             return;
         }
-        self.of_attached.push(last);
         self.steps.push(new_step(&system.set, StepKind::Explicit, BTreeSet::from([row]), vec![(coordinate, joint)]));
     }
 
-    /// The step of a core, by its place in the order of the solution.
-    pub(super) fn step_of_core(&self, place: usize) -> usize {
-        self.of_cores[place]
+    /// The step that gives a coordinate.
+    pub(super) fn giving(&self, coordinate: u32) -> StepId {
+        self.giving.get(&coordinate).copied().unwrap_or_default()
     }
 
-    /// The step of what is given once the rest of its group is known, likewise.
-    pub(super) fn step_of_attached(&self, place: usize) -> usize {
-        self.of_attached[place]
-    }
-
-    /// The step of the next core.
-    pub(super) fn core(&mut self) -> usize {
-        self.taken += 1;
-        self.of_cores[self.taken - 1]
-    }
-
-    /// The step of what is given next once the rest of its group is known.
-    pub(super) fn attached(&mut self) -> usize {
-        self.taken_attached += 1;
-        self.of_attached[self.taken_attached - 1]
+    /// A step by its id.
+    pub(super) fn step(&self, id: StepId) -> &Step {
+        &self.steps[id.index()]
     }
 
     /// A new margin of a step, numbered as they are found.
-    pub(super) fn margin(&mut self, step: usize) -> usize {
+    pub(super) fn margin(&mut self, step: StepId) -> usize {
         self.of_margins.push(step);
         self.of_margins.len() - 1
     }
 
     /// A group that is solved by iteration, by the place that its margin had when it was found.
-    pub(super) fn iteration(&self, system: &KinematicSystem, step: usize, margin: usize) -> Mode {
-        let names = self.steps[step].joints.iter().map(|&joint| system.set.joints[joint].name.as_str());
-        let name = names.collect::<Vec<_>>().join("-");
+    pub(super) fn iteration(&self, system: &KinematicSystem, step: StepId, margin: usize) -> Mode {
+        let name = self.joined(system, step);
         Mode { name, step, margin: self.places.get(margin).copied().unwrap_or(margin) }
     }
 
@@ -172,7 +154,7 @@ impl Listed {
         order.iter().enumerate().for_each(|(place, &found)| places[found] = place);
         let mut next = 0;
         for (number, step) in self.steps.iter_mut().enumerate() {
-            let own = self.of_margins.iter().filter(|&&step| step == number).count();
+            let own = self.of_margins.iter().filter(|step| step.index() == number).count();
             step.margins = next..next + own;
             next += own;
         }
@@ -182,23 +164,28 @@ impl Listed {
     }
 
     /// The steps of rows that are left out, joint by joint, in the order of `rows`.
-    pub(super) fn watched(&mut self, set: &ConstraintSet, rows: &[usize]) -> Vec<usize> {
-        let mut steps: Vec<usize> = Vec::new();
+    pub(super) fn watched(&mut self, set: &ConstraintSet, rows: &[usize]) -> Vec<StepId> {
+        let mut steps: Vec<StepId> = Vec::new();
         for &row in rows {
             let joint = set.rows[row].joint;
-            match steps.last().map(|&step| &mut self.steps[step]) {
+            match steps.last().map(|step| &mut self.steps[step.index()]) {
                 Some(step) if step.joints == [joint] => _ = step.rows.insert(row),
                 _ => self.steps.push(new_step(set, StepKind::Watched, BTreeSet::from([row]), Vec::new())),
             }
-            steps.push(self.steps.len() - 1);
+            steps.push(StepId(self.steps.len() - 1));
         }
         steps
     }
 
+    /// The names of a step's joints, joined with `-`.
+    fn joined(&self, system: &KinematicSystem, step: StepId) -> String {
+        let names = self.step(step).joints.iter().map(|&joint| system.set.joints[joint].name.as_str());
+        names.collect::<Vec<_>>().join("-")
+    }
+
     /// A new mode of a step.
-    pub(super) fn mode(&mut self, system: &KinematicSystem, step: usize, margin: usize) -> usize {
-        let names = self.steps[step].joints.iter().map(|&joint| system.set.joints[joint].name.as_str());
-        let plain = names.collect::<Vec<_>>().join("-");
+    pub(super) fn mode(&mut self, system: &KinematicSystem, step: StepId, margin: usize) -> usize {
+        let plain = self.joined(system, step);
         let place = self.modes.len();
         let taken = self.modes.iter().filter(|mode| mode.name == plain || mode.name.starts_with(&format!("{plain}#")));
         let name = match taken.count() {
@@ -206,7 +193,7 @@ impl Listed {
             others => format!("{plain}#{}", others + 1),
         };
         self.modes.push(Mode { name, step, margin });
-        self.steps[step].modes = place..place + 1;
+        self.steps[step.index()].modes = place..place + 1;
         place
     }
 }

@@ -19,6 +19,7 @@ pub use roll::{Angles, Keep, Part, Piece, Rolled, Source, Step, Worth, finished,
 use crate::expr::{Bits, Symbol};
 use crate::hash::mixed;
 use crate::mechanism::Function;
+use crate::vocabulary::OperationCount;
 
 /// A value of a program: the place of its instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -224,52 +225,28 @@ impl Slot {
     }
 }
 
-/// Operations of a program.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct OperationCount {
-    /// Additions and subtractions.
-    pub add: usize,
-    /// Multiplications.
-    pub mul: usize,
-    /// Negations.
-    pub neg: usize,
-    /// Divisions.
-    pub div: usize,
-    /// Square roots.
-    pub sqrt: usize,
-    /// Sine and cosine pairs.
-    pub sincos: usize,
-    /// Every other function.
-    pub function: usize,
-}
-
-impl OperationCount {
-    /// Additions, multiplications, negations and divisions.
-    pub const fn flops(&self) -> usize {
-        self.add + self.mul + self.neg + self.div
-    }
-
-    /// Counts an instruction that is done `times` times.
-    fn add(&mut self, instruction: &Instruction, times: usize) {
-        match instruction {
+impl Instruction {
+    /// Counts it as done `times` times.
+    fn count(&self, count: &mut OperationCount, times: usize) {
+        match self {
             Instruction::Number(_)
             | Instruction::Load(_)
             | Instruction::SinOf(_)
             | Instruction::CosOf(_)
             | Instruction::SuppliedOf(..) => {}
-            Instruction::Neg(_) => self.neg += times,
-            Instruction::Add(..) | Instruction::Sub(..) => self.add += times,
-            Instruction::Mul(..) => self.mul += times,
-            Instruction::Div(..) => self.div += times,
-            Instruction::SinCos(_) => self.sincos += times,
-            Instruction::Call(Function::Sqrt, _) => self.sqrt += times,
+            Instruction::Neg(_) => count.neg += times,
+            Instruction::Add(..) | Instruction::Sub(..) => count.add += times,
+            Instruction::Mul(..) => count.mul += times,
+            Instruction::Div(..) => count.div += times,
+            Instruction::SinCos(_) => count.sincos += times,
+            Instruction::Call(Function::Sqrt, _) => count.sqrt += times,
             Instruction::Call(..)
             | Instruction::Sign(_)
             | Instruction::Atan2(..)
             | Instruction::Nearest(..)
             | Instruction::Powi(..)
             | Instruction::Powf(..)
-            | Instruction::Supplied(..) => self.function += times,
+            | Instruction::Supplied(..) => count.function += times,
         }
     }
 }
@@ -288,7 +265,7 @@ impl Program {
     /// The operations of one run.
     pub fn operations(&self) -> OperationCount {
         let mut count = OperationCount::default();
-        self.instructions.iter().for_each(|instruction| count.add(instruction, 1));
+        self.instructions.iter().for_each(|instruction| instruction.count(&mut count, 1));
         count
     }
 }

@@ -55,7 +55,7 @@ impl Step {
             },
         };
         let step = |formulas: &plan::Formulas| Self {
-            number: formulas.step + 1,
+            number: formulas.step.number(),
             what: formulas.what.clone(),
             lines: [0, 1, 2].map(|order| formulas.lines[order].iter().map(line).collect()),
         };

@@ -19,7 +19,7 @@ mod message;
 mod partials;
 mod place;
 mod rank;
-mod residue;
+pub(crate) mod residue;
 mod spare;
 pub(crate) mod turn;
 

@@ -8,107 +8,140 @@ use super::field::{Draw, Residue};
 use super::place::Places;
 use super::turn::Turns;
 use crate::constraint::{ConstraintSet, CoordinateKind};
-use crate::expr::{ExprId, Node, Rotation, Symbol};
+use crate::expr::{Algebra, ExprId, Graph, IdMap, Node, Rotation, Symbol};
 use crate::mechanism::{Component, Function};
-use std::collections::HashMap;
 
 const SORT_SYMBOL: u64 = 10;
 const SORT_FUNCTION: u64 = 11;
 
-/// Expressions and their residues, as far as they were asked for.
+/// Where a draw has put what expressions refer to; `None` for what it has not.
+pub(crate) trait Pose {
+    /// A coordinate.
+    fn coordinate(&self, _k: u32) -> Option<Residue> {
+        None
+    }
+    /// A turned vector.
+    fn vector(&self, _rotation: Rotation) -> Option<[Residue; 2]> {
+        None
+    }
+}
+
+/// Nothing has a place.
+impl Pose for () {}
+
+/// Expressions of a graph at a draw.
+pub(crate) struct Drawn<'a, P> {
+    pub(crate) graph: &'a Graph,
+    pub(crate) turns: &'a Turns,
+    pub(crate) pose: P,
+    pub(crate) draw: Draw,
+    /// Residues, as far as they were asked for.
+    pub(crate) known: &'a mut IdMap<Residue>,
+}
+
+impl<P> Drawn<'_, P> {
+    fn drawn(&self, id: ExprId) -> Residue {
+        self.draw.residue(SORT_FUNCTION, id.index() as u64)
+    }
+}
+
+impl<P: Pose> Algebra for Drawn<'_, P> {
+    type Value = Residue;
+
+    fn graph(&self) -> &Graph {
+        self.graph
+    }
+    fn known(&mut self) -> &mut IdMap<Residue> {
+        self.known
+    }
+    fn number(&mut self, _: ExprId, value: f64) -> Residue {
+        Residue::number(value)
+    }
+    fn symbol(&mut self, id: ExprId, symbol: Symbol) -> Residue {
+        let placed = if let Symbol::Coordinate(k) = symbol { self.pose.coordinate(k) } else { None };
+        placed.unwrap_or_else(|| self.draw.residue(SORT_SYMBOL, id.index() as u64))
+    }
+    fn neg(&mut self, a: Residue) -> Residue {
+        -a
+    }
+    fn add(&mut self, a: Residue, b: Residue) -> Residue {
+        a + b
+    }
+    fn sub(&mut self, a: Residue, b: Residue) -> Residue {
+        a - b
+    }
+    fn mul(&mut self, a: Residue, b: Residue) -> Residue {
+        a * b
+    }
+    /// 0 in F_p where the pose is special: nothing is known about the quotient then.
+    fn div(&mut self, id: ExprId, a: Residue, b: Residue) -> Residue {
+        if b.is_zero() { self.drawn(id) } else { a * b.inverse() }
+    }
+    fn powi(&mut self, id: ExprId, a: Residue, n: i32) -> Residue {
+        match n {
+            0.. => a.power(u64::from(n.unsigned_abs())),
+            _ if a.is_zero() => self.drawn(id),
+            _ => a.inverse().power(u64::from(n.unsigned_abs())),
+        }
+    }
+    /// Where the draw has put the point, or else the turned vector.
+    fn rotate(&mut self, r: Rotation) -> [Residue; 2] {
+        match self.pose.vector(r) {
+            Some(rho) => rho,
+            None => self.turns.of(self.graph, r.angle).apply([self.value(r.x), self.value(r.y)]),
+        }
+    }
+    fn function(&mut self, id: ExprId, node: Node) -> Residue {
+        match node {
+            Node::Call(Function::Sin, a) => self.turns.of(self.graph, a).sin,
+            Node::Call(Function::Cos, a) => self.turns.of(self.graph, a).cos,
+            Node::Call(Function::Tan, a) => {
+                let turn = self.turns.of(self.graph, a);
+                self.div(id, turn.sin, turn.cos)
+            }
+            _ => self.drawn(id),
+        }
+    }
+}
+
+/// The pose of a mechanism.
+struct Placed<'a> {
+    set: &'a ConstraintSet,
+    places: &'a Places,
+}
+
+impl Pose for Placed<'_> {
+    fn coordinate(&self, k: u32) -> Option<Residue> {
+        match self.set.coordinates.get(k as usize)?.kind {
+            CoordinateKind::Pose(body, component @ (Component::X | Component::Y)) => {
+                Some(self.places.origin(body)[component as usize])
+            }
+            _ => None,
+        }
+    }
+    fn vector(&self, rotation: Rotation) -> Option<[Residue; 2]> {
+        self.places.vector(self.set, rotation)
+    }
+}
+
+/// The expressions of a mechanism and their residues, as far as they were asked for.
 pub(super) struct Residues<'a> {
     pub(super) set: &'a ConstraintSet,
     pub(super) turns: &'a Turns,
     pub(super) places: &'a Places,
     draw: Draw,
-    known: HashMap<ExprId, Residue>,
+    known: IdMap<Residue>,
 }
 
 impl<'a> Residues<'a> {
     pub(super) fn new(set: &'a ConstraintSet, turns: &'a Turns, places: &'a Places, draw: Draw) -> Self {
-        Self { set, turns, places, draw, known: HashMap::new() }
+        Self { set, turns, places, draw, known: IdMap::default() }
     }
 
     /// The residue of an expression.
     pub(super) fn of(&mut self, id: ExprId) -> Residue {
-        let mut open = vec![id];
-        while let Some(&next) = open.last() {
-            if self.known.contains_key(&next) {
-                open.pop();
-                continue;
-            }
-            let before = open.len();
-            self.set.graph.node(next).for_each_operand(|operand| {
-                if !self.known.contains_key(&operand) {
-                    open.push(operand);
-                }
-            });
-            if open.len() == before {
-                let value = self.node(next);
-                self.known.insert(next, value);
-                open.pop();
-            }
-        }
-        self.known.get(&id).copied().unwrap_or_default()
-    }
-
-    fn node(&self, id: ExprId) -> Residue {
-        let graph = &self.set.graph;
-        let v = |id: ExprId| self.known.get(&id).copied().unwrap_or_default();
-        match graph.node(id) {
-            Node::Number(bits) => Residue::number(bits.value()),
-            Node::Symbol(symbol) => self.symbol(symbol, id),
-            Node::Neg(a) => -v(a),
-            Node::Whole(a) => v(a),
-            Node::Add(a, b) => v(a) + v(b),
-            Node::Sub(a, b) => v(a) - v(b),
-            Node::Mul(a, b) => v(a) * v(b),
-            // 0 in F_p where the pose is special: nothing is known about the quotient then.
-            Node::Div(_, b) if v(b).is_zero() => self.drawn(id),
-            Node::Div(a, b) => v(a) * v(b).inverse(),
-            Node::Powi(a, n) if n >= 0 => v(a).power(u64::from(n.unsigned_abs())),
-            Node::Powi(a, _) if v(a).is_zero() => self.drawn(id),
-            Node::Powi(a, n) => v(a).inverse().power(u64::from(n.unsigned_abs())),
-            Node::Call(Function::Sin, a) => self.turns.of(graph, a).sin,
-            Node::Call(Function::Cos, a) => self.turns.of(graph, a).cos,
-            Node::Call(Function::Tan, a) => {
-                let turn = self.turns.of(graph, a);
-                if turn.cos.is_zero() { self.drawn(id) } else { turn.sin * turn.cos.inverse() }
-            }
-            Node::RotX(r) => self.rotated(r)[0],
-            Node::RotY(r) => self.rotated(r)[1],
-            Node::Dot(t) => v(t.u[0]) * v(t.d[0]) + v(t.u[1]) * v(t.d[1]),
-            Node::Cross(t) => v(t.u[0]) * v(t.d[1]) - v(t.u[1]) * v(t.d[0]),
-            Node::Powf(..)
-            | Node::Call(..)
-            | Node::Sign(_)
-            | Node::Atan2(..)
-            | Node::Nearest(..)
-            | Node::Supplied(..) => self.drawn(id),
-        }
-    }
-
-    fn drawn(&self, id: ExprId) -> Residue {
-        self.draw.residue(SORT_FUNCTION, id.index() as u64)
-    }
-
-    fn symbol(&self, symbol: Symbol, id: ExprId) -> Residue {
-        if let Symbol::Coordinate(k) = symbol
-            && let Some(coordinate) = self.set.coordinates.get(k as usize)
-            && let CoordinateKind::Pose(body, component @ (Component::X | Component::Y)) = coordinate.kind
-        {
-            return self.places.origin(body)[component as usize];
-        }
-        self.draw.residue(SORT_SYMBOL, id.index() as u64)
-    }
-
-    /// ρ: where the draw has put the point, or else the turned vector.
-    fn rotated(&self, r: Rotation) -> [Residue; 2] {
-        if let Some(rho) = self.places.vector(self.set, r) {
-            return rho;
-        }
-        let v = |id: ExprId| self.known.get(&id).copied().unwrap_or_default();
-        self.turns.of(&self.set.graph, r.angle).apply([v(r.x), v(r.y)])
+        let Self { set, turns, places, draw, ref mut known } = *self;
+        Drawn { graph: &set.graph, turns, pose: Placed { set, places }, draw, known }.fold(id)
     }
 
     /// The direction of an axis in its frame, of any length: the literal ratio, or what was divided by the norm.

@@ -1,7 +1,7 @@
 //! Random expression trees and the values of their symbols.
 
 use super::{Number, supplied};
-use kin_core::expr::{Environment, ExprId, Graph, Symbol};
+use kin_core::expr::{Bits, Environment, ExprId, Graph, Node, Rotation, Symbol, Turning};
 use kin_core::mechanism::Function;
 use num_dual::{Dual2_64, Dual64};
 use proptest::prelude::*;
@@ -93,6 +93,54 @@ impl Tree {
                 graph.supplied(*f, 0, a)
             }
         }
+    }
+
+    /// The tree with every operation as it is written.
+    pub fn plain(&self, graph: &mut Graph) -> ExprId {
+        let both = |ab: &[Self; 2], graph: &mut Graph| [ab[0].plain(graph), ab[1].plain(graph)];
+        let node = match self {
+            Self::Number(value) => return graph.number(*value),
+            Self::Symbol(symbol) => return graph.symbol(*symbol),
+            Self::Neg(a) => Node::Neg(a.plain(graph)),
+            Self::Add(ab) => {
+                let [a, b] = both(ab, graph);
+                Node::Add(a, b)
+            }
+            Self::Sub(ab) => {
+                let [a, b] = both(ab, graph);
+                Node::Sub(a, b)
+            }
+            Self::Mul(ab) => {
+                let [a, b] = both(ab, graph);
+                Node::Mul(a, b)
+            }
+            Self::Div(ab) => {
+                let [a, b] = both(ab, graph);
+                Node::Div(a, b)
+            }
+            Self::Powi(a, n) => Node::Powi(a.plain(graph), *n),
+            Self::Powf(a, n) => Node::Powf(a.plain(graph), Bits::new(*n)),
+            Self::Call(f, a) => Node::Call(*f, a.plain(graph)),
+            Self::Sign(a) => Node::Sign(a.plain(graph)),
+            Self::Atan2(ab) => {
+                let [y, x] = both(ab, graph);
+                Node::Atan2(y, x)
+            }
+            Self::Turned(is_x, parts) => {
+                let [angle, x, y] = [0, 1, 2].map(|k: usize| parts[k].plain(graph));
+                if *is_x { Node::RotX(Rotation { angle, x, y }) } else { Node::RotY(Rotation { angle, x, y }) }
+            }
+            Self::Product(is_dot, axis, parts) => {
+                let [angle, dx, dy] = [0, 1, 2].map(|k: usize| parts[k].plain(graph));
+                let [x, y] = axis.map(|leaf| leaf.build(graph));
+                let rotation = Rotation { angle, x, y };
+                let u = [graph.intern(Node::RotX(rotation)), graph.intern(Node::RotY(rotation))];
+                let turning = Turning { angle, u, d: [dx, dy] };
+                if *is_dot { Node::Dot(turning) } else { Node::Cross(turning) }
+            }
+            Self::Supplied(f, a) => Node::Supplied(*f, 0, a.plain(graph)),
+        };
+        graph.intern(node)
     }
 
     fn binary(ab: &[Self; 2], graph: &mut Graph, f: fn(&mut Graph, ExprId, ExprId) -> ExprId) -> ExprId {

@@ -35,7 +35,7 @@ pub(super) fn equations(system: &KinematicSystem) -> Vec<TokenStream> {
 /// The closed forms of the plan, step by step.
 pub(super) fn solution(plan: &SolutionPlan) -> impl Iterator<Item = TokenStream> {
     plan.formulas.iter().map(|formulas| {
-        let (step, what) = (formulas.step, &formulas.what);
+        let (step, what) = (formulas.step.index(), &formulas.what);
         let lines = formulas.lines.iter().map(|lines| {
             let lines = lines.iter().map(line);
             quote! { &[#(#lines),*] }

@@ -14,13 +14,13 @@ mod joints;
 mod kernel;
 mod lists;
 mod own_scalar;
-mod packed;
 mod parameters;
 mod plan;
 mod rows;
 mod statements;
 mod steps;
 mod supplied;
+mod table;
 mod tables;
 mod test;
 

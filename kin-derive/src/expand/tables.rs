@@ -4,15 +4,15 @@ use super::derivation;
 use super::entries::{frame, optional, variant};
 use super::instructions::literal;
 use super::joints::joints;
-use super::packed::{Packed, any_is_long};
+use super::table::{Cell, Writer};
 use kin_core::Kernels;
 use kin_core::constraint::{CoordinateKind, Family, ObservableKind};
 use kin_core::kernels::Pattern;
-use kin_core::mechanism::{Component, Mechanism};
+use kin_core::mechanism::Mechanism;
 use kin_core::plan::SolutionPlan;
-use kin_core::program::OperationCount;
 use kin_core::structure::Structure;
-use kin_core::system::{KinematicSystem, RowClass};
+use kin_core::system::KinematicSystem;
+use kin_core::vocabulary::{Component, OperationCount};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -31,13 +31,13 @@ pub(crate) struct Tables<'a> {
 pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     let set = &tables.system.set;
     let (name, doc, allow_redundant) = (&set.name, tables.doc, tables.allow_redundant);
-    let packed = is_packed(tables);
-    let coordinates = coordinates(tables.system, packed);
-    let parameters = parameters(tables.mechanism, packed);
+    let writer = writer(tables);
+    let coordinates = coordinates(tables.system, writer);
+    let parameters = parameters(tables.mechanism, &set.parameters, writer);
     let inputs = set.inputs.iter();
     let functions = set.functions.iter();
     let arguments = &tables.kernels.arguments;
-    let bodies = bodies(tables.system, packed);
+    let bodies = bodies(tables.system, writer);
     let points = set.points.iter().map(|point| {
         let (name, frame, local, observables) = (&point.name, frame(point.frame), point.local, point.observables);
         quote! {
@@ -48,9 +48,9 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
         let (name, observable, varies) = (&define.name, define.observable, define.varies);
         quote! { __kin::DefineInfo { name: #name, observable: #observable, varies: #varies } }
     });
-    let joints = joints(tables.system, packed);
-    let rows = rows(tables.system, packed);
-    let observables = observables(tables.system, packed);
+    let joints = joints(tables.system, writer);
+    let rows = rows(tables.system, writer);
+    let observables = observables(tables.system, writer);
     let conditions = set.conditions.iter().map(|condition| {
         let (name, text, rheonomic) = (&condition.name, &condition.text, condition.rheonomic);
         let observable = condition.observable;
@@ -58,8 +58,8 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
             __kin::ConditionInfo { name: #name, text: #text, observable: #observable, rheonomic: #rheonomic }
         }
     });
-    let constraint_pattern = pattern(&tables.kernels.constraint_pattern, packed);
-    let observable_pattern = pattern(&tables.kernels.observable_pattern, packed);
+    let constraint_pattern = pattern(&tables.kernels.constraint_pattern, writer);
+    let observable_pattern = pattern(&tables.kernels.observable_pattern, writer);
     let families = families(tables.system);
     let guesses = set.guesses.iter().map(|(k, _)| *k as usize);
     let geometry = set.geometry.len();
@@ -67,7 +67,7 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     let equations = derivation::equations(tables.system);
     let solution = derivation::solution(tables.plan);
     let structure = structure(tables.system, tables.structure);
-    let plan = super::steps::table(tables.plan, packed);
+    let plan = super::steps::table(tables.plan, writer);
     let model = quote! {
         __kin::Model {
             name: #name,
@@ -97,23 +97,22 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
             solution: &[#(#solution),*],
         }
     };
-    if packed {
+    if writer.packed {
         quote! { static __MODEL: __kin::tables::Unpacked = __kin::tables::unpacked!(#model); }
     } else {
         quote! { static __MODEL: __kin::Model = #model; }
     }
 }
 
-/// Whether some table is so long that the compiler would take its time.
-fn is_packed(tables: &Tables<'_>) -> bool {
+/// Packs tables where one of them is so long that the compiler would take its time.
+fn writer(tables: &Tables<'_>) -> Writer {
     let set = &tables.system.set;
     let parameters = tables.mechanism.parameters.iter().map(|parameter| parameter.len.unwrap_or(1)).sum();
     let Kernels { constraint_pattern, observable_pattern, .. } = tables.kernels;
-    let (coordinates, rows, joints) = (set.coordinates.len(), set.rows.len(), set.joints.len());
-    any_is_long(&[
-        coordinates,
-        rows,
-        joints,
+    Writer::of(&[
+        set.coordinates.len(),
+        set.rows.len(),
+        set.joints.len(),
         parameters,
         set.bodies.len(),
         set.observables.len(),
@@ -123,141 +122,84 @@ fn is_packed(tables: &Tables<'_>) -> bool {
 }
 
 fn component(component: Component) -> TokenStream {
-    variant("Component", ["X", "Y", "Phi"][component as usize])
+    variant("Component", component.variant())
 }
 
-fn coordinates(system: &KinematicSystem, packed: bool) -> TokenStream {
-    let coordinates = &system.set.coordinates;
-    let kind = |body: usize, component: Option<Component>| match component {
-        Some(c) => {
-            let c = self::component(c);
-            quote! { __kin::CoordinateKind::Pose { body: #body, component: #c } }
-        }
-        None => quote! { __kin::CoordinateKind::Scalar },
-    };
-    let parts = |c: &kin_core::constraint::Coordinate| match c.kind {
-        CoordinateKind::Pose(body, c) => (body, Some(c)),
-        CoordinateKind::Scalar => (0, None),
-    };
-    if packed {
-        let mut packed = Packed::new(coordinates.len());
-        for coordinate in coordinates {
-            let (body, component) = parts(coordinate);
-            packed.name(&coordinate.name);
-            packed.word(body);
-            packed.kind(component);
-        }
-        return packed.with_kinds("coordinates", |component| kind(0, *component));
-    }
-    let coordinates = coordinates.iter().map(|coordinate| {
-        let (name, (body, component)) = (&coordinate.name, parts(coordinate));
-        let kind = kind(body, component);
-        quote! { __kin::CoordinateInfo { name: #name, kind: #kind } }
-    });
-    quote! { &[#(#coordinates),*] }
-}
-
-fn bodies(system: &KinematicSystem, packed: bool) -> TokenStream {
-    let bodies = &system.set.bodies;
-    let places = |body: &kin_core::constraint::BodyInstance| body.coordinates.map(|k| k.map(|k| k as usize));
-    if packed {
-        let mut packed = Packed::<()>::new(bodies.len());
-        for body in bodies {
-            packed.name(&body.name);
-            places(body).into_iter().for_each(|place| packed.place(place));
-            packed.frame(body.carried_by);
-            body.observables.into_iter().for_each(|observable| packed.word(observable));
-        }
-        return packed.unpacked("bodies", &TokenStream::new());
-    }
-    let bodies = bodies.iter().map(|body| {
-        let (name, observables) = (&body.name, body.observables);
-        let coordinates = places(body).map(optional);
-        let origin = match body.carried_by {
-            None => quote! { __kin::OriginKind::Free },
-            Some(frame) => {
-                let frame = self::frame(frame);
-                quote! { __kin::OriginKind::Carried(#frame) }
-            }
+fn coordinates(system: &KinematicSystem, writer: Writer) -> TokenStream {
+    let entries = system.set.coordinates.iter().map(|coordinate| {
+        let (body, component) = match coordinate.kind {
+            CoordinateKind::Pose(body, component) => (body, Some(component)),
+            CoordinateKind::Scalar => (0, None),
         };
+        (component, [Cell::Name(&coordinate.name), Cell::Word(body)])
+    });
+    writer.table("coordinates", entries, |kind, [name, body]| {
+        let kind = match kind.map(component) {
+            Some(component) => quote! { __kin::CoordinateKind::Pose { body: #body, component: #component } },
+            None => quote! { __kin::CoordinateKind::Scalar },
+        };
+        quote! { __kin::CoordinateInfo { name: #name, kind: #kind } }
+    })
+}
+
+fn bodies(system: &KinematicSystem, writer: Writer) -> TokenStream {
+    let entries = system.set.bodies.iter().map(|body| {
+        let [x, y, phi] = body.coordinates.map(|k| Cell::Place(k.map(|k| k as usize)));
+        let [seen_x, seen_y, seen_phi] = body.observables.map(Cell::Word);
+        [Cell::Name(&body.name), x, y, phi, Cell::Origin(body.carried_by), seen_x, seen_y, seen_phi]
+    });
+    writer.alike("bodies", entries, |[name, x, y, phi, origin, seen_x, seen_y, seen_phi]| {
         quote! {
             __kin::BodyInfo {
-                name: #name, coordinates: [#(#coordinates),*], origin: #origin, observables: [#(#observables),*],
+                name: #name, coordinates: [#x, #y, #phi], origin: #origin, observables: [#seen_x, #seen_y, #seen_phi],
             }
         }
+    })
+}
+
+fn observables(system: &KinematicSystem, writer: Writer) -> TokenStream {
+    let entries = system.set.observables.iter().map(|observable| {
+        let (kind, a, b) = match observable.kind {
+            ObservableKind::Pose(body, c) => (ObservableKind::Pose(0, c), body, 0),
+            ObservableKind::Point(point, c) => (ObservableKind::Point(0, c), point, 0),
+            ObservableKind::Define(k) => (ObservableKind::Define(0), k, 0),
+            ObservableKind::Joint(joint, quantity) => (ObservableKind::Joint(0, 0), joint, quantity),
+            ObservableKind::Condition(k) => (ObservableKind::Condition(0), k, 0),
+        };
+        (kind, [a, b].map(Cell::Word))
     });
-    quote! { &[#(#bodies),*] }
+    writer.table("observables", entries, |kind, [a, b]| match *kind {
+        ObservableKind::Pose(_, c) => {
+            let c = component(c);
+            quote! { __kin::Observable::Pose { body: #a, component: #c } }
+        }
+        ObservableKind::Point(_, c) => {
+            let c = component(c);
+            quote! { __kin::Observable::Point { point: #a, component: #c } }
+        }
+        ObservableKind::Define(_) => quote! { __kin::Observable::Define(#a) },
+        ObservableKind::Joint(..) => quote! { __kin::Observable::Joint { joint: #a, quantity: #b } },
+        ObservableKind::Condition(_) => quote! { __kin::Observable::Condition(#a) },
+    })
 }
 
-fn observables(system: &KinematicSystem, packed: bool) -> TokenStream {
-    let observables = &system.set.observables;
-    let tokens = |kind: &ObservableKind| match *kind {
-        ObservableKind::Pose(body, c) => {
-            let c = component(c);
-            quote! { __kin::Observable::Pose { body: #body, component: #c } }
-        }
-        ObservableKind::Point(point, c) => {
-            let c = component(c);
-            quote! { __kin::Observable::Point { point: #point, component: #c } }
-        }
-        ObservableKind::Define(k) => quote! { __kin::Observable::Define(#k) },
-        ObservableKind::Joint(joint, quantity) => {
-            quote! { __kin::Observable::Joint { joint: #joint, quantity: #quantity } }
-        }
-        ObservableKind::Condition(k) => quote! { __kin::Observable::Condition(#k) },
-    };
-    if packed {
-        let mut packed = Packed::new(observables.len());
-        for observable in observables {
-            let (kind, a, b) = match observable.kind {
-                ObservableKind::Pose(body, c) => (ObservableKind::Pose(0, c), body, 0),
-                ObservableKind::Point(point, c) => (ObservableKind::Point(0, c), point, 0),
-                ObservableKind::Define(k) => (ObservableKind::Define(0), k, 0),
-                ObservableKind::Joint(joint, quantity) => (ObservableKind::Joint(0, 0), joint, quantity),
-                ObservableKind::Condition(k) => (ObservableKind::Condition(0), k, 0),
-            };
-            packed.kind(kind);
-            packed.word(a);
-            packed.word(b);
-        }
-        return packed.with_kinds("observables", tokens);
-    }
-    let observables = observables.iter().map(|observable| tokens(&observable.kind));
-    quote! { &[#(#observables),*] }
-}
-
-fn parameters(mechanism: &Mechanism, packed: bool) -> TokenStream {
-    let mut all = Vec::new();
-    for (number, parameter) in mechanism.parameters.iter().enumerate() {
-        for index in 0..parameter.len.unwrap_or(1) {
-            let name = match parameter.len {
-                Some(_) => format!("{}[{index}]", parameter.name),
-                None => parameter.name.clone(),
-            };
-            let default = parameter.default.as_ref().and_then(|values| values.get(index)).copied();
-            all.push((name, number, default));
-        }
-    }
-    let tokens = |name: &str, number: usize, default: Option<f64>| {
-        let parameter = &mechanism.parameters[number];
+fn parameters(mechanism: &Mechanism, names: &[String], writer: Writer) -> TokenStream {
+    let elements = mechanism.parameters.iter().enumerate().flat_map(|(number, parameter)| {
+        let default = |index: usize| parameter.default.as_ref().and_then(|values| values.get(index)).copied();
+        (0..parameter.len.unwrap_or(1)).map(move |index| (number, default(index)))
+    });
+    let entries = elements.zip(names).map(|(kind, name)| (kind, [Cell::Name(name)]));
+    writer.table("parameters", entries, |(number, default), [name]| {
+        let parameter = &mechanism.parameters[*number];
         let (unit, doc, default) = (optional(parameter.unit.as_ref()), &parameter.doc, optional(default.map(literal)));
         quote! { __kin::ParameterInfo { name: #name, unit: #unit, default: #default, doc: #doc } }
-    };
-    if packed {
-        let mut packed = Packed::new(all.len());
-        for (name, number, default) in &all {
-            packed.name(name);
-            packed.kind((*number, *default));
-        }
-        return packed.with_kinds("parameters", |(number, default)| tokens("", *number, *default));
-    }
-    let all = all.iter().map(|(name, number, default)| tokens(name, *number, *default));
-    quote! { &[#(#all),*] }
+    })
 }
 
-fn rows(system: &KinematicSystem, packed: bool) -> TokenStream {
+fn rows(system: &KinematicSystem, writer: Writer) -> TokenStream {
     let rows = system.set.rows.iter().zip(&system.classes);
-    let tokens = |name: &str, joint: usize, class: &RowClass| {
+    let entries = rows.map(|(row, class)| (*class, [Cell::Name(&row.name), Cell::Word(row.joint)]));
+    writer.table("rows", entries, |class, [name, joint]| {
         let (rheonomic, driving) = (class.rheonomic, class.driving);
         let level = variant("Level", if class.holonomic { "Position" } else { "Velocity" });
         quote! {
@@ -265,18 +207,7 @@ fn rows(system: &KinematicSystem, packed: bool) -> TokenStream {
                 name: #name, joint: #joint, level: #level, rheonomic: #rheonomic, driving: #driving, bilateral: true,
             }
         }
-    };
-    if packed {
-        let mut packed = Packed::new(rows.len());
-        for (row, class) in rows {
-            packed.name(&row.name);
-            packed.word(row.joint);
-            packed.kind(*class);
-        }
-        return packed.with_kinds("rows", |class| tokens("", 0, class));
-    }
-    let rows = rows.map(|(row, class)| tokens(&row.name, row.joint, class));
-    quote! { &[#(#rows),*] }
+    })
 }
 
 fn families(system: &KinematicSystem) -> impl Iterator<Item = TokenStream> {
@@ -294,33 +225,15 @@ fn families(system: &KinematicSystem) -> impl Iterator<Item = TokenStream> {
     of(&set.body_families, "Bodies").into_iter().chain(of(&set.row_families, "Rows"))
 }
 
-fn pattern(pattern: &Pattern, packed: bool) -> TokenStream {
+fn pattern(pattern: &Pattern, writer: Writer) -> TokenStream {
     let rows = pattern.rows;
-    let entries = if packed {
-        let mut packed = Packed::<()>::new(pattern.entries.len());
-        for (row, column) in &pattern.entries {
-            packed.word(*row);
-            packed.word(*column);
-        }
-        packed.unpacked("entries", &TokenStream::new())
-    } else {
-        let entries = pattern.entries.iter().map(|(row, column)| quote! { (#row, #column) });
-        quote! { &[#(#entries),*] }
-    };
-    let constants = if packed {
-        let mut packed = Packed::new(pattern.constants.len());
-        for (place, value) in &pattern.constants {
-            packed.word(*place);
-            packed.kind(*value);
-        }
-        packed.with_kinds("constants", |value| literal(*value))
-    } else {
-        let constants = pattern.constants.iter().map(|(place, value)| {
-            let value = literal(*value);
-            quote! { (#place, #value) }
-        });
-        quote! { &[#(#constants),*] }
-    };
+    let entries = pattern.entries.iter().map(|(row, column)| [*row, *column].map(Cell::Word));
+    let entries = writer.alike("entries", entries, |[row, column]| quote! { (#row, #column) });
+    let constants = pattern.constants.iter().map(|(place, value)| (*value, [Cell::Word(*place)]));
+    let constants = writer.table("constants", constants, |value, [place]| {
+        let value = literal(*value);
+        quote! { (#place, #value) }
+    });
     quote! { __kin::Pattern { rows: #rows, entries: #entries, constants: #constants } }
 }
 

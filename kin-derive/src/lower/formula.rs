@@ -364,7 +364,9 @@ impl Lowerer<'_> {
                 let suggestion = match word.as_str() {
                     "log" => "; the natural logarithm is `ln`".to_owned(),
                     rate if is_rate(rate) && has_rates => "; a rate is written `dot(…)`".to_owned(),
-                    rate if is_rate(rate) => "; a rate is written `dot(…)`, in `nonholonomic`, `force` and `torque` only".to_owned(),
+                    rate if is_rate(rate) => {
+                        "; a rate is written `dot(…)`, in `nonholonomic`, `force` and `torque` only".to_owned()
+                    }
                     _ => did_you_mean(&word, known),
                 };
                 let last = if has_rates { ", pow, distance and dot" } else { ", pow and distance" };

@@ -102,7 +102,9 @@ fn unknown_method(name: &Ident, known: &str) -> Error {
     const OTHERS: [&str; 3] = ["atan2", "powi", "powf"];
     let methods = Function::ALL.iter().map(|f| f.name()).chain(OTHERS);
     let suggestion = match known {
-        rate if is_rate(rate) => "; a rate is written `dot(…)`, in `nonholonomic`, `force` and `torque` only".to_owned(),
+        rate if is_rate(rate) => {
+            "; a rate is written `dot(…)`, in `nonholonomic`, `force` and `torque` only".to_owned()
+        }
         _ => did_you_mean(known, methods),
     };
     let message = format!(

@@ -12,26 +12,7 @@ mod text;
 pub use forces::{EffortInfo, ForceModel, ReactionInfo, SpringInfo};
 pub use handles::{Body, Coordinate, Input, Point, Quantity};
 pub use joint::{Geometry, JointInfo, JointKind, JointQuantity, Role};
-
-/// A body or the ground.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Frame {
-    /// The inertial frame O–xy.
-    Ground,
-    /// A moving body, by its place in [`Model::bodies`].
-    Body(usize),
-}
-
-/// One coordinate of a pose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Component {
-    /// x.
-    X,
-    /// y.
-    Y,
-    /// φ, counter-clockwise, never wrapped.
-    Phi,
-}
+pub use kin_core::vocabulary::{Component, Frame, OperationCount};
 
 /// What a generalized coordinate is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -220,25 +201,6 @@ pub struct Pattern {
     pub entries: &'static [(usize, usize)],
     /// Entries that are literal constants: place in `entries` and value.
     pub constants: &'static [(usize, f64)],
-}
-
-/// Operations of one combined evaluation of Φ, Φ_q, Φ_t and γ.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct OperationCount {
-    /// Additions and subtractions.
-    pub add: usize,
-    /// Multiplications.
-    pub mul: usize,
-    /// Negations.
-    pub neg: usize,
-    /// Divisions.
-    pub div: usize,
-    /// Square roots.
-    pub sqrt: usize,
-    /// Sine and cosine pairs.
-    pub sincos: usize,
-    /// Every other function (tan, atan2, exp, powers with an exponent that is not a small integer, …).
-    pub function: usize,
 }
 
 /// The equations of one joint as text.

@@ -1,10 +1,9 @@
 //! What is known about a mechanism, in words.
 
 use super::{
-    Body, BodyInfo, Component, ConditionInfo, Coordinate, CoordinateInfo, CoordinateKind, DefineInfo, EquationText,
-    FamilyInfo, FamilyKind, Frame, GenericRedundancy, Geometry, Input, JointInfo, JointQuantity, Level, LineText,
-    Model, Observable, OperationCount, OriginKind, ParameterInfo, Pattern, Point, PointInfo, Quantity, RowInfo,
-    StepText, Structure,
+    Body, BodyInfo, ConditionInfo, Coordinate, CoordinateInfo, CoordinateKind, DefineInfo, EquationText, FamilyInfo,
+    FamilyKind, GenericRedundancy, Geometry, Input, JointInfo, JointQuantity, Level, LineText, Model, Observable,
+    OriginKind, ParameterInfo, Pattern, Point, PointInfo, Quantity, RowInfo, StepText, Structure,
 };
 use crate::text::{counted, separated};
 use core::fmt;
@@ -34,13 +33,6 @@ display! {
     /// Its place among the inputs.
     Input: |it, f| write!(f, "input {}", it.0);
 
-    /// `ground` or the place of a body.
-    Frame: |it, f| match it {
-        Self::Ground => f.write_str("ground"),
-        Self::Body(place) => Body(*place).fmt(f),
-    };
-    /// As in the name of a coordinate: `x`, `y`, `phi`.
-    Component: |it, f| f.write_str(match it { Self::X => "x", Self::Y => "y", Self::Phi => "phi" });
     /// `phi of body 2`, or `scalar`.
     CoordinateKind: |it, f| match it {
         Self::Pose { body, component } => write!(f, "{component} of {}", Body(*body)),
@@ -91,16 +83,6 @@ display! {
         counted(f, it.entries.len(), "entry").and_then(|()| f.write_str(" in "))?;
         counted(f, it.rows, "row")?;
         write!(f, ", {} constant", it.constants.len())
-    };
-    /// `50: 19 mul, 24 add, 4 neg, 3 sincos`; what there is none of is left out.
-    OperationCount: |it, f| {
-        let all = [
-            (it.mul, "mul"), (it.add, "add"), (it.neg, "neg"), (it.div, "div"), (it.sqrt, "sqrt"), (it.sincos, "sincos"),
-            (it.function, "function"),
-        ];
-        write!(f, "{}", all.iter().map(|(count, _)| count).sum::<usize>())?;
-        let there = all.iter().filter(|(count, _)| *count > 0);
-        there.enumerate().try_for_each(|(k, (count, what))| write!(f, "{} {count} {what}", if k == 0 { ":" } else { "," }))
     };
     /// Φ of the row: `A.x: …`.
     EquationText: |it, f| write!(f, "{}: {}", it.row, it.phi);

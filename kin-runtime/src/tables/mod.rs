@@ -129,13 +129,14 @@ macro_rules! unpack {
 }
 
 unpack!(
-    /// Words: length of the name, body, kind; the kinds say what else there is, their bodies nothing.
+    /// Words: kind, length of the name, body; the kinds have neither name nor body.
     coordinates -> CoordinateInfo,
     CoordinateInfo { name: "", kind: CoordinateKind::Scalar },
-    (kinds: &[CoordinateKind]),
+    (kinds: &[CoordinateInfo]),
     |rest| {
+        let kind = kinds[rest.word()].kind;
         let (name, body) = (rest.name(), rest.word());
-        let kind = match kinds[rest.word()] {
+        let kind = match kind {
             CoordinateKind::Pose { component, .. } => CoordinateKind::Pose { body, component },
             CoordinateKind::Scalar => CoordinateKind::Scalar,
         };
@@ -144,13 +145,13 @@ unpack!(
 );
 
 unpack!(
-    /// Words: length of the name, kind; the kinds have no name.
+    /// Words: kind, length of the name; the kinds have no name.
     parameters -> ParameterInfo,
     ParameterInfo { name: "", unit: None, default: None, doc: "" },
     (kinds: &[ParameterInfo]),
     |rest| {
-        let name = rest.name();
-        ParameterInfo { name, ..kinds[rest.word()] }
+        let kind = kinds[rest.word()];
+        ParameterInfo { name: rest.name(), ..kind }
     }
 );
 
@@ -171,13 +172,13 @@ unpack!(
 );
 
 unpack!(
-    /// Words: length of the name, joint, kind; the kinds have neither name nor joint.
+    /// Words: kind, length of the name, joint; the kinds have neither name nor joint.
     rows -> RowInfo,
     NO_ROW,
     (kinds: &[RowInfo]),
     |rest| {
-        let (name, joint) = (rest.name(), rest.word());
-        RowInfo { name, joint, ..kinds[rest.word()] }
+        let kind = kinds[rest.word()];
+        RowInfo { name: rest.name(), joint: rest.word(), ..kind }
     }
 );
 
@@ -217,13 +218,14 @@ unpack!(
 );
 
 unpack!(
-    /// Words: length of the name, kind, two frames, first row, rows, how many entries of `geometry` and `quantities`.
+    /// Words: kind, length of the name, two frames, first row, rows, how many entries of `geometry` and `quantities`; the
+    /// kinds have nothing else.
     joints -> JointInfo,
     NO_JOINT,
-    (kinds: &[crate::model::JointKind], geometry: &'static [Geometry], quantities: &'static [JointQuantity]),
+    (kinds: &[JointInfo], geometry: &'static [Geometry], quantities: &'static [JointQuantity]),
     |rest| {
-        let (name, kind) = (rest.name(), kinds[rest.word()]);
-        let frames = [rest.frame(), rest.frame()];
+        let kind = kinds[rest.word()].kind;
+        let (name, frames) = (rest.name(), [rest.frame(), rest.frame()]);
         let (first_row, rows) = (rest.word(), rest.word());
         let (own_geometry, other_geometry) = geometry.split_at(rest.word());
         let (own_quantities, other_quantities) = quantities.split_at(rest.word());
@@ -268,11 +270,14 @@ unpack!(
 );
 
 unpack!(
-    /// Words: place, which of `values`.
+    /// Words: kind, place; the kinds have no place.
     constants -> (usize, f64),
     (0, 0.0),
-    (values: &[f64]),
-    |rest| (rest.word(), values[rest.word()])
+    (kinds: &[(usize, f64)]),
+    |rest| {
+        let (_, value) = kinds[rest.word()];
+        (rest.word(), value)
+    }
 );
 
 unpack!(

@@ -21,7 +21,8 @@ fn numbers_of_any_length_come_back() {
 #[test]
 fn names_and_kinds_are_handed_out_in_order() {
     let kinds = &[CoordinateKind::Scalar, CoordinateKind::Pose { body: 0, component: Component::Phi }];
-    let coordinates = both!(coordinates, 2, "us\u{e4}ge.phi", b"\x01\x00\x00\x09\x05\x01", kinds);
+    let kinds = &kinds.map(|kind| CoordinateInfo { name: "", kind });
+    let coordinates = both!(coordinates, 2, "us\u{e4}ge.phi", b"\x00\x01\x00\x01\x09\x05", kinds);
     assert_eq!(coordinates[0], CoordinateInfo { name: "u", kind: CoordinateKind::Scalar });
     let kind = CoordinateKind::Pose { body: 5, component: Component::Phi };
     assert_eq!(coordinates[1], CoordinateInfo { name: "s\u{e4}ge.phi", kind });

@@ -1,12 +1,13 @@
 //! The parts of a tree in the order in which they are solved, and every expression that needs derivatives.
 
 use crate::expr::{ExprId, Graph, Symbol};
+use crate::plan::step::StepId;
 use crate::plan::steps::Listed;
 use crate::plan::tree::{Block, Core, PairValue, Part, Way};
 
 /// What is solved at once. Expressions are places among the roots.
 pub(super) struct Item {
-    pub(super) step: usize,
+    pub(super) step: StepId,
     pub(super) way: Solved,
 }
 
@@ -31,14 +32,12 @@ pub(super) enum Solved {
 struct Gather<'a> {
     graph: &'a mut Graph,
     listed: &'a Listed,
-    /// Cores and attached coordinates so far.
-    taken: [usize; 2],
     items: Vec<Item>,
     roots: Vec<ExprId>,
 }
 
 pub(super) fn gather(graph: &mut Graph, listed: &Listed, tree: &Block) -> (Vec<Item>, Vec<ExprId>) {
-    let mut gather = Gather { graph, listed, taken: [0; 2], items: Vec::new(), roots: Vec::new() };
+    let mut gather = Gather { graph, listed, items: Vec::new(), roots: Vec::new() };
     gather.block(tree);
     (gather.items, gather.roots)
 }
@@ -51,8 +50,8 @@ impl Gather<'_> {
                 Part::Block(block) => self.block(block),
                 Part::Pair(pair) => {
                     self.block(&pair.inner);
-                    let step = self.attached();
                     let k = pair.coordinate;
+                    let step = self.listed.giving(k);
                     let way = match &pair.value {
                         PairValue::Linear { value, .. } => Solved::Explicit { k, value: self.root(*value) },
                         PairValue::Angle { turn, cos, sin, .. } => {
@@ -64,15 +63,10 @@ impl Gather<'_> {
             }
         }
         for pivot in block.pivots.iter().rev() {
-            let step = self.attached();
+            let step = self.listed.giving(pivot.coordinate);
             let way = Solved::Explicit { k: pivot.coordinate, value: self.root(pivot.value) };
             self.items.push(Item { step, way });
         }
-    }
-
-    fn attached(&mut self) -> usize {
-        self.taken[1] += 1;
-        self.listed.step_of_attached(self.taken[1] - 1)
     }
 
     fn root(&mut self, id: ExprId) -> usize {
@@ -81,8 +75,7 @@ impl Gather<'_> {
     }
 
     fn core(&mut self, core: &Core) {
-        self.taken[0] += 1;
-        let step = self.listed.step_of_core(self.taken[0] - 1);
+        let step = self.listed.giving(core.coordinates[0]);
         let unknowns = core.coordinates.clone();
         let way = match &core.way {
             Way::Linear { matrix, constant } => {

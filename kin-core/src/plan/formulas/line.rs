@@ -1,10 +1,12 @@
 //! What is written of a plan for people: lines for every step.
 
+use crate::plan::step::StepId;
+
 /// What a step computes, in the user's names; a step whose coordinates come at several places is there several times.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Formulas {
-    /// Place in [`SolutionPlan::steps`](crate::SolutionPlan::steps).
-    pub step: usize,
+    /// The step.
+    pub step: StepId,
     /// What it is, in words.
     pub what: String,
     /// Lines for q, q̇ and q̈.

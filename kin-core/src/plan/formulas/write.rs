@@ -6,7 +6,7 @@ use super::line::{Formulas, Line};
 use super::share::Naming;
 use crate::expr::{ExprId, Graph, Jet, Shown, Symbol, total_derivatives};
 use crate::mechanism::Function;
-use crate::plan::step::Step;
+use crate::plan::step::{Step, StepId};
 use crate::plan::steps::Listed;
 use crate::system::KinematicSystem;
 use crate::vocabulary::StepKind;
@@ -32,7 +32,7 @@ pub(super) fn write(
     let jets = total_derivatives(&mut graph, roots);
     let mut naming = Naming::new(&system.set);
     for (place, mode) in (0..).zip(&listed.modes) {
-        let name = naming.fresh("sigma", mode.step + 1);
+        let name = naming.fresh("sigma", mode.step.number());
         naming.modes.insert(place, name);
     }
     let mut writer = Writer { system, graph, listed, roots, jets, naming, out: Vec::new() };
@@ -46,7 +46,7 @@ impl Writer<'_> {
             let what = self.what(item.step);
             self.out.push(Formulas { step: item.step, what, lines: Default::default() });
         }
-        let number = item.step + 1;
+        let number = item.step.number();
         match &item.way {
             Solved::Explicit { k, value } => self.explicit(*k, *value),
             Solved::Linear { unknowns, residuals, matrix, right } => {
@@ -78,8 +78,8 @@ impl Writer<'_> {
     }
 
     /// What a step is, in words.
-    fn what(&self, step: usize) -> String {
-        let Step { kind, group, joints, modes, singular, .. } = &self.listed.steps[step];
+    fn what(&self, step: StepId) -> String {
+        let Step { kind, group, joints, modes, singular, .. } = self.listed.step(step);
         let names: Vec<&str> = joints.iter().map(|&joint| self.system.set.joints[joint].name.as_str()).collect();
         let mut what = names.join(", ");
         match kind {
@@ -107,7 +107,7 @@ impl Writer<'_> {
 
     /// The text of an expression, after lines for its parts.
     fn shown(&mut self, order: usize, id: ExprId) -> String {
-        let number = self.out.last().map_or(0, |last| last.step + 1);
+        let number = self.out.last().map_or(0, |last| last.step.number());
         self.naming.order = order;
         for (left, part) in self.naming.parts(&self.graph, &[id], number) {
             let right = Shown { graph: &self.graph, names: &self.naming, id: part }.to_string();
@@ -204,7 +204,7 @@ impl Writer<'_> {
 
     /// σ √inside.
     fn root(&mut self, inside: ExprId, number: usize) -> ExprId {
-        let place = self.listed.modes.iter().position(|mode| mode.step + 1 == number).unwrap_or(0);
+        let place = self.listed.modes.iter().position(|mode| mode.step.number() == number).unwrap_or(0);
         let mode = self.graph.symbol(Symbol::Mode(place as u32));
         let root = self.graph.call(Function::Sqrt, inside);
         let value = self.graph.mul(mode, root);

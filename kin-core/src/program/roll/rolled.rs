@@ -1,7 +1,8 @@
 //! Programs with loops.
 
 use crate::expr::{Bits, Symbol};
-use crate::program::{Instruction, OperationCount, Slot, Value};
+use crate::program::{Instruction, Slot, Value};
+use crate::vocabulary::OperationCount;
 
 /// A part of what an instruction computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -110,7 +111,7 @@ impl Rolled {
             };
             for step in steps {
                 if let Step::Compute { instruction, .. } = step {
-                    count.add(instruction, times);
+                    instruction.count(&mut count, times);
                 }
             }
         }
