@@ -43,6 +43,10 @@ fn numbers(equations: &mut Equations<'_>, info: &ForceModel, state: &State) -> R
         equations.check(what, list)?;
     }
     let mut values = vec![0.0; info.count];
+    // Closed forms along the plan know no degree of freedom that dimensions leave open.
+    if info.solved && state.degrees_of_freedom_left > 0 {
+        return Err(not_held(equations, state)?);
+    }
     if info.solved {
         equations.system.forces(&state.instant(), state, &[], &mut values)?;
         finite(&values, state.t)?;
@@ -63,9 +67,7 @@ fn numbers(equations: &mut Equations<'_>, info: &ForceModel, state: &State) -> R
     let y = factor.solve(&right);
     let left_over = (&scaled * &y - &right).amax();
     if left_over > LEFT_OVER * right.amax().max(f64::MIN_POSITIVE) {
-        let open = mobility(equations, &state.q)?;
-        let names = open.could_be_given.iter().map(|&k| equations.model.coordinates[k].name).collect();
-        return Err(SolveError::NotHeld { t: state.t, open: open.degrees_of_freedom_left, could_be_given: names });
+        return Err(not_held(equations, state)?);
     }
     let lambda = |y: &DVector<f64>| -> Vec<f64> { y.iter().zip(&equations.scale.rows).map(|(y, s)| y * s).collect() };
     let multipliers = lambda(&y);
@@ -93,6 +95,13 @@ fn numbers(equations: &mut Equations<'_>, info: &ForceModel, state: &State) -> R
     }
     let given = given.into_iter().map(|(row, effort, rate)| (equations.row_name(row), effort, rate)).collect();
     Ok(Numbers { values, determined, given })
+}
+
+/// What is left open, as an error.
+fn not_held(equations: &mut Equations<'_>, state: &State) -> Result<SolveError, SolveError> {
+    let open = mobility(equations, &state.q)?;
+    let could_be_given = open.could_be_given.iter().map(|&k| equations.model.coordinates[k].name).collect();
+    Ok(SolveError::NotHeld { t: state.t, open: open.degrees_of_freedom_left, could_be_given })
 }
 
 fn finite(values: &[f64], t: f64) -> Result<(), SolveError> {
