@@ -297,7 +297,8 @@ fn on_ground<M: Kinematics>(forces: &Forces, others: [f64; 2]) {
     for reaction in &forces.reactions {
         let Some(force) = reaction.force else { continue };
         let joint = forces.model.joints.iter().find(|joint| joint.name == reaction.name);
-        let grounded = joint.is_none_or(|joint| joint.frames.contains(&Some(Frame::Ground)) || joint.frames[1].is_none());
+        let grounded =
+            joint.is_none_or(|joint| joint.frames.contains(&Some(Frame::Ground)) || joint.frames[1].is_none());
         let sign = if reaction.on == Some(Frame::Ground) { 1.0 } else { -1.0 };
         let carried = reaction.name.ends_with(".origin");
         if grounded && !carried {
