@@ -41,6 +41,7 @@ examples! {
     cam_drive = "../../../examples/cam_drive.rs": CamDrive;
     car = "../../../examples/car.rs": Car;
     chain = "../../../examples/chain.rs": Chain;
+    engine = "../../../examples/engine.rs": Engine;
     excavator = "../../../examples/excavator.rs": Excavator;
     four_bar = "../../../examples/four_bar.rs": FourBar;
     four_bar_ends = "../../../examples/four_bar_ends.rs": FourBarEnds;
@@ -53,6 +54,8 @@ examples! {
     pantograph = "../../../examples/pantograph.rs": Pantograph;
     peaucellier = "../../../examples/peaucellier.rs": Peaucellier;
     planetary = "../../../examples/planetary.rs": Planetary;
+    press = "../../../examples/press.rs": Press;
+    pump_jack = "../../../examples/pump_jack.rs": PumpJack;
     quick_return = "../../../examples/quick_return.rs": QuickReturn;
     rack_and_pinion = "../../../examples/rack_and_pinion.rs": Steering;
     robot_3rrr = "../../../examples/robot_3rrr.rs": Robot3rrr;
