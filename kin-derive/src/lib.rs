@@ -20,6 +20,9 @@ mod fallback;
 #[cfg(test)]
 mod fuzz;
 mod lower;
+#[cfg(test)]
+#[path = "../../kin-core/tests/oracle/mod.rs"]
+mod oracle;
 mod parse;
 mod report;
 mod suggest;

@@ -33,7 +33,6 @@ mod rates;
 mod recognise;
 mod reduce;
 mod rewrite;
-mod run;
 mod sections;
 mod step;
 mod steps;
@@ -41,7 +40,6 @@ mod tree;
 mod watch;
 
 pub use formulas::{Formulas, Line};
-pub use run::{Solution, closures, resolve, run};
 pub use sections::Section;
 pub use step::{Mode, Step, StepId};
 pub use watch::TOLERANCE;

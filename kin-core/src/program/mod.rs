@@ -4,7 +4,6 @@
 
 mod display;
 mod gather;
-mod interpret;
 mod lower;
 mod numbered;
 mod roll;
@@ -12,9 +11,8 @@ mod signs;
 mod sums;
 
 pub use gather::gather;
-pub use interpret::interpret;
 pub use lower::lower;
-pub use roll::{Angles, Keep, Part, Piece, Rolled, Source, Step, Worth, finished, interpret_rolled, roll};
+pub use roll::{Angles, Keep, Part, Piece, Rolled, Source, Step, Worth, finished, roll};
 
 use crate::expr::{Bits, Symbol};
 use crate::hash::mixed;
