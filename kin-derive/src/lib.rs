@@ -1,8 +1,8 @@
 //! The `#[mechanism]` attribute of kin. Use it through `kin_runtime::mechanism`, which documents the language.
 //!
 //! ```text
-//! tokens → Description → Mechanism → ConstraintSet → KinematicSystem → tokens
-//!     parse        lower       assemble      differentiate       expand
+//! tokens → Description → Mechanism → ConstraintSet → KinematicSystem → SolutionPlan → Kernels → tokens
+//!     parse        lower       assemble       differentiate        plan       kernels    expand
 //! ```
 //!
 //! Parsing and lowering collect every mistake; the rules of `kin_core::mechanism::check` are the second gate, and what
