@@ -1,12 +1,14 @@
 //! Symbolic kinematics of planar mechanisms: what `#[mechanism]` does between parsing and emitting code.
 //!
 //! ```text
-//! Mechanism → ConstraintSet → KinematicSystem → SolutionPlan, Program
-//!    assemble      differentiate        plan        lower
+//! Mechanism → ConstraintSet → KinematicSystem → SolutionPlan → Kernels
+//!    assemble      differentiate        plan        kernels
 //! ```
 //!
+//! Each arrow is one function from one named type to the next, and none calls back into an earlier one.
+//!
 //! - [`vocabulary`]: the words that kin-runtime shares; all that there is without the feature `compiler`.
-//! - [`expr`]: the hash-consed expressions, and the one place that differentiates.
+//! - [`expr`]: the hash-consed expressions, the one place that differentiates, and the one fold that walks them.
 //! - [`mechanism`]: what the user said, names resolved: a joint is the operands in the slots of its form.
 //! - [`constraint`]: the constraint set Φ with everything that is reported, and the state in which rows are written.
 //! - [`notation`], [`vectors`]: formulas, and the vector equations of joints, as Unicode text, LaTeX and MathML.
@@ -14,8 +16,9 @@
 //! - [`check`], [`units`]: the rules of a mechanism, and whether its units agree.
 //! - [`system`]: Φ_q, Φ_t, γ and the class of every row.
 //! - [`structure`]: what the equations say before any number is known: generic rank, redundant rows.
-//! - [`program`], [`rows`]: straight-line code shared by all outputs, with an interpreter as oracle; Φ, Φ_q, Φ_t and γ.
+//! - [`program`]: straight-line code shared by all outputs, and what repeats in it as loops.
 //! - [`mod@plan`]: how the mechanism is solved, step by step.
+//! - [`mod@kernels`]: every program of the mechanism, finished: what generated code consists of.
 //! - [`sheet`]: the derivation for people.
 //!
 //! Each room imports only those before it in this list. There are no tokens, no spans and no I/O here.

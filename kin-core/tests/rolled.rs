@@ -6,9 +6,7 @@ use kin_core::expr::{Environment, ExprId, Graph, Symbol};
 use kin_core::joints::RelativeAngle;
 use kin_core::mechanism::{Formula, Function, Mechanism};
 use kin_core::plan::plan;
-use kin_core::program::{
-    Instruction, Piece, Program, Rolled, Slot, Worth, gather, interpret, interpret_rolled, lower, roll,
-};
+use kin_core::program::{Instruction, Piece, Program, Rolled, Slot, Worth, gather, lower, roll};
 use kin_core::{assemble, differentiate};
 use support::*;
 

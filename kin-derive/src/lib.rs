@@ -1,8 +1,8 @@
 //! The `#[mechanism]` attribute of kin. Use it through `kin_runtime::mechanism`, which documents the language.
 //!
 //! ```text
-//! tokens → Description → Mechanism → ConstraintSet → KinematicSystem → tokens
-//!     parse        lower       assemble      differentiate       expand
+//! tokens → Description → Mechanism → ConstraintSet → KinematicSystem → SolutionPlan → Kernels → tokens
+//!     parse        lower       assemble       differentiate        plan       kernels    expand
 //! ```
 //!
 //! Parsing and lowering collect every mistake; the rules of `kin_core::mechanism::check` are the second gate, and what
@@ -20,6 +20,9 @@ mod fallback;
 #[cfg(test)]
 mod fuzz;
 mod lower;
+#[cfg(test)]
+#[path = "../../kin-core/tests/oracle/mod.rs"]
+mod oracle;
 mod parse;
 mod report;
 mod suggest;

@@ -1,16 +1,20 @@
 //! The emitted code against its oracles: the same mechanism built in kin-core, its program interpreted and its
 //! expressions evaluated.
 
+#[path = "../../kin-core/tests/oracle/mod.rs"]
+mod oracle;
+
 use kin_core::expr::{Symbol, evaluate};
 use kin_core::joints::{Constraint, Distance, Driver, Translational};
 use kin_core::mechanism::{
     Axis, Body, BodyOrigin, BodyRef, Component, Formula, Function, Index, Joint, Mechanism as Model, Member, Operands,
     Parameter, Place, Value,
 };
-use kin_core::program::{Slot, interpret, lower};
+use kin_core::program::{Slot, lower};
 use kin_core::{KinematicSystem, Origin, assemble, differentiate};
 use kin_runtime::{Instant, Mechanism, Subset, mechanism};
 use kin_tests::random::Random;
+use oracle::interpret;
 
 /// A slider on a turning arm, a rod to a carried disc, a strut, and a free equation.
 #[mechanism]

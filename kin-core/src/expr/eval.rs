@@ -23,7 +23,7 @@ impl<F: Fn(Symbol) -> f64> Environment for F {
 }
 
 /// A function of the user's language.
-pub(crate) fn function(f: Function, x: f64) -> f64 {
+fn function(f: Function, x: f64) -> f64 {
     match f {
         Function::Sin => x.sin(),
         Function::Cos => x.cos(),
@@ -39,7 +39,7 @@ pub(crate) fn function(f: Function, x: f64) -> f64 {
 }
 
 /// The angle `a` + 2πn that is nearest to `b`.
-pub(crate) fn nearest(a: f64, b: f64) -> f64 {
+fn nearest(a: f64, b: f64) -> f64 {
     a + core::f64::consts::TAU * ((b - a) / core::f64::consts::TAU).round()
 }
 

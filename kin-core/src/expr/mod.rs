@@ -16,7 +16,6 @@ mod velocity;
 pub(crate) use display::suffix;
 pub use display::{Names, Shown};
 pub use eval::{Environment, evaluate};
-pub(crate) use eval::{function, nearest};
 pub(crate) use fold::Algebra;
 pub use graph::Graph;
 pub use jet::{Jet, partial, total_derivatives};

@@ -129,10 +129,16 @@ fn value(formula: &Formula, symbol: &dyn Fn(&Name) -> f64) -> f64 {
         Formula::Product(factors) => factors.iter().map(of).product(),
         Formula::Quotient(a, b) => of(a) / of(b),
         Formula::Power(a, n) => of(a).powf(*n),
-        Formula::Call(name, _, arguments) => match (name.as_str(), of(&arguments[0])) {
-            ("sin", x) => x.sin(),
-            ("abs", x) => x.abs(),
-            _ => panic!("no function `{name}` in the cases"),
-        },
+        Formula::Call(name, _, arguments) => {
+            match (name.as_str(), arguments.iter().map(of).collect::<Vec<_>>().as_slice()) {
+                ("sin", [x]) => x.sin(),
+                ("cos", [x]) => x.cos(),
+                ("sqrt", [x]) => x.sqrt(),
+                ("abs", [x]) => x.abs(),
+                ("sign", [x]) => x.signum(),
+                ("atan2", [y, x]) => y.atan2(*x),
+                _ => panic!("no function `{name}` in the cases"),
+            }
+        }
     }
 }

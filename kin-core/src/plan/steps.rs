@@ -187,7 +187,8 @@ impl Listed {
     pub(super) fn mode(&mut self, system: &KinematicSystem, step: StepId, margin: usize) -> usize {
         let plain = self.joined(system, step);
         let place = self.modes.len();
-        let taken = self.modes.iter().filter(|mode| mode.name == plain || mode.name.starts_with(&format!("{plain}#")));
+        let joints = |step: StepId| &self.step(step).joints;
+        let taken = self.modes.iter().filter(|mode| joints(mode.step) == joints(step));
         let name = match taken.count() {
             0 => plain,
             others => format!("{plain}#{}", others + 1),

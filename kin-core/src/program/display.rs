@@ -1,6 +1,6 @@
 //! Programs as text: one line for every instruction that does something, literals and loads in place.
 
-use super::{Instruction, Program, Slot, Value};
+use super::{Instruction, Program, Value};
 use crate::expr::{Names, Symbol};
 use core::fmt;
 
@@ -58,22 +58,5 @@ impl fmt::Display for Program {
             writeln!(f, "{slot} = {}", Operand(self, *value))?;
         }
         Ok(())
-    }
-}
-
-impl fmt::Display for Slot {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Phi(k) => write!(f, "Φ[{k}]"),
-            Self::PhiQ(k) => write!(f, "Φ_q[{k}]"),
-            Self::PhiT(k) => write!(f, "Φ_t[{k}]"),
-            Self::Gamma(k) => write!(f, "γ[{k}]"),
-            Self::Entry(k) => write!(f, "[{k}]"),
-            Self::Position(k) => write!(f, "q[{k}]"),
-            Self::Velocity(k) => write!(f, "q_dot[{k}]"),
-            Self::Acceleration(k) => write!(f, "q_ddot[{k}]"),
-            Self::Margin(k) => write!(f, "margin[{k}]"),
-            Self::Held(k) => write!(f, "held{k}"),
-        }
     }
 }

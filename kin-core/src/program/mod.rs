@@ -4,7 +4,6 @@
 
 mod display;
 mod gather;
-mod interpret;
 mod lower;
 mod numbered;
 mod roll;
@@ -12,9 +11,8 @@ mod signs;
 mod sums;
 
 pub use gather::gather;
-pub use interpret::interpret;
 pub use lower::lower;
-pub use roll::{Angles, Keep, Part, Piece, Rolled, Source, Step, Worth, finished, interpret_rolled, roll};
+pub use roll::{Angles, Keep, Part, Piece, Rolled, Source, Step, Worth, finished, roll};
 
 use crate::expr::{Bits, Symbol};
 use crate::hash::mixed;
@@ -150,79 +148,62 @@ impl Instruction {
     }
 }
 
-/// Where an output goes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Slot {
-    /// Entry of Φ.
-    Phi(usize),
-    /// Non-zero of Φ_q, by its place in the pattern.
-    PhiQ(usize),
-    /// Entry of Φ_t.
-    PhiT(usize),
-    /// Entry of γ.
-    Gamma(usize),
-    /// Entry of a plain list (geometry, guesses).
-    Entry(usize),
-    /// Entry of q, of a solution.
-    Position(usize),
-    /// Entry of q̇, of a solution.
-    Velocity(usize),
-    /// Entry of q̈, of a solution.
-    Acceleration(usize),
-    /// A margin of a solution.
-    Margin(usize),
-    /// A value for later parts of a solution.
-    Held(usize),
+/// The arrays that outputs go to, with what they are called.
+macro_rules! slots {
+    ($($(#[$doc:meta])* $array:ident $name:literal,)+) => {
+        /// Where an output goes.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum Slot {
+            $($(#[$doc])* $array(usize),)+
+        }
+
+        impl Slot {
+            /// Its place in the array that it is of.
+            pub const fn index(self) -> usize {
+                match self {
+                    $(Self::$array(k))|+ => k,
+                }
+            }
+
+            /// The slot at another place of the same array.
+            pub const fn at(self, k: usize) -> Self {
+                match self {
+                    $(Self::$array(_) => Self::$array(k),)+
+                }
+            }
+        }
+
+        impl core::fmt::Display for Slot {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                match self {
+                    $(Self::$array(k) => write!(f, concat!($name, "[{}]"), k),)+
+                }
+            }
+        }
+    };
 }
 
-impl Slot {
-    /// Its place in the array that it is of.
-    pub const fn index(self) -> usize {
-        match self {
-            Self::Phi(k)
-            | Self::PhiQ(k)
-            | Self::PhiT(k)
-            | Self::Gamma(k)
-            | Self::Entry(k)
-            | Self::Position(k)
-            | Self::Velocity(k)
-            | Self::Acceleration(k)
-            | Self::Margin(k)
-            | Self::Held(k) => k,
-        }
-    }
-
-    /// Which array it is of.
-    const fn array(self) -> u64 {
-        match self {
-            Self::Phi(_) => 0,
-            Self::PhiQ(_) => 1,
-            Self::PhiT(_) => 2,
-            Self::Gamma(_) => 3,
-            Self::Entry(_) => 4,
-            Self::Position(_) => 5,
-            Self::Velocity(_) => 6,
-            Self::Acceleration(_) => 7,
-            Self::Margin(_) => 8,
-            Self::Held(_) => 9,
-        }
-    }
-
-    /// The slot at another place of the same array.
-    pub const fn at(self, k: usize) -> Self {
-        match self {
-            Self::Phi(_) => Self::Phi(k),
-            Self::PhiQ(_) => Self::PhiQ(k),
-            Self::PhiT(_) => Self::PhiT(k),
-            Self::Gamma(_) => Self::Gamma(k),
-            Self::Entry(_) => Self::Entry(k),
-            Self::Position(_) => Self::Position(k),
-            Self::Velocity(_) => Self::Velocity(k),
-            Self::Acceleration(_) => Self::Acceleration(k),
-            Self::Margin(_) => Self::Margin(k),
-            Self::Held(_) => Self::Held(k),
-        }
-    }
+slots! {
+    /// Entry of Φ.
+    Phi "Φ",
+    /// Non-zero of Φ_q, by its place in the pattern.
+    PhiQ "Φ_q",
+    /// Entry of Φ_t.
+    PhiT "Φ_t",
+    /// Entry of γ.
+    Gamma "γ",
+    /// Entry of a plain list (geometry, guesses).
+    Entry "",
+    /// Entry of q, of a solution.
+    Position "q",
+    /// Entry of q̇, of a solution.
+    Velocity "q_dot",
+    /// Entry of q̈, of a solution.
+    Acceleration "q_ddot",
+    /// A margin of a solution.
+    Margin "margin",
+    /// A value for later parts of a solution.
+    Held "held",
 }
 
 impl Instruction {

@@ -8,6 +8,8 @@ mod direct;
 mod free;
 mod linkage;
 mod number;
+#[path = "../oracle/mod.rs"]
+pub mod oracle;
 mod partial;
 mod random;
 mod reader;
@@ -17,6 +19,7 @@ pub use direct::*;
 pub use free::*;
 pub use linkage::*;
 pub use number::*;
+pub use oracle::{interpret, interpret_rolled};
 pub use partial::*;
 pub use random::*;
 pub use reader::*;

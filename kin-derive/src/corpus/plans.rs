@@ -4,9 +4,10 @@
 use super::all;
 use super::repository::{Found, mechanisms};
 use crate::analyse::analyse;
+use crate::oracle::{Solution, run};
 use kin_core::KinematicSystem;
 use kin_core::expr::{Environment, Symbol, evaluate};
-use kin_core::plan::{Solution, SolutionPlan, plan, run};
+use kin_core::plan::{SolutionPlan, plan};
 
 /// Values of everything; functions are x ↦ 1 + 0.2 sin x.
 struct Values<'a> {

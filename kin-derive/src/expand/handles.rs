@@ -94,16 +94,9 @@ fn constant(
     let visibility = &lowered.item.vis;
     let span = lowered.span(origin);
     let handle = handle_name(name, span, lowered);
-    let ty = Ident::new(ty, Span::call_site());
-    let kind = match ty.to_string().as_str() {
-        "Body" => "The body",
-        "Coordinate" => "The coordinate",
-        "Point" => "The point",
-        "Quantity" => "The quantity",
-        _ => "The input",
-    };
     let written = lowered.docs.names.iter().find(|(documented, _)| documented == name).map(|(_, doc)| doc.clone());
-    let doc = written.unwrap_or_else(|| format!(" {kind} `{name}`."));
+    let doc = written.unwrap_or_else(|| format!(" The {} `{name}`.", ty.to_lowercase()));
+    let ty = Ident::new(ty, Span::call_site());
     let (ty, value) = match len {
         None => (quote! { __kin::#ty }, quote! { #(__kin::#ty(#places))* }),
         Some(len) => (quote! { [__kin::#ty; #len] }, quote! { [#(__kin::#ty(#places)),*] }),

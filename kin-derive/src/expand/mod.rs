@@ -1,4 +1,5 @@
-//! `KinematicSystem` to Rust items. Cannot fail: everything that can be wrong has been reported before.
+//! Kernels and tables to Rust items. Cannot fail: everything that can be wrong has been reported before; and computes
+//! nothing: every program is finished in `kin_core::kernels`.
 //!
 //! Nothing iterates a hash map on the way here: the same description gives the same tokens.
 

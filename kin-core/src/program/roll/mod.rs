@@ -13,14 +13,12 @@
 //! Results are the same to the last bit: the same operations in the same order, for every value.
 
 mod detect;
-mod interpret;
 mod join;
 mod resolve;
 mod rolled;
 mod straight;
 mod stream;
 
-pub use interpret::interpret_rolled;
 pub use join::Angles;
 pub use rolled::{Keep, Part, Piece, Rolled, Source, Step};
 

@@ -85,7 +85,7 @@ impl Kind {
     fn hashed(&self) -> u64 {
         let mut hash = match self.head {
             Head::Compute(instruction) => instruction.hashed(),
-            Head::Write(slot) => mixed(23, slot.array()),
+            Head::Write(_) => 23,
         };
         for operand in self.operands {
             hash = match operand {

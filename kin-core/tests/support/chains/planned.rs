@@ -1,8 +1,9 @@
 //! A solution plan with the mechanism that it belongs to.
 
 use super::{Oracle, environment};
+use crate::support::oracle::{Solution, closures, resolve, run};
 use kin_core::expr::Symbol;
-use kin_core::plan::{Solution, SolutionPlan, closures, plan, resolve, run};
+use kin_core::plan::{SolutionPlan, plan};
 use kin_core::vocabulary::StepKind;
 
 pub struct Planned(pub SolutionPlan);

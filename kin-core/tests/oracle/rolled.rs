@@ -1,9 +1,8 @@
 //! The interpreter of rolled programs: what the loops say, and nothing of the program they came from.
 
-use super::rolled::{Part, Piece, Rolled, Source, Step};
-use crate::expr::{Environment, Symbol};
-use crate::program::interpret::compute;
-use crate::program::{Slot, Value};
+use super::program::compute;
+use kin_core::expr::{Environment, Symbol};
+use kin_core::program::{Part, Piece, Rolled, Slot, Source, Step, Value};
 use std::collections::HashMap;
 
 /// The outputs of `rolled`, in the order in which it writes them.

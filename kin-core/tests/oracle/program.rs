@@ -1,7 +1,8 @@
 //! The interpreter: runs a program in double precision, as an oracle of the emitted code.
 
-use super::{Instruction, Program, Slot, Value};
-use crate::expr::{Environment, Symbol, function, nearest};
+use kin_core::expr::{Environment, Symbol};
+use kin_core::mechanism::Function;
+use kin_core::program::{Instruction, Program, Slot, Value};
 
 /// The outputs of `program`.
 pub fn interpret(program: &Program, environment: &impl Environment) -> Vec<(Slot, f64)> {
@@ -22,7 +23,7 @@ pub fn interpret(program: &Program, environment: &impl Environment) -> Vec<(Slot
 }
 
 /// What an instruction computes of its operands; a pair has the sine first. Loads and parts are no computation.
-pub(super) fn compute(instruction: &Instruction, environment: &impl Environment, v: impl Fn(Value) -> f64) -> [f64; 3] {
+pub fn compute(instruction: &Instruction, environment: &impl Environment, v: impl Fn(Value) -> f64) -> [f64; 3] {
     match *instruction {
         Instruction::Number(_)
         | Instruction::Load(_)
@@ -43,4 +44,25 @@ pub(super) fn compute(instruction: &Instruction, environment: &impl Environment,
         Instruction::Powf(a, n) => [v(a).powf(n.value()), 0.0, 0.0],
         Instruction::Supplied(f, a) => std::array::from_fn(|order| environment.supplied(f, order as u8, v(a))),
     }
+}
+
+/// A function of the user's language.
+fn function(f: Function, x: f64) -> f64 {
+    match f {
+        Function::Sin => x.sin(),
+        Function::Cos => x.cos(),
+        Function::Tan => x.tan(),
+        Function::Asin => x.asin(),
+        Function::Acos => x.acos(),
+        Function::Atan => x.atan(),
+        Function::Sqrt => x.sqrt(),
+        Function::Exp => x.exp(),
+        Function::Ln => x.ln(),
+        Function::Abs => x.abs(),
+    }
+}
+
+/// The angle `a` + 2πn that is nearest to `b`.
+fn nearest(a: f64, b: f64) -> f64 {
+    a + core::f64::consts::TAU * ((b - a) / core::f64::consts::TAU).round()
 }

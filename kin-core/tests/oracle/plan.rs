@@ -1,9 +1,9 @@
 //! Runs a plan in double precision: the oracle of the generated code.
 
-use super::{Section, SolutionPlan};
-use crate::expr::{Environment, Symbol};
-use crate::program::{Program, Slot, interpret};
-use crate::vocabulary::Depth;
+use super::program::interpret;
+use kin_core::expr::{Environment, Symbol};
+use kin_core::plan::{Section, SolutionPlan};
+use kin_core::program::{Program, Slot};
 
 /// What a plan gives.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -125,11 +125,4 @@ pub fn resolve(plan: &SolutionPlan, environment: &impl Environment) -> Vec<f64> 
 
 fn entries(program: &Program, environment: &impl Environment) -> Vec<f64> {
     interpret(program, environment).into_iter().map(|(_, value)| value).collect()
-}
-
-impl SolutionPlan {
-    /// The programs of q alone, or as far as `depth`.
-    pub fn sections_to(&self, depth: Depth) -> impl Iterator<Item = &Section> {
-        self.sections.iter().filter(move |(_, own)| *own <= depth).map(|(section, _)| section)
-    }
 }
