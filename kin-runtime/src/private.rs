@@ -6,9 +6,8 @@ pub use crate::generic::GenericMechanism;
 pub use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 pub use crate::model::{
     Body, BodyInfo, Component, ConditionInfo, Coordinate, CoordinateInfo, CoordinateKind, DefineInfo, EquationText,
-    FamilyInfo, FamilyKind, Frame, GenericRedundancy, Geometry, Input, JointInfo, JointKind, JointQuantity, Level,
-    LineText, Model, Observable, OperationCount, OriginKind, ParameterInfo, Pattern, Point, PointInfo, Quantity, Role,
-    RowInfo, StepText, Structure,
+    Frame, GenericRedundancy, Geometry, Input, JointInfo, JointKind, Level, LineText, Model, Observable,
+    OperationCount, OriginKind, ParameterInfo, Pattern, Point, PointInfo, Quantity, Role, RowInfo, StepText, Structure,
 };
 pub use crate::plan::{Depth, ModeInfo, Plan, PlanStep, Solved, StepKind, coarseness, iterate};
 pub use crate::scalar::Scalar;

@@ -18,7 +18,7 @@ pub(super) fn joints(system: &KinematicSystem, packed: bool) -> TokenStream {
         quote! { __kin::Geometry { role: #role, frame: #frame, offset: #offset } }
     };
     let quantity = |name: &str, observable: usize| {
-        quote! { __kin::JointQuantity { name: #name, observable: #observable } }
+        quote! { __kin::DefineInfo { name: #name, observable: #observable, varies: true } }
     };
     if packed {
         let mut packed = Packed::new(joints.len());

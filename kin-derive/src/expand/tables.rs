@@ -6,7 +6,7 @@ use super::instructions::literal;
 use super::joints::joints;
 use super::kernel::Layout;
 use super::packed::{Packed, any_is_long};
-use kin_core::constraint::{CoordinateKind, Family, ObservableKind};
+use kin_core::constraint::{CoordinateKind, ObservableKind};
 use kin_core::mechanism::{Component, Mechanism};
 use kin_core::plan::SolutionPlan;
 use kin_core::program::OperationCount;
@@ -61,7 +61,6 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     });
     let constraint_pattern = pattern(tables.constraints, set.rows.len(), packed);
     let observable_pattern = pattern(tables.observables, set.observables.len(), packed);
-    let families = families(tables.system);
     let guesses = set.guesses.iter().map(|(k, _)| *k as usize);
     let geometry = set.geometry.len();
     let operations = operations(tables.operations);
@@ -87,7 +86,6 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
             constraint_pattern: #constraint_pattern,
             observables: #observables,
             observable_pattern: #observable_pattern,
-            families: &[#(#families),*],
             guesses: &[#(#guesses),*],
             geometry: #geometry,
             allow_redundant: #allow_redundant,
@@ -278,21 +276,6 @@ fn rows(system: &KinematicSystem, packed: bool) -> TokenStream {
     }
     let rows = rows.map(|(row, class)| tokens(&row.name, row.joint, class));
     quote! { &[#(#rows),*] }
-}
-
-fn families(system: &KinematicSystem) -> impl Iterator<Item = TokenStream> {
-    let of = |families: &[Family], kind: &'static str| {
-        let tokens = families.iter().map(|family| {
-            let (name, first, members, stride) = (&family.name, family.first, family.members, family.stride);
-            let kind = variant("FamilyKind", kind);
-            quote! {
-                __kin::FamilyInfo { name: #name, kind: #kind, first: #first, members: #members, stride: #stride }
-            }
-        });
-        tokens.collect::<Vec<_>>()
-    };
-    let set = &system.set;
-    of(&set.body_families, "Bodies").into_iter().chain(of(&set.row_families, "Rows"))
 }
 
 fn pattern(layout: &Layout, rows: usize, packed: bool) -> TokenStream {

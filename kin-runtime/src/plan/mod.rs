@@ -21,6 +21,7 @@ pub enum Depth {
 }
 
 /// Where a solution is written.
+#[doc(hidden)]
 #[derive(Debug)]
 pub struct Solved<'a, T> {
     /// q, n numbers.

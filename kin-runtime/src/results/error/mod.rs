@@ -192,7 +192,7 @@ pub enum SolveError {
         /// The joint.
         joint: &'static str,
         /// What it lacks.
-        fault: GeometryFault,
+        fault: Degeneracy,
     },
     /// NaN or infinity in an argument, a parameter or a result.
     NonFinite {
