@@ -6,14 +6,15 @@ use crate::mechanism::{LengthError, Mechanism};
 use crate::mobility::Mobility;
 use crate::model::Pattern;
 use crate::plan::ModeInfo;
-use crate::series::{Derivatives, PowerSeries};
+use crate::series::Derivatives;
 use crate::solver::Solver;
 use crate::state::State;
 use crate::trajectory::Trajectory;
 use crate::workspace::Instant;
 use nalgebra::{DMatrix, DVector};
 
-/// The analyses, under the names of the field, for every mechanism; [`Solver`] has them with options.
+/// The analyses under the names of the field, for every mechanism: each is the method of a [`Solver`] with default options,
+/// where it is described with its errors.
 pub trait Kinematics: Mechanism {
     /// A solver with default options and the mechanism's own guesses.
     fn solver(&self) -> Solver<'_, Self> {
@@ -26,77 +27,47 @@ pub trait Kinematics: Mechanism {
         Self::model().plan.modes
     }
 
-    /// q with Φ(q, t) = 0 near `guess`, which has n numbers.
-    ///
-    /// # Errors
-    /// As [`Solver::position`].
-    fn position_analysis(&self, at: &Instant<'_>, guess: &[f64]) -> Result<Vec<f64>, SolveError> {
-        Ok(self.solver().position(at, guess)?.q)
+    /// q of [`Solver::position`].
+    fn position_analysis(&self, at: &Instant<'_>, start: &[f64]) -> Result<Vec<f64>, SolveError> {
+        Ok(self.solver().position(at, start)?.q)
     }
 
-    /// q̇ with Φ_q q̇ = −Φ_t at an assembled q.
-    ///
-    /// # Errors
-    /// As [`Solver::velocity`].
+    /// [`Solver::velocity`].
     fn velocity_analysis(&self, at: &Instant<'_>, q: &[f64]) -> Result<Vec<f64>, SolveError> {
         self.solver().velocity(at, q)
     }
 
-    /// q̈ with Φ_q q̈ = γ at an assembled q and its q̇.
-    ///
-    /// # Errors
-    /// As [`Solver::acceleration`].
+    /// [`Solver::acceleration`].
     fn acceleration_analysis(&self, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<Vec<f64>, SolveError> {
         self.solver().acceleration(at, q, q_dot)
     }
 
-    /// q, q̇, q̈, jerk q⃛ and so on up to `order`, at a solved state.
-    ///
-    /// # Errors
-    /// As [`Solver::derivatives`].
-    fn derivatives(&self, state: &State, order: usize) -> Result<Derivatives, SolveError>
-    where
-        Self: PowerSeries,
-    {
-        self.solver().derivatives(state, order)
-    }
-
-    /// Position, velocity and acceleration at every instant of `times`, on the branch of the first.
-    ///
-    /// # Errors
-    /// As [`Solver::sweep`].
-    fn kinematic_analysis(&self, times: &[f64]) -> Result<Trajectory, SweepError> {
-        self.solver().sweep(times)
-    }
-
-    /// Assembly, velocity and acceleration at one instant, from the mechanism's guesses.
-    ///
-    /// # Errors
-    /// As [`Solver::state`].
+    /// [`Solver::state`].
     fn state_at(&self, at: &Instant<'_>) -> Result<State, SolveError> {
         self.solver().state(at)
     }
 
-    /// δ = n − rank of the rows that do not drive.
-    ///
-    /// # Errors
-    /// As [`Solver::mobility`].
-    fn degrees_of_freedom(&self, at: &Instant<'_>, q: &[f64]) -> Result<usize, SolveError> {
-        Ok(self.mobility(at, q)?.degrees_of_freedom)
+    /// [`Solver::sweep`].
+    fn kinematic_analysis(&self, times: &[f64]) -> Result<Trajectory, SweepError> {
+        self.solver().sweep(times)
     }
 
-    /// Degrees of freedom, independent coordinates, redundant rows and conditioning.
-    ///
-    /// # Errors
-    /// As [`Solver::mobility`].
+    /// [`Solver::derivatives`].
+    fn derivatives(&self, state: &State, order: usize) -> Result<Derivatives, SolveError> {
+        self.solver().derivatives(state, order)
+    }
+
+    /// [`Solver::mobility`].
     fn mobility(&self, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError> {
         self.solver().mobility(at, q)
     }
 
-    /// Every entry of Φ_q, Φ_t and γ against dual numbers at random configurations.
-    ///
-    /// # Errors
-    /// As [`Solver::cross_check`].
+    /// δ = n − rank of the rows that do not drive, of [`Solver::mobility`].
+    fn degrees_of_freedom(&self, at: &Instant<'_>, q: &[f64]) -> Result<usize, SolveError> {
+        Ok(self.solver().mobility(at, q)?.degrees_of_freedom)
+    }
+
+    /// [`Solver::cross_check`].
     fn cross_check(&self) -> Result<CrossCheck, SolveError> {
         self.solver().cross_check(&CrossCheckOptions::default())
     }

@@ -58,7 +58,7 @@ pub mod tracker;
 #[cfg(feature = "cli")]
 pub mod cli;
 #[cfg(feature = "cli")]
-pub mod present;
+mod present;
 
 pub use evaluation::curve::CurvePoint;
 pub use evaluation::{generic, mechanism, signal, workspace};
@@ -92,7 +92,7 @@ pub use crate::{
 #[cfg(feature = "std")]
 #[doc(no_inline)]
 pub use crate::{
-    cross_check::{Configuration, CrossCheck, CrossCheckOptions, FunctionCheck, PlanCheck, WorstEntry, WorstPlanned},
+    cross_check::{Configuration, CrossCheck, CrossCheckOptions, FunctionCheck, WorstEntry},
     error::{Degeneracy, GeometryFault, Refusal, SolveError, SweepError},
     events::{Crossing, Event, Unwatched},
     forces::{Effort, Forces, Reaction, SpringForce, Wrench},
@@ -102,7 +102,7 @@ pub use crate::{
     motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates},
     observer::{Observer, Reached},
     options::Options,
-    ratios::{InputRatio, VelocityRatio, VelocityRatios},
+    ratios::{VelocityRatio, VelocityRatios},
     series::{Derivatives, MotionDerivatives},
     solver::{Position, Solver},
     state::State,

@@ -41,7 +41,8 @@ fn point_names(model: &Model) -> impl Iterator<Item = &'static str> + use<> {
     points.iter().map(|point| point.name)
 }
 
-fn coordinate_names(model: &Model) -> Vec<&'static str> {
+/// The names of all coordinates.
+pub(crate) fn coordinate_names(model: &Model) -> Vec<&'static str> {
     model.coordinates.iter().map(|coordinate| coordinate.name).collect()
 }
 
@@ -121,8 +122,8 @@ macro_rules! by_name {
                     .collect();
                 let conditions: Named<_> = model.conditions.iter().map(|c| c.name).zip(&self.conditions).collect();
                 let mut s = serializer.serialize_struct(stringify!($report), 5)?;
-                s.serialize_field("bodies", &bodies)?;
                 s.serialize_field("points", &points)?;
+                s.serialize_field("bodies", &bodies)?;
                 s.serialize_field("defines", &defines)?;
                 s.serialize_field("joints", &joints)?;
                 s.serialize_field("conditions", &conditions)?;

@@ -43,7 +43,7 @@ fn joints_of_a_body_that_an_input_moves_drive_nothing() {
     assert_eq!(moving.position_degrees_of_freedom, 2);
     assert_eq!(moving.generic_degrees_of_freedom, Some(2));
     assert_eq!(moving.independent, standing.independent);
-    let names: Vec<&str> = ratios.drivers.iter().map(|driver| driver.row_name).collect();
+    let names: Vec<&str> = ratios.drivers.iter().map(|driver| driver.name).collect();
     assert_eq!(names, ["left", "right"]);
     for (found, expected) in ratios.drivers.iter().zip(&expected.drivers) {
         for (found, expected) in found.first.iter().zip(&expected.first) {

@@ -259,24 +259,3 @@ fn families() {
     expected.extend([pads[3], pads[1]]);
     assert_near(&solved(&Families::default(), t), &expected);
 }
-
-/// Families stay visible from the description to the tables.
-#[test]
-fn families_are_listed_with_their_layout() {
-    use kin_runtime::model::{FamilyInfo, FamilyKind};
-    #[mechanism]
-    #[bodies(base, link[4])]
-    #[angle(level: base = 0)]
-    #[revolute(root: ground @ (0, 0), base @ (0, 0))]
-    #[revolute(first: base @ (0, 0), link[0] @ (0, 0))]
-    #[revolute(pin[i in 0..3]: link[i] @ (0.1, 0), link[i + 1] @ (0, 0))]
-    #[driver(turn[i in 0..4]: link[i].phi = t)]
-    struct Family;
-    let link = FamilyInfo { name: "link", kind: FamilyKind::Bodies, first: 1, members: 4, stride: 1 };
-    let pin = FamilyInfo { name: "pin", kind: FamilyKind::Rows, first: 5, members: 3, stride: 2 };
-    let turn = FamilyInfo { name: "turn", kind: FamilyKind::Rows, first: 11, members: 4, stride: 1 };
-    let model = <Family as kin_runtime::Mechanism>::model();
-    assert_eq!(model.families, [link, pin, turn]);
-    assert_eq!(model.rows[pin.first + 2 * pin.stride].name, "pin[2].x");
-    assert_eq!(model.bodies[link.first + 3].name, "link[3]");
-}

@@ -19,7 +19,7 @@ pub(super) fn joints(system: &KinematicSystem, writer: Writer) -> TokenStream {
     let quantities =
         joints.iter().map(|joint| joint.quantities.iter().map(|of| (of.name, [Cell::Word(of.observable)])).collect());
     let quantities = writer.lists("quantities", quantities, |name, [observable]| {
-        quote! { __kin::JointQuantity { name: #name, observable: #observable } }
+        quote! { __kin::DefineInfo { name: #name, observable: #observable, varies: true } }
     });
     let entries = joints.iter().zip(geometry.cells.into_iter().zip(quantities.cells));
     let entries = entries.map(|(joint, (geometry, quantities))| {

@@ -6,7 +6,7 @@ use super::instructions::literal;
 use super::joints::joints;
 use super::table::{Cell, Writer};
 use kin_core::Kernels;
-use kin_core::constraint::{CoordinateKind, Family, ObservableKind};
+use kin_core::constraint::{CoordinateKind, ObservableKind};
 use kin_core::kernels::Pattern;
 use kin_core::mechanism::Mechanism;
 use kin_core::plan::SolutionPlan;
@@ -60,7 +60,6 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     });
     let constraint_pattern = pattern(&tables.kernels.constraint_pattern, writer);
     let observable_pattern = pattern(&tables.kernels.observable_pattern, writer);
-    let families = families(tables.system);
     let guesses = set.guesses.iter().map(|(k, _)| *k as usize);
     let geometry = set.geometry.len();
     let operations = operations(tables.kernels.operations);
@@ -86,7 +85,6 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
             constraint_pattern: #constraint_pattern,
             observables: #observables,
             observable_pattern: #observable_pattern,
-            families: &[#(#families),*],
             guesses: &[#(#guesses),*],
             geometry: #geometry,
             allow_redundant: #allow_redundant,
@@ -208,21 +206,6 @@ fn rows(system: &KinematicSystem, writer: Writer) -> TokenStream {
             }
         }
     })
-}
-
-fn families(system: &KinematicSystem) -> impl Iterator<Item = TokenStream> {
-    let of = |families: &[Family], kind: &'static str| {
-        let tokens = families.iter().map(|family| {
-            let (name, first, members, stride) = (&family.name, family.first, family.members, family.stride);
-            let kind = variant("FamilyKind", kind);
-            quote! {
-                __kin::FamilyInfo { name: #name, kind: #kind, first: #first, members: #members, stride: #stride }
-            }
-        });
-        tokens.collect::<Vec<_>>()
-    };
-    let set = &system.set;
-    of(&set.body_families, "Bodies").into_iter().chain(of(&set.row_families, "Rows"))
 }
 
 fn pattern(pattern: &Pattern, writer: Writer) -> TokenStream {

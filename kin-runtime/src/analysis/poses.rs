@@ -4,7 +4,8 @@ use crate::equations::system::Parts;
 use crate::equations::{Equations, finite};
 use crate::error::SolveError;
 use crate::model::Model;
-use crate::motion::{BodyMotion, PointMotion, Rates, name};
+use crate::motion::{BodyMotion, PointMotion, name};
+use crate::signal::Signal;
 use crate::state::State;
 use crate::workspace::Instant;
 
@@ -65,7 +66,7 @@ pub(crate) fn write_poses(parts: &Parts<'_>, state: &mut State) -> Result<(), So
 }
 
 /// Writes bodies and points by what `rates` says of an observable, which may be a coordinate.
-fn write(model: &Model, state: &mut State, mut rates: impl FnMut(&State, usize, Option<usize>) -> Rates) {
+fn write(model: &Model, state: &mut State, mut rates: impl FnMut(&State, usize, Option<usize>) -> Signal) {
     // The vectors are used again: a tracker allocates nothing here.
     let (mut bodies, mut points) = (core::mem::take(&mut state.bodies), core::mem::take(&mut state.points));
     bodies.clear();

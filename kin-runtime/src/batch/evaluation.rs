@@ -2,11 +2,12 @@
 
 use super::BatchError;
 use super::column::{Arguments, Block, Configurations};
-use super::run::{Watch, Work, blocks, run};
+use super::run::{CHUNK, Progress, Shape, blocks, drive};
 use crate::mechanism::{Mechanism, Workspace};
 use crate::scalar::lanes::Lanes;
 use crate::workspace::Subset;
 use alloc::vec::Vec;
+use core::ops::ControlFlow;
 
 /// The results of a batch of evaluations: a workspace of [`Lanes`] for every block of four configurations.
 pub struct Evaluations<M: Mechanism> {
@@ -58,32 +59,6 @@ impl<M: Mechanism> Evaluations<M> {
     }
 }
 
-/// The work of [`evaluate`].
-struct Evaluate<'a, M> {
-    mechanism: &'a M,
-    subset: Subset,
-    configurations: &'a Configurations<'a>,
-}
-
-impl<'a, M: Mechanism + Sync> Work for Evaluate<'a, M>
-where
-    Workspace<M, Lanes>: Send,
-{
-    type Block = Workspace<M, Lanes>;
-    type Scratch = Arguments<'a, M, Lanes>;
-
-    fn scratch(&self) -> Arguments<'a, M, Lanes> {
-        Arguments::new(self.configurations)
-    }
-
-    #[inline]
-    fn block(&self, first: usize, arguments: &mut Arguments<'a, M, Lanes>, out: &mut Self::Block) {
-        let Block { parameters, at, q, q_dot } = arguments.block(first);
-        let lengths = self.mechanism.evaluate_with(parameters, self.subset, &at, q, q_dot, out);
-        debug_assert!(lengths.is_ok(), "the columns have been counted");
-    }
-}
-
 /// Φ, Φ_q, Φ_t, γ, or any subset of them, of all configurations; `out` says how many there are.
 ///
 /// Parts that `subset` does not ask for may be overwritten or left alone. `watch` is told how far it is and may stop it;
@@ -96,11 +71,19 @@ pub fn evaluate<M: Mechanism + Sync>(
     subset: Subset,
     configurations: &Configurations<'_>,
     out: &mut Evaluations<M>,
-    watch: Watch<'_>,
+    watch: &(dyn Fn(Progress) -> ControlFlow<()> + Sync),
 ) -> Result<(), BatchError>
 where
     Workspace<M, Lanes>: Send,
 {
     configurations.check::<M>(out.count)?;
-    run(&Evaluate { mechanism, subset, configurations }, out.count, &mut out.blocks, watch)
+    let shape = Shape { count: out.count, width: Lanes::COUNT, stride: 1, chunk: CHUNK };
+    let arguments = || Arguments::<M, Lanes>::new(configurations);
+    drive(&shape, &mut out.blocks, watch, arguments, |first, arguments, out| {
+        let Block { parameters, at, q, q_dot } = arguments.block(first);
+        for workspace in out {
+            let lengths = mechanism.evaluate_with(parameters, subset, &at, q, q_dot, workspace);
+            debug_assert!(lengths.is_ok(), "the columns have been counted");
+        }
+    })
 }

@@ -51,8 +51,6 @@
 //!
 //! [`solve`] gives q, q̇ and q̈ by the plan ([`crate::plan`]), and [`sweep`] the whole motion of many sets of parameters over one
 //! time grid, handed to a closure as it goes, so that millions of motions take no memory for their states.
-//!
-//! [`run`] is the driver below it: any [`Work`] over blocks of lanes, with progress and cancellation.
 
 mod column;
 mod end;
@@ -71,7 +69,7 @@ pub use column::{Column, Configurations};
 pub use end::End;
 pub use evaluation::{Evaluations, evaluate};
 pub use modes::Modes;
-pub use run::{Progress, Watch, Work, always, blocks, run};
+pub use run::{Progress, always};
 pub use solution::{Problems, Solutions, solve};
 pub use sweep::{Moment, Motions, Sweeps, sweep};
 

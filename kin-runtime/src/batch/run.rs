@@ -8,26 +8,6 @@ use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 /// Blocks between two looks at the watch, and in one piece of work of a core, where a block takes a moment.
 pub(super) const CHUNK: usize = 512;
 
-/// What is done with a block of [`Lanes::COUNT`] configurations.
-pub trait Work: Sync {
-    /// The results of a block.
-    type Block: Send;
-    /// What one thread needs besides; made once and used for many blocks.
-    type Scratch;
-
-    /// Scratch of a thread.
-    fn scratch(&self) -> Self::Scratch;
-
-    /// The configurations `first`, `first + 1`, … one in each lane. In the last block of a batch some of them may not
-    /// exist; what their lanes hold is nobody's concern.
-    fn block(&self, first: usize, scratch: &mut Self::Scratch, out: &mut Self::Block);
-
-    /// Blocks between two looks at the watch, at least one: fewer where a block takes long.
-    fn chunk(&self) -> usize {
-        CHUNK
-    }
-}
-
 /// How far a batch is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
@@ -39,7 +19,7 @@ pub struct Progress {
 
 /// Is told every few thousand configurations (every few motions in a sweep) how far the batch is, from any of the threads,
 /// and says whether to go on.
-pub type Watch<'a> = &'a (dyn Fn(Progress) -> ControlFlow<()> + Sync);
+pub(super) type Watch<'a> = &'a (dyn Fn(Progress) -> ControlFlow<()> + Sync);
 
 /// Goes on.
 pub fn always(_: Progress) -> ControlFlow<()> {
@@ -47,24 +27,8 @@ pub fn always(_: Progress) -> ControlFlow<()> {
 }
 
 /// How many blocks `count` configurations take.
-pub const fn blocks(count: usize) -> usize {
+pub(super) const fn blocks(count: usize) -> usize {
     count.div_ceil(Lanes::COUNT)
-}
-
-/// Does `work` for `count` configurations, with results in the first [`blocks`]`(count)` of `out`.
-///
-/// # Errors
-/// [`BatchError::Length`] when `out` is too short, and [`BatchError::Stopped`] when `watch` said so.
-pub fn run<W: Work>(work: &W, count: usize, out: &mut [W::Block], watch: Watch<'_>) -> Result<(), BatchError> {
-    let found = out.len();
-    let Some(out) = out.get_mut(..blocks(count)) else {
-        return Err(crate::LengthError { what: "the list of blocks", expected: blocks(count), found }.into());
-    };
-    let shape = Shape { count, width: Lanes::COUNT, stride: 1, chunk: work.chunk().max(1) };
-    let block = |first: usize, scratch: &mut W::Scratch, out: &mut [W::Block]| {
-        out.iter_mut().for_each(|out| work.block(first, scratch, out));
-    };
-    drive(&shape, out, watch, || work.scratch(), block)
 }
 
 /// What a batch is cut into.

@@ -5,7 +5,7 @@ use super::column::{Arguments, Column, Configurations, check_list, check_signals
 use super::modes::Modes;
 use super::motion::least_length;
 use super::poses::{Poses, Question};
-use super::run::{CHUNK, Shape, Watch, drive};
+use super::run::{CHUNK, Progress, Shape, drive};
 use crate::mechanism::Mechanism;
 use crate::plan::Depth;
 use crate::planned::lists::{self, Margins};
@@ -14,6 +14,7 @@ use crate::scalar::lanes::{Octet, Pack};
 use crate::signal::Signal;
 use alloc::vec::Vec;
 use core::marker::PhantomData;
+use core::ops::ControlFlow;
 
 /// What a batch is to solve, a column for each number that one solution takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -194,7 +195,7 @@ pub fn solve<M: Mechanism + Sync>(
     depth: Depth,
     problems: &Problems<'_>,
     out: &mut Solutions<M>,
-    watch: Watch<'_>,
+    watch: &(dyn Fn(Progress) -> ControlFlow<()> + Sync),
 ) -> Result<(), BatchError> {
     if let Some(why) = M::model().plan.absent {
         return Err(BatchError::NoPlan(why));

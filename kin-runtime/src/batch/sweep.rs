@@ -5,7 +5,7 @@ use super::column::{Arguments, Column, Configurations, check_list, check_signals
 use super::end::{End, Outcome};
 use super::modes::Modes;
 use super::motion::Motion;
-use super::run::{Shape, Watch, blocks, drive};
+use super::run::{Progress, Shape, blocks, drive};
 use crate::mechanism::Mechanism;
 use crate::scalar::Scalar;
 use crate::scalar::lanes::{Lanes, Octet, Pack};
@@ -14,6 +14,7 @@ use crate::workspace::Array;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::marker::PhantomData;
+use core::ops::ControlFlow;
 
 /// Instants of all blocks between two looks at the watch.
 const INSTANTS: usize = 512;
@@ -270,7 +271,7 @@ pub fn sweep<M, S>(
     mechanism: &M,
     sweeps: &Sweeps<'_>,
     out: &mut Motions<S>,
-    watch: Watch<'_>,
+    watch: &(dyn Fn(Progress) -> ControlFlow<()> + Sync),
     visit: impl Fn(&mut S, &Moment<'_>) + Sync,
 ) -> Result<(), BatchError>
 where

@@ -11,7 +11,7 @@ use super::session::Session;
 use super::solved::{analysis, driven_state, note_freedom};
 use super::values;
 use super::watch::Watch;
-use crate::cross_check::{Configuration, CrossCheck, CrossCheckOptions, PlanCheck};
+use crate::cross_check::{Configuration, CrossCheck, CrossCheckOptions};
 use crate::error::SolveError;
 use crate::present::json::to_json;
 use crate::present::number::{magnitude, plain};
@@ -47,7 +47,7 @@ pub(super) struct Findings {
     passed: bool,
     cross_check: CrossCheck,
     /// None where there is no plan.
-    plan: Option<PlanCheck>,
+    plan: Option<CrossCheck>,
     /// None where the mechanism could not be solved, or inputs have no value.
     closure: Option<Closure>,
 }
@@ -190,7 +190,7 @@ pub(super) fn facts(findings: &Findings) -> Facts {
 }
 
 /// What the plan's answers are worth; where it has none, that is said and not taken for an error of 0.
-fn add_plan(facts: &mut Facts, plan: &PlanCheck) {
+fn add_plan(facts: &mut Facts, plan: &CrossCheck) {
     let label = "compared with full Newton";
     if plan.configurations == 0 {
         let words = ["numbers: the plan has no answer away from limits here", "and full Newton takes over"];
@@ -199,7 +199,7 @@ fn add_plan(facts: &mut Facts, plan: &PlanCheck) {
     }
     let skipped = (plan.skipped > 0).then(|| format!("{} skipped beside or beyond limits", plan.skipped));
     let solved = format!("of the plan's q, q̇, q̈ at {}", count(plan.configurations, "configuration"));
-    let place = (!plan.worst.name.is_empty()).then(|| format!("{} of {}", plan.worst.what, plan.worst.name));
+    let place = (!plan.worst.row_name.is_empty()).then(|| format!("{} of {}", plan.worst.matrix, plan.worst.row_name));
     facts.add(label, plan.entries, std::iter::once(solved).chain(skipped)).add(
         "  worst error",
         magnitude(plan.max_error),

@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::names::listing;
-use crate::cross_check::{CrossCheck, CrossCheckOptions, PlanCheck};
+use crate::cross_check::{CrossCheck, CrossCheckOptions};
 use crate::error::SolveError;
 use crate::evaluation::curve::CurvePoint;
 use crate::forces::Forces;
@@ -87,7 +87,8 @@ pub(super) trait Engine {
     fn transmission_angles(&self, state: &State) -> Result<Vec<TransmissionAngle>, SolveError>;
     fn cross_check(&self, options: &CrossCheckOptions, observer: Observer<'_>) -> Result<CrossCheck, SolveError>;
     /// The plan against the equations and against full Newton; none where there is no plan.
-    fn plan_check(&self, options: &CrossCheckOptions, observer: Observer<'_>) -> Result<Option<PlanCheck>, SolveError>;
+    fn plan_check(&self, options: &CrossCheckOptions, observer: Observer<'_>)
+    -> Result<Option<CrossCheck>, SolveError>;
     /// The modes of a configuration; none where there is no plan.
     fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Vec<Mode>;
     /// Local points, axes, values and radii at an instant.
@@ -185,7 +186,11 @@ impl<M: Mechanism> Engine for Bound<M> {
         Solver::new(&self.mechanism).with_observer(observer).cross_check(options)
     }
 
-    fn plan_check(&self, options: &CrossCheckOptions, observer: Observer<'_>) -> Result<Option<PlanCheck>, SolveError> {
+    fn plan_check(
+        &self,
+        options: &CrossCheckOptions,
+        observer: Observer<'_>,
+    ) -> Result<Option<CrossCheck>, SolveError> {
         let exists = M::model().plan.exists();
         exists.then(|| Solver::new(&self.mechanism).with_observer(observer).plan_check(options)).transpose()
     }

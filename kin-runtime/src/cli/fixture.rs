@@ -2,8 +2,8 @@
 
 use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 use crate::model::{
-    BodyInfo, Component, CoordinateInfo, CoordinateKind, DefineInfo, Frame, JointInfo, JointKind, JointQuantity, Level,
-    Model, Observable, OperationCount, OriginKind, ParameterInfo, Pattern, PointInfo, RowInfo,
+    BodyInfo, Component, CoordinateInfo, CoordinateKind, DefineInfo, Frame, JointInfo, JointKind, Level, Model,
+    Observable, OperationCount, OriginKind, ParameterInfo, Pattern, PointInfo, RowInfo,
 };
 use crate::scalar::Scalar;
 use crate::workspace::{Instant, Signal, Subset};
@@ -34,7 +34,7 @@ const fn row(name: &'static str, joint: usize, driving: bool) -> RowInfo {
     RowInfo { name, joint, level: Level::Position, rheonomic: driving, driving, bilateral: true }
 }
 
-const fn joint(name: &'static str, kind: JointKind, first_row: usize, q: &'static [JointQuantity]) -> JointInfo {
+const fn joint(name: &'static str, kind: JointKind, first_row: usize, q: &'static [DefineInfo]) -> JointInfo {
     JointInfo { name, kind, frames: [None, None], first_row, rows: 1, geometry: &[], quantities: q }
 }
 
@@ -42,7 +42,7 @@ const fn pose(component: Component) -> Observable {
     Observable::Pose { body: 0, component }
 }
 
-const STROKE: &[JointQuantity] = &[JointQuantity { name: "stroke", observable: 6 }];
+const STROKE: &[DefineInfo] = &[DefineInfo { name: "stroke", observable: 6, varies: true }];
 
 const MODEL: Model = Model {
     name: "CrossHead",
@@ -85,7 +85,6 @@ const MODEL: Model = Model {
         entries: &[(2, 0), (3, 0), (4, 0), (5, 1), (6, 1)],
         constants: &[(0, 1.0), (3, 2.0), (4, 1.0)],
     },
-    families: &[],
     guesses: &[0],
     geometry: 2,
     allow_redundant: false,

@@ -3,6 +3,7 @@
 use crate::mechanism::Mechanism;
 
 /// A mechanism with a default for every parameter, where its program begins; every such mechanism is one.
+#[doc(hidden)]
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no mechanism with default parameters",
     label = "its program begins with the defaults",

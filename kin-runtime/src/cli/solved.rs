@@ -4,7 +4,7 @@ use super::engine::{Engine, Setup};
 use super::failure::Failure;
 use super::names::listing;
 use super::session::Session;
-use crate::error::{GeometryFault, SolveError};
+use crate::error::{Degeneracy, SolveError};
 use crate::mobility::Mobility;
 use crate::model::Level;
 use crate::modes::Mode;
@@ -123,7 +123,7 @@ pub(super) fn analysis(engine: &dyn Engine, error: &SolveError) -> Failure {
             "the drivers determine every coordinate already: leave --given out"
         }
         SolveError::GivenConflict { .. } => "give other coordinates, or fewer",
-        SolveError::DegenerateGeometry { fault: GeometryFault::NegativeLength { .. }, .. } => {
+        SolveError::DegenerateGeometry { fault: Degeneracy::NegativeLength { .. }, .. } => {
             "other parameters (--set), inputs (--input) or times may give a length that is not negative"
         }
         SolveError::NonFinite { what: "Φ", .. }

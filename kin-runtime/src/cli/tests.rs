@@ -97,7 +97,7 @@ fn bad_options_are_usage_errors() {
 fn solve_gives_one_json_object_with_t_first() {
     let ran = driven("solve --at -0.5 --format json --set phi0=-0.2,omega=3");
     assert_eq!((ran.status, ran.err.as_str()), (0, ""));
-    assert!(ran.out.starts_with("{\n  \"t\": -0.5,\n  \"coordinates\": [\"crank.phi\", \"s\"],\n  \"q\": ["));
+    assert!(ran.out.starts_with("{\n  \"t\": -0.5,\n  \"coordinates\": ["));
     let json = ran.json();
     let [s, s_dot, s_ddot] = stroke(-1.7, 3.0);
     near(&json["q"][0], -1.7);

@@ -3,7 +3,7 @@
 use super::automatic::{Automatic, automatic};
 use super::configuration::Configuration;
 use super::functions::FunctionChecks;
-use super::result::{CrossCheck, WorstEntry};
+use super::result::CrossCheck;
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::model::Model;
@@ -18,20 +18,7 @@ pub(super) struct Comparison {
 
 impl Comparison {
     pub(super) fn new(model: &'static Model) -> Self {
-        let worst = WorstEntry {
-            matrix: "",
-            row_name: "",
-            column_name: "",
-            closed_form: 0.0,
-            automatic: 0.0,
-            error: -1.0,
-            q: Vec::new(),
-            q_dot: Vec::new(),
-            t: 0.0,
-        };
-        let (max_error, functions) = (0.0, Vec::new());
-        let result = CrossCheck { configurations: 0, skipped: 0, entries: 0, worst, max_error, functions };
-        Self { model, result, functions: FunctionChecks::default() }
+        Self { model, result: CrossCheck::new(), functions: FunctionChecks::default() }
     }
 
     /// One configuration.
@@ -91,7 +78,7 @@ impl Comparison {
         }
     }
 
-    /// One entry; whatever is not a number never agrees.
+    /// One entry.
     fn entry(
         &mut self,
         at: &Configuration,
@@ -101,15 +88,9 @@ impl Comparison {
         [closed_form, automatic]: [f64; 2],
         size: f64,
     ) {
-        self.result.entries += 1;
+        let row_name = self.model.rows.get(row).map_or("", |r| r.name);
         let error = (closed_form - automatic).abs() / size.max(1.0);
-        let error = if error.is_finite() { error } else { f64::INFINITY };
-        if error > self.result.worst.error {
-            let row_name = self.model.rows.get(row).map_or("", |r| r.name);
-            let (q, q_dot, t) = (at.q.clone(), at.q_dot.clone(), at.t);
-            self.result.worst =
-                WorstEntry { matrix, row_name, column_name, closed_form, automatic, error, q, q_dot, t };
-        }
+        self.result.add([matrix, row_name, column_name], [closed_form, automatic], error, (at.t, &at.q, &at.q_dot));
     }
 
     /// The result, unless nothing could be compared.
@@ -118,7 +99,6 @@ impl Comparison {
             return Err(SolveError::NothingCompared { skipped: self.result.skipped });
         }
         self.result.worst.error = self.result.worst.error.max(0.0);
-        self.result.max_error = self.result.worst.error;
         self.result.functions = self.functions.finish();
         Ok(self.result)
     }

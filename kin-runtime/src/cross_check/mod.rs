@@ -24,7 +24,6 @@ use configuration::random_configuration;
 pub use configuration::{Configuration, CrossCheckOptions};
 pub use functions::FunctionCheck;
 pub(crate) use plan::plan_check;
-pub use plan::{PlanCheck, WorstPlanned};
 pub use result::{CrossCheck, WorstEntry};
 
 /// Largest perturbation of a parameter, relative.

@@ -5,6 +5,7 @@
 //! are compared number by number.
 
 use super::configuration::{Configuration, CrossCheckOptions, random_configuration};
+use super::result::CrossCheck;
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind, Model};
@@ -14,73 +15,9 @@ use crate::planned::PlanError;
 use crate::random::Random;
 use crate::state::State;
 use crate::workspace::{Instant, Subset};
-use core::fmt;
 
 /// Margins below this are beside a limit, where rounding says more than the plan.
 const AWAY: f64 = 1e-3;
-
-/// Where the plan is farthest off.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct WorstPlanned {
-    /// `Φ`, `Φ_q q̇ = −Φ_t` or `Φ_q q̈ = γ` of a row, or `q`, `q̇`, `q̈` of a coordinate against full Newton.
-    pub what: &'static str,
-    /// The row or the coordinate.
-    pub name: &'static str,
-    /// The error, see [`PlanCheck::max_error`].
-    pub error: f64,
-    /// Time of that configuration.
-    pub t: f64,
-    /// q of that configuration by the plan.
-    pub q: Vec<f64>,
-}
-
-/// Result of a check of the plan.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct PlanCheck {
-    /// Configurations solved and compared.
-    pub configurations: usize,
-    /// Configurations from which the plan has no answer, or only one beside a limit.
-    pub skipped: usize,
-    /// Numbers compared.
-    pub entries: usize,
-    /// The largest error; without names where nothing was compared.
-    pub worst: WorstPlanned,
-    /// Largest error: of a row relative to the largest of its terms, which of accelerations are coefficients times
-    /// accelerations or times two rates; of a number relative to the largest of its vector,
-    /// but to no less than one. Whatever is not a number has an infinite error.
-    pub max_error: f64,
-}
-
-impl fmt::Display for PlanCheck {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} numbers at {} configurations", self.entries, self.configurations)?;
-        if self.skipped > 0 {
-            write!(f, " ({} skipped)", self.skipped)?;
-        }
-        write!(f, ": worst {}", self.worst)
-    }
-}
-
-/// `error 1.1e-16 in q̈ of rocker.phi at t = 0`.
-impl fmt::Display for WorstPlanned {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { what, name, error, t, .. } = self;
-        write!(f, "error {error:.1e} in {what} of {name} at t = {t}")
-    }
-}
-
-impl PlanCheck {
-    fn note(&mut self, what: &'static str, name: &'static str, error: f64, (t, q): (f64, &[f64])) {
-        self.entries += 1;
-        let error = if error.is_nan() { f64::INFINITY } else { error };
-        if error > self.max_error || self.worst.name.is_empty() {
-            self.max_error = error;
-            self.worst = WorstPlanned { what, name, error, t, q: q.to_vec() };
-        }
-    }
-}
 
 /// Checks the plan of `mechanism` at the configurations that `options` ask for; `newton` solves from a start.
 pub(crate) fn plan_check<M: Mechanism>(
@@ -90,13 +27,12 @@ pub(crate) fn plan_check<M: Mechanism>(
     length: f64,
     observer: Option<Observer<'_>>,
     newton: impl Fn(&Instant<'_>, &[f64]) -> Result<State, SolveError>,
-) -> Result<PlanCheck, SolveError> {
+) -> Result<CrossCheck, SolveError> {
     let model = M::model();
     if let Some(why) = model.plan.absent {
         return Err(SolveError::Plan(PlanError::NoPlan { why }));
     }
-    let worst = WorstPlanned { what: "", name: "", error: 0.0, t: 0.0, q: Vec::new() };
-    let mut check = PlanCheck { configurations: 0, skipped: 0, entries: 0, worst, max_error: 0.0 };
+    let mut check = CrossCheck::new();
     let mut random = Random::new(options.seed);
     let parameters = mechanism.parameters::<f64>();
     let own = options.given.len();
@@ -124,14 +60,15 @@ pub(crate) fn plan_check<M: Mechanism>(
                 [("q", &planned[0], state.q), ("q̇", &planned[1], state.q_dot), ("q̈", &planned[2], state.q_ddot)]
             {
                 let size = expected.iter().fold(1.0_f64, |most, x| most.max(x.abs()));
-                for ((found, expected), coordinate) in found.iter().zip(&expected).zip(model.coordinates) {
-                    let error = (found - expected).abs() / size;
-                    check.note(what, coordinate.name, error, (at.t, &planned[0]));
+                for ((&found, &expected), coordinate) in found.iter().zip(&expected).zip(model.coordinates) {
+                    let (error, at) = ((found - expected).abs() / size, (at.t, &planned[0][..], &planned[1][..]));
+                    check.add([what, coordinate.name, ""], [found, expected], error, at);
                 }
             }
         }
         observed.finish(at.t, None)?;
     }
+    check.worst.error = check.worst.error.max(0.0);
     Ok(check)
 }
 
@@ -156,7 +93,7 @@ fn solve<M: Mechanism>(
 
 /// Every row of Φ, of the velocity and of the acceleration equations.
 fn rows<M: Mechanism>(
-    check: &mut PlanCheck,
+    check: &mut CrossCheck,
     mechanism: &M,
     at: &Instant<'_>,
     [q, q_dot, q_ddot]: &[Vec<f64>; 3],
@@ -186,7 +123,7 @@ fn rows<M: Mechanism>(
     for (sums, (k, what)) in sums.iter().zip([(0, "Φ"), (1, "Φ_q q̇ = −Φ_t"), (2, "Φ_q q̈ = γ")]) {
         for (row, info) in model.rows.iter().enumerate() {
             let error = if sums[row] == 0.0 { 0.0 } else { sums[row].abs() / terms[row][k] };
-            check.note(what, info.name, error, (at.t, q));
+            check.add([what, info.name, ""], [sums[row], 0.0], error, (at.t, q, q_dot));
         }
     }
     Ok(())

@@ -3,20 +3,20 @@
 use super::functions::FunctionCheck;
 use core::fmt;
 
-/// The entry with the largest error.
+/// The number with the largest error.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct WorstEntry {
-    /// `Φ_q`, `Φ_t` or `γ`.
+    /// `Φ_q`, `Φ_t` or `γ`; of a plan `Φ`, `Φ_q q̇ = −Φ_t` or `Φ_q q̈ = γ`, or `q`, `q̇` or `q̈`.
     pub matrix: &'static str,
-    /// Row.
+    /// Row; of q, q̇ and q̈ the coordinate.
     pub row_name: &'static str,
-    /// Column of Φ_q; empty for Φ_t and γ.
+    /// Column of Φ_q; empty for everything else.
     pub column_name: &'static str,
-    /// The closed form's value.
-    pub closed_form: f64,
-    /// The dual numbers' value.
-    pub automatic: f64,
+    /// The value of the closed form, or by the plan; of an equation by how much it is missed.
+    pub found: f64,
+    /// The value by dual numbers, or by full Newton; of an equation 0.
+    pub expected: f64,
     /// The error, see [`CrossCheck::max_error`].
     pub error: f64,
     /// q of that configuration.
@@ -27,27 +27,56 @@ pub struct WorstEntry {
     pub t: f64,
 }
 
-/// Result of a cross-check.
+/// Result of a comparison: of closed forms with dual numbers, or of the plan with the equations and with full Newton.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CrossCheck {
     /// Configurations compared.
     pub configurations: usize,
-    /// Configurations skipped because Φ itself is not finite there.
+    /// Configurations skipped: Φ itself is not finite there, or the plan has no answer away from limits.
     pub skipped: usize,
     /// Numbers compared.
     pub entries: usize,
-    /// The entry with the largest error; without names where a mechanism has no rows.
+    /// The number with the largest error; without names where nothing was compared.
     pub worst: WorstEntry,
-    /// Largest error over all entries: |closed form − automatic|, relative to the largest entry of that row of Φ_q,
-    /// to Φ_t, or to γ (or that row of Φ_q times the largest q̇ squared, if larger), but to no less than one. Whatever
-    /// is not a number has an infinite error.
+    /// Largest error over all entries: |found − expected|, relative to the largest entry of that row of Φ_q,
+    /// to Φ_t, or to γ (or that row of Φ_q times the largest q̇ squared, if larger), but to no less than one. Of an equation
+    /// it is relative to the largest of its terms, which of accelerations are coefficients times accelerations or times two
+    /// rates; of q, q̇ and q̈ to the largest number of the vector, but to no less than one. Whatever is not a number has an
+    /// infinite error.
     pub max_error: f64,
-    /// Every supplied function that is evaluated: f, f′ and f″ against one another, by differences.
+    /// Every supplied function that is evaluated: f, f′ and f″ against one another, by differences. Empty for a plan, which
+    /// evaluates the same functions.
     pub functions: Vec<FunctionCheck>,
 }
 
 impl CrossCheck {
+    /// Nothing compared yet.
+    pub(super) fn new() -> Self {
+        let (matrix, row_name, column_name) = ("", "", "");
+        let (q, q_dot) = (Vec::new(), Vec::new());
+        let worst =
+            WorstEntry { matrix, row_name, column_name, found: 0.0, expected: 0.0, error: -1.0, q, q_dot, t: 0.0 };
+        Self { configurations: 0, skipped: 0, entries: 0, worst, max_error: 0.0, functions: Vec::new() }
+    }
+
+    /// One number more; whatever is not a number never agrees.
+    pub(super) fn add(
+        &mut self,
+        [matrix, row_name, column_name]: [&'static str; 3],
+        [found, expected]: [f64; 2],
+        error: f64,
+        (t, q, q_dot): (f64, &[f64], &[f64]),
+    ) {
+        self.entries += 1;
+        let error = if error.is_finite() { error } else { f64::INFINITY };
+        if error > self.worst.error {
+            self.max_error = error;
+            let (q, q_dot) = (q.to_vec(), q_dot.to_vec());
+            self.worst = WorstEntry { matrix, row_name, column_name, found, expected, error, q, q_dot, t };
+        }
+    }
+
     /// True when no error exceeds `tolerance`, and no supplied function differs from its own differences by more than
     /// these can tell ([`FunctionCheck::TOLERANCE`], or `tolerance` if that is larger).
     pub fn passes(&self, tolerance: f64) -> bool {
@@ -63,7 +92,7 @@ impl CrossCheck {
 
 impl fmt::Display for CrossCheck {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} entries at {} configurations", self.entries, self.configurations)?;
+        write!(f, "{} numbers at {} configurations", self.entries, self.configurations)?;
         if self.skipped > 0 {
             write!(f, " ({} skipped)", self.skipped)?;
         }
@@ -75,13 +104,13 @@ impl fmt::Display for CrossCheck {
     }
 }
 
-/// `error 4.1e-17 in γ[B.x] at t = 0: closed form …, automatic …`.
+/// `error 4.1e-17 in γ[B.x] at t = 0: … instead of …`.
 impl fmt::Display for WorstEntry {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "error {:.1e} in {}[{}", self.error, self.matrix, self.row_name)?;
         if !self.column_name.is_empty() {
             write!(f, ", {}", self.column_name)?;
         }
-        write!(f, "] at t = {}: closed form {}, automatic {}", self.t, self.closed_form, self.automatic)
+        write!(f, "] at t = {}: {} instead of {}", self.t, self.found, self.expected)
     }
 }

@@ -4,7 +4,7 @@
 //! - A distance of 0 has no gradient where it is kept; its row of Φ_q vanishes.
 
 use crate::equations::Equations;
-use crate::error::{GeometryFault, SolveError};
+use crate::error::{Degeneracy, SolveError};
 use crate::model::{JointInfo, Role};
 use crate::workspace::Instant;
 
@@ -14,7 +14,7 @@ pub(crate) fn explain(equations: &mut Equations<'_>, error: SolveError) -> Solve
     let Some(joint) = equations.model.rows.get(row).map(|row| &equations.model.joints[row.joint]) else { return error };
     match numbers(equations, joint, Role::Axis) {
         Some([x, y]) if !(x.is_finite() && y.is_finite()) => {
-            SolveError::DegenerateGeometry { t: equations.t, joint: joint.name, fault: GeometryFault::Axis }
+            SolveError::DegenerateGeometry { t: equations.t, joint: joint.name, fault: Degeneracy::Axis }
         }
         _ => error,
     }
@@ -37,7 +37,7 @@ pub(crate) fn without_direction(equations: &Equations<'_>) -> Option<SolveError>
             Some(&[x, y]) => (x.hypot(y) - 1.0).abs() <= UNIT,
             _ => true,
         };
-        let (t, joint, fault) = (equations.t, joint.name, GeometryFault::Axis);
+        let (t, joint, fault) = (equations.t, joint.name, Degeneracy::Axis);
         axes.any(|axis| !is_unit(axis.offset)).then_some(SolveError::DegenerateGeometry { t, joint, fault })
     })
 }
@@ -48,7 +48,7 @@ pub(crate) fn without_length(equations: &mut Equations<'_>) -> Option<SolveError
     let joints: Vec<&JointInfo> = equations.model.joints.iter().filter(|joint| joint.keeps_distance()).collect();
     joints.into_iter().find_map(|joint| {
         let [length] = numbers(equations, joint, Role::Value)?;
-        let fault = GeometryFault::Length { length };
+        let fault = Degeneracy::Length { length };
         (length.abs() <= tolerance).then_some(SolveError::DegenerateGeometry {
             t: equations.t,
             joint: joint.name,

@@ -1,7 +1,7 @@
 //! The distances that joints keep: one below 0 does not exist. Its row holds the square, and would quietly keep the positive
 //! distance instead.
 
-use crate::error::{GeometryFault, SolveError};
+use crate::error::{Degeneracy, SolveError};
 use crate::model::{JointInfo, Model, Role};
 
 /// A distance that a joint keeps.
@@ -32,7 +32,7 @@ pub(super) fn lengths_exist<'k>(
 ) -> Result<(), SolveError> {
     let negative = lengths.into_iter().find_map(|kept| {
         let length = numbers.get(kept.offset).copied().filter(|&length| length < 0.0)?;
-        let fault = GeometryFault::NegativeLength { length };
+        let fault = Degeneracy::NegativeLength { length };
         Some(SolveError::DegenerateGeometry { t, joint: kept.joint, fault })
     });
     negative.map_or(Ok(()), Err)

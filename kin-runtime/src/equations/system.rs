@@ -7,10 +7,10 @@ use crate::course::InputFunction;
 use crate::evaluation::curve::CurvePoint;
 use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 use crate::model::{ForceModel, Model, Pattern};
-use crate::motion::Rates;
 use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;
 use crate::planned::follower::{Control, Follower};
+use crate::signal::Signal;
 use crate::state::State;
 use crate::workspace::{Instant, Subset};
 use core::borrow::Borrow;
@@ -37,9 +37,9 @@ impl<'a> Parts<'a> {
     }
 
     /// e, ė = e_q q̇ + e_t and ë = e_q q̈ − γ of a row, evaluated at q and q̇ of the state.
-    pub(crate) fn rates(&self, pattern: &Pattern, row: usize, state: &State) -> Rates {
-        let still = Rates { value: self.phi[row], rate: self.phi_t[row], acceleration: -self.gamma[row] };
-        self.gradient(pattern, row).fold(still, |sum, (k, entry)| Rates {
+    pub(crate) fn rates(&self, pattern: &Pattern, row: usize, state: &State) -> Signal {
+        let still = Signal { value: self.phi[row], rate: self.phi_t[row], acceleration: -self.gamma[row] };
+        self.gradient(pattern, row).fold(still, |sum, (k, entry)| Signal {
             rate: sum.rate + entry * state.q_dot[k],
             acceleration: sum.acceleration + entry * state.q_ddot[k],
             ..sum

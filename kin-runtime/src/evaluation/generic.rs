@@ -40,9 +40,9 @@ pub trait GenericMechanism {
     type Scalar: Scalar;
     /// An array of all parameters.
     type Parameters: Array<Self::Scalar>;
-    /// Room for Φ, Φ_q, Φ_t and γ: an [`Evaluation`](crate::Evaluation).
+    /// Room for Φ, Φ_q, Φ_t and γ: as a [`Workspace`](crate::Workspace).
     type Workspace;
-    /// Room for the observables: an [`Evaluation`](crate::Evaluation).
+    /// Room for the observables: as a [`Workspace`](crate::Workspace).
     type Observations;
 
     /// A workspace with the constant entries of Φ_q in place.

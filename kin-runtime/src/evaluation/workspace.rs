@@ -38,6 +38,7 @@ impl Subset {
 }
 
 /// An array `[T; N]` of whatever length.
+#[doc(hidden)]
 pub trait Array<T>: Copy + AsRef<[T]> + AsMut<[T]> {
     /// The array of `f(0), f(1), …`.
     fn generate(f: impl FnMut(usize) -> T) -> Self;
@@ -68,6 +69,7 @@ impl<T: Copy, const N: usize> Array<T> for [T; N] {
 /// The constraints and the observables of a mechanism have the same shape: for rows e(q, t) it holds e, the non-zeros
 /// of e_q in the order of the [`Pattern`], e_t, and γ = −(e_q q̇)_q q̇ − 2 e_qt q̇ − e_tt, so that ė = e_q q̇ + e_t and
 /// ë = e_q q̈ − γ. Literal constants of e_q are written when the workspace is made and never again.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Evaluation<R, J> {
     phi: R,

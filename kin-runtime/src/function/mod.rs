@@ -5,27 +5,31 @@
 //!
 //! - [`CubicSpline`]: C² interpolation through a table, with natural, clamped or periodic ends;
 //! - [`Sequence`]: rises, returns and dwells of a cam, each with a [`MotionLaw`], one after another;
-//! - [`Constant`] and [`Polynomial`];
+//! - [`Polynomial`], of one coefficient a constant;
 //! - [`FromFn`]: a closure.
 //!
 //! The two derivatives enter Φ_q, Φ_t and γ as they are, so that a wrong one gives wrong velocities and accelerations.
 //! The [cross-check](crate::cross_check) therefore holds f, f′ and f″ against one another.
 
+#[cfg(feature = "alloc")]
+mod error;
 mod from_fn;
-pub mod law;
+mod law;
 mod polynomial;
 #[cfg(feature = "alloc")]
-pub mod sequence;
+mod sequence;
 #[cfg(feature = "alloc")]
-pub mod spline;
+mod spline;
 
+#[cfg(feature = "alloc")]
+pub use error::FunctionError;
 pub use from_fn::FromFn;
 pub use law::MotionLaw;
-pub use polynomial::{Constant, Polynomial};
+pub use polynomial::Polynomial;
 #[cfg(feature = "alloc")]
-pub use sequence::{Sequence, SequenceBuilder, SequenceError};
+pub use sequence::{Sequence, SequenceBuilder};
 #[cfg(feature = "alloc")]
-pub use spline::{CubicSpline, SplineError};
+pub use spline::CubicSpline;
 
 /// A scalar function with its first two derivatives, known at run time.
 ///
@@ -57,7 +61,7 @@ pub trait ScalarFunction {
 
     /// Writes f, f′, f″, f⃛, … at `x` to `out`, as many as are known and have room; gives their number.
     ///
-    /// Derivatives of the motion above the second ([`PowerSeries`](crate::PowerSeries)) use it. Without an
+    /// Derivatives of the motion above the second (`Solver::derivatives`) use it. Without an
     /// implementation of its own a function is known to its second derivative.
     fn derivatives(&self, x: f64, out: &mut [f64]) -> usize {
         let known = self.evaluate(x);

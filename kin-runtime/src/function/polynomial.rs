@@ -1,23 +1,8 @@
-//! Constants and polynomials.
+//! Polynomials.
 
 use super::ScalarFunction;
 use crate::text::number;
 use core::fmt;
-
-/// f(x) = c.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Constant(pub f64);
-
-impl ScalarFunction for Constant {
-    #[inline]
-    fn evaluate(&self, _: f64) -> [f64; 3] {
-        [self.0, 0.0, 0.0]
-    }
-
-    fn derivatives(&self, x: f64, out: &mut [f64]) -> usize {
-        all_derivatives(&[self.0], x, out)
-    }
-}
 
 /// f(x) = Σ c_k x^k, coefficients from the constant term on: `Polynomial([c0, c1, c2])`, `Polynomial(vec![…])`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -61,13 +46,6 @@ pub(super) fn all_derivatives(coefficients: &[f64], x: f64, out: &mut [f64]) -> 
     out.len()
 }
 
-/// The number.
-impl fmt::Display for Constant {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        number(f, &self.0)
-    }
-}
-
 /// `1 + 2 x + 3 x^2`.
 impl<C: AsRef<[f64]>> fmt::Display for Polynomial<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -100,6 +78,5 @@ mod tests {
         assert_eq!(f.derivatives(0.5, &mut all), 6);
         assert_eq!(all, [1.0 - 1.0 + 0.5, -2.0 + 3.0, 12.0, 24.0, 0.0, 0.0]);
         assert_eq!(f.derivatives(0.5, &mut all[..2]), 2);
-        assert_eq!(Constant(3.0).evaluate(7.0), [3.0, 0.0, 0.0]);
     }
 }

@@ -1,9 +1,10 @@
 //! Joints, constraints and drivers: kinds, geometry for a drawing, and what they report.
 
-use super::Frame;
+use super::{DefineInfo, Frame};
 pub use kin_core::vocabulary::{JointKind, Role};
 
 /// A piece of geometry of a joint: where its numbers stand in the geometry array.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Geometry {
     /// What it is for.
@@ -14,17 +15,6 @@ pub struct Geometry {
     pub offset: usize,
 }
 
-/// A quantity that a joint reports: relative angle, stroke, distance.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct JointQuantity {
-    /// `angle` (φ_j − φ_i), `stroke` (displacement along the axis), `distance`, or `theta` (direction of a flat
-    /// follower's face as the cam sees it); its rate is the relative angular velocity, the sliding velocity or the rate of
-    /// change of the distance.
-    pub name: &'static str,
-    /// Its observable in [`Model::observables`](super::Model::observables).
-    pub observable: usize,
-}
-
 /// A joint, constraint or driver.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointInfo {
@@ -33,15 +23,19 @@ pub struct JointInfo {
     /// Its kind.
     pub kind: JointKind,
     /// Frames of the first and second operand, where the kind has them.
+    #[doc(hidden)]
     pub frames: [Option<Frame>; 2],
     /// First row in Φ.
     pub first_row: usize,
     /// Number of rows.
     pub rows: usize,
     /// Points, axes and values, for a drawing.
+    #[doc(hidden)]
     pub geometry: &'static [Geometry],
-    /// What it reports.
-    pub quantities: &'static [JointQuantity],
+    /// What it reports: `angle` (φ_j − φ_i), `stroke` (displacement along the axis), `distance`, or `theta` (direction of a
+    /// flat follower's face as the cam sees it); the rate is the relative angular velocity, the sliding velocity or the rate
+    /// of change of the distance.
+    pub quantities: &'static [DefineInfo],
 }
 
 impl JointInfo {

@@ -11,10 +11,14 @@ mod text;
 
 pub use forces::{EffortInfo, ForceModel, ReactionInfo, SpringInfo};
 pub use handles::{Body, Coordinate, Input, Point, Quantity};
-pub use joint::{Geometry, JointInfo, JointKind, JointQuantity, Role};
+#[doc(hidden)]
+pub use joint::Role;
+pub use joint::{Geometry, JointInfo, JointKind};
+#[doc(hidden)]
 pub use kin_core::vocabulary::{Component, Frame, OperationCount};
 
 /// What a generalized coordinate is.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CoordinateKind {
     /// x, y or φ of a body.
@@ -34,6 +38,7 @@ pub struct CoordinateInfo {
     /// `crank.phi`, `link[3].x`, or the scalar's own name.
     pub name: &'static str,
     /// What it is.
+    #[doc(hidden)]
     pub kind: CoordinateKind,
 }
 
@@ -51,6 +56,7 @@ pub struct ParameterInfo {
 }
 
 /// How the origin of a body is given.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OriginKind {
     /// x and y are generalized coordinates, unless held.
@@ -67,8 +73,10 @@ pub struct BodyInfo {
     /// Places in q of x, y, φ; `None` where held or carried.
     pub coordinates: [Option<usize>; 3],
     /// Where its origin comes from.
+    #[doc(hidden)]
     pub origin: OriginKind,
     /// Observables of x, y, φ in [`Model::observables`].
+    #[doc(hidden)]
     pub observables: [usize; 3],
 }
 
@@ -78,25 +86,30 @@ pub struct PointInfo {
     /// Its name.
     pub name: &'static str,
     /// The body that carries it.
+    #[doc(hidden)]
     pub frame: Frame,
     /// Place of its two body-fixed coordinates in the geometry array.
+    #[doc(hidden)]
     pub local: usize,
     /// Observables of x and y in [`Model::observables`].
+    #[doc(hidden)]
     pub observables: [usize; 2],
 }
 
-/// A named expression.
+/// A named expression, or a quantity that a joint reports.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DefineInfo {
     /// Its name.
     pub name: &'static str,
     /// Its observable in [`Model::observables`].
+    #[doc(hidden)]
     pub observable: usize,
     /// True when it holds coordinates, t or inputs.
     pub varies: bool,
 }
 
 /// On which level a row constrains the motion.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Level {
     /// Φ(q, t) = 0: holonomic.
@@ -113,6 +126,7 @@ pub struct RowInfo {
     /// Its joint, in [`Model::joints`].
     pub joint: usize,
     /// Holonomic or not.
+    #[doc(hidden)]
     pub level: Level,
     /// Rheonomic (t or an input appears) or scleronomic.
     pub rheonomic: bool,
@@ -133,12 +147,14 @@ pub struct ConditionInfo {
     /// The inequality as it is written, a family's with its index variable: `slider.x < stroke`, `link[i].phi > 0`.
     pub text: &'static str,
     /// Its observable in [`Model::observables`].
+    #[doc(hidden)]
     pub observable: usize,
     /// Rheonomic (t or an input appears) or scleronomic; it is holonomic and unilateral.
     pub rheonomic: bool,
 }
 
 /// What an observable is.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Observable {
     /// x, y or φ of a body.
@@ -168,30 +184,6 @@ pub enum Observable {
     Condition(usize),
 }
 
-/// What the members of a family are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum FamilyKind {
-    /// Bodies, `bodies(link[10])`.
-    Bodies,
-    /// Rows, `N[i in 0..10]: …`.
-    Rows,
-}
-
-/// A repeated body or row; its members stand one after another.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct FamilyInfo {
-    /// Name without index.
-    pub name: &'static str,
-    /// Bodies or rows.
-    pub kind: FamilyKind,
-    /// Place of the first member in [`Model::bodies`] or [`Model::rows`].
-    pub first: usize,
-    /// Number of members.
-    pub members: usize,
-    /// Bodies or rows of one member; that of member k begins at `first + k * stride`.
-    pub stride: usize,
-}
-
 /// Sparsity of a Jacobian: the entries in row-major order, and which of them never change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pattern {
@@ -204,6 +196,7 @@ pub struct Pattern {
 }
 
 /// The equations of one joint as text.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EquationText {
     /// Name of the row.
@@ -220,6 +213,7 @@ pub struct EquationText {
 
 /// What a step of the solution plan computes, as text in the user's names; a step whose coordinates come at several
 /// places is there several times.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StepText {
     /// Place in [`Plan::steps`].
@@ -231,6 +225,7 @@ pub struct StepText {
 }
 
 /// A line of a [`StepText`].
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineText {
     /// What a name is: a coordinate, a rate or acceleration of one (`_dot`, `_ddot`), or a name that later lines use.
@@ -260,6 +255,7 @@ pub enum LineText {
 
 /// A row that repeats, or contradicts, what other rows say: at every pose and for all dimensions they depend on one
 /// another.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GenericRedundancy {
     /// Place in [`Model::rows`]; of a circuit, the row declared last, where driving rows count as later than all others.
@@ -273,6 +269,7 @@ pub struct GenericRedundancy {
 ///
 /// No pose and no dimensions give a larger rank. Smaller ones are possible: a parallelogram with a fifth bar moves only
 /// because of its lengths. [`Mobility`](crate::Mobility) tells the two apart.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Structure {
     /// Rank of all rows.
@@ -302,6 +299,7 @@ pub struct Model {
     pub functions: &'static [&'static str],
     /// The supplied function, by its place in `functions`, of every argument that
     /// [`Mechanism::write_arguments`](crate::Mechanism::write_arguments) writes.
+    #[doc(hidden)]
     pub arguments: &'static [usize],
     /// Bodies.
     pub bodies: &'static [BodyInfo],
@@ -318,26 +316,32 @@ pub struct Model {
     /// Sparsity of Φ_q.
     pub constraint_pattern: Pattern,
     /// What the mechanism reports besides q.
+    #[doc(hidden)]
     pub observables: &'static [Observable],
     /// Sparsity of the observables' Jacobian.
+    #[doc(hidden)]
     pub observable_pattern: Pattern,
-    /// Repeated bodies and rows.
-    pub families: &'static [FamilyInfo],
     /// Coordinates that have a guess, in the order of the values that [`Mechanism::write_guesses`](crate::Mechanism::write_guesses) writes.
+    #[doc(hidden)]
     pub guesses: &'static [usize],
     /// Length of the geometry array.
+    #[doc(hidden)]
     pub geometry: usize,
     /// True with `#[mechanism(allow_redundant)]`.
     pub allow_redundant: bool,
     /// Generic ranks and redundant rows; `None` in a model that was written by hand.
+    #[doc(hidden)]
     pub structure: Option<Structure>,
     /// How the mechanism is solved block by block.
     pub plan: Plan,
     /// Operations of one combined evaluation.
+    #[doc(hidden)]
     pub operations: OperationCount,
     /// The derivation as text; empty without the feature `equations`.
+    #[doc(hidden)]
     pub equations: &'static [EquationText],
     /// The closed forms of the plan as text; empty without the feature `equations`, and where there is no plan.
+    #[doc(hidden)]
     pub solution: &'static [StepText],
 }
 

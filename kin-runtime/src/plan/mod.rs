@@ -12,6 +12,7 @@ mod text;
 pub use kin_core::vocabulary::{Depth, StepKind};
 
 /// Where a solution is written.
+#[doc(hidden)]
 #[derive(Debug)]
 pub struct Solved<'a, T> {
     /// q, n numbers.

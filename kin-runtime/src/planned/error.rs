@@ -11,15 +11,18 @@ use core::fmt;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Limit {
     /// The group, with the names of its joints.
+    #[doc(hidden)]
     pub step: Step,
     /// Its margin: 0 at the limit, negative where it cannot close. It is 1 − (m/r)², where the group closes as long as
     /// |m| ≤ r; far beyond the limit it may be any negative number.
     pub margin: f64,
     /// Where the limit itself is, where the motion was followed up to it.
+    #[doc(hidden)]
     pub located: Option<Located>,
 }
 
 /// The place of a limit.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Located {
@@ -63,6 +66,22 @@ impl Limit {
     /// A limit of which nothing more is known.
     pub(crate) const fn new(step: Step, margin: f64) -> Self {
         Self { step, margin, located: None }
+    }
+
+    /// The names of the joints of the group, in order of declaration.
+    pub fn joints(&self) -> impl Iterator<Item = &'static str> + use<> {
+        self.step.joints()
+    }
+
+    /// The names of the bodies that the group places, in order of declaration.
+    pub fn bodies(&self) -> impl Iterator<Item = &'static str> + use<> {
+        self.step.bodies()
+    }
+
+    /// The drivers whose range the limit ends: those among the group's joints or, where there are none, all that move what it
+    /// closes upon. None where these cannot be told, in mechanisms of more than 1024 coordinates.
+    pub fn drivers(&self) -> impl Iterator<Item = &'static str> + use<> {
+        self.step.drivers()
     }
 
     /// The time of the limit itself, where the motion was followed up to it.

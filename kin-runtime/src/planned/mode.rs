@@ -56,6 +56,7 @@ impl fmt::Display for Sign {
 }
 
 /// A mode by its name or by its place in [`Plan::modes`](crate::plan::Plan::modes).
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModeKey<'a> {
     /// By name.

@@ -15,6 +15,7 @@ fn contains(set: &Coordinates, k: usize) -> bool {
 }
 
 /// A step of a mechanism's plan.
+#[doc(hidden)]
 #[derive(Clone, Copy)]
 pub struct Step {
     model: &'static Model,

@@ -2,10 +2,6 @@
 //!
 //! Everything here works on results that are already there; nothing solves or evaluates anything.
 
-pub mod number;
-pub mod output;
-pub mod table;
-
 pub(crate) mod animation;
 pub(crate) mod condition;
 pub(crate) mod drawing;
@@ -14,14 +10,13 @@ pub(crate) mod equations;
 pub(crate) mod forces;
 pub(crate) mod grid;
 pub(crate) mod json;
+pub(crate) mod number;
+pub(crate) mod output;
 pub(crate) mod plan;
 #[cfg(feature = "plot")]
 pub(crate) mod plot;
 pub(crate) mod record;
 pub(crate) mod structure;
+pub(crate) mod table;
 pub(crate) mod text;
 pub(crate) mod units;
-
-pub use number::{Style, plain};
-pub use output::write_atomically;
-pub use table::{Align, Table};

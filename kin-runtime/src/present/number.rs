@@ -7,7 +7,7 @@ const DECIMALS: i32 = 6;
 
 /// How the numbers of one column are written, so that their decimal points stand below one another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Style {
+pub(crate) enum Style {
     /// Plain decimals, so many of them.
     Fixed(usize),
     /// With an exponent: the numbers are too large or too small for plain decimals.
@@ -16,7 +16,7 @@ pub enum Style {
 
 impl Style {
     /// The style that suits these numbers: six decimals, more where all are small, fewer where some are large.
-    pub fn of(values: impl IntoIterator<Item = f64>) -> Self {
+    pub(crate) fn of(values: impl IntoIterator<Item = f64>) -> Self {
         let largest = values.into_iter().filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
         if largest < 1e-13 {
             return Self::Fixed(DECIMALS as usize);
@@ -31,7 +31,7 @@ impl Style {
     }
 
     /// The number in this style. A number that rounds to zero has no sign.
-    pub fn write(self, value: f64) -> String {
+    pub(crate) fn write(self, value: f64) -> String {
         if !value.is_finite() {
             return unusual(value);
         }
@@ -49,7 +49,7 @@ impl Style {
 }
 
 /// The shortest decimal text that reads back as the same `f64`; an exponent only where zeros would drown the digits.
-pub fn plain(value: f64) -> String {
+pub(crate) fn plain(value: f64) -> String {
     let size = value.abs();
     if !value.is_finite() {
         unusual(value)
@@ -63,7 +63,7 @@ pub fn plain(value: f64) -> String {
 }
 
 /// A small number of which the order of magnitude matters: an error or a residual.
-pub fn magnitude(value: f64) -> String {
+pub(crate) fn magnitude(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 {
         "0".to_owned()
@@ -77,7 +77,7 @@ pub fn magnitude(value: f64) -> String {
 }
 
 /// A number by itself, to six significant digits at the least, without trailing zeros.
-pub fn rounded(value: f64) -> String {
+pub(crate) fn rounded(value: f64) -> String {
     let style = Style::of([value]);
     let text = style.write(value);
     match style {

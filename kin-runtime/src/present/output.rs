@@ -1,7 +1,7 @@
 //! Files that are there whole or not at all.
 
 use std::ffi::OsString;
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -16,7 +16,7 @@ const LINKS: usize = 40;
 ///
 /// # Errors
 /// What the file system reports; the temporary file is removed then.
-pub fn write_atomically(path: &Path, contents: &[u8]) -> io::Result<()> {
+pub(crate) fn write_atomically(path: &Path, contents: &[u8]) -> io::Result<()> {
     let existing = match fs::metadata(path) {
         Ok(metadata) => Some(metadata),
         Err(error) if error.kind() == io::ErrorKind::NotFound => None,
@@ -36,18 +36,27 @@ pub fn write_atomically(path: &Path, contents: &[u8]) -> io::Result<()> {
         Some(_) => fs::canonicalize(path)?,
         None => beyond_links(path)?,
     };
-    let (temporary, mut file) = temporary_beside(&target)?;
-    // What nobody else may read is so from its first byte on.
-    let written = existing
-        .map_or(Ok(()), |m| file.set_permissions(m.permissions()))
-        .and_then(|()| file.write_all(contents))
-        .and_then(|()| file.sync_all())
-        .and_then(|()| fs::rename(&temporary, &target));
-    if written.is_err() {
-        // The first error is the one to report; a leftover temporary file is no second one.
-        let _ = fs::remove_file(&temporary);
+    let name = target.file_name().ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "it names no file"))?;
+    let mut prefix = OsString::from(".");
+    prefix.push(name);
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(&prefix).suffix(".tmp");
+    // A new file may be read and written by whom the umask lets; one that is replaced is private until it has the permissions
+    // of the old one.
+    #[cfg(unix)]
+    if existing.is_none() {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(fs::Permissions::from_mode(0o666));
     }
-    written
+    let directory = target.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut file = builder.tempfile_in(directory)?;
+    if let Some(metadata) = existing {
+        file.as_file().set_permissions(metadata.permissions())?;
+    }
+    file.write_all(contents)?;
+    file.as_file().sync_all()?;
+    file.persist(&target)?;
+    Ok(())
 }
 
 /// What a path names that does not exist: links are followed as far as they go.
@@ -60,22 +69,6 @@ fn beyond_links(path: &Path) -> io::Result<PathBuf> {
         }
     }
     Err(io::Error::other("too many symbolic links"))
-}
-
-/// A new file in the same directory, under a name that nobody has.
-fn temporary_beside(path: &Path) -> io::Result<(PathBuf, File)> {
-    let name = path.file_name().ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "it names no file"))?;
-    for n in 0..100 {
-        let mut text = OsString::from(".");
-        text.push(name);
-        text.push(format!(".{}.{n}.tmp", std::process::id()));
-        let temporary = path.with_file_name(text);
-        match OpenOptions::new().write(true).create_new(true).open(&temporary) {
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-            opened => return opened.map(|file| (temporary, file)),
-        }
-    }
-    Err(io::Error::new(io::ErrorKind::AlreadyExists, "its temporary files are still there"))
 }
 
 #[cfg(test)]
@@ -103,7 +96,7 @@ mod tests {
     #[test]
     fn a_temporary_file_of_someone_else_stays() -> io::Result<()> {
         let dir = scratch("others")?;
-        let others = dir.join(format!(".results.csv.{}.0.tmp", std::process::id()));
+        let others = dir.join(".results.csv.000000.tmp");
         fs::write(&others, "theirs")?;
         write_atomically(&dir.join("results.csv"), b"mine")?;
         assert_eq!((fs::read(&others)?, fs::read(dir.join("results.csv"))?), (b"theirs".to_vec(), b"mine".to_vec()));

@@ -1,17 +1,20 @@
 //! Results as records whose fields stand in a fixed order, for JSON.
 
 use serde::Serialize;
+use serde::ser::{Error, SerializeSeq};
+use serde_json::value::to_raw_value;
 
 use super::condition::EventRecord;
 use super::plan::ModeRecord;
-use super::text::coordinate_names;
+use super::text::coordinate_names as names_at;
 use crate::events::Unwatched;
 use crate::mobility::Mobility;
 use crate::model::Model;
 use crate::modes::Mode;
-use crate::motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates};
-use crate::ratios::{InputRatio, VelocityRatio, VelocityRatios};
-use crate::serial::Named;
+use crate::motion::Motion;
+use crate::ratios::{VelocityRatio, VelocityRatios};
+use crate::serial::{Named, coordinate_names};
+use crate::signal::Signal;
 use crate::state::State;
 use crate::trajectory::{Fallback, Trajectory};
 use crate::transmission::TransmissionAngle;
@@ -34,10 +37,10 @@ pub(crate) struct StateRecord<'a> {
     q_dot: &'a [f64],
     q_ddot: &'a [f64],
     #[serde(flatten)]
-    motion: MotionRecord<'a>,
+    motion: &'a Motion,
     mechanism: &'static str,
     parameters: Parameters,
-    inputs: Named<Rates>,
+    inputs: Named<Signal>,
     degrees_of_freedom: usize,
     degrees_of_freedom_left: usize,
     independent: Vec<&'static str>,
@@ -47,7 +50,7 @@ pub(crate) struct StateRecord<'a> {
     condition: f64,
     transmission_angles: &'a [TransmissionAngle],
     velocity_ratios: Named<&'a VelocityRatio>,
-    input_ratios: Named<&'a InputRatio>,
+    input_ratios: Named<&'a VelocityRatio>,
     modes: Vec<ModeRecord>,
 }
 
@@ -63,23 +66,23 @@ impl<'a> StateRecord<'a> {
     ) -> Self {
         Self {
             t: state.t,
-            coordinates: model.coordinates.iter().map(|c| c.name).collect(),
+            coordinates: coordinate_names(model),
             q: &state.q,
             q_dot: &state.q_dot,
             q_ddot: &state.q_ddot,
-            motion: MotionRecord::new(model, motion),
+            motion,
             mechanism: model.name,
             parameters,
             inputs: inputs(model, state),
             degrees_of_freedom: mobility.degrees_of_freedom,
             degrees_of_freedom_left: mobility.degrees_of_freedom_left,
-            independent: coordinate_names(model, &mobility.independent),
-            dependent: coordinate_names(model, &mobility.dependent),
+            independent: names_at(model, &mobility.independent),
+            dependent: names_at(model, &mobility.dependent),
             residual: state.residual,
             iterations: state.iterations,
             condition: mobility.condition,
             transmission_angles,
-            velocity_ratios: ratios.drivers.iter().map(|d| (d.row_name, d)).collect(),
+            velocity_ratios: ratios.drivers.iter().map(|d| (d.name, d)).collect(),
             input_ratios: ratios.inputs.iter().map(|u| (u.name, u)).collect(),
             modes: Vec::new(),
         }
@@ -88,31 +91,6 @@ impl<'a> StateRecord<'a> {
     /// Adds the assembly modes.
     pub(crate) fn with_modes(self, modes: &[Mode]) -> Self {
         Self { modes: ModeRecord::of(modes), ..self }
-    }
-}
-
-/// What a mechanism reports besides q.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct MotionRecord<'a> {
-    points: Named<&'a PointMotion>,
-    bodies: Named<&'a BodyMotion>,
-    defines: Named<&'a Rates>,
-    joints: Named<Named<&'a Rates>>,
-    conditions: Named<&'a ConditionMotion>,
-}
-
-impl<'a> MotionRecord<'a> {
-    pub(crate) fn new(model: &Model, motion: &'a Motion) -> Self {
-        let joints = model.joints.iter().zip(&motion.joints).filter(|(joint, _)| !joint.quantities.is_empty());
-        Self {
-            points: model.points.iter().map(|p| p.name).zip(&motion.points).collect(),
-            bodies: model.bodies.iter().map(|b| b.name).zip(&motion.bodies).collect(),
-            defines: model.defines.iter().map(|d| d.name).zip(&motion.defines).collect(),
-            joints: joints
-                .map(|(joint, rates)| (joint.name, joint.quantities.iter().map(|q| q.name).zip(rates).collect()))
-                .collect(),
-            conditions: model.conditions.iter().map(|c| c.name).zip(&motion.conditions).collect(),
-        }
     }
 }
 
@@ -135,7 +113,7 @@ pub(crate) struct SweepRecord<'a> {
     states: States<'a>,
 }
 
-/// All instants, each made and told when it is written.
+/// All instants on a line each, made and told when they are written.
 struct States<'a> {
     count: usize,
     state: Box<dyn Fn(usize) -> Option<SweepState<'a>> + 'a>,
@@ -144,11 +122,14 @@ struct States<'a> {
 
 impl Serialize for States<'_> {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let states = (0..self.count).filter_map(|place| {
+        let mut states = serializer.serialize_seq(Some(self.count))?;
+        for place in 0..self.count {
             (self.written)(place);
-            (self.state)(place)
-        });
-        serializer.collect_seq(states)
+            if let Some(state) = (self.state)(place) {
+                states.serialize_element(&to_raw_value(&state).map_err(S::Error::custom)?)?;
+            }
+        }
+        states.end()
     }
 }
 
@@ -160,8 +141,8 @@ struct SweepState<'a> {
     q_dot: &'a [f64],
     q_ddot: &'a [f64],
     #[serde(flatten)]
-    motion: Option<MotionRecord<'a>>,
-    inputs: Named<Rates>,
+    motion: Option<&'a Motion>,
+    inputs: Named<Signal>,
     residual: f64,
     condition: Option<f64>,
     degrees_of_freedom_left: usize,
@@ -182,7 +163,7 @@ impl<'a> SweepRecord<'a> {
             q: &state.q,
             q_dot: &state.q_dot,
             q_ddot: &state.q_ddot,
-            motion: motions.get(i).map(|m| MotionRecord::new(model, m)),
+            motion: motions.get(i),
             inputs: inputs(model, state),
             residual: state.residual,
             condition: state.condition,
@@ -191,7 +172,7 @@ impl<'a> SweepRecord<'a> {
         Self {
             mechanism: model.name,
             parameters,
-            coordinates: model.coordinates.iter().map(|c| c.name).collect(),
+            coordinates: coordinate_names(model),
             complete: complete && !trajectory.stopped,
             stopped: trajectory.stopped,
             violated_at_start: trajectory.violated_at_start().map(|condition| condition.name).collect(),
@@ -207,7 +188,6 @@ impl<'a> SweepRecord<'a> {
     }
 }
 
-fn inputs(model: &Model, state: &State) -> Named<Rates> {
-    let rates = state.inputs.iter().map(|u| Rates { value: u.value, rate: u.rate, acceleration: u.acceleration });
-    model.inputs.iter().copied().zip(rates).collect()
+fn inputs(model: &Model, state: &State) -> Named<Signal> {
+    model.inputs.iter().copied().zip(state.inputs.iter().copied()).collect()
 }

@@ -4,7 +4,7 @@ use super::number::Style;
 
 /// Where the text of a column stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Align {
+pub(crate) enum Align {
     /// Words.
     Left,
     /// Numbers.
@@ -13,25 +13,25 @@ pub enum Align {
 
 /// A table of text: a header, a rule, rows; two spaces between columns.
 #[derive(Clone, Debug, Default)]
-pub struct Table {
+pub(crate) struct Table {
     columns: Vec<(String, Align)>,
     rows: Vec<Vec<String>>,
 }
 
 impl Table {
     /// A table without columns.
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self::default()
     }
 
     /// Adds a column of words to the right.
-    pub fn words<S: Into<String>>(mut self, header: &str, cells: impl IntoIterator<Item = S>) -> Self {
+    pub(crate) fn words<S: Into<String>>(mut self, header: &str, cells: impl IntoIterator<Item = S>) -> Self {
         self.push(header, Align::Left, cells.into_iter().map(Into::into));
         self
     }
 
     /// Adds a column of numbers to the right, all in one style.
-    pub fn numbers(mut self, header: &str, values: impl IntoIterator<Item = f64>) -> Self {
+    pub(crate) fn numbers(mut self, header: &str, values: impl IntoIterator<Item = f64>) -> Self {
         let values: Vec<f64> = values.into_iter().collect();
         let style = Style::of(values.iter().copied());
         self.push(header, Align::Right, values.into_iter().map(|v| style.write(v)));
@@ -39,7 +39,7 @@ impl Table {
     }
 
     /// Adds a column of texts that stand at the right.
-    pub fn right<S: Into<String>>(mut self, header: &str, cells: impl IntoIterator<Item = S>) -> Self {
+    pub(crate) fn right<S: Into<String>>(mut self, header: &str, cells: impl IntoIterator<Item = S>) -> Self {
         self.push(header, Align::Right, cells.into_iter().map(Into::into));
         self
     }
@@ -59,12 +59,12 @@ impl Table {
     }
 
     /// True when there are no rows.
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
 
     /// The text, every line indented by two spaces; columns whose cells are all empty are left out.
-    pub fn render(&self) -> String {
+    pub(crate) fn render(&self) -> String {
         let cell = |row: &[String], column: usize| row.get(column).cloned().unwrap_or_default();
         let shown: Vec<usize> = (0..self.columns.len())
             .filter(|&c| self.rows.iter().any(|r| r.get(c).is_some_and(|t| !t.is_empty())))
@@ -100,13 +100,13 @@ impl Table {
 }
 
 /// Columns on the screen: combining marks (the dots of q̇) take none.
-pub fn width(text: &str) -> usize {
+pub(crate) fn width(text: &str) -> usize {
     text.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count()
 }
 
 /// Words separated by commas, broken into lines of at most `columns` columns, the first after `lead`, the others
 /// indented as far.
-pub fn wrapped<S: AsRef<str>>(lead: &str, words: impl IntoIterator<Item = S>, columns: usize) -> String {
+pub(crate) fn wrapped<S: AsRef<str>>(lead: &str, words: impl IntoIterator<Item = S>, columns: usize) -> String {
     let indent = width(lead);
     let mut out = lead.to_owned();
     let mut at = indent;

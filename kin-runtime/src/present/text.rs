@@ -236,7 +236,7 @@ pub(crate) fn ratios(model: &Model, ratios: &VelocityRatios) -> String {
             .words("coordinate", model.coordinates.iter().map(|c| c.name))
             .numbers("k = ∂q/∂f", driver.first.iter().copied())
             .numbers("l = ∂²q/∂f²", driver.second.iter().copied());
-        out.push_str(&section(&format!("Velocity ratios of the driving row {}", driver.row_name), &table));
+        out.push_str(&section(&format!("Velocity ratios of the driving row {}", driver.name), &table));
     }
     for input in &ratios.inputs {
         let table = Table::new()

@@ -7,7 +7,8 @@ use crate::equations::{Equations, finite};
 use crate::error::SolveError;
 use crate::mechanism::LengthError;
 use crate::model::Point;
-use crate::motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates, name};
+use crate::motion::{BodyMotion, ConditionMotion, Motion, PointMotion, name};
+use crate::signal::Signal;
 use crate::state::State;
 use crate::workspace::Instant;
 use nalgebra::DMatrix;
@@ -22,7 +23,7 @@ pub(crate) fn motion(equations: &mut Equations<'_>, state: &State) -> Result<Mot
     equations.system.observe(&at, &state.q, &state.q_dot)?;
     let parts = equations.system.observables();
     let pattern = &model.observable_pattern;
-    let rates: Vec<Rates> = (0..model.observables.len()).map(|k| parts.rates(pattern, k, state)).collect();
+    let rates: Vec<Signal> = (0..model.observables.len()).map(|k| parts.rates(pattern, k, state)).collect();
     for (index, rate) in rates.iter().enumerate() {
         for value in [rate.value, rate.rate, rate.acceleration] {
             finite("observables", index, name(model, index), value).map_err(|error| error.at(state.t))?;
@@ -33,7 +34,7 @@ pub(crate) fn motion(equations: &mut Equations<'_>, state: &State) -> Result<Mot
     let points = model.points.iter().map(|point| PointMotion::from(point.observables.map(at)));
     let joints = model.joints.iter().map(|joint| joint.quantities.iter().map(|q| at(q.observable)).collect());
     let conditions = model.conditions.iter().map(|condition| {
-        let Rates { value, rate, acceleration } = at(condition.observable);
+        let Signal { value, rate, acceleration } = at(condition.observable);
         ConditionMotion { value, rate, acceleration, satisfied: value > 0.0 }
     });
     Ok(Motion {

@@ -33,42 +33,29 @@ use crate::workspace::{Instant, Signal, Subset};
 use core::fmt;
 use nalgebra::DVector;
 
-/// How q follows one driving row.
+/// How q follows one driving row, or one input while all others and time stand still.
+///
+/// Of an input is counted what follows u̇ and ü. Where a row of velocity level holds the *value* of the input (a `speed` that
+/// it sets), q̇ follows u itself; that is the ratio of the row, and no part of the input's numbers.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct VelocityRatio {
-    /// The driving row, place in Φ.
-    pub row: usize,
-    /// Its name.
-    pub row_name: &'static str,
-    /// Its joint.
-    pub joint: &'static str,
-    /// k = ∂q/∂f (∂q̇/∂f for a row of velocity level), n numbers: Φ_q k = e_d, with f the row's right-hand side (Φ_q k = 2 f e_d for a distance).
-    pub first: Vec<f64>,
-    /// l = ∂²q/∂f², n numbers: Φ_q l = −(Φ_q k)_q k (plus 2 e_d for a distance).
-    pub second: Vec<f64>,
-    /// The row's own share of q̇: k ḟ.
-    pub q_dot: Vec<f64>,
-    /// The row's own share of q̈, all others standing still: k f̈ + l ḟ².
-    pub q_ddot: Vec<f64>,
-}
-
-/// How q follows one input, all others and time standing still.
-///
-/// Counted is what follows u̇ and ü. Where a row of velocity level holds the *value* of the input (a `speed` that it sets),
-/// q̇ follows u itself; that is the row's [`VelocityRatio`], and no part of these numbers.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct InputRatio {
-    /// The input's name.
+    /// The driving row, place in Φ; none for an input.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub row: Option<usize>,
+    /// The name of the row or of the input.
     pub name: &'static str,
-    /// k = ∂q/∂u, n numbers.
+    /// The row's joint; none for an input.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub joint: Option<&'static str>,
+    /// k = ∂q/∂f (∂q̇/∂f for a row of velocity level), n numbers: Φ_q k = e_d, with f the row's right-hand side (Φ_q k = 2 f e_d
+    /// for a distance); of an input ∂q/∂u.
     pub first: Vec<f64>,
-    /// l = ∂²q/∂u², n numbers.
+    /// l = ∂²q/∂f², n numbers: Φ_q l = −(Φ_q k)_q k (plus 2 e_d for a distance); of an input ∂²q/∂u².
     pub second: Vec<f64>,
-    /// The input's own share of q̇: k u̇.
+    /// Its own share of q̇: k ḟ, or k u̇.
     pub q_dot: Vec<f64>,
-    /// The input's own share of q̈: k ü + l u̇².
+    /// Its own share of q̈, all others standing still: k f̈ + l ḟ², or k ü + l u̇².
     pub q_ddot: Vec<f64>,
 }
 
@@ -79,13 +66,13 @@ pub struct VelocityRatios {
     /// One entry per driving row.
     pub drivers: Vec<VelocityRatio>,
     /// One entry per input.
-    pub inputs: Vec<InputRatio>,
+    pub inputs: Vec<VelocityRatio>,
 }
 
 impl core::ops::Index<Input> for VelocityRatios {
-    type Output = InputRatio;
+    type Output = VelocityRatio;
 
-    fn index(&self, input: Input) -> &InputRatio {
+    fn index(&self, input: Input) -> &VelocityRatio {
         &self.inputs[input.0]
     }
 }
@@ -106,9 +93,9 @@ pub(crate) fn velocity_ratios(equations: &mut Equations<'_>, state: &State) -> R
         let second = respond(equations, &factor, &bend)?;
         let distance = distances.iter().find(|(of, _)| *of == row).map(|&(_, f)| f);
         drivers.push(VelocityRatio {
-            row,
-            row_name: equations.row_name(row),
-            joint: equations.joint_name(row),
+            row: Some(row),
+            name: equations.row_name(row),
+            joint: Some(equations.joint_name(row)),
             q_dot: (nu[row] * &first).as_slice().to_vec(),
             q_ddot: (at_rest[row] * &first + nu[row] * nu[row] * &second).as_slice().to_vec(),
             second: match distance {
@@ -128,7 +115,7 @@ fn input_ratio(
     factor: &Factorization,
     q: &[f64],
     k: usize,
-) -> Result<InputRatio, SolveError> {
+) -> Result<VelocityRatio, SolveError> {
     let phi_u = along(equations, Some(k), |equations| {
         equations.evaluate(Subset::TIME_DERIVATIVE, q, None)?;
         Ok(equations.phi_t.clone())
@@ -137,7 +124,9 @@ fn input_ratio(
     let bend = along(equations, Some(k), |equations| gamma(equations, q, first.as_slice()))?;
     let second = respond(equations, factor, &bend)?;
     let Signal { rate, acceleration, .. } = equations.inputs[k];
-    Ok(InputRatio {
+    Ok(VelocityRatio {
+        row: None,
+        joint: None,
         name: equations.model.inputs.get(k).copied().unwrap_or(""),
         q_dot: (rate * &first).as_slice().to_vec(),
         q_ddot: (acceleration * &first + rate * rate * &second).as_slice().to_vec(),
@@ -203,34 +192,19 @@ fn respond(
 /// `drive: k = (…), l = (…)`.
 impl fmt::Display for VelocityRatio {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        ratio(f, self.row_name, &self.first, &self.second)
-    }
-}
-
-/// `cylinder: k = (…), l = (…)`.
-impl fmt::Display for InputRatio {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        ratio(f, self.name, &self.first, &self.second)
+        write!(f, "{}: k = ", self.name)?;
+        numbers(f, &self.first)?;
+        f.write_str(", l = ")?;
+        numbers(f, &self.second)
     }
 }
 
 /// A line per driving row and per input.
 impl fmt::Display for VelocityRatios {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let rows = self.drivers.iter().map(|d| (d.row_name, &d.first, &d.second));
-        let inputs = self.inputs.iter().map(|i| (i.name, &i.first, &i.second));
-        rows.chain(inputs).enumerate().try_for_each(|(k, (name, first, second))| {
-            if k > 0 {
-                f.write_str("\n")?;
-            }
-            ratio(f, name, first, second)
+        self.drivers.iter().chain(&self.inputs).enumerate().try_for_each(|(k, ratio)| {
+            f.write_str(if k > 0 { "\n" } else { "" })?;
+            ratio.fmt(f)
         })
     }
-}
-
-fn ratio(f: &mut fmt::Formatter<'_>, name: &str, first: &[f64], second: &[f64]) -> fmt::Result {
-    write!(f, "{name}: k = ")?;
-    numbers(f, first)?;
-    f.write_str(", l = ")?;
-    numbers(f, second)
 }

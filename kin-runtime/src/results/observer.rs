@@ -49,6 +49,7 @@ impl fmt::Display for Reached<'_> {
 ///
 /// A sweep tells it after every instant, and after every internal step between two of them; a check after every
 /// configuration. It should be quick: a step takes microseconds.
+#[doc(hidden)]
 pub type Observer<'a> = &'a dyn Fn(Reached<'_>) -> ControlFlow<()>;
 
 /// An analysis with its observer, where it has one.

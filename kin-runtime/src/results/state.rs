@@ -1,7 +1,7 @@
 //! A solved configuration.
 
 use crate::model::{Body, Coordinate, Model, Point};
-use crate::motion::{BodyMotion, PointMotion, Rates};
+use crate::motion::{BodyMotion, PointMotion};
 use crate::workspace::{Instant, Signal};
 use core::fmt;
 use core::ops::Index;
@@ -51,13 +51,13 @@ impl State {
     ///
     /// # Panics
     /// As any index, with the handle of another mechanism.
-    pub fn coordinate(&self, coordinate: Coordinate) -> Rates {
+    pub fn coordinate(&self, coordinate: Coordinate) -> Signal {
         self.rates(coordinate.0)
     }
 
     /// The coordinate at a place in q with its rate and acceleration.
-    pub(crate) fn rates(&self, place: usize) -> Rates {
-        Rates { value: self.q[place], rate: self.q_dot[place], acceleration: self.q_ddot[place] }
+    pub(crate) fn rates(&self, place: usize) -> Signal {
+        Signal { value: self.q[place], rate: self.q_dot[place], acceleration: self.q_ddot[place] }
     }
 
     /// q, q̇ and q̈ as columns of nalgebra, which copy nothing.

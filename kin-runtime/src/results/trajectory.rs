@@ -2,8 +2,9 @@
 
 use super::event::{Event, Unwatched};
 use crate::model::{Component, ConditionInfo, Model};
-use crate::motion::{PointMotion, Rates};
+use crate::motion::PointMotion;
 use crate::planned::Limit;
+use crate::signal::Signal;
 use crate::state::State;
 use crate::text::counted;
 use core::fmt;
@@ -107,7 +108,7 @@ impl Trajectory {
     /// x or y of a named point (`tip.x`); its rate (`crank.phi_dot`) or its acceleration (`crank.phi_ddot`). A name as it
     /// stands wins over a rate of the same name.
     pub fn column(&self, name: &str) -> Option<Vec<f64>> {
-        let rates = |quantity: fn(Rates) -> f64, name: &str| {
+        let rates = |quantity: fn(Signal) -> f64, name: &str| {
             let of = quantity_named(self.model, name)?;
             Some(self.states.iter().map(|state| quantity(of.rates(state))).collect())
         };
@@ -145,21 +146,21 @@ fn quantity_named(model: &Model, name: &str) -> Option<Named> {
 
 impl Named {
     /// Its value and rates; NaN where a state has no such entry, which only one that was put together by hand has not.
-    fn rates(&self, state: &State) -> Rates {
+    fn rates(&self, state: &State) -> Signal {
         let at = |list: &[f64], place: usize| list.get(place).copied().unwrap_or(f64::NAN);
         match *self {
             Self::Coordinate(k) => {
-                Rates { value: at(&state.q, k), rate: at(&state.q_dot, k), acceleration: at(&state.q_ddot, k) }
+                Signal { value: at(&state.q, k), rate: at(&state.q_dot, k), acceleration: at(&state.q_ddot, k) }
             }
-            Self::Body(k, component) => state.bodies.get(k).map_or(Rates::UNKNOWN, |body| body.rates(component)),
+            Self::Body(k, component) => state.bodies.get(k).map_or(Signal::UNKNOWN, |body| body.rates(component)),
             Self::Point(k, component) => {
                 let axis = usize::from(component == Component::Y);
-                let of = |point: &PointMotion| Rates {
+                let of = |point: &PointMotion| Signal {
                     value: point.r[axis],
                     rate: point.v[axis],
                     acceleration: point.a[axis],
                 };
-                state.points.get(k).map_or(Rates::UNKNOWN, of)
+                state.points.get(k).map_or(Signal::UNKNOWN, of)
             }
         }
     }

@@ -1,9 +1,9 @@
 //! All orders at once: the generated plan over a Taylor series.
 
-use super::PowerSeries;
 use super::inputs::factorial;
 use super::orders::{HigherOrders, array};
 use crate::mechanism::LengthError;
+use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;
 use crate::scalar::{Scalar, Taylor};
@@ -12,7 +12,7 @@ use crate::workspace::{Array, Instant};
 /// Coefficients of all coordinates, at most, whose series are on the stack: a plan has about twenty values for each.
 const LARGEST: usize = 1500;
 
-impl<M: PowerSeries> HigherOrders<'_, M> {
+impl<M: Mechanism> HigherOrders<'_, M> {
     /// q, q̇, q̈ by the plan, and all orders up to the highest: [`derivative`](Self::derivative) has those from the third
     /// on. They are only good where all margins are positive.
     ///

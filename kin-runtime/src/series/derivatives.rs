@@ -1,6 +1,5 @@
 //! The analysis of higher order: order after order with the factorisation of velocity and acceleration analysis.
 
-use super::PowerSeries;
 use super::orders::{HigherOrders, Orders};
 use super::tape::Missing;
 use crate::analysis::by_plan;
@@ -10,6 +9,7 @@ use crate::equations::scale::Scale;
 use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::mechanism::LengthError;
+use crate::mechanism::Mechanism;
 use crate::solver::Solver;
 use crate::state::State;
 use crate::text::numbers;
@@ -51,7 +51,7 @@ impl Derivatives {
     }
 }
 
-impl<M: PowerSeries> Solver<'_, M> {
+impl<M: Mechanism> Solver<'_, M> {
     /// All derivatives of q up to `order` at a solved state: the third is jerk.
     ///
     /// Order after order is one more right-hand side for Φ_q q⁽ᵏ⁾ = …, with the factorisation that gives q̇ and q̈; see

@@ -43,8 +43,8 @@ pub use motion::MotionDerivatives;
 #[cfg(feature = "std")]
 pub use orders::HigherOrders;
 
-/// A mechanism whose motion can be expanded in powers of time: every mechanism, as its code takes any
-/// [`Scalar`](crate::Scalar).
+/// A mechanism whose motion can be expanded in powers of time. Every mechanism is one, so that no bound needs to say it.
+#[doc(hidden)]
 pub trait PowerSeries: Mechanism {}
 
 impl<M: Mechanism> PowerSeries for M {}

@@ -1,6 +1,5 @@
 //! Higher derivatives of everything that a mechanism reports.
 
-use super::PowerSeries;
 use super::derivatives::{Derivatives, unknown};
 use super::inputs::{Inputs, Setting, factorial};
 use super::orders::array;
@@ -38,7 +37,7 @@ pub struct MotionDerivatives {
 
 report!(MotionDerivatives, body: [[f64; 3]], point: [[f64; 2]]);
 
-impl<M: PowerSeries> Solver<'_, M> {
+impl<M: Mechanism> Solver<'_, M> {
     /// Derivatives of bodies, points, defines and joints, to the order of those of q.
     ///
     /// # Errors

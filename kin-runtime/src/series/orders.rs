@@ -1,9 +1,9 @@
 //! Right-hand sides order by order, and what is known of q so far.
 
-use super::PowerSeries;
 use super::inputs::{Inputs, Setting, coordinates, factorial};
 use super::tape::{Missing, Series, Tape};
 use crate::mechanism::LengthError;
+use crate::mechanism::Mechanism;
 use crate::model::Level;
 use crate::plan::Plan;
 use crate::workspace::{Array, Instant};
@@ -35,7 +35,8 @@ use crate::workspace::{Array, Instant};
 /// assert_eq!((orders.order(), orders.right()), (3, &[6.0][..]));
 /// # Ok::<(), kin_runtime::LengthError>(())
 /// ```
-pub struct HigherOrders<'m, M: PowerSeries> {
+#[doc(hidden)]
+pub struct HigherOrders<'m, M: Mechanism> {
     pub(super) mechanism: &'m M,
     pub(super) parameters: M::Parameters<f64>,
     pub(super) inputs: Inputs,
@@ -64,7 +65,7 @@ pub(super) fn array<'a, C: Array<f64>>(
     C::view(list).ok_or(LengthError { what, expected, found: list.len() })
 }
 
-impl<'m, M: PowerSeries> HigherOrders<'m, M> {
+impl<'m, M: Mechanism> HigherOrders<'m, M> {
     /// The highest order that there is: 171! is more than an `f64` can hold.
     pub const MOST: usize = 170;
 
@@ -217,7 +218,7 @@ pub(super) trait Orders {
     fn missing(&self) -> Option<Missing>;
 }
 
-impl<M: PowerSeries> Orders for HigherOrders<'_, M> {
+impl<M: Mechanism> Orders for HigherOrders<'_, M> {
     fn begin_with(&mut self, at: &Instant<'_>, further: &[&[f64]], known: [&[f64]; 3]) -> Result<(), LengthError> {
         HigherOrders::begin_with(self, at, further, known)
     }
@@ -244,7 +245,7 @@ impl<M: PowerSeries> Orders for HigherOrders<'_, M> {
 }
 
 /// Of what, and to which order it is solved.
-impl<M: PowerSeries> core::fmt::Display for HigherOrders<'_, M> {
+impl<M: Mechanism> core::fmt::Display for HigherOrders<'_, M> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(f, "derivatives of {} up to order {}", M::model().name, self.highest)
     }

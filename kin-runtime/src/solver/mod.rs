@@ -6,7 +6,7 @@ use crate::analysis::position::position;
 use crate::analysis::singular::explain;
 use crate::analysis::velocity::{factorize, velocity};
 use crate::course::InputFunction;
-use crate::cross_check::{CrossCheck, CrossCheckOptions, PlanCheck, cross_check, plan_check};
+use crate::cross_check::{CrossCheck, CrossCheckOptions, cross_check, plan_check};
 use crate::equations::scale::Scale;
 use crate::equations::system::Evaluator;
 use crate::equations::{Equations, finite};
@@ -250,7 +250,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     ///
     /// # Errors
     /// [`Plan`](SolveError::Plan) where there is no plan; as [`state_from`](Self::state_from) for the configurations given.
-    pub fn plan_check(&self, options: &CrossCheckOptions) -> Result<PlanCheck, SolveError> {
+    pub fn plan_check(&self, options: &CrossCheckOptions) -> Result<CrossCheck, SolveError> {
         let (centre, length) = self.around(options)?;
         plan_check(self.mechanism, options, &centre, length, self.observer, |at, start| {
             Self::new(self.mechanism).state_from(at, start)

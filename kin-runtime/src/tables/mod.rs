@@ -9,7 +9,7 @@
 //! 128. The first number of an entry is the length of its name where it has one.
 
 use crate::model::{
-    BodyInfo, CoordinateInfo, CoordinateKind, Frame, Geometry, JointInfo, JointQuantity, Model, Observable, OriginKind,
+    BodyInfo, CoordinateInfo, CoordinateKind, DefineInfo, Frame, Geometry, JointInfo, Model, Observable, OriginKind,
     ParameterInfo, RowInfo,
 };
 use crate::plan::{ModeInfo, PlanStep, StepKind};
@@ -208,12 +208,12 @@ unpack!(
 
 unpack!(
     /// Words: kind, observable; of the kinds only the name counts.
-    quantities -> JointQuantity,
-    JointQuantity { name: "", observable: 0 },
-    (kinds: &[JointQuantity]),
+    quantities -> DefineInfo,
+    DefineInfo { name: "", observable: 0, varies: true },
+    (kinds: &[DefineInfo]),
     |rest| {
         let name = kinds[rest.word()].name;
-        JointQuantity { name, observable: rest.word() }
+        DefineInfo { name, observable: rest.word(), varies: true }
     }
 );
 
@@ -222,7 +222,7 @@ unpack!(
     /// kinds have nothing else.
     joints -> JointInfo,
     NO_JOINT,
-    (kinds: &[JointInfo], geometry: &'static [Geometry], quantities: &'static [JointQuantity]),
+    (kinds: &[JointInfo], geometry: &'static [Geometry], quantities: &'static [DefineInfo]),
     |rest| {
         let kind = kinds[rest.word()].kind;
         let (name, frames) = (rest.name(), [rest.frame(), rest.frame()]);

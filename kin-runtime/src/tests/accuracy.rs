@@ -94,7 +94,7 @@ fn velocity_ratios_give_back_velocity_and_acceleration() {
     let ratios = mechanism.solver().velocity_ratios(&state).unwrap();
     assert_eq!(ratios.drivers.len(), 1);
     let drive = &ratios.drivers[0];
-    assert_eq!((drive.row_name, drive.joint, drive.row), ("drive", "drive", 20));
+    assert_eq!((drive.name, drive.joint, drive.row), ("drive", Some("drive"), Some(20)));
     assert!((drive.first[2] - 1.0).abs() < 1e-12);
     agree(&drive.q_dot, &state.q_dot, 1e-11);
     agree(&drive.q_ddot, &state.q_ddot, 1e-10);

@@ -3,7 +3,7 @@
 use crate::fixture::PlannedFourBar;
 use crate::kinematics::Kinematics;
 use crate::model::{Body, Component};
-use crate::{Instant, Mechanism, Options, Rates, Signal, Subset};
+use crate::{Instant, Mechanism, Options, Signal, Subset};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
@@ -38,7 +38,13 @@ fn every_public_type_displays() {
     lines(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut source);
     let mut types = BTreeSet::new();
     let mut shown = BTreeSet::new();
+    let mut hidden = false;
     for line in &source {
+        // What the documentation hides is for generated code alone.
+        let attribute = line == "#[doc(hidden)]" || hidden && line.starts_with("#[");
+        if std::mem::replace(&mut hidden, attribute) {
+            continue;
+        }
         for start in ["pub struct ", "pub enum "] {
             types.extend(line.strip_prefix(start).map(identifier));
         }
@@ -50,7 +56,7 @@ fn every_public_type_displays() {
             shown.insert(identifier(of));
         }
     }
-    assert!(types.len() > 90, "{types:?}");
+    assert!(types.len() > 75, "{types:?}");
     let mute: Vec<_> = types.difference(&shown).collect();
     assert!(mute.is_empty(), "without Display: {mute:?}");
 }
@@ -64,7 +70,7 @@ fn texts_say_what_is_there() {
     assert_eq!(model.coordinates.len() + 1, state.to_string().lines().count());
     assert!(state.to_string().starts_with("t = 0\n"), "{state}");
     assert_eq!("0.500 (rate 1.000, acceleration -2.000)", format!("{:.3}", Signal::new(0.5, 1.0, -2.0)));
-    assert_eq!("0.5 (rate 1, acceleration -2)", Rates { value: 0.5, rate: 1.0, acceleration: -2.0 }.to_string());
+    assert_eq!("0.5 (rate 1, acceleration -2)", Signal { value: 0.5, rate: 1.0, acceleration: -2.0 }.to_string());
     assert_eq!("Φ, Φ_q", Subset::POSITION.to_string());
     assert_eq!("nothing", Subset::default().to_string());
     assert_eq!("body 2", Body(2).to_string());

@@ -1,7 +1,8 @@
 //! Building a sequence, segment by segment.
 
+use super::Sequence;
 use super::segment::{Course, Segment};
-use super::{Sequence, SequenceError};
+use crate::function::FunctionError;
 use crate::function::law::MotionLaw;
 use crate::text::counted;
 use alloc::vec::Vec;
@@ -14,12 +15,13 @@ use core::fmt;
 pub struct SequenceBuilder {
     start: (f64, f64),
     segments: Vec<Segment>,
-    error: Option<SequenceError>,
+    error: Option<FunctionError>,
 }
 
 impl SequenceBuilder {
     pub(super) fn new(x: f64, position: f64) -> Self {
-        let error = (!x.is_finite() || !position.is_finite()).then_some(SequenceError::NonFinite { segment: None });
+        let error =
+            (!x.is_finite() || !position.is_finite()).then_some(FunctionError::NonFiniteSegment { segment: None });
         Self { start: (x, position), segments: Vec::new(), error }
     }
 
@@ -72,11 +74,11 @@ impl SequenceBuilder {
         };
         let end = (start + duration, position + course.rise());
         let error = if !duration.is_finite() || !end.0.is_finite() || !end.1.is_finite() {
-            Some(SequenceError::NonFinite { segment: Some(number) })
+            Some(FunctionError::NonFiniteSegment { segment: Some(number) })
         } else if duration <= 0.0 || end.0 <= start {
-            Some(SequenceError::Duration { segment: number, duration })
+            Some(FunctionError::Duration { segment: number, duration })
         } else if constant != 0.0 {
-            Some(SequenceError::Jump { segment: number, by: constant })
+            Some(FunctionError::Jump { segment: number, by: constant })
         } else {
             None
         };
@@ -90,7 +92,7 @@ impl SequenceBuilder {
     /// # Errors
     /// The first mistake: no segment, numbers that are not finite, a duration that is not greater than 0, a polynomial
     /// that jumps.
-    pub fn build(self) -> Result<Sequence, SequenceError> {
+    pub fn build(self) -> Result<Sequence, FunctionError> {
         self.complete(false)
     }
 
@@ -98,22 +100,22 @@ impl SequenceBuilder {
     ///
     /// # Errors
     /// As [`build`](Self::build), and when it does not end where it begins.
-    pub fn periodic(self) -> Result<Sequence, SequenceError> {
+    pub fn periodic(self) -> Result<Sequence, FunctionError> {
         self.complete(true)
     }
 
-    fn complete(self, periodic: bool) -> Result<Sequence, SequenceError> {
+    fn complete(self, periodic: bool) -> Result<Sequence, FunctionError> {
         let (end, position) = self.here();
         if let Some(error) = self.error {
             return Err(error);
         }
         if self.segments.is_empty() {
-            return Err(SequenceError::Empty);
+            return Err(FunctionError::Empty);
         }
         let start = self.start.1;
         let largest = self.segments.iter().fold(0.0_f64, |m, s| m.max(s.position.abs()).max(s.course.rise().abs()));
         if periodic && (position - start).abs() > 1e-12 * largest {
-            return Err(SequenceError::NotPeriodic { start, end: position });
+            return Err(FunctionError::NotPeriodic { first: start, last: position });
         }
         Ok(Sequence { segments: self.segments, domain: (self.start.0, end), periodic })
     }

@@ -1,15 +1,14 @@
 //! C² interpolation through a table by cubic splines.
 
-mod error;
 #[cfg(test)]
 mod tests;
 mod tridiagonal;
 
 use super::ScalarFunction;
+use crate::function::FunctionError;
 use crate::text::counted;
 use alloc::vec::Vec;
 use core::fmt;
-pub use error::SplineError;
 use tridiagonal::Tridiagonal;
 
 /// A cubic spline through the points (x_i, y_i): a cubic polynomial between neighbours, with f, f′ and f″ continuous
@@ -38,7 +37,7 @@ use tridiagonal::Tridiagonal;
 /// ```
 /// use kin_runtime::{ScalarFunction, function::CubicSpline};
 ///
-/// # fn main() -> Result<(), kin_runtime::function::SplineError> {
+/// # fn main() -> Result<(), kin_runtime::function::FunctionError> {
 /// // A cam's lift over one turn, every 60°.
 /// let angle: Vec<f64> = (0..=6).map(|k| f64::from(k) * std::f64::consts::TAU / 6.0).collect();
 /// let lift = CubicSpline::periodic(&angle, &[0.0, 2.5e-3, 7.5e-3, 10e-3, 7.5e-3, 2.5e-3, 0.0])?;
@@ -69,7 +68,7 @@ impl CubicSpline {
     ///
     /// # Errors
     /// A table that is not two or more finite points with increasing abscissae.
-    pub fn natural(x: &[f64], y: &[f64]) -> Result<Self, SplineError> {
+    pub fn natural(x: &[f64], y: &[f64]) -> Result<Self, FunctionError> {
         let h = spacings(x, y, 2)?;
         let (mut system, mut right) = inner(&h, y);
         let last = h.len();
@@ -82,7 +81,7 @@ impl CubicSpline {
     ///
     /// # Errors
     /// As [`natural`](Self::natural); slopes that are not finite.
-    pub fn clamped(x: &[f64], y: &[f64], start: f64, end: f64) -> Result<Self, SplineError> {
+    pub fn clamped(x: &[f64], y: &[f64], start: f64, end: f64) -> Result<Self, FunctionError> {
         let h = spacings(x, y, 2)?;
         finite("slopes", &[start, end])?;
         let (mut system, mut right) = inner(&h, y);
@@ -98,13 +97,13 @@ impl CubicSpline {
     ///
     /// # Errors
     /// As [`natural`](Self::natural), with three points or more; a last value that is not the first one, up to rounding.
-    pub fn periodic(x: &[f64], y: &[f64]) -> Result<Self, SplineError> {
+    pub fn periodic(x: &[f64], y: &[f64]) -> Result<Self, FunctionError> {
         let h = spacings(x, y, 3)?;
         let n = h.len();
         let (first, last) = (y[0], y[n]);
         let largest = y.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
         if (last - first).abs() > 1e-12 * largest {
-            return Err(SplineError::NotPeriodic { first, last });
+            return Err(FunctionError::NotPeriodic { first, last });
         }
         let mut y = y.to_vec();
         y[n] = first;
@@ -138,14 +137,14 @@ impl CubicSpline {
         &self.knots
     }
 
-    fn new(x: &[f64], y: &[f64], h: &[f64], m: &[f64], outside: Outside) -> Result<Self, SplineError> {
+    fn new(x: &[f64], y: &[f64], h: &[f64], m: &[f64], outside: Outside) -> Result<Self, FunctionError> {
         let piece = |i: usize| {
             let slope = (y[i + 1] - y[i]) / h[i] - h[i] * (2.0 * m[i] + m[i + 1]) / 6.0;
             [y[i], slope, 0.5 * m[i], (m[i + 1] - m[i]) / (6.0 * h[i])]
         };
         let pieces: Vec<[f64; 4]> = (0..h.len()).map(piece).collect();
         match pieces.iter().position(|piece| piece.iter().any(|c| !c.is_finite())) {
-            Some(index) => Err(SplineError::NonFinite { what: "coefficients", index }),
+            Some(index) => Err(FunctionError::NonFinite { what: "coefficients", index }),
             None => Ok(Self { knots: x.to_vec(), pieces, outside }),
         }
     }
@@ -198,24 +197,24 @@ impl ScalarFunction for CubicSpline {
 }
 
 /// The distances between abscissae of a sound table.
-fn spacings(x: &[f64], y: &[f64], needed: usize) -> Result<Vec<f64>, SplineError> {
+fn spacings(x: &[f64], y: &[f64], needed: usize) -> Result<Vec<f64>, FunctionError> {
     if x.len() != y.len() {
-        return Err(SplineError::Lengths { abscissae: x.len(), values: y.len() });
+        return Err(FunctionError::Lengths { abscissae: x.len(), values: y.len() });
     }
     if x.len() < needed {
-        return Err(SplineError::TooFewPoints { found: x.len(), needed });
+        return Err(FunctionError::TooFewPoints { found: x.len(), needed });
     }
     finite("abscissae", x)?;
     finite("values", y)?;
     if let Some(index) = (1..x.len()).find(|&i| x[i] <= x[i - 1]) {
-        return Err(SplineError::NotIncreasing { index, before: x[index - 1], found: x[index] });
+        return Err(FunctionError::NotIncreasing { index, before: x[index - 1], found: x[index] });
     }
     Ok(x.windows(2).map(|pair| pair[1] - pair[0]).collect())
 }
 
-fn finite(what: &'static str, values: &[f64]) -> Result<(), SplineError> {
+fn finite(what: &'static str, values: &[f64]) -> Result<(), FunctionError> {
     match values.iter().position(|value| !value.is_finite()) {
-        Some(index) => Err(SplineError::NonFinite { what, index }),
+        Some(index) => Err(FunctionError::NonFinite { what, index }),
         None => Ok(()),
     }
 }

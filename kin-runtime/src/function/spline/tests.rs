@@ -1,6 +1,6 @@
 //! Splines against what they must reproduce, their smoothness, and their order of convergence.
 
-use super::{CubicSpline, SplineError};
+use super::{CubicSpline, FunctionError};
 use crate::function::ScalarFunction;
 use core::f64::consts::TAU;
 
@@ -127,7 +127,7 @@ fn errors_fall_with_the_fourth_power_of_the_spacing() {
 
 #[test]
 fn unsound_tables_are_refused_with_numbers() {
-    use SplineError::*;
+    use FunctionError::*;
     let natural = CubicSpline::natural;
     assert_eq!(natural(&[0.0, 1.0], &[0.0]), Err(Lengths { abscissae: 2, values: 1 }));
     assert_eq!(natural(&[0.0], &[0.0]), Err(TooFewPoints { found: 1, needed: 2 }));

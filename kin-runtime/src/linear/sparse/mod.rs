@@ -10,8 +10,6 @@
 //! Multipliers are watched: where one exceeds [`LARGEST_MULTIPLIER`] the order is given up. What they may have cost in
 //! accuracy a step of refinement brings back.
 
-#[cfg(feature = "faer")]
-mod by_faer;
 mod markowitz;
 mod order;
 
@@ -50,19 +48,10 @@ impl Ordered {
         {
             return true;
         }
-        let pivots = pivots(self.n, &self.entries, &elimination.values);
+        let pivots = markowitz::pivots(self.n, &self.entries, &elimination.values);
         self.order = pivots.map(|pivots| Rc::new(Order::new(&self.entries, pivots)));
         self.order.as_ref().is_some_and(|order| elimination.follow(order))
     }
-}
-
-/// An order of elimination for these numbers: Markowitz', and of large matrices faer's where that is asked for.
-fn pivots(n: usize, entries: &[(usize, usize)], values: &[f64]) -> Option<Vec<(usize, usize)>> {
-    #[cfg(feature = "faer")]
-    if n >= by_faer::LARGE {
-        return by_faer::pivots(n, entries, values);
-    }
-    markowitz::pivots(n, entries, values)
 }
 
 /// A factorised matrix.

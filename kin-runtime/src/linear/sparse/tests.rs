@@ -30,7 +30,6 @@ fn factorised(ordered: &mut Ordered, values: Vec<f64>) -> Option<Elimination> {
 fn solutions_signs_and_norms_are_those_of_the_dense_matrix() {
     let mut random = Random::new(11);
     let mut exact = 0;
-    // The largest is large enough for faer's order, where that is asked for.
     for (n, rounds) in (1..=12).chain([40]).map(|n| (n, 20)).chain([(240, 2)]) {
         for _ in 0..rounds {
             let (dense, entries, values) = random_matrix(&mut random, n);

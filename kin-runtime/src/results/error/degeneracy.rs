@@ -1,8 +1,12 @@
-//! What contacts and geometry say nothing about.
+//! What is degenerate in the geometry of joints.
 
 use core::fmt;
 
-/// What is degenerate where bodies touch.
+/// [`Degeneracy`], by the name that it has where parameters say it.
+#[doc(hidden)]
+pub type GeometryFault = Degeneracy;
+
+/// What is degenerate in the geometry of a joint: in the sizes that the parameters give it, or where bodies touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -34,6 +38,18 @@ pub enum Degeneracy {
         /// The sum of their radii.
         sum: f64,
     },
+    /// The axis has no direction: its components are 0, or too small or too large to be normalised.
+    Axis,
+    /// The distance that the joint keeps is nothing, and its row has no gradient where it is kept.
+    Length {
+        /// The distance.
+        length: f64,
+    },
+    /// The distance that the joint keeps is negative, which no distance is.
+    NegativeLength {
+        /// The distance.
+        length: f64,
+    },
 }
 
 impl fmt::Display for Degeneracy {
@@ -55,31 +71,6 @@ impl fmt::Display for Degeneracy {
             Self::Direction { parameter, value } => {
                 write!(f, "the curve stands still at {parameter} = {value}, so that its roller has no side to run on")
             }
-        }
-    }
-}
-
-/// What the geometry of a joint lacks at the values of the parameters.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum GeometryFault {
-    /// The axis has no direction: its components are 0, or too small or too large to be normalised.
-    Axis,
-    /// The distance that the joint keeps is nothing, and its row has no gradient where it is kept.
-    Length {
-        /// The distance.
-        length: f64,
-    },
-    /// The distance that the joint keeps is negative, which no distance is.
-    NegativeLength {
-        /// The distance.
-        length: f64,
-    },
-}
-
-impl fmt::Display for GeometryFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
             Self::Axis => f.write_str(
                 "its axis has no direction: its components cannot be normalised, being 0, too small or too large",
             ),

@@ -192,7 +192,7 @@ pub enum SolveError {
         /// The joint.
         joint: &'static str,
         /// What it lacks.
-        fault: GeometryFault,
+        fault: Degeneracy,
     },
     /// Forces were asked for, and the mechanism has neither masses nor loads.
     NoLoads {

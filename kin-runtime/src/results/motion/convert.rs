@@ -1,12 +1,12 @@
 //! Motions from rates, and as the types of nalgebra.
 
-use super::{BodyMotion, PointMotion, Rates};
+use super::{BodyMotion, PointMotion, Signal};
 use crate::model::Component;
 use nalgebra::{Isometry2, Point2, Vector2, Vector3};
 
-impl From<[Rates; 3]> for BodyMotion {
+impl From<[Signal; 3]> for BodyMotion {
     /// From those of x, y and φ.
-    fn from([x, y, phi]: [Rates; 3]) -> Self {
+    fn from([x, y, phi]: [Signal; 3]) -> Self {
         Self {
             x: x.value,
             y: y.value,
@@ -21,25 +21,26 @@ impl From<[Rates; 3]> for BodyMotion {
     }
 }
 
-impl From<[Rates; 2]> for PointMotion {
+impl From<[Signal; 2]> for PointMotion {
     /// From those of x and y.
-    fn from([x, y]: [Rates; 2]) -> Self {
+    fn from([x, y]: [Signal; 2]) -> Self {
         Self { r: [x.value, y.value], v: [x.rate, y.rate], a: [x.acceleration, y.acceleration] }
     }
 }
 
-impl Rates {
+impl Signal {
     /// Of what is not there.
     pub(crate) const UNKNOWN: Self = Self { value: f64::NAN, rate: f64::NAN, acceleration: f64::NAN };
 }
 
 impl BodyMotion {
     /// One coordinate of the pose with its rates.
-    pub const fn rates(&self, component: Component) -> Rates {
+    #[doc(hidden)]
+    pub const fn rates(&self, component: Component) -> Signal {
         match component {
-            Component::X => Rates { value: self.x, rate: self.x_dot, acceleration: self.x_ddot },
-            Component::Y => Rates { value: self.y, rate: self.y_dot, acceleration: self.y_ddot },
-            Component::Phi => Rates { value: self.phi, rate: self.phi_dot, acceleration: self.phi_ddot },
+            Component::X => Signal { value: self.x, rate: self.x_dot, acceleration: self.x_ddot },
+            Component::Y => Signal { value: self.y, rate: self.y_dot, acceleration: self.y_ddot },
+            Component::Phi => Signal { value: self.phi, rate: self.phi_dot, acceleration: self.phi_ddot },
         }
     }
 

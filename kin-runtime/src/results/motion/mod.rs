@@ -1,22 +1,15 @@
 //! Motion of everything that a mechanism reports: bodies, points, defines and joints.
 
 use crate::model::{Model, Observable, Quantity};
+use crate::signal::Signal;
 use core::ops::Index;
 
 mod convert;
 mod text;
 
-/// A value with its first and second time derivative.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Rates {
-    /// Value.
-    pub value: f64,
-    /// First time derivative.
-    pub rate: f64,
-    /// Second time derivative.
-    pub acceleration: f64,
-}
+/// [`Signal`], by the name that it has in results.
+#[doc(hidden)]
+pub type Rates = Signal;
 
 /// Pose of a body with its rates; held and carried coordinates included.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -80,10 +73,10 @@ pub struct Motion {
     /// Points, in the order of [`Model::points`].
     pub points: Vec<PointMotion>,
     /// Defines, in the order of [`Model::defines`].
-    pub defines: Vec<Rates>,
+    pub defines: Vec<Signal>,
     /// Per joint of [`Model::joints`], its quantities in the order of [`JointInfo::quantities`](crate::model::JointInfo::quantities):
     /// the rate of an angle is the relative angular velocity, of a stroke the sliding velocity.
-    pub joints: Vec<Vec<Rates>>,
+    pub joints: Vec<Vec<Signal>>,
     /// Unilateral conditions, in the order of [`Model::conditions`].
     pub conditions: Vec<ConditionMotion>,
 }
@@ -126,9 +119,9 @@ pub(crate) use report;
 report!(Motion, body: BodyMotion, point: PointMotion);
 
 impl Index<Quantity> for Motion {
-    type Output = Rates;
+    type Output = Signal;
 
-    fn index(&self, quantity: Quantity) -> &Rates {
+    fn index(&self, quantity: Quantity) -> &Signal {
         &self.defines[quantity.0]
     }
 }

@@ -1,15 +1,8 @@
 //! Motions in words and numbers.
 
-use super::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates};
-use crate::text::{number, numbers, rates};
+use super::{BodyMotion, ConditionMotion, Motion, PointMotion};
+use crate::text::{number, numbers};
 use core::fmt;
-
-/// `0.5 (rate 1, acceleration 0)`.
-impl fmt::Display for Rates {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        rates(f, [&self.value, &self.rate, &self.acceleration])
-    }
-}
 
 /// (x, y, φ) with its rates and accelerations.
 impl fmt::Display for BodyMotion {

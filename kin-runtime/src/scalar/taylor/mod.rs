@@ -23,6 +23,7 @@ use core::fmt;
 /// assert!((value - 4.0_f64.sin() / 2.0).abs() < 1e-15);
 /// assert!((slope - 2.0 * 4.0_f64.cos() + 4.0_f64.sin() / 4.0).abs() < 1e-15);
 /// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Taylor<const N: usize> {
     coefficients: [f64; N],

@@ -1,0 +1,108 @@
+//! What is wrong with the numbers of a function.
+
+use core::fmt;
+
+/// A table that no spline goes through, or segments that make no motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum FunctionError {
+    /// As many abscissae as values are needed.
+    Lengths {
+        /// Number of abscissae.
+        abscissae: usize,
+        /// Number of values.
+        values: usize,
+    },
+    /// Too few points.
+    TooFewPoints {
+        /// Number of points.
+        found: usize,
+        /// The smallest number: 2, or 3 for a periodic spline.
+        needed: usize,
+    },
+    /// NaN or infinity in a table.
+    NonFinite {
+        /// `abscissae`, `values`, `slopes`, or `coefficients`, when the numbers are too far apart for a spline.
+        what: &'static str,
+        /// Place in it.
+        index: usize,
+    },
+    /// Abscissae increase strictly.
+    NotIncreasing {
+        /// Place of the abscissa that does not lie behind its predecessor.
+        index: usize,
+        /// The abscissa before it.
+        before: f64,
+        /// The abscissa.
+        found: f64,
+    },
+    /// A sequence has at least one segment.
+    Empty,
+    /// NaN or infinity: in the start of a sequence (no segment), or in a segment.
+    NonFiniteSegment {
+        /// Number of the segment, from 0.
+        segment: Option<usize>,
+    },
+    /// A duration is greater than 0, and than what rounding leaves of it so far from the start.
+    Duration {
+        /// Number of the segment, from 0.
+        segment: usize,
+        /// Its duration.
+        duration: f64,
+    },
+    /// A polynomial segment begins with a constant term: the position would jump.
+    Jump {
+        /// Number of the segment, from 0.
+        segment: usize,
+        /// By how much.
+        by: f64,
+    },
+    /// A periodic function ends with the value that it begins with.
+    NotPeriodic {
+        /// First value.
+        first: f64,
+        /// Last value.
+        last: f64,
+    },
+}
+
+impl fmt::Display for FunctionError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Lengths { abscissae, values } => {
+                write!(f, "a table has as many abscissae as values; here are {abscissae} and {values}")
+            }
+            Self::TooFewPoints { found, needed } => {
+                write!(f, "a spline goes through at least {needed} points; the table has {found}")
+            }
+            Self::NonFinite { what: "coefficients", index } => {
+                write!(f, "the numbers of the table are too far apart: piece {index} has no finite coefficients")
+            }
+            Self::NonFinite { what, index } => write!(f, "{what}[{index}] is not a finite number"),
+            Self::NotIncreasing { index, before, found } => {
+                write!(f, "abscissae increase; abscissa {index} is {found} and the one before it {before}")
+            }
+            Self::Empty => f.write_str("a sequence has at least one segment"),
+            Self::NonFiniteSegment { segment: None } => f.write_str("the start of the sequence is not a finite number"),
+            Self::NonFiniteSegment { segment: Some(segment) } => {
+                write!(f, "segment {segment} holds a number that is not finite")
+            }
+            Self::Duration { segment, duration } => {
+                write!(f, "the duration of segment {segment} is {duration}; it is greater than 0")
+            }
+            Self::Jump { segment, by } => write!(
+                f,
+                "segment {segment} jumps by {by} at its start; a polynomial is the displacement from there, without a \
+                 constant term"
+            ),
+            Self::NotPeriodic { first, last } => {
+                write!(
+                    f,
+                    "a periodic function ends with the value it begins with; this one begins with {first} and ends with {last}"
+                )
+            }
+        }
+    }
+}
+
+impl core::error::Error for FunctionError {}
