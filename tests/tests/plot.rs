@@ -1,5 +1,6 @@
 //! Diagrams from the command line: what is in them, and what is said about options that make no sense.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
@@ -53,6 +54,37 @@ fn a_curve_has_every_instant_where_the_numbers_are() {
     for text in ["FourbarLectureMid", "crank.phi in rad", "t in s"] {
         assert!(picture.contains(text), "{text}");
     }
+}
+
+#[test]
+fn the_axis_of_time_ends_where_the_motion_ends() {
+    // A turn takes 6.28 s.
+    let picture = svg("fourbar plot rocker.phi");
+    assert!(picture.contains(">6<") && !picture.contains(">7<"), "a tick stands where no curve is");
+}
+
+#[test]
+fn without_a_question_a_path_stands_beside_what_moves_most() {
+    let picture = svg("fourbar plot");
+    for text in ["tip.x in m", "tip.y in m", "t in s"] {
+        assert!(picture.contains(text), "{text}");
+    }
+    let [first, second] = &curve(&picture, "#0072b2")[..] else { panic!("two curves") };
+    let right = |points: &[[f64; 2]]| points.iter().map(|p| p[0]).fold(f64::MIN, f64::max);
+    assert!(second.iter().all(|point| point[0] > right(first)), "side by side");
+}
+
+#[test]
+fn many_curves_have_many_colours_and_a_whole_legend() {
+    let picture = svg("fourbar plot rocker.phi coupler.phi --vary l2=0.35..0.45:14 --steps 20");
+    let strokes = picture
+        .split("<path ")
+        .filter_map(|text| text.split('>').next())
+        .filter(|text| text.contains("stroke-width=\"2\""));
+    let colours: BTreeSet<&str> =
+        strokes.filter_map(|text| text.split("stroke=\"").nth(1)?.split('"').next()).collect();
+    assert!(colours.len() >= 28, "{colours:?}");
+    assert_eq!(picture.matches(", l2 = ").count(), 28);
 }
 
 #[test]

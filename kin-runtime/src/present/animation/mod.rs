@@ -6,6 +6,7 @@
 use super::drawing::{Scene, View, still};
 use super::drawing::{animated, escaped};
 use crate::model::Model;
+use crate::present::number::rounded;
 use serde::Serialize;
 
 /// A motion with what is plotted beside it.
@@ -39,6 +40,10 @@ pub(crate) struct Animation {
     pub(crate) columns: Vec<ColumnInfo>,
     /// The columns plotted at first.
     pub(crate) shown: Vec<usize>,
+    /// The columns of what is driven, whose values stand beside the time.
+    pub(crate) drivers: Vec<usize>,
+    /// The unit of length.
+    pub(crate) length: Option<String>,
     /// The unit of time.
     pub(crate) time: Option<String>,
 }
@@ -48,6 +53,7 @@ struct Data<'a> {
     runs: Vec<RunData<'a>>,
     columns: &'a [ColumnInfo],
     shown: &'a [usize],
+    drivers: &'a [usize],
     time: Option<&'a str>,
     /// How long the whole motion takes to watch.
     seconds: f64,
@@ -92,16 +98,18 @@ impl Animation {
             columns: run.columns.iter().map(|list| list.iter().map(|x| *x as f32).collect()).collect(),
         });
         let (columns, time) = (&self.columns, self.time.as_deref());
-        let data = Data { runs: runs.collect(), columns, shown: &self.shown, time, seconds: self.seconds() };
+        let (shown, drivers, seconds) = (&self.shown[..], &self.drivers[..], self.seconds());
+        let data = Data { runs: runs.collect(), columns, shown, drivers, time, seconds };
         let data = serde_json::to_string(&data).map_err(|error| format!("cannot write the page: {error}"))?;
         // Nothing in the data can end the element that holds it.
         let data = data.replace('<', "\\u003c");
         let drawings: String = self.runs.iter().map(|run| drawing(&run.scene, &view)).collect();
         let [width, height] = view.size.map(|x| x.round());
+        let bar = scale_bar(&view, self.length.as_deref());
         let (name, doc) = (escaped(self.model.name), escaped(self.model.doc));
         let picture = format!(
             "<svg id=\"drawing\" class=\"without-names\" viewBox=\"0 0 {width} {height}\" role=\"img\" \
-             aria-label=\"{name} in motion\">{drawings}</svg>"
+             aria-label=\"{name} in motion\">{drawings}{bar}</svg>"
         );
         Ok(include_str!("page.html")
             .replace("{{name}}", &name)
@@ -138,4 +146,27 @@ fn drawing(scene: &Scene, view: &View) -> String {
         None => format!("<g>{group}</g>"),
     });
     format!("<g class=\"run\">{}</g>", groups.collect::<String>())
+}
+
+/// Parts of the picture's width that the bar for a length takes at most.
+const BAR: f64 = 0.25;
+
+/// A bar that is as long as it says: 1, 2 or 5 times a power of ten.
+fn scale_bar(view: &View, unit: Option<&str>) -> String {
+    let most = BAR * view.size[0] / view.scale;
+    let power = 10_f64.powf(most.log10().floor());
+    let length = [5.0, 2.0, 1.0].into_iter().map(|digit| digit * power).find(|length| *length <= most);
+    let length = length.unwrap_or(power);
+    let (left, base) = (10.0, view.size[1].round() - 8.0);
+    let right = (left + length * view.scale).round();
+    let (middle, above) = (0.5 * (left + right), base - 6.0);
+    let label = match unit {
+        Some(unit) => format!("{} {}", rounded(length), escaped(unit)),
+        None => rounded(length),
+    };
+    format!(
+        "<g class=\"scale\"><path d=\"M{left},{}V{base}H{right}V{}\"/><text x=\"{middle}\" y=\"{above}\">{label}</text></g>",
+        base - 4.0,
+        base - 4.0
+    )
 }

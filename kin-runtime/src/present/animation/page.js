@@ -27,6 +27,11 @@
     $("now").textContent = `t = ${text(now)}${data.time ? " " + data.time : ""}`;
     slider.value = place;
     slider.setAttribute("aria-valuetext", $("now").textContent);
+    const driver = (column) => {
+      const { name, unit } = data.columns[column];
+      return `${name} = ${text(between(data.runs[run].columns[column], place))}${unit ? " " + unit : ""}`;
+    };
+    $("drivers").textContent = data.drivers.map(driver).join(" · ");
     charts.forEach((chart) => chart.mark());
   }
 

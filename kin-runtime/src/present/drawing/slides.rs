@@ -2,12 +2,15 @@
 
 use super::carrier::{Carrier, upright};
 use super::links::Links;
-use super::part::{Ink, Part};
+use super::part::{Ink, Part, Stroke};
 use super::subject::{Subject, seen_from};
 use crate::model::{Frame, JointInfo, JointKind, Role};
 
 /// How far a rail goes beyond the block's way, relative to the size of the mechanism.
 pub(super) const BEYOND: f64 = 0.08;
+
+/// How far the turns of a thread are apart, relative to the size of the mechanism.
+const PITCH: f64 = 0.035;
 
 /// The rail as long as the way of the block, and the block.
 pub(super) fn slide(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>) {
@@ -37,6 +40,42 @@ pub(super) fn slide(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links,
     if joint.kind == JointKind::PointOnLine {
         front.push(upright(at, if j == Frame::Ground { Part::Foot([0.0; 2]) } else { Part::Pin([0.0; 2]) }));
     }
+}
+
+/// A spindle as long as the way of its nut, and the nut. The thread is a symbol: its turns are so far apart that they can
+/// be seen, whatever the lead is.
+pub(super) fn screw(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>) {
+    let (Some((i, p)), Some((j, q))) = (subject.local(0, joint, Role::P), subject.local(0, joint, Role::Q)) else {
+        return;
+    };
+    let Some((axis_frame, axis)) = subject.local(0, joint, Role::Axis) else { return };
+    if axis_frame != i {
+        return;
+    }
+    let Some(way) = Way::of(subject, joint, i, p, axis, BEYOND * links.size()) else { return };
+    let (from, to) = way.ends();
+    let line = |points, stroke| Part::Line { points, ink: Ink::of(i), stroke, closed: false };
+    links.add(i, line(vec![from, to], Stroke::Full));
+    links.add(i, line(thread(&way, PITCH * links.size()), Stroke::Thin));
+    links.attach(j, q);
+    let poses = subject.instants().filter_map(|k| {
+        let [x, y] = subject.point(k, joint, Role::Q)?;
+        Some([x, y, subject.direction(k, joint)?])
+    });
+    front.push(Carrier { body: None, poses: poses.collect(), parts: vec![Part::Block(Ink::of(j))] });
+    links.pin(joint.name, subject.track(joint, Role::Q));
+}
+
+/// The flanks of a thread along a way: from side to side, twice for every turn.
+fn thread(way: &Way, pitch: f64) -> Vec<[f64; 2]> {
+    let turns = ((way.most - way.least) / pitch).round().clamp(3.0, 200.0);
+    let (step, [x, y]) = ((way.most - way.least) / (2.0 * turns), way.axis);
+    let corner = |k: usize| {
+        let [u, v] = way.at(way.least + step * (k as f64 + 0.5));
+        let side = if k.is_multiple_of(2) { 0.6 * step } else { -0.6 * step };
+        [u - side * y, v + side * x]
+    };
+    (0..2 * turns as usize).map(corner).collect()
 }
 
 /// The way of Q along an axis of the frame of P.
