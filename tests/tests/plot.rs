@@ -58,20 +58,30 @@ fn a_curve_has_every_instant_where_the_numbers_are() {
 
 #[test]
 fn the_axis_of_time_ends_where_the_motion_ends() {
-    // A turn takes 6.28 s.
+    // A turn takes 2.73 s.
     let picture = svg("fourbar plot rocker.phi");
-    assert!(picture.contains(">6<") && !picture.contains(">7<"), "a tick stands where no curve is");
+    assert!(picture.contains(">2.5<") && !picture.contains(">3<"), "a tick stands where no curve is");
 }
 
 #[test]
 fn without_a_question_a_path_stands_beside_what_moves_most() {
-    let picture = svg("fourbar plot");
-    for text in ["tip.x in m", "tip.y in m", "t in s"] {
+    let picture = svg("ends plot");
+    for text in [".x in m", ".y in m", "t in s"] {
         assert!(picture.contains(text), "{text}");
     }
     let [first, second] = &curve(&picture, "#0072b2")[..] else { panic!("two curves") };
     let right = |points: &[[f64; 2]]| points.iter().map(|p| p[0]).fold(f64::MIN, f64::max);
     assert!(second.iter().all(|point| point[0] > right(first)), "side by side");
+}
+
+#[test]
+fn several_quantities_share_the_axis_of_time() {
+    let picture = svg("fourbar plot rocker.phi rocker.phi_dot rocker.phi_ddot");
+    assert_eq!(picture.matches("t in s").count(), 1);
+    let curves = curve(&picture, "#0072b2");
+    assert_eq!(curves.len(), 3);
+    let ends = |points: &[[f64; 2]]| [points[0][0], points[points.len() - 1][0]];
+    assert!(curves.iter().all(|points| ends(points) == ends(&curves[0])));
 }
 
 #[test]

@@ -38,6 +38,44 @@ fn the_readme_fits_on_a_few_screens_and_its_report_on_one() {
     assert!(drawing.contains("<animateTransform") && drawing.len() < 60_000, "{} bytes", drawing.len());
 }
 
+/// The drawing of the lecture's four-bar in the guide is one that kin makes, as a file and as an address for rustdoc.
+#[test]
+fn the_lectures_four_bar_is_drawn_by_kin() {
+    let path = std::env::temp_dir().join(format!("kin-guide-{}.svg", std::process::id()));
+    let out = path.display().to_string();
+    let code = kin_runtime::cli::run_from::<four_bar::FourBar>([
+        "four_bar", "animate", "--times", "0", "--names", "--out", &out,
+    ]);
+    assert_eq!(format!("{code:?}"), format!("{:?}", ExitCode::SUCCESS));
+    let drawn = std::fs::read_to_string(&path).unwrap();
+    std::fs::remove_file(&path).unwrap();
+    assert_eq!(drawn, include_str!("../../kin-runtime/src/guide/four_bar.svg"), "`examples/gallery.sh` draws it anew");
+    let mut address = drawn.replace('\n', "").replace('%', "%25");
+    for letter in ['#', '<', '>', '"', ' ', '(', ')'] {
+        address = address.replace(letter, &format!("%{:02X}", u32::from(letter)));
+    }
+    let definition = include_str!("../../kin-runtime/src/guide/four_bar.md");
+    assert_eq!(definition, format!("[four-bar]: data:image/svg+xml,{address}\n"));
+    let page = include_str!("../../kin-runtime/src/guide/lecture.md");
+    assert!(page.contains("][four-bar]") && page.ends_with("\n[four-bar]: four_bar.svg\n"));
+}
+
+/// rustdoc sorts modules by name, so the chapters are in order where their names are.
+#[test]
+fn the_chapters_of_the_guide_are_in_order() {
+    let source = include_str!("../../kin-runtime/src/guide/mod.rs");
+    let modules: Vec<&str> =
+        source.lines().filter_map(|line| line.strip_prefix("pub mod ")?.strip_suffix(" {}")).collect();
+    assert!(modules.is_sorted() && modules.len() >= 14, "{modules:?}");
+    let contents = source.lines().filter_map(|line| line.strip_prefix("//! ")?.split("](").nth(1)?.split(')').next());
+    let contents: Vec<&str> = contents.filter(|link| link.starts_with("chapter_")).collect();
+    assert_eq!(contents, modules);
+    // What people look for leads to a chapter.
+    for word in ["force", "limit", "parameter study"] {
+        assert!(source.contains(&format!("\"{word}\"")), "nothing is found for `{word}`");
+    }
+}
+
 /// Every file that the README links to is there.
 #[test]
 fn the_links_of_the_readme_lead_somewhere() {

@@ -9,7 +9,7 @@ use super::view::View;
 /// Instants at which collisions are counted.
 const INSTANTS: usize = 12;
 /// Pixels between two points of a bar that a name should not hide.
-const STEP: f64 = 9.0;
+const STEP: f64 = 6.0;
 /// Beyond so many names nobody looks for collisions: drawings with more are read at another scale.
 const MOST: usize = 150;
 /// What a collision with another name costs, in points of a bar.
@@ -59,7 +59,7 @@ pub(super) fn sides(scene: &Scene, view: &View, symbol: f64) -> Vec<Side> {
         let cost = |side: &Side| -> f64 {
             let one = |k: usize| {
                 let frame = Frame::of(side, origin(k), width, size);
-                let inside = drawn[k].iter().filter(|&&point| frame.holds(point)).count() as f64;
+                let inside = drawn[k].iter().filter(|&&point| frame.holds(point, symbol)).count() as f64;
                 let collisions = taken[k].iter().filter(|other| frame.meets(other)).count() as f64;
                 let outside = if frame.within(view.size) { 0.0 } else { OUTSIDE };
                 inside + NAME * collisions + outside
@@ -104,8 +104,9 @@ impl Frame {
         Self { low: [left, base - 0.8 * size], high: [left + width, base + 0.2 * size] }
     }
 
-    fn holds(&self, [x, y]: [f64; 2]) -> bool {
-        self.low[0] <= x && x <= self.high[0] && self.low[1] <= y && y <= self.high[1]
+    /// Whether a point lies within, or nearer to it than half the width of a bar.
+    fn holds(&self, point: [f64; 2], near: f64) -> bool {
+        (0..2).all(|axis| self.low[axis] - near <= point[axis] && point[axis] <= self.high[axis] + near)
     }
 
     fn meets(&self, other: &Self) -> bool {
@@ -175,7 +176,7 @@ mod tests {
         for (place, frame) in frames.iter().enumerate() {
             assert!(frames[place + 1..].iter().all(|other| !frame.meets(other)), "{frames:?}");
             // The bar goes up to the right, where names usually stand.
-            assert!(ink(&scene, &view, 0).iter().all(|&point| !frame.holds(point)), "{frame:?}");
+            assert!(ink(&scene, &view, 0).iter().all(|&point| !frame.holds(point, 0.0)), "{frame:?}");
         }
     }
 }

@@ -23,6 +23,11 @@ const HALF: f64 = 560.0;
 const HEIGHTS: [f64; 2] = [400.0, 620.0];
 /// Height of an entry of the legend, and of what stands above and below the entries.
 const LEGEND: [f64; 2] = [18.0, 90.0];
+/// Room on the left and on the right of panels that share an axis, in pixels.
+const LEFT: f64 = 76.0;
+const RIGHT: f64 = 24.0;
+/// Width of an entry of the legend: its line and frame, and of a letter.
+const ENTRY: [f64; 2] = [45.0, 7.4];
 /// Free room above and below the curves, as a part of their height.
 const MARGIN: f64 = 0.05;
 /// Pixels of a PNG per pixel of the drawing.
@@ -59,7 +64,9 @@ impl Diagram {
 
     fn scene(&self) -> Scene {
         let plots: Vec<Vec<Plot>> = self.panels.iter().map(plots).collect();
-        let layouts = self.panels.iter().zip(&plots).map(|(panel, plots)| layout(panel, plots)).collect();
+        let over_time = self.shares_axis();
+        let margins = over_time.then(|| [LEFT, self.right()]);
+        let layouts = self.panels.iter().zip(&plots).map(|(panel, plots)| layout(panel, plots, margins)).collect();
         let beside = self.beside && self.panels.len() == 2;
         let (rows, columns, width) = if beside { (1, 2, HALF) } else { (self.panels.len(), 1, WIDTH) };
         let mut figure = Figure::new(rows, columns)
@@ -70,7 +77,22 @@ impl Diagram {
         for (place, panel) in self.panels.iter().enumerate() {
             figure = figure.with_row_height(place % rows, height(panel));
         }
-        figure.render()
+        if over_time { figure.with_shared_x_all().render() } else { figure.render() }
+    }
+
+    /// Whether several panels stand below one another over the same quantity, so that one axis serves them all.
+    fn shares_axis(&self) -> bool {
+        let first = &self.panels[0];
+        let same =
+            |panel: &Panel| panel.labels[0] == first.labels[0] && !panel.equal && panel.range(0) == first.range(0);
+        !self.beside && self.panels.len() > 1 && self.panels.iter().all(same)
+    }
+
+    /// Room on the right of all panels for the widest of their legends.
+    fn right(&self) -> f64 {
+        let names = self.panels.iter().filter(|panel| panel.curves.len() > 1).flat_map(|panel| &panel.curves);
+        let widest = names.map(|curve| curve.name.chars().count()).max();
+        widest.map_or(RIGHT, |letters| RIGHT + ENTRY[0] + ENTRY[1] * letters as f64)
     }
 }
 
@@ -100,7 +122,7 @@ fn colour(place: usize, count: usize) -> String {
 
 /// Axes that end where the curves end. The label of the vertical axis stands above it, where it is read without turning the
 /// head, and where a picture of pixels needs no turned letters.
-fn layout(panel: &Panel, plots: &[Plot]) -> Layout {
+fn layout(panel: &Panel, plots: &[Plot], sides: Option<[f64; 2]>) -> Layout {
     let layout =
         Layout::auto_from_plots(plots).with_x_label(panel.labels[0].clone()).with_title(panel.labels[1].clone());
     let layout = layout.with_title_size(14);
@@ -110,7 +132,11 @@ fn layout(panel: &Panel, plots: &[Plot]) -> Layout {
     let margins = if panel.equal { [MARGIN; 2] } else { [0.0, MARGIN] };
     let [(left, right), (low, high)] = [0, 1].map(|axis| ends(panel.range(axis), margins[axis]));
     let layout = layout.with_x_axis_min(left).with_x_axis_max(right).with_y_axis_min(low).with_y_axis_max(high);
-    if panel.equal { layout.with_equal_aspect() } else { layout }
+    let layout = if panel.equal { layout.with_equal_aspect() } else { layout };
+    match sides {
+        Some([left, right]) => layout.with_force_margins(left, right),
+        None => layout,
+    }
 }
 
 /// Where an axis begins and ends. What never changes has a band around it.
