@@ -10,7 +10,7 @@ use crate::model::{Frame, JointInfo, JointKind, Role};
 pub(super) const BEYOND: f64 = 0.08;
 
 /// How far the turns of a thread are apart, relative to the size of the mechanism.
-const PITCH: f64 = 0.035;
+const PITCH: f64 = 0.045;
 
 /// The rail as long as the way of the block, and the block.
 pub(super) fn slide(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>) {
@@ -53,10 +53,10 @@ pub(super) fn screw(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links,
         return;
     }
     let Some(way) = Way::of(subject, joint, i, p, axis, BEYOND * links.size()) else { return };
-    let (from, to) = way.ends();
-    let line = |points, stroke| Part::Line { points, ink: Ink::of(i), stroke, closed: false };
-    links.add(i, line(vec![from, to], Stroke::Full));
-    links.add(i, line(thread(&way, PITCH * links.size()), Stroke::Thin));
+    let pitch = PITCH * links.size();
+    for points in [thread(&way, pitch), way.beside(0.5 * pitch), way.beside(-0.5 * pitch)] {
+        links.add(i, Part::Line { points, ink: Ink::of(i), stroke: Stroke::Thin, closed: false });
+    }
     links.attach(j, q);
     let poses = subject.instants().filter_map(|k| {
         let [x, y] = subject.point(k, joint, Role::Q)?;
@@ -69,13 +69,12 @@ pub(super) fn screw(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links,
 /// The flanks of a thread along a way: from side to side, twice for every turn.
 fn thread(way: &Way, pitch: f64) -> Vec<[f64; 2]> {
     let turns = ((way.most - way.least) / pitch).round().clamp(3.0, 200.0);
-    let (step, [x, y]) = ((way.most - way.least) / (2.0 * turns), way.axis);
+    let step = (way.most - way.least) / (2.0 * turns);
     let corner = |k: usize| {
-        let [u, v] = way.at(way.least + step * (k as f64 + 0.5));
-        let side = if k.is_multiple_of(2) { 0.6 * step } else { -0.6 * step };
-        [u - side * y, v + side * x]
+        let side = if k.is_multiple_of(2) { 0.5 * pitch } else { -0.5 * pitch };
+        way.off(way.least + step * k as f64, side)
     };
-    (0..2 * turns as usize).map(corner).collect()
+    (0..=2 * turns as usize).map(corner).collect()
 }
 
 /// The way of Q along an axis of the frame of P.
@@ -113,7 +112,32 @@ impl Way {
         (self.at(self.least), self.at(self.most))
     }
 
+    /// The line at a distance to the left.
+    fn beside(&self, side: f64) -> Vec<[f64; 2]> {
+        vec![self.off(self.least, side), self.off(self.most, side)]
+    }
+
+    fn off(&self, s: f64, side: f64) -> [f64; 2] {
+        let [x, y] = self.at(s);
+        [x - side * self.axis[1], y + side * self.axis[0]]
+    }
+
     fn at(&self, s: f64) -> [f64; 2] {
         [self.start[0] + s * self.axis[0], self.start[1] + s * self.axis[1]]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_thread_goes_from_side_to_side_all_the_way() {
+        let way = Way { start: [0.0; 2], axis: [0.0, 1.0], least: -1.0, most: 1.0 };
+        let points = thread(&way, 0.5);
+        assert_eq!((points.len(), points[0], points[8]), (9, [-0.25, -1.0], [-0.25, 1.0]));
+        assert!(points.windows(2).all(|pair| pair[0][0] == -pair[1][0] && pair[0][1] < pair[1][1]));
+        // However small it is, it has turns that can be seen, and not too many.
+        assert_eq!([thread(&way, 10.0).len(), thread(&way, 1e-9).len()], [7, 401]);
     }
 }
