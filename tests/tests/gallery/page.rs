@@ -3,7 +3,7 @@
 use crate::examples::hart::Hart;
 use crate::examples::jansen::Jansen;
 use crate::examples::robot_3rrr::Robot3rrr;
-use kin_runtime::{Kinematics, Mechanism, cli};
+use kin_runtime::{Kinematics, cli};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
