@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The ratios of the README: every bench of this package for every instruction set that the processor has, each in its own
+# The ratios of benches/README.md: every bench of this package for every instruction set that the processor has, each in its own
 # target directory.
 #
 #   benches/table.sh [BENCH…]        all of them unless some are named: evaluation batch solution groups chain large orders sweep calls

@@ -47,3 +47,10 @@ diagram quick_return quick_return-speed ram.x_dot
 diagram cam_drive cam_drive-lift --from 0.2 --to 0.4 tappet.y tappet.y_ddot
 diagram robot_3rrr robot_3rrr-motors --to 1 "crank[0].phi" "crank[1].phi" "crank[2].phi"
 diagram wishbone wishbone-camber --to 6.2832 rise:camber
+
+# The lecture's four-bar in the guide: a file, and the same as an address that rustdoc shows.
+guide=kin-runtime/src/guide
+"$programs/four_bar" animate --times 0 --names --out "$guide/four_bar.svg"
+encoded=$(tr -d '\n' <"$guide/four_bar.svg" |
+  sed 's/%/%25/g; s/#/%23/g; s/</%3C/g; s/>/%3E/g; s/"/%22/g; s/ /%20/g; s/(/%28/g; s/)/%29/g')
+printf '[four-bar]: data:image/svg+xml,%s\n' "$encoded" >"$guide/four_bar.md"

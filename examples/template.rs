@@ -1,7 +1,7 @@
 //! A starting point: copy this file and change it.
 //!
-//! In a crate of its own it is `src/main.rs`, and `Cargo.toml` depends on kin-runtime alone; the README's section "A
-//! mechanism of your own" has both, and what can be done with them. A test keeps the two the same.
+//! In a crate of its own it is `src/main.rs`, and `Cargo.toml` depends on kin-runtime alone; the guide's first
+//! chapter has both, and what can be done with them. A test keeps the two the same.
 //!
 //! ```text
 //! cargo run --release --example template

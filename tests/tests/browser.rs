@@ -73,6 +73,11 @@ fn written(scratch: &Scratch) -> PathBuf {
 
 /// What the script of a test, at the end of the page, leaves behind.
 fn tried(chromium: &str, scratch: &Scratch, script: &str) -> Value {
+    tried_on(chromium, scratch, "1200,800", script)
+}
+
+/// The same on a screen of some size.
+fn tried_on(chromium: &str, scratch: &Scratch, size: &str, script: &str) -> Value {
     let page = fs::read_to_string(written(scratch)).expect("the page");
     let listen = "<script>window.faults = []; window.onerror = (m) => { faults.push(String(m)); };</script>";
     let report = format!(
@@ -84,7 +89,9 @@ fn tried(chromium: &str, scratch: &Scratch, script: &str) -> Value {
         page.replacen("<head>", &format!("<head>{listen}"), 1).replacen("</body>", &format!("{report}</body>"), 1);
     let file = scratch.0.join("tried.html");
     fs::write(&file, page).expect("a copy");
-    let document = String::from_utf8(browse(chromium, scratch, &file, &["--dump-dom"])).expect("UTF-8");
+    let document =
+        String::from_utf8(browse(chromium, scratch, &file, &["--dump-dom", &format!("--window-size={size}")]))
+            .expect("UTF-8");
     let start = document.find("id=\"seen\">").expect("the report") + "id=\"seen\">".len();
     let text = &document[start..];
     serde_json::from_str(&text[..text.find("</script>").expect("its end")]).expect("JSON")
@@ -146,6 +153,31 @@ fn keys_plots_and_modes_work() {
         (&serde_json::json!([true, false]), &serde_json::json!([false, true]))
     );
     assert_eq!((&seen["names"], &seen["labelled"]), (&true.into(), &true.into()));
+}
+
+/// A browser without a window may be wider than a phone, so the page is shown in a frame.
+#[test]
+fn the_page_fits_a_phone_and_says_what_is_driven() {
+    let Some(chromium) = chromium() else { return };
+    let scratch = Scratch::new("phone");
+    let seen = tried_on(
+        &chromium,
+        &scratch,
+        "600,844",
+        "document.body.style.width = '360px'; const $ = (id) => document.getElementById(id);\n\
+         document.querySelectorAll('.chart select').forEach((list) => {\n\
+           list.options[0].text = 'a_quantity_with_a_name_that_is_longer_than_a_telephone_is_wide.phi_ddot'; });\n\
+         const right = (e) => Math.round(e.getBoundingClientRect().right);\n\
+         seen.widest = Math.max(...[...document.querySelectorAll('main *')].map(right));\n\
+         seen.mode = Math.round($('mode').getBoundingClientRect().bottom);\n\
+         const slider = $('slider'); slider.value = 9; slider.dispatchEvent(new Event('input'));\n\
+         seen.drivers = $('drivers').textContent; seen.scale = document.querySelector('.scale text').textContent;",
+    );
+    assert_eq!(seen["faults"], serde_json::json!([]));
+    assert!(seen["widest"].as_i64().is_some_and(|right| right <= 360), "{seen}");
+    assert!(seen["mode"].as_i64().is_some_and(|bottom| bottom < 400), "{seen}");
+    assert_eq!(seen["drivers"], "crank.phi = 4.235 rad");
+    assert!(seen["scale"].as_str().is_some_and(|text| text.ends_with(" m")), "{seen}");
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Diagrams from the command line: what is in them, and what is said about options that make no sense.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
@@ -53,6 +54,50 @@ fn a_curve_has_every_instant_where_the_numbers_are() {
     for text in ["FourbarLectureMid", "crank.phi in rad", "t in s"] {
         assert!(picture.contains(text), "{text}");
     }
+}
+
+#[test]
+fn the_axis_of_time_ends_where_the_motion_ends() {
+    // A turn takes 2.73 s.
+    let picture = svg("fourbar plot rocker.phi");
+    assert!(picture.contains(">2.5<") && !picture.contains(">3<"), "a tick stands where no curve is");
+}
+
+#[test]
+fn without_a_question_a_path_stands_beside_what_moves_most() {
+    let picture = svg("ends plot");
+    for text in [".x in m", ".y in m", "t in s"] {
+        assert!(picture.contains(text), "{text}");
+    }
+    let [first, second] = &curve(&picture, "#0072b2")[..] else { panic!("two curves") };
+    assert!(first.len() > 100 && second.len() > 100);
+    // One below the other they would be higher than wide.
+    let number = |name: &str| picture.split(&format!("{name}=\"")).nth(1)?.split('"').next()?.parse::<f64>().ok();
+    let [width, height] = ["width", "height"].map(|name| number(name).expect("a size"));
+    assert!(width > 1.5 * height, "{width} by {height}");
+}
+
+#[test]
+fn several_quantities_share_the_axis_of_time() {
+    let picture = svg("fourbar plot rocker.phi rocker.phi_dot rocker.phi_ddot");
+    assert_eq!(picture.matches("t in s").count(), 1);
+    let curves = curve(&picture, "#0072b2");
+    assert_eq!(curves.len(), 3);
+    let ends = |points: &[[f64; 2]]| [points[0][0], points[points.len() - 1][0]];
+    assert!(curves.iter().all(|points| ends(points) == ends(&curves[0])));
+}
+
+#[test]
+fn many_curves_have_many_colours_and_a_whole_legend() {
+    let picture = svg("fourbar plot rocker.phi coupler.phi --vary l2=0.35..0.45:14 --steps 20");
+    let strokes = picture
+        .split("<path ")
+        .filter_map(|text| text.split('>').next())
+        .filter(|text| text.contains("stroke-width=\"2\""));
+    let colours: BTreeSet<&str> =
+        strokes.filter_map(|text| text.split("stroke=\"").nth(1)?.split('"').next()).collect();
+    assert!(colours.len() >= 28, "{colours:?}");
+    assert_eq!(picture.matches(", l2 = ").count(), 28);
 }
 
 #[test]

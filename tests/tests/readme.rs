@@ -3,17 +3,93 @@
 use std::process::ExitCode;
 
 const README: &str = include_str!("../../README.md");
+const START: &str = include_str!("../../kin-runtime/src/guide/start.md");
 
 #[allow(dead_code, unreachable_pub, reason = "a program of its own, read as a module")]
 #[path = "../../examples/four_bar.rs"]
 mod four_bar;
 
-/// The first code block of the README, without the command.
-fn first_output() -> String {
-    let block = README.split("```console\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+/// The pieces of the output that the README shows after its first command; `…` stands for what it leaves out.
+fn shown_output() -> Vec<Vec<String>> {
+    let block = blocks(README, "console")[0];
     let (command, output) = block.split_once('\n').unwrap();
     assert_eq!(command, "$ cargo run --release --example four_bar");
-    output.trim_end().to_owned()
+    let pieces = output.trim_end().split("\n…\n").map(comparable);
+    pieces.collect()
+}
+
+/// Lines without those whose last digits are rounding errors, which differ from machine to machine.
+fn comparable(text: &str) -> Vec<String> {
+    text.lines().filter(|line| !line.contains("e-1")).map(|line| line.trim_end().to_owned()).collect()
+}
+
+#[test]
+fn the_readme_fits_on_a_few_screens_and_its_report_on_one() {
+    assert!(README.lines().count() <= 150, "{} lines", README.lines().count());
+    let report = blocks(README, "console")[0].lines().count();
+    assert!((15..=40).contains(&report), "{report} lines");
+    let listing = blocks(README, "rust,no_run")[0];
+    assert!(listing.lines().count() <= 20, "{} lines", listing.lines().count());
+    // The first picture comes before the first listing, and it moves.
+    let before = README.split("```").next().unwrap();
+    let picture = before.split("src=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("a picture");
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(picture);
+    let drawing = std::fs::read_to_string(path).unwrap();
+    assert!(drawing.contains("<animateTransform") && drawing.len() < 60_000, "{} bytes", drawing.len());
+}
+
+/// The drawing of the lecture's four-bar in the guide is one that kin makes, as a file and as an address for rustdoc.
+#[test]
+fn the_lectures_four_bar_is_drawn_by_kin() {
+    let path = std::env::temp_dir().join(format!("kin-guide-{}.svg", std::process::id()));
+    let out = path.display().to_string();
+    let code = kin_runtime::cli::run_from::<four_bar::FourBar>([
+        "four_bar", "animate", "--times", "0", "--names", "--out", &out,
+    ]);
+    assert_eq!(format!("{code:?}"), format!("{:?}", ExitCode::SUCCESS));
+    let drawn = std::fs::read_to_string(&path).unwrap();
+    std::fs::remove_file(&path).unwrap();
+    assert_eq!(drawn, include_str!("../../kin-runtime/src/guide/four_bar.svg"), "`examples/gallery.sh` draws it anew");
+    let mut address = drawn.replace('\n', "").replace('%', "%25");
+    for letter in ['#', '<', '>', '"', ' ', '(', ')'] {
+        address = address.replace(letter, &format!("%{:02X}", u32::from(letter)));
+    }
+    let definition = include_str!("../../kin-runtime/src/guide/four_bar.md");
+    assert_eq!(definition, format!("[four-bar]: data:image/svg+xml,{address}\n"));
+    let page = include_str!("../../kin-runtime/src/guide/lecture.md");
+    assert!(page.contains("][four-bar]") && page.ends_with("\n[four-bar]: four_bar.svg\n"));
+}
+
+/// rustdoc sorts modules by name, so the chapters are in order where their names are.
+#[test]
+fn the_chapters_of_the_guide_are_in_order() {
+    let source = include_str!("../../kin-runtime/src/guide/mod.rs");
+    let modules: Vec<&str> =
+        source.lines().filter_map(|line| line.strip_prefix("pub mod ")?.strip_suffix(" {}")).collect();
+    assert!(modules.is_sorted() && modules.len() >= 14, "{modules:?}");
+    let contents = source.lines().filter_map(|line| line.strip_prefix("//! ")?.split("](").nth(1)?.split(')').next());
+    let contents: Vec<&str> = contents.filter(|link| link.starts_with("chapter_")).collect();
+    assert_eq!(contents, modules);
+    // What people look for leads to a chapter.
+    for word in ["force", "limit", "parameter study"] {
+        assert!(source.contains(&format!("\"{word}\"")), "nothing is found for `{word}`");
+    }
+}
+
+/// Every file that the README links to is there.
+#[test]
+fn the_links_of_the_readme_lead_somewhere() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let of =
+        |opening: &'static str, end: char| README.split(opening).skip(1).filter_map(move |rest| rest.split(end).next());
+    let mut seen = 0;
+    for link in
+        of("](", ')').chain(of("src=\"", '"')).chain(of("href=\"", '"')).filter(|link| !link.starts_with("http"))
+    {
+        assert!(root.join(link).is_file(), "no file {link}");
+        seen += 1;
+    }
+    assert!(seen >= 20, "{seen}");
 }
 
 #[test]
@@ -24,11 +100,10 @@ fn the_first_command_prints_what_the_readme_shows() {
     assert_eq!(format!("{code:?}"), format!("{:?}", ExitCode::SUCCESS));
     let printed = std::fs::read_to_string(&path).unwrap();
     std::fs::remove_file(&path).unwrap();
-    // The last digits of rounding errors are the machine's own.
-    let comparable = |text: &str| -> Vec<String> {
-        text.lines().filter(|line| !line.contains("e-1")).map(|line| line.trim_end().to_owned()).collect()
-    };
-    assert_eq!(comparable(&first_output()), comparable(printed.trim_end()));
+    let printed = comparable(&printed);
+    for piece in shown_output() {
+        assert!(printed.windows(piece.len()).any(|lines| lines == piece), "not printed:\n{}", piece.join("\n"));
+    }
 }
 
 /// The blocks of a page whose fence begins with `fence`, in order.
@@ -43,13 +118,31 @@ fn without_head(source: &str) -> &str {
     source[head..].trim_start()
 }
 
+/// Without the lines that rustdoc hides.
+fn without_hidden(listing: &str) -> String {
+    listing.split_inclusive('\n').filter(|line| !line.starts_with("# ")).collect()
+}
+
+/// Fails unless the error that a page shows is what the compiler says of its listing with `crnk` instead of `crank`.
+#[track_caller]
+fn shows_the_mistake(page: &str, listing: &str) {
+    let mistake = blocks(page, "text").into_iter().find(|block| block.starts_with("error: no body")).unwrap();
+    let place = listing.lines().position(|line| line.starts_with("#[revolute(A:")).unwrap();
+    let [first, at, _, line, marks] = mistake.lines().collect::<Vec<_>>()[..] else { panic!("{mistake}") };
+    assert_eq!(first, "error: no body named `crnk`; did you mean `crank`?");
+    assert_eq!(at.trim_start(), format!("--> src/main.rs:{}:15", place + 1));
+    let wrong = listing.lines().nth(place).unwrap().replace("A: crank", "A: crnk");
+    assert_eq!(line, format!("{} | {wrong}", place + 1));
+    assert_eq!(marks.trim_start(), format!("| {:>18}", "^^^^"));
+}
+
 #[test]
 fn the_starting_point_is_the_template() {
     let template = without_head(include_str!("../../examples/template.rs"));
-    assert_eq!(blocks(README, "rust,no_run"), [template]);
+    assert_eq!(without_hidden(blocks(START, "rust,no_run")[0]), template);
 
-    // The examples are built with what the README's manifest asks for, diagrams and equations where they are wanted.
-    let [manifest, ..] = blocks(README, "toml")[..] else { panic!("a manifest") };
+    // The examples are built with what the manifest asks for, diagrams and equations where they are wanted.
+    let [manifest] = blocks(START, "toml")[..] else { panic!("a manifest") };
     let examples = include_str!("../../examples/Cargo.toml");
     assert!(examples.contains("kin-runtime = { workspace = true, features = [\"std\", \"cli\"] }"));
     assert!(manifest.contains("features = [\"cli\", \"plot\", \"equations\"]"));
@@ -58,15 +151,9 @@ fn the_starting_point_is_the_template() {
     }
     assert!(manifest.contains("path = \"../kin/kin-runtime\""));
 
-    // The mistake that is shown is one in that file.
-    let mistake = blocks(README, "text").into_iter().find(|block| block.starts_with("error: no body")).unwrap();
-    let place = template.lines().position(|line| line.starts_with("#[revolute(A:")).unwrap();
-    let [first, at, _, line, marks] = mistake.lines().collect::<Vec<_>>()[..] else { panic!("{mistake}") };
-    assert_eq!(first, "error: no body named `crnk`; did you mean `crank`?");
-    assert_eq!(at.trim_start(), format!("--> src/main.rs:{}:15", place + 1));
-    let wrong = template.lines().nth(place).unwrap().replace("A: crank", "A: crnk");
-    assert_eq!(line, format!("{} | {wrong}", place + 1));
-    assert_eq!(marks.trim_start(), format!("| {:>18}", "^^^^"));
+    // The mistakes that are shown are made in the listings above them.
+    shows_the_mistake(START, template);
+    shows_the_mistake(README, blocks(README, "rust,no_run")[0]);
 }
 
 /// A message as it is compared: without the number of a line and without the file.

@@ -6,11 +6,11 @@
 //! ```
 //! use kin_core::notation::{Formula, Notation};
 //!
-//! let formula = Formula::parse("coupler.x - 0.5*l2*cos(coupler.phi) + l1/2")?;
-//! assert_eq!(formula.write(Notation::Unicode), "x_coupler − 0.5 l₂ cos φ_coupler + l₁/2");
+//! let formula = Formula::parse("coupler.x - 0.5*l2*cos(coupler.phi) + l1/2")?.tidied();
+//! assert_eq!(formula.write(Notation::Unicode), "x_coupler − (l₂/2) cos φ_coupler + l₁/2");
 //! assert_eq!(
 //!     formula.write(Notation::Latex),
-//!     r"x_{\mathrm{coupler}} - 0.5\,l_{2}\,\cos\varphi_{\mathrm{coupler}} + \frac{l_{1}}{2}"
+//!     r"x_{\mathrm{coupler}} - \frac{l_{2}}{2}\,\cos\varphi_{\mathrm{coupler}} + \frac{l_{1}}{2}"
 //! );
 //! # Ok::<(), kin_core::notation::ParseError>(())
 //! ```

@@ -1,5 +1,5 @@
 //! Formulas as a person would leave them: signs and brackets of sums gone, equal terms counted, equal factors as powers,
-//! one fraction of several, multiples of π by that letter, functions last.
+//! one fraction of several, multiples of π by that letter, halves of parameters as fractions, functions last.
 //!
 //! Nothing is expanded and nothing cancelled, so that what is written has the operations of what was derived.
 
@@ -18,27 +18,81 @@ impl Formula {
     /// ```
     #[must_use]
     pub fn tidied(self) -> Self {
+        self.ordered().with_fractions()
+    }
+
+    /// With signs, terms and factors in order.
+    fn ordered(self) -> Self {
         match self {
             Self::Number(value) => of_pi(value).unwrap_or(self),
             Self::Name(_) => self,
-            Self::Minus(a) => match a.tidied() {
+            Self::Minus(a) => match a.ordered() {
                 Self::Sum(terms) => sum(vec![(true, Self::Sum(terms))]),
                 other => other.negated(),
             },
-            Self::Sum(terms) => sum(terms.into_iter().map(|(minus, term)| (minus, term.tidied())).collect()),
-            Self::Product(factors) => product(factors.into_iter().map(Self::tidied).collect()),
-            Self::Quotient(a, b) => match (a.tidied(), b.tidied()) {
+            Self::Sum(terms) => sum(terms.into_iter().map(|(minus, term)| (minus, term.ordered())).collect()),
+            Self::Product(factors) => product(factors.into_iter().map(Self::ordered).collect()),
+            Self::Quotient(a, b) => match (a.ordered(), b.ordered()) {
                 (Self::Minus(a), Self::Minus(b)) => Self::Quotient(a, b),
                 (Self::Minus(a), b) => Self::Quotient(a, Box::new(b)).negated(),
                 (a, Self::Minus(b)) => Self::Quotient(Box::new(a), b).negated(),
                 (a, b) => Self::Quotient(Box::new(a), Box::new(b)),
             },
-            Self::Power(a, n) => Self::Power(Box::new(a.tidied()), n),
+            Self::Power(a, n) => Self::Power(Box::new(a.ordered()), n),
             Self::Call(name, primes, arguments) => {
-                Self::Call(name, primes, arguments.into_iter().map(Self::tidied).collect())
+                Self::Call(name, primes, arguments.into_iter().map(Self::ordered).collect())
             }
         }
     }
+}
+
+impl Formula {
+    /// `l/2` for `0.5 l`, where the multiple of a length is that of a half, a quarter or an eighth.
+    fn with_fractions(self) -> Self {
+        let all = |formulas: Vec<Self>| formulas.into_iter().map(Self::with_fractions).collect::<Vec<_>>();
+        match self {
+            Self::Number(_) | Self::Name(_) => self,
+            Self::Minus(a) => Self::Minus(Box::new(a.with_fractions())),
+            Self::Sum(terms) => {
+                Self::Sum(terms.into_iter().map(|(minus, term)| (minus, term.with_fractions())).collect())
+            }
+            Self::Product(factors) => fraction(all(factors)),
+            Self::Quotient(a, b) => Self::Quotient(Box::new(a.with_fractions()), Box::new(b.with_fractions())),
+            Self::Power(a, n) => Self::Power(Box::new(a.with_fractions()), n),
+            Self::Call(name, primes, arguments) => Self::Call(name, primes, all(arguments)),
+        }
+    }
+}
+
+/// What parameters are divided by rather than multiplied by a decimal number.
+const PARTS: [f64; 3] = [2.0, 4.0, 8.0];
+
+/// A parameter, or a power of one.
+fn is_parameter(formula: &Formula) -> bool {
+    match formula {
+        Formula::Name(name) => name.order == 0 && !name.written.contains('.'),
+        Formula::Power(base, _) => matches!(base.as_ref(), Formula::Name(_)) && is_parameter(base),
+        _ => false,
+    }
+}
+
+/// A product whose number, a multiple of an eighth, stands below the first parameter.
+fn fraction(mut factors: Vec<Formula>) -> Formula {
+    let below = |value: f64| PARTS.into_iter().find(|q| (value * q).fract() == 0.0 && value * q <= 12.0);
+    if let [Formula::Number(value), ..] = factors[..]
+        && value.fract() != 0.0
+        && let Some(below) = below(value)
+        && let Some(place) = factors.iter().position(is_parameter)
+    {
+        let name = factors.remove(place);
+        let part = Formula::Quotient(Box::new(name), Box::new(Formula::Number(below)));
+        factors[0] = Formula::Number(value * below);
+        factors.insert(1, part);
+        if factors[0] == Formula::Number(1.0) {
+            factors.remove(0);
+        }
+    }
+    if factors.len() == 1 { factors.remove(0) } else { Formula::Product(factors) }
 }
 
 /// Sums within a sum become its terms, and signs go to the terms. What is subtracted never stands first where there is
@@ -126,8 +180,8 @@ fn product(factors: Vec<Formula>) -> Formula {
             other => other,
         };
         match positive {
-            Formula::Product(inner) => flat.extend(inner),
-            other => flat.push(other),
+            Formula::Product(inner) => flat.extend(inner.into_iter().flat_map(multiple)),
+            other => flat.extend(multiple(other)),
         }
     }
     if let Some(place) = flat.iter().position(|factor| matches!(factor, Formula::Quotient(..)))
@@ -164,6 +218,20 @@ fn product(factors: Vec<Formula>) -> Formula {
     let mut factors: Vec<Formula> = powers.into_iter().map(power).collect();
     let product = if factors.len() == 1 { factors.remove(0) } else { Formula::Product(factors) };
     if minus { product.negated() } else { product }
+}
+
+/// The half of a parameter as a number and the parameter, so that it joins the other numbers of a product; anything else
+/// as it is.
+fn multiple(factor: Formula) -> Vec<Formula> {
+    match factor {
+        Formula::Quotient(above, below) => match (*above, *below) {
+            (name, Formula::Number(part)) if is_parameter(&name) && PARTS.contains(&part) => {
+                vec![Formula::Number(1.0 / part), name]
+            }
+            (above, below) => vec![Formula::Quotient(Box::new(above), Box::new(below))],
+        },
+        other => vec![other],
+    }
 }
 
 /// Numbers, which stand first, as one where that is short; 1 goes where anything else is left.

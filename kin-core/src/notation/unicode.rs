@@ -1,4 +1,4 @@
-//! Plain text: φ̇_crank, ½ stays 0.5, products by thin distance.
+//! Plain text: φ̇_crank, l₁/2, products by thin distance.
 
 use super::name::{Base, Name};
 use super::parts::{self, Signs};
@@ -10,7 +10,7 @@ pub(super) fn write(formula: &Formula) -> String {
         Formula::Name(own) => name(own),
         Formula::Minus(a) => format!("−{}", within(a, 2)),
         Formula::Sum(parts) => terms(parts).concat(),
-        Formula::Product(factors) => parts::factors(factors, is_open, within).join(" "),
+        Formula::Product(factors) => product(factors),
         Formula::Quotient(a, b) => format!("{}/{}", within(a, 4), within(b, 4)),
         Formula::Power(a, n) => match superscript(*n) {
             Some(n) => format!("{}{n}", within(a, 5)),
@@ -26,6 +26,19 @@ pub(super) const SIGNS: Signs = Signs { first: "−", plus: " + ", minus: " − 
 /// The terms of a sum with their signs.
 fn terms(parts: &[(bool, Formula)]) -> Vec<String> {
     parts::terms(parts, &SIGNS, within)
+}
+
+/// Factors beside one another. A fraction among them stands in brackets unless it is the last: what comes after a slash
+/// would seem to stand below it.
+fn product(factors: &[Formula]) -> String {
+    let mut texts = parts::factors(factors, is_open, within);
+    let before = factors.len().saturating_sub(1);
+    for (text, factor) in texts.iter_mut().zip(factors).take(before) {
+        if matches!(factor, Formula::Quotient(..)) {
+            *text = format!("({text})");
+        }
+    }
+    texts.join(" ")
 }
 
 /// `sin φ` rather than `sin(φ)`.

@@ -16,6 +16,8 @@ pub struct Sheet {
     pub coordinates: Vec<String>,
     /// Joints, constraints and drivers.
     pub joints: Vec<Joint>,
+    /// True where every row is there, so that the matrices of the mechanism can be written.
+    pub whole: bool,
     /// How they are solved, step by step.
     pub steps: Vec<Step>,
     /// Why there are no steps, where that is worth saying.

@@ -21,6 +21,14 @@ pub(super) const STYLE: &str = "\
 .kin-eq math{font-size:1.06em;math-style:normal}\
 .kin-eq mfrac{margin:0 .1em}";
 
+/// Shadows at the sides on which an equation goes on, and a bar to scroll it that is always there.
+const SHADOWS: &str = "\
+.kin-eq{scrollbar-width:thin;background:\
+linear-gradient(90deg,Canvas 30%,transparent) left/2.5rem 100% no-repeat local,\
+linear-gradient(270deg,Canvas 30%,transparent) right/2.5rem 100% no-repeat local,\
+radial-gradient(farthest-side at 0 50%,#8886,transparent) left/.9rem 100% no-repeat scroll,\
+radial-gradient(farthest-side at 100% 50%,#8886,transparent) right/.9rem 100% no-repeat scroll}";
+
 impl Sheet {
     /// A page that needs nothing else.
     pub fn page(&self) -> String {
@@ -31,15 +39,23 @@ impl Sheet {
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{name}: equations</title>\n\
              <style>:root{{color-scheme:light dark}}body{{font:16px/1.5 system-ui,sans-serif;margin:1rem auto;\
              max-width:60rem;padding:0 1rem}}h2{{margin:1.6rem 0 .4rem;font-size:1.1rem}}\
-             h2 span{{opacity:.65;font-weight:400}}{STYLE}</style>\n</head>\n<body>\n<h1>{name}</h1>\n<p>{}</p>\n\
-             {sections}{}</body>\n</html>\n",
+             h2 span{{opacity:.65;font-weight:400}}.hint{{display:none;opacity:.65}}\
+             @media(max-width:52rem){{.hint{{display:block}}}}{STYLE}{SHADOWS}</style>\n</head>\n<body>\n<h1>{name}</h1>\n<p>{}</p>\n\
+             <p class=\"hint\">Long equations scroll to the side.</p>\n{sections}{}{}</body>\n</html>\n",
             escaped(&self.doc),
+            self.html_assembled(),
             self.html_solution()
         )
     }
 }
 
 impl Sheet {
+    /// The matrices of the mechanism; nothing where they are not asked for, or too large.
+    fn html_assembled(&self) -> String {
+        let assembled = self.assembled(MathMl).map(|assembled| assembled.lines(MathMl));
+        assembled.map_or_else(String::new, |lines| format!("<h1>All rows together</h1>\n{}", table(lines.into_iter())))
+    }
+
     /// The steps of the plan; nothing where there are none.
     fn html_solution(&self) -> String {
         let mut out = String::new();

@@ -24,7 +24,20 @@ impl Sheet {
     /// The inside of a document: a paragraph for every joint, each with one display.
     pub fn latex_fragment(&self) -> String {
         let joints: String = self.joints.iter().map(joint).collect();
-        joints + &self.latex_solution()
+        joints + &self.latex_assembled() + &self.latex_solution()
+    }
+
+    /// The matrices of the mechanism; nothing where they are not asked for, or too large. A wide matrix is set in small type.
+    fn latex_assembled(&self) -> String {
+        let Some(assembled) = self.assembled(Latex) else { return String::new() };
+        let (count, lines) = (assembled.coordinates.len(), assembled.lines(Latex));
+        let size = if count > 6 { "\\scriptsize" } else { "\\small" };
+        let displays: String = lines.iter().map(|line| display(&[equation(line)])).collect();
+        format!(
+            "\\section*{{All rows together}}\n\\begingroup{size}\\setcounter{{MaxMatrixCols}}{{{}}}\n\
+             \\setlength{{\\arraycolsep}}{{2pt}}\n{displays}\\endgroup\n",
+            count.max(10)
+        )
     }
 
     /// The steps of the plan; nothing where there are none.

@@ -4,6 +4,7 @@
 //! A sheet is made of texts that were printed from the graph that the code is emitted from: by [`Sheet::of_system`] where
 //! that graph is at hand, or from the tables of a compiled mechanism.
 
+mod assembled;
 mod content;
 mod docs;
 mod html;

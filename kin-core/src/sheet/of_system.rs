@@ -29,7 +29,7 @@ impl Sheet {
         }
         let coordinates = set.coordinates.iter().map(|coordinate| coordinate.name.clone()).collect();
         let (steps, unsolved) = (Step::of_plan(plan), String::new());
-        Self { name: set.name.clone(), doc: String::new(), coordinates, joints, steps, unsolved }
+        Self { name: set.name.clone(), doc: String::new(), coordinates, joints, whole: false, steps, unsolved }
     }
 }
 

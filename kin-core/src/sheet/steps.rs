@@ -119,7 +119,8 @@ fn matrices(matrix: &[Vec<Shown>], unknowns: &[String], right: &[Shown], notatio
     lines::Line { left, right: vec![bracketed(right, notation)] }
 }
 
-fn bracketed(rows: Vec<Vec<String>>, notation: Notation) -> String {
+/// A matrix in round brackets, in LaTeX and MathML.
+pub(super) fn bracketed(rows: Vec<Vec<String>>, notation: Notation) -> String {
     match notation {
         Notation::MathMl => {
             let cell = |entry: &String| format!("<mtd>{entry}</mtd>");

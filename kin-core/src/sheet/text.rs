@@ -13,11 +13,20 @@ impl Sheet {
     /// All joints, one below the other.
     pub fn text(&self) -> String {
         let joints = self.joints.iter().map(joint);
-        format!("{}\n{}{}", self.name, joints.collect::<String>(), self.text_solution())
+        let joints: String = joints.collect();
+        format!("{}\n{joints}{}{}", self.name, self.text_assembled(), self.text_solution())
     }
-}
 
-impl Sheet {
+    /// The matrices of the mechanism; nothing where they are not asked for, or too large.
+    fn text_assembled(&self) -> String {
+        let Some(assembled) = self.assembled(Unicode) else { return String::new() };
+        let mut out = format!("\nAll rows together\n{}", assembled.text());
+        if !assembled.long.is_empty() {
+            out.push_str(&format!("\n{}", aligned(assembled.long)));
+        }
+        out
+    }
+
     /// The steps of the plan; nothing where there are none.
     fn text_solution(&self) -> String {
         if self.steps.is_empty() && self.unsolved.is_empty() {
@@ -69,7 +78,7 @@ pub(super) fn aligned(lines: Vec<Line>) -> String {
 }
 
 /// Columns that a text takes: combining dots take none.
-fn shown(text: &str) -> usize {
+pub(super) fn shown(text: &str) -> usize {
     text.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count()
 }
 

@@ -12,11 +12,11 @@ use super::solved::note_freedom;
 use crate::model::Model;
 use crate::motion::Motion;
 use crate::planned::Sign;
-use crate::present::animation::{Animation, Run};
+use crate::present::animation::{Animation, ColumnInfo, Run};
 use crate::present::drawing::{Scene, Snapshot, Subject};
 use crate::present::grid::columns;
 use crate::present::text::count;
-use crate::present::units::Units;
+use crate::present::units::{Measure, Units};
 use crate::state::State;
 
 /// Steps when --steps is not there.
@@ -87,7 +87,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
         trajectory.states.truncate(motions.len());
         ended = Some(interrupted(&trajectory.states, times.len()));
     }
-    let note = ended.as_ref().map(early);
+    let note = ended.as_ref().map(|failure| early(model, failure));
     let mut runs = vec![run_of(engine, &trajectory.states, &motions, mode_name(model, &own, &own), note)?];
     // A picture shows one motion.
     if setup.modes.is_empty() && ended.is_none() && !matches!(output.form, Form::Svg) {
@@ -106,7 +106,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
                 break;
             }
             if states.len() > 1 {
-                let note = also.ended.as_ref().map(early);
+                let note = also.ended.as_ref().map(|failure| early(model, failure));
                 runs.push(run_of(engine, states, &motions, name, note)?);
             }
         }
@@ -114,8 +114,9 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     watch.end();
     let columns = column_infos(model, &moving::column_names(model));
     let shown = shown(model, &runs[0].columns);
-    let time = Units::of(model).time().map(str::to_owned);
-    let animation = Animation { model, runs, columns, shown, time };
+    let units = Units::of(model);
+    let (time, length) = (units.time().map(str::to_owned), units.derivative(Measure::Length, 0));
+    let animation = Animation { model, runs, drivers: drivers(model, &columns), columns, shown, length, time };
     let text = match output.form {
         Form::Svg => animation.picture(args.names),
         _ => animation.page().map_err(Failure::Output)?,
@@ -132,12 +133,39 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     }
 }
 
-/// What a page says of a motion that is not whole.
-fn early(failure: &Failure) -> String {
-    match failure {
-        Failure::Interrupted(how_far) => format!("The motion was interrupted: {how_far}"),
-        failure => format!("The motion ends early: {failure}"),
+/// What a page says of a motion that is not whole, in a short sentence: the command has told all of it.
+fn early(model: &Model, failure: &Failure) -> String {
+    if let Failure::Interrupted(how_far) = failure {
+        return format!("The motion was interrupted: {how_far}.");
     }
+    let text = failure.to_string();
+    let text = text.strip_prefix(model.name).and_then(|rest| rest.strip_prefix(": ")).unwrap_or(&text);
+    let sentence = text.split(": ").next().and_then(|first| first.lines().next()).unwrap_or(text);
+    format!("The motion ends early: {sentence}.")
+}
+
+/// Values of drivers that stand beside the time at most.
+const DRIVERS: usize = 3;
+
+/// The columns of what is driven: the quantity of a joint that drives, or the one coordinate that a driver gives.
+fn drivers(model: &Model, columns: &[ColumnInfo]) -> Vec<usize> {
+    let place = |name: &str| columns.iter().position(|column| column.name == name);
+    let of = |row: usize| {
+        let joint = &model.joints[model.rows[row].joint];
+        if let Some(quantity) = joint.quantities.first() {
+            return place(&format!("{}.{}", joint.name, quantity.name));
+        }
+        let mut entries = model.constraint_pattern.entries.iter().filter(|(place, _)| *place == row);
+        match (entries.next(), entries.next()) {
+            (Some(&(_, coordinate)), None) => place(model.coordinates[coordinate].name),
+            _ => None,
+        }
+    };
+    let driving = (0..model.rows.len()).filter(|&row| model.rows[row].driving);
+    let mut drivers: Vec<usize> = driving.filter_map(of).collect();
+    drivers.dedup();
+    drivers.truncate(DRIVERS);
+    drivers
 }
 
 /// All other combinations of signs, few enough to look at.
@@ -185,6 +213,7 @@ fn snapshot(engine: &dyn Engine, state: &State, motion: &Motion) -> Result<Snaps
         bodies: motion.bodies.iter().map(|body| [body.x, body.y, body.phi]).collect(),
         q: state.q.clone(),
         points: motion.points.iter().map(|point| point.r).collect(),
+        velocities: motion.points.iter().map(|point| point.v).collect(),
         geometry,
     })
 }

@@ -21,16 +21,18 @@ pub(super) fn column_infos(model: &Model, names: &[String]) -> Vec<ColumnInfo> {
 
 /// Two columns that tell something at first: a point's or a coordinate's that is not simply driven, and its rate.
 pub(super) fn shown(model: &Model, columns: &[Vec<f64>]) -> Vec<usize> {
-    let bends = |k: usize| {
-        let Some(values) = columns.get(k) else { return 0.0 };
-        let (first, last) = (values.first().copied().unwrap_or(0.0), values.last().copied().unwrap_or(0.0));
-        let count = (values.len().max(2) - 1) as f64;
-        let line = |i: usize| first + (last - first) * i as f64 / count;
-        values.iter().enumerate().map(|(i, x)| (x - line(i)).abs()).fold(0.0, f64::max)
-    };
+    let bends = |k: usize| columns.get(k).map_or(0.0, |values| bend(values));
     let points = 3 * model.coordinates.len()..3 * (model.coordinates.len() + 2 * model.points.len());
     let coordinates = (0..3 * model.coordinates.len()).rev();
     let mut candidates = points.chain(coordinates).filter(|k| k % 3 == 0 && *k < columns.len());
     let first = candidates.clone().next();
     candidates.find(|&k| bends(k) > 1e-9).or(first).map_or_else(Vec::new, |k| vec![k, k + 1])
+}
+
+/// How far the values are at most from the line between the first and the last of them.
+pub(super) fn bend(values: &[f64]) -> f64 {
+    let (first, last) = (values.first().copied().unwrap_or(0.0), values.last().copied().unwrap_or(0.0));
+    let count = (values.len().max(2) - 1) as f64;
+    let line = |i: usize| first + (last - first) * i as f64 / count;
+    values.iter().enumerate().map(|(i, x)| (x - line(i)).abs()).fold(0.0, f64::max)
 }

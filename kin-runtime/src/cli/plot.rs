@@ -1,6 +1,6 @@
 //! `plot`: diagrams of a motion as a file.
 
-use super::columns::{column_infos, shown};
+use super::columns::{bend, column_infos, shown};
 use super::engine::{Engine, Setup};
 use super::examples::{Help, Names, quoted};
 use super::failure::{Failure, Ledger, zip3};
@@ -129,8 +129,9 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     watch.end();
     let Some(first) = runs.first() else { return failure.map_or(Ok(()), Err) };
     let infos = column_infos(model, &names);
-    let wanted = if wanted.is_empty() { telling(model, &first.columns) } else { wanted };
-    let diagram = Diagram { title: model.name.to_owned(), panels: panels(model, &wanted, &infos, &runs) };
+    let beside = wanted.is_empty();
+    let wanted = if beside { telling(model, &names, &infos, &first.columns) } else { wanted };
+    let diagram = Diagram { title: model.name.to_owned(), panels: panels(model, &wanted, &infos, &runs), beside };
     let bytes = match output.form {
         Form::Png => diagram.png().map_err(Failure::Output)?,
         _ => diagram.svg().into_bytes(),
@@ -193,9 +194,39 @@ fn one(
     Ok((numbers.collect(), ended))
 }
 
-/// Where nothing is asked for, the columns that tell most.
-fn telling(model: &Model, numbers: &[Vec<f64>]) -> Vec<Wanted> {
-    shown(model, &numbers[1..]).into_iter().map(|k| Wanted { x: 0, y: k + 1, path: false }).collect()
+/// Where nothing is asked for: the path of the first point that moves, beside the coordinate that moves most; without such
+/// a point that coordinate and its rate.
+fn telling(model: &Model, names: &[String], infos: &[ColumnInfo], numbers: &[Vec<f64>]) -> Vec<Wanted> {
+    let range = |k: usize| {
+        let values = numbers.get(k).map_or(&[][..], Vec::as_slice).iter();
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(*x), high.max(*x)));
+        (high - low).max(0.0)
+    };
+    let place = |name: &str| names.iter().position(|other| other == name).map(|k| k + 1);
+    let paths = model
+        .points
+        .iter()
+        .filter_map(|point| Some((place(&format!("{}.x", point.name))?, place(&format!("{}.y", point.name))?)));
+    let paths: Vec<(usize, usize)> = paths.filter(|&(x, y)| range(x).max(range(y)) > 0.0).collect();
+    let Some(&(x, y)) = paths.first() else {
+        return shown(model, &numbers[1..]).into_iter().map(|k| Wanted { x: 0, y: k + 1, path: false }).collect();
+    };
+    // Lengths are compared with the largest of the paths, angles with a radian.
+    let size = paths.iter().map(|&(x, y)| range(x).max(range(y))).fold(0.0, f64::max);
+    let moves = |k: usize| match infos[k - 1].unit.as_deref() {
+        Some("rad") => range(k),
+        _ => range(k) / size,
+    };
+    let bent = moved_unevenly(model, numbers);
+    let most = bent.into_iter().max_by(|&a, &b| moves(a).total_cmp(&moves(b)).then(b.cmp(&a)));
+    let most = most.map(|y| Wanted { x: 0, y, path: false });
+    std::iter::once(Wanted { x, y, path: true }).chain(most).collect()
+}
+
+/// The coordinates that do not simply grow with time, as those of a crank with constant speed do.
+fn moved_unevenly(model: &Model, numbers: &[Vec<f64>]) -> Vec<usize> {
+    let coordinates = (0..model.coordinates.len()).map(|k| 3 * k + 1);
+    coordinates.filter(|&k| numbers.get(k).is_some_and(|values| bend(values) > 1e-9)).collect()
 }
 
 /// The columns that are asked for; all that is wrong is told.

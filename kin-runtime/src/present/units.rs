@@ -2,7 +2,8 @@
 
 use crate::model::Model;
 
-/// The unit of length and that of time of a mechanism; none where its parameters name none, or several.
+/// The unit of length and that of time of a mechanism; none where its parameters name several. Without a name a length has no
+/// unit, and time is in seconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Units {
     length: Option<&'static str>,
@@ -30,7 +31,8 @@ impl Units {
             let units = model.parameters.iter().filter_map(|parameter| parameter.unit);
             units.flat_map(|unit| unit.split(['/', '*', '·', '^', ' ', '2', '²']))
         };
-        let only = |known: &[&str]| {
+        // The one of these that is named; none where several are, and `otherwise` where none is.
+        let only = |known: &[&str], otherwise: Option<&'static str>| {
             let mut found: Option<&'static str> = None;
             for word in words().filter(|word| known.contains(word)) {
                 match found {
@@ -38,9 +40,9 @@ impl Units {
                     _ => found = Some(word),
                 }
             }
-            found
+            found.or(otherwise)
         };
-        Self { length: only(&LENGTHS), time: only(&TIMES) }
+        Self { length: only(&LENGTHS, None), time: only(&TIMES, Some("s")) }
     }
 
     /// The unit of time.

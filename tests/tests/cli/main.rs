@@ -8,6 +8,7 @@ mod files;
 mod help;
 #[cfg(target_os = "linux")]
 mod interrupt;
+mod matrices;
 mod terminal;
 mod unwatched;
 

@@ -1,7 +1,9 @@
 //! The page: every example has its picture on it, and every figure is one that is measured here.
 
 use crate::examples::hart::Hart;
-use kin_runtime::cli;
+use crate::examples::jansen::Jansen;
+use crate::examples::robot_3rrr::Robot3rrr;
+use kin_runtime::{Kinematics, cli};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -82,4 +84,51 @@ fn a_picture_says_only_what_it_needs() {
     assert_eq!([&plain, &named, &uneven].map(|text| text.contains("<text")), [false, true, false]);
     assert_eq!([&plain, &named, &uneven].map(|text| text.contains("keyTimes")), [false, false, true]);
     assert!(named.contains(">coupler</text>") && named.contains(">q</text>"));
+}
+
+/// The colours of the bodies on a page of a mechanism, by their names.
+fn colours<M: Kinematics + Default>(name: &str) -> Vec<(&'static str, String)> {
+    let file = std::env::temp_dir().join(format!("kin-gallery-{}-{name}.html", std::process::id()));
+    let path = file.display().to_string();
+    let _ = cli::run_from::<M>([name, "animate", "--to", "0.1", "--steps", "2", "--out", path.as_str()]);
+    let page = fs::read_to_string(&file).expect("a page");
+    fs::remove_file(&file).expect("it is there");
+    let bodies = M::model().bodies.iter().enumerate();
+    let of = |(place, body): (usize, &kin_runtime::model::BodyInfo)| {
+        let group = page.split(&format!("<g data-body=\"{place}\">")).nth(1).expect("its group");
+        let colour = group.split("stroke=\"#").nth(1).expect("its colour")[..6].to_owned();
+        (body.name, colour)
+    };
+    bodies.map(of).collect()
+}
+
+#[test]
+fn neighbours_have_different_colours() {
+    let robot = colours::<Robot3rrr>("robot_3rrr");
+    let distinct: BTreeSet<&String> = robot.iter().map(|(_, colour)| colour).collect();
+    assert_eq!(distinct.len(), robot.len(), "{robot:?}");
+
+    // Thirteen bodies have eleven colours; within a leg none is there twice.
+    let jansen = colours::<Jansen>("jansen");
+    for side in ["[0]", "[1]"] {
+        let leg: Vec<&String> = jansen
+            .iter()
+            .filter(|(name, _)| name.ends_with(side) || *name == "crank")
+            .map(|(_, colour)| colour)
+            .collect();
+        let distinct: BTreeSet<&&String> = leg.iter().collect();
+        assert_eq!((leg.len(), distinct.len()), (7, 7), "{jansen:?}");
+    }
+}
+
+/// Paths are smooth curves through few instants.
+#[test]
+fn paths_are_curves() {
+    let picture = fs::read_to_string(examples().join("pictures/jansen.svg")).expect("a picture");
+    let paths: Vec<&str> = picture.split("<path ").filter(|path| path.contains("class=\"path\"")).collect();
+    assert_eq!(paths.len(), 2);
+    for path in paths {
+        let way = path.split("d=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("its way");
+        assert!(way.matches('C').count() >= 48 && !way.contains('L'), "{way}");
+    }
 }

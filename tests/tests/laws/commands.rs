@@ -115,8 +115,9 @@ fn the_commands_in_the_examples_work() {
 
 /// What names no program is about the one that the page shows.
 #[test]
-fn the_commands_of_the_readme_work() {
-    all_work("readme", &["README.md".to_owned()], "template", 10);
+fn the_commands_of_the_readme_and_of_the_first_chapter_work() {
+    all_work("readme", &["README.md".to_owned()], "template", 2);
+    all_work("start", &["kin-runtime/src/guide/start.md".to_owned()], "template", 8);
 }
 
 #[test]

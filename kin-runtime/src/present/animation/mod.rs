@@ -6,6 +6,7 @@
 use super::drawing::{Scene, View, still};
 use super::drawing::{animated, escaped};
 use crate::model::Model;
+use crate::present::number::rounded;
 use serde::Serialize;
 
 /// A motion with what is plotted beside it.
@@ -39,6 +40,10 @@ pub(crate) struct Animation {
     pub(crate) columns: Vec<ColumnInfo>,
     /// The columns plotted at first.
     pub(crate) shown: Vec<usize>,
+    /// The columns of what is driven, whose values stand beside the time.
+    pub(crate) drivers: Vec<usize>,
+    /// The unit of length.
+    pub(crate) length: Option<String>,
     /// The unit of time.
     pub(crate) time: Option<String>,
 }
@@ -48,6 +53,7 @@ struct Data<'a> {
     runs: Vec<RunData<'a>>,
     columns: &'a [ColumnInfo],
     shown: &'a [usize],
+    drivers: &'a [usize],
     time: Option<&'a str>,
     /// How long the whole motion takes to watch.
     seconds: f64,
@@ -58,6 +64,8 @@ struct RunData<'a> {
     name: &'a str,
     note: Option<&'a str>,
     t: &'a [f64],
+    /// Width and height in pixels.
+    size: [f64; 2],
     /// For every carrier, x, y in pixels and the angle in degrees, clockwise.
     tracks: Vec<[Vec<f64>; 3]>,
     columns: Vec<Vec<f32>>,
@@ -69,8 +77,9 @@ impl Animation {
     /// # Errors
     /// When the numbers cannot be written, which they can.
     pub(crate) fn page(&self) -> Result<String, String> {
-        let view = self.view();
-        let tracks = |scene: &Scene| -> Vec<[Vec<f64>; 3]> {
+        // Every motion has a view of its own: one mode may need much more room than another.
+        let views: Vec<View> = self.runs.iter().map(|run| View::of([&run.scene])).collect();
+        let tracks = |scene: &Scene, view: &View| -> Vec<[Vec<f64>; 3]> {
             let track = |poses: &[[f64; 3]]| {
                 let mut out = [Vec::new(), Vec::new(), Vec::new()];
                 for pose in poses.iter().map(|&pose| view.pose(pose)) {
@@ -83,25 +92,29 @@ impl Animation {
             };
             scene.carriers.iter().map(|carrier| track(&carrier.poses)).collect()
         };
-        let runs = self.runs.iter().map(|run| RunData {
+        let runs = self.runs.iter().zip(&views).map(|(run, view)| RunData {
             name: &run.name,
             note: run.note.as_deref(),
             t: &run.scene.times,
-            tracks: tracks(&run.scene),
+            size: view.size.map(f64::round),
+            tracks: tracks(&run.scene, view),
             // Half the digits are more than a plot shows.
             columns: run.columns.iter().map(|list| list.iter().map(|x| *x as f32).collect()).collect(),
         });
         let (columns, time) = (&self.columns, self.time.as_deref());
-        let data = Data { runs: runs.collect(), columns, shown: &self.shown, time, seconds: self.seconds() };
+        let (shown, drivers, seconds) = (&self.shown[..], &self.drivers[..], self.seconds());
+        let data = Data { runs: runs.collect(), columns, shown, drivers, time, seconds };
         let data = serde_json::to_string(&data).map_err(|error| format!("cannot write the page: {error}"))?;
         // Nothing in the data can end the element that holds it.
         let data = data.replace('<', "\\u003c");
-        let drawings: String = self.runs.iter().map(|run| drawing(&run.scene, &view)).collect();
-        let [width, height] = view.size.map(|x| x.round());
+        let unit = self.length.as_deref();
+        let drawings: String = self.runs.iter().zip(&views).map(|(run, view)| drawing(&run.scene, view)).collect();
+        let bars: String = views.iter().map(|view| scale_bar(view, unit)).collect();
+        let [width, height] = views[0].size.map(f64::round);
         let (name, doc) = (escaped(self.model.name), escaped(self.model.doc));
         let picture = format!(
             "<svg id=\"drawing\" class=\"without-names\" viewBox=\"0 0 {width} {height}\" role=\"img\" \
-             aria-label=\"{name} in motion\">{drawings}</svg>"
+             aria-label=\"{name} in motion\">{drawings}{bars}</svg>"
         );
         Ok(include_str!("page.html")
             .replace("{{name}}", &name)
@@ -119,10 +132,6 @@ impl Animation {
         animated(scene, &View::of([scene]), &title, self.seconds(), names)
     }
 
-    fn view(&self) -> View {
-        View::of(self.runs.iter().map(|run| &run.scene))
-    }
-
     /// As long as the motion takes, where that can be watched.
     fn seconds(&self) -> f64 {
         let times = &self.runs[0].scene.times;
@@ -138,4 +147,26 @@ fn drawing(scene: &Scene, view: &View) -> String {
         None => format!("<g>{group}</g>"),
     });
     format!("<g class=\"run\">{}</g>", groups.collect::<String>())
+}
+
+/// Parts of the picture's width that the bar for a length takes at most.
+const BAR: f64 = 0.25;
+
+/// A bar that is as long as it says, 1, 2 or 5 times a power of ten, in the lower left corner of a drawing.
+fn scale_bar(view: &View, unit: Option<&str>) -> String {
+    let most = BAR * view.size[0] / view.scale;
+    let power = 10_f64.powf(most.log10().floor());
+    let length = [5.0, 2.0, 1.0].into_iter().map(|digit| digit * power).find(|length| *length <= most);
+    let length = length.unwrap_or(power);
+    let right = 10.0 + (length * view.scale).round();
+    let middle = 0.5 * (10.0 + right);
+    let label = match unit {
+        Some(unit) => format!("{} {}", rounded(length), escaped(unit)),
+        None => rounded(length),
+    };
+    let [above, base, text] = [12.0, 8.0, 14.0].map(|up| view.size[1].round() - up);
+    format!(
+        "<g class=\"scale\"><path d=\"M10,{above}V{base}H{right}V{above}\"/>\
+         <text x=\"{middle}\" y=\"{text}\">{label}</text></g>"
+    )
 }

@@ -27,14 +27,20 @@
     $("now").textContent = `t = ${text(now)}${data.time ? " " + data.time : ""}`;
     slider.value = place;
     slider.setAttribute("aria-valuetext", $("now").textContent);
+    const driver = (column) => {
+      const { name, unit } = data.columns[column];
+      return `${name} = ${text(between(data.runs[run].columns[column], place))}${unit ? " " + unit : ""}`;
+    };
+    $("drivers").textContent = data.drivers.map(driver).join(" · ");
     charts.forEach((chart) => chart.mark());
   }
 
   function choose(which) {
     const t = between(data.runs[run].t, place);
     run = which;
-    groups.forEach((_, k) => { drawing.querySelectorAll("g.run")[k].toggleAttribute("hidden", k !== run); });
     [...drawing.querySelectorAll("g.run")].forEach((g, k) => { g.style.display = k === run ? "" : "none"; });
+    drawing.setAttribute("viewBox", `0 0 ${data.runs[run].size.join(" ")}`);
+    [...drawing.querySelectorAll("g.scale")].forEach((g, k) => { g.style.display = k === run ? "" : "none"; });
     slider.max = last();
     place = Math.min(seek(t), last());
     $("ended").textContent = data.runs[run].note || "";

@@ -19,9 +19,8 @@ pub(super) fn draw(
         JointKind::Revolute => pinned(subject, joint, links, front, Part::Pin([0.0; 2])),
         JointKind::Fixed => pinned(subject, joint, links, front, Part::Weld([0.0; 2])),
         JointKind::X | JointKind::Y => prescribed(subject, joint, links, front),
-        JointKind::Translational | JointKind::PointOnLine | JointKind::Screw => {
-            slides::slide(subject, joint, links, front)
-        }
+        JointKind::Translational | JointKind::PointOnLine => slides::slide(subject, joint, links, front),
+        JointKind::Screw => slides::screw(subject, joint, links, front),
         JointKind::Distance => massless(subject, joint, links, behind, front),
         JointKind::Driver if super::subject::piece(joint, Role::Q).is_some() => {
             massless(subject, joint, links, behind, front);
@@ -87,6 +86,8 @@ fn massless(
         front.push(upright(subject.track(joint, role), part));
     }
     let (from, to) = (subject.track(joint, Role::P), subject.track(joint, Role::Q));
+    let middle = from.iter().zip(&to).map(|(&[x, y], &[u, v])| [0.5 * (x + u), 0.5 * (y + v)]);
+    links.pin(joint.name, middle.collect());
     let along = |from: &[[f64; 2]], to: &[[f64; 2]]| -> Vec<Pose> {
         from.iter().zip(to).map(|(&[x, y], &[u, v])| [x, y, (v - y).atan2(u - x)]).collect()
     };

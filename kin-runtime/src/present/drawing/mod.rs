@@ -7,13 +7,16 @@
 //! ```text
 //! subject     poses and geometry of every instant, and where points stand
 //! links       the shapes of bodies        slides, wheels, outlines, paths    what joints look like
-//! part        lines, bars, circles, …     view    from lengths to pixels     svg    the text
+//! part        lines, bars, circles, …     palette, labels    colours, and where names stand
+//! view        from lengths to pixels      svg                the text
 //! ```
 
 mod carrier;
 mod joints;
+mod labels;
 mod links;
 mod outlines;
+mod palette;
 mod part;
 mod paths;
 mod ropes;

@@ -44,6 +44,15 @@ pub(crate) enum Part {
         /// Joined to its start, and filled where it is full.
         closed: bool,
     },
+    /// The path of a point: a smooth curve through places at which its direction is known.
+    Path {
+        /// Where it goes through.
+        points: Vec<[f64; 2]>,
+        /// The two inner control points of every piece between two of them (cubic Bézier curves).
+        controls: Vec<[[f64; 2]; 2]>,
+        /// Its colour.
+        ink: Ink,
+    },
     /// A pin between bodies.
     Pin([f64; 2]),
     /// A pin on the ground: the foot under it is hatched.
@@ -94,8 +103,6 @@ pub(crate) enum Stroke {
     Thin,
     /// Thin, in dashes.
     Dashed,
-    /// The path of a point.
-    Path,
 }
 
 /// What a name belongs to.
@@ -113,7 +120,9 @@ impl Part {
     /// Points that the view must hold, in the carrier's frame.
     pub(crate) fn reach(&self, each: &mut dyn FnMut([f64; 2])) {
         match self {
-            Self::Bar { points, .. } | Self::Line { points, .. } => points.iter().copied().for_each(each),
+            Self::Bar { points, .. } | Self::Line { points, .. } | Self::Path { points, .. } => {
+                points.iter().copied().for_each(each);
+            }
             &Self::Pin(p) | &Self::Foot(p) | &Self::Weld(p) | &Self::Dot(p, _) => each(p),
             &Self::Hatching { from, to } | &Self::Slot { from, to, .. } => {
                 each(from);

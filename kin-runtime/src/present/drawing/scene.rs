@@ -2,6 +2,7 @@
 
 use super::carrier::Carrier;
 use super::links::Links;
+use super::palette::Palette;
 use super::part::{Kind, Part};
 use super::subject::{Pose, Subject, distance};
 use super::{joints, outlines, paths};
@@ -14,9 +15,17 @@ pub(crate) struct Scene {
     pub(crate) times: Vec<f64>,
     /// What lies behind stands first.
     pub(crate) carriers: Vec<Carrier>,
+    /// The colours of its bodies and points.
+    pub(super) palette: Palette,
 }
 
 impl Scene {
+    /// A motion of which nothing is drawn.
+    #[cfg(test)]
+    pub(super) fn empty(times: Vec<f64>) -> Self {
+        Self { times, carriers: Vec::new(), palette: Palette::default() }
+    }
+
     /// The drawing of a motion.
     pub(crate) fn new(subject: &Subject<'_>) -> Self {
         let model = subject.model;
@@ -34,7 +43,8 @@ impl Scene {
         carriers.extend(front);
         carriers.extend(names);
         carriers.retain(|carrier| carrier.body.is_some() || !carrier.parts.is_empty());
-        Self { times: subject.snapshots.iter().map(|snapshot| snapshot.t).collect(), carriers }
+        let times = subject.snapshots.iter().map(|snapshot| snapshot.t).collect();
+        Self { times, carriers, palette: Palette::of(model) }
     }
 
     /// The pose of a carrier at an instant.
@@ -87,9 +97,23 @@ fn names(subject: &Subject<'_>, links: &Links) -> Vec<Carrier> {
         }
     }
     let places = places.into_iter().map(|Named { names, kind, track }| {
-        label(track.into_iter().map(|[x, y]| [x, y, 0.0]).collect(), &names.join(", "), kind)
+        label(track.into_iter().map(|[x, y]| [x, y, 0.0]).collect(), &together(&names), kind)
     });
     bodies.chain(places).collect()
+}
+
+/// Several names of one place; of many, those of members of families without their indices.
+fn together(names: &[&str]) -> String {
+    if names.len() < 3 {
+        return names.join(", ");
+    }
+    let mut families: Vec<&str> = Vec::new();
+    for name in names.iter().map(|name| name.split_once('[').map_or(*name, |(family, _)| family)) {
+        if !families.contains(&name) {
+            families.push(name);
+        }
+    }
+    families.join(", ")
 }
 
 fn label(poses: Vec<Pose>, name: &str, kind: Kind) -> Carrier {

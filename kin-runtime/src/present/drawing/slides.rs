@@ -2,12 +2,15 @@
 
 use super::carrier::{Carrier, upright};
 use super::links::Links;
-use super::part::{Ink, Part};
+use super::part::{Ink, Part, Stroke};
 use super::subject::{Subject, seen_from};
 use crate::model::{Frame, JointInfo, JointKind, Role};
 
 /// How far a rail goes beyond the block's way, relative to the size of the mechanism.
 pub(super) const BEYOND: f64 = 0.08;
+
+/// How far the turns of a thread are apart, relative to the size of the mechanism.
+const PITCH: f64 = 0.045;
 
 /// The rail as long as the way of the block, and the block.
 pub(super) fn slide(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>) {
@@ -37,6 +40,41 @@ pub(super) fn slide(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links,
     if joint.kind == JointKind::PointOnLine {
         front.push(upright(at, if j == Frame::Ground { Part::Foot([0.0; 2]) } else { Part::Pin([0.0; 2]) }));
     }
+}
+
+/// A spindle as long as the way of its nut, and the nut. The thread is a symbol: its turns are so far apart that they can
+/// be seen, whatever the lead is.
+pub(super) fn screw(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>) {
+    let (Some((i, p)), Some((j, q))) = (subject.local(0, joint, Role::P), subject.local(0, joint, Role::Q)) else {
+        return;
+    };
+    let Some((axis_frame, axis)) = subject.local(0, joint, Role::Axis) else { return };
+    if axis_frame != i {
+        return;
+    }
+    let Some(way) = Way::of(subject, joint, i, p, axis, BEYOND * links.size()) else { return };
+    let pitch = PITCH * links.size();
+    for points in [thread(&way, pitch), way.beside(0.5 * pitch), way.beside(-0.5 * pitch)] {
+        links.add(i, Part::Line { points, ink: Ink::of(i), stroke: Stroke::Thin, closed: false });
+    }
+    links.attach(j, q);
+    let poses = subject.instants().filter_map(|k| {
+        let [x, y] = subject.point(k, joint, Role::Q)?;
+        Some([x, y, subject.direction(k, joint)?])
+    });
+    front.push(Carrier { body: None, poses: poses.collect(), parts: vec![Part::Block(Ink::of(j))] });
+    links.pin(joint.name, subject.track(joint, Role::Q));
+}
+
+/// The flanks of a thread along a way: from side to side, twice for every turn.
+fn thread(way: &Way, pitch: f64) -> Vec<[f64; 2]> {
+    let turns = ((way.most - way.least) / pitch).round().clamp(3.0, 200.0);
+    let step = (way.most - way.least) / (2.0 * turns);
+    let corner = |k: usize| {
+        let side = if k.is_multiple_of(2) { 0.5 * pitch } else { -0.5 * pitch };
+        way.off(way.least + step * k as f64, side)
+    };
+    (0..=2 * turns as usize).map(corner).collect()
 }
 
 /// The way of Q along an axis of the frame of P.
@@ -74,7 +112,32 @@ impl Way {
         (self.at(self.least), self.at(self.most))
     }
 
+    /// The line at a distance to the left.
+    fn beside(&self, side: f64) -> Vec<[f64; 2]> {
+        vec![self.off(self.least, side), self.off(self.most, side)]
+    }
+
+    fn off(&self, s: f64, side: f64) -> [f64; 2] {
+        let [x, y] = self.at(s);
+        [x - side * self.axis[1], y + side * self.axis[0]]
+    }
+
     fn at(&self, s: f64) -> [f64; 2] {
         [self.start[0] + s * self.axis[0], self.start[1] + s * self.axis[1]]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_thread_goes_from_side_to_side_all_the_way() {
+        let way = Way { start: [0.0; 2], axis: [0.0, 1.0], least: -1.0, most: 1.0 };
+        let points = thread(&way, 0.5);
+        assert_eq!((points.len(), points[0], points[8]), (9, [-0.25, -1.0], [-0.25, 1.0]));
+        assert!(points.windows(2).all(|pair| pair[0][0] == -pair[1][0] && pair[0][1] < pair[1][1]));
+        // However small it is, it has turns that can be seen, and not too many.
+        assert_eq!([thread(&way, 10.0).len(), thread(&way, 1e-9).len()], [7, 401]);
     }
 }

@@ -14,6 +14,8 @@ pub(crate) struct Snapshot {
     pub(crate) q: Vec<f64>,
     /// Positions of the named points.
     pub(crate) points: Vec<[f64; 2]>,
+    /// Their velocities.
+    pub(crate) velocities: Vec<[f64; 2]>,
     /// The geometry array: local points, axes, values and radii.
     pub(crate) geometry: Vec<f64>,
 }

@@ -1,20 +1,15 @@
 //! A scene as SVG: its parts once, and what moves them.
 
 use super::carrier::Carrier;
+use super::labels::{self, Side};
+use super::palette::Palette;
 use super::part::{Ink, Kind, Part, Stroke};
 use super::scene::Scene;
 use super::view::{Pixels, View, short};
 use core::fmt::Write;
 
-/// Colours that people with any kind of colour vision tell apart (Okabe and Ito, 2008), without yellow and black.
-const BODIES: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"];
 /// Of the ground, of pins and of massless links.
 const GROUND: &str = "#4b5563";
-
-/// The colour of the k-th of something.
-pub(crate) fn colour(k: usize) -> &'static str {
-    BODIES[k % BODIES.len()]
-}
 
 /// How names are written.
 const STYLE: &str = "<style>.name{font:12px system-ui,sans-serif;paint-order:stroke;stroke:#fff;stroke-width:3px;\
@@ -29,7 +24,14 @@ pub(crate) struct Still {
 /// Every carrier as a group that has no pose yet.
 pub(crate) fn still(scene: &Scene, view: &View) -> Still {
     let symbol = view.symbol(scene);
-    Still { groups: scene.carriers.iter().map(|carrier| parts(carrier, view, symbol)).collect() }
+    let sides = labels::sides(scene, view, symbol);
+    let groups = scene.carriers.iter().zip(sides).map(|(carrier, side)| {
+        let pen = Pen { view, symbol, palette: &scene.palette, side };
+        let mut out = String::new();
+        carrier.parts.iter().for_each(|one| pen.part(&mut out, one));
+        out
+    });
+    Still { groups: groups.collect() }
 }
 
 /// A picture that moves by itself, once through in `duration` seconds and again from the start.
@@ -94,107 +96,119 @@ fn turns(carrier: &Carrier) -> bool {
     carrier.poses.iter().any(|pose| pose[2] != carrier.poses[0][2])
 }
 
-fn ink(ink: Ink) -> &'static str {
-    match ink {
-        Ink::Body(body) => colour(body),
-        Ink::Ground => GROUND,
-        // Paths count from the other end, so that a point seldom has the colour of its body.
-        Ink::Path(point) => BODIES[BODIES.len() - 1 - point % BODIES.len()],
-    }
+/// What the parts of a carrier are drawn with.
+struct Pen<'a> {
+    view: &'a View,
+    /// Half the width of pins and blocks.
+    symbol: f64,
+    palette: &'a Palette,
+    /// Where the name of the carrier stands.
+    side: Side,
 }
 
-fn parts(carrier: &Carrier, view: &View, symbol: f64) -> String {
-    let mut out = String::new();
-    for one in &carrier.parts {
-        part(&mut out, one, view, symbol);
+impl Pen<'_> {
+    fn ink(&self, ink: Ink) -> &'static str {
+        match ink {
+            Ink::Body(body) => self.palette.body(body),
+            Ink::Ground => GROUND,
+            Ink::Path(point) => self.palette.point(point),
+        }
     }
-    out
-}
 
-/// Writing to a text never fails.
-fn part(out: &mut String, part: &Part, view: &View, s: f64) {
-    let _ = match part {
-        Part::Bar { points, ink: own } => {
-            let (c, w) = (ink(*own), short(2.0 * s));
-            let fill = if points.len() > 2 { c } else { "none" };
-            write!(
-                out,
-                "<path d=\"{}\" fill=\"{fill}\" fill-opacity=\".25\" stroke=\"{c}\" stroke-opacity=\".8\" \
+    /// Writing to a text never fails.
+    fn part(&self, out: &mut String, part: &Part) {
+        let (view, s) = (self.view, self.symbol);
+        let _ = match part {
+            Part::Bar { points, ink: own } => {
+                let (c, w) = (self.ink(*own), short(2.0 * s));
+                let fill = if points.len() > 2 { c } else { "none" };
+                write!(
+                    out,
+                    "<path d=\"{}\" fill=\"{fill}\" fill-opacity=\".25\" stroke=\"{c}\" stroke-opacity=\".8\" \
                  stroke-width=\"{w}\" stroke-linejoin=\"round\" stroke-linecap=\"round\"/>",
-                path(points, view, points.len() > 2)
-            )
-        }
-        Part::Line { points, ink: own, stroke, closed } => {
-            let c = ink(*own);
-            let (width, more) = match stroke {
-                Stroke::Full => (2.5, if *closed { " fill-opacity=\".2\"" } else { "" }),
-                Stroke::Thin => (1.0, ""),
-                Stroke::Dashed => (0.8, " stroke-dasharray=\"6 3 1 3\""),
-                Stroke::Path => (1.5, " stroke-opacity=\".85\" class=\"path\""),
-            };
-            let fill = if *closed && *stroke == Stroke::Full { c } else { "none" };
-            write!(
-                out,
-                "<path d=\"{}\" fill=\"{fill}\" stroke=\"{c}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"{more}/>",
-                path(points, view, *closed)
-            )
-        }
-        Part::Pin(p) => circle(out, view.local(*p), 0.6 * s, "#fff", GROUND, 1.5),
-        Part::Foot(p) => foot(out, view.local(*p), s),
-        Part::Weld(p) => {
-            let [x, y] = view.local(*p).0.map(|x| short(x - 0.7 * s));
-            let side = short(1.4 * s);
-            write!(out, "<rect x=\"{x}\" y=\"{y}\" width=\"{side}\" height=\"{side}\" fill=\"{GROUND}\"/>")
-        }
-        Part::Hatching { from, to } => hatching(out, view.local(*from).0, view.local(*to).0),
-        Part::Slot { from, to, ink: own } => {
-            let (c, line) = (ink(*own), path(&[*from, *to], view, false));
-            let wide = short(2.4 * s);
-            let narrow = short(1.4 * s);
-            write!(
-                out,
-                "<path d=\"{line}\" stroke=\"{c}\" stroke-width=\"{wide}\" stroke-linecap=\"round\"/>\
+                    path(points, view, points.len() > 2)
+                )
+            }
+            Part::Line { points, ink: own, stroke, closed } => {
+                let c = self.ink(*own);
+                let (width, more) = match stroke {
+                    Stroke::Full => (2.5, if *closed { " fill-opacity=\".2\"" } else { "" }),
+                    Stroke::Thin => (1.0, ""),
+                    Stroke::Dashed => (0.8, " stroke-dasharray=\"6 3 1 3\""),
+                };
+                let fill = if *closed && *stroke == Stroke::Full { c } else { "none" };
+                write!(
+                    out,
+                    "<path d=\"{}\" fill=\"{fill}\" stroke=\"{c}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"{more}/>",
+                    path(points, view, *closed)
+                )
+            }
+            Part::Path { points, controls, ink: own } => {
+                let (c, curve) = (self.ink(*own), smooth(points, controls, view));
+                write!(
+                    out,
+                    "<path d=\"{curve}\" fill=\"none\" stroke=\"{c}\" stroke-width=\"1.5\" stroke-linejoin=\"round\" \
+                 stroke-opacity=\".85\" class=\"path\"/>"
+                )
+            }
+            Part::Pin(p) => circle(out, view.local(*p), 0.6 * s, "#fff", GROUND, 1.5),
+            Part::Foot(p) => foot(out, view.local(*p), s),
+            Part::Weld(p) => {
+                let [x, y] = view.local(*p).0.map(|x| short(x - 0.7 * s));
+                let side = short(1.4 * s);
+                write!(out, "<rect x=\"{x}\" y=\"{y}\" width=\"{side}\" height=\"{side}\" fill=\"{GROUND}\"/>")
+            }
+            Part::Hatching { from, to } => hatching(out, view.local(*from).0, view.local(*to).0),
+            Part::Slot { from, to, ink: own } => {
+                let (c, line) = (self.ink(*own), path(&[*from, *to], view, false));
+                let wide = short(2.4 * s);
+                let narrow = short(1.4 * s);
+                write!(
+                    out,
+                    "<path d=\"{line}\" stroke=\"{c}\" stroke-width=\"{wide}\" stroke-linecap=\"round\"/>\
                  <path d=\"{line}\" stroke=\"#fff\" stroke-width=\"{narrow}\" stroke-linecap=\"round\"/>"
-            )
-        }
-        Part::Block(own) => {
-            let (w, h) = (short(3.6 * s), short(2.2 * s));
-            let (x, y, c) = (short(-1.8 * s), short(-1.1 * s), ink(*own));
-            write!(
-                out,
-                "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" rx=\"1.5\" fill=\"#fff\" stroke=\"{c}\" \
+                )
+            }
+            Part::Block(own) => {
+                let (w, h) = (short(3.6 * s), short(2.2 * s));
+                let (x, y, c) = (short(-1.8 * s), short(-1.1 * s), self.ink(*own));
+                write!(
+                    out,
+                    "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" rx=\"1.5\" fill=\"#fff\" stroke=\"{c}\" \
                  stroke-width=\"2\"/><rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" rx=\"1.5\" fill=\"{c}\" \
                  fill-opacity=\".45\"/>"
-            )
-        }
-        Part::Disc { centre, radius, ink: own } => {
-            let [x, y] = view.local(*centre).0.map(short);
-            let (r, c) = (short(radius.abs() * view.scale), ink(*own));
-            let opacity = if *radius < 0.0 { 0.0 } else { 0.18 };
-            let edge = short(x + r);
-            write!(
-                out,
-                "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"{c}\" fill-opacity=\"{opacity}\" stroke=\"{c}\" \
+                )
+            }
+            Part::Disc { centre, radius, ink: own } => {
+                let [x, y] = view.local(*centre).0.map(short);
+                let (r, c) = (short(radius.abs() * view.scale), self.ink(*own));
+                let opacity = if *radius < 0.0 { 0.0 } else { 0.18 };
+                let edge = short(x + r);
+                write!(
+                    out,
+                    "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"{c}\" fill-opacity=\"{opacity}\" stroke=\"{c}\" \
                  stroke-width=\"2.5\"/><path d=\"M{x},{y}L{edge},{y}\" stroke=\"{c}\" stroke-width=\"1.5\"/>"
-            )
-        }
-        Part::Dot(p, own) => circle(out, view.local(*p), 0.55 * s, ink(*own), "#fff", 1.0),
-        Part::Tread => {
-            let (w, h) = (short(4.0 * s), short(1.4 * s));
-            let (x, y) = (short(-2.0 * s), short(-0.7 * s));
-            write!(out, "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" rx=\"3\" fill=\"{GROUND}\"/>")
-        }
-        Part::Name(name, kind) => {
-            let class = match kind {
-                Kind::Body => "name body",
-                Kind::Joint => "name joint",
-                Kind::Point => "name point",
-            };
-            let up = short(-1.3 * s - 2.0);
-            let aside = short(s + 1.0);
-            write!(out, "<text x=\"{aside}\" y=\"{up}\" class=\"{class}\">{}</text>", escaped(name))
-        }
-    };
+                )
+            }
+            Part::Dot(p, own) => circle(out, view.local(*p), 0.55 * s, self.ink(*own), "#fff", 1.0),
+            Part::Tread => {
+                let (w, h) = (short(4.0 * s), short(1.4 * s));
+                let (x, y) = (short(-2.0 * s), short(-0.7 * s));
+                write!(out, "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" rx=\"3\" fill=\"{GROUND}\"/>")
+            }
+            Part::Name(name, kind) => {
+                let class = match kind {
+                    Kind::Body => "name body",
+                    Kind::Joint => "name joint",
+                    Kind::Point => "name point",
+                };
+                let Side { at, anchor } = self.side;
+                let [x, y] = at.map(short);
+                let anchor = if anchor == "start" { String::new() } else { format!(" text-anchor=\"{anchor}\"") };
+                write!(out, "<text x=\"{x}\" y=\"{y}\"{anchor} class=\"{class}\">{}</text>", escaped(name))
+            }
+        };
+    }
 }
 
 fn circle(out: &mut String, p: Pixels, r: f64, fill: &str, stroke: &str, width: f64) -> core::fmt::Result {
@@ -243,6 +257,15 @@ fn path(points: &[[f64; 2]], view: &View, closed: bool) -> String {
     }
     if closed {
         out.push('Z');
+    }
+    out
+}
+
+/// A curve through points, piece by piece.
+fn smooth(points: &[[f64; 2]], controls: &[[[f64; 2]; 2]], view: &View) -> String {
+    let mut out = points.first().map_or_else(String::new, |&first| format!("M{}", view.local(first)));
+    for ([from, to], &end) in controls.iter().zip(points.iter().skip(1)) {
+        let _ = write!(out, "C{} {} {}", view.local(*from), view.local(*to), view.local(end));
     }
     out
 }

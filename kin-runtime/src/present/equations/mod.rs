@@ -32,6 +32,7 @@ pub(crate) fn sheet(model: &Model, chosen: &[usize], part: Part) -> Sheet {
         doc: model.doc.to_owned(),
         coordinates: model.coordinates.iter().map(|coordinate| coordinate.name.to_owned()).collect(),
         joints: joints.map(|(_, of)| joint(model, of)).collect(),
+        whole: chosen.is_empty() && part != Part::Solution,
         steps: model.solution.iter().filter(takes_part).map(step).collect(),
         unsolved: unsolved.unwrap_or_default().to_owned(),
     }

@@ -6,7 +6,7 @@ pub(crate) use panel::{Curve, Panel};
 
 use kuva::backend::png::PngBackend;
 use kuva::backend::svg::SvgBackend;
-use kuva::plot::LinePlot;
+use kuva::plot::{ColorMap, LinePlot};
 use kuva::render::figure::Figure;
 use kuva::render::layout::{Layout, TickFormat};
 use kuva::render::plots::Plot;
@@ -17,20 +17,35 @@ use crate::present::number::rounded;
 
 /// Width of a panel in pixels, its axes and legend included.
 const WIDTH: f64 = 860.0;
+/// Width of each of two panels that stand beside one another.
+const HALF: f64 = 560.0;
 /// Height of a panel over time, and of one whose axes are equal.
 const HEIGHTS: [f64; 2] = [400.0, 620.0];
+/// Height of an entry of the legend, and of what stands above and below the entries.
+const LEGEND: [f64; 2] = [18.0, 90.0];
+/// Room on the left and on the right of panels that share an axis, in pixels.
+const LEFT: f64 = 76.0;
+const RIGHT: f64 = 24.0;
+/// Width of an entry of the legend: its line and frame, and of a letter.
+const ENTRY: [f64; 2] = [45.0, 7.4];
+/// Free room above and below the curves, as a part of their height.
+const MARGIN: f64 = 0.05;
 /// Pixels of a PNG per pixel of the drawing.
 const DENSITY: f32 = 2.0;
 
 /// Colours that people with any kind of colour vision tell apart (Okabe and Ito, 2008), without yellow.
 const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"];
+/// How far more curves than these go along the colour map: its end is a yellow that cannot be seen on white.
+const MAP_END: f64 = 0.92;
 
-/// Panels below one another.
+/// Panels below one another, or two of them side by side.
 pub(crate) struct Diagram {
     /// What stands above.
     pub(crate) title: String,
     /// At least one.
     pub(crate) panels: Vec<Panel>,
+    /// Two panels stand side by side.
+    pub(crate) beside: bool,
 }
 
 impl Diagram {
@@ -49,38 +64,90 @@ impl Diagram {
 
     fn scene(&self) -> Scene {
         let plots: Vec<Vec<Plot>> = self.panels.iter().map(plots).collect();
-        let layouts = self.panels.iter().zip(&plots).map(|(panel, plots)| layout(panel, plots)).collect();
-        let mut figure = Figure::new(self.panels.len(), 1)
+        let over_time = self.shares_axis();
+        let margins = over_time.then(|| [LEFT, self.right()]);
+        let layouts = self.panels.iter().zip(&plots).map(|(panel, plots)| layout(panel, plots, margins)).collect();
+        let beside = self.beside && self.panels.len() == 2;
+        let (rows, columns, width) = if beside { (1, 2, HALF) } else { (self.panels.len(), 1, WIDTH) };
+        let mut figure = Figure::new(rows, columns)
             .with_title(self.title.clone())
-            .with_cell_size(WIDTH, HEIGHTS[0])
+            .with_cell_size(width, HEIGHTS[0])
             .with_plots(plots)
             .with_layouts(layouts);
-        for (row, panel) in self.panels.iter().enumerate() {
-            figure = figure.with_row_height(row, HEIGHTS[usize::from(panel.equal)]);
+        for (place, panel) in self.panels.iter().enumerate() {
+            figure = figure.with_row_height(place % rows, height(panel));
         }
-        figure.render()
+        if over_time { figure.with_shared_x_all().render() } else { figure.render() }
     }
+
+    /// Whether several panels stand below one another over the same quantity, so that one axis serves them all.
+    fn shares_axis(&self) -> bool {
+        let first = &self.panels[0];
+        let same =
+            |panel: &Panel| panel.labels[0] == first.labels[0] && !panel.equal && panel.range(0) == first.range(0);
+        !self.beside && self.panels.len() > 1 && self.panels.iter().all(same)
+    }
+
+    /// Room on the right of all panels for the widest of their legends.
+    fn right(&self) -> f64 {
+        let names = self.panels.iter().filter(|panel| panel.curves.len() > 1).flat_map(|panel| &panel.curves);
+        let widest = names.map(|curve| curve.name.chars().count()).max();
+        widest.map_or(RIGHT, |letters| RIGHT + ENTRY[0] + ENTRY[1] * letters as f64)
+    }
+}
+
+/// Tall enough for every entry of its legend.
+fn height(panel: &Panel) -> f64 {
+    HEIGHTS[usize::from(panel.equal)].max(LEGEND[1] + LEGEND[0] * panel.curves.len() as f64)
 }
 
 fn plots(panel: &Panel) -> Vec<Plot> {
     let curves = panel.curves.iter().enumerate();
     let plot = |(k, curve): (usize, &Curve)| {
         let line = LinePlot::new().with_data(curve.points.iter().copied()).with_stroke_width(2.0);
-        let line = line.with_color(COLOURS[k % COLOURS.len()]);
-        // Beyond the colours, dashes distinguish.
-        let line = if k / COLOURS.len() % 2 == 1 { line.with_dashed() } else { line };
+        let line = line.with_color(colour(k, panel.curves.len()));
         let line = if panel.curves.len() > 1 { line.with_legend(curve.name.clone()) } else { line };
         Plot::from(line)
     };
     curves.map(plot).collect()
 }
 
-fn layout(panel: &Panel, plots: &[Plot]) -> Layout {
+/// The colour of a curve among several: no two have the same.
+fn colour(place: usize, count: usize) -> String {
+    match COLOURS.get(place) {
+        Some(colour) if count <= COLOURS.len() => (*colour).to_owned(),
+        _ => ColorMap::Viridis.map(MAP_END * place as f64 / (count.max(2) - 1) as f64),
+    }
+}
+
+/// Axes that end where the curves end. The label of the vertical axis stands above it, where it is read without turning the
+/// head, and where a picture of pixels needs no turned letters.
+fn layout(panel: &Panel, plots: &[Plot], sides: Option<[f64; 2]>) -> Layout {
     let layout =
-        Layout::auto_from_plots(plots).with_x_label(panel.labels[0].clone()).with_y_label(panel.labels[1].clone());
-    let [x, y] = [layout.x_range, layout.y_range].map(|(from, to)| ticks(to - from));
+        Layout::auto_from_plots(plots).with_x_label(panel.labels[0].clone()).with_title(panel.labels[1].clone());
+    let layout = layout.with_title_size(14);
+    let [x, y] = [panel.range(0), panel.range(1)].map(|(from, to)| ticks(to - from));
     let layout = layout.with_x_tick_format(x).with_y_tick_format(y);
-    if panel.equal { layout.with_equal_aspect() } else { layout }
+    // A path has room on all sides, a course over time above and below.
+    let margins = if panel.equal { [MARGIN; 2] } else { [0.0, MARGIN] };
+    let [(left, right), (low, high)] = [0, 1].map(|axis| ends(panel.range(axis), margins[axis]));
+    let layout = layout.with_x_axis_min(left).with_x_axis_max(right).with_y_axis_min(low).with_y_axis_max(high);
+    let layout = if panel.equal { layout.with_equal_aspect() } else { layout };
+    match sides {
+        Some([left, right]) => layout.with_force_margins(left, right),
+        None => layout,
+    }
+}
+
+/// Where an axis begins and ends. What never changes has a band around it.
+fn ends((low, high): (f64, f64), margin: f64) -> (f64, f64) {
+    let length = high - low;
+    let size = low.abs().max(high.abs());
+    if length <= 1e-9 * size || length == 0.0 {
+        let band = if size > 0.0 { 0.1 * size } else { 1.0 };
+        return (low - band, high + band);
+    }
+    (low - margin * length, high + margin * length)
 }
 
 /// Numbers at the ticks of an axis of some length, with all their digits: kuva's own format has three decimals, which
@@ -95,7 +162,37 @@ fn ticks(length: f64) -> TickFormat {
 
 #[cfg(test)]
 mod tests {
-    use super::ticks;
+    use super::{COLOURS, Curve, Diagram, Panel, colour, ends, ticks};
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn axes_end_where_the_curves_end() {
+        assert_eq!(ends((0.0, 6.3), 0.0), (0.0, 6.3));
+        assert_eq!(ends((-1.0, 1.0), 0.05), (-1.1, 1.1));
+        assert_eq!(ends((2.0, 2.0), 0.05), (1.8, 2.2));
+        assert_eq!(ends((0.0, 0.0), 0.0), (-1.0, 1.0));
+    }
+
+    #[test]
+    fn no_two_curves_have_one_colour() {
+        for count in [1, 7, 8, 40] {
+            let colours: BTreeSet<String> = (0..count).map(|place| colour(place, count)).collect();
+            assert_eq!(colours.len(), count);
+        }
+        assert_eq!(colour(6, 7), COLOURS[6]);
+    }
+
+    #[test]
+    fn a_legend_has_all_its_entries() {
+        let curve = |k: u32| Curve { name: format!("curve {k}"), points: vec![(0.0, 0.0), (1.0, f64::from(k))] };
+        let labels = ["t in s", "x in m"].map(str::to_owned);
+        let panel = Panel { labels, equal: false, curves: (0..42).map(curve).collect() };
+        let picture = Diagram { title: "Many".to_owned(), panels: vec![panel], beside: false }.svg();
+        for k in 0..42 {
+            assert!(picture.contains(&format!(">curve {k}<")), "curve {k} is not in the legend");
+        }
+        assert!(!picture.contains("more)") && !picture.contains("rotate("), "a label is cut or turned");
+    }
 
     #[test]
     fn ticks_have_all_their_digits_and_no_noise() {

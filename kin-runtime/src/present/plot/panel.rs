@@ -21,6 +21,13 @@ pub(crate) struct Panel {
 }
 
 impl Panel {
+    /// The least and the greatest x or y of its curves.
+    pub(super) fn range(&self, axis: usize) -> (f64, f64) {
+        let numbers = self.curves.iter().flat_map(|curve| &curve.points).map(|&(x, y)| if axis == 0 { x } else { y });
+        let (low, high) = numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+        if low <= high { (low, high) } else { (0.0, 1.0) }
+    }
+
     /// A label with its unit.
     pub(crate) fn label(name: &str, unit: Option<&str>) -> String {
         match unit {

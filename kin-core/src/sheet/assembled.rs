@@ -1,0 +1,148 @@
+//! The rows of all joints put together: Φ, Φ_q, Φ_t and γ of the mechanism as matrices.
+
+use super::content::Sheet;
+use super::lines::Line;
+use super::shown::{Row, Shown, symbol};
+use super::steps::bracketed;
+use crate::notation::{Formula, Notation};
+
+/// Coordinates and rows of the largest mechanism whose matrices are written.
+const MOST: usize = 24;
+/// Columns of plain text that an entry of Φ_q may take, and that of a column vector.
+const ENTRY: [usize; 2] = [24, 72];
+
+/// Matrices with names for entries that are too long.
+pub(super) struct Assembled {
+    /// What each matrix is called, and its entries row by row.
+    pub(super) matrices: Vec<(&'static str, Vec<Vec<String>>)>,
+    /// Entries that were too long, with the names that stand for them.
+    pub(super) long: Vec<Line>,
+    /// The names of the rows.
+    pub(super) rows: Vec<String>,
+    /// The symbols of the coordinates.
+    pub(super) coordinates: Vec<String>,
+}
+
+impl Sheet {
+    /// The matrices of the whole mechanism; none where joints are left out or where they would be too large to be read.
+    pub(super) fn assembled(&self, notation: Notation) -> Option<Assembled> {
+        let rows: Vec<&Row> = self.joints.iter().flat_map(|joint| &joint.rows).collect();
+        let small = rows.len() <= MOST && self.coordinates.len() <= MOST;
+        if !self.whole || rows.is_empty() || !small {
+            return None;
+        }
+        let mut long = Vec::new();
+        let mut entry = |shown: &Shown, most: usize| {
+            if shown.write(Notation::Unicode).chars().count() <= most {
+                return shown.write(notation);
+            }
+            let name = numbered(long.len() + 1, notation);
+            long.push(Line { left: name.clone(), right: shown.lines(notation, most.max(ENTRY[1])) });
+            name
+        };
+        let zero = Shown::Formula(Formula::Number(0.0));
+        let column = |rows: &[&Row], entry: &mut dyn FnMut(&Shown, usize) -> String, of: fn(&Row) -> &Shown| {
+            rows.iter().map(|row| vec![entry(of(row), ENTRY[1])]).collect::<Vec<_>>()
+        };
+        let positions: Vec<&Row> = rows.iter().copied().filter(|row| row.position).collect();
+        let phi = column(&positions, &mut entry, |row| &row.phi);
+        let of_row = |row: &&Row| {
+            let of = |coordinate: &String| row.phi_q.iter().find(|(name, _)| name == coordinate);
+            self.coordinates.iter().map(|name| entry(of(name).map_or(&zero, |(_, shown)| shown), ENTRY[0])).collect()
+        };
+        let phi_q = rows.iter().map(of_row).collect();
+        let phi_t = column(&rows, &mut entry, |row| &row.phi_t);
+        let gamma = column(&rows, &mut entry, |row| &row.gamma);
+        Some(Assembled {
+            matrices: vec![("Φ", phi), ("Φ_q", phi_q), ("Φ_t", phi_t), ("γ", gamma)],
+            long,
+            rows: rows.iter().map(|row| row.name.clone()).collect(),
+            coordinates: self.coordinates.iter().map(|name| symbol(name, notation)).collect(),
+        })
+    }
+}
+
+impl Assembled {
+    /// As equations, a matrix each, and what their names stand for.
+    pub(super) fn lines(self, notation: Notation) -> Vec<Line> {
+        let q = self.coordinates.iter().map(|name| vec![name.clone()]).collect();
+        let q = Line { left: called("q", notation), right: vec![bracketed(q, notation)] };
+        let matrix = |(name, rows)| Line { left: called(name, notation), right: vec![bracketed(rows, notation)] };
+        std::iter::once(q).chain(self.matrices.into_iter().map(matrix)).chain(self.long).collect()
+    }
+
+    /// As text: every matrix with the names of its rows beside it, Φ_q with those of its columns above it.
+    pub(super) fn text(&self) -> String {
+        let mut out = String::new();
+        for (name, rows) in &self.matrices {
+            let head = (*name == "Φ_q").then_some(&self.coordinates[..]);
+            out.push('\n');
+            out.push_str(&matrix(name, head, rows, &self.rows));
+        }
+        out
+    }
+}
+
+/// What stands for a long entry: no name of a mechanism looks like it.
+fn numbered(number: usize, notation: Notation) -> String {
+    match notation {
+        Notation::Unicode => format!("⟨{number}⟩"),
+        Notation::Latex => format!(r"\langle {number}\rangle"),
+        Notation::MathMl => format!("<mrow><mo>⟨</mo><mn>{number}</mn><mo>⟩</mo></mrow>"),
+    }
+}
+
+fn called(name: &str, notation: Notation) -> String {
+    let latex = |letter: &str| letter.replace('Φ', r"\Phi").replace('γ', r"\gamma");
+    match (notation, name.split_once('_')) {
+        (Notation::Unicode, _) => name.to_owned(),
+        (Notation::Latex, _) => latex(name),
+        (Notation::MathMl, Some((letter, index))) => {
+            format!("<msub><mi mathvariant=\"normal\">{letter}</mi><mi>{index}</mi></msub>")
+        }
+        (Notation::MathMl, None) => format!("<mi mathvariant=\"normal\">{name}</mi>"),
+    }
+}
+
+/// A matrix of text in brackets, its columns aligned.
+fn matrix(name: &str, head: Option<&[String]>, rows: &[Vec<String>], names: &[String]) -> String {
+    let width = |text: &String| super::text::shown(text);
+    let columns = rows.first().map_or(0, Vec::len);
+    let widest = |column: usize| {
+        let entries = rows.iter().map(|row| &row[column]).chain(head.and_then(|head| head.get(column)));
+        entries.map(width).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..columns).map(widest).collect();
+    let line = |entries: &[String]| -> String {
+        let padded =
+            entries.iter().zip(&widths).map(|(entry, most)| format!("{}{entry}", " ".repeat(most - width(entry))));
+        padded.collect::<Vec<_>>().join("  ")
+    };
+    let indent = " ".repeat(super::text::shown(name) + 3);
+    let mut out = head.map_or_else(String::new, |head| format!("    {indent}  {}\n", line(head)));
+    for (place, row) in rows.iter().enumerate() {
+        let (open, close) = match (place, place + 1 == rows.len()) {
+            (0, true) => ("[", "]"),
+            (0, false) => ("⎡", "⎤"),
+            (_, true) => ("⎣", "⎦"),
+            _ => ("⎢", "⎥"),
+        };
+        let before = if place == 0 { format!("{name} = ") } else { indent.clone() };
+        let own = names.get(place).map_or("", String::as_str);
+        out.push_str(&format!("    {before}{open} {} {close}  {own}\n", line(row)));
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_matrix_of_text_is_aligned() {
+        let texts = |list: &[&str]| list.iter().map(|text| (*text).to_owned()).collect::<Vec<_>>();
+        let rows = [texts(&["1", "−l sin φ"]), texts(&["0", "l cos φ"])];
+        let shown = matrix("Φ_q", Some(&texts(&["x", "φ"])), &rows, &texts(&["A.x", "A.y"]));
+        assert_eq!(shown, "            x         φ\n    Φ_q = ⎡ 1  −l sin φ ⎤  A.x\n          ⎣ 0   l cos φ ⎦  A.y\n");
+    }
+}
