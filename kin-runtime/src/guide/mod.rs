@@ -9,13 +9,14 @@
 //! 5. [Drivers and inputs](chapter_05_driving): what moves it, and what is known only at run time;
 //! 6. [Reading errors](chapter_06_errors): of the compiler, and of an analysis;
 //! 7. [Singular positions and assembly modes](chapter_07_singular): where a mechanism may go two ways, or none;
-//! 8. [Studies and pictures](chapter_08_studies): sweeps, many dimensions at once, diagrams, animations;
-//! 9. [In a controller](chapter_09_controller): no allocator, no `std`, one answer per tick;
-//! 10. [In a program of your own](chapter_10_program): what the macro adds to your struct, results, features;
-//! 11. [How kin solves a mechanism](chapter_11_solving): the steps that an expert would take;
-//! 12. [How the derivation works](chapter_12_derivation): from tokens to straight-line code;
-//! 13. [Adding a constraint](chapter_13_constraint): for contributors;
-//! 14. [What is not there](chapter_14_limits): forces, space, contact.
+//! 8. [Forces](chapter_08_forces): what drivers must supply, what joints carry;
+//! 9. [Studies and pictures](chapter_09_studies): sweeps, many dimensions at once, diagrams, animations;
+//! 10. [In a controller](chapter_10_controller): no allocator, no `std`, one answer per tick;
+//! 11. [In a program of your own](chapter_11_program): what the macro adds to your struct, results, features;
+//! 12. [How kin solves a mechanism](chapter_12_solving): the steps that an expert would take;
+//! 13. [How the derivation works](chapter_13_derivation): from tokens to straight-line code;
+//! 14. [Adding a constraint](chapter_14_constraint): for contributors;
+//! 15. [What is not there](chapter_15_limits): space, contact, friction, synthesis.
 //!
 //! The language itself, attribute by attribute, is in [`vocabulary`](crate::vocabulary). These modules hold documentation only;
 //! their numbers keep them in order beside the text.
@@ -55,6 +56,29 @@ pub mod chapter_06_errors {}
 #[doc = include_str!("singular.md")]
 pub mod chapter_07_singular {}
 #[doc(alias(
+    "force",
+    "forces",
+    "torque",
+    "effort",
+    "reaction",
+    "pin force",
+    "inverse dynamics",
+    "kinetostatics",
+    "statics",
+    "inertia",
+    "mass",
+    "gravity",
+    "spring",
+    "damper",
+    "shaking force",
+    "balancing",
+    "power",
+    "virtual work",
+    "dynamics"
+))]
+#[doc = include_str!("forces.md")]
+pub mod chapter_08_forces {}
+#[doc(alias(
     "study",
     "parameter study",
     "design study",
@@ -70,33 +94,25 @@ pub mod chapter_07_singular {}
     "jerk"
 ))]
 #[doc = include_str!("studies.md")]
-pub mod chapter_08_studies {}
+pub mod chapter_09_studies {}
 #[doc(alias("real time", "embedded", "no_std", "control loop", "tick", "microcontroller", "f32"))]
 #[doc = include_str!("controller.md")]
-pub mod chapter_09_controller {}
+pub mod chapter_10_controller {}
 #[doc(alias("features", "handles", "results", "state", "trajectory", "API", "serde"))]
 #[doc = include_str!("program.md")]
-pub mod chapter_10_program {}
+pub mod chapter_11_program {}
 #[doc(alias("solution plan", "dyad", "Assur group", "closed form", "batch", "performance"))]
 #[doc = include_str!("solving.md")]
-pub mod chapter_11_solving {}
+pub mod chapter_12_solving {}
 #[doc(alias("differentiation", "code generation", "symbolic", "macro", "expression"))]
 #[doc = include_str!("derivation.md")]
-pub mod chapter_12_derivation {}
+pub mod chapter_13_derivation {}
 #[doc(alias("contributing", "new joint", "extend"))]
 #[doc = include_str!("constraint.md")]
-pub mod chapter_13_constraint {}
+pub mod chapter_14_constraint {}
 #[doc(alias(
-    "force",
-    "forces",
-    "torque",
-    "dynamics",
-    "statics",
     "friction",
-    "inertia",
-    "mass",
-    "spring",
-    "reaction",
+    "forward dynamics",
     "impact",
     "collision",
     "3D",
@@ -108,4 +124,4 @@ pub mod chapter_13_constraint {}
     "missing"
 ))]
 #[doc = include_str!("limits.md")]
-pub mod chapter_14_limits {}
+pub mod chapter_15_limits {}

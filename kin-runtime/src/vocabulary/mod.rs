@@ -14,6 +14,7 @@
 //! - [`curves`]: cams, followers, contacts with curves;
 //! - [`inputs`]: signals known only at run time;
 //! - [`velocity`]: knife edges, speeds and other rows of velocity level;
+//! - [`loads`]: masses, gravity, forces, couples, springs;
 //! - [`unilateral`]: inequalities that are watched along a motion;
 //! - [`units`]: units of parameters, and whether they agree.
 //!
@@ -43,6 +44,9 @@ pub mod joints {}
 #[doc(alias("body", "point", "guess", "family", "array", "define"))]
 #[doc = include_str!("parts.md")]
 pub mod parts {}
+#[doc(alias("mass", "gravity", "force", "torque", "couple", "spring", "damper", "load", "inertia"))]
+#[doc = include_str!("loads.md")]
+pub mod loads {}
 #[doc(alias("distance", "rod", "rope", "cylinder", "actuator"))]
 #[doc = include_str!("relations.md")]
 pub mod relations {}
