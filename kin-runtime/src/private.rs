@@ -8,7 +8,7 @@ pub use crate::model::{
     Body, BodyInfo, Component, ConditionInfo, Coordinate, CoordinateInfo, CoordinateKind, DefineInfo, EquationText,
     FamilyInfo, FamilyKind, Frame, GenericRedundancy, Geometry, Input, JointInfo, JointKind, JointQuantity, Level,
     LineText, Model, Observable, OperationCount, OriginKind, ParameterInfo, Pattern, Point, PointInfo, Quantity, Role,
-    RowInfo, StepText, Structure,
+    RowInfo, StepText, Structure, Units,
 };
 pub use crate::plan::{Depth, ModeInfo, Plan, PlanStep, Solved, StepKind, coarseness, iterate};
 pub use crate::scalar::Scalar;

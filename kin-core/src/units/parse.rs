@@ -94,6 +94,20 @@ pub fn parse(text: &str) -> Result<Unit, UnknownUnit> {
     Ok(unit)
 }
 
+/// How often an angle is a factor of a unit that can be read: 1 for rad and deg/s, 0 for m and 1/s.
+pub(super) fn angles(text: &str) -> f64 {
+    let mut angles = 0.0;
+    for (k, quotient) in text.trim().split('/').enumerate() {
+        for (n, factor) in quotient.trim().split(['*', '·', '⋅', '.', ' ']).enumerate() {
+            let (name, power) = powered(factor).unwrap_or((factor, 0.0));
+            if matches!(name, "deg" | "°" | "rev" | "rpm") || name.ends_with("rad") {
+                angles += if k > 0 && n == 0 { -power } else { power };
+            }
+        }
+    }
+    angles
+}
+
 /// A symbol and its power.
 fn powered(factor: &str) -> Result<(&str, f64), UnknownUnit> {
     let unknown = || UnknownUnit(factor.to_owned());

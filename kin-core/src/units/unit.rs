@@ -48,9 +48,18 @@ impl Unit {
         self.powers[0].abs() < 1e-9 && self.powers[2].abs() < 1e-9 && self.powers[1] > 1e-9
     }
 
+    /// True for what has a length in it.
+    pub(super) fn has_length(self) -> bool {
+        self.powers[0].abs() > 1e-9
+    }
+
+    /// True for units of one kind, whatever their scales.
+    pub(super) fn is_like(self, other: Self) -> bool {
+        self.powers.iter().zip(&other.powers).all(|(a, b)| (a - b).abs() < 1e-9)
+    }
+
     /// True when quantities in the two units can be added.
     pub fn agrees(self, other: Self) -> bool {
-        let powers = self.powers.iter().zip(&other.powers).all(|(a, b)| (a - b).abs() < 1e-9);
-        powers && self.scale.zip(other.scale).is_none_or(|(a, b)| near(a, b))
+        self.is_like(other) && self.scale.zip(other.scale).is_none_or(|(a, b)| near(a, b))
     }
 }

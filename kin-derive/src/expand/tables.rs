@@ -12,6 +12,7 @@ use kin_core::plan::SolutionPlan;
 use kin_core::program::OperationCount;
 use kin_core::structure::Structure;
 use kin_core::system::{KinematicSystem, RowClass};
+use kin_core::units::Units;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -36,6 +37,11 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     let coordinates = coordinates(tables.system, packed);
     let parameters = parameters(tables.mechanism, packed);
     let inputs = set.inputs.iter();
+    let input_defaults = tables.mechanism.inputs.iter().flat_map(|input| {
+        let default = optional(input.default.map(literal));
+        std::iter::repeat_n(default, input.len.unwrap_or(1))
+    });
+    let units = units(tables.mechanism);
     let functions = set.functions.iter();
     let arguments = super::supplied::arguments(tables.system).into_iter().map(|(function, _)| function as usize);
     let bodies = bodies(tables.system, packed);
@@ -76,6 +82,8 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
             coordinates: #coordinates,
             parameters: #parameters,
             inputs: &[#(#inputs),*],
+            input_defaults: &[#(#input_defaults),*],
+            units: #units,
             functions: &[#(#functions),*],
             arguments: &[#(#arguments),*],
             bodies: #bodies,
@@ -225,6 +233,13 @@ fn observables(system: &KinematicSystem, packed: bool) -> TokenStream {
     }
     let observables = observables.iter().map(|observable| tokens(&observable.kind));
     quote! { &[#(#observables),*] }
+}
+
+fn units(mechanism: &Mechanism) -> TokenStream {
+    let Units { length, time, named } = kin_core::units::derive(mechanism);
+    let (length, time) = (optional(length), optional(time));
+    let named = named.iter().map(|(name, unit)| quote! { (#name, #unit) });
+    quote! { __kin::Units { length: #length, time: #time, named: &[#(#named),*] } }
 }
 
 fn parameters(mechanism: &Mechanism, packed: bool) -> TokenStream {

@@ -112,9 +112,10 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
         }
     }
     watch.end();
-    let columns = column_infos(model, &moving::column_names(model));
+    let units = Units::of(model, false);
+    let columns = column_infos(units, &moving::column_names(model));
     let shown = shown(model, &runs[0].columns);
-    let time = Units::of(model).time().map(str::to_owned);
+    let time = units.time().map(str::to_owned);
     let animation = Animation { model, runs, columns, shown, time };
     let text = match output.form {
         Form::Svg => animation.picture(args.names),

@@ -2,19 +2,13 @@
 
 use crate::model::Model;
 use crate::present::animation::ColumnInfo;
-use crate::present::units::{Measure, Units};
+use crate::present::units::Units;
 
 /// Names and units of the columns besides t: each with its rate and its acceleration.
-pub(super) fn column_infos(model: &Model, names: &[String]) -> Vec<ColumnInfo> {
-    let units = Units::of(model);
+pub(super) fn column_infos(units: Units, names: &[String]) -> Vec<ColumnInfo> {
     let info = |(k, name): (usize, &String)| {
         let base = name.trim_end_matches("_ddot").trim_end_matches("_dot");
-        let measure = match base.rsplit('.').next() {
-            Some("x" | "y" | "stroke" | "distance") if base.contains('.') => Measure::Length,
-            Some("phi" | "angle" | "theta") if base.contains('.') => Measure::Angle,
-            _ => Measure::Unknown,
-        };
-        ColumnInfo { unit: units.derivative(measure, k % 3), name: name.clone() }
+        ColumnInfo { unit: units.derivative(units.measure(base), k % 3), name: name.clone() }
     };
     names.iter().enumerate().map(info).collect()
 }

@@ -57,6 +57,8 @@ const MODEL: Model = Model {
         parameter("omega", "rad/s", 2.0, "Speed of the crank"),
     ],
     inputs: &[],
+    input_defaults: &[],
+    units: crate::model::Units::NONE,
     functions: &[],
     arguments: &[],
     bodies: &[BodyInfo {

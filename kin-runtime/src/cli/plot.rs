@@ -128,9 +128,10 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     }
     watch.end();
     let Some(first) = runs.first() else { return failure.map_or(Ok(()), Err) };
-    let infos = column_infos(model, &names);
+    let units = Units::of(model, false);
+    let infos = column_infos(units, &names);
     let wanted = if wanted.is_empty() { telling(model, &first.columns) } else { wanted };
-    let diagram = Diagram { title: model.name.to_owned(), panels: panels(model, &wanted, &infos, &runs) };
+    let diagram = Diagram { title: model.name.to_owned(), panels: panels(units, &wanted, &infos, &runs) };
     let bytes = match output.form {
         Form::Png => diagram.png().map_err(Failure::Output)?,
         _ => diagram.svg().into_bytes(),
@@ -223,8 +224,8 @@ fn wanted(model: &Model, what: &[String], names: &[String]) -> Result<Vec<Wanted
 }
 
 /// What has the same axes shares a panel.
-fn panels(model: &Model, wanted: &[Wanted], infos: &[ColumnInfo], runs: &[Curves]) -> Vec<Panel> {
-    let time = Units::of(model).time();
+fn panels(units: Units, wanted: &[Wanted], infos: &[ColumnInfo], runs: &[Curves]) -> Vec<Panel> {
+    let time = units.time();
     let name = |k: usize| if k == 0 { "t" } else { infos[k - 1].name.as_str() };
     let unit = |k: usize| if k == 0 { time } else { infos[k - 1].unit.as_deref() };
     let mut panels: Vec<(Vec<Wanted>, Panel)> = Vec::new();

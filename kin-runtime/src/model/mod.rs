@@ -7,9 +7,11 @@ use crate::plan::Plan;
 mod handles;
 mod joint;
 mod text;
+mod units;
 
 pub use handles::{Body, Coordinate, Input, Point, Quantity};
 pub use joint::{Geometry, JointInfo, JointKind, JointQuantity, Role};
+pub use units::Units;
 
 /// A body or the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -334,6 +336,10 @@ pub struct Model {
     pub parameters: &'static [ParameterInfo],
     /// Inputs.
     pub inputs: &'static [&'static str],
+    /// The value of every input where nobody gives one, `default = …`: on the command line, and in its examples.
+    pub input_defaults: &'static [Option<f64>],
+    /// Units of lengths, of time and of what has a name.
+    pub units: Units,
     /// Supplied functions, array fields element by element.
     pub functions: &'static [&'static str],
     /// The supplied function, by its place in `functions`, of every argument that

@@ -14,7 +14,7 @@
 //! - [`inputs`]: signals known only at run time;
 //! - [`velocity`]: knife edges, speeds and other rows of velocity level;
 //! - [`unilateral`]: inequalities that are watched along a motion;
-//! - [`units`]: units of parameters, and whether they agree.
+//! - [`units`]: units of parameters, inputs, coordinates and defines, and that they agree.
 //!
 //! These modules hold documentation only.
 
