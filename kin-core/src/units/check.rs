@@ -1,10 +1,10 @@
 //! Where the units of a mechanism do not agree.
 
-use super::quantity::{
+use super::checker::{
     Checker,
     Quantity::{Of, Plain},
-    first_origin,
 };
+use super::quantity::first_origin;
 use super::unit::Unit;
 use crate::check::order_of_defines;
 use crate::error::ModelError;

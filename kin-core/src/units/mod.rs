@@ -14,6 +14,7 @@
 //! - Arguments of sin, cos, tan, asin, acos, atan, exp and ln are numbers; so are their results.
 
 mod check;
+mod checker;
 mod derived;
 mod parse;
 mod quantity;

@@ -1,45 +1,14 @@
 //! The units of formulas, from those of what stands in them.
 
-use super::derived::{Met, Named, Written};
+use super::checker::{
+    Checker, Named,
+    Quantity::{self, Any, Clock, Of, Plain},
+    Written,
+};
 use super::unit::{Unit, near};
 use crate::error::{ModelError, Origin};
-use crate::mechanism::{Component, CurveVariable, Formula, Function, Mechanism, Place};
-use Quantity::{Any, Clock, Of, Plain};
+use crate::mechanism::{Component, CurveVariable, Formula, Function, Place};
 use core::f64::consts::PI;
-
-/// What is known of a quantity.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Quantity {
-    /// Anything.
-    Any,
-    /// A plain number, of whatever unit is wanted.
-    Plain,
-    /// t or a power of it: a time where units are multiplied, and as free as a number where it is added or compared, so
-    /// that `phi = t` turns by one radian in a unit of time.
-    Clock(Unit),
-    /// Of this unit.
-    Of(Unit),
-}
-
-/// The state of checking units.
-pub(super) struct Checker<'m> {
-    pub(super) mechanism: &'m Mechanism,
-    /// What is written of parameters, scalar coordinates, inputs and defines.
-    pub(super) written: [Vec<Option<Written>>; 4],
-    /// What scalar coordinates and inputs without a unit meet.
-    pub(super) met: [Vec<Met>; 2],
-    /// Of positions.
-    pub(super) length: Unit,
-    /// What has the unit of length first.
-    pub(super) first_length: Option<String>,
-    /// Of t.
-    pub(super) time: Unit,
-    /// Of the defines that have been looked at.
-    pub(super) defines: Vec<Option<(Quantity, f64)>>,
-    /// Where the formula at hand stands.
-    pub(super) at: Origin,
-    pub(super) errors: Vec<ModelError>,
-}
 
 impl Checker<'_> {
     pub(super) fn place(&mut self, place: &Place) {
@@ -174,6 +143,28 @@ impl Checker<'_> {
                 Clock(_) => Any,
                 other => other,
             },
+        }
+    }
+
+    /// How often an angle is a factor of a formula.
+    pub(super) fn angle(&mut self, formula: &Formula) -> f64 {
+        let written = |checker: &Self, named, k| checker.written(named, k).map_or(0.0, |written| written.angle);
+        match formula {
+            Formula::Parameter(member) => written(self, Named::Parameter, member.family),
+            Formula::Input(member) => written(self, Named::Input, member.family),
+            Formula::Scalar(member) => written(self, Named::Scalar, member.family),
+            Formula::Define(member) => self.define(member.family).1,
+            Formula::Pose(_, Component::Phi) | Formula::Curve(CurveVariable::Theta) | Formula::Atan2(..) => 1.0,
+            Formula::Call(Function::Asin | Function::Acos | Function::Atan, _) => 1.0,
+            Formula::Call(Function::Abs, a) | Formula::Neg(a) | Formula::Dot(a, _) => self.angle(a),
+            Formula::Add(a, b) | Formula::Sub(a, b) => {
+                let angle = self.angle(a);
+                if angle == 0.0 { self.angle(b) } else { angle }
+            }
+            Formula::Mul(a, b) => self.angle(a) + self.angle(b),
+            Formula::Div(a, b, _) => self.angle(a) - self.angle(b),
+            Formula::Pow(a, n) => n * self.angle(a),
+            _ => 0.0,
         }
     }
 
