@@ -13,15 +13,21 @@
 //! - Parameters, scalar coordinates, inputs and defines without a unit, and supplied functions, fit everywhere.
 //! - Arguments of sin, cos, tan, asin, acos, atan, exp and ln are numbers; so are their results.
 
+#[cfg(feature = "compiler")]
 mod check;
+#[cfg(feature = "compiler")]
 mod checker;
+#[cfg(feature = "compiler")]
 mod derived;
 mod parse;
+#[cfg(feature = "compiler")]
 mod quantity;
 mod text;
 mod unit;
 
+#[cfg(feature = "compiler")]
 pub use check::check;
+#[cfg(feature = "compiler")]
 pub use derived::{Units, are_written, derive};
 pub use parse::{UnknownUnit, parse};
 pub use unit::Unit;

@@ -37,6 +37,7 @@ mod animate;
 mod check;
 mod columns;
 mod completions;
+mod degrees;
 mod engine;
 #[cfg(feature = "equations")]
 mod equations;
@@ -49,6 +50,7 @@ mod interrupt;
 mod missing;
 mod moving;
 mod names;
+mod number;
 mod options;
 mod output;
 mod paint;

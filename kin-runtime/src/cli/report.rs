@@ -7,7 +7,8 @@ use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
 use super::info;
-use super::options::{FreedomArgs, InstantArgs, SetupArgs};
+use super::moving::instant;
+use super::options::{AngleArgs, FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solve::{body, record};
@@ -30,6 +31,8 @@ pub(super) struct ReportArgs {
     setup: SetupArgs,
     #[command(flatten)]
     freedom: FreedomArgs,
+    #[command(flatten)]
+    angles: AngleArgs,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -70,9 +73,11 @@ struct ReportRecord<'a> {
 
 pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (t, output) = (ledger.take(args.instant.time()), ledger.take(session.destination(&args.output, "")));
+    let (t, output) =
+        (ledger.take(args.instant.time(engine.model())), ledger.take(session.destination(&args.output, "")));
     let setup = ledger.take(args.setup.apply(engine));
     let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
+    let t = instant("--at", t, &*engine, &setup)?;
     let engine = &*engine;
     let solved = match setup.complete().and_then(|()| solve(engine, &setup, t, args.freedom.least_norm)) {
         Ok(solved) => solved,
@@ -86,8 +91,10 @@ pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Sess
     };
     note_freedom(session, solved.state.degrees_of_freedom_left);
     note_start(session, &solved.mobility);
-    let known = Known { t, q: &solved.state.q, mobility: &solved.mobility, modes: &solved.modes };
     let findings = find(engine, t, Some(&solved.state), CONFIGURATIONS, &session.watch())?;
+    let q = solved.state.q.clone();
+    let solved = solved.shown(engine.model(), args.angles.degrees);
+    let known = Known { t, q: &q, mobility: &solved.mobility, modes: &solved.modes };
     let model = engine.model();
     let text = match output.form {
         Form::Json => to_json(&ReportRecord {
@@ -97,9 +104,10 @@ pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Sess
         })
         .map_err(Failure::Output)?,
         _ => format!(
-            "{}\nAt t = {}\n{}{}{}\nChecks\n{}",
+            "{}\nAt t = {}{}\n{}{}{}\nChecks\n{}",
             info::text(engine, Some(known)),
             plain(t),
+            if solved.degrees { ", angles in degrees" } else { "" },
             body(model, &solved),
             text::ratios(model, &solved.ratios),
             text::quality(&solved.state, &solved.mobility),

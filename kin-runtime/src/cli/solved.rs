@@ -1,12 +1,13 @@
 //! One instant, solved, with everything that is reported about it.
 
+use super::degrees;
 use super::engine::{Engine, Setup};
 use super::failure::Failure;
 use super::names::listing;
 use super::session::Session;
 use crate::error::{GeometryFault, SolveError};
 use crate::mobility::Mobility;
-use crate::model::Level;
+use crate::model::{Level, Model};
 use crate::modes::Mode;
 use crate::motion::Motion;
 use crate::present::text;
@@ -24,6 +25,21 @@ pub(super) struct Solved {
     pub(super) ratios: VelocityRatios,
     pub(super) angles: Vec<TransmissionAngle>,
     pub(super) modes: Vec<Mode>,
+    /// Whether angles are in degrees.
+    pub(super) degrees: bool,
+}
+
+impl Solved {
+    /// As it is shown. Ratios of velocities stay by radian.
+    pub(super) fn shown(mut self, model: &Model, degrees: bool) -> Self {
+        if !degrees {
+            return self;
+        }
+        self.angles.iter_mut().for_each(|angle| angle.angle = angle.angle.to_degrees());
+        let state = degrees::state(model, &self.state, true).into_owned();
+        let motion = degrees::motion(model, &self.motion, true).into_owned();
+        Self { state, motion, degrees, ..self }
+    }
 }
 
 /// Solves at `t` and refuses motions that the drivers leave open.
@@ -36,7 +52,7 @@ pub(super) fn solve(engine: &dyn Engine, setup: &Setup, t: f64, least_norm: bool
         engine.velocity_ratios(setup, &state).unwrap_or(VelocityRatios { drivers: Vec::new(), inputs: Vec::new() });
     let angles = engine.transmission_angles(&state).unwrap_or_default();
     let modes = engine.modes(&state.instant(), &state.q);
-    Ok(Solved { state, motion, mobility, ratios, angles, modes })
+    Ok(Solved { state, motion, mobility, ratios, angles, modes, degrees: false })
 }
 
 /// A solved instant without what is reported about it.

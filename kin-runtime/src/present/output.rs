@@ -17,6 +17,14 @@ const LINKS: usize = 40;
 /// # Errors
 /// What the file system reports; the temporary file is removed then.
 pub fn write_atomically(path: &Path, contents: &[u8]) -> io::Result<()> {
+    write_atomically_by(path, |file| file.write_all(contents))
+}
+
+/// As [`write_atomically`], with contents that come bit by bit; an error of `write` leaves what was there before.
+///
+/// # Errors
+/// What the file system or `write` reports.
+pub fn write_atomically_by(path: &Path, write: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
     let existing = match fs::metadata(path) {
         Ok(metadata) => Some(metadata),
         Err(error) if error.kind() == io::ErrorKind::NotFound => None,
@@ -29,7 +37,7 @@ pub fn write_atomically(path: &Path, contents: &[u8]) -> io::Result<()> {
         // Opened without a change: whether it may be written.
         let mut file = OpenOptions::new().write(true).open(path)?;
         if existing.as_ref().is_some_and(|m| !m.is_file()) {
-            return file.write_all(contents).and_then(|()| file.flush());
+            return write(&mut file).and_then(|()| file.flush());
         }
     }
     let target = match existing {
@@ -40,7 +48,7 @@ pub fn write_atomically(path: &Path, contents: &[u8]) -> io::Result<()> {
     // What nobody else may read is so from its first byte on.
     let written = existing
         .map_or(Ok(()), |m| file.set_permissions(m.permissions()))
-        .and_then(|()| file.write_all(contents))
+        .and_then(|()| write(&mut file))
         .and_then(|()| file.sync_all())
         .and_then(|()| fs::rename(&temporary, &target));
     if written.is_err() {

@@ -77,7 +77,7 @@ impl<'a> StructureRecord<'a> {
             bodies: model.bodies.iter().map(|b| body(model, b)).collect(),
             parameters: parameters(model, values),
             inputs: model.inputs,
-            units: Units::of(model, false).record(),
+            units: Units::of(model).record(),
             functions: model.functions,
             points: model.points.iter().map(|p| p.name).collect(),
             defines: model.defines.iter().map(|d| d.name).collect(),

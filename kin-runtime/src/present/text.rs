@@ -256,12 +256,13 @@ pub(crate) fn ratios(model: &Model, ratios: &VelocityRatios) -> String {
 }
 
 /// Transmission angles.
-pub(crate) fn transmission(angles: &[TransmissionAngle]) -> String {
+pub(crate) fn transmission(angles: &[TransmissionAngle], degrees: bool) -> String {
+    let in_degrees = |angle: &TransmissionAngle| if degrees { angle.angle } else { angle.angle.to_degrees() };
     let table = Table::new()
         .words("at", angles.iter().map(|a| a.joint))
         .words("between", angles.iter().map(|a| a.between.join(" and ")))
-        .numbers("angle", angles.iter().map(|a| a.angle))
-        .right("degrees", angles.iter().map(|a| format!("{:.2}", a.angle.to_degrees())));
+        .numbers("angle", angles.iter().map(|a| a.angle).filter(|_| !degrees))
+        .right("degrees", angles.iter().map(|a| format!("{:.2}", in_degrees(a))));
     section("Transmission angles (best at 90 degrees)", &table)
 }
 

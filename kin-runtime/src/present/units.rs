@@ -35,9 +35,14 @@ pub(crate) enum Measure {
 }
 
 impl Units {
-    /// Those of a mechanism; angles in degrees, if they are to be.
-    pub(crate) fn of(model: &Model, degrees: bool) -> Self {
-        Self { units: model.units, degrees }
+    /// Those of a mechanism.
+    pub(crate) fn of(model: &Model) -> Self {
+        Self { units: model.units, degrees: false }
+    }
+
+    /// With angles in degrees, if they are to be.
+    pub(crate) fn in_degrees(self, degrees: bool) -> Self {
+        Self { degrees, ..self }
     }
 
     /// For another program.
@@ -45,12 +50,12 @@ impl Units {
         let angle = if self.degrees { "deg" } else { "rad" };
         let shown = |unit: &'static str| if unit == "rad" { angle } else { unit };
         let named = self.units.named.iter().map(|(name, unit)| (*name, shown(unit))).collect();
-        UnitsRecord { length: self.units.length, time: self.units.time, angle, named }
+        UnitsRecord { length: self.units.length, time: self.time(), angle, named }
     }
 
-    /// The unit of time.
+    /// The unit of time: s unless another is written.
     pub(crate) fn time(&self) -> Option<&'static str> {
-        self.units.time
+        self.units.time.or(Some("s"))
     }
 
     /// What a quantity measures that is called so: `crank.x`, `B.angle`, `reach`.
@@ -75,7 +80,7 @@ impl Units {
             Measure::In(unit) => unit,
             Measure::Unknown => return None,
         };
-        let time = self.units.time;
+        let time = self.time();
         // The rate of m/s is in m/s².
         let (above, power) = match time.and_then(|time| base.strip_suffix(time)?.strip_suffix('/')) {
             Some(above) => (above, order + 1),
@@ -108,6 +113,9 @@ mod tests {
         let degrees = Units { degrees: true, ..units };
         assert_eq!(degrees.derivative(degrees.measure("turn"), 1).as_deref(), Some("°/s"));
         let none = Units { units: model::Units::NONE, ..units };
-        assert_eq!([none.derivative(Measure::Length, 0), none.derivative(Measure::Angle, 1)], [None, None]);
+        assert_eq!(
+            [none.derivative(Measure::Length, 0), none.derivative(Measure::Angle, 1)],
+            [None, Some("rad/s".to_owned())]
+        );
     }
 }
