@@ -47,7 +47,7 @@ pub(super) const HELP: Help = Help {
     examples: |names: &Names| {
         vec![
             names.analysis("animate --out motion.html", "one turn of the driven crank"),
-            names.analysis("animate --out motion.html --to 2 --steps 400", ""),
+            names.analysis(&format!("animate --out motion.html --to {} --steps 400", names.to), ""),
             names.analysis("animate --out motion.svg", "a picture that moves, for a document"),
             names.with("animate --out motion.html --set", &names.set, "with another dimension"),
             names.with("animate --out motion.html --mode", &names.mode, "in one assembly mode alone"),
@@ -76,6 +76,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
         let what = "it has no bodies and no points, only scalar coordinates: `sweep` and `plot` show those";
         return Err(Failure::Analysis(format!("{}: there is nothing to draw; {what}", model.name)));
     }
+    let open_end = asked.is_open();
     let times = asked.times(engine, &setup)?;
     let watch = session.watch();
     // A picture shows one motion.
@@ -84,10 +85,19 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     let most = if one { 0 } else { ((1 << model.plan.modes.len().min(MODES.ilog2() as usize)) - 1).min(room) };
     watch.begin("instants", (1 + most) * times.len());
     let freedom = args.freedom;
-    let walk =
-        Walk { engine, setup: &setup, times: &times, stop_at_events: false, freedom, reported: true, watch: &watch };
-    let Moved { trajectory, motions, mut ended, left } = walk.kept()?;
-    note_motion(session, &trajectory);
+    let walk = Walk {
+        engine,
+        setup: &setup,
+        times: &times,
+        stop_at_events: false,
+        open_end,
+        freedom,
+        reported: true,
+        watch: &watch,
+    };
+    let moved = walk.kept()?;
+    note_motion(session, &moved);
+    let Moved { trajectory, motions, mut ended, left, .. } = moved;
     note_freedom(session, left);
     let Some(first) = trajectory.states.first() else { return ended.map_or(Ok(()), Err) };
     let own = engine.modes(&first.instant(), &first.q);

@@ -3,7 +3,7 @@
 use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 use crate::model::{
     BodyInfo, Component, CoordinateInfo, CoordinateKind, DefineInfo, Frame, JointInfo, JointKind, JointQuantity, Level,
-    Model, Observable, OperationCount, OriginKind, ParameterInfo, Pattern, PointInfo, RowInfo,
+    Model, Observable, OperationCount, OriginKind, ParameterInfo, Pattern, PointInfo, RowInfo, Units,
 };
 use crate::scalar::Scalar;
 use crate::workspace::{Instant, Signal, Subset};
@@ -58,7 +58,7 @@ const MODEL: Model = Model {
     ],
     inputs: &[],
     input_defaults: &[],
-    units: crate::model::Units::NONE,
+    units: Units { length: Some("m"), time: Some("s"), named: &[("s", "m"), ("twice", "m")] },
     functions: &[],
     arguments: &[],
     bodies: &[BodyInfo {

@@ -62,6 +62,7 @@ mod session;
 mod solve;
 mod solved;
 mod sweep;
+mod trial;
 mod values;
 mod watch;
 
@@ -125,7 +126,9 @@ fn run(
     around: Surroundings,
 ) -> u8 {
     let mut session = Session::new(out, err, around);
-    let mut command = help::command(Arguments::command(), engine, program(engine, &args));
+    let helps = args.iter().any(|arg| matches!(arg.to_str(), Some("-h" | "--help" | "help")));
+    let trial = if helps { trial::Trial::of(engine) } else { None };
+    let mut command = help::command(Arguments::command(), engine, program(engine, &args), trial);
     let parsed = command.try_get_matches_from_mut(with_negative_values(args));
     let arguments = match parsed.and_then(|matches| Arguments::from_arg_matches(&matches)) {
         Ok(arguments) => arguments,

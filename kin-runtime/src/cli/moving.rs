@@ -77,6 +77,11 @@ pub(super) enum Asked {
 }
 
 impl Asked {
+    /// Nobody says where it ends.
+    pub(super) fn is_open(&self) -> bool {
+        matches!(self, Self::Grid { to: None, .. })
+    }
+
     /// The instants. Without an end it is after one turn of the driven crank, or one unit of time.
     pub(super) fn times(self, engine: &dyn Engine, setup: &Setup) -> Result<Vec<f64>, Failure> {
         let at = |option: &str, moment| instant(option, moment, engine, setup);
@@ -110,6 +115,8 @@ pub(super) struct Moved {
     pub(super) motions: Vec<Motion>,
     /// Why it ended early.
     pub(super) ended: Option<Failure>,
+    /// The limit that a motion without an end came to.
+    pub(super) limit: Option<String>,
     /// Degrees of freedom that the drivers leave at the first instant.
     pub(super) left: usize,
 }
@@ -121,6 +128,8 @@ pub(super) struct Walk<'a> {
     pub(super) setup: &'a Setup,
     pub(super) times: &'a [f64],
     pub(super) stop_at_events: bool,
+    /// Nobody says where it ends: it goes as far as the mechanism does.
+    pub(super) open_end: bool,
     pub(super) freedom: FreedomArgs,
     /// Points, defines and joint quantities as well.
     pub(super) reported: bool,
@@ -154,6 +163,7 @@ impl Walk<'_> {
         };
         let observe = |reached: Reached<'_>| watch.observe(reached);
         let (mut trajectory, error) = engine.sweep_each(setup, times, self.stop_at_events, &observe, &mut step);
+        let at_limit = matches!(error, Some(SolveError::StepRefused { .. } | SolveError::Singular { .. }));
         let ended = match (why, error) {
             (Some((at, failure)), _) => {
                 trajectory.events.retain(|event| (event.t - first).abs() < (at - first).abs());
@@ -167,7 +177,14 @@ impl Walk<'_> {
             }
             (None, error) => error.map(|error| analysis(engine, &error)),
         };
-        Ok(Moved { trajectory, motions: Vec::new(), ended, left: start.degrees_of_freedom_left })
+        let (ended, limit) = match (ended, last) {
+            (Some(Failure::Analysis(why)), Some(t)) if self.open_end && finished > 1 && at_limit => {
+                let why = why.lines().next().unwrap_or_default().to_owned();
+                (None, Some(format!("note: it goes as far as t = {}: {why}", rounded(t))))
+            }
+            (ended, _) => (ended, None),
+        };
+        Ok(Moved { trajectory, motions: Vec::new(), ended, limit, left: start.degrees_of_freedom_left })
     }
 
     /// The motion with its states, and with what is reported of them where that is wanted.
@@ -192,7 +209,9 @@ impl Walk<'_> {
 }
 
 /// What there is to say of a motion beside its numbers.
-pub(super) fn note_motion(session: &mut Session<'_>, trajectory: &Trajectory) {
+pub(super) fn note_motion(session: &mut Session<'_>, moved: &Moved) {
+    let trajectory = &moved.trajectory;
+    moved.limit.iter().for_each(|note| session.note(note));
     note_events(session, trajectory);
     note_unwatched(session, trajectory);
     note_fallbacks(session, trajectory);
@@ -247,7 +266,7 @@ pub(super) fn column_names(model: &Model) -> Vec<String> {
 
 /// Where a motion from an instant on may end when nobody says: after one turn of the slowest of the cranks that are driven
 /// at constant speed, or after one unit of time.
-fn natural_end(engine: &dyn Engine, setup: &Setup, from: f64) -> f64 {
+pub(super) fn natural_end(engine: &dyn Engine, setup: &Setup, from: f64) -> f64 {
     from + speed(engine, setup, from).map_or(1.0, |speed| TAU / speed)
 }
 

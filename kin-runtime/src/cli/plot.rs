@@ -2,7 +2,7 @@
 
 use super::columns::{column_infos, shown, shown_columns};
 use super::engine::{Engine, Setup};
-use super::examples::{Help, Names, quoted};
+use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
 use super::moving::{self, GridArgs, Moved, Walk, note_motion};
 use super::names::{Kind, find, find_in};
@@ -10,6 +10,7 @@ use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::note_freedom;
+use super::trial::quoted;
 use super::values::{self, MOST_VALUES};
 use crate::model::Model;
 use crate::present::animation::ColumnInfo;
@@ -69,7 +70,7 @@ pub(super) const HELP: Help = Help {
             .map(|(path, vary)| format!("plot {path} --vary {vary} --out paths.svg"));
         vec![
             names.analysis("plot --out motion.svg", "diagrams of what moves"),
-            names.analysis(&format!("plot {value} {rate} --to 2 --out motion.png"), ""),
+            names.analysis(&format!("plot {value} {rate} --to {} --out motion.png", names.to), ""),
             path.and_then(|line| names.analysis(&line, "the path of a point")),
             names.analysis(&format!("plot {phase} --out phase.svg"), "the second against the first"),
             paths.and_then(|line| names.analysis(&line, "a curve for each of five values")),
@@ -97,6 +98,7 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     let wanted = ledger.take(wanted(model, &args.what, &names));
     let ((asked, output, setup), (choices, wanted)) =
         ledger.close(zip3(asked, output, setup).zip(choices.zip(wanted)))?;
+    let open_end = asked.is_open();
     let times = asked.times(&*engine, &setup)?;
     let watch = session.watch();
     watch.begin("instants", choices.len() * times.len());
@@ -107,7 +109,7 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
             engine.set_parameter(place, value);
         }
         let name = choice_name(model, choice);
-        match one(&*engine, &setup, &times, args.freedom, args.angles.degrees, session) {
+        match one(&*engine, &setup, (&times, open_end), args.freedom, args.angles.degrees, session) {
             Ok((columns, ended)) => {
                 // Without an instant there is no curve, and nothing to write over what stands in the file.
                 if columns.first().is_some_and(|times| !times.is_empty()) {
@@ -178,15 +180,17 @@ type Numbers = (Vec<Vec<f64>>, Option<Failure>);
 fn one(
     engine: &dyn Engine,
     setup: &Setup,
-    times: &[f64],
+    (times, open_end): (&[f64], bool),
     freedom: FreedomArgs,
     degrees: bool,
     session: &mut Session<'_>,
 ) -> Result<Numbers, Failure> {
     let watch = session.watch();
-    let walk = Walk { engine, setup, times, stop_at_events: false, freedom, reported: true, watch: &watch };
-    let Moved { trajectory, motions, ended, left } = walk.kept()?;
-    note_motion(session, &trajectory);
+    let (stop_at_events, reported) = (false, true);
+    let walk = Walk { engine, setup, times, stop_at_events, open_end, freedom, reported, watch: &watch };
+    let moved = walk.kept()?;
+    note_motion(session, &moved);
+    let Moved { trajectory, motions, ended, left, .. } = moved;
     note_freedom(session, left);
     if ended.as_ref().is_some_and(|failure| !matches!(failure, Failure::Interrupted(_))) {
         let (states, instants) = (trajectory.states.len(), count(times.len(), "instant"));

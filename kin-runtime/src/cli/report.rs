@@ -43,10 +43,10 @@ pub(super) const HELP: Help = Help {
         let written = cfg!(feature = "equations").then(|| ("equations".to_owned(), "how they are derived"));
         vec![
             names.analysis("", "everything at t = 0"),
-            names.analysis("solve --at 0.5", "position, velocity and acceleration at one instant"),
+            names.analysis(&format!("solve --at {}", names.at), "position, velocity and acceleration at one instant"),
             names.analysis("animate --out motion.html", "see it move, in a browser"),
             names.analysis("info", "counts, rows, degrees of freedom, the solution plan"),
-            names.analysis("sweep --to 1 --steps 100 --out motion.csv", "over many instants"),
+            names.analysis("sweep --steps 100 --out motion.csv", "over many instants"),
             plot,
             written,
             names.with("solve --set", &names.set, "with another dimension"),

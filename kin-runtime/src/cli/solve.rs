@@ -35,12 +35,11 @@ pub(super) struct SolveArgs {
 pub(super) const HELP: Help = Help {
     examples: |names: &Names| {
         vec![
-            names.analysis("solve --at 0.5", ""),
-            names.with("solve --at 0.5 --set", &names.set_two.clone().or(names.set.clone()), "with other dimensions"),
-            names.with("solve --given", &names.given, "a coordinate that the drivers leave open"),
+            names.analysis(&format!("solve --at {}", names.at), ""),
+            names.with("solve --set", &names.set_two.clone().or(names.set.clone()), "with other dimensions"),
             names.with("solve --guess", &names.guess, "another start of the assembly"),
             names.with("solve --mode", &names.mode, "in an assembly mode, whatever the guess"),
-            names.analysis("solve --at -0.5 --format json", "for another program"),
+            names.analysis(&format!("solve --at {} --format json", names.at), "for another program"),
             names.analysis("solve --out state.csv", "one row with a header"),
         ]
     },

@@ -49,15 +49,15 @@ pub(super) struct SweepArgs {
 
 pub(super) const HELP: Help = Help {
     examples: |names: &Names| {
-        let stop = names.analysis("sweep --to 1 --stop-at-events", "up to the first limit that is met");
+        let (at, to) = (&names.at, &names.to);
+        let stop = names.analysis("sweep --stop-at-events", "up to the first limit that is met");
         vec![
-            names.analysis("sweep --to 1", "101 instants from t = 0 to t = 1"),
-            names.analysis("sweep --to 1 --steps 500 --out motion.csv", ""),
-            names.analysis("sweep --from 1 --to -1 --points --out motion.json", "backwards, points as well"),
-            names.analysis("sweep --times -1,0,0.5,10", "instants one by one"),
-            names.with("sweep --to 1 --set", &names.set, "with another dimension"),
-            names.with("sweep --to 1 --given", &names.given, "a coordinate that the drivers leave open"),
-            names.with("sweep --to 1 --mode", &names.mode, "in another assembly mode"),
+            names.analysis("sweep", "one turn of the driven crank, or as far as it goes"),
+            names.analysis("sweep --steps 500 --out motion.csv", ""),
+            names.analysis(&format!("sweep --from {to} --to 0 --points --out motion.json"), "backwards, points as well"),
+            names.analysis(&format!("sweep --times 0,{at},{to} --degrees"), "instants one by one"),
+            names.with("sweep --set", &names.set, "with another dimension"),
+            names.with("sweep --mode", &names.mode, "in another assembly mode"),
             if names.conditions { stop } else { None },
         ]
     },
@@ -78,6 +78,7 @@ pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Sessi
     let setup = ledger.take(args.setup.apply_complete(engine));
     let (asked, output, setup) = ledger.close(zip3(asked, output, setup))?;
     let engine = &*engine;
+    let open_end = asked.is_open();
     let times = asked.times(engine, &setup)?;
     let watch = session.watch();
     if session.is_seen(&output) && output.form != Form::Text {
@@ -86,7 +87,8 @@ pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Sessi
         watch.begin("instants", times.len());
     }
     let (stop_at_events, freedom, reported) = (args.stop_at_events, args.freedom, args.points);
-    let walk = Walk { engine, setup: &setup, times: &times, stop_at_events, freedom, reported, watch: &watch };
+    let walk =
+        Walk { engine, setup: &setup, times: &times, stop_at_events, open_end, freedom, reported, watch: &watch };
     let (rows, moved) = match output.form {
         Form::Text => {
             let moved = walk.kept()?;
@@ -100,7 +102,7 @@ pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Sessi
         _ => streamed(&walk, &output, args.angles.degrees, session)?,
     };
     watch.end();
-    note_motion(session, &moved.trajectory);
+    note_motion(session, &moved);
     let Some(failure) = moved.ended else {
         note_freedom(session, moved.left);
         return Ok(());
@@ -171,7 +173,7 @@ fn json(
     let model = walk.engine.model();
     let ended = |write: &mut dyn FnMut(&Trajectory, bool)| {
         if let Some(Ok(moved)) = &*moved.borrow() {
-            write(&moved.trajectory, moved.ended.is_none());
+            write(&moved.trajectory, moved.ended.is_none() && moved.limit.is_none());
         }
     };
     let parameters = Parameters::new(model, &walk.engine.parameters());
