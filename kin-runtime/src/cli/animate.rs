@@ -45,6 +45,9 @@ pub(super) struct AnimateArgs {
 
 pub(super) const HELP: Help = Help {
     examples: |names: &Names| {
+        if !names.drawn {
+            return Vec::new();
+        }
         vec![
             names.analysis("animate --out motion.html", "one turn of the driven crank"),
             names.analysis(&format!("animate --out motion.html --to {} --steps 400", names.to), ""),

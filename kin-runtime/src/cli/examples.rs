@@ -43,6 +43,8 @@ pub(super) struct Names {
     /// A point, or a body whose origin moves.
     pub(super) path: Option<&'static str>,
     pub(super) joints: Vec<&'static str>,
+    /// Whether there is something to draw.
+    pub(super) drawn: bool,
     /// Whether there are unilateral conditions.
     pub(super) conditions: bool,
 }
@@ -77,6 +79,7 @@ impl Names {
             to: trial.to,
             coordinate: undriven(model),
             path: path(model),
+            drawn: !model.bodies.is_empty() || !model.points.is_empty(),
             conditions: !model.conditions.is_empty(),
             joints: model.joints.iter().map(|joint| joint.name).take(2).collect(),
         }
@@ -97,6 +100,9 @@ impl Names {
         let lines: Vec<(String, &str)> = (examples.iter().flatten())
             .map(|(args, comment)| (format!("{} {args}", self.program).trim_end().to_owned(), *comment))
             .collect();
+        if lines.is_empty() {
+            return String::new();
+        }
         let width = |line: &str| line.chars().count();
         let longest = lines.iter().map(|(line, _)| width(line)).filter(|w| *w <= BESIDE).max().unwrap_or(0);
         let mut out = format!("{}\n", paint::heading("Examples:"));

@@ -50,7 +50,7 @@ const COMMANDS: &[(&str, Help)] = &[
 ];
 
 /// Where a motion ends when nobody says.
-const END: &str = " [default: one turn of the driven crank, or 1, later, or where it can go no further]";
+const END: &str = " [default: one driven turn, or 1, or as far as it goes]";
 
 /// Options with what they mean for this command: its forms, and its instants.
 fn with_defaults(command: clap::Command, name: &str) -> clap::Command {

@@ -144,7 +144,7 @@ pub(super) struct AngleArgs {
 /// An instant.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct InstantArgs {
-    /// The time t, or how far the driven crank has turned: 0.5, 20ms, 60deg
+    /// The time t, or an angle of the driven crank: 20ms, 60deg
     #[arg(long, value_name = "T", default_value = "0")]
     at: String,
 }

@@ -40,11 +40,12 @@ pub(super) struct ReportArgs {
 pub(super) const HELP: Help = Help {
     examples: |names: &Names| {
         let plot = if cfg!(feature = "plot") { names.analysis("plot --out motion.svg", "diagrams") } else { None };
+        let animate = names.analysis("animate --out motion.html", "see it move, in a browser");
         let written = cfg!(feature = "equations").then(|| ("equations".to_owned(), "how they are derived"));
         vec![
             names.analysis("", "everything at t = 0"),
             names.analysis(&format!("solve --at {}", names.at), "position, velocity and acceleration at one instant"),
-            names.analysis("animate --out motion.html", "see it move, in a browser"),
+            if names.drawn { animate } else { None },
             names.analysis("info", "counts, rows, degrees of freedom, the solution plan"),
             names.analysis("sweep --steps 100 --out motion.csv", "over many instants"),
             plot,

@@ -54,7 +54,7 @@ pub(super) const HELP: Help = Help {
         vec![
             names.analysis("sweep", "one turn of the driven crank, or as far as it goes"),
             names.analysis("sweep --steps 500 --out motion.csv", ""),
-            names.analysis(&format!("sweep --from {to} --to 0 --points --out motion.json"), "backwards, points as well"),
+            names.analysis(&format!("sweep --to {to} --points --out motion.json"), "points as well"),
             names.analysis(&format!("sweep --times 0,{at},{to} --degrees"), "instants one by one"),
             names.with("sweep --set", &names.set, "with another dimension"),
             names.with("sweep --mode", &names.mode, "in another assembly mode"),

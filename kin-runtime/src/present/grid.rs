@@ -68,19 +68,27 @@ impl<W: Write> CsvRows<W> {
     /// Writes the header.
     pub(crate) fn new(model: &Model, reported: bool, out: W) -> io::Result<Self> {
         let mut writer = csv::Writer::from_writer(out);
-        writer.write_record(names(model, reported)).map_err(io::Error::from)?;
+        writer.write_record(names(model, reported)).map_err(io_error)?;
         Ok(Self { writer, numbers: Vec::new() })
     }
 
     /// Writes a row.
     pub(crate) fn row(&mut self, state: &State, motion: Option<&Motion>) -> io::Result<()> {
         row(state, motion, &mut self.numbers);
-        self.writer.write_record(self.numbers.iter().copied().map(exact)).map_err(io::Error::from)
+        self.writer.write_record(self.numbers.iter().copied().map(exact)).map_err(io_error)
     }
 
     /// Writes what waits in memory.
     pub(crate) fn flush(&mut self) -> io::Result<()> {
         self.writer.flush()
+    }
+}
+
+/// What the system said, for whoever asks for its kind.
+fn io_error(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
     }
 }
 

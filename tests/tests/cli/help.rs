@@ -58,8 +58,9 @@ fn examples_run() {
     for mechanism in ["fourbar", "leg", "underdriven", "limits", "redundant", "cam", "ends", "teeth"] {
         for command in COMMANDS {
             let help = good(&format!("{mechanism} {command} --help"));
-            let examples =
-                help.split("\nExamples:\n").nth(1).expect("examples").split("\n\n").next().unwrap_or_default();
+            // What has nothing to draw has no example for it.
+            let Some(examples) = help.split("\nExamples:\n").nth(1) else { continue };
+            let examples = examples.split("\n\n").next().unwrap_or_default();
             for example in examples.lines().filter(|line| line.starts_with("  several") && !line.contains('>')) {
                 let args = words(example);
                 let output = std::process::Command::new(env!("CARGO_BIN_EXE_several"))
@@ -76,7 +77,7 @@ fn examples_run() {
         }
     }
     assert!(failed.is_empty(), "{} of {tried}:\n{}", failed.len(), failed.join("\n"));
-    assert!(tried > 250, "{tried} examples");
+    assert!(tried > 300, "{tried} examples");
     assert!(place.join("motion.html").is_file() && place.join("paths.svg").is_file());
     std::fs::remove_dir_all(place).expect("the directory goes");
 }
