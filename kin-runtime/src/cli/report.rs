@@ -56,8 +56,13 @@ pub(super) const HELP: Help = Help {
     },
     details: "\
 Without a command: a full report at t = 0, or at --at T. Every command has --help with examples of
-its own. --set, --guess, --given, --input and --mode may be repeated; negative numbers are fine as
-values: --at -0.5.
+its own. --set, --guess, --given, --input and --mode may be repeated.
+
+Numbers are written as people do: -0.5, pi/2, 2*(1 + 0.1), and with units where a unit is known:
+--set r=200mm, --guess crank.phi=60deg, --input u=0.3m,5cm/s. They are converted to the unit of
+what they are for, and a number alone is in that unit. An instant may be the angle at which a
+crank that is driven at constant speed is then, counted from t = 0: --to 1turn. --degrees has the
+angles of the result in degrees, also in csv and in json, which says so under `units`.
 
 Results go to stdout or --out, everything else to stderr. The status is 0 when the answer is good,
 1 when there is none, 2 when the options make no sense, 130 after Ctrl-C. On a terminal there are

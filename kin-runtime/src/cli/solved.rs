@@ -10,6 +10,7 @@ use crate::mobility::Mobility;
 use crate::model::{Level, Model};
 use crate::modes::Mode;
 use crate::motion::Motion;
+use crate::present::number::rounded;
 use crate::present::text;
 use crate::ratios::VelocityRatios;
 use crate::state::State;
@@ -103,9 +104,10 @@ pub(super) fn fully_driven(engine: &dyn Engine, mobility: &Mobility, t: f64) -> 
     let names = text::coordinate_names(engine.model(), &mobility.could_be_given);
     let example = names.first().copied().unwrap_or("coordinate");
     Err(Failure::Analysis(format!(
-        "under-driven at t = {t}: {} left open by the drivers\n{}\n  \
+        "under-driven at t = {}: {} left open by the drivers\n{}\n  \
          give {left} of them: --given {example}=value (or {example}=value:rate:acceleration),\n  \
          or take the smallest change, q̇ and q̈: --least-norm",
+        rounded(t),
         if left == 1 { "1 degree of freedom is".to_owned() } else { format!("{left} degrees of freedom are") },
         listing("  could be given: ", &names),
     )))

@@ -280,6 +280,21 @@ fn a_reader_that_has_gone_is_told_nothing_and_the_status_says_so() {
 }
 
 #[test]
+fn unknown_options_say_what_there_is() {
+    let bad = |line: &str| {
+        let ran = driven(line);
+        assert_eq!((ran.status, ran.out.as_str()), (2, ""), "{line}");
+        ran.err
+    };
+    let err = bad("solve --from 1");
+    assert!(err.contains("--from is an option of `sweep`") && err.contains("\n`solve` has --at, --set,"), "{err}");
+    #[cfg(feature = "plot")]
+    assert!(bad("sweep --vary r=0.1,0.2").contains("--vary is an option of `plot`\n`sweep` has --from, --to,"));
+    let err = bad("--nothing");
+    assert!(err.contains("the report has --at,") && !err.contains("is an option of"), "{err}");
+}
+
+#[test]
 fn numbers_are_written_as_people_write_them() {
     let at = |line: &str| {
         let ran = driven(line);
