@@ -166,7 +166,7 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        assert_eq!([0.0, 1.2345, -0.098_76, 0.29, 6.283].map(shortened), [0.0, 1.2, -0.098, 0.29, 6.2]);
+        assert_eq!([0.0, 1.2345, -0.098_76, 0.29, 6.93].map(shortened), [0.0, 1.2, -0.098, 0.29, 6.9]);
         assert_eq!([2e-9, 123_456.0].map(shortened), [2e-9, 120_000.0]);
     }
 }

@@ -22,13 +22,31 @@ impl Units {
     }
 }
 
+impl core::fmt::Display for Units {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let common = [("lengths", self.length), ("time", self.time)];
+        let common = common.into_iter().filter_map(|(what, unit)| Some((what, unit?)));
+        let mut any = false;
+        for (name, unit) in common.chain(self.named.iter().copied()) {
+            write!(f, "{}{name} in {unit}", if any { ", " } else { "" })?;
+            any = true;
+        }
+        if any { Ok(()) } else { f.write_str("no units") }
+    }
+}
+
 #[cfg(test)]
 mod tests {
+    extern crate std;
+
     use super::Units;
+    use std::string::ToString;
 
     #[test]
     fn members_have_the_unit_of_their_family() {
         let units = Units { named: &[("u", "m"), ("reach", "mm")], ..Units::NONE };
         assert_eq!([units.of("u[3]"), units.of("reach"), units.of("v")], [Some("m"), Some("mm"), None]);
+        assert_eq!(Units { time: Some("s"), ..units }.to_string(), "time in s, u in m, reach in mm");
+        assert_eq!(Units::NONE.to_string(), "no units");
     }
 }
