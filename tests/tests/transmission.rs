@@ -53,7 +53,7 @@ struct TwoInARow;
 fn joints_of_another_group_have_nothing_to_do_with_it() {
     let mechanism = TwoInARow;
     let state = mechanism.state_at(&Instant::at(0.3)).unwrap();
-    let angles = mechanism.transmission_angles(&state.instant(), &state.q).unwrap();
+    let angles = mechanism.solver().transmission_angles(&state.instant(), &state.q).unwrap();
     let found: Vec<_> = angles.iter().map(|angle| (angle.joint, angle.between)).collect();
     assert_eq!(found, [("B", ["A", "D"]), ("F", ["E", "G"])]);
 }

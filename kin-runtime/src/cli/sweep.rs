@@ -67,8 +67,9 @@ and acceleration (NAME_ddot). Inputs and given coordinates hold at the first ins
 with their acceleration. Where a unilateral condition meets its limit is said on stderr, and in
 json under `events`; where it changes too fast to be watched, too, and under `unwatched`.
 
-Rows go to csv and json as they come, however many there are. When a sweep fails midway the finished rows are written and the status is 1. Ctrl-C ends a sweep
-in the same way, with status 130; a second Ctrl-C ends the program at once.",
+Rows go to csv and json as they come, however many there are. When a sweep fails midway the
+finished rows are written and the status is 1. Ctrl-C ends a sweep in the same way, with status
+130; a second Ctrl-C ends the program at once.",
 };
 
 pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
