@@ -285,7 +285,7 @@ fn limits_are_reported_where_they_are_met() {
     let ran = kin("limits sweep --to 2 --steps 4 --format csv");
     assert_eq!((ran.status, ran.out.lines().count()), (Some(0), 6), "one row per instant: {}", ran.out);
     assert!(
-        ran.err.starts_with("note: violated at the first instant: front, moving\nevent: t = 0.64104610791"),
+        ran.err.starts_with("note: violated at the first instant: front, moving\nevent: t = 0.641046: front"),
         "{}",
         ran.err
     );
