@@ -291,7 +291,7 @@ fn limits_are_reported_where_they_are_met() {
     );
     assert!(ran.err.contains(": front satisfied again (slider.x < far)\n"), "{}", ran.err);
     assert!(
-        ran.err.contains("event: t = 1.570796326") && ran.err.contains(": reach touched (distance(pin, eye) > 2*r)")
+        ran.err.contains("event: t = 1.570796: ") && ran.err.contains(": reach touched (distance(pin, eye) > 2*r)")
     );
     let ran = kin("limits sweep --to 2 --steps 4 --format json");
     let whole: Value = serde_json::from_str(&ran.out).expect("one JSON document");
