@@ -1,6 +1,7 @@
 //! What works for a mechanism, tried out where help is asked for: examples that have an answer.
 
 use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
 
 use super::engine::{Engine, Setup};
 use super::moving::natural_end;
@@ -12,6 +13,8 @@ use crate::workspace::Signal;
 const MOST: usize = 400;
 /// Instants on which a motion is tried.
 const INSTANTS: usize = 24;
+/// What takes longer is left out of the help.
+const PATIENCE: Duration = Duration::from_millis(200);
 /// Values of inputs that are tried.
 const TRIES: usize = 200;
 
@@ -81,10 +84,10 @@ impl Trial {
 /// How far a motion comes.
 fn reached(engine: &dyn Engine, setup: &Setup, end: f64) -> Option<f64> {
     let times: Vec<f64> = (0..=INSTANTS).map(|k| end * k as f64 / INSTANTS as f64).collect();
-    let mut last = None;
+    let (mut last, began) = (None, Instant::now());
     engine.sweep_each(setup, &times, false, &|_| ControlFlow::Continue(()), &mut |state| {
         last = Some(state.t);
-        ControlFlow::Continue(())
+        if began.elapsed() < PATIENCE { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     });
     last.filter(|t| *t > 0.0)
 }
@@ -127,7 +130,11 @@ fn inputs(engine: &dyn Engine) -> Option<Setup> {
 /// The first parameter that may be a tenth smaller and larger at once.
 fn varied(engine: &mut dyn Engine, setup: &Setup) -> Option<String> {
     let model: &Model = engine.model();
+    let began = Instant::now();
     for (place, value) in engine.parameters().into_iter().enumerate().filter(|(_, value)| value.is_finite()).take(8) {
+        if began.elapsed() >= PATIENCE {
+            return None;
+        }
         let by = if value == 0.0 { 0.1 } else { 0.1 * value.abs() };
         let [low, high] = [shortened(value - by), shortened(value + by)];
         let moves = |engine: &mut dyn Engine, value: f64| {
