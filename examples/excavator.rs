@@ -17,8 +17,8 @@
 //! ```text
 //! cargo run --release --example excavator
 //! cargo run --release --example excavator -- info
-//! cargo run --release --example excavator -- solve --input boom_length=1.42,0.1 --input stick_length=1.94 --input bucket_length=1.17
-//! cargo run --release --example excavator -- sweep --from 0 --to 1 --steps 10 --input boom_length=1.42,0.1,stick_length=1.94,bucket_length=1.17
+//! cargo run --release --example excavator -- solve --input boom_length=1400mm,0.1
+//! cargo run --release --example excavator -- sweep --steps 10 --input boom_length=1.42,0.1
 //! ```
 
 use kin_runtime::{Instant, Kinematics, Mechanism, Options, Signal, SolveError, Tracker, mechanism};
@@ -30,10 +30,17 @@ use std::process::ExitCode;
 #[input(
     /// Pin to pin, from the ground to the boom
     boom_length,
+    default = 1.42
+)]
+#[input(
     /// Pin to pin, from the boom to the stick
     stick_length,
+    default = 1.94
+)]
+#[input(
     /// Pin to pin, from the stick to the lever
-    bucket_length
+    bucket_length,
+    default = 1.17
 )]
 #[point(tip = bucket @ (0.5, -0.2))]
 #[define(digging_angle = bucket.phi)]

@@ -23,7 +23,7 @@
 //!
 //! Each room imports only those before it in this list. There are no tokens, no spans and no I/O here.
 
-#![cfg_attr(not(feature = "compiler"), no_std)]
+#![cfg_attr(not(feature = "units"), no_std)]
 
 #[cfg(feature = "compiler")]
 pub mod check;
@@ -55,7 +55,7 @@ pub mod sheet;
 pub mod structure;
 #[cfg(feature = "compiler")]
 pub mod system;
-#[cfg(feature = "compiler")]
+#[cfg(feature = "units")]
 pub mod units;
 #[cfg(feature = "compiler")]
 pub mod vectors;

@@ -102,7 +102,8 @@ fn a_product_of_a_thousand_factors() {
 fn defines_of_defines() {
     let used = |k: usize| Formula::Define(member(k, index(0, 0)));
     let square = |k: usize| add(mul(used(k), used(k)), neg(used(k)));
-    let define = |(k, formula): (usize, Formula)| Define { name: format!("s{k}"), range: None, formula, origin: AT };
+    let define =
+        |(k, formula): (usize, Formula)| Define { name: format!("s{k}"), range: None, formula, origin: AT, unit: None };
     let formulas = std::iter::once(phi(body(0))).chain((0..50).map(square));
     let mechanism = Mechanism {
         bodies: vec![free("b", None)],
@@ -117,7 +118,8 @@ fn defines_of_defines() {
 fn defines_in_reverse_order() {
     // Each uses the next one, and a held coordinate uses the first; the last is an angle.
     let used = |k: usize| Formula::Define(member(k, index(0, 0)));
-    let define = |(k, formula): (usize, Formula)| Define { name: format!("s{k}"), range: None, formula, origin: AT };
+    let define =
+        |(k, formula): (usize, Formula)| Define { name: format!("s{k}"), range: None, formula, origin: AT, unit: None };
     let formulas = (1..3000).map(|k| add(used(k), number(1.0))).chain([phi(body(0))]);
     let mechanism = Mechanism {
         bodies: vec![free("b", None), kin_core::mechanism::Body { phi: Some(used(0)), ..free("c", None) }],
@@ -139,7 +141,7 @@ fn defines_in_reverse_order() {
 #[test]
 fn a_define_of_itself_is_an_error() {
     let used = |k: usize| Formula::Define(member(k, index(0, 0)));
-    let define = |name: &str, formula| Define { name: name.into(), range: None, formula, origin: AT };
+    let define = |name: &str, formula| Define { name: name.into(), range: None, formula, origin: AT, unit: None };
     let defines = vec![define("a", used(1)), define("b", add(used(0), used(0)))];
     let errors = assemble(&Mechanism { defines, ..Mechanism::default() }).expect_err("a circle");
     assert!(errors.iter().all(|e| e.message.contains("defined by itself")), "{errors:?}");
@@ -148,7 +150,7 @@ fn a_define_of_itself_is_an_error() {
 #[test]
 fn a_define_out_of_range_is_an_error() {
     let range = Some(Range { start: 0, end: 3 });
-    let define = |range, formula| Define { name: "s".into(), range, formula, origin: AT };
+    let define = |range, formula| Define { name: "s".into(), range, formula, origin: AT, unit: None };
     let defines = vec![define(range, number(1.0)), define(None, Formula::Define(member(0, index(0, 3))))];
     let errors = assemble(&Mechanism { defines, ..Mechanism::default() }).expect_err("out of range");
     assert_eq!(errors.len(), 1, "{errors:?}");

@@ -23,8 +23,8 @@ fn follower() -> ConstraintSet {
         origin: Origin(3),
     };
     let mechanism = Mechanism {
-        inputs: vec![Input { name: "u".into(), len: None, origin: Origin(0) }],
-        scalars: vec![Scalar { name: "c".into(), len: None, origin: Origin(1) }],
+        inputs: vec![Input { name: "u".into(), len: None, origin: Origin(0), unit: None, default: None }],
+        scalars: vec![Scalar { name: "c".into(), len: None, origin: Origin(1), unit: None }],
         joints: vec![follow],
         ..Mechanism::default()
     };

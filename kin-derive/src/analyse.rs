@@ -6,7 +6,6 @@ use crate::lower::{Lowered, Outcome, lower};
 use crate::parse::parse;
 use crate::report::Report;
 use kin_core::check::{check, check_parts};
-use kin_core::units;
 use proc_macro2::{Span, TokenStream};
 use syn::ItemStruct;
 
@@ -53,22 +52,10 @@ fn check_model(lowered: &Lowered, report: &Report) {
     for error in rules(&lowered.mechanism) {
         report.error(lowered.span(error.origin), error.message);
     }
-    if lowered.flags.check_units && report.count() == 0 {
-        check_units(lowered, report);
-    }
-}
-
-/// The units of a mechanism that is right in every other respect.
-fn check_units(lowered: &Lowered, report: &Report) {
-    for unit in lowered.fields.iter().filter_map(|field| field.unit.as_ref()) {
-        if let Err(units::UnknownUnit(part)) = units::parse(&unit.value()) {
-            let message =
-                format!("no unit `{part}` is known; units are written as in `m`, `mm`, `rad/s`, `m/s^2` or `N*m`");
-            report.error(unit.span(), message);
+    if report.count() == 0 && kin_core::units::are_written(&lowered.mechanism) {
+        for error in kin_core::units::check(&lowered.mechanism) {
+            report.error(lowered.span(error.origin), error.message);
         }
-    }
-    for error in units::check(&lowered.mechanism) {
-        report.error(lowered.span(error.origin), error.message);
     }
 }
 

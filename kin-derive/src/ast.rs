@@ -6,7 +6,7 @@
 use kin_core::mechanism::{Function, Relation, StatementForm};
 use proc_macro2::Span;
 use syn::ext::IdentExt;
-use syn::{Ident, LitStr, Type};
+use syn::{Ident, Type};
 
 /// Everything that the attributes and fields of one mechanism say.
 pub(crate) struct Description {
@@ -109,12 +109,15 @@ pub(crate) struct BodyDecl {
 #[derive(Debug)]
 pub(crate) struct ScalarDecl {
     pub(crate) name: NewName,
+    pub(crate) unit: Option<String>,
 }
 
 /// A signal known only at run time.
 #[derive(Debug)]
 pub(crate) struct InputDecl {
     pub(crate) name: NewName,
+    pub(crate) unit: Option<String>,
+    pub(crate) default: Option<f64>,
 }
 
 /// A named point.
@@ -129,6 +132,7 @@ pub(crate) struct PointDecl {
 pub(crate) struct DefineDecl {
     pub(crate) name: NewName,
     pub(crate) value: Expr,
+    pub(crate) unit: Option<String>,
 }
 
 /// A field that holds a supplied function, or an array of them.
@@ -350,6 +354,6 @@ pub(crate) struct FieldDecl {
     pub(crate) scalar: Option<Ident>,
     /// Default of every element.
     pub(crate) default: Option<Vec<f64>>,
-    pub(crate) unit: Option<LitStr>,
+    pub(crate) unit: Option<String>,
     pub(crate) doc: String,
 }

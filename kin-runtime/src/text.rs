@@ -50,3 +50,17 @@ pub(crate) fn rates<T: fmt::Display>(f: &mut fmt::Formatter<'_>, [value, rate, a
     number(f, acceleration)?;
     f.write_str(")")
 }
+
+/// A time with as many digits as a person reads.
+pub(crate) fn rounded(t: f64) -> f64 {
+    if t == 0.0 || !t.is_finite() {
+        return t;
+    }
+    let mut scale = 1.0;
+    while t.abs() * scale < 1e5 && scale < 1e12 {
+        scale *= 10.0;
+    }
+    // 1.5·2⁵² rounds to an integer without a call.
+    const ROUND: f64 = 1.5 / f64::EPSILON;
+    if t.abs() * scale < 1e15 { ((t * scale + ROUND) - ROUND) / scale } else { t }
+}

@@ -41,7 +41,7 @@ struct DrivenTwice;
 #[angle(level: slider = 0)]
 struct SaidTwice;
 
-#[mechanism(check_units)]
+#[mechanism]
 #[bodies(crank)]
 #[revolute(O: ground @ (0, 0), crank @ (r + e, 0))]
 struct Units {

@@ -19,8 +19,8 @@ pub struct CamsOnCarriage {
     /// Places of the shafts
     #[param([-0.1, 0.15], unit = "m")]
     pub x: [f64; 2],
-    /// Eccentricities
-    #[param([0.012, 0.02], unit = "m")]
+    /// Eccentricities, which stand among angles, too, and have no unit for that
+    #[param([0.012, 0.02])]
     pub e: [f64; 2],
     /// Radius of the cams
     #[param(0.04, unit = "m")]

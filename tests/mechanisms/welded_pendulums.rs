@@ -24,7 +24,7 @@ use kin_runtime::mechanism;
 #[constraint(free_b: b.exp() + asin(b / 4) = 1.5 + sqrt(1 + a * a) + ln(2 + cos(a)))]
 #[constraint(free_c: c + atan(c) + 0.1 * acos(c / 9) = pow(1 + b * b, 1.5) + abs(height) / pow(1 + t * t, 0.5))]
 pub struct WeldedPendulums {
-    /// Length of a link
-    #[param(0.4, unit = "m")]
+    /// Length of a link; its equations mix lengths and angles, and so it has no unit
+    #[param(0.4)]
     pub l: f64,
 }

@@ -131,7 +131,7 @@ fn mixed() -> Model {
         bodies: bodies
             .map(|(name, origin_at)| Body { name: name.into(), len: None, origin_at, phi: None, origin: AT })
             .to_vec(),
-        scalars: vec![kin_core::mechanism::Scalar { name: "s".into(), len: None, origin: AT }],
+        scalars: vec![kin_core::mechanism::Scalar { name: "s".into(), len: None, origin: AT, unit: None }],
         joints: joints
             .map(|(name, operands)| Joint { name: name.into(), range: None, operands, keyword: AT, origin: AT })
             .to_vec(),

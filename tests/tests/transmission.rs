@@ -1,6 +1,6 @@
 //! Transmission angles against the law of cosines, and which joints have one.
 
-use kin_runtime::{Instant, Kinematics};
+use kin_runtime::{Instant, Kinematics, mechanism};
 use kin_tests::mechanisms::*;
 
 /// cos μ = (l2² + l3² − d²)/(2 l2 l3), d the distance from the crank's end to the rocker's pivot.
@@ -32,4 +32,28 @@ fn driven_bodies_have_none() {
         ["O", "F"].into_iter().filter(|joint| angles.iter().any(|angle| angle.joint == *joint)).collect();
     assert!(crank.is_empty(), "{angles:?}");
     assert!(!angles.is_empty());
+}
+
+/// Two four-bars one after the other on a bell crank: each has the angle at its coupler's end, and the joints of the other are
+/// nothing to it.
+#[mechanism]
+#[bodies(crank, coupler, bell, rod, rocker)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (0.1, 0), coupler @ (0, 0))]
+#[revolute(B: coupler @ (0.4, 0), bell @ (0.3, 0))]
+#[revolute(D: ground @ (0.4, 0), bell @ (0, 0))]
+#[revolute(E: bell @ (0, 0.3), rod @ (0, 0))]
+#[revolute(F: rod @ (0.4, 0), rocker @ (0.3, 0))]
+#[revolute(G: ground @ (0.8, 0), rocker @ (0, 0))]
+#[driver(drive: crank.phi = t)]
+#[guess(crank.phi = 0, bell.phi = 2, rocker.phi = 2)]
+struct TwoInARow;
+
+#[test]
+fn joints_of_another_group_have_nothing_to_do_with_it() {
+    let mechanism = TwoInARow;
+    let state = mechanism.state_at(&Instant::at(0.3)).unwrap();
+    let angles = mechanism.solver().transmission_angles(&state.instant(), &state.q).unwrap();
+    let found: Vec<_> = angles.iter().map(|angle| (angle.joint, angle.between)).collect();
+    assert_eq!(found, [("B", ["A", "D"]), ("F", ["E", "G"])]);
 }

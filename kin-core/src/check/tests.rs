@@ -117,7 +117,7 @@ fn circles_of_origins_and_defines_are_named() {
     one(&m, "`crank` is carried by `arm`, `arm` is carried by `crank`");
     let mut m = crank();
     let itself = Formula::Define(Member { family: 0, index: Index::default(), origin: NOWHERE });
-    m.defines.push(Define { name: "s".into(), range: None, formula: itself, origin: Origin(3) });
+    m.defines.push(Define { name: "s".into(), range: None, formula: itself, origin: Origin(3), unit: None });
     one(&m, "`s` uses itself");
 }
 
@@ -163,7 +163,7 @@ fn everything_that_can_move_is_mentioned() {
     one(&Mechanism { name: "M".into(), ..Mechanism::default() }, "`M` has no coordinates");
     let mut m = crank();
     m.bodies.push(body("wheel", 2));
-    m.scalars.push(Scalar { name: "u".into(), len: Some(2), origin: Origin(8) });
+    m.scalars.push(Scalar { name: "u".into(), len: Some(2), origin: Origin(8), unit: None });
     let said = said(&m);
     assert_eq!(said.len(), 2, "{said:?}");
     assert!(said[0].contains("no row touches `wheel`") && said[1].contains("any of the 2 members of `u`"), "{said:?}");

@@ -29,7 +29,8 @@ joint! {
         radii: Radii = Slot::required("radii", Takes::Radii),
         /// ψ, a scalar coordinate: the direction of d in the inertial frame.
         along: Member =
-            Slot::required("along", Takes::Scalar("`along` names a scalar coordinate, `#[coordinates(psi)]`")),
+            Slot::required("along", Takes::Scalar("`along` names a scalar coordinate, `#[coordinates(psi)]`"))
+                .measured_in(Dimension::Angle),
         /// e.
         offset: Formula = Slot::offset("offset", Dimension::Length).in_last_row(),
     }

@@ -68,6 +68,8 @@ pub struct Scalar {
     pub name: String,
     /// Number of members; `None` for a single one.
     pub len: Option<usize>,
+    /// Its unit, as written.
+    pub unit: Option<String>,
     /// The token that declared it.
     pub origin: Origin,
 }
@@ -96,6 +98,10 @@ pub struct Input {
     pub name: String,
     /// Number of members; `None` for a single one.
     pub len: Option<usize>,
+    /// Its unit, as written.
+    pub unit: Option<String>,
+    /// Its value where nobody gives one: on the command line, and in examples.
+    pub default: Option<f64>,
     /// The token that declared it.
     pub origin: Origin,
 }
@@ -133,6 +139,8 @@ pub struct Define {
     pub range: Option<Range>,
     /// Its formula.
     pub formula: Formula,
+    /// Its unit, as written.
+    pub unit: Option<String>,
     /// The token that declared it.
     pub origin: Origin,
 }

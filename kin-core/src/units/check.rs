@@ -1,30 +1,21 @@
 //! Where the units of a mechanism do not agree.
 
-use super::parse::parse;
-use super::quantity::{Checker, Quantity::Of};
-use super::unit::{Unit, near};
+use super::checker::{
+    Checker,
+    Quantity::{Of, Plain},
+};
+use super::quantity::first_origin;
+use super::unit::Unit;
 use crate::check::order_of_defines;
-use crate::error::{ModelError, Origin};
+use crate::error::ModelError;
 use crate::mechanism::{
-    Axis, BodyOrigin, Component, Curve, Dimension, GuessTarget, Joint, Mechanism, Operand, Slot, Value,
+    Axis, BodyOrigin, Component, Curve, Dimension, Formula, GuessTarget, Joint, Mechanism, Operand, Slot, Value,
 };
 
 /// Every place where quantities of different units are added, compared or equated. The mechanism is sound: indices
 /// exist and defines end somewhere.
 pub fn check(mechanism: &Mechanism) -> Vec<ModelError> {
-    let units: Vec<Option<Unit>> =
-        mechanism.parameters.iter().map(|p| p.unit.as_deref().and_then(|unit| parse(unit).ok())).collect();
-    let first = |kind: usize| (mechanism.parameters.iter()).find_map(|p| base(p.unit.as_deref()?, kind));
-    let mut checker = Checker {
-        mechanism,
-        units,
-        length: Unit { powers: [1.0, 0.0, 0.0], scale: first(0) },
-        time: Unit { powers: [0.0, 1.0, 0.0], scale: Some(first(1).unwrap_or(1.0)) },
-        mass: Unit { powers: [0.0, 0.0, 1.0], scale: first(2) },
-        defines: vec![None; mechanism.defines.len()],
-        at: Origin::default(),
-        errors: Vec::new(),
-    };
+    let mut checker = Checker::new(mechanism);
     checker.mechanism();
     let mut errors = checker.errors;
     errors.sort_by_key(|error| error.origin);
@@ -32,15 +23,8 @@ pub fn check(mechanism: &Mechanism) -> Vec<ModelError> {
     errors
 }
 
-/// The scale of the first symbol of a length (0), time (1) or mass (2) in a unit, as in `mm/s`.
-fn base(unit: &str, kind: usize) -> Option<f64> {
-    let symbols = unit.split(|c: char| !c.is_alphabetic());
-    let mut bases = symbols.filter_map(|symbol| parse(symbol).ok()).filter(|unit| near(unit.powers[kind], 1.0));
-    bases.find(|unit| unit.powers.iter().sum::<f64>() == 1.0).and_then(|unit| unit.scale)
-}
-
 impl Checker<'_> {
-    fn mechanism(&mut self) {
+    pub(super) fn mechanism(&mut self) {
         let m = self.mechanism;
         // What others use comes first: a long chain of defines must not become deep recursion.
         for k in order_of_defines(m).order {
@@ -69,9 +53,9 @@ impl Checker<'_> {
             match guess.target {
                 GuessTarget::Pose(_, Component::Phi) => self.expect(&guess.value, Unit::NUMBER, guess.origin),
                 GuessTarget::Pose(..) => self.expect(&guess.value, self.length, guess.origin),
-                GuessTarget::Scalar(_) => {
+                GuessTarget::Scalar(member) => {
                     self.at = guess.origin;
-                    self.quantity(&guess.value);
+                    self.same(&Formula::Scalar(member), &guess.value);
                 }
             }
         }
@@ -99,15 +83,25 @@ impl Checker<'_> {
             match operand {
                 Operand::Point(place) => self.place(place),
                 Operand::Points(places) => places.iter().for_each(|place| self.place(place)),
-                Operand::Body(_) | Operand::Bodies(_) | Operand::Scalar(_) => {}
+                Operand::Body(_) | Operand::Bodies(_) => {}
                 Operand::Vector(vector) => {
                     for value in [&vector.x, &vector.y] {
                         self.expect(value, wanted.unwrap_or(Unit::NUMBER), vector.origin);
                     }
                 }
+                Operand::Scalar(member) => {
+                    if let Some(unit) = wanted {
+                        self.expect(&Formula::Scalar(*member), unit, joint.origin);
+                    }
+                }
                 Operand::Axis(axis) => self.axis(axis),
                 Operand::Value(value) => self.measured(value, wanted),
-                Operand::Radii(radii) => [&radii.i, &radii.j].into_iter().for_each(|r| self.measured(r, wanted)),
+                Operand::Radii(radii) => {
+                    for radius in [&radii.i, &radii.j] {
+                        self.radius(radius);
+                        self.measured(radius, wanted);
+                    }
+                }
                 Operand::Curve(curve) => self.curve(curve),
             }
         }
@@ -140,6 +134,19 @@ impl Checker<'_> {
     fn measured(&mut self, value: &Value, wanted: Option<Unit>) {
         if let Some(unit) = wanted {
             self.expect(&value.value, unit, value.origin);
+        }
+    }
+
+    /// Radii are lengths or numbers of teeth, and no angles.
+    fn radius(&mut self, radius: &Value) {
+        let number = match self.quantity(&radius.value) {
+            Of(unit) => unit.is_number(),
+            Plain => true,
+            _ => false,
+        };
+        if number && self.angle(&radius.value) != 0.0 {
+            let message = "radii are lengths or numbers of teeth, and this is an angle; teeth have no unit";
+            self.errors.push(ModelError::new(first_origin(&radius.value).unwrap_or(radius.origin), message));
         }
     }
 

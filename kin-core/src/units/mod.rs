@@ -1,23 +1,33 @@
-//! Units of parameters, checked for consistency where an expression adds, compares or equates quantities.
+//! Units that are written, checked wherever an expression adds, compares or equates quantities, and those that follow.
 //!
-//! A lint that is asked for: kin computes with plain numbers in any consistent units. Rules:
+//! kin computes with plain numbers in any consistent units. Rules:
 //!
 //! - Lengths, times, masses and angles; an angle is a number, and radians are its unit. Different scales of one kind
 //!   (mm and m, deg and rad) are inconsistent.
-//! - x and y of bodies and points, and distances, are lengths in the first unit of length among the parameters; φ is an
+//! - x and y of bodies and points, and distances, are lengths in the first unit of length that is written; φ is an
 //!   angle; t is a time in the first unit of time, or s; `dot` divides by it.
 //! - A plain number takes the unit that its surroundings want: in `l + 0.1` it is a length, in `2*l` a factor; with
 //!   time or with another number, as in `2*t` and `0.1*sin(a)`, the product is as free as the number. A factor of a
 //!   conversion (powers of ten, 12, 25.4, 30, 60, 180, …) leaves the scale open: `l_mm/1000`, `n*2*pi/60`.
-//! - Parameters without a unit, scalar coordinates, inputs and supplied functions fit everywhere.
+//! - t alone fits everywhere, too, as in `phi = t`; times a quantity with a unit it is a time.
+//! - Parameters, scalar coordinates, inputs and defines without a unit, and supplied functions, fit everywhere.
 //! - Arguments of sin, cos, tan, asin, acos, atan, exp and ln are numbers; so are their results.
 
+#[cfg(feature = "compiler")]
 mod check;
+#[cfg(feature = "compiler")]
+mod checker;
+#[cfg(feature = "compiler")]
+mod derived;
 mod parse;
+#[cfg(feature = "compiler")]
 mod quantity;
 mod text;
 mod unit;
 
+#[cfg(feature = "compiler")]
 pub use check::check;
+#[cfg(feature = "compiler")]
+pub use derived::{Units, are_written, derive};
 pub use parse::{UnknownUnit, parse};
 pub use unit::Unit;

@@ -16,7 +16,7 @@ fn whole(symbol: &str) -> Option<Unit> {
     Some(match symbol {
         "1" | "rad" => Unit::NUMBER,
         "deg" | "°" => scaled(Unit::NUMBER, PI / 180.0),
-        "rev" => scaled(Unit::NUMBER, 2.0 * PI),
+        "rev" | "turn" | "turns" => scaled(Unit::NUMBER, 2.0 * PI),
         "rpm" => Unit { powers: [0.0, -1.0, 0.0], scale: Some(2.0 * PI / 60.0) },
         "in" => scaled(LENGTH, 0.0254),
         "ft" => scaled(LENGTH, 0.3048),
@@ -92,6 +92,21 @@ pub fn parse(text: &str) -> Result<Unit, UnknownUnit> {
         }
     }
     Ok(unit)
+}
+
+/// How often an angle is a factor of a unit that can be read: 1 for rad and deg/s, 0 for m and 1/s.
+#[cfg(feature = "compiler")]
+pub(super) fn angles(text: &str) -> f64 {
+    let mut angles = 0.0;
+    for (k, quotient) in text.trim().split('/').enumerate() {
+        for (n, factor) in quotient.trim().split(['*', '·', '⋅', '.', ' ']).enumerate() {
+            let (name, power) = powered(factor).unwrap_or((factor, 0.0));
+            if matches!(name, "deg" | "°" | "rev" | "turn" | "turns" | "rpm") || name.ends_with("rad") {
+                angles += if k > 0 && n == 0 { -power } else { power };
+            }
+        }
+    }
+    angles
 }
 
 /// A symbol and its power.

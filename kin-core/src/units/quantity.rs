@@ -1,38 +1,14 @@
 //! The units of formulas, from those of what stands in them.
 
+use super::checker::{
+    Checker, Named,
+    Quantity::{self, Any, Clock, Of, Plain},
+    Written,
+};
 use super::unit::{Unit, near};
 use crate::error::{ModelError, Origin};
-use crate::mechanism::{Component, CurveVariable, Formula, Function, Mechanism, Place};
-use Quantity::{Any, Of, Plain};
-
-/// What is known of a quantity.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Quantity {
-    /// Anything.
-    Any,
-    /// A plain number, of whatever unit is wanted.
-    Plain,
-    /// Of this unit.
-    Of(Unit),
-}
-
-/// The state of checking units.
-pub(super) struct Checker<'m> {
-    pub(super) mechanism: &'m Mechanism,
-    /// Of the parameters, where they have one.
-    pub(super) units: Vec<Option<Unit>>,
-    /// Of positions.
-    pub(super) length: Unit,
-    /// Of t.
-    pub(super) time: Unit,
-    /// Of masses.
-    pub(super) mass: Unit,
-    /// Of the defines that have been looked at.
-    pub(super) defines: Vec<Option<Quantity>>,
-    /// Where the formula at hand stands.
-    pub(super) at: Origin,
-    pub(super) errors: Vec<ModelError>,
-}
+use crate::mechanism::{Component, CurveVariable, Formula, Function, Place};
+use core::f64::consts::PI;
 
 impl Checker<'_> {
     pub(super) fn place(&mut self, place: &Place) {
@@ -44,15 +20,19 @@ impl Checker<'_> {
     /// `formula` is in `unit`; `at` is where it stands when none of its names does.
     pub(super) fn expect(&mut self, formula: &Formula, unit: Unit, at: Origin) {
         self.at = at;
-        if let Of(found) = self.quantity(formula)
-            && !found.agrees(unit)
-        {
+        let Of(found) = self.quantity(formula) else { return self.meets(formula, unit, 1.0) };
+        if !found.agrees(unit) {
             let wanted = match unit.scale {
                 None => "a length".to_owned(),
                 Some(_) if unit.is_number() => "an angle in rad".to_owned(),
                 Some(_) => unit.to_string(),
             };
-            let message = format!("the units do not agree: this is {found}, and {wanted} is wanted");
+            let like = match &self.first_length {
+                Some(name) if unit == self.length && found.is_like(unit) => format!(", the unit of `{name}`"),
+                _ => String::new(),
+            };
+            let hint = conversion(found, unit);
+            let message = format!("the units do not agree: this is {found}, and {wanted} is wanted{like}{hint}");
             self.errors.push(ModelError::new(first_origin(formula).unwrap_or(at), message));
         }
     }
@@ -60,6 +40,14 @@ impl Checker<'_> {
     /// Both are in one unit, which they give; the second is to blame, if it has a name.
     pub(super) fn same(&mut self, a: &Formula, b: &Formula) -> Quantity {
         let (left, right) = (self.quantity(a), self.quantity(b));
+        for ((of, quantity), other) in [((a, right), b), ((b, left), a)] {
+            let angle = self.angle(other);
+            match quantity {
+                Of(unit) => self.meets(of, unit, angle),
+                Plain if angle != 0.0 => self.meets(of, Unit::NUMBER, angle),
+                _ => {}
+            }
+        }
         match (left, right) {
             (Of(one), Of(other)) if !one.agrees(other) => {
                 let (this, that, origin) = match (first_origin(a), first_origin(b)) {
@@ -67,36 +55,47 @@ impl Checker<'_> {
                     (Some(origin), None) => (one, other, origin),
                     (None, None) => (other, one, self.at),
                 };
-                let message = format!("the units do not agree: this is {this}, and what it meets is {that}");
+                let hint = conversion(this, that);
+                let message = format!("the units do not agree: this is {this}, and what it meets is {that}{hint}");
                 self.errors.push(ModelError::new(origin, message));
                 // Said once.
                 Any
             }
             (Of(one), Of(other)) => Of(if one.scale.is_some() { one } else { other }),
             (Of(unit), _) | (_, Of(unit)) => Of(unit),
+            (Clock(one), Clock(other)) if !one.agrees(other) => Any,
             (Any, _) | (_, Any) => Any,
+            (Clock(unit), _) | (_, Clock(unit)) => Clock(unit),
             (Plain, Plain) => Plain,
         }
     }
 
-    pub(super) fn define(&mut self, k: usize) -> Quantity {
+    /// The quantity of a define, and how often an angle is a factor of it.
+    pub(super) fn define(&mut self, k: usize) -> (Quantity, f64) {
         if let Some(known) = self.defines.get(k).copied().flatten() {
             return known;
         }
-        let Some(define) = self.mechanism.defines.get(k) else { return Any };
+        let Some(define) = self.mechanism.defines.get(k) else { return (Any, 0.0) };
         let before = std::mem::replace(&mut self.at, define.origin);
-        let quantity = self.quantity(&define.formula);
+        let known = match self.written(Named::Define, k) {
+            Some(Written { unit, angle }) => {
+                self.expect(&define.formula, unit, define.origin);
+                (Of(unit), angle)
+            }
+            None => (self.quantity(&define.formula), self.angle(&define.formula)),
+        };
         self.at = before;
-        self.defines[k] = Some(quantity);
-        quantity
+        self.defines[k] = Some(known);
+        known
     }
 
     pub(super) fn quantity(&mut self, formula: &Formula) -> Quantity {
         match formula {
             Formula::Number(_) | Formula::Pi | Formula::Index(_) => Plain,
-            Formula::Time => Of(self.time),
-            Formula::Parameter(member) => self.units.get(member.family).copied().flatten().map_or(Any, Of),
-            Formula::Input(_) | Formula::Scalar(_) => Any,
+            Formula::Time => Clock(self.time),
+            Formula::Parameter(member) => self.of(Named::Parameter, member.family),
+            Formula::Input(member) => self.of(Named::Input, member.family),
+            Formula::Scalar(member) => self.of(Named::Scalar, member.family),
             Formula::Pose(_, Component::Phi) => Of(Unit::NUMBER),
             Formula::Pose(..) => Of(self.length),
             Formula::PointCoordinate(place, _) => {
@@ -107,7 +106,7 @@ impl Checker<'_> {
                 [p, q].into_iter().for_each(|place| self.place(place));
                 Of(self.length)
             }
-            Formula::Define(member) => self.define(member.family),
+            Formula::Define(member) => self.define(member.family).0,
             Formula::Curve(CurveVariable::Theta) => Of(Unit::NUMBER),
             Formula::Curve(_) => Of(self.length),
             Formula::Neg(a) => self.quantity(a),
@@ -120,12 +119,14 @@ impl Checker<'_> {
                 let (left, right) = (self.quantity(a), self.quantity(b));
                 let inverse = match right {
                     Of(unit) => Of(unit.power(-1.0)),
+                    Clock(unit) => Clock(unit.power(-1.0)),
                     other => other,
                 };
                 product([(left, a), (inverse, b)])
             }
             Formula::Pow(a, n) => match self.quantity(a) {
                 Of(unit) => Of(unit.power(*n)),
+                Clock(unit) => Clock(unit.power(*n)),
                 other => other,
             },
             Formula::Call(function, a) => self.call(*function, a),
@@ -139,8 +140,31 @@ impl Checker<'_> {
             }
             Formula::Dot(a, _) => match self.quantity(a) {
                 Of(unit) => Of(unit.times(self.time.power(-1.0))),
+                Clock(_) => Any,
                 other => other,
             },
+        }
+    }
+
+    /// How often an angle is a factor of a formula.
+    pub(super) fn angle(&mut self, formula: &Formula) -> f64 {
+        let written = |checker: &Self, named, k| checker.written(named, k).map_or(0.0, |written| written.angle);
+        match formula {
+            Formula::Parameter(member) => written(self, Named::Parameter, member.family),
+            Formula::Input(member) => written(self, Named::Input, member.family),
+            Formula::Scalar(member) => written(self, Named::Scalar, member.family),
+            Formula::Define(member) => self.define(member.family).1,
+            Formula::Pose(_, Component::Phi) | Formula::Curve(CurveVariable::Theta) | Formula::Atan2(..) => 1.0,
+            Formula::Call(Function::Asin | Function::Acos | Function::Atan, _) => 1.0,
+            Formula::Call(Function::Abs, a) | Formula::Neg(a) | Formula::Dot(a, _) => self.angle(a),
+            Formula::Add(a, b) | Formula::Sub(a, b) => {
+                let angle = self.angle(a);
+                if angle == 0.0 { self.angle(b) } else { angle }
+            }
+            Formula::Mul(a, b) => self.angle(a) + self.angle(b),
+            Formula::Div(a, b, _) => self.angle(a) - self.angle(b),
+            Formula::Pow(a, n) => n * self.angle(a),
+            _ => 0.0,
         }
     }
 
@@ -149,6 +173,7 @@ impl Checker<'_> {
             Function::Abs => self.quantity(a),
             Function::Sqrt => match self.quantity(a) {
                 Of(unit) => Of(unit.power(0.5)),
+                Clock(unit) => Clock(unit.power(0.5)),
                 other => other,
             },
             _ => {
@@ -156,7 +181,9 @@ impl Checker<'_> {
                     && !unit.agrees(Unit::NUMBER)
                 {
                     let name = function.name();
-                    let message = format!("the units do not agree: this is {unit}, and `{name}` takes a number or rad");
+                    let hint = conversion(unit, Unit::NUMBER);
+                    let message =
+                        format!("the units do not agree: this is {unit}, and `{name}` takes a number or rad{hint}");
                     self.errors.push(ModelError::new(first_origin(a).unwrap_or(self.at), message));
                 }
                 // A number of a number is as free as that.
@@ -170,8 +197,9 @@ impl Checker<'_> {
 /// before, and times time it may be a rate, so that nothing is known.
 fn product(factors: [(Quantity, &Formula); 2]) -> Quantity {
     match factors.map(|(quantity, _)| quantity) {
-        [Of(a), Of(b)] => Of(a.times(b)),
-        [Any, _] | [_, Any] => Any,
+        [Of(a), Of(b) | Clock(b)] | [Clock(a), Of(b)] => Of(a.times(b)),
+        [Clock(a), Clock(b)] => Clock(a.times(b)),
+        [Any, _] | [_, Any] | [Plain, Clock(_)] | [Clock(_), Plain] => Any,
         [Plain, Plain] => Plain,
         [Plain, Of(unit)] | [Of(unit), Plain] => {
             let plain = factors.iter().find(|(quantity, _)| matches!(quantity, Plain)).map(|(_, formula)| *formula);
@@ -179,13 +207,47 @@ fn product(factors: [(Quantity, &Formula); 2]) -> Quantity {
                 Any
             } else if unit.agrees(Unit::NUMBER) {
                 Plain
-            } else if plain.is_some_and(converts) {
+            } else if plain.is_some_and(|plain| converts(plain) || !unit.has_length() && has_pi(plain)) {
                 Of(Unit { scale: None, ..unit })
             } else {
                 Of(unit)
             }
         }
     }
+}
+
+/// True for a number with π in it, which turns revolutions into radians.
+fn has_pi(formula: &Formula) -> bool {
+    match formula {
+        Formula::Pi => true,
+        Formula::Neg(a) | Formula::Pow(a, _) => has_pi(a),
+        Formula::Mul(a, b) | Formula::Div(a, b, _) => has_pi(a) || has_pi(b),
+        _ => false,
+    }
+}
+
+/// What makes one unit the other, where that is a number that people know.
+fn conversion(from: Unit, to: Unit) -> String {
+    let (Some(a), Some(b)) = (from.scale, to.scale) else { return String::new() };
+    if !from.is_like(to) {
+        return String::new();
+    }
+    let factor = a / b;
+    let round = |x: f64| x < 1e10 && near(x, x.round());
+    let how = if near(factor, PI / 180.0) {
+        "times pi/180".to_owned()
+    } else if near(factor, PI / 30.0) {
+        "times 2*pi/60".to_owned()
+    } else if near(factor, 2.0 * PI) {
+        "times 2*pi".to_owned()
+    } else if round(factor) {
+        format!("times {}", factor.round())
+    } else if round(1.0 / factor) {
+        format!("divided by {}", (1.0 / factor).round())
+    } else {
+        return String::new();
+    };
+    format!("; {how} it is {}", if to.is_number() { "rad".to_owned() } else { to.to_string() })
 }
 
 /// True for a number with a factor of a conversion in it.

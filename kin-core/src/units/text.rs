@@ -10,7 +10,7 @@ impl fmt::Display for Unit {
         if self.is_number() {
             return match (self.scale, parse::symbol_of(*self)) {
                 (_, Some(symbol)) => f.write_str(symbol),
-                (Some(scale), _) if !near(scale, 1.0) => write!(f, "{scale} rad"),
+                (Some(scale), _) if !near(scale, 1.0) => write!(f, "{:.3} rad", scale),
                 _ => f.write_str("a number or rad"),
             };
         }

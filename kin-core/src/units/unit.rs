@@ -26,7 +26,7 @@ impl Unit {
     }
 
     /// The product of two units.
-    pub(super) fn times(self, other: Self) -> Self {
+    pub fn times(self, other: Self) -> Self {
         let [a, b, c] = self.powers;
         let [d, e, f] = other.powers;
         let scale = self.scale.zip(other.scale).map(|(a, b)| a * b);
@@ -34,23 +34,34 @@ impl Unit {
     }
 
     /// The unit to a power.
-    pub(super) fn power(self, n: f64) -> Self {
+    pub fn power(self, n: f64) -> Self {
         Self { powers: self.powers.map(|p| p * n), scale: self.scale.map(|s| s.powf(n)) }
     }
 
     /// True for what has no length, time or mass in it.
-    pub(super) fn is_number(self) -> bool {
+    pub fn is_number(self) -> bool {
         self.powers.iter().all(|p| p.abs() < 1e-9)
     }
 
     /// True for time and its powers alone.
+    #[cfg(feature = "compiler")]
     pub(super) fn is_time(self) -> bool {
         self.powers[0].abs() < 1e-9 && self.powers[2].abs() < 1e-9 && self.powers[1] > 1e-9
     }
 
+    /// True for what has a length in it.
+    #[cfg(feature = "compiler")]
+    pub(super) fn has_length(self) -> bool {
+        self.powers[0].abs() > 1e-9
+    }
+
+    /// True for units of one kind, whatever their scales.
+    pub fn is_like(self, other: Self) -> bool {
+        self.powers.iter().zip(&other.powers).all(|(a, b)| (a - b).abs() < 1e-9)
+    }
+
     /// True when quantities in the two units can be added.
     pub fn agrees(self, other: Self) -> bool {
-        let powers = self.powers.iter().zip(&other.powers).all(|(a, b)| (a - b).abs() < 1e-9);
-        powers && self.scale.zip(other.scale).is_none_or(|(a, b)| near(a, b))
+        self.is_like(other) && self.scale.zip(other.scale).is_none_or(|(a, b)| near(a, b))
     }
 }

@@ -12,7 +12,9 @@ pub fn equations(coordinates: usize, parameters: usize, rows: Vec<Formula>) -> M
     Mechanism {
         name: "Free".into(),
         parameters: super::parameters(&names),
-        scalars: (0..coordinates).map(|k| Scalar { name: format!("q{k}"), len: None, origin: AT }).collect(),
+        scalars: (0..coordinates)
+            .map(|k| Scalar { name: format!("q{k}"), len: None, origin: AT, unit: None })
+            .collect(),
         joints: rows.into_iter().enumerate().map(row).collect(),
         ..Mechanism::default()
     }

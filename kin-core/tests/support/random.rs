@@ -81,18 +81,20 @@ pub fn mechanism(seed: u64) -> Mechanism {
         name: "Random".into(),
         parameters: parameters(&[&plain[..], &[("l", Some(LEN as usize))]].concat()),
         functions: vec![SuppliedFunction { name: "f".into(), len: None, origin: AT }],
-        inputs: ["u", "v"].map(|name| Input { name: name.into(), len: None, origin: AT }).to_vec(),
+        inputs: ["u", "v"]
+            .map(|name| Input { name: name.into(), len: None, origin: AT, unit: None, default: None })
+            .to_vec(),
         bodies: bodies.into_iter().map(|(_, body)| body).collect(),
         scalars: vec![
-            Scalar { name: "s".into(), len: None, origin: AT },
-            Scalar { name: "w".into(), len: Some(3), origin: AT },
+            Scalar { name: "s".into(), len: None, origin: AT, unit: None },
+            Scalar { name: "w".into(), len: Some(3), origin: AT, unit: None },
         ],
         ..Mechanism::default()
     };
     for (k, range) in [ranged, None, ranged].into_iter().enumerate() {
         builder.range = range;
         let formula = builder.formula(Holds::Everything, 2);
-        out.defines.push(Define { name: format!("d{k}"), range, formula, origin: AT });
+        out.defines.push(Define { name: format!("d{k}"), range, formula, origin: AT, unit: None });
         builder.defines += 1;
         let place = builder.place();
         out.points.push(NamedPoint { name: format!("P{k}"), range, place, origin: AT });

@@ -12,6 +12,7 @@ use kin_core::mechanism::Mechanism;
 use kin_core::plan::SolutionPlan;
 use kin_core::structure::Structure;
 use kin_core::system::KinematicSystem;
+use kin_core::units::Units;
 use kin_core::vocabulary::{Component, OperationCount};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -35,6 +36,11 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     let coordinates = coordinates(tables.system, writer);
     let parameters = parameters(tables.mechanism, &set.parameters, writer);
     let inputs = set.inputs.iter();
+    let input_defaults = tables.mechanism.inputs.iter().flat_map(|input| {
+        let default = optional(input.default.map(literal));
+        std::iter::repeat_n(default, input.len.unwrap_or(1))
+    });
+    let units = units(tables.mechanism);
     let functions = set.functions.iter();
     let arguments = &tables.kernels.arguments;
     let bodies = bodies(tables.system, writer);
@@ -74,6 +80,8 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
             coordinates: #coordinates,
             parameters: #parameters,
             inputs: &[#(#inputs),*],
+            input_defaults: &[#(#input_defaults),*],
+            units: #units,
             functions: &[#(#functions),*],
             arguments: &[#(#arguments),*],
             bodies: #bodies,
@@ -179,6 +187,13 @@ fn observables(system: &KinematicSystem, writer: Writer) -> TokenStream {
         ObservableKind::Joint(..) => quote! { __kin::Observable::Joint { joint: #a, quantity: #b } },
         ObservableKind::Condition(_) => quote! { __kin::Observable::Condition(#a) },
     })
+}
+
+fn units(mechanism: &Mechanism) -> TokenStream {
+    let Units { length, time, named } = kin_core::units::derive(mechanism);
+    let (length, time) = (optional(length), optional(time));
+    let named = named.iter().map(|(name, unit)| quote! { (#name, #unit) });
+    quote! { __kin::Units { length: #length, time: #time, named: &[#(#named),*] } }
 }
 
 fn parameters(mechanism: &Mechanism, names: &[String], writer: Writer) -> TokenStream {

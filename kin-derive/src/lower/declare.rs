@@ -30,7 +30,7 @@ impl Lowerer<'_> {
                     let symbol = Symbol::Scalar(mechanism.scalars.len());
                     let origin = self.name(&decl.name, symbol, &shape, &mut names);
                     let (name, len) = (text(&decl.name.ident), len_of(&shape));
-                    mechanism.scalars.push(Scalar { name, len, origin });
+                    mechanism.scalars.push(Scalar { name, len, origin, unit: decl.unit.clone() });
                     range
                 }
                 Item::Input(decl) => {
@@ -38,7 +38,8 @@ impl Lowerer<'_> {
                     let symbol = Symbol::Input(mechanism.inputs.len());
                     let origin = self.name(&decl.name, symbol, &shape, &mut names);
                     let (name, len) = (text(&decl.name.ident), len_of(&shape));
-                    mechanism.inputs.push(Input { name, len, origin });
+                    let (unit, default) = (decl.unit.clone(), decl.default);
+                    mechanism.inputs.push(Input { name, len, origin, unit, default });
                     range
                 }
                 Item::Point(decl) => {
@@ -54,7 +55,8 @@ impl Lowerer<'_> {
                     let symbol = Symbol::Define(mechanism.defines.len());
                     let origin = self.name(&decl.name, symbol, &shape, &mut names);
                     let name = text(&decl.name.ident);
-                    mechanism.defines.push(Define { name, range: range.model(), formula: Formula::ZERO, origin });
+                    let (unit, formula) = (decl.unit.clone(), Formula::ZERO);
+                    mechanism.defines.push(Define { name, range: range.model(), formula, origin, unit });
                     range
                 }
                 Item::Function(decl) => {
@@ -119,7 +121,7 @@ impl Lowerer<'_> {
             mechanism.parameters.push(Parameter {
                 name,
                 len: field.len,
-                unit: field.unit.as_ref().map(syn::LitStr::value),
+                unit: field.unit.clone(),
                 default: field.default.clone(),
                 doc: field.doc.clone(),
                 origin,

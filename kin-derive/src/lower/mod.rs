@@ -23,7 +23,7 @@ use lowerer::Lowerer;
 pub(crate) use mention::{Mention, MentionKind};
 use proc_macro2::Span;
 use std::collections::BTreeSet;
-use syn::{Ident, ItemStruct, LitStr, Type};
+use syn::{Ident, ItemStruct, Type};
 
 /// Everything that expansion needs to know of a description.
 pub(crate) struct Lowered {
@@ -63,8 +63,6 @@ pub(crate) struct Field {
     pub(crate) len: Option<usize>,
     /// The type parameter of the struct that its numbers are of.
     pub(crate) scalar: Option<Ident>,
-    /// Its unit, as written.
-    pub(crate) unit: Option<LitStr>,
     pub(crate) role: FieldRole,
 }
 
@@ -149,7 +147,7 @@ fn fields(description: &Description, mechanism: &Mechanism) -> Vec<Field> {
         let role = function.map_or_else(|| FieldRole::Parameter(parameters), FieldRole::Function);
         parameters += usize::from(function.is_none());
         let (ident, ty, scalar) = (field.ident.clone(), field.ty.clone(), field.scalar.clone());
-        Field { ident, ty, len: field.len, scalar, unit: field.unit.clone(), role }
+        Field { ident, ty, len: field.len, scalar, role }
     });
     read.collect()
 }

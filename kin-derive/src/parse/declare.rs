@@ -3,6 +3,7 @@
 use super::expr::{end_of_expr, expr};
 use super::index::{identifier, name_or_family, new_name};
 use super::list::{comma, end_of_part, list, skip_part};
+use super::options::Options;
 use super::point::point;
 use super::read::{is_option, no_equals};
 use super::reject::here;
@@ -31,33 +32,45 @@ pub(super) fn bodies(input: ParseStream, keyword: &Ident, report: &Report, items
     })
 }
 
-/// `phi1, u[3]`.
+/// `phi1, u[3], unit = "rad"`.
 pub(super) fn coordinates(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
     nonempty(input, keyword, "#[coordinates(phi1, phi2)]", report);
-    list(input, report, |input| {
+    let (mut options, first) = (Options::of(keyword, &["unit"]), items.len());
+    let complete = list(input, report, |input| {
+        if options.read(input)? {
+            return Ok(());
+        }
         let name = new_name(input, report)?;
         let start = format!("a coordinate is a name; its start is given with `#[guess({} = 0)]`", name.ident);
-        items.push(Item::Scalar(ScalarDecl { name }));
+        items.push(Item::Scalar(ScalarDecl { name, unit: None }));
         if input.peek(Token![=]) {
             return Err(here(input, start));
         }
         Ok(())
-    })
+    });
+    options.give(items, first);
+    complete
 }
 
-/// `boom_length, u[3]`.
+/// `boom_length, u[3], default = 0.3, unit = "m"`.
 pub(super) fn inputs(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
     nonempty(input, keyword, "#[input(boom_length, stick_length)]", report);
-    list(input, report, |input| {
+    let (mut options, first) = (Options::of(keyword, &["default", "unit"]), items.len());
+    let complete = list(input, report, |input| {
+        if options.read(input)? {
+            return Ok(());
+        }
         let name = new_name(input, report)?;
         let caller =
             format!("an input is a name; value, rate and acceleration of `{}` come with every call", name.ident);
-        items.push(Item::Input(InputDecl { name }));
+        items.push(Item::Input(InputDecl { name, unit: None, default: None }));
         if input.peek(Token![=]) {
             return Err(here(input, caller));
         }
         Ok(())
-    })
+    });
+    options.give(items, first);
+    complete
 }
 
 /// `tip = coupler @ (0, 0.1)`.
@@ -72,17 +85,23 @@ pub(super) fn points(input: ParseStream, keyword: &Ident, report: &Report, items
     })
 }
 
-/// `stroke = slider.x - d1`.
+/// `stroke = slider.x - d1, unit = "m"`.
 pub(super) fn defines(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
     const FORM: &str = "#[define(stroke = slider.x - d1)]";
     nonempty(input, keyword, FORM, report);
-    list(input, report, |input| {
+    let (mut options, first) = (Options::of(keyword, &["unit"]), items.len());
+    let complete = list(input, report, |input| {
+        if options.read(input)? {
+            return Ok(());
+        }
         let name = new_name(input, report)?;
         let value = equals(input, FORM).and_then(|()| value(input));
         let value = report.ok(value).unwrap_or(Expr::hole(name.ident.span()));
-        items.push(Item::Define(DefineDecl { name, value }));
+        items.push(Item::Define(DefineDecl { name, value, unit: None }));
         Ok(())
-    })
+    });
+    options.give(items, first);
+    complete
 }
 
 /// How `function` is written.

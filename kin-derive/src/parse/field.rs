@@ -6,6 +6,7 @@ use super::fold::constant;
 use super::generics::scalar_parameter;
 use super::keyword::{self, Keyword};
 use super::list::{comma, end_of_part, inside, skip_part};
+use super::options::unit;
 use super::read::is_option;
 use super::reject::here;
 use crate::ast::{FieldDecl, text};
@@ -16,7 +17,7 @@ use proc_macro2::{Span, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::spanned::Spanned;
-use syn::{Attribute, Error, Expr, ExprLit, Field, Ident, Lit, LitStr, Meta, Result, Token, Type, bracketed, token};
+use syn::{Attribute, Error, Expr, ExprLit, Field, Ident, Lit, Meta, Result, Token, Type, bracketed, token};
 
 const FORM: &str = "#[param(0.1, unit = \"m\")]";
 
@@ -29,7 +30,7 @@ enum Default {
 #[derive(Default)]
 struct Param {
     default: Option<Default>,
-    unit: Option<LitStr>,
+    unit: Option<String>,
 }
 
 /// Takes our attributes off a field and reads it; the flag is set when an attribute that declares names is lost.
@@ -148,10 +149,7 @@ fn part(input: ParseStream, first: bool, param: &mut Param) -> Result<()> {
         if param.unit.is_some() {
             return Err(Error::new(key.span(), "`unit` is given twice; one is enough"));
         }
-        let unit: LitStr = input
-            .parse()
-            .map_err(|error: Error| Error::new(error.span(), "a unit is written in quotes: `unit = \"m\"`"))?;
-        param.unit = Some(unit);
+        param.unit = Some(unit(input)?);
         return end_of_part(input);
     }
     if !first {

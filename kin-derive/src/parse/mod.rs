@@ -16,6 +16,7 @@ mod index;
 mod keyword;
 mod list;
 mod node;
+mod options;
 mod parts;
 mod point;
 mod read;

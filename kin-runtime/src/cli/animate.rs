@@ -1,11 +1,11 @@
 //! `animate`: the motion as a page for a browser, or as a picture that moves.
 
-use super::columns::{column_infos, shown};
+use super::columns::{column_infos, shown, shown_columns};
 use super::engine::{Engine, Setup};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::moving::{self, GridArgs, Moved, interrupted, motions, moved, natural_end, note_motion};
-use super::options::{FreedomArgs, SetupArgs};
+use super::moving::{self, GridArgs, Moved, Walk, note_motion};
+use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::note_freedom;
@@ -14,7 +14,6 @@ use crate::motion::Motion;
 use crate::planned::Sign;
 use crate::present::animation::{Animation, ColumnInfo, Run};
 use crate::present::drawing::{Scene, Snapshot, Subject};
-use crate::present::grid::columns;
 use crate::present::text::count;
 use crate::present::units::{Measure, Units};
 use crate::state::State;
@@ -35,6 +34,8 @@ pub(super) struct AnimateArgs {
     setup: SetupArgs,
     #[command(flatten)]
     freedom: FreedomArgs,
+    #[command(flatten)]
+    angles: AngleArgs,
     /// Names in a picture; a page has a switch for them
     #[arg(long)]
     names: bool,
@@ -44,9 +45,12 @@ pub(super) struct AnimateArgs {
 
 pub(super) const HELP: Help = Help {
     examples: |names: &Names| {
+        if !names.drawn {
+            return Vec::new();
+        }
         vec![
             names.analysis("animate --out motion.html", "one turn of the driven crank"),
-            names.analysis("animate --out motion.html --to 2 --steps 400", ""),
+            names.analysis(&format!("animate --out motion.html --to {} --steps 400", names.to), ""),
             names.analysis("animate --out motion.svg", "a picture that moves, for a document"),
             names.with("animate --out motion.html --set", &names.set, "with another dimension"),
             names.with("animate --out motion.html --mode", &names.mode, "in one assembly mode alone"),
@@ -63,8 +67,10 @@ or 130.",
 
 pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (asked, output) =
-        (ledger.take(args.grid.asked(STEPS)), ledger.take(session.destination(&args.output, "animate")));
+    let (asked, output) = (
+        ledger.take(args.grid.asked(STEPS, engine.model())),
+        ledger.take(session.destination(&args.output, "animate")),
+    );
     let setup = ledger.take(args.setup.apply_complete(engine));
     let (asked, output, setup) = ledger.close(zip3(asked, output, setup))?;
     let engine = &*engine;
@@ -73,48 +79,57 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
         let what = "it has no bodies and no points, only scalar coordinates: `sweep` and `plot` show those";
         return Err(Failure::Analysis(format!("{}: there is nothing to draw; {what}", model.name)));
     }
-    let times = asked.times(|from| Some(natural_end(engine, &setup, from)))?;
+    let open_end = asked.is_open();
+    let times = asked.times(engine, &setup)?;
     let watch = session.watch();
-    watch.begin("instants", times.len());
-    let Moved { mut trajectory, mut ended, left } = moved(engine, &setup, &times, false, args.freedom, &watch)?;
-    note_motion(session, &trajectory);
+    // A picture shows one motion.
+    let one = !setup.modes.is_empty() || matches!(output.form, Form::Svg);
+    let room = NUMBERS / (model.coordinates.len() * times.len()).max(1);
+    let most = if one { 0 } else { ((1 << model.plan.modes.len().min(MODES.ilog2() as usize)) - 1).min(room) };
+    watch.begin("instants", (1 + most) * times.len());
+    let freedom = args.freedom;
+    let walk = Walk {
+        engine,
+        setup: &setup,
+        times: &times,
+        stop_at_events: false,
+        open_end,
+        freedom,
+        reported: true,
+        watch: &watch,
+    };
+    let moved = walk.kept()?;
+    note_motion(session, &moved);
+    let Moved { trajectory, motions, mut ended, left, .. } = moved;
     note_freedom(session, left);
     let Some(first) = trajectory.states.first() else { return ended.map_or(Ok(()), Err) };
     let own = engine.modes(&first.instant(), &first.q);
     let own: Vec<Sign> = own.iter().map(|mode| mode.sign.unwrap_or(Sign::Plus)).collect();
-    let motions = motions(engine, &trajectory.states, &watch)?;
-    if motions.len() < trajectory.states.len() {
-        trajectory.states.truncate(motions.len());
-        ended = Some(interrupted(&trajectory.states, times.len()));
-    }
     let note = ended.as_ref().map(|failure| early(model, failure));
-    let mut runs = vec![run_of(engine, &trajectory.states, &motions, mode_name(model, &own, &own), note)?];
-    // A picture shows one motion.
-    if setup.modes.is_empty() && ended.is_none() && !matches!(output.form, Form::Svg) {
-        let room = NUMBERS / (model.coordinates.len() * times.len()).max(1);
+    let degrees = args.angles.degrees;
+    let mut runs = vec![run_of(engine, &trajectory.states, &motions, degrees, mode_name(model, &own, &own), note)?];
+    if !one && ended.is_none() {
         let others: Vec<Vec<Sign>> = others(&own).into_iter().take(room).collect();
-        watch.begin("instants of other modes", others.len() * times.len());
         for (place, other) in others.iter().enumerate() {
-            watch.go_on(place * times.len());
+            watch.go_on((1 + place) * times.len());
             let asked = Setup { modes: other.iter().copied().enumerate().collect(), ..setup.clone() };
             // A mode that does not close is no fault of the motion that was asked for.
-            let Ok(also) = moved(engine, &asked, &times, false, args.freedom, &watch) else { continue };
+            let Ok(also) = (Walk { setup: &asked, ..walk }).kept() else { continue };
             let (states, name) = (&also.trajectory.states, mode_name(model, &own, other));
-            let motions = moving::motions(engine, states, &watch)?;
-            if watch.interrupted() || motions.len() < states.len() {
+            if watch.interrupted() {
                 ended = Some(Failure::Interrupted(format!("{place} of {} other modes finished", others.len())));
                 break;
             }
             if states.len() > 1 {
                 let note = also.ended.as_ref().map(|failure| early(model, failure));
-                runs.push(run_of(engine, states, &motions, name, note)?);
+                runs.push(run_of(engine, states, &also.motions, degrees, name, note)?);
             }
         }
     }
     watch.end();
-    let columns = column_infos(model, &moving::column_names(model));
+    let units = Units::of(model).in_degrees(degrees);
+    let columns = column_infos(units, &moving::column_names(model));
     let shown = shown(model, &runs[0].columns);
-    let units = Units::of(model);
     let (time, length) = (units.time().map(str::to_owned), units.derivative(Measure::Length, 0));
     let animation = Animation { model, runs, drivers: drivers(model, &columns), columns, shown, length, time };
     let text = match output.form {
@@ -194,6 +209,7 @@ fn run_of(
     engine: &dyn Engine,
     states: &[State],
     motions: &[Motion],
+    degrees: bool,
     name: String,
     note: Option<String>,
 ) -> Result<Run, Failure> {
@@ -202,7 +218,7 @@ fn run_of(
     let curve = |instant: usize, joint: usize, s: f64| engine.curve(&states.get(instant)?.instant(), joint, s);
     let subject = Subject { model: engine.model(), snapshots: &snapshots, curve: &curve };
     let scene = Scene::new(&subject);
-    let columns = columns(engine.model(), states, motions).into_iter().skip(1).map(|(_, values)| values).collect();
+    let columns = shown_columns(engine.model(), states, motions, degrees).split_off(1);
     Ok(Run { name, note, scene, columns })
 }
 

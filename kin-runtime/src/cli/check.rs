@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::engine::{Engine, Miss};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
+use super::moving::instant;
 use super::options::{FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
@@ -83,11 +84,13 @@ drivers leave degrees of freedom open, it is that of least norm.",
 
 pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (t, output) = (ledger.take(args.instant.time()), ledger.take(session.destination(&args.output, "check")));
+    let (t, output) =
+        (ledger.take(args.instant.time(engine.model())), ledger.take(session.destination(&args.output, "check")));
     let setup = ledger.take(args.setup.apply(engine));
     let configurations = ledger.take(values::configurations(&args.configurations));
     let ((t, output, setup), configurations) = ledger.close(zip3(t, output, setup).zip(configurations))?;
     let engine = &*engine;
+    let t = instant("--at", t, engine, &setup)?;
     // The closed forms are right or wrong whatever the inputs are; a solution needs them.
     let solved = match setup.missing_inputs.as_slice() {
         // What the drivers leave open is no fault: the answer of least norm satisfies the same equations.

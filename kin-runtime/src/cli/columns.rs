@@ -1,22 +1,32 @@
 //! What can be plotted: the columns of a motion, their units, and which of them tell something.
 
+use super::degrees;
 use crate::model::Model;
+use crate::motion::Motion;
 use crate::present::animation::ColumnInfo;
-use crate::present::units::{Measure, Units};
+use crate::present::grid::{names, row};
+use crate::present::units::Units;
+use crate::state::State;
 
 /// Names and units of the columns besides t: each with its rate and its acceleration.
-pub(super) fn column_infos(model: &Model, names: &[String]) -> Vec<ColumnInfo> {
-    let units = Units::of(model);
+pub(super) fn column_infos(units: Units, names: &[String]) -> Vec<ColumnInfo> {
     let info = |(k, name): (usize, &String)| {
         let base = name.trim_end_matches("_ddot").trim_end_matches("_dot");
-        let measure = match base.rsplit('.').next() {
-            Some("x" | "y" | "stroke" | "distance") if base.contains('.') => Measure::Length,
-            Some("phi" | "angle" | "theta") if base.contains('.') => Measure::Angle,
-            _ => Measure::Unknown,
-        };
-        ColumnInfo { unit: units.derivative(measure, k % 3), name: name.clone() }
+        ColumnInfo { unit: units.derivative(units.measure(base), k % 3), name: name.clone() }
     };
     names.iter().enumerate().map(info).collect()
+}
+
+/// The numbers of all columns, t first.
+pub(super) fn shown_columns(model: &Model, states: &[State], motions: &[Motion], degrees: bool) -> Vec<Vec<f64>> {
+    let mut columns: Vec<Vec<f64>> = vec![Vec::with_capacity(states.len()); names(model, true).len()];
+    let mut numbers = Vec::new();
+    for (state, motion) in states.iter().zip(motions) {
+        let (state, motion) = (degrees::state(model, state, degrees), degrees::motion(model, motion, degrees));
+        row(&state, Some(&motion), &mut numbers);
+        columns.iter_mut().zip(&numbers).for_each(|(column, value)| column.push(*value));
+    }
+    columns
 }
 
 /// Two columns that tell something at first: a point's or a coordinate's that is not simply driven, and its rate.

@@ -1,5 +1,7 @@
 //! The face of a mechanism that the commands see: its type is known here and nowhere else in this program.
 
+use std::ops::ControlFlow;
+
 use super::failure::Failure;
 use super::names::listing;
 use crate::cross_check::{CrossCheck, CrossCheckOptions};
@@ -70,13 +72,15 @@ pub(super) trait Engine {
     /// An assembled configuration, singular or not.
     fn assemble(&self, setup: &Setup, t: f64) -> Result<Vec<f64>, SolveError>;
     fn state(&self, setup: &Setup, t: f64) -> Result<State, SolveError>;
-    /// The motion up to the first failure, or up to the first event where it is to stop there; and the failure.
-    fn sweep(
+    /// The motion up to the first failure, or up to the first event where it is to stop there; and the failure. `visit` is
+    /// lent every state in its turn, and none is kept.
+    fn sweep_each(
         &self,
         setup: &Setup,
         times: &[f64],
         stop_at_events: bool,
         observer: Observer<'_>,
+        visit: &mut dyn FnMut(&State) -> ControlFlow<()>,
     ) -> (Trajectory, Option<SolveError>);
     fn motion(&self, state: &State) -> Result<Motion, SolveError>;
     /// Whether there are masses or loads.
@@ -142,17 +146,18 @@ impl<M: Mechanism> Engine for Bound<M> {
         self.solver(setup).state(&Instant { t, inputs: &setup.inputs })
     }
 
-    fn sweep(
+    fn sweep_each(
         &self,
         setup: &Setup,
         times: &[f64],
         stop_at_events: bool,
         observer: Observer<'_>,
+        visit: &mut dyn FnMut(&State) -> ControlFlow<()>,
     ) -> (Trajectory, Option<SolveError>) {
         let first = times.first().copied().unwrap_or(0.0);
         let inputs = |t: f64, out: &mut [Signal]| setup.inputs_after(t - first, out);
         let solver = self.solver(setup).with_inputs(&inputs).stop_at_events(stop_at_events).with_observer(observer);
-        match solver.sweep(times) {
+        match solver.sweep_each(times, visit) {
             Ok(trajectory) => (trajectory, None),
             Err(error) => (*error.trajectory, Some(error.source)),
         }

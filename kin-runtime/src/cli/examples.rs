@@ -2,8 +2,9 @@
 
 use super::engine::Engine;
 use super::paint;
+use super::trial::{Trial, quoted};
 use crate::model::{Component, CoordinateKind, Model};
-use crate::present::number::rounded;
+use crate::present::number::{plain, rounded};
 
 /// Columns on the screen that the help may take.
 const COLUMNS: usize = 100;
@@ -31,56 +32,54 @@ pub(super) struct Names {
     /// `l1=0.09..0.11:5`
     pub(super) vary: Option<String>,
     pub(super) guess: Option<String>,
-    /// Only where the drivers leave something open.
-    pub(super) given: Option<String>,
     pub(super) mode: Option<String>,
-    /// What every analysis needs: inputs.
+    /// What every analysis needs: inputs, and coordinates that the drivers leave open.
     needed: String,
+    /// An instant inside of the motion, and one at its end.
+    pub(super) at: String,
+    pub(super) to: String,
     /// A coordinate that is not simply driven.
     pub(super) coordinate: Option<&'static str>,
     /// A point, or a body whose origin moves.
     pub(super) path: Option<&'static str>,
     pub(super) joints: Vec<&'static str>,
+    /// Whether there is something to draw.
+    pub(super) drawn: bool,
     /// Whether there are unilateral conditions.
     pub(super) conditions: bool,
 }
 
 impl Names {
-    pub(super) fn new(program: String, engine: &dyn Engine) -> Self {
+    /// `trial` is what was found to work; without it values are those that anything may have.
+    pub(super) fn new(program: String, engine: &dyn Engine, trial: Option<Trial>) -> Self {
         let model = engine.model();
         let values = engine.parameters();
         let parameters: Vec<(&str, f64)> =
             model.parameters.iter().map(|p| p.name).zip(values).filter(|(_, value)| value.is_finite()).collect();
         let set = |many: usize| {
             let pairs = parameters.get(..many)?;
-            let pairs: Vec<String> = pairs.iter().map(|(name, value)| format!("{name}={}", rounded(*value))).collect();
+            let pairs: Vec<String> = pairs.iter().map(|(name, value)| format!("{name}={}", plain(*value))).collect();
             Some(quoted(pairs.join(",")))
         };
-        let vary = parameters.first().map(|(name, value)| {
-            let by = if *value == 0.0 { 0.1 } else { 0.1 * value.abs() };
-            quoted(format!("{name}={}..{}:5", rounded(value - by), rounded(value + by)))
-        });
+        let trial = trial.unwrap_or_default();
         let guesses = engine.guesses();
         let guess = guesses.iter().zip(model.coordinates).find_map(|(guess, coordinate)| {
             guess.map(|guess| quoted(format!("{}={}", coordinate.name, rounded(guess))))
         });
-        let open = model.structure.is_some_and(|structure| structure.rank < model.coordinates.len());
-        let coordinate = undriven(model);
-        let given = coordinate.filter(|_| open).map(|name| quoted(format!("{name}=0.3:2")));
-        let mode = model.plan.modes.first().map(|mode| quoted(format!("{}=-", mode.name)));
-        let inputs: Vec<String> = model.inputs.iter().map(|name| format!("{name}=0,1")).collect();
-        let needed = if inputs.is_empty() { String::new() } else { format!(" --input {}", quoted(inputs.join(","))) };
+        let (mode, vary) = (trial.mode.map(quoted), trial.vary.map(quoted));
         Self {
             program,
             set: set(1),
             set_two: set(2),
             vary,
             guess,
-            given,
             mode,
-            needed,
-            coordinate,
+            needed: trial.needed,
+            at: trial.at,
+            to: trial.to,
+            coordinate: undriven(model),
             path: path(model),
+            drawn: !model.bodies.is_empty() || !model.points.is_empty(),
             conditions: !model.conditions.is_empty(),
             joints: model.joints.iter().map(|joint| joint.name).take(2).collect(),
         }
@@ -101,6 +100,9 @@ impl Names {
         let lines: Vec<(String, &str)> = (examples.iter().flatten())
             .map(|(args, comment)| (format!("{} {args}", self.program).trim_end().to_owned(), *comment))
             .collect();
+        if lines.is_empty() {
+            return String::new();
+        }
         let width = |line: &str| line.chars().count();
         let longest = lines.iter().map(|(line, _)| width(line)).filter(|w| *w <= BESIDE).max().unwrap_or(0);
         let mut out = format!("{}\n", paint::heading("Examples:"));
@@ -136,9 +138,4 @@ fn path(model: &Model) -> Option<&'static str> {
     let moving = |name: &&str| model.coordinates.iter().any(|c| c.name.strip_prefix(name) == Some(".x"));
     let body = || model.bodies.iter().rev().map(|body| body.name).find(moving);
     model.points.first().map(|point| point.name).or_else(body)
-}
-
-/// Brackets mean something to a shell.
-pub(super) fn quoted(text: String) -> String {
-    if text.contains('[') { format!("'{text}'") } else { text }
 }

@@ -3,7 +3,7 @@
 use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 use crate::model::{
     BodyInfo, Component, CoordinateInfo, CoordinateKind, DefineInfo, Frame, JointInfo, JointKind, Level, Model,
-    Observable, OperationCount, OriginKind, ParameterInfo, Pattern, PointInfo, RowInfo,
+    Observable, OperationCount, OriginKind, ParameterInfo, Pattern, PointInfo, RowInfo, Units,
 };
 use crate::scalar::Scalar;
 use crate::workspace::{Instant, Signal, Subset};
@@ -57,6 +57,8 @@ const MODEL: Model = Model {
         parameter("omega", "rad/s", 2.0, "Speed of the crank"),
     ],
     inputs: &[],
+    input_defaults: &[],
+    units: Units { length: Some("m"), time: Some("s"), named: &[("s", "m"), ("twice", "m")] },
     functions: &[],
     arguments: &[],
     bodies: &[BodyInfo {

@@ -3,6 +3,7 @@
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
+use super::moving::instant;
 use super::options::{FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
@@ -27,9 +28,9 @@ pub(super) struct ForcesArgs {
 pub(super) const HELP: Help = Help {
     examples: |names: &Names| {
         vec![
-            names.analysis("forces --at 0.5", ""),
-            names.with("forces --at 0.5 --set", &names.set, "with other dimensions"),
-            names.analysis("forces --at 0.5 --format json", "for another program"),
+            names.analysis(&format!("forces --at {}", names.at), ""),
+            names.with("forces --set", &names.set, "with other dimensions"),
+            names.analysis("forces --format json", "for another program"),
         ]
     },
     details: "\
@@ -41,11 +42,12 @@ mechanism exerts on the ground, its moment about the origin. Units follow the pa
 
 pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (t, output) = (ledger.take(args.instant.time()), ledger.take(session.destination(&args.output, "forces")));
+    let (t, output) =
+        (ledger.take(args.instant.time(engine.model())), ledger.take(session.destination(&args.output, "forces")));
     let setup = ledger.take(args.setup.apply_complete(engine));
     let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
-    let (state, mobility) = driven_state(engine, &setup, t, args.freedom.least_norm)?;
-    let _ = mobility;
+    let t = instant("--at", t, &*engine, &setup)?;
+    let (state, _) = driven_state(engine, &setup, t, args.freedom.least_norm)?;
     note_freedom(session, state.degrees_of_freedom_left);
     let forces = engine.forces(&setup, &state).map_err(|error| analysis(engine, &error))?;
     if forces.reactions.iter().any(|reaction| !reaction.determined) {

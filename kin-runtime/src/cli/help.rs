@@ -4,13 +4,19 @@ use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::names::listing;
 use super::output::{either, forms};
+use super::trial::Trial;
 use super::{animate, check, completions, forces, info, paint, report, solve, sweep};
 use crate::model::Model;
 
 /// The whole command line of a mechanism, of the options that all mechanisms have.
-pub(super) fn command(options: clap::Command, engine: &dyn Engine, program: String) -> clap::Command {
+pub(super) fn command(
+    options: clap::Command,
+    engine: &dyn Engine,
+    program: String,
+    trial: Option<Trial>,
+) -> clap::Command {
     let model = engine.model();
-    let names = Names::new(program.clone(), engine);
+    let names = Names::new(program.clone(), engine, trial);
     let with = |command: clap::Command, name: &str, help: &Help| {
         let command = with_defaults(command, name);
         let examples = (help.examples)(&names);
@@ -48,7 +54,7 @@ const COMMANDS: &[(&str, Help)] = &[
 ];
 
 /// Where a motion ends when nobody says.
-const END: &str = " [default: one turn of the driven crank, or 1, later]";
+const END: &str = " [default: one driven turn, or 1, or as far as it goes]";
 
 /// Options with what they mean for this command: its forms, and its instants.
 fn with_defaults(command: clap::Command, name: &str) -> clap::Command {
@@ -65,7 +71,7 @@ fn with_defaults(command: clap::Command, name: &str) -> clap::Command {
     );
     let command = command.mut_arg("format", |arg| arg.help(short).long_help(long));
     let (steps, end) = match name {
-        "sweep" => (sweep::STEPS, ""),
+        "sweep" => (sweep::STEPS, END),
         "animate" => (animate::STEPS, END),
         #[cfg(feature = "plot")]
         "plot" => (super::plot::STEPS, END),

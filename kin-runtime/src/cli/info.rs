@@ -3,6 +3,7 @@
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
+use super::moving::instant;
 use super::options::{InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
@@ -42,10 +43,12 @@ everything else does not. Where none does, the rest is given and the status is 1
 
 pub(super) fn run(args: &InfoArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (t, output) = (ledger.take(args.instant.time()), ledger.take(session.destination(&args.output, "info")));
+    let (t, output) =
+        (ledger.take(args.instant.time(engine.model())), ledger.take(session.destination(&args.output, "info")));
     let setup = ledger.take(args.setup.apply(engine));
     let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
     let engine = &*engine;
+    let t = instant("--at", t, engine, &setup)?;
     if !setup.missing_inputs.is_empty() {
         session.note(&format!("note: inputs without a value are taken as 0: {}", setup.missing_inputs.join(", ")));
     }

@@ -37,6 +37,7 @@ mod animate;
 mod check;
 mod columns;
 mod completions;
+mod degrees;
 mod engine;
 #[cfg(feature = "equations")]
 mod equations;
@@ -50,6 +51,7 @@ mod interrupt;
 mod missing;
 mod moving;
 mod names;
+mod number;
 mod options;
 mod output;
 mod paint;
@@ -61,6 +63,7 @@ mod session;
 mod solve;
 mod solved;
 mod sweep;
+mod trial;
 mod values;
 mod watch;
 
@@ -125,7 +128,10 @@ fn run(
     around: Surroundings,
 ) -> u8 {
     let mut session = Session::new(out, err, around);
-    let mut command = help::command(Arguments::command(), engine, program(engine, &args));
+    let helps = args.iter().any(|arg| matches!(arg.to_str(), Some("-h" | "--help" | "help")));
+    let trial = if helps { trial::Trial::of(engine) } else { None };
+    let mut command = help::command(Arguments::command(), engine, program(engine, &args), trial);
+    let asked = args.iter().skip(1).filter_map(|arg| arg.to_str()).find(|arg| !arg.starts_with('-')).map(str::to_owned);
     let parsed = command.try_get_matches_from_mut(with_negative_values(args));
     let arguments = match parsed.and_then(|matches| Arguments::from_arg_matches(&matches)) {
         Ok(arguments) => arguments,
@@ -133,7 +139,7 @@ fn run(
             return session.help(&error.render());
         }
         Err(error) => {
-            let hint = hint(&error);
+            let hint = hint(&error, &command, asked.as_deref());
             return session.refuse(&error.render(), &hint);
         }
     };
@@ -159,7 +165,7 @@ fn run(
 }
 
 /// What may have been meant by arguments that are none.
-fn hint(error: &clap::Error) -> String {
+fn hint(error: &clap::Error, command: &clap::Command, asked: Option<&str>) -> String {
     let wrong = match error.get(ContextKind::InvalidArg) {
         Some(ContextValue::String(arg)) => arg.as_str(),
         _ => "",
@@ -173,8 +179,27 @@ fn hint(error: &clap::Error) -> String {
             format!("\n\nAn instant is written --at {wrong}\n")
         }
         ErrorKind::UnknownArgument if letters => "\n\nOptions have two dashes: --at 0.5\n".to_owned(),
+        ErrorKind::UnknownArgument if wrong.starts_with("--") => options_there_are(wrong, command, asked),
         _ => "\n".to_owned(),
     }
+}
+
+/// Which commands have an option that this one does not have, and what this one has.
+fn options_there_are(wrong: &str, command: &clap::Command, asked: Option<&str>) -> String {
+    let name = wrong.trim_start_matches('-').split('=').next().unwrap_or_default();
+    let has = |command: &clap::Command| command.get_arguments().any(|arg| arg.get_long() == Some(name));
+    let others: Vec<String> =
+        command.get_subcommands().filter(|c| has(c)).map(|c| format!("`{}`", c.get_name())).collect();
+    let this = asked.and_then(|asked| command.find_subcommand(asked));
+    let own = this.unwrap_or(command).get_arguments().filter(|arg| !arg.is_hide_set()).filter_map(clap::Arg::get_long);
+    let own: Vec<String> = own.filter(|long| *long != "help").map(|long| format!("--{long}")).collect();
+    let own: Vec<&str> = own.iter().map(String::as_str).collect();
+    let who = this.map_or_else(|| "the report".to_owned(), |command| format!("`{}`", command.get_name()));
+    let elsewhere = match others.is_empty() {
+        true => String::new(),
+        false => format!("--{name} is an option of {}\n", output::either(&others).replace(" or ", " and ")),
+    };
+    format!("\n\n{elsewhere}{}\n", names::listing(&format!("{who} has "), &own))
 }
 
 /// The program's name, as the shell that called it has it.

@@ -1,17 +1,19 @@
 //! Motions, for every command that shows one: their instants, and how far they come.
 
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 
 use super::engine::{Engine, Setup};
 use super::failure::{Failure, Ledger};
 use super::options::FreedomArgs;
 use super::session::Session;
 use super::solved::{analysis, driven_state, fully_driven};
-use super::values;
+use super::values::{self, Moment};
 use super::watch::Watch;
 use crate::error::SolveError;
 use crate::model::{Component, CoordinateKind, Model};
 use crate::motion::Motion;
+use crate::observer::Reached;
 use crate::present::condition;
 use crate::present::number::rounded;
 use crate::present::text::count;
@@ -37,112 +39,179 @@ pub(super) struct GridArgs {
 
 impl GridArgs {
     /// What is asked for; `steps` where nobody says.
-    pub(super) fn asked(&self, steps: usize) -> Result<Asked, Failure> {
+    pub(super) fn asked(&self, steps: usize, model: &Model) -> Result<Asked, Failure> {
         let mut ledger = Ledger::default();
-        let number =
-            |option: &str, text: &Option<String>| text.as_deref().map(|t| values::number(option, t)).transpose();
+        let moment =
+            |option: &str, text: &Option<String>| text.as_deref().map(|t| values::moment(option, t, model)).transpose();
         if let Some(times) = &self.times {
             let beside = [("--from", &self.from), ("--to", &self.to), ("--steps", &self.steps)];
             for (name, _) in beside.into_iter().filter(|(_, value)| value.is_some()) {
                 let what = format!("cannot stand beside {name}; use one or the other");
                 ledger.take::<()>(Err(Failure::option("--times", what)));
             }
-            let times = ledger.take(values::times("--times", times));
+            let times = ledger.take(values::times("--times", times, model));
             return ledger.close(times.map(Asked::Times));
         }
-        let from = ledger.take(number("--from", &self.from)).flatten().unwrap_or(0.0);
-        let to = ledger.take(number("--to", &self.to)).flatten();
+        let from = ledger.take(moment("--from", &self.from)).flatten().unwrap_or(Moment::At(0.0));
+        let to = ledger.take(moment("--to", &self.to)).flatten();
         let steps = match &self.steps {
             Some(text) => ledger.take(values::steps(text)),
             None => Some(steps),
         };
-        let asked = match (to, steps) {
-            (Some(to), Some(steps)) => ledger.take(values::grid(from, to, steps)).map(Asked::Times),
-            (_, steps) => steps.map(|steps| Asked::Open { from, steps }),
-        };
-        ledger.close(asked)
+        if let (Moment::At(from), Some(Moment::At(to)), Some(steps)) = (from, to, steps) {
+            ledger.take(values::grid_is_possible(from, to, steps));
+        }
+        ledger.close(steps.map(|steps| Asked::Grid { from, to, steps }))
     }
 }
 
 /// The instants that the options ask for.
 pub(super) enum Asked {
-    Times(Vec<f64>),
-    /// Nobody says where it ends.
-    Open {
-        from: f64,
+    Times(Vec<Moment>),
+    Grid {
+        from: Moment,
+        /// Where nobody says where it ends, it is where the motion suggests.
+        to: Option<Moment>,
         steps: usize,
     },
 }
 
 impl Asked {
-    /// The instants; `end` may know the last one from the first.
-    pub(super) fn times(self, end: impl FnOnce(f64) -> Option<f64>) -> Result<Vec<f64>, Failure> {
+    /// Nobody says where it ends.
+    pub(super) fn is_open(&self) -> bool {
+        matches!(self, Self::Grid { to: None, .. })
+    }
+
+    /// The instants. Without an end it is after one turn of the driven crank, or one unit of time.
+    pub(super) fn times(self, engine: &dyn Engine, setup: &Setup) -> Result<Vec<f64>, Failure> {
+        let at = |option: &str, moment| instant(option, moment, engine, setup);
         match self {
-            Self::Times(times) => Ok(times),
-            Self::Open { from, steps } => match end(from) {
-                Some(to) => values::grid(from, to, steps),
-                None => Err(Failure::usage("no instants: write --from A --to B --steps N, or --times T1,T2,…")),
-            },
+            Self::Times(times) => times.into_iter().map(|moment| at("--times", moment)).collect(),
+            Self::Grid { from, to, steps } => {
+                let from = at("--from", from)?;
+                let to = to.map_or_else(|| Ok(natural_end(engine, setup, from)), |to| at("--to", to))?;
+                values::grid(from, to, steps)
+            }
         }
+    }
+}
+
+/// The time at which the driven crank has turned so far.
+pub(super) fn instant(option: &str, moment: Moment, engine: &dyn Engine, setup: &Setup) -> Result<f64, Failure> {
+    match moment {
+        Moment::At(t) => Ok(t),
+        Moment::Turned(angle) => speed(engine, setup, 0.0).map(|speed| angle / speed).ok_or_else(|| {
+            let what = "an angle says when only where a crank is driven at constant speed; write a time";
+            Failure::option(option, what)
+        }),
     }
 }
 
 /// A motion as far as it came.
 pub(super) struct Moved {
+    /// Its states, where they were kept.
     pub(super) trajectory: Trajectory,
+    /// Points, defines and joint quantities of the states, where they were kept.
+    pub(super) motions: Vec<Motion>,
     /// Why it ended early.
     pub(super) ended: Option<Failure>,
+    /// The limit that a motion without an end came to.
+    pub(super) limit: Option<String>,
     /// Degrees of freedom that the drivers leave at the first instant.
     pub(super) left: usize,
 }
 
-/// The motion over `times`, up to its first failure or to Ctrl-C.
-pub(super) fn moved(
-    engine: &dyn Engine,
-    setup: &Setup,
-    times: &[f64],
-    stop_at_events: bool,
-    freedom: FreedomArgs,
-    watch: &Watch,
-) -> Result<Moved, Failure> {
-    // A long sweep fails at its start, when the drivers leave the motion open there.
-    let first = times.first().copied().unwrap_or(0.0);
-    let (start, _) = driven_state(engine, setup, first, freedom.least_norm)?;
-    let (mut trajectory, ended) = engine.sweep(setup, times, stop_at_events, &|reached| watch.observe(reached));
-    let ended = ended.map(|error| stopped(engine, &error, &trajectory)).or_else(|| {
-        // A sweep may also pass through a position where the drivers lose their grip.
-        let states = &mut trajectory.states;
-        let open = states.iter().position(|s| s.degrees_of_freedom_left > 0).filter(|_| !freedom.least_norm)?;
-        let at = states.get(open).map_or(f64::NAN, |s| s.t);
-        let failure = states.get(open).map(|s| engine.mobility(setup, &s.instant(), &s.q));
-        states.truncate(open);
-        trajectory.events.retain(|event| (event.t - first).abs() < (at - first).abs());
-        trajectory.unwatched.retain(|unwatched| (unwatched.from - first).abs() < (at - first).abs());
-        match failure {
-            Some(Ok(mobility)) => fully_driven(engine, &mobility, at).err(),
-            Some(Err(error)) => Some(analysis(engine, &error)),
-            None => None,
-        }
-    });
-    Ok(Moved { trajectory, ended, left: start.degrees_of_freedom_left })
+/// How a motion is followed.
+#[derive(Clone, Copy)]
+pub(super) struct Walk<'a> {
+    pub(super) engine: &'a dyn Engine,
+    pub(super) setup: &'a Setup,
+    pub(super) times: &'a [f64],
+    pub(super) stop_at_events: bool,
+    /// Nobody says where it ends: it goes as far as the mechanism does.
+    pub(super) open_end: bool,
+    pub(super) freedom: FreedomArgs,
+    /// Points, defines and joint quantities as well.
+    pub(super) reported: bool,
+    pub(super) watch: &'a Watch,
 }
 
-/// Why a motion ended.
-fn stopped(engine: &dyn Engine, error: &SolveError, trajectory: &Trajectory) -> Failure {
-    match error {
-        SolveError::Stopped { total, .. } => interrupted(&trajectory.states, *total),
-        other => analysis(engine, other),
+impl Walk<'_> {
+    /// The motion up to its first failure, to Ctrl-C or to where `visit` ends it, which is lent every state in its turn.
+    /// What comes back has no states.
+    pub(super) fn each(
+        &self,
+        visit: &mut dyn FnMut(&State, Option<&Motion>) -> ControlFlow<()>,
+    ) -> Result<Moved, Failure> {
+        let &Self { engine, setup, times, watch, .. } = self;
+        // A long sweep fails at its start, when the drivers leave the motion open there.
+        let first = times.first().copied().unwrap_or(0.0);
+        let (start, _) = driven_state(engine, setup, first, self.freedom.least_norm)?;
+        let (mut finished, mut last, mut why) = (0, None, None);
+        let mut step = |state: &State| {
+            // A sweep may also pass through a position where the drivers lose their grip.
+            if state.degrees_of_freedom_left > 0 && !self.freedom.least_norm {
+                why = Some((state.t, self.open(state)));
+                return ControlFlow::Break(());
+            }
+            let motion = self.reported.then(|| engine.motion(state)).transpose();
+            let motion = motion.map_err(|error| why = Some((state.t, Some(analysis(engine, &error)))));
+            let Ok(motion) = motion else { return ControlFlow::Break(()) };
+            visit(state, motion.as_ref())?;
+            (finished, last) = (finished + 1, Some(state.t));
+            watch.step(finished)
+        };
+        let observe = |reached: Reached<'_>| watch.observe(reached);
+        let (mut trajectory, error) = engine.sweep_each(setup, times, self.stop_at_events, &observe, &mut step);
+        let at_limit = matches!(error, Some(SolveError::StepRefused { .. } | SolveError::Singular { .. }));
+        let ended = match (why, error) {
+            (Some((at, failure)), _) => {
+                trajectory.events.retain(|event| (event.t - first).abs() < (at - first).abs());
+                trajectory.unwatched.retain(|unwatched| (unwatched.from - first).abs() < (at - first).abs());
+                failure
+            }
+            (None, Some(SolveError::Stopped { total, .. })) => {
+                let until = last.map_or(String::new(), |t| format!(", up to t = {}", rounded(t)));
+                let how_far = format!("{finished} of {} finished{until}", count(total, "instant"));
+                watch.interrupted().then_some(Failure::Interrupted(how_far))
+            }
+            (None, error) => error.map(|error| analysis(engine, &error)),
+        };
+        let (ended, limit) = match (ended, last) {
+            (Some(Failure::Analysis(why)), Some(t)) if self.open_end && finished > 1 && at_limit => {
+                let why = why.lines().next().unwrap_or_default().to_owned();
+                (None, Some(format!("note: it goes as far as t = {}: {why}", rounded(t))))
+            }
+            (ended, _) => (ended, None),
+        };
+        Ok(Moved { trajectory, motions: Vec::new(), ended, limit, left: start.degrees_of_freedom_left })
+    }
+
+    /// The motion with its states, and with what is reported of them where that is wanted.
+    pub(super) fn kept(&self) -> Result<Moved, Failure> {
+        let (mut states, mut motions) = (Vec::new(), Vec::new());
+        let mut moved = self.each(&mut |state, motion| {
+            states.push(state.clone());
+            motions.extend(motion.cloned());
+            ControlFlow::Continue(())
+        })?;
+        moved.trajectory.states = states;
+        Ok(Moved { motions, ..moved })
+    }
+
+    /// Why a state is none that the drivers determine.
+    fn open(&self, state: &State) -> Option<Failure> {
+        match self.engine.mobility(self.setup, &state.instant(), &state.q) {
+            Ok(mobility) => fully_driven(self.engine, &mobility, state.t).err(),
+            Err(error) => Some(analysis(self.engine, &error)),
+        }
     }
 }
 
-/// How far a motion came before Ctrl-C.
-pub(super) fn interrupted(finished: &[State], total: usize) -> Failure {
-    let until = finished.last().map_or(String::new(), |state| format!(", up to t = {}", rounded(state.t)));
-    Failure::Interrupted(format!("{} of {} finished{until}", finished.len(), count(total, "instant")))
-}
-
 /// What there is to say of a motion beside its numbers.
-pub(super) fn note_motion(session: &mut Session<'_>, trajectory: &Trajectory) {
+pub(super) fn note_motion(session: &mut Session<'_>, moved: &Moved) {
+    let trajectory = &moved.trajectory;
+    moved.limit.iter().for_each(|note| session.note(note));
     note_events(session, trajectory);
     note_unwatched(session, trajectory);
     note_fallbacks(session, trajectory);
@@ -190,32 +259,19 @@ fn note_fallbacks(session: &mut Session<'_>, trajectory: &Trajectory) {
     }
 }
 
-/// Points, defines and joint quantities of the states. A Ctrl-C while they are computed leaves the rest out; one before
-/// has decided already how many states there are.
-pub(super) fn motions(engine: &dyn Engine, states: &[State], watch: &Watch) -> Result<Vec<Motion>, Failure> {
-    let decided = watch.interrupted();
-    let mut motions = Vec::with_capacity(states.len());
-    for state in states {
-        motions.push(engine.motion(state).map_err(|e| analysis(engine, &e))?);
-        if watch.interrupted() && !decided {
-            break;
-        }
-    }
-    Ok(motions)
-}
-
 /// The names of the columns besides t, points and joint quantities included.
 pub(super) fn column_names(model: &Model) -> Vec<String> {
-    crate::present::grid::columns(model, &[], &[]).into_iter().skip(1).map(|(name, _)| name).collect()
+    crate::present::grid::names(model, true).split_off(1)
 }
 
 /// Where a motion from an instant on may end when nobody says: after one turn of the slowest of the cranks that are driven
 /// at constant speed, or after one unit of time.
 pub(super) fn natural_end(engine: &dyn Engine, setup: &Setup, from: f64) -> f64 {
-    from + period(engine, setup, from).unwrap_or(1.0)
+    from + speed(engine, setup, from).map_or(1.0, |speed| TAU / speed)
 }
 
-fn period(engine: &dyn Engine, setup: &Setup, from: f64) -> Option<f64> {
+/// The speed of the slowest of the cranks that are driven at constant speed.
+fn speed(engine: &dyn Engine, setup: &Setup, from: f64) -> Option<f64> {
     let model = engine.model();
     let (state, _) = driven_state(engine, setup, from, true).ok()?;
     let angle = |column: usize| {
@@ -235,5 +291,5 @@ fn period(engine: &dyn Engine, setup: &Setup, from: f64) -> Option<f64> {
         (speed > 0.0 && acceleration <= 1e-9 * speed * speed).then_some(speed)
     });
     let slowest = speeds.fold(f64::INFINITY, f64::min);
-    slowest.is_finite().then_some(TAU / slowest)
+    slowest.is_finite().then_some(slowest)
 }

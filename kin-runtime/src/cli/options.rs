@@ -3,12 +3,15 @@
 use super::engine::{Engine, Setup};
 use super::failure::{Failure, Ledger};
 use super::names::{Kind, find_in};
-use super::values;
+use super::number::Measured;
+use super::values::{self, Moment};
+use crate::model::Model;
+use crate::workspace::Signal;
 
 /// Which mechanism, and where it starts.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(super) struct SetupArgs {
-    /// Set parameters: NAME=0.12,OTHER=0.4 or ARRAY[3]=0.1
+    /// Set parameters: NAME=0.12,OTHER=200mm or ARRAY[3]=pi/2
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
     /// Where assembly starts; coordinates without a guess are found
@@ -58,7 +61,7 @@ impl SetupArgs {
             ledger.take(values::assignments("--set", &example(&parameters, "0.12"), &self.set)).unwrap_or_default()
         {
             let found = place("--set", Kind::Parameter, &name, &parameters);
-            let value = values::number(&format!("--set {name}"), &value);
+            let value = values::number(&format!("--set {name}"), &value, Measured::parameter(model, &name));
             if let (Some(place), Some(value)) = (ledger.take(found), ledger.take(value))
                 && !engine.set_parameter(place, value)
             {
@@ -69,7 +72,7 @@ impl SetupArgs {
         let guesses = values::assignments("--guess", &example(&coordinates, "0.9"), &self.guess);
         for (name, value) in ledger.take(guesses).unwrap_or_default() {
             let found = place("--guess", Kind::Coordinate, &name, &coordinates);
-            let value = values::number(&format!("--guess {name}"), &value);
+            let value = values::number(&format!("--guess {name}"), &value, Measured::quantity(model, &name));
             setup.guesses.extend(ledger.take(found).zip(ledger.take(value)));
         }
         for (name, value) in
@@ -77,7 +80,7 @@ impl SetupArgs {
         {
             let found = place("--given", Kind::Coordinate, &name, &coordinates);
             let parts: Vec<&str> = value.split(':').collect();
-            let signal = values::signal(&format!("--given {name}"), &name, &parts);
+            let signal = values::signal(&format!("--given {name}"), &name, &parts, Measured::quantity(model, &name));
             setup.given.extend(ledger.take(found).zip(ledger.take(signal)));
         }
         let modes: Vec<&str> = model.plan.modes.iter().map(|mode| mode.name).collect();
@@ -93,8 +96,11 @@ impl SetupArgs {
             let sign = values::sign(&format!("--mode {name}"), &sign);
             setup.modes.extend(ledger.take(found).zip(ledger.take(sign)));
         }
-        let mut inputs = vec![None; model.inputs.len()];
-        for (name, signal) in ledger.take(values::inputs("--input", &self.input)).unwrap_or_default() {
+        let default = |value: &f64| Signal { value: *value, rate: 0.0, acceleration: 0.0 };
+        let defaults = model.input_defaults.iter().map(|value| value.as_ref().map(default));
+        let mut inputs: Vec<Option<Signal>> =
+            defaults.chain(std::iter::repeat(None)).take(model.inputs.len()).collect();
+        for (name, signal) in ledger.take(values::inputs("--input", &self.input, model)).unwrap_or_default() {
             let found = ledger.take(place("--input", Kind::Input, &name, model.inputs));
             if let Some(slot) = found.and_then(|place| inputs.get_mut(place)) {
                 *slot = Some(signal);
@@ -127,16 +133,24 @@ pub(super) struct FreedomArgs {
     pub(super) least_norm: bool,
 }
 
+/// In what angles are shown.
+#[derive(Clone, Copy, Debug, Default, clap::Args)]
+pub(super) struct AngleArgs {
+    /// Angles of the result in degrees; values of options stay in rad
+    #[arg(long)]
+    pub(super) degrees: bool,
+}
+
 /// An instant.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct InstantArgs {
-    /// The time t
+    /// The time t, or an angle of the driven crank: 20ms, 60deg
     #[arg(long, value_name = "T", default_value = "0")]
     at: String,
 }
 
 impl InstantArgs {
-    pub(super) fn time(&self) -> Result<f64, Failure> {
-        values::number("--at", &self.at)
+    pub(super) fn time(&self, model: &Model) -> Result<Moment, Failure> {
+        values::moment("--at", &self.at, model)
     }
 }

@@ -1,19 +1,19 @@
 //! `plot`: diagrams of a motion as a file.
 
-use super::columns::{bend, column_infos, shown};
+use super::columns::{bend, column_infos, shown, shown_columns};
 use super::engine::{Engine, Setup};
-use super::examples::{Help, Names, quoted};
+use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::moving::{self, GridArgs, Moved, moved, natural_end, note_motion};
+use super::moving::{self, GridArgs, Moved, Walk, note_motion};
 use super::names::{Kind, find, find_in};
-use super::options::{FreedomArgs, SetupArgs};
+use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::note_freedom;
+use super::trial::quoted;
 use super::values::{self, MOST_VALUES};
 use crate::model::Model;
 use crate::present::animation::ColumnInfo;
-use crate::present::grid::columns;
 use crate::present::number::rounded;
 use crate::present::plot::{Curve, Diagram, Panel};
 use crate::present::text::count;
@@ -37,6 +37,8 @@ pub(super) struct PlotArgs {
     setup: SetupArgs,
     #[command(flatten)]
     freedom: FreedomArgs,
+    #[command(flatten)]
+    angles: AngleArgs,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -68,7 +70,7 @@ pub(super) const HELP: Help = Help {
             .map(|(path, vary)| format!("plot {path} --vary {vary} --out paths.svg"));
         vec![
             names.analysis("plot --out motion.svg", "diagrams of what moves"),
-            names.analysis(&format!("plot {value} {rate} --to 2 --out motion.png"), ""),
+            names.analysis(&format!("plot {value} {rate} --to {} --out motion.png", names.to), ""),
             path.and_then(|line| names.analysis(&line, "the path of a point")),
             names.analysis(&format!("plot {phase} --out phase.svg"), "the second against the first"),
             paths.and_then(|line| names.analysis(&line, "a curve for each of five values")),
@@ -87,7 +89,8 @@ or 130.",
 pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let model = engine.model();
     let mut ledger = Ledger::default();
-    let (asked, output) = (ledger.take(args.grid.asked(STEPS)), ledger.take(session.destination(&args.output, "plot")));
+    let (asked, output) =
+        (ledger.take(args.grid.asked(STEPS, model)), ledger.take(session.destination(&args.output, "plot")));
     let setup = ledger.take(args.setup.apply_complete(engine));
     let choices = ledger.take(choices(model, &args.vary));
     // A name that does not exist is told before anything long begins.
@@ -95,7 +98,8 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     let wanted = ledger.take(wanted(model, &args.what, &names));
     let ((asked, output, setup), (choices, wanted)) =
         ledger.close(zip3(asked, output, setup).zip(choices.zip(wanted)))?;
-    let times = asked.times(|from| Some(natural_end(&*engine, &setup, from)))?;
+    let open_end = asked.is_open();
+    let times = asked.times(&*engine, &setup)?;
     let watch = session.watch();
     watch.begin("instants", choices.len() * times.len());
     let (mut runs, mut failure) = (Vec::new(), None);
@@ -105,7 +109,7 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
             engine.set_parameter(place, value);
         }
         let name = choice_name(model, choice);
-        match one(&*engine, &setup, &times, args.freedom, session) {
+        match one(&*engine, &setup, (&times, open_end), args.freedom, args.angles.degrees, session) {
             Ok((columns, ended)) => {
                 // Without an instant there is no curve, and nothing to write over what stands in the file.
                 if columns.first().is_some_and(|times| !times.is_empty()) {
@@ -128,10 +132,11 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     }
     watch.end();
     let Some(first) = runs.first() else { return failure.map_or(Ok(()), Err) };
-    let infos = column_infos(model, &names);
+    let units = Units::of(model).in_degrees(args.angles.degrees);
+    let infos = column_infos(units, &names);
     let beside = wanted.is_empty();
     let wanted = if beside { telling(model, &names, &infos, &first.columns) } else { wanted };
-    let diagram = Diagram { title: model.name.to_owned(), panels: panels(model, &wanted, &infos, &runs), beside };
+    let diagram = Diagram { title: model.name.to_owned(), panels: panels(units, &wanted, &infos, &runs), beside };
     let bytes = match output.form {
         Form::Png => diagram.png().map_err(Failure::Output)?,
         _ => diagram.svg().into_bytes(),
@@ -146,7 +151,7 @@ fn choices(model: &Model, vary: &[String]) -> Result<Vec<Vec<(usize, f64)>>, Fai
     let mut ledger = Ledger::default();
     let mut choices = vec![Vec::new()];
     for text in vary {
-        let Some((name, values)) = ledger.take(values::variation("--vary", text)) else { continue };
+        let Some((name, values)) = ledger.take(values::variation("--vary", text, model)) else { continue };
         let Some(place) = ledger.take(find_in(model, "--vary", Kind::Parameter, &name, &parameters)) else { continue };
         let with = |choice: &Vec<(usize, f64)>| -> Vec<Vec<(usize, f64)>> {
             values.iter().map(|&value| choice.iter().copied().chain([(place, value)]).collect()).collect()
@@ -176,22 +181,23 @@ type Numbers = (Vec<Vec<f64>>, Option<Failure>);
 fn one(
     engine: &dyn Engine,
     setup: &Setup,
-    times: &[f64],
+    (times, open_end): (&[f64], bool),
     freedom: FreedomArgs,
+    degrees: bool,
     session: &mut Session<'_>,
 ) -> Result<Numbers, Failure> {
     let watch = session.watch();
-    let Moved { mut trajectory, ended, left } = moved(engine, setup, times, false, freedom, &watch)?;
-    note_motion(session, &trajectory);
+    let (stop_at_events, reported) = (false, true);
+    let walk = Walk { engine, setup, times, stop_at_events, open_end, freedom, reported, watch: &watch };
+    let moved = walk.kept()?;
+    note_motion(session, &moved);
+    let Moved { trajectory, motions, ended, left, .. } = moved;
     note_freedom(session, left);
-    let motions = moving::motions(engine, &trajectory.states, &watch)?;
-    trajectory.states.truncate(motions.len());
     if ended.as_ref().is_some_and(|failure| !matches!(failure, Failure::Interrupted(_))) {
         let (states, instants) = (trajectory.states.len(), count(times.len(), "instant"));
         session.note(&format!("the motion ended early: {states} of {instants} drawn"));
     }
-    let numbers = columns(engine.model(), &trajectory.states, &motions).into_iter().map(|(_, values)| values);
-    Ok((numbers.collect(), ended))
+    Ok((shown_columns(engine.model(), &trajectory.states, &motions, degrees), ended))
 }
 
 /// Where nothing is asked for: the path of the first point that moves, beside the coordinate that moves most; without such
@@ -254,8 +260,8 @@ fn wanted(model: &Model, what: &[String], names: &[String]) -> Result<Vec<Wanted
 }
 
 /// What has the same axes shares a panel.
-fn panels(model: &Model, wanted: &[Wanted], infos: &[ColumnInfo], runs: &[Curves]) -> Vec<Panel> {
-    let time = Units::of(model).time();
+fn panels(units: Units, wanted: &[Wanted], infos: &[ColumnInfo], runs: &[Curves]) -> Vec<Panel> {
+    let time = units.time();
     let name = |k: usize| if k == 0 { "t" } else { infos[k - 1].name.as_str() };
     let unit = |k: usize| if k == 0 { time } else { infos[k - 1].unit.as_deref() };
     let mut panels: Vec<(Vec<Wanted>, Panel)> = Vec::new();

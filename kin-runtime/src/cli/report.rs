@@ -7,7 +7,8 @@ use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
 use super::info;
-use super::options::{FreedomArgs, InstantArgs, SetupArgs};
+use super::moving::instant;
+use super::options::{AngleArgs, FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solve::{body, record};
@@ -31,19 +32,22 @@ pub(super) struct ReportArgs {
     #[command(flatten)]
     freedom: FreedomArgs,
     #[command(flatten)]
+    angles: AngleArgs,
+    #[command(flatten)]
     output: OutputArgs,
 }
 
 pub(super) const HELP: Help = Help {
     examples: |names: &Names| {
         let plot = if cfg!(feature = "plot") { names.analysis("plot --out motion.svg", "diagrams") } else { None };
+        let animate = names.analysis("animate --out motion.html", "see it move, in a browser");
         let written = cfg!(feature = "equations").then(|| ("equations".to_owned(), "how they are derived"));
         vec![
             names.analysis("", "everything at t = 0"),
-            names.analysis("solve --at 0.5", "position, velocity and acceleration at one instant"),
-            names.analysis("animate --out motion.html", "see it move, in a browser"),
+            names.analysis(&format!("solve --at {}", names.at), "position, velocity and acceleration at one instant"),
+            if names.drawn { animate } else { None },
             names.analysis("info", "counts, rows, degrees of freedom, the solution plan"),
-            names.analysis("sweep --to 1 --steps 100 --out motion.csv", "over many instants"),
+            names.analysis("sweep --steps 100 --out motion.csv", "over many instants"),
             plot,
             written,
             names.with("solve --set", &names.set, "with another dimension"),
@@ -52,8 +56,13 @@ pub(super) const HELP: Help = Help {
     },
     details: "\
 Without a command: a full report at t = 0, or at --at T. Every command has --help with examples of
-its own. --set, --guess, --given, --input and --mode may be repeated; negative numbers are fine as
-values: --at -0.5.
+its own. --set, --guess, --given, --input and --mode may be repeated.
+
+Numbers are written as people do: -0.5, pi/2, 2*(1 + 0.1), and with units where a unit is known:
+--set r=200mm, --guess crank.phi=60deg, --input u=0.3m,5cm/s. They are converted to the unit of
+what they are for, and a number alone is in that unit. An instant may be the angle at which a
+crank that is driven at constant speed is then, counted from t = 0: --to 1turn. --degrees has the
+angles of the result in degrees, also in csv and in json, which says so under `units`.
 
 Results go to stdout or --out, everything else to stderr. The status is 0 when the answer is good,
 1 when there is none, 2 when the options make no sense, 130 after Ctrl-C. On a terminal there are
@@ -70,9 +79,11 @@ struct ReportRecord<'a> {
 
 pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (t, output) = (ledger.take(args.instant.time()), ledger.take(session.destination(&args.output, "")));
+    let (t, output) =
+        (ledger.take(args.instant.time(engine.model())), ledger.take(session.destination(&args.output, "")));
     let setup = ledger.take(args.setup.apply(engine));
     let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
+    let t = instant("--at", t, &*engine, &setup)?;
     let engine = &*engine;
     let solved = match setup.complete().and_then(|()| solve(engine, &setup, t, args.freedom.least_norm)) {
         Ok(solved) => solved,
@@ -86,8 +97,10 @@ pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Sess
     };
     note_freedom(session, solved.state.degrees_of_freedom_left);
     note_start(session, &solved.mobility);
-    let known = Known { t, q: &solved.state.q, mobility: &solved.mobility, modes: &solved.modes };
     let findings = find(engine, t, Some(&solved.state), CONFIGURATIONS, &session.watch())?;
+    let q = solved.state.q.clone();
+    let solved = solved.shown(engine.model(), args.angles.degrees);
+    let known = Known { t, q: &q, mobility: &solved.mobility, modes: &solved.modes };
     let model = engine.model();
     let text = match output.form {
         Form::Json => to_json(&ReportRecord {
@@ -97,9 +110,10 @@ pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Sess
         })
         .map_err(Failure::Output)?,
         _ => format!(
-            "{}\nAt t = {}\n{}{}{}\nChecks\n{}",
+            "{}\nAt t = {}{}\n{}{}{}\nChecks\n{}",
             info::text(engine, Some(known)),
             plain(t),
+            if solved.degrees { ", angles in degrees" } else { "" },
             body(model, &solved),
             text::ratios(model, &solved.ratios),
             text::quality(&solved.state, &solved.mobility),

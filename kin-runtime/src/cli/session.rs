@@ -11,7 +11,7 @@ use super::interrupt::Interrupt;
 use super::output::{Destination, OutputArgs, Target};
 use super::paint;
 use super::watch::Watch;
-use crate::present::output::write_atomically;
+use crate::present::output::{write_atomically, write_atomically_by};
 
 /// What there is around a run: who reads its streams.
 #[derive(Clone, Debug)]
@@ -92,12 +92,37 @@ impl<'a> Session<'a> {
         Ok(())
     }
 
+    /// Whether a result appears on a screen, where a bar would be between its lines.
+    pub(super) fn is_seen(&self, to: &Destination<'_>) -> bool {
+        self.screen && to.target == Target::Out
+    }
+
+    /// Writes a result bit by bit. An error of `write` leaves a file as it was before.
+    pub(super) fn stream(
+        &mut self,
+        to: &Destination<'_>,
+        write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<(), Failure> {
+        let written = match to.target {
+            Target::Out => buffered(&mut *self.out, write),
+            Target::Err => buffered(&mut *self.err, write),
+            Target::File(path) => write_atomically_by(path, |file| buffered(file, write)),
+        };
+        self.said(to.target, written)?;
+        to.contradiction().iter().for_each(|note| self.note(note));
+        Ok(())
+    }
+
     fn write(&mut self, target: Target<'_>, bytes: &[u8]) -> Result<(), Failure> {
         let written = match target {
             Target::Out => self.out.write_all(bytes).and_then(|()| self.out.flush()),
             Target::Err => self.err.write_all(bytes).and_then(|()| self.err.flush()),
             Target::File(path) => self.watch.hold(|| write_atomically(path, bytes)),
         };
+        self.said(target, written)
+    }
+
+    fn said(&mut self, target: Target<'_>, written: io::Result<()>) -> Result<(), Failure> {
         match written {
             // Whoever reads has seen enough (`… | head`): there is nobody to tell, but not all was written.
             Err(e) if e.kind() == io::ErrorKind::BrokenPipe => {
@@ -148,6 +173,18 @@ impl<'a> Session<'a> {
                 }
                 failure.status()
             }
+        }
+    }
+}
+
+/// Writes by way of a buffer, whose rest is thrown away where `write` fails.
+fn buffered<W: Write>(out: W, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let mut buffer = io::BufWriter::with_capacity(1 << 16, out);
+    match write(&mut buffer) {
+        Ok(()) => buffer.flush(),
+        Err(error) => {
+            let _ = buffer.into_parts();
+            Err(error)
         }
     }
 }

@@ -3,17 +3,19 @@
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::options::{FreedomArgs, InstantArgs, SetupArgs};
+use super::moving::instant;
+use super::options::{AngleArgs, FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::{Solved, note_freedom, note_start, solve};
 use crate::model::Model;
 use crate::present::condition;
+use crate::present::grid::CsvRows;
 use crate::present::json::to_json;
 use crate::present::number::plain;
 use crate::present::plan::{self, ModeRecord};
 use crate::present::record::{Parameters, StateRecord};
-use crate::present::{grid, text};
+use crate::present::text;
 
 /// Position, velocity and acceleration at one instant
 #[derive(Clone, Debug, clap::Args)]
@@ -25,18 +27,19 @@ pub(super) struct SolveArgs {
     #[command(flatten)]
     freedom: FreedomArgs,
     #[command(flatten)]
+    angles: AngleArgs,
+    #[command(flatten)]
     output: OutputArgs,
 }
 
 pub(super) const HELP: Help = Help {
     examples: |names: &Names| {
         vec![
-            names.analysis("solve --at 0.5", ""),
-            names.with("solve --at 0.5 --set", &names.set_two.clone().or(names.set.clone()), "with other dimensions"),
-            names.with("solve --given", &names.given, "a coordinate that the drivers leave open"),
+            names.analysis(&format!("solve --at {}", names.at), ""),
+            names.with("solve --set", &names.set_two.clone().or(names.set.clone()), "with other dimensions"),
             names.with("solve --guess", &names.guess, "another start of the assembly"),
             names.with("solve --mode", &names.mode, "in an assembly mode, whatever the guess"),
-            names.analysis("solve --at -0.5 --format json", "for another program"),
+            names.analysis(&format!("solve --at {} --format json", names.at), "for another program"),
             names.analysis("solve --out state.csv", "one row with a header"),
         ]
     },
@@ -45,20 +48,29 @@ pub(super) const HELP: Help = Help {
 
 pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (t, output) = (ledger.take(args.instant.time()), ledger.take(session.destination(&args.output, "solve")));
+    let (t, output) =
+        (ledger.take(args.instant.time(engine.model())), ledger.take(session.destination(&args.output, "solve")));
     let setup = ledger.take(args.setup.apply_complete(engine));
     let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
-    let solved = solve(engine, &setup, t, args.freedom.least_norm)?;
+    let t = instant("--at", t, &*engine, &setup)?;
+    let solved = solve(engine, &setup, t, args.freedom.least_norm)?.shown(engine.model(), args.angles.degrees);
     note_freedom(session, solved.state.degrees_of_freedom_left);
     note_start(session, &solved.mobility);
     let model = engine.model();
     let text = match output.form {
         Form::Json => json(engine, &solved)?,
-        Form::Csv => grid::csv(model, std::slice::from_ref(&solved.state), &[], &|_| ()).map_err(Failure::Output)?,
+        Form::Csv => {
+            let mut bytes = Vec::new();
+            let row = |rows: &mut CsvRows<&mut Vec<u8>>| rows.row(&solved.state, None).and_then(|()| rows.flush());
+            let written = CsvRows::new(model, false, &mut bytes).and_then(|mut rows| row(&mut rows));
+            written.map_err(|error| Failure::Output(format!("cannot write csv: {error}")))?;
+            String::from_utf8_lossy(&bytes).into_owned()
+        }
         _ => format!(
-            "{} at t = {}\n{}{}",
+            "{} at t = {}{}\n{}{}",
             model.name,
             plain(t),
+            if solved.degrees { ", angles in degrees" } else { "" },
             body(model, &solved),
             text::quality(&solved.state, &solved.mobility)
         ),
@@ -76,7 +88,7 @@ pub(super) fn body(model: &'static Model, solved: &Solved) -> String {
         text::defines(model, &solved.motion),
         text::joints(model, &solved.motion),
         condition::values(model, &solved.motion),
-        text::transmission(&solved.angles),
+        text::transmission(&solved.angles, solved.degrees),
         plan::modes(&ModeRecord::of(&solved.modes)),
     ]
     .concat()
@@ -95,6 +107,7 @@ pub(super) fn record<'a>(engine: &dyn Engine, solved: &'a Solved) -> StateRecord
         &solved.angles,
     )
     .with_modes(&solved.modes)
+    .in_degrees(model, solved.degrees)
 }
 
 fn json(engine: &dyn Engine, solved: &Solved) -> Result<String, Failure> {

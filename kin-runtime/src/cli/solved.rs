@@ -1,14 +1,16 @@
 //! One instant, solved, with everything that is reported about it.
 
+use super::degrees;
 use super::engine::{Engine, Setup};
 use super::failure::Failure;
 use super::names::listing;
 use super::session::Session;
 use crate::error::{Degeneracy, SolveError};
 use crate::mobility::Mobility;
-use crate::model::Level;
+use crate::model::{Level, Model};
 use crate::modes::Mode;
 use crate::motion::Motion;
+use crate::present::number::rounded;
 use crate::present::text;
 use crate::ratios::VelocityRatios;
 use crate::state::State;
@@ -24,6 +26,21 @@ pub(super) struct Solved {
     pub(super) ratios: VelocityRatios,
     pub(super) angles: Vec<TransmissionAngle>,
     pub(super) modes: Vec<Mode>,
+    /// Whether angles are in degrees.
+    pub(super) degrees: bool,
+}
+
+impl Solved {
+    /// As it is shown. Ratios of velocities stay by radian.
+    pub(super) fn shown(mut self, model: &Model, degrees: bool) -> Self {
+        if !degrees {
+            return self;
+        }
+        self.angles.iter_mut().for_each(|angle| angle.angle = angle.angle.to_degrees());
+        let state = degrees::state(model, &self.state, true).into_owned();
+        let motion = degrees::motion(model, &self.motion, true).into_owned();
+        Self { state, motion, degrees, ..self }
+    }
 }
 
 /// Solves at `t` and refuses motions that the drivers leave open.
@@ -36,7 +53,7 @@ pub(super) fn solve(engine: &dyn Engine, setup: &Setup, t: f64, least_norm: bool
         engine.velocity_ratios(setup, &state).unwrap_or(VelocityRatios { drivers: Vec::new(), inputs: Vec::new() });
     let angles = engine.transmission_angles(&state).unwrap_or_default();
     let modes = engine.modes(&state.instant(), &state.q);
-    Ok(Solved { state, motion, mobility, ratios, angles, modes })
+    Ok(Solved { state, motion, mobility, ratios, angles, modes, degrees: false })
 }
 
 /// A solved instant without what is reported about it.
@@ -87,9 +104,10 @@ pub(super) fn fully_driven(engine: &dyn Engine, mobility: &Mobility, t: f64) -> 
     let names = text::coordinate_names(engine.model(), &mobility.could_be_given);
     let example = names.first().copied().unwrap_or("coordinate");
     Err(Failure::Analysis(format!(
-        "under-driven at t = {t}: {} left open by the drivers\n{}\n  \
+        "under-driven at t = {}: {} left open by the drivers\n{}\n  \
          give {left} of them: --given {example}=value (or {example}=value:rate:acceleration),\n  \
          or take the smallest change, q̇ and q̈: --least-norm",
+        rounded(t),
         if left == 1 { "1 degree of freedom is".to_owned() } else { format!("{left} degrees of freedom are") },
         listing("  could be given: ", &names),
     )))

@@ -1,19 +1,26 @@
 //! `sweep`: the motion over many instants.
 
+use std::cell::{Cell, RefCell};
+use std::io::{self, Write};
+use std::ops::ControlFlow;
+
+use super::degrees;
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::moving::{self, GridArgs, Moved, interrupted, moved, note_motion};
-use super::options::{FreedomArgs, SetupArgs};
-use super::output::{Form, OutputArgs};
+use super::moving::{GridArgs, Moved, Walk, note_motion};
+use super::options::{AngleArgs, FreedomArgs, SetupArgs};
+use super::output::{Destination, Form, OutputArgs};
 use super::session::Session;
 use super::solved::note_freedom;
+use crate::model::Model;
 use crate::motion::Motion;
-use crate::present::grid;
-use crate::present::json::to_json;
+use crate::present::grid::{self, CsvRows};
 use crate::present::number::rounded;
-use crate::present::record::{Parameters, SweepRecord};
+use crate::present::record::{Parameters, SweepRecord, Visit};
 use crate::present::text::count;
+use crate::present::units::Units;
+use crate::state::State;
 use crate::trajectory::Trajectory;
 
 /// Steps when --steps is not there.
@@ -35,20 +42,22 @@ pub(super) struct SweepArgs {
     #[command(flatten)]
     freedom: FreedomArgs,
     #[command(flatten)]
+    angles: AngleArgs,
+    #[command(flatten)]
     output: OutputArgs,
 }
 
 pub(super) const HELP: Help = Help {
     examples: |names: &Names| {
-        let stop = names.analysis("sweep --to 1 --stop-at-events", "up to the first limit that is met");
+        let (at, to) = (&names.at, &names.to);
+        let stop = names.analysis("sweep --stop-at-events", "up to the first limit that is met");
         vec![
-            names.analysis("sweep --to 1", "101 instants from t = 0 to t = 1"),
-            names.analysis("sweep --to 1 --steps 500 --out motion.csv", ""),
-            names.analysis("sweep --from 1 --to -1 --points --out motion.json", "backwards, points as well"),
-            names.analysis("sweep --times -1,0,0.5,10", "instants one by one"),
-            names.with("sweep --to 1 --set", &names.set, "with another dimension"),
-            names.with("sweep --to 1 --given", &names.given, "a coordinate that the drivers leave open"),
-            names.with("sweep --to 1 --mode", &names.mode, "in another assembly mode"),
+            names.analysis("sweep", "one turn of the driven crank, or as far as it goes"),
+            names.analysis("sweep --steps 500 --out motion.csv", ""),
+            names.analysis(&format!("sweep --to {to} --points --out motion.json"), "points as well"),
+            names.analysis(&format!("sweep --times 0,{at},{to} --degrees"), "instants one by one"),
+            names.with("sweep --set", &names.set, "with another dimension"),
+            names.with("sweep --mode", &names.mode, "in another assembly mode"),
             if names.conditions { stop } else { None },
         ]
     },
@@ -58,79 +67,129 @@ and acceleration (NAME_ddot). Inputs and given coordinates hold at the first ins
 with their acceleration. Where a unilateral condition meets its limit is said on stderr, and in
 json under `events`; where it changes too fast to be watched, too, and under `unwatched`.
 
-When a sweep fails midway the finished rows are written and the status is 1. Ctrl-C ends a sweep
-in the same way, with status 130; a second Ctrl-C ends the program at once.",
+Rows go to csv and json as they come, however many there are. When a sweep fails midway the
+finished rows are written and the status is 1. Ctrl-C ends a sweep in the same way, with status
+130; a second Ctrl-C ends the program at once.",
 };
 
 pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
     let (asked, output) =
-        (ledger.take(args.grid.asked(STEPS)), ledger.take(session.destination(&args.output, "sweep")));
+        (ledger.take(args.grid.asked(STEPS, engine.model())), ledger.take(session.destination(&args.output, "sweep")));
     let setup = ledger.take(args.setup.apply_complete(engine));
-    let times = asked.and_then(|asked| ledger.take(asked.times(|_| None)));
-    let (times, output, setup) = ledger.close(zip3(times, output, setup))?;
+    let (asked, output, setup) = ledger.close(zip3(asked, output, setup))?;
     let engine = &*engine;
+    let open_end = asked.is_open();
+    let times = asked.times(engine, &setup)?;
     let watch = session.watch();
-    watch.begin("instants", times.len());
-    let Moved { mut trajectory, mut ended, left } =
-        moved(engine, &setup, &times, args.stop_at_events, args.freedom, &watch)?;
-    let mut motions = Vec::new();
-    if args.points {
-        watch.begin("instants with their points", trajectory.states.len());
-        motions = moving::motions(engine, &trajectory.states, &watch)?;
-        if motions.len() < trajectory.states.len() {
-            trajectory.states.truncate(motions.len());
-            ended = Some(interrupted(&trajectory.states, times.len()));
-        }
+    if session.is_seen(&output) && output.form != Form::Text {
+        watch.begin_unseen();
+    } else {
+        watch.begin("instants", times.len());
     }
-    watch.begin("instants written", trajectory.states.len());
-    // What is finished is written whatever happens.
-    let written = |done: usize| {
-        let _ = watch.step(done);
-    };
-    let text = render(output.form, engine, &trajectory, &motions, ended.is_none(), &written)?;
-    watch.end();
-    note_motion(session, &trajectory);
-    match ended {
-        None => {
-            note_freedom(session, left);
-            session.deliver(&output, &text)
-        }
-        Some(failure) => {
-            let states = &trajectory.states;
-            if !states.is_empty() {
-                session.deliver(&output, &text)?;
-                if !matches!(failure, Failure::Interrupted(_)) {
-                    let instants = count(times.len(), "instant");
-                    session.note(&format!("the sweep ended early: {} of {instants} written", states.len()));
-                }
+    let (stop_at_events, freedom, reported) = (args.stop_at_events, args.freedom, args.points);
+    let walk =
+        Walk { engine, setup: &setup, times: &times, stop_at_events, open_end, freedom, reported, watch: &watch };
+    let (rows, moved) = match output.form {
+        Form::Text => {
+            let moved = walk.kept()?;
+            watch.end();
+            let rows = moved.trajectory.states.len();
+            if rows > 0 {
+                session.deliver(&output, &text(engine.model(), &moved, args.angles.degrees))?;
             }
-            Err(failure)
+            (rows, moved)
         }
+        _ => streamed(&walk, &output, args.angles.degrees, session)?,
+    };
+    watch.end();
+    note_motion(session, &moved);
+    let Some(failure) = moved.ended else {
+        note_freedom(session, moved.left);
+        return Ok(());
+    };
+    if rows > 0 && !matches!(failure, Failure::Interrupted(_)) {
+        session.note(&format!("the sweep ended early: {rows} of {} written", count(times.len(), "instant")));
     }
+    Err(failure)
 }
 
-fn render(
-    form: Form,
-    engine: &dyn Engine,
-    trajectory: &Trajectory,
-    motions: &[Motion],
-    complete: bool,
-    written: &dyn Fn(usize),
-) -> Result<String, Failure> {
-    let (model, states) = (engine.model(), &trajectory.states);
-    match form {
-        Form::Csv => grid::csv(model, states, motions, written).map_err(Failure::Output),
-        Form::Json => {
-            let parameters = Parameters::new(model, &engine.parameters());
-            to_json(&SweepRecord::new(model, parameters, trajectory, motions, complete, written))
-                .map_err(Failure::Output)
+/// Writes every row as soon as it is there: how many, and what else there is to say.
+fn streamed(
+    walk: &Walk<'_>,
+    output: &Destination<'_>,
+    degrees: bool,
+    session: &mut Session<'_>,
+) -> Result<(usize, Moved), Failure> {
+    let model = walk.engine.model();
+    let rows = Cell::new(0);
+    let moved = RefCell::new(None);
+    let each = |visit: Visit<'_>| {
+        let shown = &mut |state: &State, motion: Option<&Motion>| {
+            let motion = motion.map(|motion| degrees::motion(model, motion, degrees));
+            visit(&degrees::state(model, state, degrees), motion.as_deref())?;
+            rows.set(rows.get() + 1);
+            ControlFlow::Continue(())
+        };
+        moved.replace(Some(walk.each(shown)));
+    };
+    let written = session.stream(output, |out| {
+        match output.form {
+            Form::Json => json(walk, degrees, &each, &moved, out)?,
+            _ => csv(model, walk.reported, &each, out)?,
         }
-        _ => {
-            let (first, last) = (states.first(), states.last());
-            let [from, to] = [first, last].map(|s| s.map_or_else(String::new, |s| rounded(s.t)));
-            let heading = format!("{}, {} from t = {from} to t = {to}\n", model.name, count(states.len(), "instant"));
-            Ok(heading + &grid::text(model, states, motions))
-        }
+        // Without a row a file keeps what it has.
+        if rows.get() == 0 { Err(io::Error::other("there is nothing to write")) } else { Ok(()) }
+    });
+    let moved = moved.into_inner().unwrap_or_else(|| Err(Failure::Analysis("nothing was computed".to_owned())))?;
+    if rows.get() > 0 || moved.ended.is_none() {
+        written?;
     }
+    Ok((rows.get(), moved))
+}
+
+/// What shows every row to somebody.
+type Each<'e> = &'e dyn Fn(Visit<'_>);
+
+fn csv(model: &Model, reported: bool, each: Each<'_>, out: &mut dyn Write) -> io::Result<()> {
+    let mut csv = CsvRows::new(model, reported, out)?;
+    let mut failed = None;
+    each(&mut |state, motion| match csv.row(state, motion) {
+        Ok(()) => ControlFlow::Continue(()),
+        Err(error) => {
+            failed = Some(error);
+            ControlFlow::Break(())
+        }
+    });
+    failed.map_or_else(|| csv.flush(), Err)
+}
+
+fn json(
+    walk: &Walk<'_>,
+    degrees: bool,
+    each: Each<'_>,
+    moved: &RefCell<Option<Result<Moved, Failure>>>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let model = walk.engine.model();
+    let ended = |write: &mut dyn FnMut(&Trajectory, bool)| {
+        if let Some(Ok(moved)) = &*moved.borrow() {
+            write(&moved.trajectory, moved.ended.is_none() && moved.limit.is_none());
+        }
+    };
+    let parameters = Parameters::new(model, &walk.engine.parameters());
+    let units = Units::of(model).in_degrees(degrees).record();
+    serde_json::to_writer(&mut *out, &SweepRecord { model, parameters, units, walk: each, ended: &ended })?;
+    out.write_all(b"\n")
+}
+
+fn text(model: &Model, moved: &Moved, degrees: bool) -> String {
+    let states: Vec<State> =
+        moved.trajectory.states.iter().map(|s| degrees::state(model, s, degrees).into_owned()).collect();
+    let motions: Vec<Motion> = moved.motions.iter().map(|m| degrees::motion(model, m, degrees).into_owned()).collect();
+    let (first, last) = (states.first(), states.last());
+    let [from, to] = [first, last].map(|s| s.map_or_else(String::new, |s| rounded(s.t)));
+    let angles = if degrees { ", angles in degrees" } else { "" };
+    let heading = format!("{}, {} from t = {from} to t = {to}{angles}\n", model.name, count(states.len(), "instant"));
+    heading + &grid::text(model, &states, &motions)
 }

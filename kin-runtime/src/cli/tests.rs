@@ -1,5 +1,7 @@
 //! Every command from its arguments to its streams and status.
 
+use std::f64::consts::PI;
+
 use std::ffi::OsString;
 use std::io::{self, Write};
 
@@ -76,7 +78,11 @@ fn bad_options_are_usage_errors() {
         ("solve --guess crank.ph=1", "--guess: no coordinate named `crank.ph`; did you mean `crank.phi`?"),
         ("solve --given s=1:2:3:4", "--given s: `s` has 4 numbers"),
         ("solve --input u=1", "--input: `u`: this mechanism has no inputs"),
-        ("sweep", "no instants: write --from A --to B --steps N, or --times T1,T2,…"),
+        ("solve --at 2mm", "--at: `2mm`: `t` is in s, and this is mm"),
+        ("solve --set r=2s", "--set r: `2s`: `r` is in m, and this is s"),
+        ("solve --set r=2furlong", "--set r: `2furlong`: no unit `furlong` is known; there are m, mm, in"),
+        ("solve --at 1turn", "--at: an angle says when only where a crank is driven at constant speed"),
+        ("solve --guess crank.phi=1m", "--guess crank.phi: `1m`: `crank.phi` is in rad, and this is m"),
         ("sweep --to 1 --steps 0", "--steps: at least 1"),
         ("sweep --to 1 --steps -3", "--steps: `-3` is no number of steps"),
         ("sweep --from 1 --to 1", "--from and --to are both 1"),
@@ -271,4 +277,86 @@ fn a_reader_that_has_gone_is_told_nothing_and_the_status_says_so() {
         141
     );
     assert!(err.is_empty());
+}
+
+#[test]
+fn unknown_options_say_what_there_is() {
+    let bad = |line: &str| {
+        let ran = driven(line);
+        assert_eq!((ran.status, ran.out.as_str()), (2, ""), "{line}");
+        ran.err
+    };
+    let err = bad("solve --from 1");
+    assert!(err.contains("--from is an option of `sweep`") && err.contains("\n`solve` has --at, --set,"), "{err}");
+    #[cfg(feature = "plot")]
+    {
+        let err = bad("sweep --vary r=0.1,0.2");
+        assert!(err.contains("--vary is an option of `plot`\n`sweep` has --") && err.contains("--steps"), "{err}");
+    }
+    let err = bad("--nothing");
+    assert!(err.contains("the report has --at,") && !err.contains("is an option of"), "{err}");
+}
+
+#[test]
+fn numbers_are_written_as_people_write_them() {
+    let at = |line: &str| {
+        let ran = driven(line);
+        assert_eq!((ran.status, ran.err.as_str()), (0, ""), "{line}");
+        ran.json()
+    };
+    let reference = at("solve --at 0.5 --set r=0.2,phi0=1.0471975511965976 --format json");
+    let units = at("solve --at 500ms --set r=200mm,phi0=60deg --guess crank.phi=90° --format json");
+    assert_eq!(reference["q"], units["q"]);
+    assert_eq!(reference["parameters"]["r"], 0.2);
+    assert_eq!(at("solve --at pi/2 --format json")["t"], std::f64::consts::FRAC_PI_2);
+    let times = at("sweep --from -1/4 --to 2*0.5 --steps 1 --format json");
+    assert_eq!((&times["states"][0]["t"], &times["states"][1]["t"]), (&(-0.25).into(), &1.0.into()));
+    let given = kind::<FREE>("solve --given crank.phi=0.5turn:60rpm --format json").json();
+    near(&given["q"][0], PI);
+    near(&given["q_dot"][0], 2.0 * PI);
+}
+
+#[test]
+fn degrees_are_of_angles_alone_and_json_says_so() {
+    let both = |line: &str| {
+        let [rad, deg] = ["", " --degrees"].map(|more| driven(&format!("{line}{more}")));
+        assert_eq!((rad.status, deg.status), (0, 0), "{line}");
+        (rad, deg)
+    };
+    let (rad, deg) = both("solve --at 0.5 --format json");
+    let (rad, deg) = (rad.json(), deg.json());
+    for part in ["q", "q_dot"] {
+        near(&deg[part][0], rad[part][0].as_f64().unwrap_or(0.0).to_degrees());
+        assert_eq!(deg[part][1], rad[part][1], "a length");
+    }
+    assert_eq!((&rad["units"]["angle"], &deg["units"]["angle"]), (&"rad".into(), &"deg".into()));
+    near(&deg["bodies"]["crank"]["phi"], rad["q"][0].as_f64().unwrap_or(0.0).to_degrees());
+    let (rad, deg) = both("sweep --times 0,1 --points --format csv");
+    let numbers = |text: &str| -> Vec<f64> {
+        text.lines().nth(2).unwrap_or_default().split(',').filter_map(|n| n.parse().ok()).collect()
+    };
+    let (rad, deg) = (numbers(&rad.out), numbers(&deg.out));
+    assert!((deg[1] - rad[1].to_degrees()).abs() < 1e-9 && deg[4..] == rad[4..]);
+    assert!(driven("solve --degrees").out.starts_with("CrossHead at t = 0, angles in degrees\n"));
+    assert!(driven("sweep --times 0,1 --degrees").out.contains("from t = 0 to t = 1, angles in degrees\n"));
+}
+
+#[test]
+fn what_comes_from_a_sweep_is_the_same_in_every_form() {
+    let csv = driven("sweep --to 1 --steps 50 --points --format csv");
+    let json = driven("sweep --to 1 --steps 50 --points --format json").json();
+    let rows: Vec<Vec<f64>> =
+        csv.out.lines().skip(1).map(|row| row.split(',').filter_map(|n| n.parse().ok()).collect()).collect();
+    let states = json["states"].as_array().map_or(&[][..], Vec::as_slice);
+    assert_eq!((rows.len(), states.len()), (51, 51));
+    assert_eq!((&json["complete"], &json["units"]["length"]), (&true.into(), &"m".into()));
+    for (row, state) in rows.iter().zip(states) {
+        near(&state["t"], row[0]);
+        near(&state["q"][0], row[1]);
+        near(&state["q"][1], row[4]);
+        near(&state["points"]["tip"]["r"][0], row[7]);
+    }
+    // Without --to it ends by itself.
+    let open = driven("sweep --steps 4 --format json").json();
+    assert_eq!(open["states"].as_array().map(Vec::len), Some(5));
 }

@@ -1,8 +1,12 @@
 //! The values of options: numbers, `name=value` lists, times, signals.
 
 use super::failure::{Failure, Ledger};
+use super::number::{Amount, Measured, amount, converted};
+use crate::model::Model;
 use crate::planned::Sign;
+use crate::present::units::Units;
 use crate::workspace::Signal;
+use kin_core::units::Unit;
 
 /// Values of a parameter that one diagram shows at most.
 #[cfg(feature = "plot")]
@@ -11,23 +15,60 @@ pub(super) const MOST_VALUES: usize = 14;
 /// The most instants that one sweep computes.
 const MOST_STEPS: usize = 1_000_000;
 
-/// A finite number.
-pub(super) fn number(option: &str, text: &str) -> Result<f64, Failure> {
+/// A finite number, in the unit of what it is for.
+pub(super) fn number(option: &str, text: &str, of: Measured<'_>) -> Result<f64, Failure> {
+    let amount = written(option, text)?;
+    let value = converted(amount, of).map_err(|what| Failure::option(option, format!("`{}`: {what}", text.trim())))?;
+    if value.is_finite() { Ok(value) } else { Err(not_finite(option, text)) }
+}
+
+/// An instant, or how far the driven crank has turned until then.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Moment {
+    At(f64),
+    /// An angle in radians.
+    Turned(f64),
+}
+
+/// An instant.
+pub(super) fn moment(option: &str, text: &str, model: &Model) -> Result<Moment, Failure> {
+    let amount = written(option, text)?;
+    if amount.unit.is_some_and(Unit::is_number) {
+        let angle = Measured { name: "t", unit: Some("rad"), ..Measured::default() };
+        return number(option, text, angle).map(Moment::Turned);
+    }
+    number(option, text, Measured { name: "t", unit: Units::of(model).time(), ..Measured::default() }).map(Moment::At)
+}
+
+fn not_finite(option: &str, text: &str) -> Failure {
+    Failure::option(option, format!("`{}` is not finite; a finite number is needed", text.trim()))
+}
+
+/// A number with its unit.
+fn written(option: &str, text: &str) -> Result<Amount, Failure> {
     let text = text.trim();
     if text.is_empty() {
         return Err(Failure::option(option, "a number is missing"));
     }
     match text.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(value),
+        Ok(value) if value.is_finite() => Ok(Amount { value, unit: None }),
         Ok(_) if text.bytes().any(|b| b.is_ascii_digit()) => {
             Err(Failure::option(option, format!("`{text}` is too large for a number")))
         }
-        Ok(_) => Err(Failure::option(option, format!("`{text}` is not finite; a finite number is needed"))),
+        Ok(_) => Err(not_finite(option, text)),
         Err(_) if text.replacen(',', ".", 1).parse::<f64>().is_ok() => Err(Failure::option(
             option,
             format!("`{text}` is not a number (decimals have a point: {})", text.replacen(',', ".", 1)),
         )),
-        Err(_) => Err(Failure::option(option, format!("`{text}` is not a number (numbers are written like -0.25)"))),
+        Err(_) => match amount(text) {
+            Ok(amount) if amount.value.is_finite() => Ok(amount),
+            Ok(_) => Err(not_finite(option, text)),
+            Err(Some(what)) => Err(Failure::option(option, format!("`{text}`: {what}"))),
+            Err(None) => {
+                let what = format!("`{text}` is not a number (numbers are written like -0.25, pi/2 or 60deg)");
+                Err(Failure::option(option, what))
+            }
+        },
     }
 }
 
@@ -59,7 +100,7 @@ fn assignment(option: &str, example: &str, piece: &str) -> Result<(String, Strin
     let Some((name, value)) = piece.split_once('=') else {
         return match piece {
             "" => fault("an assignment is missing".to_owned()),
-            _ if number(option, piece).is_ok() => {
+            _ if written(option, piece).is_ok() => {
                 fault(format!("`{piece}` has no name (arrays are set member by member, decimals have a point)"))
             }
             _ => fault(format!("`{piece}` is no assignment")),
@@ -89,15 +130,16 @@ pub(super) fn sign(option: &str, text: &str) -> Result<Sign, Failure> {
 }
 
 /// `value`, `value:rate` or `value:rate:acceleration`; what is missing is zero.
-pub(super) fn signal(option: &str, name: &str, parts: &[&str]) -> Result<Signal, Failure> {
+pub(super) fn signal(option: &str, name: &str, parts: &[&str], of: Measured<'_>) -> Result<Signal, Failure> {
     let mut numbers = [0.0; 3];
     if parts.len() > numbers.len() {
         let what = format!("`{name}` has {} numbers; at most value, rate and acceleration", parts.len());
         return Err(Failure::option(option, what));
     }
     let mut ledger = Ledger::default();
-    for (place, part) in numbers.iter_mut().zip(parts) {
-        ledger.take(number(option, part)).into_iter().for_each(|value| *place = value);
+    for ((place, part), order) in numbers.iter_mut().zip(parts).zip(0..) {
+        let of = Measured { rate: (order, of.rate.1), ..of };
+        ledger.take(number(option, part, of)).into_iter().for_each(|value| *place = value);
     }
     ledger.close(Some(()))?;
     let [value, rate, acceleration] = numbers;
@@ -105,7 +147,7 @@ pub(super) fn signal(option: &str, name: &str, parts: &[&str]) -> Result<Signal,
 }
 
 /// `u=value,rate,acceleration` from all occurrences of an option; a piece with `=` starts the next input.
-pub(super) fn inputs(option: &str, texts: &[String]) -> Result<Vec<(String, Signal)>, Failure> {
+pub(super) fn inputs(option: &str, texts: &[String], model: &Model) -> Result<Vec<(String, Signal)>, Failure> {
     let mut signals: Vec<(String, Signal)> = Vec::new();
     let mut ledger = Ledger::default();
     for text in texts {
@@ -115,7 +157,7 @@ pub(super) fn inputs(option: &str, texts: &[String]) -> Result<Vec<(String, Sign
             match (piece.split_once('='), &mut pending) {
                 (Some((name, value)), open) => {
                     if let Some((name, parts)) = open.take() {
-                        ledger.take(finish(option, name, &parts, &mut signals));
+                        ledger.take(finish(option, name, &parts, model, &mut signals));
                     }
                     *open = Some((name.trim(), vec![value]));
                 }
@@ -130,30 +172,37 @@ pub(super) fn inputs(option: &str, texts: &[String]) -> Result<Vec<(String, Sign
             }
         }
         if let Some((name, parts)) = pending {
-            ledger.take(finish(option, name, &parts, &mut signals));
+            ledger.take(finish(option, name, &parts, model, &mut signals));
         }
     }
     ledger.close(Some(signals))
 }
 
-fn finish(option: &str, name: &str, parts: &[&str], signals: &mut Vec<(String, Signal)>) -> Result<(), Failure> {
+fn finish(
+    option: &str,
+    name: &str,
+    parts: &[&str],
+    model: &Model,
+    signals: &mut Vec<(String, Signal)>,
+) -> Result<(), Failure> {
     if signals.iter().any(|(other, _)| other == name) {
         return Err(Failure::option(option, format!("`{name}` is given twice")));
     }
-    signals.push((name.to_owned(), signal(option, name, parts)?));
+    signals.push((name.to_owned(), signal(option, name, parts, Measured::quantity(model, name))?));
     Ok(())
 }
 
 /// The instants of `--times`.
-pub(super) fn times(option: &str, text: &str) -> Result<Vec<f64>, Failure> {
+pub(super) fn times(option: &str, text: &str, model: &Model) -> Result<Vec<Moment>, Failure> {
     let mut ledger = Ledger::default();
-    let times: Vec<f64> = text.split(',').filter_map(|t| ledger.take(number(option, t))).collect();
+    let texts: Vec<&str> = text.split(',').collect();
+    let times: Vec<Moment> = texts.iter().filter_map(|t| ledger.take(moment(option, t, model))).collect();
     let times = ledger.close(Some(times))?;
-    for pair in times.windows(2) {
+    for (pair, text) in times.windows(2).zip(&texts) {
         if let [a, b] = pair
             && a == b
         {
-            return Err(Failure::option(option, format!("the instant {a} stands twice in a row")));
+            return Err(Failure::option(option, format!("the instant {} stands twice in a row", text.trim())));
         }
     }
     Ok(times)
@@ -162,8 +211,8 @@ pub(super) fn times(option: &str, text: &str) -> Result<Vec<f64>, Failure> {
 /// Numbers of t that are farther apart than this are named where two instants are one.
 const COARSE: f64 = 1e-3;
 
-/// `steps` + 1 instants from `from` to `to`, both exactly.
-pub(super) fn grid(from: f64, to: f64, steps: usize) -> Result<Vec<f64>, Failure> {
+/// An error where instants cannot be told apart, or are too many.
+pub(super) fn grid_is_possible(from: f64, to: f64, steps: usize) -> Result<(), Failure> {
     if steps == 0 {
         return Err(Failure::option("--steps", "at least 1 is needed (N steps are N + 1 instants)"));
     }
@@ -184,12 +233,19 @@ pub(super) fn grid(from: f64, to: f64, steps: usize) -> Result<Vec<f64>, Failure
         let what = format!("--from {from} --to {to} --steps {steps}: the instants cannot be told apart");
         return Err(Failure::usage(what));
     }
+    Ok(())
+}
+
+/// `steps` + 1 instants from `from` to `to`, both exactly.
+pub(super) fn grid(from: f64, to: f64, steps: usize) -> Result<Vec<f64>, Failure> {
+    grid_is_possible(from, to, steps)?;
+    let length = to - from;
     Ok((0..=steps).map(|i| if i == steps { to } else { from + length * i as f64 / steps as f64 }).collect())
 }
 
 /// The values of `--vary`: `l1=0.08..0.12:5`, both ends included, or `l1=0.08,0.1`.
 #[cfg(feature = "plot")]
-pub(super) fn variation(option: &str, text: &str) -> Result<(String, Vec<f64>), Failure> {
+pub(super) fn variation(option: &str, text: &str, model: &Model) -> Result<(String, Vec<f64>), Failure> {
     let shape = || {
         Failure::option(
             option,
@@ -197,8 +253,9 @@ pub(super) fn variation(option: &str, text: &str) -> Result<(String, Vec<f64>), 
         )
     };
     let (name, values) = text.split_once('=').ok_or_else(shape)?;
+    let of = Measured::parameter(model, name.trim());
     let Some((from, rest)) = values.split_once("..") else {
-        let values = values.split(',').map(|value| number(option, value)).collect::<Result<Vec<f64>, Failure>>()?;
+        let values = values.split(',').map(|value| number(option, value, of)).collect::<Result<Vec<f64>, Failure>>()?;
         if values.len() > MOST_VALUES {
             let what = format!("{} values of {}; at most {MOST_VALUES} can be told apart", values.len(), name.trim());
             return Err(Failure::option(option, what));
@@ -206,7 +263,7 @@ pub(super) fn variation(option: &str, text: &str) -> Result<(String, Vec<f64>), 
         return Ok((name.trim().to_owned(), values));
     };
     let (to, count) = rest.split_once(':').ok_or_else(shape)?;
-    let (from, to) = (number(option, from)?, number(option, to)?);
+    let (from, to) = (number(option, from, of)?, number(option, to, of)?);
     let count = count.trim().parse::<usize>().ok().filter(|n| (2..=MOST_VALUES).contains(n));
     let Some(count) = count else {
         return Err(Failure::option(option, format!("`{text}`: between 2 and {MOST_VALUES} values can be told apart")));

@@ -1,4 +1,22 @@
 use super::*;
+use crate::cli::fixture::{CrossHead, DRIVEN};
+use crate::mechanism::Mechanism;
+
+fn model() -> &'static Model {
+    CrossHead::<DRIVEN>::model()
+}
+
+fn number(option: &str, text: &str) -> Result<f64, Failure> {
+    super::number(option, text, Measured::default())
+}
+
+fn inputs(option: &str, texts: &[String]) -> Result<Vec<(String, Signal)>, Failure> {
+    super::inputs(option, texts, model())
+}
+
+fn times(option: &str, text: &str) -> Result<Vec<Moment>, Failure> {
+    super::times(option, text, model())
+}
 
 fn texts(list: &[&str]) -> Vec<String> {
     list.iter().map(|t| (*t).to_owned()).collect()
@@ -77,8 +95,19 @@ fn a_grid_has_one_instant_more_than_steps() {
 
 #[test]
 fn times_are_a_list() {
-    assert_eq!(times("--times", "-1,0, 1"), Ok(vec![-1.0, 0.0, 1.0]));
-    assert_eq!(times("--times", "0,1,0"), Ok(vec![0.0, 1.0, 0.0]));
+    assert_eq!(times("--times", "-1,0, 1"), Ok([-1.0, 0.0, 1.0].map(Moment::At).to_vec()));
+    assert_eq!(times("--times", "0,1,0"), Ok([0.0, 1.0, 0.0].map(Moment::At).to_vec()));
+    assert_eq!(
+        times("--times", "0, 90deg,0.5turn, pi/2"),
+        Ok(vec![
+            Moment::At(0.0),
+            Moment::Turned(std::f64::consts::FRAC_PI_2),
+            Moment::Turned(std::f64::consts::PI),
+            Moment::At(std::f64::consts::FRAC_PI_2),
+        ])
+    );
+    assert_eq!(times("--times", "20 ms"), Ok(vec![Moment::At(0.02)]));
+    assert_eq!(message(times("--times", "2mm")), "--times: `2mm`: `t` is in s, and this is mm");
     assert!(times("--times", "0,,1").is_err());
     assert!(times("--times", "").is_err());
     assert!(times("--times", "0,0").is_err());

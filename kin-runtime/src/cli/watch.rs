@@ -41,6 +41,13 @@ impl Watch {
         self.bar.replace(self.seen.then(|| bar(unit, total)));
     }
 
+    /// As [`begin`](Self::begin), where there is no place for a bar.
+    pub(super) fn begin_unseen(&self) {
+        self.interrupt.arm();
+        self.before.set(0);
+        self.bar.replace(None);
+    }
+
     /// The next one of several analyses begins, all of them being `before` on.
     pub(super) fn go_on(&self, before: usize) {
         self.before.set(before);

@@ -8,6 +8,7 @@ pub(crate) mod forces;
 mod handles;
 mod joint;
 mod text;
+mod units;
 
 pub use forces::{EffortInfo, ForceModel, ReactionInfo, SpringInfo};
 pub use handles::{Body, Coordinate, Input, Point, Quantity};
@@ -16,6 +17,7 @@ pub use joint::Role;
 pub use joint::{Geometry, JointInfo, JointKind};
 #[doc(hidden)]
 pub use kin_core::vocabulary::{Component, Frame, OperationCount};
+pub use units::Units;
 
 /// What a generalized coordinate is.
 #[doc(hidden)]
@@ -295,6 +297,10 @@ pub struct Model {
     pub parameters: &'static [ParameterInfo],
     /// Inputs.
     pub inputs: &'static [&'static str],
+    /// The value of every input where nobody gives one, `default = …`: on the command line, and in its examples.
+    pub input_defaults: &'static [Option<f64>],
+    /// Units of lengths, of time and of what has a name.
+    pub units: Units,
     /// Supplied functions, array fields element by element.
     pub functions: &'static [&'static str],
     /// The supplied function, by its place in `functions`, of every argument that

@@ -4,6 +4,7 @@ use super::step::Step;
 use crate::mechanism::LengthError;
 use crate::model::Model;
 use crate::plan::{ModeInfo, Plan};
+use crate::text::rounded;
 use core::fmt;
 
 /// Where a group of a plan stands beside its limit.
@@ -169,20 +170,6 @@ fn listed(f: &mut fmt::Formatter<'_>, names: impl Iterator<Item = &'static str>)
     Ok(())
 }
 
-/// A time with as many digits as a person reads.
-pub(crate) fn rounded(t: f64) -> f64 {
-    if t == 0.0 || !t.is_finite() {
-        return t;
-    }
-    let mut scale = 1.0;
-    while t.abs() * scale < 1e5 && scale < 1e12 {
-        scale *= 10.0;
-    }
-    // 1.5·2⁵² rounds to an integer without a call.
-    const ROUND: f64 = 1.5 / f64::EPSILON;
-    if t.abs() * scale < 1e15 { ((t * scale + ROUND) - ROUND) / scale } else { t }
-}
-
 /// Why the plan gives no answer at an instant, with numbers and names.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -297,19 +284,26 @@ impl fmt::Display for PlanError {
                 write!(f, "no way to t = {}: {limit}", rounded(*t))
             }
             Self::Limit { t, limit } | Self::Singular { t, limit } | Self::Contradiction { t, limit } => {
-                write!(f, "at t = {t}, {limit}")
+                write!(f, "at t = {t}, {limit}", t = rounded(*t))
             }
             Self::Undecided { t, mode } => {
-                write!(f, "at t = {t}, the start does not say which closure of {mode} is meant")
+                write!(f, "at t = {t}, the start does not say which closure of {mode} is meant", t = rounded(*t))
             }
             Self::NegativeLength { t, joint, length } => {
-                write!(f, "at t = {t}, the length of `{joint}` is {length}: a length is not negative")
+                write!(f, "at t = {t}, the length of `{joint}` is {length}: a length is not negative", t = rounded(*t))
             }
-            Self::Jump { t, t_refused } => write!(f, "the motion jumps behind t = {t}, on the way to t = {t_refused}"),
+            Self::Jump { t, t_refused } => write!(
+                f,
+                "the motion jumps behind t = {t}, on the way to t = {t_refused}",
+                t = rounded(*t),
+                t_refused = rounded(*t_refused)
+            ),
             Self::TooManySteps { t, t_refused } => {
                 write!(
                     f,
-                    "too many internal steps on the way from t = {t} to t = {t_refused}; ask for instants in between"
+                    "too many internal steps on the way from t = {t} to t = {t_refused}; ask for instants in between",
+                    t = rounded(*t),
+                    t_refused = rounded(*t_refused)
                 )
             }
             Self::NonFinite { what, index, name, t } => {
@@ -317,7 +311,7 @@ impl fmt::Display for PlanError {
                 if !name.is_empty() {
                     write!(f, " ({name})")?;
                 }
-                write!(f, " is not a finite number at t = {t}")
+                write!(f, " is not a finite number at t = {t}", t = rounded(*t))
             }
             Self::Length(error) => error.fmt(f),
             Self::UnknownMode { modes } => {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::number::plain;
+use super::number::rounded;
 use super::table::Table;
 use super::text::section;
 use crate::events::{Crossing, Event};
@@ -37,7 +37,7 @@ pub(crate) fn values(model: &Model, motion: &Motion) -> String {
 /// An event in one line.
 pub(crate) fn line(model: &Model, event: &Event) -> String {
     let text = model.conditions.get(event.condition).map_or("", |c| c.text);
-    format!("event: t = {}: {} {} ({text})", plain(event.t), event.name, event.crossing)
+    format!("event: t = {}: {} {} ({text})", rounded(event.t), event.name, event.crossing)
 }
 
 /// A condition of the structure.

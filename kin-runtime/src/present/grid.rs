@@ -1,5 +1,7 @@
 //! Motion over time as rows of numbers.
 
+use std::io::{self, Write};
+
 use super::number::plain;
 use super::table::Table;
 use crate::model::Model;
@@ -9,67 +11,85 @@ use crate::state::State;
 /// One column: its name and its numbers.
 pub(crate) type Column = (String, Vec<f64>);
 
-/// `t`, then every coordinate with its rate and acceleration; behind them, where `motions` are given (one per state),
+/// What the endings of names are for a value, its rate and its acceleration.
+const SUFFIXES: [&str; 3] = ["", "_dot", "_ddot"];
+
+/// The names of columns: `t`, then every coordinate with its rate and acceleration; behind them, where they are wanted,
 /// points, defines and joint quantities.
-pub(crate) fn columns(model: &Model, states: &[State], motions: &[Motion]) -> Vec<Column> {
-    let mut columns: Vec<Column> = vec![("t".to_owned(), states.iter().map(|s| s.t).collect())];
-    for (k, coordinate) in model.coordinates.iter().enumerate() {
-        let mut push = |suffix: &str, part: fn(&State) -> &[f64]| {
-            let values = states.iter().map(|s| part(s).get(k).copied().unwrap_or(f64::NAN)).collect();
-            columns.push((format!("{}{suffix}", coordinate.name), values));
-        };
-        push("", |s| &s.q);
-        push("_dot", |s| &s.q_dot);
-        push("_ddot", |s| &s.q_ddot);
+pub(crate) fn names(model: &Model, reported: bool) -> Vec<String> {
+    let mut bases: Vec<String> = model.coordinates.iter().map(|coordinate| coordinate.name.to_owned()).collect();
+    if reported {
+        bases.extend(model.points.iter().flat_map(|point| ["x", "y"].map(|axis| format!("{}.{axis}", point.name))));
+        bases.extend(model.defines.iter().map(|define| define.name.to_owned()));
+        for joint in model.joints {
+            bases.extend(joint.quantities.iter().map(|quantity| format!("{}.{}", joint.name, quantity.name)));
+        }
     }
-    if motions.len() == states.len() {
-        reported(model, motions, &mut columns);
+    let all = bases.iter().flat_map(|base| SUFFIXES.map(|suffix| format!("{base}{suffix}")));
+    std::iter::once("t".to_owned()).chain(all).collect()
+}
+
+/// The numbers of one row, for [`names`] with what is reported where `motion` is there.
+pub(crate) fn row(state: &State, motion: Option<&Motion>, out: &mut Vec<f64>) {
+    out.clear();
+    out.push(state.t);
+    for ((q, q_dot), q_ddot) in state.q.iter().zip(&state.q_dot).zip(&state.q_ddot) {
+        out.extend([*q, *q_dot, *q_ddot]);
+    }
+    let Some(motion) = motion else { return };
+    for point in &motion.points {
+        out.extend([point.r[0], point.v[0], point.a[0], point.r[1], point.v[1], point.a[1]]);
+    }
+    for rates in motion.defines.iter().chain(motion.joints.iter().flatten()) {
+        out.extend([rates.value, rates.rate, rates.acceleration]);
+    }
+}
+
+/// The columns of [`names`]; with what is reported where `motions` are given, one per state.
+pub(crate) fn columns(model: &Model, states: &[State], motions: &[Motion]) -> Vec<Column> {
+    let reported = motions.len() == states.len();
+    let names = names(model, reported);
+    let mut columns: Vec<Column> = names.into_iter().map(|name| (name, Vec::with_capacity(states.len()))).collect();
+    let mut numbers = Vec::new();
+    for (k, state) in states.iter().enumerate() {
+        row(state, motions.get(k).filter(|_| reported), &mut numbers);
+        columns.iter_mut().zip(&numbers).for_each(|((_, column), value)| column.push(*value));
     }
     columns
 }
 
-/// Points, defines and joint quantities.
-fn reported(model: &Model, motions: &[Motion], columns: &mut Vec<Column>) {
-    let mut push = |name: String, value: &dyn Fn(&Motion) -> Option<[f64; 3]>| {
-        for (place, suffix) in ["", "_dot", "_ddot"].into_iter().enumerate() {
-            let number = |m| value(m).and_then(|v| v.get(place).copied()).unwrap_or(f64::NAN);
-            columns.push((format!("{name}{suffix}"), motions.iter().map(number).collect()));
-        }
-    };
-    for (k, point) in model.points.iter().enumerate() {
-        push(format!("{}.x", point.name), &|m| m.points.get(k).map(|p| [p.r[0], p.v[0], p.a[0]]));
-        push(format!("{}.y", point.name), &|m| m.points.get(k).map(|p| [p.r[1], p.v[1], p.a[1]]));
+/// One header line, then a row per state; numbers read back as the same `f64`.
+pub(crate) struct CsvRows<W: Write> {
+    writer: csv::Writer<W>,
+    numbers: Vec<f64>,
+}
+
+impl<W: Write> CsvRows<W> {
+    /// Writes the header.
+    pub(crate) fn new(model: &Model, reported: bool, out: W) -> io::Result<Self> {
+        let mut writer = csv::Writer::from_writer(out);
+        writer.write_record(names(model, reported)).map_err(io_error)?;
+        Ok(Self { writer, numbers: Vec::new() })
     }
-    for (k, define) in model.defines.iter().enumerate() {
-        push(define.name.to_owned(), &|m| m.defines.get(k).map(|r| [r.value, r.rate, r.acceleration]));
+
+    /// Writes a row.
+    pub(crate) fn row(&mut self, state: &State, motion: Option<&Motion>) -> io::Result<()> {
+        row(state, motion, &mut self.numbers);
+        self.writer.write_record(self.numbers.iter().copied().map(exact)).map_err(io_error)
     }
-    for (j, joint) in model.joints.iter().enumerate() {
-        for (k, quantity) in joint.quantities.iter().enumerate() {
-            let rates = |m: &Motion| m.joints.get(j).and_then(|r| r.get(k)).copied();
-            let name = format!("{}.{}", joint.name, quantity.name);
-            push(name, &|m| rates(m).map(|r| [r.value, r.rate, r.acceleration]));
-        }
+
+    /// Writes what waits in memory.
+    pub(crate) fn flush(&mut self) -> io::Result<()> {
+        self.writer.flush()
     }
 }
 
-/// One header line, then one row per state; numbers read back as the same `f64`. `written` is told every row.
-pub(crate) fn csv(
-    model: &Model,
-    states: &[State],
-    motions: &[Motion],
-    written: &dyn Fn(usize),
-) -> Result<String, String> {
-    let columns = columns(model, states, motions);
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let failed = |e: csv::Error| format!("cannot write csv: {e}");
-    writer.write_record(columns.iter().map(|c| &c.0)).map_err(failed)?;
-    for i in 0..states.len() {
-        let row = columns.iter().map(|c| c.1.get(i).copied().map(exact).unwrap_or_default());
-        writer.write_record(row).map_err(failed)?;
-        written(i + 1);
+/// What the system said, for whoever asks for its kind.
+fn io_error(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
     }
-    let bytes = writer.into_inner().map_err(|e| format!("cannot write csv: {e}"))?;
-    String::from_utf8(bytes).map_err(|e| format!("cannot write csv: {e}"))
 }
 
 /// A number for another program.

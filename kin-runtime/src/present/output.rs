@@ -1,7 +1,7 @@
 //! Files that are there whole or not at all.
 
 use std::ffi::OsString;
-use std::fs::{self, OpenOptions};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -17,6 +17,14 @@ const LINKS: usize = 40;
 /// # Errors
 /// What the file system reports; the temporary file is removed then.
 pub(crate) fn write_atomically(path: &Path, contents: &[u8]) -> io::Result<()> {
+    write_atomically_by(path, |file| file.write_all(contents))
+}
+
+/// As [`write_atomically`], with contents that come bit by bit; an error of `write` leaves what was there before.
+///
+/// # Errors
+/// What the file system or `write` reports.
+pub(crate) fn write_atomically_by(path: &Path, write: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
     let existing = match fs::metadata(path) {
         Ok(metadata) => Some(metadata),
         Err(error) if error.kind() == io::ErrorKind::NotFound => None,
@@ -29,7 +37,7 @@ pub(crate) fn write_atomically(path: &Path, contents: &[u8]) -> io::Result<()> {
         // Opened without a change: whether it may be written.
         let mut file = OpenOptions::new().write(true).open(path)?;
         if existing.as_ref().is_some_and(|m| !m.is_file()) {
-            return file.write_all(contents).and_then(|()| file.flush());
+            return write(&mut file).and_then(|()| file.flush());
         }
     }
     let target = match existing {
@@ -53,7 +61,7 @@ pub(crate) fn write_atomically(path: &Path, contents: &[u8]) -> io::Result<()> {
     if let Some(metadata) = existing {
         file.as_file().set_permissions(metadata.permissions())?;
     }
-    file.write_all(contents)?;
+    write(file.as_file_mut())?;
     file.as_file().sync_all()?;
     file.persist(&target)?;
     Ok(())

@@ -1,13 +1,14 @@
 //! Results as records whose fields stand in a fixed order, for JSON.
 
-use serde::Serialize;
-use serde::ser::{Error, SerializeSeq};
-use serde_json::value::to_raw_value;
+use std::ops::ControlFlow;
+
+use serde::ser::{SerializeMap, SerializeSeq};
+use serde::{Serialize, Serializer};
 
 use super::condition::EventRecord;
 use super::plan::ModeRecord;
 use super::text::coordinate_names as names_at;
-use crate::events::Unwatched;
+use super::units::{Units, UnitsRecord};
 use crate::mobility::Mobility;
 use crate::model::Model;
 use crate::modes::Mode;
@@ -16,7 +17,7 @@ use crate::ratios::{VelocityRatio, VelocityRatios};
 use crate::serial::{Named, coordinate_names};
 use crate::signal::Signal;
 use crate::state::State;
-use crate::trajectory::{Fallback, Trajectory};
+use crate::trajectory::Trajectory;
 use crate::transmission::TransmissionAngle;
 
 /// Parameters with their values.
@@ -40,6 +41,7 @@ pub(crate) struct StateRecord<'a> {
     motion: &'a Motion,
     mechanism: &'static str,
     parameters: Parameters,
+    units: UnitsRecord,
     inputs: Named<Signal>,
     degrees_of_freedom: usize,
     degrees_of_freedom_left: usize,
@@ -73,6 +75,7 @@ impl<'a> StateRecord<'a> {
             motion,
             mechanism: model.name,
             parameters,
+            units: Units::of(model).record(),
             inputs: inputs(model, state),
             degrees_of_freedom: mobility.degrees_of_freedom,
             degrees_of_freedom_left: mobility.degrees_of_freedom_left,
@@ -88,48 +91,81 @@ impl<'a> StateRecord<'a> {
         }
     }
 
+    /// Says that angles are in degrees.
+    pub(crate) fn in_degrees(self, model: &Model, degrees: bool) -> Self {
+        Self { units: Units::of(model).in_degrees(degrees).record(), ..self }
+    }
+
     /// Adds the assembly modes.
     pub(crate) fn with_modes(self, modes: &[Mode]) -> Self {
         Self { modes: ModeRecord::of(modes), ..self }
     }
 }
 
-/// A sweep.
-#[derive(Serialize)]
+/// A row of a sweep that is written.
+pub(crate) type Visit<'v> = &'v mut dyn FnMut(&State, Option<&Motion>) -> ControlFlow<()>;
+
+/// Tells what is known of a sweep when it is over, and whether it is complete.
+pub(crate) type Ended<'e> = &'e dyn Fn(&mut dyn FnMut(&Trajectory, bool));
+
+/// A sweep, whose states are made while they are written.
 pub(crate) struct SweepRecord<'a> {
-    mechanism: &'static str,
-    parameters: Parameters,
-    coordinates: Vec<&'static str>,
-    /// False when the sweep ended early: the states are those before the failure, or up to the event where it was to stop.
-    complete: bool,
-    /// True when the sweep ended at an event, as it was asked to.
-    stopped: bool,
-    violated_at_start: Vec<&'static str>,
-    events: Vec<EventRecord<'a>>,
-    /// Where conditions were too fast to be watched.
-    unwatched: &'a [Unwatched],
-    /// Internal steps of full Newton although there is a plan.
-    fallbacks: &'a [Fallback],
-    states: States<'a>,
+    pub(crate) model: &'static Model,
+    pub(crate) parameters: Parameters,
+    pub(crate) units: UnitsRecord,
+    /// Shows the states one by one.
+    pub(crate) walk: &'a dyn Fn(Visit<'_>),
+    /// What is known of the sweep after that.
+    pub(crate) ended: Ended<'a>,
 }
 
-/// All instants on a line each, made and told when they are written.
+impl Serialize for SweepRecord<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("mechanism", self.model.name)?;
+        map.serialize_entry("parameters", &self.parameters)?;
+        map.serialize_entry("units", &self.units)?;
+        map.serialize_entry("coordinates", &self.model.coordinates.iter().map(|c| c.name).collect::<Vec<_>>())?;
+        map.serialize_entry("states", &States { model: self.model, walk: self.walk })?;
+        let mut rest = Ok(());
+        (self.ended)(&mut |trajectory, complete| rest = end(&mut map, trajectory, complete));
+        rest?;
+        map.end()
+    }
+}
+
+/// What stands behind the states.
+fn end<M: SerializeMap>(map: &mut M, trajectory: &Trajectory, complete: bool) -> Result<(), M::Error> {
+    let violated: Vec<&str> = trajectory.violated_at_start().map(|condition| condition.name).collect();
+    let events: Vec<EventRecord<'_>> = trajectory.events.iter().map(EventRecord::new).collect();
+    // False when the sweep ended early: the states are those before the failure, or up to the event.
+    map.serialize_entry("complete", &(complete && !trajectory.stopped))?;
+    map.serialize_entry("stopped", &trajectory.stopped)?;
+    map.serialize_entry("violated_at_start", &violated)?;
+    map.serialize_entry("events", &events)?;
+    map.serialize_entry("unwatched", &trajectory.unwatched)?;
+    map.serialize_entry("fallbacks", &trajectory.fallbacks)
+}
+
+/// All instants, made and written one after another.
 struct States<'a> {
-    count: usize,
-    state: Box<dyn Fn(usize) -> Option<SweepState<'a>> + 'a>,
-    written: &'a dyn Fn(usize),
+    model: &'static Model,
+    walk: &'a dyn Fn(Visit<'_>),
 }
 
 impl Serialize for States<'_> {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut states = serializer.serialize_seq(Some(self.count))?;
-        for place in 0..self.count {
-            (self.written)(place);
-            if let Some(state) = (self.state)(place) {
-                states.serialize_element(&to_raw_value(&state).map_err(S::Error::custom)?)?;
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut list = serializer.serialize_seq(None)?;
+        let mut failed = None;
+        (self.walk)(&mut |state, motion| match list.serialize_element(&SweepState::new(self.model, state, motion)) {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(error) => {
+                failed = Some(error);
+                ControlFlow::Break(())
             }
-        }
-        states.end()
+        });
+        failed.map_or(Ok(()), Err)?;
+        list.end()
     }
 }
 
@@ -148,42 +184,18 @@ struct SweepState<'a> {
     degrees_of_freedom_left: usize,
 }
 
-impl<'a> SweepRecord<'a> {
-    /// `motions` is either empty or as long as `states`; `written` is told every state.
-    pub(crate) fn new(
-        model: &'static Model,
-        parameters: Parameters,
-        trajectory: &'a Trajectory,
-        motions: &'a [Motion],
-        complete: bool,
-        written: &'a dyn Fn(usize),
-    ) -> Self {
-        let state = move |i: usize, state: &'a State| SweepState {
+impl<'a> SweepState<'a> {
+    fn new(model: &Model, state: &'a State, motion: Option<&'a Motion>) -> Self {
+        Self {
             t: state.t,
             q: &state.q,
             q_dot: &state.q_dot,
             q_ddot: &state.q_ddot,
-            motion: motions.get(i),
+            motion,
             inputs: inputs(model, state),
             residual: state.residual,
             condition: state.condition,
             degrees_of_freedom_left: state.degrees_of_freedom_left,
-        };
-        Self {
-            mechanism: model.name,
-            parameters,
-            coordinates: coordinate_names(model),
-            complete: complete && !trajectory.stopped,
-            stopped: trajectory.stopped,
-            violated_at_start: trajectory.violated_at_start().map(|condition| condition.name).collect(),
-            events: trajectory.events.iter().map(EventRecord::new).collect(),
-            unwatched: &trajectory.unwatched,
-            fallbacks: &trajectory.fallbacks,
-            states: States {
-                count: trajectory.states.len(),
-                state: Box::new(move |i| trajectory.states.get(i).map(|found| state(i, found))),
-                written,
-            },
         }
     }
 }

@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::condition::{self, ConditionRecord};
 use super::plan::PlanRecord;
 use super::text::{coordinate_names, frame_name, third_body};
+use super::units::{Units, UnitsRecord};
 use crate::mobility::{Mobility, RedundantRow};
 use crate::model::{BodyInfo, Level, Model, OperationCount, OriginKind};
 use crate::modes::Mode;
@@ -34,6 +35,7 @@ pub(crate) struct StructureRecord<'a> {
     bodies: Vec<BodyRecord>,
     parameters: Vec<ParameterRecord>,
     inputs: &'static [&'static str],
+    units: UnitsRecord,
     functions: &'static [&'static str],
     points: Vec<&'static str>,
     defines: Vec<&'static str>,
@@ -75,6 +77,7 @@ impl<'a> StructureRecord<'a> {
             bodies: model.bodies.iter().map(|b| body(model, b)).collect(),
             parameters: parameters(model, values),
             inputs: model.inputs,
+            units: Units::of(model).record(),
             functions: model.functions,
             points: model.points.iter().map(|p| p.name).collect(),
             defines: model.defines.iter().map(|d| d.name).collect(),

@@ -191,13 +191,19 @@ pub(crate) fn points(model: &Model, motion: &Motion) -> String {
     section("Points", &table)
 }
 
+/// The units of names; of their rates it is these in units of time.
+fn units_of<'n>(model: &Model, names: impl Iterator<Item = &'n str>) -> impl Iterator<Item = &'static str> {
+    names.map(|name| model.units.of(name).unwrap_or_default())
+}
+
 /// Named expressions.
 pub(crate) fn defines(model: &Model, motion: &Motion) -> String {
     let table = Table::new()
         .words("define", model.defines.iter().map(|d| d.name))
         .numbers("value", motion.defines.iter().map(|r| r.value))
         .numbers("rate", motion.defines.iter().map(|r| r.rate))
-        .numbers("acceleration", motion.defines.iter().map(|r| r.acceleration));
+        .numbers("acceleration", motion.defines.iter().map(|r| r.acceleration))
+        .words("unit", units_of(model, model.defines.iter().map(|d| d.name)));
     section("Defines", &table)
 }
 
@@ -224,7 +230,8 @@ pub(crate) fn inputs(model: &Model, state: &State) -> String {
         .words("input", model.inputs.iter().copied())
         .numbers("value", state.inputs.iter().map(|u| u.value))
         .numbers("rate", state.inputs.iter().map(|u| u.rate))
-        .numbers("acceleration", state.inputs.iter().map(|u| u.acceleration));
+        .numbers("acceleration", state.inputs.iter().map(|u| u.acceleration))
+        .words("unit", units_of(model, model.inputs.iter().copied()));
     section("Inputs", &table)
 }
 
@@ -249,12 +256,13 @@ pub(crate) fn ratios(model: &Model, ratios: &VelocityRatios) -> String {
 }
 
 /// Transmission angles.
-pub(crate) fn transmission(angles: &[TransmissionAngle]) -> String {
+pub(crate) fn transmission(angles: &[TransmissionAngle], degrees: bool) -> String {
+    let in_degrees = |angle: &TransmissionAngle| if degrees { angle.angle } else { angle.angle.to_degrees() };
     let table = Table::new()
         .words("at", angles.iter().map(|a| a.joint))
         .words("between", angles.iter().map(|a| a.between.join(" and ")))
-        .numbers("angle", angles.iter().map(|a| a.angle))
-        .right("degrees", angles.iter().map(|a| format!("{:.2}", a.angle.to_degrees())));
+        .numbers("angle", angles.iter().map(|a| a.angle).filter(|_| !degrees))
+        .right("degrees", angles.iter().map(|a| format!("{:.2}", in_degrees(a))));
     section("Transmission angles (best at 90 degrees)", &table)
 }
 

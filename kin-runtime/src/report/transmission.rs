@@ -3,7 +3,8 @@
 //! At a revolute joint N between moving bodies i and j, every other joint a on i and b on j that stands at a point
 //! gives one angle, between r_a − r_N and r_b − r_N. In a four-bar the one at the joint of coupler and rocker, between
 //! the crank's end and the rocker's pivot, is the textbook's. Joints of a body whose rotation is driven, and joints
-//! whose relative angle is driven, transmit from the drive and not to an output: they are left out.
+//! whose relative angle is driven, transmit from the drive and not to an output: they are left out. So are pairs of joints
+//! that are not closed together with N: where a plan solves the mechanism, N, a and b are joints of one of its steps.
 
 use crate::equations::placement::Placement;
 use crate::equations::{Equations, finite};
@@ -67,6 +68,9 @@ pub(crate) fn transmission_angles(
         let Some(centre) = at(i).find(|p| p.joint == index) else { continue };
         for a in at(i).filter(|p| p.joint != index) {
             for b in at(j).filter(|p| p.joint != index && p.joint != a.joint) {
+                if !closed_together(equations.model, [index, a.joint, b.joint]) {
+                    continue;
+                }
                 if let Some(angle) = angle_between(centre.r, a.r, b.r) {
                     let between = [joints[a.joint].name, joints[b.joint].name];
                     found.push(TransmissionAngle { joint: joint.name, between, angle });
@@ -75,6 +79,12 @@ pub(crate) fn transmission_angles(
         }
     }
     Ok(found)
+}
+
+/// True for joints of one closed group; without a plan nobody knows the groups.
+fn closed_together(model: &Model, joints: [usize; 3]) -> bool {
+    let mut steps = model.plan.steps.iter();
+    !model.plan.exists() || steps.any(|step| joints.iter().all(|joint| step.joints.contains(joint)))
 }
 
 /// For every driving row that mentions nothing but rotations of bodies: those bodies, sorted.

@@ -16,7 +16,7 @@
 //! - [`velocity`]: knife edges, speeds and other rows of velocity level;
 //! - [`loads`]: masses, gravity, forces, couples, springs;
 //! - [`unilateral`]: inequalities that are watched along a motion;
-//! - [`units`]: units of parameters, and whether they agree.
+//! - [`units`]: units of parameters, inputs, coordinates and defines, and that they agree.
 //!
 //! These modules hold documentation only.
 

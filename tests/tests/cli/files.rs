@@ -40,7 +40,7 @@ fn the_ending_says_the_form() {
     let place = Place::new("endings");
     let starts = [
         ("sweep --to 1 --steps 2", "motion.csv", "t,crank.x,"),
-        ("sweep --to 1 --steps 2", "motion.JSON", "{\n  \"mechanism\""),
+        ("sweep --to 1 --steps 2", "motion.JSON", "{\"mechanism\":"),
         ("sweep --to 1 --steps 2", "motion.txt", "FourbarLectureMid, 3 instants"),
         ("solve", "state.csv", "t,crank.x,"),
         ("solve", "state.json", "{\n  \"t\""),

@@ -29,7 +29,7 @@ fn help_fits_the_screen_and_has_examples() {
     assert!(long.contains("[default: 100]") && good("fourbar plot -h").contains("[default: 360]"));
     assert!(good("limits sweep --help").contains("--stop-at-events  "), "the mechanism has limits");
     assert!(!long.contains("--stop-at-events  "), "the mechanism has no limits");
-    assert!(good("underdriven solve -h").contains("solve --given "));
+    assert!(good("underdriven solve -h").contains(" --given "));
 }
 
 /// What a shell makes of a line of an example, without its comment.
@@ -49,17 +49,18 @@ fn words(line: &str) -> Vec<String> {
     words
 }
 
-/// Every example of every help is understood; where it has no answer, that is the mechanism's.
+/// Every example of every help has a good answer.
 #[test]
-fn examples_are_no_usage_errors() {
+fn examples_run() {
     let place = std::env::temp_dir().join(format!("kin-examples-{}", std::process::id()));
     std::fs::create_dir_all(&place).expect("a directory");
-    let (mut tried, mut answered) = (0, 0);
-    for mechanism in MECHANISMS {
+    let (mut tried, mut failed) = (0, Vec::new());
+    for mechanism in ["fourbar", "leg", "underdriven", "limits", "redundant", "cam", "ends", "teeth"] {
         for command in COMMANDS {
             let help = good(&format!("{mechanism} {command} --help"));
-            let examples =
-                help.split("\nExamples:\n").nth(1).expect("examples").split("\n\n").next().unwrap_or_default();
+            // What has nothing to draw has no example for it.
+            let Some(examples) = help.split("\nExamples:\n").nth(1) else { continue };
+            let examples = examples.split("\n\n").next().unwrap_or_default();
             for example in examples.lines().filter(|line| line.starts_with("  several") && !line.contains('>')) {
                 let args = words(example);
                 let output = std::process::Command::new(env!("CARGO_BIN_EXE_several"))
@@ -68,15 +69,15 @@ fn examples_are_no_usage_errors() {
                     .current_dir(&place)
                     .output()
                     .expect("the program starts");
-                let err = String::from_utf8_lossy(&output.stderr);
-                let known = matches!(output.status.code(), Some(0 | 1)) && !err.contains("panicked");
-                assert!(known, "{mechanism}: {example}\n{err}");
                 tried += 1;
-                answered += usize::from(output.status.success());
+                if !output.status.success() {
+                    failed.push(format!("{mechanism}: {example}\n{}", String::from_utf8_lossy(&output.stderr)));
+                }
             }
         }
     }
-    assert!(tried > 100 && 10 * answered > 8 * tried, "{answered} of {tried} examples have an answer");
+    assert!(failed.is_empty(), "{} of {tried}:\n{}", failed.len(), failed.join("\n"));
+    assert!(tried > 300, "{tried} examples");
     assert!(place.join("motion.html").is_file() && place.join("paths.svg").is_file());
     std::fs::remove_dir_all(place).expect("the directory goes");
 }

@@ -116,3 +116,27 @@ fn the_second_ends_the_program_at_once() {
     child.stderr.take().expect("stderr").read_to_string(&mut err).expect("UTF-8");
     assert_eq!(err, "");
 }
+
+/// Rows are written as they come, so that a long sweep takes no more memory than a short one.
+#[test]
+fn a_long_sweep_takes_little_memory() {
+    let file = std::env::temp_dir().join(format!("kin-long-{}", std::process::id()));
+    for ending in ["csv", "json"] {
+        let path = file.with_extension(ending);
+        let line = format!("fourbar sweep --points --to 100 --steps 100000 --out {}", path.display());
+        let mut child = start(&line);
+        let mut most = 0;
+        while child.try_wait().expect("the process is there").is_none() {
+            let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap_or_default();
+            let peak =
+                status.lines().find_map(|line| line.strip_prefix("VmHWM:")?.trim().strip_suffix(" kB")?.parse().ok());
+            most = peak.unwrap_or(0).max(most);
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        assert!(child.wait().expect("a status").success());
+        let size = std::fs::metadata(&path).expect("a file").len();
+        std::fs::remove_file(&path).expect("a file");
+        // A megabyte is a thousand kilobytes here; the file alone is larger.
+        assert!(most > 0 && most < 50_000 && size > 50_000_000, "{ending}: {most} kB for {size} bytes");
+    }
+}

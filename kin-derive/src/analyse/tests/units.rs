@@ -1,32 +1,73 @@
-//! The mechanisms of the repository with `check_units`: units are right where they are given, except where a bare t
-//! stands for an angle or a number.
+//! The units of the repository's mechanisms agree: whoever writes one has it checked. And what follows from them.
 
+use super::tokens;
 use crate::analyse::analyse;
 use kin_core::units;
-
-/// A length is taken for an angle, roots of 1 + t² are taken, an angle is t.
-const KNOWN: [&str; 3] = ["CamsOnCarriage", "WeldedPendulums", "Order"];
 
 #[test]
 fn units_of_the_repository_agree() {
     let (mut with_units, mut wrong) = (0, Vec::new());
     for found in crate::corpus::repository::mechanisms() {
-        let (_, result) = analyse(found.args, found.item);
-        let Ok(lowered) = result else { continue };
-        let given: Vec<_> = lowered.mechanism.parameters.iter().filter_map(|p| p.unit.as_deref()).collect();
-        if given.is_empty() {
-            continue;
-        }
-        with_units += 1;
-        let unknown: Vec<_> = given.iter().filter_map(|unit| units::parse(unit).err()).collect();
-        assert!(unknown.is_empty(), "{}: {unknown:?}", found.name);
-        let mut errors: Vec<_> = units::check(&lowered.mechanism).into_iter().map(|error| error.message).collect();
-        assert!(!errors.is_empty() || !KNOWN.contains(&found.name.as_str()), "{}", found.name);
-        errors.retain(|message| !message.contains("this is s, "));
-        if !errors.is_empty() && !KNOWN.contains(&found.name.as_str()) {
-            wrong.push(format!("{}: {errors:?}", found.name));
+        match analyse(found.args, found.item).1 {
+            Ok(lowered) => with_units += usize::from(units::are_written(&lowered.mechanism)),
+            Err(broken) => {
+                let errors: Vec<_> = broken.error.into_iter().map(|error| error.to_string()).collect();
+                if errors.iter().any(|error| error.contains("units") || error.contains("radii are lengths")) {
+                    wrong.push(format!("{}: {errors:?}", found.name));
+                }
+            }
         }
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
     assert!(with_units > 30, "{with_units} mechanisms with units");
+}
+
+/// The errors of a description.
+fn errors(source: &str) -> Vec<String> {
+    match analyse(tokens(""), tokens(source)).1 {
+        Ok(_) => Vec::new(),
+        Err(broken) => broken.error.into_iter().map(|error| error.to_string()).collect(),
+    }
+}
+
+#[test]
+fn units_that_differ_in_scale_are_named_with_what_to_do() {
+    let source = "#[bodies(crank, rod)] #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+        #[revolute(A: crank @ (r, 0), rod @ (l, 0))] #[driver(drive: crank.phi = omega*t)] #[driver(b: rod.phi = t)]
+        struct S { #[param(0.2, unit = \"m\")] r: f64, #[param(700, unit = \"mm\")] l: f64,
+            #[param(60, unit = \"deg/s\")] omega: f64 }";
+    let [length, angle] = &errors(source)[..] else { panic!("{:?}", errors(source)) };
+    assert_eq!(length, "the units do not agree: this is mm, and m is wanted, the unit of `r`; divided by 1000 it is m");
+    assert_eq!(
+        angle,
+        "the units do not agree: this is deg, and what it meets is a number or rad; times pi/180 it is rad"
+    );
+}
+
+/// What is said of the units of names.
+fn derived(source: &str) -> units::Units {
+    match analyse(tokens(""), tokens(source)).1 {
+        Ok(lowered) => units::derive(&lowered.mechanism),
+        Err(broken) => panic!("{}", broken.error),
+    }
+}
+
+#[test]
+fn units_follow_from_expressions() {
+    let found = derived(
+        "#[body(crank, x = 0, y = 0)] #[coordinates(u, v, n)] #[input(feed, turn)] #[input(p, unit = \"Pa\")]
+        #[define(area = l*crank.phi*l, speed = w*crank.phi*l, way = 2*crank.x + l, ratio = l/r, angle = 2*crank.phi)]
+        #[define(force = crank.phi*k, unit = \"N\")]
+        #[driver(a: crank.phi = turn)] #[constraint(b: u = l + 2*feed)] #[constraint(c: v = feed - l)]
+        #[constraint(d: n = sin(t))]
+        struct S { #[param(200, unit = \"mm\")] l: f64, #[param(3, unit = \"mm\")] r: f64, #[param(1)] k: f64,
+            #[param(1, unit = \"1/s\")] w: f64 }",
+    );
+    assert_eq!((found.length.as_deref(), found.time.as_deref()), (Some("mm"), Some("s")));
+    let named: Vec<String> = found.named.iter().map(|(name, unit)| format!("{name} {unit}")).collect();
+    let expected =
+        ["u mm", "v mm", "feed mm", "turn rad", "p Pa", "area mm²", "speed mm/s", "way mm", "angle rad", "force N"];
+    assert_eq!(named, expected);
+    let nothing = derived("#[coordinates(u)] #[driver(a: u = t)] struct S { l: f64 }");
+    assert_eq!(nothing, units::Units::default());
 }

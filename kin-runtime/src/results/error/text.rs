@@ -2,6 +2,7 @@
 
 use super::{Refusal, SolveError};
 use crate::planned::Limit;
+use crate::text::rounded;
 use core::fmt;
 
 impl fmt::Display for SolveError {
@@ -11,7 +12,8 @@ impl fmt::Display for SolveError {
                 write!(
                     f,
                     "not assembled at t = {t}: joint `{joint}` stays open, row `{row_name}` at {residual:.3e} \
-                     (scaled {gap:.3e}) after {iterations} iterations"
+                     (scaled {gap:.3e}) after {iterations} iterations",
+                    t = rounded(*t)
                 )?;
                 write_limit(f, limit)?;
                 if !all_guessed {
@@ -28,7 +30,8 @@ impl fmt::Display for SolveError {
                 write!(
                     f,
                     "singular configuration at t = {t}: rank {rank} instead of {expected_rank} \
-                     (condition {condition:.1e})"
+                     (condition {condition:.1e})",
+                    t = rounded(*t)
                 )?;
                 if !rows.is_empty() {
                     write!(f, "; dependent rows: {}", rows.join(", "))?;
@@ -38,37 +41,52 @@ impl fmt::Display for SolveError {
             Self::InconsistentVelocity { t, residual, row_name, joint, rank } => write!(
                 f,
                 "no velocity satisfies all rows at t = {t}: row `{row_name}` of joint `{joint}` is off by \
-                 {residual:.3e} (scaled; rank {rank})"
+                 {residual:.3e} (scaled; rank {rank})",
+                t = rounded(*t)
             ),
             Self::InconsistentAcceleration { t, residual, row_name, joint, rank } => write!(
                 f,
                 "no acceleration satisfies all rows at t = {t}: row `{row_name}` of joint `{joint}` is off by \
-                 {residual:.3e} (scaled; rank {rank})"
+                 {residual:.3e} (scaled; rank {rank})",
+                t = rounded(*t)
             ),
             Self::InconsistentDerivative { t, order, residual, row_name, joint, rank } => write!(
                 f,
                 "no derivative of order {order} satisfies all rows at t = {t}: row `{row_name}` of joint `{joint}` is \
-                 off by {residual:.3e} (scaled; rank {rank})"
+                 off by {residual:.3e} (scaled; rank {rank})",
+                t = rounded(*t)
             ),
             Self::UnknownDerivative { t, order, what, name, known } => write!(
                 f,
                 "the derivative of order {order} at t = {t} needs more of the {what} `{name}` than its value and \
                  {known} {}",
-                if *known == 1 { "derivative" } else { "derivatives" }
+                if *known == 1 { "derivative" } else { "derivatives" },
+                t = rounded(*t)
             ),
             Self::NotSmooth { t, order, row_name, joint } => write!(
                 f,
                 "row `{row_name}` of joint `{joint}` has no derivative of order {order} at t = {t}: a root, a divisor \
-                 or an absolute value in it is 0"
+                 or an absolute value in it is 0",
+                t = rounded(*t)
             ),
             Self::OutOfRange { t, order } => {
-                write!(f, "the derivative of order {order} at t = {t} is beyond the range of numbers")
+                write!(f, "the derivative of order {order} at t = {t} is beyond the range of numbers", t = rounded(*t))
             }
             Self::StepRefused { t, t_refused, reason: reason @ Refusal::TooManySteps, .. } => {
-                write!(f, "{reason} on the way from t = {t} to t = {t_refused}; ask for instants in between")
+                write!(
+                    f,
+                    "{reason} on the way from t = {t} to t = {t_refused}; ask for instants in between",
+                    t = rounded(*t),
+                    t_refused = rounded(*t_refused)
+                )
             }
             Self::StepRefused { t, t_refused, reason: reason @ Refusal::StepTooSmall, .. } => {
-                write!(f, "the velocities cannot be integrated beyond t = {t} to t = {t_refused}: {reason}")
+                write!(
+                    f,
+                    "the velocities cannot be integrated beyond t = {t} to t = {t_refused}: {reason}",
+                    t = rounded(*t),
+                    t_refused = rounded(*t_refused)
+                )
             }
             Self::StepRefused { t, reason: Refusal::TimeTooCoarse, .. } => {
                 let spacing = t.abs().next_up() - t.abs();
@@ -81,7 +99,9 @@ impl fmt::Display for SolveError {
             Self::StepRefused { t, t_refused, row_name, joint, reason, limit } => {
                 write!(
                     f,
-                    "the branch ends after t = {t}: at t = {t_refused} {reason} (joint `{joint}`, row `{row_name}`)"
+                    "the branch ends after t = {t}: at t = {t_refused} {reason} (joint `{joint}`, row `{row_name}`)",
+                    t = rounded(*t),
+                    t_refused = rounded(*t_refused)
                 )?;
                 write_limit(f, limit)
             }
@@ -92,16 +112,22 @@ impl fmt::Display for SolveError {
             ),
             Self::NotHeld { t, open, could_be_given } => {
                 let freedoms = if *open == 1 { "degree of freedom is" } else { "degrees of freedom are" };
-                write!(f, "at t = {t} loads act along what nothing holds: {open} {freedoms} left open")?;
+                write!(
+                    f,
+                    "at t = {t} loads act along what nothing holds: {open} {freedoms} left open",
+                    t = rounded(*t)
+                )?;
                 if could_be_given.is_empty() {
                     Ok(())
                 } else {
                     write!(f, "; could be given: {}", could_be_given.join(", "))
                 }
             }
-            Self::DegenerateGeometry { t, joint, fault } => write!(f, "joint `{joint}` at t = {t}: {fault}"),
+            Self::DegenerateGeometry { t, joint, fault } => {
+                write!(f, "joint `{joint}` at t = {t}: {fault}", t = rounded(*t))
+            }
             Self::DegenerateContact { t, joint, what, .. } => {
-                write!(f, "degenerate contact of joint `{joint}` at t = {t}: {what}")
+                write!(f, "degenerate contact of joint `{joint}` at t = {t}: {what}", t = rounded(*t))
             }
             Self::NonFinite { what, index, name, t } => {
                 write!(f, "{what}[{index}]")?;
@@ -109,7 +135,7 @@ impl fmt::Display for SolveError {
                     write!(f, " ({name})")?;
                 }
                 f.write_str(" is not a finite number")?;
-                t.map_or(Ok(()), |t| write!(f, " at t = {t}"))
+                t.map_or(Ok(()), |t| write!(f, " at t = {t}", t = rounded(t)))
             }
             Self::Length(error) => error.fmt(f),
             Self::Option { name, value, most } => {
@@ -122,10 +148,13 @@ impl fmt::Display for SolveError {
             Self::GivenConflict { t, coordinate, value, open, given } => write!(
                 f,
                 "`{coordinate}` = {value} cannot be given at t = {t}: it repeats or contradicts the other rows \
-                 ({given} given, {open} open)"
+                 ({given} given, {open} open)",
+                t = rounded(*t)
             ),
             Self::Plan(error) => error.fmt(f),
-            Self::Stopped { t, done, total } => write!(f, "stopped at t = {t}, {done} of {total} done"),
+            Self::Stopped { t, done, total } => {
+                write!(f, "stopped at t = {t}, {done} of {total} done", t = rounded(*t))
+            }
             Self::UnknownMode { mode, modes } if modes.is_empty() => {
                 write!(f, "there is no mode {mode}; the mechanism closes in one way only")
             }
@@ -134,7 +163,7 @@ impl fmt::Display for SolveError {
             }
             Self::ModeNotAssembled { t, modes, limit } => {
                 let modes: Vec<String> = modes.iter().map(|(name, sign)| format!("{name} = {sign}")).collect();
-                write!(f, "not assembled at t = {t} in the mode {}", modes.join(", "))?;
+                write!(f, "not assembled at t = {t} in the mode {}", modes.join(", "), t = rounded(*t))?;
                 write_limit(f, limit)
             }
             Self::NothingCompared { skipped } => {

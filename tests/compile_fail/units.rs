@@ -1,9 +1,9 @@
-//! Units that do not agree, where `check_units` asks for it.
+//! Units that do not agree: whoever writes one has it checked.
 
 use kin_runtime::mechanism;
 
 /// Unknown units.
-#[mechanism(check_units)]
+#[mechanism]
 #[coordinates(u)]
 #[driver(drive: u = a + b + c + d)]
 struct Unknown {
@@ -41,7 +41,7 @@ struct Sums {
 }
 
 /// Every part of every joint wants its unit.
-#[mechanism(check_units)]
+#[mechanism]
 #[bodies(a, b, c, d, e, f, g, h)]
 #[body(held, x = omega, y = 0, phi = l)]
 #[coordinates(u, psi)]
@@ -73,7 +73,7 @@ struct Sums {
 #[nonholonomic(U: dot(h.x) = l*h.phi)]
 #[driver(V: distance(tip, ground @ (0, 0)) = omega*t)]
 #[driver(W: a.phi = omega)]
-#[constraint(X: c.x = t)]
+#[constraint(X: c.x = l*t)]
 #[unilateral(Y: tip.y > omega)]
 #[guess(b.x = omega, b.phi = l)]
 struct Parts {
@@ -96,6 +96,79 @@ struct Carried {
     r: f64,
     #[param(1, unit = "rad")]
     turn: f64,
+}
+
+/// Units of one kind and different scales: what it is, what is meant, and what makes one the other.
+#[mechanism]
+#[bodies(crank, rod, disc)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (r, 0), rod @ (l, 0))]
+#[revolute(B: ground @ (r, 0), disc @ (l/1000, 0))]
+#[driver(drive: crank.phi = omega*t)]
+#[driver(turn: disc.phi = n*t)]
+#[driver(rest: rod.phi = cos(turns) + cos(turns*2*pi) + sin(omega*pi/180*t))]
+struct Scales {
+    #[param(0.2, unit = "m")]
+    r: f64,
+    #[param(700, unit = "mm")]
+    l: f64,
+    #[param(60, unit = "deg/s")]
+    omega: f64,
+    #[param(60, unit = "rpm")]
+    n: f64,
+    #[param(1, unit = "rev")]
+    turns: f64,
+}
+
+/// Radii are lengths or numbers of teeth.
+#[mechanism]
+#[bodies(a, b, c, d)]
+#[gear(J: a, b, radii = (z1, 2*z1))]
+#[belt(K: a, c, radii = (z1, z1))]
+#[gear(L: a, d, radii = (z3, z4))]
+struct Teeth {
+    #[param(20, unit = "rad")]
+    z1: f64,
+    #[param(20, unit = "1")]
+    z3: f64,
+    #[param(20)]
+    z4: f64,
+}
+
+/// Units of coordinates, inputs and defines.
+#[mechanism]
+#[bodies(a)]
+#[coordinates(u, unit = "mm")]
+#[coordinates(w, unit = "metre")]
+#[input(lift, default = 0.3, unit = "m")]
+#[input(turn, default = l, units = "rad")]
+#[input(late, unit = "m", later)]
+#[input(twice, default = 1, default = 2)]
+#[define(bare = a.x, unit = m)]
+#[define(none = a.x, default = 3)]
+#[driver(x: a.x = lift)]
+struct Options {
+    #[param(1, unit = "m")]
+    l: f64,
+}
+
+/// Written units of coordinates, inputs and defines hold.
+#[mechanism]
+#[bodies(a)]
+#[coordinates(u, unit = "mm")]
+#[coordinates(free)]
+#[input(lift, turn, unit = "m")]
+#[define(reach = a.x + l, unit = "rad")]
+#[define(fine = 2*a.phi, unit = "rad")]
+#[driver(x: a.x = lift)]
+#[driver(y: a.y = u)]
+#[driver(phi: a.phi = turn)]
+#[constraint(c: u = l)]
+#[constraint(d: free = l)]
+#[guess(u = l, free = 3)]
+struct Named {
+    #[param(1, unit = "m")]
+    l: f64,
 }
 
 fn main() {}

@@ -1,0 +1,146 @@
+//! What is known while units are checked.
+
+use super::parse::{angles, parse};
+use super::unit::{Unit, near};
+use crate::error::{ModelError, Origin};
+use crate::mechanism::{Formula, Mechanism};
+use Quantity::{Any, Of};
+
+/// What is known of a quantity.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Quantity {
+    /// Anything.
+    Any,
+    /// A plain number, of whatever unit is wanted.
+    Plain,
+    /// t or a power of it: a time where units are multiplied, and as free as a number where it is added or compared, so
+    /// that `phi = t` turns by one radian in a unit of time.
+    Clock(Unit),
+    /// Of this unit.
+    Of(Unit),
+}
+
+/// The state of checking units.
+pub(super) struct Checker<'m> {
+    pub(super) mechanism: &'m Mechanism,
+    /// What is written of parameters, scalar coordinates, inputs and defines.
+    pub(super) written: [Vec<Option<Written>>; 4],
+    /// What scalar coordinates and inputs without a unit meet.
+    pub(super) met: [Vec<Met>; 2],
+    /// Of positions.
+    pub(super) length: Unit,
+    /// What has the unit of length first.
+    pub(super) first_length: Option<String>,
+    /// Of t.
+    pub(super) time: Unit,
+    /// Of masses.
+    pub(super) mass: Unit,
+    /// Of the defines that have been looked at.
+    pub(super) defines: Vec<Option<(Quantity, f64)>>,
+    /// Where the formula at hand stands.
+    pub(super) at: Origin,
+    pub(super) errors: Vec<ModelError>,
+}
+
+/// A unit as it is written.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Written {
+    pub(super) unit: Unit,
+    /// How often an angle is a factor of it.
+    pub(super) angle: f64,
+}
+
+/// What a name without a unit meets in equations.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) enum Met {
+    #[default]
+    Nothing,
+    One(Written),
+    /// Units that do not agree with one another.
+    Several,
+}
+
+/// What may have a unit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Named {
+    Parameter,
+    Scalar,
+    Input,
+    Define,
+}
+
+/// Everything that is written, with what has it.
+pub(super) fn texts(mechanism: &Mechanism) -> impl Iterator<Item = (&str, &str)> {
+    let m = mechanism;
+    let parameters = m.parameters.iter().map(|p| (&p.name, &p.unit));
+    let others = m.scalars.iter().map(|s| (&s.name, &s.unit)).chain(m.inputs.iter().map(|u| (&u.name, &u.unit)));
+    let all = parameters.chain(others).chain(m.defines.iter().map(|d| (&d.name, &d.unit)));
+    all.filter_map(|(name, unit)| Some((name.as_str(), unit.as_deref()?)))
+}
+
+/// The scale of the first symbol of a length (0), time (1) or mass (2) in a unit, as in `mm/s`, and the symbol.
+pub(super) fn base(unit: &str, kind: usize) -> Option<(f64, &str)> {
+    let symbols = unit.split(|c: char| !c.is_alphabetic());
+    let mut bases = symbols
+        .filter_map(|symbol| parse(symbol).ok().map(|unit| (unit, symbol)))
+        .filter(|(unit, _)| near(unit.powers[kind], 1.0));
+    let (unit, symbol) = bases.find(|(unit, _)| unit.powers.iter().sum::<f64>() == 1.0)?;
+    unit.scale.map(|scale| (scale, symbol))
+}
+
+impl<'m> Checker<'m> {
+    pub(super) fn new(mechanism: &'m Mechanism) -> Self {
+        let m = mechanism;
+        let written = |unit: &Option<String>| {
+            let text = unit.as_deref()?;
+            Some(Written { unit: parse(text).ok()?, angle: angles(text) })
+        };
+        let first = |kind: usize| texts(m).find_map(|(name, text)| base(text, kind).map(|(scale, s)| (name, scale, s)));
+        Self {
+            mechanism,
+            written: [
+                m.parameters.iter().map(|p| written(&p.unit)).collect(),
+                m.scalars.iter().map(|s| written(&s.unit)).collect(),
+                m.inputs.iter().map(|u| written(&u.unit)).collect(),
+                m.defines.iter().map(|d| written(&d.unit)).collect(),
+            ],
+            met: [vec![Met::Nothing; m.scalars.len()], vec![Met::Nothing; m.inputs.len()]],
+            length: Unit { powers: [1.0, 0.0, 0.0], scale: first(0).map(|(_, scale, _)| scale) },
+            first_length: first(0).map(|(name, _, _)| name.to_owned()),
+            time: Unit { powers: [0.0, 1.0, 0.0], scale: Some(first(1).map_or(1.0, |(_, scale, _)| scale)) },
+            mass: Unit { powers: [0.0, 0.0, 1.0], scale: first(2).map(|(_, scale, _)| scale) },
+            defines: vec![None; m.defines.len()],
+            at: Origin::default(),
+            errors: Vec::new(),
+        }
+    }
+
+    /// What is written of a name.
+    pub(super) fn written(&self, named: Named, k: usize) -> Option<Written> {
+        self.written[named as usize].get(k).copied().flatten()
+    }
+
+    /// The quantity of a name that has a unit, or none.
+    pub(super) fn of(&self, named: Named, k: usize) -> Quantity {
+        self.written(named, k).map_or(Any, |written| Of(written.unit))
+    }
+
+    /// A name without a unit that stands alone is of the unit that it meets.
+    pub(super) fn meets(&mut self, formula: &Formula, unit: Unit, angle: f64) {
+        let (named, member) = match formula {
+            Formula::Neg(a) => return self.meets(a, unit, angle),
+            Formula::Scalar(member) => (Named::Scalar, member),
+            Formula::Input(member) => (Named::Input, member),
+            _ => return,
+        };
+        if let Some(met) = self.met[named as usize - 1].get_mut(member.family) {
+            *met = match *met {
+                Met::Nothing => Met::One(Written { unit, angle }),
+                Met::One(other) if other.unit.agrees(unit) => {
+                    Met::One(Written { angle: other.angle.max(angle), ..other })
+                }
+                _ => Met::Several,
+            };
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! What the units of a mechanism are: those that are written, and those that follow from them.
+
+use super::checker::{
+    Checker, Met,
+    Quantity::{Of, Plain},
+    Written, base, texts,
+};
+use super::parse::symbol_of;
+use super::unit::{Unit, near};
+use crate::mechanism::Mechanism;
+
+/// The units of what a mechanism reports, as people write them.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Units {
+    /// Of x and y, where a unit of length is written.
+    pub length: Option<String>,
+    /// Of t; s where units are written, and none of them is a time.
+    pub time: Option<String>,
+    /// Of scalar coordinates, inputs and defines, by their names without index, where they are known.
+    pub named: Vec<(String, String)>,
+}
+
+/// True where a unit is written.
+pub fn are_written(mechanism: &Mechanism) -> bool {
+    texts(mechanism).next().is_some()
+}
+
+/// The units of a mechanism without mistakes.
+pub fn derive(mechanism: &Mechanism) -> Units {
+    let mut checker = Checker::new(mechanism);
+    checker.mechanism();
+    let any = are_written(mechanism);
+    let symbol = |kind| texts(mechanism).find_map(|(_, text)| base(text, kind)).map(|(_, symbol)| symbol.to_owned());
+    let mut units = Units { length: symbol(0), time: symbol(1).or(any.then(|| "s".to_owned())), named: Vec::new() };
+    let of = |name: &str, own: &Option<String>, derived: Option<String>| {
+        own.clone().or(derived).map(|unit| (name.to_owned(), unit))
+    };
+    let met = |met: Option<&Met>| match met {
+        Some(Met::One(Written { unit, angle })) => text(&units, &checker, *unit, *angle),
+        _ => None,
+    };
+    let mut named = Vec::new();
+    named.extend(
+        mechanism.scalars.iter().zip(0..).filter_map(|(s, k)| of(&s.name, &s.unit, met(checker.met[0].get(k)))),
+    );
+    named
+        .extend(mechanism.inputs.iter().zip(0..).filter_map(|(u, k)| of(&u.name, &u.unit, met(checker.met[1].get(k)))));
+    for (k, define) in mechanism.defines.iter().enumerate() {
+        let derived = match checker.defines.get(k).copied().flatten() {
+            Some((Of(unit), angle)) => text(&units, &checker, unit, angle),
+            Some((Plain, 1.0)) => Some("rad".to_owned()),
+            _ => None,
+        };
+        named.extend(of(&define.name, &define.unit, derived));
+    }
+    units.named = named;
+    units
+}
+
+/// A unit in the units of the mechanism; none for a number.
+fn text(units: &Units, checker: &Checker<'_>, unit: Unit, angle: f64) -> Option<String> {
+    let [length, time, mass] = unit.powers;
+    let scale = checker.length.scale.unwrap_or(1.0).powf(length) * checker.time.scale.unwrap_or(1.0).powf(time);
+    let own = mass.abs() < 1e-9 && unit.scale.is_none_or(|found| near(found, scale));
+    if !own {
+        return Some(symbol_of(unit).map_or_else(|| unit.to_string(), str::to_owned));
+    }
+    let is_angle = !unit.has_length() && near(angle, 1.0);
+    let (mut above, mut below) = (Vec::new(), Vec::new());
+    above.extend(is_angle.then(|| "rad".to_owned()));
+    for (symbol, power) in [(&units.length, length), (&units.time, time)] {
+        if power.abs() > 1e-9 {
+            let powered = format!("{}{}", symbol.as_ref()?, superscript(power.abs())?);
+            if power > 0.0 { above.push(powered) } else { below.push(powered) }
+        }
+    }
+    match (above.is_empty(), below.is_empty()) {
+        (true, true) => None,
+        (false, true) => Some(above.join("·")),
+        (true, false) => Some(format!("1/{}", below.join("/"))),
+        (false, false) => Some(format!("{}/{}", above.join("·"), below.join("/"))),
+    }
+}
+
+fn superscript(power: f64) -> Option<String> {
+    let whole = near(power, power.round()).then_some(power.round() as usize)?;
+    let digit = |c: char| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(c.to_digit(10)? as usize);
+    if whole == 1 { Some(String::new()) } else { whole.to_string().chars().map(digit).collect() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::superscript;
+    use crate::units::parse::angles;
+
+    #[test]
+    fn angles_are_factors_of_units() {
+        for (text, count) in [("rad", 1.0), ("deg/s", 1.0), ("rpm", 1.0), ("mrad", 1.0), ("1/s", 0.0), ("m", 0.0)] {
+            assert_eq!(angles(text), count, "{text}");
+        }
+        assert_eq!(angles("N*m/rad"), -1.0);
+        assert_eq!([1.0, 2.0, 12.0].map(|p| superscript(p).unwrap_or_default()), ["", "²", "¹²"]);
+    }
+}

@@ -1,0 +1,179 @@
+//! What works for a mechanism, tried out where help is asked for: examples that have an answer.
+
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+use super::engine::{Engine, Setup};
+use super::moving::natural_end;
+use crate::model::Model;
+use crate::present::number::rounded;
+use crate::workspace::Signal;
+
+/// Coordinates that a mechanism may have for its help to try it out.
+const MOST: usize = 400;
+/// Instants on which a motion is tried.
+const INSTANTS: usize = 24;
+/// What takes longer is left out of the help.
+const PATIENCE: Duration = Duration::from_millis(200);
+/// Values of inputs that are tried.
+const TRIES: usize = 200;
+
+/// What an example may ask for.
+#[derive(Clone, Debug)]
+pub(super) struct Trial {
+    /// ` --input u=0.9,0.1`, ` --given s=0.3:1`; empty where nothing is needed.
+    pub(super) needed: String,
+    /// An instant inside of the motion, and one at its end.
+    pub(super) at: String,
+    pub(super) to: String,
+    /// `l1=0.09..0.11:5`
+    pub(super) vary: Option<String>,
+    /// `A-B-D=-`, as it is assembled.
+    pub(super) mode: Option<String>,
+}
+
+impl Default for Trial {
+    fn default() -> Self {
+        Self { needed: String::new(), at: "0.5".to_owned(), to: "1".to_owned(), vary: None, mode: None }
+    }
+}
+
+impl Trial {
+    /// Tries the mechanism out; its parameters are afterwards what they were.
+    pub(super) fn of(engine: &mut dyn Engine) -> Option<Self> {
+        let model = engine.model();
+        if model.coordinates.len() > MOST {
+            return None;
+        }
+        let mut trial = Self::default();
+        let mut setup = inputs(engine)?;
+        let slow = |signal: &Signal| rounded(if signal.value == 0.0 { 0.1 } else { 0.1 * signal.value.abs() });
+        if model.input_defaults.iter().any(Option::is_none) || model.input_defaults.len() < model.inputs.len() {
+            let texts = model.inputs.iter().zip(&setup.inputs);
+            let texts: Vec<String> =
+                texts.map(|(name, u)| format!("{name}={},{}", rounded(u.value), rounded(u.rate))).collect();
+            trial.needed = format!(" --input {}", quoted(texts.join(",")));
+        }
+        for _ in 0..=model.coordinates.len() {
+            let state = engine.state(&setup, 0.0).ok()?;
+            let mobility = engine.mobility(&setup, &state.instant(), &state.q).ok()?;
+            if mobility.degrees_of_freedom_left == 0 {
+                break;
+            }
+            let &place = mobility.could_be_given.first()?;
+            let signal = Signal { value: shortened(state.q[place]), rate: 0.1, acceleration: 0.0 };
+            setup.given.push((place, Signal { rate: slow(&signal).parse().unwrap_or(0.1), ..signal }));
+        }
+        if !setup.given.is_empty() {
+            let texts = setup.given.iter().map(|(place, s)| {
+                format!("{}={}:{}", model.coordinates[*place].name, rounded(s.value), rounded(s.rate))
+            });
+            let texts: Vec<String> = texts.collect();
+            trial.needed.push_str(&format!(" --given {}", quoted(texts.join(","))));
+        }
+        let end = reached(engine, &setup, natural_end(engine, &setup, 0.0))?;
+        (trial.at, trial.to) = (rounded(shortened(0.5 * end)), rounded(shortened(end)));
+        let state = engine.state(&setup, 0.0).ok()?;
+        let modes = engine.modes(&state.instant(), &state.q);
+        trial.mode = modes.iter().find_map(|mode| Some(format!("{}={}", mode.name, mode.sign?)));
+        trial.vary = varied(engine, &setup);
+        Some(trial)
+    }
+}
+
+/// How far a motion comes.
+fn reached(engine: &dyn Engine, setup: &Setup, end: f64) -> Option<f64> {
+    let times: Vec<f64> = (0..=INSTANTS).map(|k| end * k as f64 / INSTANTS as f64).collect();
+    let (mut last, began) = (None, Instant::now());
+    engine.sweep_each(setup, &times, false, &|_| ControlFlow::Continue(()), &mut |state| {
+        last = Some(state.t);
+        if began.elapsed() < PATIENCE { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    });
+    last.filter(|t| *t > 0.0)
+}
+
+/// Inputs with which the mechanism can be assembled: their defaults, or else values that do.
+fn inputs(engine: &dyn Engine) -> Option<Setup> {
+    let model = engine.model();
+    let count = model.inputs.len();
+    let fixed: Vec<Option<f64>> =
+        model.input_defaults.iter().copied().chain(std::iter::repeat(None)).take(count).collect();
+    let setup = |values: &[f64]| {
+        let moving = |value: f64| if value == 0.0 { 0.1 } else { shortened(0.1 * value.abs()) };
+        let signal = |(value, fixed): (&f64, &Option<f64>)| Signal {
+            value: fixed.unwrap_or(*value),
+            rate: if fixed.is_some() { 0.0 } else { moving(*value) },
+            acceleration: 0.0,
+        };
+        Setup { inputs: values.iter().zip(&fixed).map(signal).collect(), ..Setup::default() }
+    };
+    let own = engine.parameters().into_iter().filter(|value| value.is_finite()).map(shortened);
+    let guessed = engine.guesses().into_iter().flatten().map(shortened);
+    let mut candidates: Vec<f64> = [0.0, 0.5, 1.0].into_iter().chain(guessed).chain(own).collect();
+    candidates.dedup();
+    let number = candidates.len();
+    // All alike first, and then every combination.
+    let alike = (0..number).map(|k| vec![candidates[k]; count]);
+    let combination = |mut place: usize| -> Vec<f64> {
+        (0..count)
+            .map(|_| {
+                let value = candidates[place % number];
+                place /= number;
+                value
+            })
+            .collect()
+    };
+    let all = alike.chain((0..TRIES).map(combination)).take(if count == 0 { 1 } else { TRIES });
+    all.map(|values| setup(&values)).find(|setup| count == 0 || engine.state(setup, 0.0).is_ok())
+}
+
+/// The first parameter that may be a tenth smaller and larger at once.
+fn varied(engine: &mut dyn Engine, setup: &Setup) -> Option<String> {
+    let model: &Model = engine.model();
+    let began = Instant::now();
+    for (place, value) in engine.parameters().into_iter().enumerate().filter(|(_, value)| value.is_finite()).take(8) {
+        if began.elapsed() >= PATIENCE {
+            return None;
+        }
+        let by = if value == 0.0 { 0.1 } else { 0.1 * value.abs() };
+        let [low, high] = [shortened(value - by), shortened(value + by)];
+        let moves = |engine: &mut dyn Engine, value: f64| {
+            let end = engine.set_parameter(place, value).then(|| natural_end(&*engine, setup, 0.0));
+            end.and_then(|end| reached(&*engine, setup, end)).is_some()
+        };
+        let both = moves(engine, low) && moves(engine, high);
+        engine.set_parameter(place, value);
+        if both && low < high {
+            return Some(format!("{}={}..{}:5", model.parameters[place].name, rounded(low), rounded(high)));
+        }
+    }
+    None
+}
+
+/// Towards zero, to two digits.
+fn shortened(value: f64) -> f64 {
+    if value == 0.0 || !value.is_finite() {
+        return 0.0;
+    }
+    let places = 1 - value.abs().log10().floor() as i32;
+    let factor = 10_f64.powi(places);
+    // As a decimal is written: 0.29 and not 0.28999999999999998.
+    let digits = (value * factor * (1.0 + 1e-12)).trunc();
+    format!("{digits}e{}", -places).parse().unwrap_or(value)
+}
+
+/// Brackets mean something to a shell.
+pub(super) fn quoted(text: String) -> String {
+    if text.contains('[') { format!("'{text}'") } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shortened;
+
+    #[test]
+    fn numbers_are_short() {
+        assert_eq!([0.0, 1.2345, -0.098_76, 0.29, 6.93].map(shortened), [0.0, 1.2, -0.098, 0.29, 6.9]);
+        assert_eq!([2e-9, 123_456.0].map(shortened), [2e-9, 120_000.0]);
+    }
+}
