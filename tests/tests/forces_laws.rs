@@ -486,5 +486,5 @@ fn a_mechanism_without_loads_has_no_forces() {
     let four_bar = kin_tests::mechanisms::FourbarLectureMid::default();
     let state = four_bar.state_at(&Instant::at(0.0)).unwrap();
     assert!(matches!(four_bar.solver().forces(&state), Err(SolveError::NoLoads { .. })));
-    assert!(kin_tests::mechanisms::FourbarLectureMid::force_model().is_none());
+    assert!(kin_tests::mechanisms::FourbarLectureMid::model().forces.is_none());
 }

@@ -7,19 +7,9 @@ use kin_core::loads::Forces;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// What forces add to a mechanism.
-pub(super) struct ForceTokens {
-    /// Types and tables, beside the trait.
-    pub(super) items: TokenStream,
-    /// Methods of the trait.
-    pub(super) methods: TokenStream,
-}
-
-/// The static table and the method that gives it.
-pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, rows: usize) -> ForceTokens {
-    let (Some(forces), Some(count)) = (forces, kernels.force_operations) else {
-        return ForceTokens { items: TokenStream::new(), methods: TokenStream::new() };
-    };
+/// The static table, beside the trait.
+pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, rows: usize) -> TokenStream {
+    let (Some(forces), Some(count)) = (forces, kernels.force_operations) else { return TokenStream::new() };
     let Forces { count: numbers, solved, efforts, reactions, springs, .. } = forces;
     let operations = operations(count);
     let efforts = efforts.iter().map(|effort| {
@@ -44,22 +34,15 @@ pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, rows: usize) ->
     });
     // With a plan there is such a type.
     let multipliers = kernels.solution.is_none().then(|| quote! { type __Rows<__T> = [__T; #rows]; });
-    ForceTokens {
-        items: quote! {
-            #multipliers
-            static __FORCES: __kin::ForceModel = __kin::ForceModel {
-                count: #numbers,
-                solved: #solved,
-                operations: #operations,
-                efforts: &[#(#efforts),*],
-                reactions: &[#(#reactions),*],
-                springs: &[#(#springs),*],
-            };
-        },
-        methods: quote! {
-            fn force_model() -> __kin::Option<&'static __kin::ForceModel> {
-                __kin::Some(&__FORCES)
-            }
-        },
+    quote! {
+        #multipliers
+        static __FORCES: __kin::ForceModel = __kin::ForceModel {
+            count: #numbers,
+            solved: #solved,
+            operations: #operations,
+            efforts: &[#(#efforts),*],
+            reactions: &[#(#reactions),*],
+            springs: &[#(#springs),*],
+        };
     }
 }

@@ -69,6 +69,10 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     let guesses = set.guesses.iter().map(|(k, _)| *k as usize);
     let geometry = set.geometry.len();
     let operations = operations(tables.kernels.operations);
+    let forces = match tables.kernels.force_operations {
+        Some(_) => quote! { __kin::Some(&__FORCES) },
+        None => quote! { __kin::None },
+    };
     let equations = derivation::equations(tables.system);
     let solution = derivation::solution(tables.plan);
     let structure = structure(tables.system, tables.structure);
@@ -99,6 +103,7 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
             structure: __kin::Some(#structure),
             plan: #plan,
             operations: #operations,
+            forces: #forces,
             equations: &[#(#equations),*],
             solution: &[#(#solution),*],
         }

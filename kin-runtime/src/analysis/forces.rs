@@ -31,7 +31,7 @@ pub(crate) struct Numbers {
 /// The forces at a state.
 pub(crate) fn forces(equations: &mut Equations<'_>, state: &State) -> Result<Forces, SolveError> {
     let model = equations.model;
-    let Some(info) = equations.system.force_model() else {
+    let Some(info) = model.forces else {
         return Err(SolveError::NoLoads { mechanism: model.name });
     };
     let numbers = numbers(equations, info, state)?;

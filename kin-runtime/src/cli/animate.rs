@@ -128,7 +128,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     }
     watch.end();
     let units = Units::of(model).in_degrees(degrees);
-    let columns = column_infos(units, &moving::column_names(model));
+    let columns = column_infos(model, units, &moving::column_names(model));
     let shown = shown(model, &runs[0].columns);
     let (time, length) = (units.time().map(str::to_owned), units.derivative(Measure::Length, 0));
     let animation = Animation { model, runs, drivers: drivers(model, &columns), columns, shown, length, time };

@@ -4,15 +4,18 @@ use super::degrees;
 use crate::model::Model;
 use crate::motion::Motion;
 use crate::present::animation::ColumnInfo;
+use crate::present::forces::column_names;
 use crate::present::grid::{names, row};
 use crate::present::units::Units;
 use crate::state::State;
 
-/// Names and units of the columns besides t: each with its rate and its acceleration.
-pub(super) fn column_infos(units: Units, names: &[String]) -> Vec<ColumnInfo> {
+/// Names and units of the columns besides t: each with its rate and its acceleration, but for forces.
+pub(super) fn column_infos(model: &Model, units: Units, names: &[String]) -> Vec<ColumnInfo> {
+    let with_rates = names.len() - column_names(model).len();
     let info = |(k, name): (usize, &String)| {
         let base = name.trim_end_matches("_ddot").trim_end_matches("_dot");
-        ColumnInfo { unit: units.derivative(units.measure(base), k % 3), name: name.clone() }
+        let order = if k < with_rates { k % 3 } else { 0 };
+        ColumnInfo { unit: units.derivative(units.measure(base), order), name: name.clone() }
     };
     names.iter().enumerate().map(info).collect()
 }

@@ -82,9 +82,7 @@ pub(super) trait Engine {
         observer: Observer<'_>,
         visit: &mut dyn FnMut(&State) -> ControlFlow<()>,
     ) -> (Trajectory, Option<SolveError>);
-    fn motion(&self, state: &State) -> Result<Motion, SolveError>;
-    /// Whether there are masses or loads.
-    fn has_loads(&self) -> bool;
+    fn motion(&self, setup: &Setup, state: &State) -> Result<Motion, SolveError>;
     fn forces(&self, setup: &Setup, state: &State) -> Result<Forces, SolveError>;
     fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError>;
     fn velocity_ratios(&self, setup: &Setup, state: &State) -> Result<VelocityRatios, SolveError>;
@@ -163,12 +161,8 @@ impl<M: Mechanism> Engine for Bound<M> {
         }
     }
 
-    fn motion(&self, state: &State) -> Result<Motion, SolveError> {
-        Solver::new(&self.mechanism).motion(state)
-    }
-
-    fn has_loads(&self) -> bool {
-        M::force_model().is_some()
+    fn motion(&self, setup: &Setup, state: &State) -> Result<Motion, SolveError> {
+        self.solver(setup).motion(state)
     }
 
     fn forces(&self, setup: &Setup, state: &State) -> Result<Forces, SolveError> {

@@ -57,6 +57,7 @@ const MODEL: Model = Model {
         parameter("omega", "rad/s", 2.0, "Speed of the crank"),
     ],
     inputs: &[],
+    forces: None,
     input_defaults: &[],
     units: Units { length: Some("m"), time: Some("s"), named: &[("s", "m"), ("twice", "m")] },
     functions: &[],

@@ -8,7 +8,7 @@ use super::options::{FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::{analysis, driven_state, note_freedom};
-use crate::present::forces::{ForcesRecord, columns, text};
+use crate::present::forces::{column_names, column_values, text};
 use crate::present::json::to_json;
 use crate::present::number::plain;
 
@@ -57,10 +57,10 @@ pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Sess
         );
     }
     let text = match output.form {
-        Form::Json => to_json(&ForcesRecord::new(&forces)).map_err(Failure::Output)?,
+        Form::Json => to_json(&forces).map_err(Failure::Output)?,
         Form::Csv => {
-            let columns = columns(&forces);
-            let (names, values): (Vec<String>, Vec<f64>) = columns.into_iter().unzip();
+            let (names, mut values) = (column_names(engine.model()), Vec::new());
+            column_values(engine.model(), Some(&forces), &mut values);
             let values: Vec<String> =
                 values.into_iter().map(|v| if v.is_finite() { plain(v) } else { String::new() }).collect();
             format!("t,{}\n{},{}\n", names.join(","), plain(t), values.join(","))

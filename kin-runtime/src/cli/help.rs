@@ -33,7 +33,7 @@ pub(super) fn command(
     for (name, help) in COMMANDS {
         command = command.mut_subcommand(name, |command| with(command, name, help));
     }
-    if !engine.has_loads() {
+    if engine.model().forces.is_none() {
         command = command.mut_subcommand("forces", |command| command.hide(true));
     }
     with(command, "", &report::HELP)

@@ -154,7 +154,7 @@ impl Walk<'_> {
                 why = Some((state.t, self.open(state)));
                 return ControlFlow::Break(());
             }
-            let motion = self.reported.then(|| engine.motion(state)).transpose();
+            let motion = self.reported.then(|| engine.motion(setup, state)).transpose();
             let motion = motion.map_err(|error| why = Some((state.t, Some(analysis(engine, &error)))));
             let Ok(motion) = motion else { return ControlFlow::Break(()) };
             visit(state, motion.as_ref())?;

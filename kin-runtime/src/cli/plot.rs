@@ -133,7 +133,7 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     watch.end();
     let Some(first) = runs.first() else { return failure.map_or(Ok(()), Err) };
     let units = Units::of(model).in_degrees(args.angles.degrees);
-    let infos = column_infos(units, &names);
+    let infos = column_infos(model, units, &names);
     let beside = wanted.is_empty();
     let wanted = if beside { telling(model, &names, &infos, &first.columns) } else { wanted };
     let diagram = Diagram { title: model.name.to_owned(), panels: panels(units, &wanted, &infos, &runs), beside };

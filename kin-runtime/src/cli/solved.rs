@@ -47,7 +47,7 @@ impl Solved {
 pub(super) fn solve(engine: &dyn Engine, setup: &Setup, t: f64, least_norm: bool) -> Result<Solved, Failure> {
     let say = |error| analysis(engine, &error);
     let (state, mobility) = driven_state(engine, setup, t, least_norm)?;
-    let motion = engine.motion(&state).map_err(say)?;
+    let motion = engine.motion(setup, &state).map_err(say)?;
     // Neither belongs to the motion: where they do not exist, the state is good nevertheless.
     let ratios =
         engine.velocity_ratios(setup, &state).unwrap_or(VelocityRatios { drivers: Vec::new(), inputs: Vec::new() });

@@ -6,7 +6,7 @@
 use crate::course::InputFunction;
 use crate::evaluation::curve::CurvePoint;
 use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
-use crate::model::{ForceModel, Model, Pattern};
+use crate::model::{Model, Pattern};
 use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;
 use crate::planned::follower::{Control, Follower};
@@ -89,10 +89,6 @@ pub(crate) trait System {
     }
     /// Writes local points, axes and values, as many numbers as [`Model::geometry`] says.
     fn write_geometry(&self, at: &Instant<'_>, numbers: &mut [f64]) -> Result<(), LengthError>;
-    /// What the numbers of forces are, where there are masses or loads.
-    fn force_model(&self) -> Option<&'static ForceModel> {
-        None
-    }
     /// r = Q − M q̈ at a solved state.
     fn generalized_forces(&self, at: &Instant<'_>, state: &State, generalized: &mut [f64]) -> Result<(), LengthError> {
         let _ = (at, state, generalized);
@@ -229,10 +225,6 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
 
     fn branches(&self, at: &Instant<'_>, q: &[f64], closures: &mut [f64]) -> Result<(), LengthError> {
         self.mechanism.borrow().branches_with(self.parameters.as_ref(), at, q, closures)
-    }
-
-    fn force_model(&self) -> Option<&'static ForceModel> {
-        M::force_model()
     }
 
     fn generalized_forces(&self, at: &Instant<'_>, state: &State, generalized: &mut [f64]) -> Result<(), LengthError> {

@@ -343,6 +343,8 @@ pub struct Model {
     /// Operations of one combined evaluation.
     #[doc(hidden)]
     pub operations: OperationCount,
+    /// What the numbers of forces are; none for a mechanism without masses and loads.
+    pub forces: Option<&'static ForceModel>,
     /// The derivation as text; empty without the feature `equations`.
     #[doc(hidden)]
     pub equations: &'static [EquationText],

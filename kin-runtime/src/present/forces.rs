@@ -1,163 +1,72 @@
-//! Forces as tables for people, as a record for JSON, and as columns.
-
-use serde::Serialize;
+//! Forces as tables for people, and as columns.
 
 use super::table::Table;
 use super::text::section;
-use crate::forces::{Effort, Forces, Reaction, SpringForce, Wrench};
-use crate::serial::Named;
+use crate::forces::{Forces, Reaction, Wrench};
+use crate::model::{ForceModel, Frame, Model};
 
-/// Forces by name.
-#[derive(Serialize)]
-pub(crate) struct ForcesRecord<'a> {
-    t: f64,
-    efforts: Named<EffortRecord>,
-    reactions: Named<ReactionRecord<'a>>,
-    #[serde(skip_serializing_if = "Named::is_empty")]
-    springs: Named<SpringRecord>,
-    shaking: Wrench,
-    inertia: Wrench,
-    energy: Energy,
-    power: Power,
-    multipliers: Named<f64>,
+/// The names of the columns of forces; none for a mechanism without masses and loads.
+pub(crate) fn column_names(model: &Model) -> Vec<String> {
+    let Some(info) = model.forces else { return Vec::new() };
+    let mut names = Vec::new();
+    visit(model, info, None, &mut |name, _| names.push(name));
+    names
 }
 
-#[derive(Serialize)]
-struct EffortRecord {
-    effort: Option<f64>,
-    rate: f64,
-}
-
-#[derive(Serialize)]
-struct ReactionRecord<'a> {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    on: Option<&'static str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    point: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    force: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    moment: Option<f64>,
-    #[serde(skip_serializing_if = "Named::is_empty")]
-    torques: Named<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    generalized: Option<&'a f64>,
-    #[serde(skip_serializing_if = "is_true")]
-    determined: bool,
-}
-
-fn is_true(value: &bool) -> bool {
-    *value
-}
-
-#[derive(Serialize)]
-struct SpringRecord {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    length: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    angle: Option<f64>,
-    rate: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    tension: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    torque: Option<f64>,
-    energy: f64,
-    damping_power: f64,
-}
-
-#[derive(Serialize)]
-struct Energy {
-    kinetic: f64,
-    gravity: f64,
-    springs: f64,
-}
-
-#[derive(Serialize)]
-struct Power {
-    drivers: f64,
-    applied: f64,
-    dampers: f64,
-}
-
-impl<'a> ForcesRecord<'a> {
-    pub(crate) fn new(forces: &'a Forces) -> Self {
-        let effort = |e: &Effort| (e.name, EffortRecord { effort: e.effort, rate: e.rate });
-        let reaction = |r: &'a Reaction| {
-            let torques = r.couples.iter().map(|(frame, couple)| (forces.body(*frame), *couple)).collect();
-            let (on, generalized) = (r.on.map(|frame| forces.body(frame)), r.generalized.first());
-            let (point, force, moment) = (r.point, r.force, r.moment);
-            (r.name, ReactionRecord { on, point, force, moment, torques, generalized, determined: r.determined })
-        };
-        let spring = |s: &SpringForce| {
-            let of = |wanted: bool, value: f64| (s.turns == wanted).then_some(value);
-            let record = SpringRecord {
-                length: of(false, s.length),
-                angle: of(true, s.length),
-                rate: s.rate,
-                tension: of(false, s.force),
-                torque: of(true, s.force),
-                energy: s.energy,
-                damping_power: s.damper_power,
-            };
-            (s.name, record)
-        };
-        Self {
-            t: forces.t,
-            efforts: forces.efforts.iter().map(effort).collect(),
-            reactions: forces.reactions.iter().map(reaction).collect(),
-            springs: forces.springs.iter().map(spring).collect(),
-            shaking: forces.shaking,
-            inertia: forces.inertia,
-            energy: Energy { kinetic: forces.kinetic, gravity: forces.gravity, springs: forces.elastic },
-            power: Power { drivers: forces.driver_power, applied: forces.applied_power, dampers: forces.damper_power },
-            multipliers: forces.model.rows.iter().map(|row| row.name).zip(forces.multipliers.iter().copied()).collect(),
-        }
+/// The numbers of [`column_names`]; NaN for what is undetermined.
+pub(crate) fn column_values(model: &Model, forces: Option<&Forces>, out: &mut Vec<f64>) {
+    if let Some(info) = model.forces {
+        visit(model, info, forces, &mut |_, value| out.push(value));
     }
 }
 
-/// Names and numbers of everything but multipliers, as columns of a table over time; what is undetermined is NaN.
-pub(crate) fn columns(forces: &Forces) -> Vec<(String, f64)> {
-    let mut all: Vec<(String, f64)> = Vec::new();
-    for effort in &forces.efforts {
-        all.push((format!("{}.effort", effort.name), effort.effort.unwrap_or(f64::NAN)));
+/// Every column with its number, in order.
+fn visit(model: &Model, info: &ForceModel, forces: Option<&Forces>, f: &mut dyn FnMut(String, f64)) {
+    let body = |frame: Frame| match frame {
+        Frame::Ground => "ground",
+        Frame::Body(place) => model.bodies.get(place).map_or("", |body| body.name),
+    };
+    for (k, effort) in info.efforts.iter().enumerate() {
+        let value = forces.and_then(|forces| forces.efforts.get(k)?.effort);
+        f(format!("{}.effort", effort.name), value.unwrap_or(f64::NAN));
     }
-    for reaction in &forces.reactions {
-        let name = reaction.name;
-        if reaction.point.is_some() {
-            let [x, y] = reaction.force.unwrap_or([f64::NAN; 2]);
-            all.push((format!("{name}.force_x"), x));
-            all.push((format!("{name}.force_y"), y));
-            all.push((format!("{name}.force"), x.hypot(y)));
+    for (k, reaction) in info.reactions.iter().enumerate() {
+        let (name, found) = (reaction.name, forces.and_then(|forces| forces.reactions.get(k)));
+        if reaction.has_force {
+            let [x, y] = found.and_then(|found| found.force).unwrap_or([f64::NAN; 2]);
+            [("force_x", x), ("force_y", y), ("force", x.hypot(y))].map(|(what, v)| f(format!("{name}.{what}"), v));
         }
-        if let Some(moment) = reaction.moment {
-            all.push((format!("{name}.moment"), moment));
+        if reaction.has_moment {
+            f(format!("{name}.moment"), found.and_then(|found| found.moment).unwrap_or(f64::NAN));
         }
-        for (frame, couple) in &reaction.couples {
-            all.push((format!("{name}.torque_{}", forces.body(*frame)), *couple));
+        for (c, frame) in reaction.couples.iter().enumerate() {
+            let value = found.and_then(|found| Some(found.couples.get(c)?.1));
+            f(format!("{name}.torque_{}", body(*frame)), value.unwrap_or(f64::NAN));
         }
-        for value in &reaction.generalized {
-            all.push((format!("{name}.generalized"), *value));
+        for c in 0..reaction.generalized {
+            let value = found.and_then(|found| found.generalized.get(c).copied());
+            f(format!("{name}.generalized"), value.unwrap_or(f64::NAN));
         }
     }
-    for spring in &forces.springs {
+    for (k, spring) in info.springs.iter().enumerate() {
         let what = if spring.turns { "torque" } else { "tension" };
-        all.push((format!("{}.{what}", spring.name), spring.force));
+        let value = forces.and_then(|forces| Some(forces.springs.get(k)?.force));
+        f(format!("{}.{what}", spring.name), value.unwrap_or(f64::NAN));
     }
-    let Wrench { force: [x, y], moment } = forces.shaking;
-    let totals = [
-        ("shaking.force_x", x),
-        ("shaking.force_y", y),
-        ("shaking.force", x.hypot(y)),
-        ("shaking.moment", moment),
-        ("energy.kinetic", forces.kinetic),
-        ("energy.gravity", forces.gravity),
-        ("energy.springs", forces.elastic),
-        ("power.drivers", forces.driver_power),
-        ("power.applied", forces.applied_power),
-        ("power.dampers", forces.damper_power),
+    let total = |of: fn(&Forces) -> f64| forces.map_or(f64::NAN, of);
+    let totals: [(&str, fn(&Forces) -> f64); 10] = [
+        ("shaking.force_x", |forces| forces.shaking.force[0]),
+        ("shaking.force_y", |forces| forces.shaking.force[1]),
+        ("shaking.force", |forces| forces.shaking.force[0].hypot(forces.shaking.force[1])),
+        ("shaking.moment", |forces| forces.shaking.moment),
+        ("energy.kinetic", |forces| forces.kinetic),
+        ("energy.gravity", |forces| forces.gravity),
+        ("energy.springs", |forces| forces.elastic),
+        ("power.drivers", |forces| forces.driver_power),
+        ("power.applied", |forces| forces.applied_power),
+        ("power.dampers", |forces| forces.damper_power),
     ];
-    all.extend(totals.map(|(name, value)| (name.to_owned(), value)));
-    all
+    totals.map(|(name, of)| f(name.to_owned(), total(of)));
 }
 
 /// Tables of efforts, reactions, springs, shaking, energies and powers.

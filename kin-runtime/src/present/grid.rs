@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use super::forces;
 use super::number::plain;
 use super::table::Table;
 use crate::model::Model;
@@ -15,7 +16,7 @@ pub(crate) type Column = (String, Vec<f64>);
 const SUFFIXES: [&str; 3] = ["", "_dot", "_ddot"];
 
 /// The names of columns: `t`, then every coordinate with its rate and acceleration; behind them, where they are wanted,
-/// points, defines and joint quantities.
+/// points, defines and joint quantities, and what there is of forces, without rates.
 pub(crate) fn names(model: &Model, reported: bool) -> Vec<String> {
     let mut bases: Vec<String> = model.coordinates.iter().map(|coordinate| coordinate.name.to_owned()).collect();
     if reported {
@@ -26,7 +27,8 @@ pub(crate) fn names(model: &Model, reported: bool) -> Vec<String> {
         }
     }
     let all = bases.iter().flat_map(|base| SUFFIXES.map(|suffix| format!("{base}{suffix}")));
-    std::iter::once("t".to_owned()).chain(all).collect()
+    let forces = if reported { forces::column_names(model) } else { Vec::new() };
+    std::iter::once("t".to_owned()).chain(all).chain(forces).collect()
 }
 
 /// The numbers of one row, for [`names`] with what is reported where `motion` is there.
@@ -43,6 +45,7 @@ pub(crate) fn row(state: &State, motion: Option<&Motion>, out: &mut Vec<f64>) {
     for rates in motion.defines.iter().chain(motion.joints.iter().flatten()) {
         out.extend([rates.value, rates.rate, rates.acceleration]);
     }
+    forces::column_values(motion.model, motion.forces.as_ref(), out);
 }
 
 /// The columns of [`names`]; with what is reported where `motions` are given, one per state.

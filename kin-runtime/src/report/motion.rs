@@ -44,6 +44,7 @@ pub(crate) fn motion(equations: &mut Equations<'_>, state: &State) -> Result<Mot
         defines: model.defines.iter().map(|define| at(define.observable)).collect(),
         joints: joints.collect(),
         conditions: conditions.collect(),
+        forces: None,
     })
 }
 

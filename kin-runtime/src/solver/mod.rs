@@ -170,7 +170,14 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn motion(&self, state: &State) -> Result<Motion, SolveError> {
-        self.analyse(&state.instant(), |equations| motion(equations, state))
+        self.analyse(&state.instant(), |equations| {
+            let mut motion = motion(equations, state)?;
+            // They do not belong to the motion: where they do not exist, it is good nevertheless.
+            if equations.model.forces.is_some() {
+                motion.forces = analysis::forces::forces(equations, state).ok();
+            }
+            Ok(motion)
+        })
     }
 
     /// What drivers supply and joints carry at a solved state, from M q̈ + Φ_qᵀ λ = Q.

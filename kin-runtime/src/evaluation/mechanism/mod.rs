@@ -1,7 +1,7 @@
 //! The trait that `#[mechanism]` implements.
 
 use crate::evaluation::curve::CurvePoint;
-use crate::model::{ForceModel, Model};
+use crate::model::Model;
 use crate::plan::{Depth, Solved};
 use crate::scalar::Scalar;
 use crate::signal::Signal;
@@ -262,11 +262,6 @@ pub trait Mechanism: Sized {
         length::empty("lengths", lengths)
     }
 
-    /// What the numbers of forces are; none for a mechanism without masses and loads.
-    fn force_model() -> Option<&'static ForceModel> {
-        None
-    }
-
     /// r = Q − M q̈, n numbers: what loads and inertia leave for the constraints, Φ_qᵀ λ = r.
     ///
     /// # Errors
@@ -284,8 +279,8 @@ pub trait Mechanism: Sized {
         Ok(())
     }
 
-    /// Efforts, reactions, energies and powers, [`ForceModel::count`] numbers in the order that is said there, at a solved
-    /// q, q̇, q̈. `right` is λ, s numbers, unless the closed forms hold it ([`ForceModel::solved`]).
+    /// Efforts, reactions, energies and powers, [`ForceModel::count`](crate::model::ForceModel::count) numbers in the order that is said there, at a solved
+    /// q, q̇, q̈. `right` is λ, s numbers, unless the closed forms hold it ([`ForceModel::solved`](crate::model::ForceModel::solved)).
     ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).

@@ -1,5 +1,6 @@
 //! Motion of everything that a mechanism reports: bodies, points, defines and joints.
 
+use crate::forces::Forces;
 use crate::model::{Model, Observable, Quantity};
 use crate::signal::Signal;
 use core::ops::Index;
@@ -79,6 +80,8 @@ pub struct Motion {
     pub joints: Vec<Vec<Signal>>,
     /// Unilateral conditions, in the order of [`Model::conditions`].
     pub conditions: Vec<ConditionMotion>,
+    /// Forces, where there are masses or loads and something holds what they act along.
+    pub forces: Option<Forces>,
 }
 
 /// What reports on everything that a mechanism shows have in common: indices by handle, and how they are printed.

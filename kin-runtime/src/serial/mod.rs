@@ -1,5 +1,7 @@
 //! Results as serde sees them, where names come from the model: maps by name, in the order of declaration.
 
+mod forces;
+
 use crate::model::{BodyInfo, Model, PointInfo};
 use crate::motion::{BodyMotion, Motion, PointMotion};
 use crate::series::MotionDerivatives;
@@ -109,7 +111,7 @@ impl Serialize for Trajectory {
 
 /// What a report on everything that a mechanism shows serialises to: everything by name.
 macro_rules! by_name {
-    ($report:ident) => {
+    ($report:ident $(, $more:ident)?) => {
         impl Serialize for $report {
             fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
                 let model = self.model;
@@ -127,10 +129,13 @@ macro_rules! by_name {
                 s.serialize_field("defines", &defines)?;
                 s.serialize_field("joints", &joints)?;
                 s.serialize_field("conditions", &conditions)?;
+                $(if let Some($more) = &self.$more {
+                    s.serialize_field(stringify!($more), $more)?;
+                })?
                 s.end()
             }
         }
     };
 }
-by_name!(Motion);
+by_name!(Motion, forces);
 by_name!(MotionDerivatives);

@@ -1,0 +1,120 @@
+//! Forces by name.
+
+use super::Named;
+use crate::forces::{Effort, Forces, Reaction, SpringForce, Wrench};
+use serde::{Serialize, Serializer};
+
+/// Drivers, joints and springs by name; what is undetermined is missing.
+impl Serialize for Forces {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        ForcesRecord::new(self).serialize(serializer)
+    }
+}
+
+/// Forces by name.
+#[derive(Serialize)]
+struct ForcesRecord<'a> {
+    t: f64,
+    efforts: Named<EffortRecord>,
+    reactions: Named<ReactionRecord<'a>>,
+    #[serde(skip_serializing_if = "Named::is_empty")]
+    springs: Named<SpringRecord>,
+    shaking: Wrench,
+    inertia: Wrench,
+    energy: Energy,
+    power: Power,
+    multipliers: Named<f64>,
+}
+
+#[derive(Serialize)]
+struct EffortRecord {
+    effort: Option<f64>,
+    rate: f64,
+}
+
+#[derive(Serialize)]
+struct ReactionRecord<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    on: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    point: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    force: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    moment: Option<f64>,
+    #[serde(skip_serializing_if = "Named::is_empty")]
+    torques: Named<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    generalized: Option<&'a f64>,
+    #[serde(skip_serializing_if = "is_true")]
+    determined: bool,
+}
+
+fn is_true(value: &bool) -> bool {
+    *value
+}
+
+#[derive(Serialize)]
+struct SpringRecord {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    length: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    angle: Option<f64>,
+    rate: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tension: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    torque: Option<f64>,
+    energy: f64,
+    damping_power: f64,
+}
+
+#[derive(Serialize)]
+struct Energy {
+    kinetic: f64,
+    gravity: f64,
+    springs: f64,
+}
+
+#[derive(Serialize)]
+struct Power {
+    drivers: f64,
+    applied: f64,
+    dampers: f64,
+}
+
+impl<'a> ForcesRecord<'a> {
+    fn new(forces: &'a Forces) -> Self {
+        let effort = |e: &Effort| (e.name, EffortRecord { effort: e.effort, rate: e.rate });
+        let reaction = |r: &'a Reaction| {
+            let torques = r.couples.iter().map(|(frame, couple)| (forces.body(*frame), *couple)).collect();
+            let (on, generalized) = (r.on.map(|frame| forces.body(frame)), r.generalized.first());
+            let (point, force, moment) = (r.point, r.force, r.moment);
+            (r.name, ReactionRecord { on, point, force, moment, torques, generalized, determined: r.determined })
+        };
+        let spring = |s: &SpringForce| {
+            let of = |wanted: bool, value: f64| (s.turns == wanted).then_some(value);
+            let record = SpringRecord {
+                length: of(false, s.length),
+                angle: of(true, s.length),
+                rate: s.rate,
+                tension: of(false, s.force),
+                torque: of(true, s.force),
+                energy: s.energy,
+                damping_power: s.damper_power,
+            };
+            (s.name, record)
+        };
+        Self {
+            t: forces.t,
+            efforts: forces.efforts.iter().map(effort).collect(),
+            reactions: forces.reactions.iter().map(reaction).collect(),
+            springs: forces.springs.iter().map(spring).collect(),
+            shaking: forces.shaking,
+            inertia: forces.inertia,
+            energy: Energy { kinetic: forces.kinetic, gravity: forces.gravity, springs: forces.elastic },
+            power: Power { drivers: forces.driver_power, applied: forces.applied_power, dampers: forces.damper_power },
+            multipliers: forces.model.rows.iter().map(|row| row.name).zip(forces.multipliers.iter().copied()).collect(),
+        }
+    }
+}
