@@ -8,8 +8,9 @@ use syn::{Error, Ident, Result, Token};
 
 /// `name:` where it stands, and otherwise the keyword as a name.
 pub(super) fn row_name_or_keyword(input: ParseStream, keyword: &Ident, report: &Report) -> Result<NewName> {
-    let ahead = input.fork();
-    let is_name = index::new_name(&ahead, &Report::new()).is_ok() && ahead.peek(Token![:]) && !ahead.peek(Token![::]);
+    let (ahead, unread) = (input.fork(), Report::new());
+    let is_name = index::new_name(&ahead, &unread).is_ok() && ahead.peek(Token![:]) && !ahead.peek(Token![::]);
+    unread.discard();
     if is_name {
         return row_name(input, keyword, "", report);
     }

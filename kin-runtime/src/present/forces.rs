@@ -34,7 +34,9 @@ fn visit(model: &Model, info: &ForceModel, forces: Option<&Forces>, f: &mut dyn 
         let (name, found) = (reaction.name, forces.and_then(|forces| forces.reactions.get(k)));
         if reaction.has_force {
             let [x, y] = found.and_then(|found| found.force).unwrap_or([f64::NAN; 2]);
-            [("force_x", x), ("force_y", y), ("force", x.hypot(y))].map(|(what, v)| f(format!("{name}.{what}"), v));
+            for (what, value) in [("force_x", x), ("force_y", y), ("force", x.hypot(y))] {
+                f(format!("{name}.{what}"), value);
+            }
         }
         if reaction.has_moment {
             f(format!("{name}.moment"), found.and_then(|found| found.moment).unwrap_or(f64::NAN));
@@ -66,7 +68,9 @@ fn visit(model: &Model, info: &ForceModel, forces: Option<&Forces>, f: &mut dyn 
         ("power.applied", |forces| forces.applied_power),
         ("power.dampers", |forces| forces.damper_power),
     ];
-    totals.map(|(name, of)| f(name.to_owned(), total(of)));
+    for (name, of) in totals {
+        f(name.to_owned(), total(of));
+    }
 }
 
 /// Tables of efforts, reactions, springs, shaking, energies and powers.
