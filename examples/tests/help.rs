@@ -36,7 +36,8 @@ fn words(line: &str) -> Vec<String> {
 
 /// The examples of a program that fail, and how many there are.
 fn failures(name: &str, place: &Path) -> (usize, Vec<String>) {
-    const COMMANDS: [&str; 9] = ["", "info", "solve", "sweep", "check", "equations", "animate", "plot", "completions"];
+    const COMMANDS: [&str; 10] =
+        ["", "info", "solve", "sweep", "forces", "check", "equations", "animate", "plot", "completions"];
     let place = place.join(name);
     std::fs::create_dir_all(&place).expect("a directory");
     let program = programs().join(name);
@@ -63,6 +64,10 @@ fn failures(name: &str, place: &Path) -> (usize, Vec<String>) {
 }
 
 #[test]
+#[cfg_attr(
+    debug_assertions,
+    ignore = "takes minutes without optimisation: cargo test --release -p kin-examples --test help"
+)]
 fn the_examples_of_every_help_run() {
     let manifest = include_str!("../Cargo.toml");
     let names: Vec<&str> = manifest.split("[[example]]").skip(1).filter_map(|part| part.split('"').nth(1)).collect();

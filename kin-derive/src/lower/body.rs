@@ -1,9 +1,9 @@
 //! Points, defines and bodies: what was declared gets its meaning.
 
-use super::formula::{Allow, Scope};
 use super::lowerer::{Class, Lowerer};
 use super::names::Symbol;
 use super::range::IndexRange;
+use super::scope::{Allow, Scope};
 use crate::ast::{BodyDecl, Bracket, Expr, ExprKind, Item, NewName, PointExpr, text};
 use kin_core::check::{chain, cycle};
 use kin_core::mechanism::{BodyOrigin, Mechanism};

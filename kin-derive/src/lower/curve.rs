@@ -1,9 +1,9 @@
 //! Curves: their variables are known inside their formulas only, where they shadow other names.
 
 use super::curve_scope::Inside;
-use super::formula::{Allow, Scope};
 use super::lowerer::{Class, Lowerer};
 use super::range::IndexRange;
+use super::scope::{Allow, Scope};
 use crate::ast::{CurveExpr, Expr, NameUse, PathExpr};
 use crate::suggest::{listed, nearest};
 use kin_core::mechanism::{Curve, CurveVariable, Formula, Member};

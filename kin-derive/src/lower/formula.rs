@@ -4,47 +4,13 @@ use super::lowerer::{Class, Lowerer};
 use super::mention::{MentionKind, is_completion_marker};
 use super::names::{Declared, Shape, Symbol};
 use super::range::IndexRange;
+use super::scope::{Allow, Scope};
 use crate::ast::{Expr, ExprKind, NameUse, Operator, text};
 use crate::suggest::{did_you_mean, is_rate, listed};
 use kin_core::check::is_reserved;
 use kin_core::mechanism::{BodyRef, Component, Formula, Function, Index, Member};
 use proc_macro2::Span;
 use syn::Ident;
-
-/// What may stand in an expression.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Allow {
-    /// Numbers and parameters.
-    Parameters,
-    /// Also t and inputs.
-    Signals,
-    /// Also scalar coordinates.
-    Scalars,
-    /// Also coordinates.
-    Everything,
-    /// Coordinates, of which `dot` takes the rates.
-    Dotted,
-    /// Also rates: `dot(…)`.
-    Rates,
-}
-
-impl Allow {
-    const fn class(self) -> Class {
-        match self {
-            Self::Parameters => Class::Constant,
-            Self::Signals | Self::Scalars => Class::Signal,
-            Self::Everything | Self::Dotted | Self::Rates => Class::Coordinate,
-        }
-    }
-}
-
-/// Where an expression stands.
-pub(super) struct Scope<'s> {
-    /// For messages: "a body-fixed point", "`length`".
-    pub(super) what: &'s str,
-    pub(super) allow: Allow,
-    pub(super) range: &'s IndexRange,
-}
 
 impl Lowerer<'_> {
     /// The formula of an expression; all of its mistakes are reported before it is given up.

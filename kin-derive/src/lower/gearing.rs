@@ -1,9 +1,9 @@
 //! Radii, and scalar coordinates that options name.
 
-use super::formula::{Allow, Scope};
 use super::lowerer::Lowerer;
 use super::names::Symbol;
 use super::range::IndexRange;
+use super::scope::{Allow, Scope};
 use crate::ast::{Expr, NameUse, RadiiExpr};
 use kin_core::mechanism::{Member, Radii, Value};
 

@@ -13,6 +13,7 @@ mod names;
 mod place;
 mod range;
 mod row;
+mod scope;
 mod substitute;
 
 use crate::ast::{Description, Flags, Item, text};

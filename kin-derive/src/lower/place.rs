@@ -1,10 +1,10 @@
 //! Bodies and points where they are used.
 
-use super::formula::{Allow, Scope};
 use super::lowerer::Lowerer;
 use super::mention::{MentionKind, is_completion_marker};
 use super::names::{Declared, Symbol};
 use super::range::IndexRange;
+use super::scope::{Allow, Scope};
 use super::substitute;
 use crate::ast::{NameUse, PointExpr};
 use kin_core::error::Origin;

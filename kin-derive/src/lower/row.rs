@@ -1,9 +1,9 @@
 //! Rows and guesses.
 
-use super::formula::{Allow, Scope};
 use super::lowerer::Lowerer;
 use super::names::Symbol;
 use super::range::IndexRange;
+use super::scope::{Allow, Scope};
 use crate::ast::{AxisExpr, BodyExpr, ConditionDecl, Expr, GuessDecl, Item, OperandExpr, Row, text};
 use kin_core::mechanism::{
     Axis, BodyRef, Condition, Formula, Guess, GuessTarget, Joint, Mechanism, Member, Operand, Operands, Slot, Takes,

@@ -20,6 +20,9 @@ pub(crate) fn column_values(model: &Model, forces: Option<&Forces>, out: &mut Ve
     }
 }
 
+/// A number of the whole mechanism.
+type Total = fn(&Forces) -> f64;
+
 /// Every column with its number, in order.
 fn visit(model: &Model, info: &ForceModel, forces: Option<&Forces>, f: &mut dyn FnMut(String, f64)) {
     let body = |frame: Frame| match frame {
@@ -55,8 +58,8 @@ fn visit(model: &Model, info: &ForceModel, forces: Option<&Forces>, f: &mut dyn 
         let value = forces.and_then(|forces| Some(forces.springs.get(k)?.force));
         f(format!("{}.{what}", spring.name), value.unwrap_or(f64::NAN));
     }
-    let total = |of: fn(&Forces) -> f64| forces.map_or(f64::NAN, of);
-    let totals: [(&str, fn(&Forces) -> f64); 10] = [
+    let total = |of: Total| forces.map_or(f64::NAN, of);
+    let totals: [(&str, Total); 10] = [
         ("shaking.force_x", |forces| forces.shaking.force[0]),
         ("shaking.force_y", |forces| forces.shaking.force[1]),
         ("shaking.force", |forces| forces.shaking.force[0].hypot(forces.shaking.force[1])),

@@ -8,16 +8,10 @@ use crate::signal::Signal;
 use crate::workspace::{Array, Evaluation, Instant, Subset};
 
 mod length;
+mod workspaces;
 
 pub use length::LengthError;
-
-/// A workspace for Φ, Φ_q, Φ_t and γ of the mechanism `M`.
-pub type Workspace<M, T = f64> = Evaluation<<M as Mechanism>::Rows<T>, <M as Mechanism>::NonZeros<T>>;
-
-/// A workspace for the observables of the mechanism `M`: poses, points, defines and joint quantities.
-#[doc(hidden)]
-pub type Observations<M, T = f64> =
-    Evaluation<<M as Mechanism>::Observables<T>, <M as Mechanism>::ObservableNonZeros<T>>;
+pub use workspaces::{Observations, Workspace};
 
 /// A planar mechanism with closed-form constraints, written by `#[mechanism]`.
 ///
@@ -265,7 +259,7 @@ pub trait Mechanism: Sized {
     /// r = Q − M q̈, n numbers: what loads and inertia leave for the constraints, Φ_qᵀ λ = r.
     ///
     /// # Errors
-    /// As [`evaluate_with`](Self::evaluate_with).
+    /// When an argument has the wrong length.
     fn generalized_forces_with<T: Scalar>(
         &self,
         parameters: &[T],
@@ -279,11 +273,12 @@ pub trait Mechanism: Sized {
         Ok(())
     }
 
-    /// Efforts, reactions, energies and powers, [`ForceModel::count`](crate::model::ForceModel::count) numbers in the order that is said there, at a solved
-    /// q, q̇, q̈. `right` is λ, s numbers, unless the closed forms hold it ([`ForceModel::solved`](crate::model::ForceModel::solved)).
+    /// Efforts, reactions, energies and powers at a solved q, q̇, q̈: the numbers of [`ForceModel`](crate::model::ForceModel).
+    /// `right` is λ, s numbers; nothing where the closed forms hold it.
     ///
     /// # Errors
-    /// As [`evaluate_with`](Self::evaluate_with).
+    /// When an argument has the wrong length.
+    #[allow(clippy::too_many_arguments)]
     fn forces_with<T: Scalar>(
         &self,
         parameters: &[T],
