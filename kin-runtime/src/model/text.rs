@@ -1,8 +1,8 @@
 //! What is known about a mechanism, in words.
 
 use super::{
-    Body, BodyInfo, ConditionInfo, Coordinate, CoordinateInfo, DefineInfo, Input, JointInfo, Level, Model,
-    ParameterInfo, Pattern, Point, PointInfo, Quantity, RowInfo,
+    Body, BodyInfo, ConditionInfo, Coordinate, CoordinateInfo, DefineInfo, EffortInfo, ForceModel, Input, JointInfo,
+    Level, Model, ParameterInfo, Pattern, Point, PointInfo, Quantity, ReactionInfo, RowInfo, SpringInfo,
 };
 use crate::text::counted;
 use core::fmt;
@@ -57,6 +57,22 @@ display! {
         counted(f, it.entries.len(), "entry").and_then(|()| f.write_str(" in "))?;
         counted(f, it.rows, "row")?;
         write!(f, ", {} constant", it.constants.len())
+    };
+    /// `effort of drive`.
+    EffortInfo: |it, f| write!(f, "effort of {}", it.name);
+    /// `reaction of B`.
+    ReactionInfo: |it, f| write!(f, "reaction of {}", it.name);
+    /// `spring S`.
+    SpringInfo: |it, f| write!(f, "spring {}", it.name);
+    /// `25 numbers: 1 effort, 4 reactions, 1 spring`.
+    ForceModel: |it, f| {
+        counted(f, it.count, "number")?;
+        f.write_str(": ")?;
+        counted(f, it.efforts.len(), "effort")?;
+        f.write_str(", ")?;
+        counted(f, it.reactions.len(), "reaction")?;
+        f.write_str(", ")?;
+        counted(f, it.springs.len(), "spring")
     };
     /// `revolute A`.
     JointInfo: |it, f| write!(f, "{} {}", it.kind, it.name);

@@ -118,40 +118,68 @@ impl Forces {
     }
 }
 
+/// A number, or that there is none.
+struct Known(Option<f64>);
+
+impl fmt::Display for Known {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            Some(value) => value.fmt(f),
+            None => f.write_str("undetermined"),
+        }
+    }
+}
+
+/// `force (1, 2), moment 3`.
+impl fmt::Display for Wrench {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [x, y] = self.force;
+        write!(f, "force ({x}, {y}), moment {}", self.moment)
+    }
+}
+
+/// `drive: effort 1.5, rate 2`.
+impl fmt::Display for Effort {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: effort {}, rate {}", self.name, Known(self.effort), self.rate)
+    }
+}
+
+/// `B: force (1, 2), moment 0`, with couples and generalized forces where there are any.
+impl fmt::Display for Reaction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:", self.name)?;
+        if !self.determined {
+            f.write_str(" undetermined, redundant rows share the load")?;
+        }
+        if let Some([x, y]) = self.force {
+            write!(f, " force ({x}, {y})")?;
+        }
+        if let Some(moment) = self.moment {
+            write!(f, " moment {moment}")?;
+        }
+        self.couples.iter().try_for_each(|(_, couple)| write!(f, " couple {couple}"))?;
+        self.generalized.iter().try_for_each(|value| write!(f, " generalized force {value}"))
+    }
+}
+
+/// `S: 12.5 at a length of 0.3`.
+impl fmt::Display for SpringForce {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let what = if self.turns { "an angle" } else { "a length" };
+        write!(f, "{}: {} at {what} of {}", self.name, self.force, self.length)
+    }
+}
+
 /// A line per driver, joint and spring, then shaking, energy and power.
 impl fmt::Display for Forces {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for effort in &self.efforts {
-            match effort.effort {
-                Some(value) => writeln!(f, "driver {}: effort {value}, rate {}", effort.name, effort.rate)?,
-                None => writeln!(f, "driver {}: undetermined", effort.name)?,
-            }
-        }
-        for reaction in &self.reactions {
-            write!(f, "joint {}:", reaction.name)?;
-            if !reaction.determined {
-                f.write_str(" undetermined, redundant rows share the load")?;
-            }
-            if let (Some([x, y]), Some(on)) = (reaction.force, reaction.on) {
-                write!(f, " force ({x}, {y}) on {}", self.body(on))?;
-            }
-            if let (Some(moment), Some(on)) = (reaction.moment, reaction.on) {
-                write!(f, " moment {moment} on {}", self.body(on))?;
-            }
-            for (frame, couple) in &reaction.couples {
-                write!(f, " couple {couple} on {}", self.body(*frame))?;
-            }
-            for value in &reaction.generalized {
-                write!(f, " generalized {value}")?;
-            }
-            f.write_str("\n")?;
-        }
-        for spring in &self.springs {
-            writeln!(f, "spring {}: {} at {}", spring.name, spring.force, spring.length)?;
-        }
-        let Wrench { force: [x, y], moment } = self.shaking;
-        writeln!(f, "shaking: force ({x}, {y}), moment {moment}")?;
+        self.efforts.iter().try_for_each(|effort| writeln!(f, "driver {effort}"))?;
+        self.reactions.iter().try_for_each(|reaction| writeln!(f, "joint {reaction}"))?;
+        self.springs.iter().try_for_each(|spring| writeln!(f, "spring {spring}"))?;
+        writeln!(f, "shaking: {}", self.shaking)?;
         writeln!(f, "energy: kinetic {}, gravity {}, springs {}", self.kinetic, self.gravity, self.elastic)?;
-        write!(f, "power: drivers {}, applied {}, dampers {}", self.driver_power, self.applied_power, self.damper_power)
+        let [drivers, applied, dampers] = [self.driver_power, self.applied_power, self.damper_power];
+        write!(f, "power: drivers {drivers}, applied {applied}, dampers {dampers}")
     }
 }

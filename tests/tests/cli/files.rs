@@ -196,7 +196,7 @@ fn the_status_is_0_only_when_all_was_written() {
 #[test]
 fn a_page_tells_an_early_end_in_one_short_sentence() {
     let file = std::env::temp_dir().join(format!("kin-early-{}.html", std::process::id()));
-    let ran = kin(&format!("fourbar animate --set l1=0.35 --out {}", file.display()));
+    let ran = kin(&format!("fourbar animate --to 2 --set l1=0.35 --out {}", file.display()));
     assert_eq!(ran.status, Some(1), "{}", ran.err);
     let page = fs::read_to_string(&file).expect("the finished part is written");
     fs::remove_file(&file).expect("it is there");

@@ -222,9 +222,8 @@ fn a_blade_carries_a_side_force() {
     let forces = sleigh.solver().forces(&state).unwrap();
     // What blade, pull and heading exert together moves the mass.
     let sum = ["blade", "pull"].map(|joint| forces.reaction(joint).unwrap().force.unwrap());
-    for c in 0..2 {
-        let all = sum[0][c] + sum[1][c];
-        assert!((all + forces.inertia.force[c]).abs() < 1e-12, "{forces}");
+    for (c, inertia) in forces.inertia.force.into_iter().enumerate() {
+        assert!((sum[0][c] + sum[1][c] + inertia).abs() < 1e-12, "{forces}");
     }
     let angle = state.q[2] + 0.2;
     let along = sum[0][0] * angle.cos() + sum[0][1] * angle.sin();
