@@ -36,6 +36,9 @@ moving planetary --to 5.236 --steps 60
 moving rack_and_pinion --to 0.25 --steps 40 --set r=0.032
 moving cam --steps 60
 moving cam_drive --from 0.2 --to 0.4 --steps 60
+moving pump_jack --steps 60
+moving toggle_press --steps 60
+moving engine --steps 60
 moving excavator --to 2 --steps 40 --input boom_length=1.30,0.5,-0.5,stick_length=1.98,-0.4,0.4,bucket_length=1.05,0.3,-0.3
 moving robot_3rrr --to 1 --steps 60
 moving wishbone --to 6.2832 --steps 40

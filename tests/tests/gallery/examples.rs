@@ -8,6 +8,8 @@ pub mod cam_drive;
 pub mod car;
 #[path = "../../../examples/chain.rs"]
 pub mod chain;
+#[path = "../../../examples/engine.rs"]
+pub mod engine;
 #[path = "../../../examples/excavator.rs"]
 pub mod excavator;
 #[path = "../../../examples/four_bar.rs"]
@@ -26,6 +28,8 @@ pub mod pantograph;
 pub mod peaucellier;
 #[path = "../../../examples/planetary.rs"]
 pub mod planetary;
+#[path = "../../../examples/pump_jack.rs"]
+pub mod pump_jack;
 #[path = "../../../examples/quick_return.rs"]
 pub mod quick_return;
 #[path = "../../../examples/rack_and_pinion.rs"]
@@ -40,5 +44,7 @@ pub mod scotch_yoke;
 pub mod slider_crank;
 #[path = "../../../examples/squeezer.rs"]
 pub mod squeezer;
+#[path = "../../../examples/toggle_press.rs"]
+pub mod toggle_press;
 #[path = "../../../examples/wishbone.rs"]
 pub mod wishbone;

@@ -3,6 +3,7 @@
 
 #[allow(dead_code, unreachable_pub, missing_docs, reason = "programs of their own")]
 mod examples;
+mod forces;
 mod gears;
 mod legs;
 mod machines;

@@ -54,7 +54,6 @@ examples! {
     pantograph = "../../../examples/pantograph.rs": Pantograph;
     peaucellier = "../../../examples/peaucellier.rs": Peaucellier;
     planetary = "../../../examples/planetary.rs": Planetary;
-    press = "../../../examples/press.rs": Press;
     pump_jack = "../../../examples/pump_jack.rs": PumpJack;
     quick_return = "../../../examples/quick_return.rs": QuickReturn;
     rack_and_pinion = "../../../examples/rack_and_pinion.rs": Steering;
@@ -65,6 +64,7 @@ examples! {
     slider_crank = "../../../examples/slider_crank.rs": SliderCrank;
     squeezer = "../../../examples/squeezer.rs": Squeezer;
     template = "../../../examples/template.rs": SliderCrank;
+    toggle_press = "../../../examples/toggle_press.rs": TogglePress;
     wishbone = "../../../examples/wishbone.rs": Wishbone;
 }
 

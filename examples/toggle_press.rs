@@ -3,9 +3,9 @@
 //! Near the dead centre of the toggle a small torque presses hard, and the pins carry it.
 //!
 //! ```text
-//! cargo run --release --example press
-//! cargo run --release --example press -- forces --at 0.5
-//! cargo run --release --example press -- forces --at 0.5 --set work=0
+//! cargo run --release --example toggle_press
+//! cargo run --release --example toggle_press -- forces --at 0.5
+//! cargo run --release --example toggle_press -- forces --at 0.5 --set work=0
 //! ```
 
 use kin_runtime::{Instant, Kinematics, mechanism};
@@ -30,7 +30,7 @@ use std::process::ExitCode;
 #[mass(lower @ (0.225, 0), mass = 8, inertia = 0.14)]
 #[mass(ram @ (0, -0.1), mass = 60)]
 #[force(resistance: ram @ (0, -0.2), (0, work))]
-pub struct Press {
+pub struct TogglePress {
     /// Crank radius
     #[param(0.08)]
     pub r: f64,
@@ -46,7 +46,7 @@ pub struct Press {
 ///
 /// # Errors
 /// Where the press does not close.
-pub fn largest_pin_forces(press: &Press) -> Result<Vec<(&'static str, f64)>, Box<dyn std::error::Error>> {
+pub fn largest_pin_forces(press: &TogglePress) -> Result<Vec<(&'static str, f64)>, Box<dyn std::error::Error>> {
     const STEPS: usize = 360;
     let turn = core::f64::consts::TAU / press.omega;
     let mut largest: Vec<(&'static str, f64)> = Vec::new();
@@ -67,11 +67,11 @@ pub fn largest_pin_forces(press: &Press) -> Result<Vec<(&'static str, f64)>, Box
 
 fn main() -> ExitCode {
     if std::env::args().len() > 1 {
-        return kin_runtime::cli::main::<Press>();
+        return kin_runtime::cli::main::<TogglePress>();
     }
-    match largest_pin_forces(&Press::default()) {
+    match largest_pin_forces(&TogglePress::default()) {
         Ok(largest) => {
-            println!("Press: the largest force in each joint over a turn");
+            println!("Toggle press: the largest force in each joint over a turn");
             for (name, force) in largest {
                 println!("  {name:6} {:8.2} kN", force / 1000.0);
             }

@@ -1,0 +1,64 @@
+//! Forces: a pump jack, a press, an engine. Their figures are held against laws that need no multipliers.
+
+use crate::examples::engine::{Engine, largest_shaking};
+use crate::examples::pump_jack::{PumpJack, largest_torque};
+use crate::examples::toggle_press::{TogglePress, largest_pin_forces};
+use crate::page::says;
+use crate::{close, moved};
+use std::f64::consts::TAU;
+
+/// The motor supplies what the energy gains and the rods take.
+#[test]
+fn the_pump_jack_needs_the_power_that_it_lifts_with() {
+    let jack = PumpJack::default();
+    let without = PumpJack { counterweight: 0.0, ..PumpJack::default() };
+    let [with, without] = [&jack, &without].map(|jack| largest_torque(jack).unwrap() / 1000.0);
+    says(
+        "pump_jack",
+        &format!("At most {with:.1} kN m with the counterweight on its crank, and {without:.1} kN m without"),
+    );
+    let steps = 3600;
+    let turn = TAU / jack.omega;
+    let (mut supplied, mut lifted) = (0.0, 0.0);
+    for (_, at) in moved(&jack, 0.0, turn, steps).iter().skip(1) {
+        let forces = at.forces.as_ref().unwrap();
+        supplied += forces.driver_power * turn / steps as f64;
+        lifted -= forces.applied_power * turn / steps as f64;
+    }
+    close(supplied / lifted, 1.0, 1e-6);
+}
+
+/// Near the dead centre of the toggle the ram's load goes straight through the frame.
+#[test]
+fn the_press_carries_its_load_in_the_frame() {
+    let largest = largest_pin_forces(&TogglePress::default()).unwrap();
+    let of = |name: &str| largest.iter().find(|(joint, _)| *joint == name).unwrap().1 / 1000.0;
+    says(
+        "toggle_press",
+        &format!("The pin in the frame carries {:.1} kN at most, the crank pin {:.1} kN", of("T"), of("C")),
+    );
+    assert!(of("T") > 20.0 && of("R") > 20.0);
+}
+
+/// The shaking force of motion is minus the sum of masses times accelerations.
+#[test]
+fn the_engine_shakes_by_its_masses() {
+    let engine = Engine::default();
+    let bare = Engine { counterweight: 0.0, ..Engine::default() };
+    let [with, without] = [&engine, &bare].map(|engine| largest_shaking(engine).unwrap());
+    says(
+        "engine",
+        &format!("The shaking force is {without:.0} N at most without a counterweight, {with:.0} N with it"),
+    );
+    let turn = TAU / bare.omega;
+    let mut largest: f64 = 0.0;
+    for (_, at) in moved(&bare, 0.0, turn, 360) {
+        let [rod, piston] = [at[Engine::rod], at[Engine::piston]];
+        let (sin, cos) = rod.phi.sin_cos();
+        let (s, w, w_dot) = (0.3 * bare.l, rod.phi_dot, rod.phi_ddot);
+        let x = 0.6 * (rod.x_ddot - s * (cos * w * w + sin * w_dot));
+        let y = 0.6 * (rod.y_ddot - s * (sin * w * w - cos * w_dot)) + 0.5 * piston.y_ddot;
+        largest = largest.max(x.hypot(y));
+    }
+    close(largest / without, 1.0, 1e-3);
+}
