@@ -7,7 +7,7 @@ use super::load::Acting;
 use super::reactions::{Effort, ReactionForce, Writer};
 use super::transpose::transpose;
 use crate::constraint::{Assembly, indexed};
-use crate::expr::{ExprId, Graph, Symbol};
+use crate::expr::{ExprId, Graph, Symbol, velocity_derivatives};
 use crate::mechanism::Mechanism;
 use crate::plan::{Linear, Probe};
 use crate::program::{Program, Slot, lower};
@@ -30,7 +30,7 @@ pub struct SpringForce {
 /// What is asked of the forces of a mechanism.
 ///
 /// The results stand in this order: force of shaking, its moment about the origin, the same of inertia alone; kinetic
-/// energy, that of gravity, that of springs; power of drivers, of applied loads, of dampers; λ; then efforts, reactions
+/// energy, that of gravity, that of springs; power of drivers, of applied loads, of dampers; the rate of all energy; λ; then efforts, reactions
 /// and springs.
 #[derive(Clone, Debug)]
 pub struct Forces {
@@ -50,8 +50,8 @@ pub struct Forces {
     pub springs: Vec<SpringForce>,
 }
 
-/// Numbers before λ: shaking, inertia, energies, powers.
-const TOTALS: usize = 12;
+/// Numbers before λ: shaking, inertia, energies, powers, the rate of all energy.
+const TOTALS: usize = 13;
 
 /// The forces of a mechanism, along the linear level of its plan where it has one; none where it has neither masses nor
 /// loads.
@@ -157,5 +157,18 @@ fn totals(graph: &mut Graph, acting: &[Acting], efforts: &[Effort]) -> [ExprId; 
         let power = graph.mul(effort.numbers[0], effort.numbers[1]);
         totals[9] = graph.add(totals[9], power);
     }
+    let elastic = graph.add(totals[7], totals[8]);
+    let energy = graph.add(totals[6], elastic);
+    totals[12] = rate(graph, energy);
     totals
+}
+
+/// The time derivative of what holds q and q̇.
+fn rate(graph: &mut Graph, value: ExprId) -> ExprId {
+    let Some(jet) = velocity_derivatives(graph, &[value]).pop() else { return graph.zero() };
+    jet.gradient.into_iter().fold(jet.rest, |sum, (k, coefficient)| {
+        let q_ddot = graph.symbol(Symbol::Acceleration(k));
+        let product = graph.mul(coefficient, q_ddot);
+        graph.add(sum, product)
+    })
 }

@@ -150,6 +150,7 @@ fn collected(model: &'static Model, info: &ForceModel, state: &State, numbers: &
         driver_power: values[9] + powers_of_given,
         applied_power: values[10],
         damper_power: values[11],
+        energy_rate: values[12],
         multipliers: values[TOTALS..TOTALS + rows].to_vec(),
     }
 }

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::engine::{Engine, Miss};
+use super::engine::{Engine, Miss, Setup};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
 use super::moving::instant;
@@ -51,6 +51,8 @@ pub(super) struct Findings {
     plan: Option<CrossCheck>,
     /// None where the mechanism could not be solved, or inputs have no value.
     closure: Option<Closure>,
+    /// By how much the powers of drivers, loads and dampers miss the rate of all energy; none without masses and loads.
+    power: Option<f64>,
 }
 
 impl Findings {
@@ -77,7 +79,7 @@ pub(super) const HELP: Help = Help {
     },
     details: "\
 The closed forms of Φ_q, Φ_t and γ are compared with automatic differentiation by dual numbers,
-the plan with full Newton, and the solution with the equations. The status is 0 only when
+the plan with full Newton, the solution with the equations, and powers with energies. The status is 0 only when
 everything passes. Where inputs have no value (--input), no solution is checked; where the
 drivers leave degrees of freedom open, it is that of least norm.",
 };
@@ -153,8 +155,10 @@ pub(super) fn find(
     let close = |m: &Option<Miss>| m.is_none_or(|m| m.error <= CLOSURE_TOLERANCE);
     let closed = closure.as_ref().is_none_or(|c| close(&c.velocity) && close(&c.acceleration));
     let planned = plan.as_ref().is_none_or(|plan| plan.max_error <= CLOSURE_TOLERANCE);
-    let passed = closed && planned && cross_check.passes(CLOSED_FORM_TOLERANCE);
-    Ok(Findings { t, mechanism: engine.model().name, passed, cross_check, plan, closure })
+    let power = state.and_then(|state| engine.forces(&Setup::default(), state).ok()).map(|forces| forces.power_miss());
+    let balanced = power.is_none_or(|miss| miss <= CLOSURE_TOLERANCE);
+    let passed = closed && planned && balanced && cross_check.passes(CLOSED_FORM_TOLERANCE);
+    Ok(Findings { t, mechanism: engine.model().name, passed, cross_check, plan, closure, power })
 }
 
 /// The findings, line by line.
@@ -189,6 +193,9 @@ pub(super) fn facts(findings: &Findings) -> Facts {
             .add("  velocity Φ_q q̇ = −Φ_t", size(&closure.velocity), row(&closure.velocity))
             .add("  acceleration Φ_q q̈ = γ", size(&closure.acceleration), row(&closure.acceleration));
     }
+    if let Some(power) = findings.power {
+        facts.add("forces", "", [""]).add("  power balance", magnitude(power), ["of the rate of all energy"]);
+    }
     facts
 }
 
@@ -212,6 +219,9 @@ fn add_plan(facts: &mut Facts, plan: &CrossCheck) {
 
 fn complaint(findings: &Findings) -> String {
     let check = &findings.cross_check;
+    if let Some(miss) = findings.power.filter(|miss| *miss > CLOSURE_TOLERANCE) {
+        return format!("the power of drivers, loads and dampers misses the rate of all energy by {miss:.1e} of it");
+    }
     if let Some(plan) = findings.plan.as_ref().filter(|plan| plan.max_error > CLOSURE_TOLERANCE) {
         return format!("the plan's answer differs by more than {CLOSURE_TOLERANCE:e}: {plan}");
     }

@@ -2,13 +2,13 @@
 
 use super::{Frame, OperationCount};
 
-/// Numbers before the multipliers: shaking (3), inertia (3), energies (3), powers (3).
-pub(crate) const TOTALS: usize = 12;
+/// Numbers before the multipliers: shaking (3), inertia (3), energies (3), powers (3), the rate of all energy.
+pub(crate) const TOTALS: usize = 13;
 
 /// The forces of a mechanism with masses or loads: what [`Mechanism::forces_with`](crate::Mechanism::forces_with) writes.
 ///
 /// The numbers are, in this order: force and moment of shaking, the same of inertia alone; kinetic energy, that of
-/// gravity, that of springs; power of drivers, of applied loads, of dampers; the multipliers λ of all rows; then two
+/// gravity, that of springs; power of drivers, of applied loads, of dampers; the rate of all energy; the multipliers λ of all rows; then two
 /// numbers per effort, those of the reactions, five per spring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ForceModel {

@@ -94,11 +94,22 @@ pub struct Forces {
     pub applied_power: f64,
     /// Power of dampers, never positive.
     pub damper_power: f64,
+    /// d/dt of all energy, from the derivatives of the energies themselves: what drivers, applied loads and dampers supply
+    /// together.
+    pub energy_rate: f64,
     /// λ of all rows of Φ; of least norm where redundant rows leave it open. They depend on how rows are scaled.
     pub multipliers: Vec<f64>,
 }
 
 impl Forces {
+    /// By how much the powers of drivers, applied loads and dampers miss the rate of all energy, beside the largest of them.
+    pub fn power_miss(&self) -> f64 {
+        let powers = [self.driver_power, self.applied_power, self.damper_power];
+        let largest = powers.iter().fold(self.energy_rate.abs(), |largest, power| largest.max(power.abs()));
+        let miss = (self.energy_rate - powers.iter().sum::<f64>()).abs();
+        if miss == 0.0 { 0.0 } else { miss / largest }
+    }
+
     /// The effort of a driver.
     pub fn effort(&self, driver: &str) -> Option<f64> {
         self.efforts.iter().find(|effort| effort.name == driver)?.effort

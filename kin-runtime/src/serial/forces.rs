@@ -81,6 +81,7 @@ struct Power {
     drivers: f64,
     applied: f64,
     dampers: f64,
+    energy_rate: f64,
 }
 
 impl<'a> ForcesRecord<'a> {
@@ -113,7 +114,12 @@ impl<'a> ForcesRecord<'a> {
             shaking: forces.shaking,
             inertia: forces.inertia,
             energy: Energy { kinetic: forces.kinetic, gravity: forces.gravity, springs: forces.elastic },
-            power: Power { drivers: forces.driver_power, applied: forces.applied_power, dampers: forces.damper_power },
+            power: Power {
+                drivers: forces.driver_power,
+                applied: forces.applied_power,
+                dampers: forces.damper_power,
+                energy_rate: forces.energy_rate,
+            },
             multipliers: forces.model.rows.iter().map(|row| row.name).zip(forces.multipliers.iter().copied()).collect(),
         }
     }

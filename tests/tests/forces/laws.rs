@@ -33,6 +33,7 @@ fn balanced<M: Kinematics>(mechanism: &M, centre: &State) {
     // Central differences of the fourth order, of two widths, extrapolated.
     let difference = |w: f64| (8.0 * (at(w) - at(-w)) - (at(2.0 * w) - at(-2.0 * w))) / (12.0 * w * STEP);
     let rate = (16.0 * difference(1.0) - difference(2.0)) / 15.0;
+    assert!(forces.power_miss() <= EXACT, "{}", forces.power_miss());
     let power = forces.driver_power + forces.applied_power + forces.damper_power;
     let size = [forces.driver_power, forces.applied_power, forces.damper_power, rate, energy(&forces)]
         .iter()

@@ -108,6 +108,7 @@ fn compare(found: &Forces, exact: &Value, at: &str) {
     near(found.driver_power, number(&exact["power"]["drivers"]), "power of drivers");
     near(found.applied_power, number(&exact["power"]["applied"]), "applied power");
     near(found.damper_power, number(&exact["power"]["dampers"]), "power of dampers");
+    near(found.energy_rate, number(&exact["power"]["energy_rate"]), "rate of all energy");
     let springs = of("springs").iter().map(|spring| (spring, "length", "tension"));
     let torsion = of("torsion_springs").iter().map(|spring| (spring, "angle", "torque"));
     for (spring, length, force) in springs.chain(torsion) {

@@ -331,7 +331,7 @@ pub trait Mechanism: Sized {
         self.curve_with(self.parameters::<T>().as_ref(), at, joint, s)
     }
 
-    /// A workspace with the constant entries of Φ_q in place.
+    /// A workspace, constant entries of Φ_q in place.
     fn workspace<T: Scalar>() -> Workspace<Self, T> {
         Evaluation::new(&Self::model().constraint_pattern)
     }
@@ -374,8 +374,13 @@ pub trait Mechanism: Sized {
     /// As [`evaluate_with`](Self::evaluate_with).
     fn jacobian<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::NonZeros<T>, LengthError> {
         let mut workspace = Self::workspace::<T>();
-        let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
-        self.evaluate(Subset::JACOBIAN, at, q, rest.as_ref(), &mut workspace)?;
+        self.evaluate(
+            Subset::JACOBIAN,
+            at,
+            q,
+            Self::Coordinates::<T>::filled(T::from_f64(0.0)).as_ref(),
+            &mut workspace,
+        )?;
         Ok(*workspace.parts_mut().1)
     }
 
@@ -385,8 +390,13 @@ pub trait Mechanism: Sized {
     /// As [`evaluate_with`](Self::evaluate_with).
     fn time_derivative<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::Rows<T>, LengthError> {
         let mut workspace = Self::workspace::<T>();
-        let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
-        self.evaluate(Subset::TIME_DERIVATIVE, at, q, rest.as_ref(), &mut workspace)?;
+        self.evaluate(
+            Subset::TIME_DERIVATIVE,
+            at,
+            q,
+            Self::Coordinates::<T>::filled(T::from_f64(0.0)).as_ref(),
+            &mut workspace,
+        )?;
         Ok(*workspace.parts_mut().2)
     }
 
