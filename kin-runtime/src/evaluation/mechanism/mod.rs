@@ -11,6 +11,7 @@ mod length;
 mod workspaces;
 
 pub use length::LengthError;
+use workspaces::at_rest;
 pub use workspaces::{Observations, Workspace};
 
 /// A planar mechanism with closed-form constraints, written by `#[mechanism]`.
@@ -111,8 +112,7 @@ pub trait Mechanism: Sized {
         phi: &mut Self::Rows<T>,
     ) -> Result<(), LengthError> {
         let mut workspace = Self::workspace::<T>();
-        let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
-        self.evaluate_with(parameters, Subset::PHI, at, q, rest.as_ref(), &mut workspace)?;
+        self.evaluate_with(parameters, Subset::PHI, at, q, at_rest::<Self, T>().as_ref(), &mut workspace)?;
         *phi = *workspace.parts_mut().0;
         Ok(())
     }
@@ -331,7 +331,7 @@ pub trait Mechanism: Sized {
         self.curve_with(self.parameters::<T>().as_ref(), at, joint, s)
     }
 
-    /// A workspace, constant entries of Φ_q in place.
+    /// A workspace with the constant entries of Φ_q in place.
     fn workspace<T: Scalar>() -> Workspace<Self, T> {
         Evaluation::new(&Self::model().constraint_pattern)
     }
@@ -374,13 +374,7 @@ pub trait Mechanism: Sized {
     /// As [`evaluate_with`](Self::evaluate_with).
     fn jacobian<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::NonZeros<T>, LengthError> {
         let mut workspace = Self::workspace::<T>();
-        self.evaluate(
-            Subset::JACOBIAN,
-            at,
-            q,
-            Self::Coordinates::<T>::filled(T::from_f64(0.0)).as_ref(),
-            &mut workspace,
-        )?;
+        self.evaluate(Subset::JACOBIAN, at, q, at_rest::<Self, T>().as_ref(), &mut workspace)?;
         Ok(*workspace.parts_mut().1)
     }
 
@@ -390,13 +384,7 @@ pub trait Mechanism: Sized {
     /// As [`evaluate_with`](Self::evaluate_with).
     fn time_derivative<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::Rows<T>, LengthError> {
         let mut workspace = Self::workspace::<T>();
-        self.evaluate(
-            Subset::TIME_DERIVATIVE,
-            at,
-            q,
-            Self::Coordinates::<T>::filled(T::from_f64(0.0)).as_ref(),
-            &mut workspace,
-        )?;
+        self.evaluate(Subset::TIME_DERIVATIVE, at, q, at_rest::<Self, T>().as_ref(), &mut workspace)?;
         Ok(*workspace.parts_mut().2)
     }
 
