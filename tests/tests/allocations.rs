@@ -125,3 +125,31 @@ fn sweeps_without_memory<M: Kinematics + Default>(from: f64, to: f64) {
         assert_eq!(few.count_total, many.count_total, "{}", M::model().name);
     }
 }
+
+/// A point, its Jacobian to the inputs and forces, at every tick.
+#[test]
+fn a_controller_asks_without_memory() {
+    use kin_tests::mechanisms::loaded;
+
+    let excavator = MeasuredExcavator;
+    let inputs: Vec<Signal> = signals::<MeasuredExcavator>(0.0);
+    let state = excavator.state_at(&Instant { t: 0.0, inputs: &inputs }).expect("it closes");
+    let mut planned = Planned::new(&excavator, &Instant { t: 0.0, inputs: &inputs }, &state.q).expect("a plan");
+    let mut jacobian = [[0.0; 2]; MeasuredExcavator::INPUTS];
+    let counted = measure(|| {
+        planned.at(&Instant { t: 0.001, inputs: &inputs }).expect("it goes on");
+        planned.point(MeasuredExcavator::tip).expect("its own point");
+        planned.point_jacobian(MeasuredExcavator::tip, &mut jacobian).expect("as many columns as inputs");
+    });
+    assert_eq!(0, counted.count_total);
+
+    let four_bar = loaded::FourbarLectureMid::default();
+    let state = four_bar.state_at(&Instant::at(0.0)).expect("it closes");
+    let mut planned = Planned::new(&four_bar, &Instant::at(0.0), &state.q).expect("a plan");
+    let mut forces = vec![0.0; loaded::FourbarLectureMid::model().forces.expect("it has masses").count];
+    let counted = measure(|| {
+        planned.at(&Instant::at(0.001)).expect("it goes on");
+        planned.forces(&mut forces).expect("as many numbers as there are");
+    });
+    assert_eq!(0, counted.count_total);
+}

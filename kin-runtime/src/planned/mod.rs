@@ -10,6 +10,7 @@ pub(crate) mod lists;
 mod mode;
 pub(crate) mod passed;
 pub(crate) mod predict;
+mod report;
 mod step;
 mod text;
 mod trial;
@@ -18,6 +19,7 @@ mod walk;
 
 pub use error::{Limit, LimitKind, Located, PlanError};
 pub use mode::{ModeKey, Sign};
+pub use report::PointState;
 pub use step::Step;
 
 use crate::mechanism::Mechanism;

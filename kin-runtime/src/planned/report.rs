@@ -1,0 +1,108 @@
+//! What a controller asks beside q, q̇ and q̈: a point with its Jacobian to the inputs, and forces; without an allocator.
+//!
+//! A point r(q, u, t) moves with ṙ = r_q q̇ + r_u u̇ + r_t, and Φ_q q̇ = −Φ_u u̇ − Φ_t. Both are linear in u̇, so that the
+//! column of an input is the difference of two velocities at the same configuration: with its rate 1 and with all rates 0.
+
+use super::{PlanError, Planned};
+use crate::mechanism::{LengthError, Mechanism};
+use crate::model::{ForceModel, Point};
+use crate::signal::{Instant, Signal};
+use crate::workspace::{Array, Subset};
+
+/// Place, velocity and acceleration of a point in the inertial frame.
+pub type PointState = [[f64; 2]; 3];
+
+impl<M: Mechanism> Planned<'_, M> {
+    /// r, ṙ and r̈ of a named point at the last good state.
+    ///
+    /// # Errors
+    /// [`PlanError::Length`] with the handle of another mechanism.
+    pub fn point(&self, point: Point) -> Result<PointState, PlanError> {
+        let seen = seen::<M>(point)?;
+        let (q, q_dot, q_ddot) = (self.q(), self.q_dot(), self.q_ddot());
+        let mut observations = M::observations::<f64>();
+        let at = Instant { t: self.t(), inputs: self.follower.inputs.as_ref() };
+        self.mechanism().observe_with(self.follower.parameters.as_ref(), &at, q, q_dot, &mut observations)?;
+        let along = |row: usize, rates: &[f64]| along::<M>(row, observations.phi_q(), rates);
+        Ok([
+            seen.map(|k| observations.phi()[k]),
+            seen.map(|k| along(k, q_dot) + observations.phi_t()[k]),
+            seen.map(|k| along(k, q_ddot) - observations.gamma()[k]),
+        ])
+    }
+
+    /// ∂r/∂u of a named point at the last good state, one column for every input: what a controller of the point needs to
+    /// ask inputs for. Without inputs there is none.
+    ///
+    /// # Errors
+    /// [`PlanError::Length`] where `jacobian` has not one column for every input, and with the handle of another mechanism.
+    pub fn point_jacobian(&self, point: Point, jacobian: &mut [[f64; 2]]) -> Result<(), PlanError> {
+        if jacobian.len() != M::INPUTS {
+            let found = jacobian.len();
+            return Err(LengthError { what: "jacobian", expected: M::INPUTS, found }.into());
+        }
+        let seen = seen::<M>(point)?;
+        let parameters = self.follower.parameters.as_ref();
+        let mut factors = M::Factors::<f64>::filled(0.0);
+        let at = Instant { t: self.t(), inputs: self.follower.inputs.as_ref() };
+        self.mechanism().factorise_with(parameters, &at, self.q(), &mut factors)?;
+        let still = self.velocity(seen, &factors, None)?;
+        for (k, column) in jacobian.iter_mut().enumerate() {
+            let moved = self.velocity(seen, &factors, Some(k))?;
+            *column = [moved[0] - still[0], moved[1] - still[1]];
+        }
+        Ok(())
+    }
+
+    /// The velocity of a point where one input moves with the rate 1, or none does.
+    fn velocity(
+        &self,
+        seen: [usize; 2],
+        factors: &M::Factors<f64>,
+        moving: Option<usize>,
+    ) -> Result<[f64; 2], PlanError> {
+        let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
+        for (k, (input, measured)) in inputs.as_mut().iter_mut().zip(self.follower.inputs.as_ref()).enumerate() {
+            *input = Signal::new(measured.value, if Some(k) == moving { 1.0 } else { 0.0 }, 0.0);
+        }
+        let (at, parameters) = (Instant { t: self.t(), inputs: inputs.as_ref() }, self.follower.parameters.as_ref());
+        let mut rest = M::Coordinates::<f64>::filled(0.0);
+        let mut workspace = M::workspace::<f64>();
+        let (mechanism, q) = (self.mechanism(), self.q());
+        mechanism.evaluate_with(parameters, Subset::TIME_DERIVATIVE, &at, q, rest.as_ref(), &mut workspace)?;
+        let mut nu = M::Rows::<f64>::filled(0.0);
+        nu.as_mut().iter_mut().zip(workspace.phi_t()).for_each(|(nu, phi_t)| *nu = -phi_t);
+        M::solve_factorised(factors, nu.as_ref(), rest.as_mut())?;
+        let mut observations = M::observations::<f64>();
+        mechanism.observe_with(parameters, &at, q, rest.as_ref(), &mut observations)?;
+        Ok(seen.map(|k| along::<M>(k, observations.phi_q(), rest.as_ref()) + observations.phi_t()[k]))
+    }
+
+    /// The numbers of forces at the last good state, [`ForceModel::count`] of them; none for a mechanism without masses and
+    /// loads.
+    ///
+    /// # Errors
+    /// [`PlanError::Length`] where `forces` is not as long as that.
+    pub fn forces(&self, forces: &mut [f64]) -> Result<Option<&'static ForceModel>, PlanError> {
+        let Some(model) = M::model().forces.filter(|model| model.solved) else { return Ok(None) };
+        let at = Instant { t: self.t(), inputs: self.follower.inputs.as_ref() };
+        let (q, q_dot, q_ddot) = (self.q(), self.q_dot(), self.q_ddot());
+        self.mechanism().forces_with(self.follower.parameters.as_ref(), &at, q, q_dot, q_ddot, &[], forces)?;
+        Ok(Some(model))
+    }
+}
+
+/// The observables of a point.
+fn seen<M: Mechanism>(point: Point) -> Result<[usize; 2], LengthError> {
+    let points = M::model().points;
+    let unknown = LengthError { what: "points", expected: points.len(), found: point.0 + 1 };
+    points.get(point.0).map(|point| point.observables).ok_or(unknown)
+}
+
+/// Σ o_q q̇ of an observable; the pattern is sorted by rows.
+fn along<M: Mechanism>(row: usize, phi_q: &[f64], rates: &[f64]) -> f64 {
+    let entries = M::model().observable_pattern.entries;
+    let first = entries.partition_point(|&(of, _)| of < row);
+    let of_row = entries.iter().zip(phi_q).skip(first).take_while(|((of, _), _)| *of == row);
+    of_row.map(|(&(_, column), entry)| entry * rates[column]).sum()
+}
