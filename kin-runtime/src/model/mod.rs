@@ -10,7 +10,9 @@ mod joint;
 mod text;
 mod units;
 
-pub use forces::{EffortInfo, ForceModel, ReactionInfo, SpringInfo};
+pub use forces::ForceModel;
+#[doc(hidden)]
+pub use forces::{EffortInfo, ReactionInfo, SpringInfo};
 pub use handles::{Body, Coordinate, Input, Point, Quantity};
 #[doc(hidden)]
 pub use joint::Role;

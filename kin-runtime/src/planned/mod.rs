@@ -19,7 +19,6 @@ mod walk;
 
 pub use error::{Limit, LimitKind, Located, PlanError};
 pub use mode::{ModeKey, Sign};
-pub use report::PointState;
 pub use step::Step;
 
 use crate::mechanism::Mechanism;

@@ -9,15 +9,12 @@ use crate::model::{ForceModel, Point};
 use crate::signal::{Instant, Signal};
 use crate::workspace::{Array, Subset};
 
-/// Place, velocity and acceleration of a point in the inertial frame.
-pub type PointState = [[f64; 2]; 3];
-
 impl<M: Mechanism> Planned<'_, M> {
-    /// r, ṙ and r̈ of a named point at the last good state.
+    /// r, ṙ and r̈ of a named point at the last good state, in the inertial frame.
     ///
     /// # Errors
     /// [`PlanError::Length`] with the handle of another mechanism.
-    pub fn point(&self, point: Point) -> Result<PointState, PlanError> {
+    pub fn point(&self, point: Point) -> Result<[[f64; 2]; 3], PlanError> {
         let seen = seen::<M>(point)?;
         let (q, q_dot, q_ddot) = (self.q(), self.q_dot(), self.q_ddot());
         let mut observations = M::observations::<f64>();
