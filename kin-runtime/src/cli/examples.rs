@@ -47,6 +47,8 @@ pub(super) struct Names {
     pub(super) drawn: bool,
     /// Whether there are unilateral conditions.
     pub(super) conditions: bool,
+    /// Whether there are masses or loads.
+    pub(super) loads: bool,
 }
 
 impl Names {
@@ -81,6 +83,7 @@ impl Names {
             path: path(model),
             drawn: !model.bodies.is_empty() || !model.points.is_empty(),
             conditions: !model.conditions.is_empty(),
+            loads: model.forces.is_some(),
             joints: model.joints.iter().map(|joint| joint.name).take(2).collect(),
         }
     }

@@ -27,11 +27,13 @@ pub(super) struct ForcesArgs {
 
 pub(super) const HELP: Help = Help {
     examples: |names: &Names| {
-        vec![
+        let all = vec![
             names.analysis(&format!("forces --at {}", names.at), ""),
             names.with("forces --set", &names.set, "with other dimensions"),
             names.analysis("forces --format json", "for another program"),
-        ]
+        ];
+        // Without masses and loads no example has an answer.
+        if names.loads { all } else { Vec::new() }
     },
     details: "\
 Efforts are torques along angles and forces along lengths, positive when they do positive work
