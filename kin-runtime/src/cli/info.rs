@@ -9,7 +9,7 @@ use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::analysis;
 use crate::mobility::RedundantRow;
-use crate::model::Model;
+use crate::model::{Model, OperationCount};
 use crate::present::condition;
 use crate::present::json::to_json;
 use crate::present::plan;
@@ -120,8 +120,12 @@ pub(super) fn text(engine: &dyn Engine, known: Option<Known<'_>>) -> String {
             facts.add("redundant rows", mobility.redundant.len(), mobility.redundant.iter().map(redundancy));
         }
     }
-    let (total, each) = operations(model);
+    let (total, each) = operations(model.operations);
     facts.add("operations", total, [format!("{} for Φ, Φ_q, Φ_t, γ together", each.join(", "))]);
+    if let Some(forces) = model.forces {
+        let (total, each) = operations(forces.operations);
+        facts.add("  of all forces", total, [each.join(", ")]);
+    }
     let doc = text::title(model);
     let parameters = text::parameters(model, &engine.parameters());
     let (rows, conditions) = (text::rows(model), condition::declared(model));
@@ -146,9 +150,8 @@ fn row_summary(model: &Model) -> Vec<String> {
     kinds.iter().map(|(class, number)| format!("{number} {}", class.join(" "))).collect()
 }
 
-/// All operations of one evaluation of Φ, Φ_q, Φ_t and γ together, and which.
-fn operations(model: &Model) -> (usize, Vec<String>) {
-    let o = model.operations;
+/// All operations of one evaluation, and which.
+fn operations(o: OperationCount) -> (usize, Vec<String>) {
     let all = [
         (o.mul, "mul"),
         (o.add, "add"),

@@ -7,9 +7,10 @@ use super::moving::instant;
 use super::options::{AngleArgs, FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
-use super::solved::{Solved, note_freedom, note_start, solve};
+use super::solved::{Solved, analysis, note_freedom, note_start, solve};
 use crate::model::Model;
 use crate::present::condition;
+use crate::present::forces;
 use crate::present::grid::CsvRows;
 use crate::present::json::to_json;
 use crate::present::number::plain;
@@ -22,6 +23,9 @@ use crate::present::text;
 pub(super) struct SolveArgs {
     #[command(flatten)]
     instant: InstantArgs,
+    /// Also what drivers supply and joints carry, where there are masses or loads
+    #[arg(long)]
+    forces: bool,
     #[command(flatten)]
     setup: SetupArgs,
     #[command(flatten)]
@@ -53,7 +57,10 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
     let setup = ledger.take(args.setup.apply_complete(engine));
     let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
     let t = instant("--at", t, &*engine, &setup)?;
-    let solved = solve(engine, &setup, t, args.freedom.least_norm)?.shown(engine.model(), args.angles.degrees);
+    let mut solved = solve(engine, &setup, t, args.freedom.least_norm)?;
+    let forces = args.forces.then(|| engine.forces(&setup, &solved.state)).transpose();
+    solved.motion.forces = forces.map_err(|error| analysis(engine, &error))?;
+    let solved = solved.shown(engine.model(), args.angles.degrees);
     note_freedom(session, solved.state.degrees_of_freedom_left);
     note_start(session, &solved.mobility);
     let model = engine.model();
@@ -88,6 +95,7 @@ pub(super) fn body(model: &'static Model, solved: &Solved) -> String {
         text::defines(model, &solved.motion),
         text::joints(model, &solved.motion),
         condition::values(model, &solved.motion),
+        solved.motion.forces.as_ref().map(forces::text).unwrap_or_default(),
         text::transmission(&solved.angles, solved.degrees),
         plan::modes(&ModeRecord::of(&solved.modes)),
     ]

@@ -31,6 +31,8 @@ pub(crate) struct StructureRecord<'a> {
     position_degrees_of_freedom: Option<usize>,
     position_degrees_of_freedom_left: Option<usize>,
     operations: OperationRecord,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    force_operations: Option<OperationRecord>,
     counts: CountRecord,
     bodies: Vec<BodyRecord>,
     parameters: Vec<ParameterRecord>,
@@ -73,6 +75,7 @@ impl<'a> StructureRecord<'a> {
             position_degrees_of_freedom: mobility.map(|m| m.position_degrees_of_freedom),
             position_degrees_of_freedom_left: mobility.map(|m| m.position_degrees_of_freedom_left),
             operations: model.operations.into(),
+            force_operations: model.forces.map(|forces| forces.operations.into()),
             counts: counts(model),
             bodies: model.bodies.iter().map(|b| body(model, b)).collect(),
             parameters: parameters(model, values),
