@@ -23,15 +23,15 @@ use crate::present::text;
 pub(super) struct SolveArgs {
     #[command(flatten)]
     instant: InstantArgs,
-    /// Also what drivers supply and joints carry, where there are masses or loads
-    #[arg(long)]
-    forces: bool,
     #[command(flatten)]
     setup: SetupArgs,
     #[command(flatten)]
     freedom: FreedomArgs,
     #[command(flatten)]
     angles: AngleArgs,
+    /// Also what drivers supply and joints carry, where there are masses or loads
+    #[arg(long)]
+    forces: bool,
     #[command(flatten)]
     output: OutputArgs,
 }

@@ -11,7 +11,6 @@ mod length;
 mod workspaces;
 
 pub use length::LengthError;
-use workspaces::at_rest;
 pub use workspaces::{Observations, Workspace};
 
 /// A planar mechanism with closed-form constraints, written by `#[mechanism]`.
@@ -49,8 +48,7 @@ pub trait Mechanism: Sized {
     type ObservableNonZeros<T: Scalar>: Array<T>;
     /// What [`factorise_with`](Self::factorise_with) leaves for one right-hand side after another; without a plan empty.
     type Factors<T: Scalar>: Array<T>;
-    /// Where among the factors it says how far they are from being singular, as margins do: first place and one past the
-    /// last.
+    /// Where among the factors it says how far they are from being singular, as margins do: first place and end.
     const REGULAR: (usize, usize) = (0, 0);
 
     /// Names, rows, patterns and geometry.
@@ -99,8 +97,7 @@ pub trait Mechanism: Sized {
         workspace: &mut Workspace<Self, T>,
     ) -> Result<(), LengthError>;
 
-    /// Φ(q, t) alone, at parameters that the caller supplies. A scalar that is only used here, a dual number for
-    /// example, compiles nothing of the derivatives.
+    /// Φ(q, t) alone. A scalar that is only used here, a dual number for example, compiles nothing of the derivatives.
     ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
@@ -112,7 +109,8 @@ pub trait Mechanism: Sized {
         phi: &mut Self::Rows<T>,
     ) -> Result<(), LengthError> {
         let mut workspace = Self::workspace::<T>();
-        self.evaluate_with(parameters, Subset::PHI, at, q, at_rest::<Self, T>().as_ref(), &mut workspace)?;
+        let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
+        self.evaluate_with(parameters, Subset::PHI, at, q, rest.as_ref(), &mut workspace)?;
         *phi = *workspace.parts_mut().0;
         Ok(())
     }
@@ -374,7 +372,8 @@ pub trait Mechanism: Sized {
     /// As [`evaluate_with`](Self::evaluate_with).
     fn jacobian<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::NonZeros<T>, LengthError> {
         let mut workspace = Self::workspace::<T>();
-        self.evaluate(Subset::JACOBIAN, at, q, at_rest::<Self, T>().as_ref(), &mut workspace)?;
+        let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
+        self.evaluate(Subset::JACOBIAN, at, q, rest.as_ref(), &mut workspace)?;
         Ok(*workspace.parts_mut().1)
     }
 
@@ -384,7 +383,8 @@ pub trait Mechanism: Sized {
     /// As [`evaluate_with`](Self::evaluate_with).
     fn time_derivative<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::Rows<T>, LengthError> {
         let mut workspace = Self::workspace::<T>();
-        self.evaluate(Subset::TIME_DERIVATIVE, at, q, at_rest::<Self, T>().as_ref(), &mut workspace)?;
+        let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
+        self.evaluate(Subset::TIME_DERIVATIVE, at, q, rest.as_ref(), &mut workspace)?;
         Ok(*workspace.parts_mut().2)
     }
 

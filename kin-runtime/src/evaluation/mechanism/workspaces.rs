@@ -1,8 +1,7 @@
 //! The workspaces of a mechanism.
 
 use super::Mechanism;
-use crate::scalar::Scalar;
-use crate::workspace::{Array, Evaluation};
+use crate::workspace::Evaluation;
 
 /// A workspace for Φ, Φ_q, Φ_t and γ of the mechanism `M`.
 pub type Workspace<M, T = f64> = Evaluation<<M as Mechanism>::Rows<T>, <M as Mechanism>::NonZeros<T>>;
@@ -11,8 +10,3 @@ pub type Workspace<M, T = f64> = Evaluation<<M as Mechanism>::Rows<T>, <M as Mec
 #[doc(hidden)]
 pub type Observations<M, T = f64> =
     Evaluation<<M as Mechanism>::Observables<T>, <M as Mechanism>::ObservableNonZeros<T>>;
-
-/// q̇ = 0.
-pub(super) fn at_rest<M: Mechanism, T: Scalar>() -> M::Coordinates<T> {
-    M::Coordinates::<T>::filled(T::from_f64(0.0))
-}
