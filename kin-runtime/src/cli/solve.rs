@@ -29,7 +29,7 @@ pub(super) struct SolveArgs {
     freedom: FreedomArgs,
     #[command(flatten)]
     angles: AngleArgs,
-    /// Also what drivers supply and joints carry, where there are masses or loads
+    /// Also what drivers supply and joints carry
     #[arg(long)]
     forces: bool,
     #[command(flatten)]
