@@ -79,9 +79,9 @@ pub(super) const HELP: Help = Help {
     },
     details: "\
 The closed forms of Φ_q, Φ_t and γ are compared with automatic differentiation by dual numbers,
-the plan with full Newton, the solution with the equations, and powers with energies. The status is 0 only when
-everything passes. Where inputs have no value (--input), no solution is checked; where the
-drivers leave degrees of freedom open, it is that of least norm.",
+the plan with full Newton, the solution with the equations, and powers with energies. The status
+is 0 only when everything passes. Where inputs have no value (--input), no solution is checked;
+where the drivers leave degrees of freedom open, it is that of least norm.",
 };
 
 pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
