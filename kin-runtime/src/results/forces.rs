@@ -120,8 +120,8 @@ impl Forces {
         self.reactions.iter().find(|reaction| reaction.name == joint)
     }
 
-    /// A body by its name.
-    pub(crate) fn body(&self, frame: Frame) -> &'static str {
+    /// The name of the body that something acts on, or `ground`.
+    pub fn body(&self, frame: Frame) -> &'static str {
         match frame {
             Frame::Ground => "ground",
             Frame::Body(place) => self.model.bodies.get(place).map_or("", |body| body.name),
