@@ -68,7 +68,7 @@ pub use scalar::lanes::Lanes;
 #[cfg(feature = "std")]
 pub use {
     analysis::modes,
-    report::{mobility, ratios, transmission},
+    report::{measure, mobility, ratios, transmission},
     results::{error, forces, motion, observer, options, state, trajectory},
     sweep::events,
 };
@@ -82,7 +82,7 @@ pub use crate::{
     function::ScalarFunction,
     generic::GenericMechanism,
     mechanism::{LengthError, Mechanism, Observations, Workspace},
-    planned::{Limit, LimitKind, Located, ModeKey, PlanError, Planned, Sign},
+    planned::{InputRange, Limit, LimitKind, Located, ModeKey, OutOfRange, PlanError, Planned, Sign},
     scalar::Scalar,
     series::PowerSeries,
     signal::{Instant, Signal},
@@ -97,6 +97,7 @@ pub use crate::{
     events::{Crossing, Event, Unwatched},
     forces::{Effort, Forces, Reaction, SpringForce, Wrench},
     kinematics::Kinematics,
+    measure::Measure,
     mobility::{Cause, Mobility, RedundantRow},
     modes::Mode,
     motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates},

@@ -7,7 +7,7 @@
 //! # }
 //! ```
 //!
-//! The commands are `info`, `solve`, `sweep`, `animate`, `plot` and `equations` (with the
+//! The commands are `info`, `solve`, `sweep`, `extremes`, `animate`, `plot` and `equations` (with the
 //! features of their names), `check` and `completions`, one per file; without a command a report at t = 0 is printed.
 //! Results go to stdout or to the file of `--out`, whose ending chooses the format; everything else goes to stderr. The exit
 //! status is 0 only when the answer is good, 2 when the options make no sense, 1 when the mechanism has no good answer,
@@ -42,10 +42,12 @@ mod engine;
 #[cfg(feature = "equations")]
 mod equations;
 mod examples;
+mod extremes;
 mod failure;
 mod forces;
 mod help;
 mod info;
+mod instants;
 mod interrupt;
 #[cfg(not(all(feature = "plot", feature = "equations")))]
 mod missing;
@@ -65,6 +67,7 @@ mod solved;
 mod sweep;
 mod trial;
 mod values;
+mod vary;
 mod watch;
 
 #[cfg(test)]
@@ -103,6 +106,7 @@ enum Command {
     Info(info::InfoArgs),
     Solve(solve::SolveArgs),
     Sweep(sweep::SweepArgs),
+    Extremes(extremes::ExtremesArgs),
     Forces(forces::ForcesArgs),
     Check(check::CheckArgs),
     #[cfg(feature = "equations")]
@@ -148,6 +152,7 @@ fn run(
         Some(Command::Info(args)) => info::run(args, engine, &mut session),
         Some(Command::Solve(args)) => solve::run(args, engine, &mut session),
         Some(Command::Sweep(args)) => sweep::run(args, engine, &mut session),
+        Some(Command::Extremes(args)) => extremes::run(args, engine, &mut session),
         Some(Command::Forces(args)) => forces::run(args, engine, &mut session),
         Some(Command::Check(args)) => check::run(args, engine, &mut session),
         #[cfg(feature = "equations")]
