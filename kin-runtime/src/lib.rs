@@ -44,6 +44,8 @@ mod random;
 mod report;
 #[cfg(feature = "std")]
 mod results;
+#[cfg(feature = "std")]
+mod sensitivity;
 #[cfg(all(feature = "serde", feature = "std"))]
 mod serial;
 #[cfg(feature = "std")]
@@ -69,7 +71,7 @@ pub use scalar::lanes::Lanes;
 pub use {
     analysis::modes,
     report::{mobility, ratios, transmission},
-    results::{error, forces, motion, observer, options, state, trajectory},
+    results::{error, forces, motion, observer, options, sensitivities, state, trajectory},
     sweep::events,
 };
 
@@ -103,6 +105,7 @@ pub use crate::{
     observer::{Observer, Reached},
     options::Options,
     ratios::{VelocityRatio, VelocityRatios},
+    sensitivities::{Deviation, Sensitivities, Sensitivity},
     series::{Derivatives, MotionDerivatives},
     solver::{Position, Solver},
     state::State,

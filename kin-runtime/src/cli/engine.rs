@@ -16,6 +16,7 @@ use crate::motion::Motion;
 use crate::observer::Observer;
 use crate::planned::Sign;
 use crate::ratios::VelocityRatios;
+use crate::sensitivities::Sensitivities;
 use crate::solver::Solver;
 use crate::state::State;
 use crate::trajectory::Trajectory;
@@ -84,6 +85,7 @@ pub(super) trait Engine {
     ) -> (Trajectory, Option<SolveError>);
     fn motion(&self, setup: &Setup, state: &State) -> Result<Motion, SolveError>;
     fn forces(&self, setup: &Setup, state: &State) -> Result<Forces, SolveError>;
+    fn sensitivities(&self, setup: &Setup, state: &State) -> Result<Sensitivities, SolveError>;
     fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError>;
     fn velocity_ratios(&self, setup: &Setup, state: &State) -> Result<VelocityRatios, SolveError>;
     fn transmission_angles(&self, state: &State) -> Result<Vec<TransmissionAngle>, SolveError>;
@@ -167,6 +169,10 @@ impl<M: Mechanism> Engine for Bound<M> {
 
     fn forces(&self, setup: &Setup, state: &State) -> Result<Forces, SolveError> {
         self.solver(setup).forces(state)
+    }
+
+    fn sensitivities(&self, setup: &Setup, state: &State) -> Result<Sensitivities, SolveError> {
+        self.solver(setup).sensitivities(state)
     }
 
     fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError> {

@@ -16,6 +16,7 @@ pub(crate) mod plan;
 #[cfg(feature = "plot")]
 pub(crate) mod plot;
 pub(crate) mod record;
+pub(crate) mod sensitivities;
 pub(crate) mod structure;
 pub(crate) mod table;
 pub(crate) mod text;

@@ -6,5 +6,6 @@ pub mod forces;
 pub mod motion;
 pub mod observer;
 pub mod options;
+pub mod sensitivities;
 pub mod state;
 pub mod trajectory;

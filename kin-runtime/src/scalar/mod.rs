@@ -12,10 +12,12 @@ pub(crate) mod expansion;
 pub(crate) mod lanes;
 pub(crate) mod recurrence;
 pub(crate) mod standard;
+mod tangents;
 mod taylor;
 #[cfg(feature = "simd")]
 pub(crate) mod trig;
 
+pub use tangents::Tangents;
 pub use taylor::Taylor;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};

@@ -74,7 +74,7 @@ pub(crate) fn samples(equations: &mut Equations<'_>, state: &State) -> Result<Ve
     for (index, condition) in model.conditions.iter().enumerate() {
         let row = condition.observable;
         let pattern = &model.observable_pattern;
-        let Signal { value, rate, acceleration } = parts.rates(pattern, row, state);
+        let Signal { value, rate, acceleration } = parts.rates(pattern, row, &state.q_dot, &state.q_ddot);
         finite("conditions", index, condition.name, value).map_err(|error| error.at(state.t))?;
         // Sizes of what g, ġ and g̈ are sums of: rounding is relative to these.
         let (by_time, rest) = (parts.phi_t[row], parts.gamma[row]);
