@@ -61,8 +61,11 @@ pub(super) fn inputs(input: ParseStream, keyword: &Ident, report: &Report, items
             return Ok(());
         }
         let name = new_name(input, report)?;
-        let caller =
-            format!("an input is a name; value, rate and acceleration of `{}` come with every call", name.ident);
+        let caller = format!(
+            "an input is a name; value, rate and acceleration of `{0}` come with every call; a value to start from is \
+             written `#[input({0}, default = …)]`",
+            name.ident
+        );
         items.push(Item::Input(InputDecl { name, unit: None, default: None }));
         if input.peek(Token![=]) {
             return Err(here(input, caller));

@@ -276,7 +276,7 @@ pub trait Mechanism: Sized {
     ///
     /// # Errors
     /// When an argument has the wrong length.
-    #[allow(clippy::too_many_arguments)]
+    #[allow(clippy::too_many_arguments, reason = "one argument per quantity that the forces depend on")]
     fn forces_with<T: Scalar>(
         &self,
         parameters: &[T],
