@@ -82,6 +82,7 @@ const WRITERS: &[(&str, &[Form])] = &[
     ("solve", &[Form::Text, Form::Json, Form::Csv]),
     ("forces", &[Form::Text, Form::Json, Form::Csv]),
     ("sweep", &[Form::Text, Form::Json, Form::Csv]),
+    ("modes", &[Form::Text, Form::Json]),
     ("check", &[Form::Text, Form::Json]),
     #[cfg(feature = "equations")]
     ("equations", &[Form::Text, Form::Latex, Form::Html]),

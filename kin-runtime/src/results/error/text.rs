@@ -110,6 +110,7 @@ impl fmt::Display for SolveError {
                 "{mechanism} has neither masses nor loads: forces follow from `mass`, `gravity`, `force`, `torque`, \
                  `spring` and `torsion_spring`"
             ),
+            Self::NotCertified { t, why } => write!(f, "nothing is proven at t = {t}: {why}", t = rounded(*t)),
             Self::NotHeld { t, open, could_be_given } => {
                 let freedoms = if *open == 1 { "degree of freedom is" } else { "degrees of freedom are" };
                 write!(
