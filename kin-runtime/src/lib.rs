@@ -39,6 +39,8 @@ mod linear;
 #[cfg(feature = "std")]
 mod nonlinear;
 #[cfg(feature = "std")]
+mod proof;
+#[cfg(feature = "std")]
 mod random;
 #[cfg(feature = "std")]
 mod report;
@@ -71,7 +73,7 @@ pub use scalar::lanes::Lanes;
 pub use {
     analysis::modes,
     report::{mobility, ratios, transmission},
-    results::{error, forces, motion, observer, options, sensitivities, state, trajectory},
+    results::{assembly, certificate, error, forces, motion, observer, options, sensitivities, state, trajectory},
     sweep::events,
 };
 
@@ -94,6 +96,8 @@ pub use crate::{
 #[cfg(feature = "std")]
 #[doc(no_inline)]
 pub use crate::{
+    assembly::{Assemblies, Assembly, Undecided},
+    certificate::{Certificate, Uncertified},
     cross_check::{Configuration, CrossCheck, CrossCheckOptions, FunctionCheck, WorstEntry},
     error::{Degeneracy, GeometryFault, Refusal, SolveError, SweepError},
     events::{Crossing, Event, Unwatched},
