@@ -32,7 +32,7 @@ pub(super) const STEPS: usize = 100;
 /// The motion over many instants, on one branch from the first to the last
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct SweepArgs {
-    /// Quantities by name, in place of all coordinates: B.transmission, tip.x, slider.x/drive
+    /// Quantities by name, not all coordinates: B.transmission, tip.x, tip.x/drive
     #[arg(value_name = "WHAT", conflicts_with = "points")]
     what: Vec<String>,
     #[command(flatten)]
@@ -79,9 +79,11 @@ csv has one header line and one row per instant: t, then every coordinate, its r
 and acceleration (NAME_ddot). With --vary the varied parameters stand before t; json has a list
 of motions then. WHAT names quantities instead: coordinates, points (tip.x, tip.speed), defines,
 joint quantities (B.angle), inputs, transmission angles (B.transmission), forces, and velocity
-ratios of the former to a driver or an input (tip.x/drive). Inputs and given coordinates hold at the first instant and go on
-with their acceleration. Where a unilateral condition meets its limit is said on stderr, and in
-json under `events`; where it changes too fast to be watched, too, and under `unwatched`.
+ratios of the former to a driver or an input (tip.x/drive).
+
+Inputs and given coordinates hold at the first instant and go on with their acceleration. Where a
+unilateral condition meets its limit is said on stderr, and in json under `events`; where it
+changes too fast to be watched, too, and under `unwatched`.
 
 With --to limit (and --from limit) the motion ends where the mechanism does: the last row is the
 limit itself, at which rates have no value, and the rows before it lie closer together. Where no

@@ -1,11 +1,11 @@
 //! `extremes`: the least and the greatest of quantities over a motion, between instants as well.
 
-use serde::Serialize;
-
+mod record;
 mod search;
 mod written;
 
-use search::{Extreme, Search, is_constant};
+use record::{MotionRecord, Range, Record};
+use search::{Search, is_constant};
 use written::{csv, text};
 
 use crate::cli::columns::quantities;
@@ -23,7 +23,7 @@ use crate::measure::Measure;
 use crate::present::json::to_json;
 use crate::present::record::Parameters;
 use crate::present::text::count;
-use crate::present::units::{Units, UnitsRecord};
+use crate::present::units::Units;
 
 /// Steps when --steps is not there.
 pub(super) const STEPS: usize = 360;
@@ -35,7 +35,7 @@ const DRIVERS: usize = 3;
 /// The least and the greatest of quantities over a motion, also between instants
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct ExtremesArgs {
-    /// Quantities by name: B.transmission, tip.x, slider.x/drive [default: those that tell most]
+    /// Quantities by name: B.transmission, tip.x, tip.x/drive [default: what tells most]
     #[arg(value_name = "WHAT")]
     what: Vec<String>,
     #[command(flatten)]
@@ -74,33 +74,6 @@ at further instants, until the value is right to rounding. An extreme at the beg
 end of the motion, at a limit, or where the quantity has a kink is told as such. Rates may grow
 without bounds towards a limit: then the value is that of the last instant before it.",
 };
-
-/// A quantity with its extremes; none where it has no value.
-#[derive(Clone, Debug, Serialize)]
-struct Range {
-    quantity: String,
-    unit: Option<String>,
-    least: Option<Extreme>,
-    greatest: Option<Extreme>,
-}
-
-#[derive(Serialize)]
-struct MotionRecord {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    varied: Option<Parameters>,
-    parameters: Parameters,
-    from: Option<f64>,
-    to: Option<f64>,
-    complete: bool,
-    extremes: Vec<Range>,
-}
-
-#[derive(Serialize)]
-struct Record<'a> {
-    mechanism: &'static str,
-    units: UnitsRecord,
-    motions: &'a [MotionRecord],
-}
 
 pub(super) fn run(args: &ExtremesArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let model = engine.model();

@@ -1,7 +1,7 @@
 //! Extremes as text and as csv.
 
+use super::record::{MotionRecord, Range};
 use super::search::Extreme;
-use super::{MotionRecord, Range};
 use crate::cli::vary::Choice;
 use crate::model::Model;
 use crate::present::number::{plain, rounded};
