@@ -87,8 +87,15 @@ pub(crate) fn angles(equations: &mut Equations<'_>, q: &[f64], pairs: &[Pair]) -
     pairs.iter().map(angle).collect()
 }
 
+/// The transmission angles that a mechanism has, by the places of their joints in [`Model::joints`]: the revolute joint, its
+/// neighbour on its first body and the one on its second.
+#[doc(hidden)]
+pub fn neighbours(model: &Model) -> Vec<[usize; 3]> {
+    pairs(model).iter().map(|&Pair { joint, between: [a, b], .. }| [joint, a, b]).collect()
+}
+
 /// The pairs of neighbours that transmit to an output, in order of declaration.
-pub(crate) fn pairs(model: &'static Model) -> Vec<Pair> {
+pub(crate) fn pairs(model: &Model) -> Vec<Pair> {
     let joints = model.joints;
     let places = places(model);
     let driven = driven(model);
@@ -148,7 +155,7 @@ struct Place {
 }
 
 /// The points of all point-like joints on moving bodies.
-fn places(model: &'static Model) -> Vec<Place> {
+fn places(model: &Model) -> Vec<Place> {
     let mut places = Vec::new();
     for (joint, info) in model.joints.iter().enumerate().filter(|(_, info)| is_point_like(info)) {
         for geometry in info.geometry.iter().filter(|g| matches!(g.role, Role::P | Role::Q)) {
