@@ -71,7 +71,7 @@ pub use scalar::lanes::Lanes;
 pub use {
     analysis::modes,
     report::{mobility, ratios, transmission},
-    results::{assembly, certificate, error, forces, motion, observer, options, state, trajectory},
+    results::{assembly, certificate, error, forces, motion, observer, options, ranges, state, trajectory},
     sweep::events,
 };
 
@@ -106,6 +106,7 @@ pub use crate::{
     motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates},
     observer::{Observer, Reached},
     options::Options,
+    ranges::{Range, RangeLimit, Ranges},
     ratios::{VelocityRatio, VelocityRatios},
     series::{Derivatives, MotionDerivatives},
     solver::{Position, Solver},

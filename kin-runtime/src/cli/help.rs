@@ -5,7 +5,7 @@ use super::examples::{Help, Names};
 use super::names::listing;
 use super::output::{either, forms};
 use super::trial::Trial;
-use super::{animate, check, completions, forces, info, modes, paint, report, solve, sweep};
+use super::{animate, check, completions, forces, info, limits, modes, paint, report, solve, sweep};
 use crate::model::Model;
 
 /// The whole command line of a mechanism, of the options that all mechanisms have.
@@ -45,6 +45,7 @@ const COMMANDS: &[(&str, Help)] = &[
     ("sweep", sweep::HELP),
     ("forces", forces::HELP),
     ("modes", modes::HELP),
+    ("limits", limits::HELP),
     ("check", check::HELP),
     #[cfg(feature = "equations")]
     ("equations", super::equations::HELP),

@@ -7,7 +7,7 @@
 //! # }
 //! ```
 //!
-//! The commands are `info`, `solve`, `sweep`, `modes`, `animate`, `plot` and `equations` (with the
+//! The commands are `info`, `solve`, `sweep`, `modes`, `limits`, `animate`, `plot` and `equations` (with the
 //! features of their names), `check` and `completions`, one per file; without a command a report at t = 0 is printed.
 //! Results go to stdout or to the file of `--out`, whose ending chooses the format; everything else goes to stderr. The exit
 //! status is 0 only when the answer is good, 2 when the options make no sense, 1 when the mechanism has no good answer,
@@ -47,6 +47,7 @@ mod forces;
 mod help;
 mod info;
 mod interrupt;
+mod limits;
 #[cfg(not(all(feature = "plot", feature = "equations")))]
 mod missing;
 mod modes;
@@ -106,6 +107,7 @@ enum Command {
     Sweep(sweep::SweepArgs),
     Forces(forces::ForcesArgs),
     Modes(modes::ModesArgs),
+    Limits(limits::LimitsArgs),
     Check(check::CheckArgs),
     #[cfg(feature = "equations")]
     Equations(equations::EquationsArgs),
@@ -152,6 +154,7 @@ fn run(
         Some(Command::Sweep(args)) => sweep::run(args, engine, &mut session),
         Some(Command::Forces(args)) => forces::run(args, engine, &mut session),
         Some(Command::Modes(args)) => modes::run(args, engine, &mut session),
+        Some(Command::Limits(args)) => limits::run(args, engine, &mut session),
         Some(Command::Check(args)) => check::run(args, engine, &mut session),
         #[cfg(feature = "equations")]
         Some(Command::Equations(args)) => equations::run(args, engine, &mut session),

@@ -83,6 +83,7 @@ const WRITERS: &[(&str, &[Form])] = &[
     ("forces", &[Form::Text, Form::Json, Form::Csv]),
     ("sweep", &[Form::Text, Form::Json, Form::Csv]),
     ("modes", &[Form::Text, Form::Json]),
+    ("limits", &[Form::Text, Form::Json]),
     ("check", &[Form::Text, Form::Json]),
     #[cfg(feature = "equations")]
     ("equations", &[Form::Text, Form::Latex, Form::Html]),

@@ -8,5 +8,6 @@ pub mod forces;
 pub mod motion;
 pub mod observer;
 pub mod options;
+pub mod ranges;
 pub mod state;
 pub mod trajectory;
