@@ -46,6 +46,8 @@ mod random;
 mod report;
 #[cfg(feature = "std")]
 mod results;
+#[cfg(feature = "std")]
+mod sensitivity;
 #[cfg(all(feature = "serde", feature = "std"))]
 mod serial;
 #[cfg(feature = "std")]
@@ -71,7 +73,9 @@ pub use scalar::lanes::Lanes;
 pub use {
     analysis::modes,
     report::{mobility, ratios, transmission},
-    results::{assembly, certificate, error, forces, motion, observer, options, ranges, state, trajectory},
+    results::{
+        assembly, certificate, error, forces, motion, observer, options, ranges, sensitivities, state, trajectory,
+    },
     sweep::events,
 };
 
@@ -108,6 +112,7 @@ pub use crate::{
     options::Options,
     ranges::{Range, RangeLimit, Ranges},
     ratios::{VelocityRatio, VelocityRatios},
+    sensitivities::{Deviation, Sensitivities, Sensitivity},
     series::{Derivatives, MotionDerivatives},
     solver::{Position, Solver},
     state::State,

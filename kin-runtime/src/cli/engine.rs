@@ -19,6 +19,7 @@ use crate::observer::Observer;
 use crate::planned::Sign;
 use crate::ranges::Ranges;
 use crate::ratios::VelocityRatios;
+use crate::sensitivities::Sensitivities;
 use crate::solver::Solver;
 use crate::state::State;
 use crate::trajectory::Trajectory;
@@ -87,6 +88,7 @@ pub(super) trait Engine {
     ) -> (Trajectory, Option<SolveError>);
     fn motion(&self, setup: &Setup, state: &State) -> Result<Motion, SolveError>;
     fn forces(&self, setup: &Setup, state: &State) -> Result<Forces, SolveError>;
+    fn sensitivities(&self, setup: &Setup, state: &State) -> Result<Sensitivities, SolveError>;
     fn certify(&self, setup: &Setup, state: &State) -> Result<Certificate, Uncertified>;
     fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError>;
     fn velocity_ratios(&self, setup: &Setup, state: &State) -> Result<VelocityRatios, SolveError>;
@@ -173,6 +175,10 @@ impl<M: Mechanism> Engine for Bound<M> {
 
     fn forces(&self, setup: &Setup, state: &State) -> Result<Forces, SolveError> {
         self.solver(setup).forces(state)
+    }
+
+    fn sensitivities(&self, setup: &Setup, state: &State) -> Result<Sensitivities, SolveError> {
+        self.solver(setup).sensitivities(state)
     }
 
     fn certify(&self, setup: &Setup, state: &State) -> Result<Certificate, Uncertified> {

@@ -5,7 +5,7 @@ use super::examples::{Help, Names};
 use super::names::listing;
 use super::output::{either, forms};
 use super::trial::Trial;
-use super::{animate, check, completions, forces, info, limits, modes, paint, report, solve, sweep};
+use super::{animate, check, completions, forces, info, limits, modes, paint, report, sensitivities, solve, sweep};
 use crate::model::Model;
 
 /// The whole command line of a mechanism, of the options that all mechanisms have.
@@ -44,6 +44,7 @@ const COMMANDS: &[(&str, Help)] = &[
     ("solve", solve::HELP),
     ("sweep", sweep::HELP),
     ("forces", forces::HELP),
+    ("sensitivities", sensitivities::HELP),
     ("modes", modes::HELP),
     ("limits", limits::HELP),
     ("check", check::HELP),

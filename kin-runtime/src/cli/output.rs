@@ -81,6 +81,7 @@ const WRITERS: &[(&str, &[Form])] = &[
     ("info", &[Form::Text, Form::Json]),
     ("solve", &[Form::Text, Form::Json, Form::Csv]),
     ("forces", &[Form::Text, Form::Json, Form::Csv]),
+    ("sensitivities", &[Form::Text, Form::Json, Form::Csv]),
     ("sweep", &[Form::Text, Form::Json, Form::Csv]),
     ("modes", &[Form::Text, Form::Json]),
     ("limits", &[Form::Text, Form::Json]),

@@ -19,6 +19,7 @@ pub(crate) mod plan;
 pub(crate) mod plot;
 pub(crate) mod ranges;
 pub(crate) mod record;
+pub(crate) mod sensitivities;
 pub(crate) mod structure;
 pub(crate) mod table;
 pub(crate) mod text;

@@ -9,5 +9,6 @@ pub mod motion;
 pub mod observer;
 pub mod options;
 pub mod ranges;
+pub mod sensitivities;
 pub mod state;
 pub mod trajectory;

@@ -13,11 +13,13 @@ mod interval;
 pub(crate) mod lanes;
 pub(crate) mod recurrence;
 pub(crate) mod standard;
+mod tangents;
 mod taylor;
 #[cfg(feature = "simd")]
 pub(crate) mod trig;
 
 pub use interval::Interval;
+pub use tangents::Tangents;
 pub use taylor::Taylor;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
