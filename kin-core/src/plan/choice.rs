@@ -1,9 +1,10 @@
-//! Which rows a plan goes by where there are more than coordinates, and the tree that follows from them.
+//! Selects the rows that a plan uses when there are more rows than coordinates, and builds the tree of the plan.
 //!
-//! The rows that are left out are those of every circuit that were declared last, but for rows that drive; where that
-//! leaves bodies that nothing drives, those that close a circuit on a walk from the driver; where an iteration is left,
-//! another row of the same circuit may leave none. A row that is left out beside one of the same joint helps it all the same, where both turn one
-//! vector: an angle is given by its cosine and its sine, not by one of them and a sign.
+//! The first candidate leaves out the row declared last in each circuit, driving rows excepted. If that leaves bodies
+//! that no driver moves, the second candidate leaves out the rows that close the circuits on a walk from the driver.
+//! If the best tree still needs an iteration, other rows of the same circuits are tried. A row that is left out can
+//! still help if another row of the same joint is kept and both turn the same vector: together they give the cosine
+//! and the sine of the angle, so no sign has to be chosen.
 
 use super::form::Memory;
 use super::matching;
@@ -14,22 +15,22 @@ use crate::structure::Spare;
 use crate::system::KinematicSystem;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Most choices that are tried.
+/// Maximum number of alternative rows that are tried.
 const TRIES: usize = 16;
 
-/// A tree, and what it was made of.
+/// A tree, and the rows it was made from.
 pub(super) struct Chosen {
     pub(super) tree: Block,
-    /// The rows that every row is made of.
+    /// For each row, the original rows that it has been combined from.
     pub(super) made_of: Vec<BTreeSet<usize>>,
-    /// Rows that the tree does without, in order of declaration.
+    /// Redundant rows that the tree does not use, in order of declaration.
     pub(super) left_out: Vec<usize>,
-    /// Those of them that help all the same.
+    /// Those of the redundant rows that give an angle together with a kept row.
     pub(super) agreeing: Vec<Agreeing>,
     score: Score,
 }
 
-/// Chooses for a system of full rank.
+/// Chooses the rows and the tree for a system of full column rank.
 pub(super) fn choose(system: &KinematicSystem, graph: &mut Graph) -> Option<Chosen> {
     let set = &system.set;
     let mut search = Search { system, graph, memory: Memory::new(set.coordinates.len()) };
@@ -48,7 +49,7 @@ pub(super) fn choose(system: &KinematicSystem, graph: &mut Graph) -> Option<Chos
     let mut tries = TRIES;
     for (places, named) in named {
         for found in &named {
-            // From the joint that comes last; a driver is meant to be there.
+            // Rows declared last are tried first. Driving rows are always kept.
             let mut others: Vec<usize> = found.circuit.clone();
             others.retain(|&row| !system.classes[row].driving);
             others.sort_by_key(|&row| std::cmp::Reverse(places[row]));
@@ -77,7 +78,8 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The better of the trees without these rows: with those that help, and without.
+    /// The better of two trees without the given rows: one that uses redundant rows of the same joints, and one that
+    /// does not.
     fn of(&mut self, mut left_out: Vec<usize>) -> Option<Chosen> {
         left_out.sort_unstable();
         let rows = &self.system.set.rows;
@@ -138,30 +140,30 @@ impl Search<'_> {
     }
 }
 
-/// How much a tree leaves to do; less is better, in this order.
+/// How much work a tree leaves; smaller is better, compared field by field in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Score {
-    /// Angles and scalars that stand still whatever leads motion into the mechanism: of a mechanism that moves thanks to its dimensions,
-    /// rows that hold it by themselves are singular.
+    /// Number of angles and scalars that no driving row reaches. If a mechanism moves only because of its special
+    /// dimensions, a plan in which scleronomic rows fix such a coordinate by themselves is singular.
     still: usize,
-    /// Unknowns of iterations.
+    /// Number of unknowns of iterations.
     iterated: usize,
-    /// Parts that close in two ways.
+    /// Number of parts that have two solutions.
     closures: usize,
 }
 
-/// The score of what there is; the worst of nothing.
+/// A key for comparison: no tree at all is worse than any tree.
 fn score(chosen: &Option<Chosen>) -> (bool, Option<Score>) {
     (chosen.is_none(), chosen.as_ref().map(|chosen| chosen.score))
 }
 
-/// The score but for closures: fewer of them may only mean that rows were taken at their word that hold for special
-/// dimensions.
+/// The score without the number of closures. Fewer closures are no advantage: they may only mean that the tree relies
+/// on rows that agree with the others for special dimensions alone.
 fn toil(chosen: &Option<Chosen>) -> (bool, Option<[usize; 2]>) {
     (chosen.is_none(), chosen.as_ref().map(|Chosen { score, .. }| [score.still, score.iterated]))
 }
 
-/// The one with the better score; the first where they are alike.
+/// The tree with the better score; the first of two equal ones.
 fn better(first: Option<Chosen>, second: Option<Chosen>) -> Option<Chosen> {
     if score(&second) < score(&first) { second } else { first }
 }

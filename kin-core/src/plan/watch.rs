@@ -1,15 +1,16 @@
-//! Rows that a plan does without, and whether what it gives satisfies them all the same.
+//! Checks the redundant rows, which a plan does not use: a margin says whether the solution satisfies each of them.
 //!
 //! ```text
 //! margin = 1 − (ρ/τ)² − (ρ̇/τ̇)² − (ρ̈/τ̈)²
 //! ρ² = Φᵣ²/Σ Φᵣₖ² wₖ,  ρ̇² = (Σ Φᵣₖ q̇ₖ + Φᵣₜ)²/(Σ Φᵣₖ² wₖ · V²),  ρ̈² = (Σ Φᵣₖ q̈ₖ − γᵣ)²/(Σ Φᵣₖ² wₖ · A²),
-//! all of them with a little of the squared terms of Φᵣ, Φᵣₜ and γᵣ beside the sums,
+//! each denominator also has a small multiple of the squared terms of Φᵣ, Φᵣₜ or γᵣ,
 //! V² = Σ q̇ₖ²/wₖ,  A² = Σ q̈ₖ²/wₖ + V⁴
 //! ```
 //!
-//! √wₖ is what counts as a coordinate of size one: a radian; for x and y the length that the rows hold between lengths and
-//! angles; for a scalar 1 or more. So ρ has no unit, and is about by how much the row's joint is apart beside the size of
-//! the mechanism. τ is [`TOLERANCE`], and more beside limits, where what is solved is known less well.
+//! √wₖ is the characteristic size of coordinate k: one radian for an angle; for x and y a length taken from the rows
+//! that contain both lengths and angles; √(1 + q²) for a scalar. So ρ is dimensionless, and is roughly the misfit of
+//! the joint relative to the size of the mechanism. The tolerance τ is [`TOLERANCE`], enlarged near limits, where the
+//! solution is less accurate.
 
 use super::build::{Build, Sizes, Watched};
 use super::closures::{SHARE, squared_terms};
@@ -19,17 +20,18 @@ use crate::expr::{ExprId, Symbol};
 use crate::mechanism::Function;
 use crate::program::Slot;
 
-/// Misses below this are no contradiction.
+/// Residuals ρ below this count as satisfied.
 pub const TOLERANCE: f64 = 3e-11;
 
-/// What rounding makes of a solution far from limits; 1/√margin times that beside one, and once more for every order.
+/// Rounding error of a solution far from limits. It grows by a factor 1/√margin near a limit, and by another for each
+/// derivative.
 const ROUNDING: f64 = 1e-13;
 
-/// What no size is smaller than, so that 0 of 0 is 0.
+/// Added to denominators, so that 0/0 becomes 0.
 const LEAST: f64 = f32::MIN_POSITIVE as f64;
 
 impl Build<'_> {
-    /// The rows to watch, with a margin each.
+    /// Adds a margin for every redundant row.
     pub(super) fn watch(&mut self, left_out: &[usize], agreeing: &[Agreeing]) {
         let steps = self.listed.watched(&self.system.set, left_out);
         for (&row, step) in left_out.iter().zip(steps) {
@@ -40,7 +42,7 @@ impl Build<'_> {
         }
     }
 
-    /// The margins as far as they belong to q, once it is known with the margins of all steps.
+    /// Subtracts the position residual from the margins, once q and the margins of all steps are known.
     pub(super) fn watch_positions(&mut self) {
         if self.watched.is_empty() {
             return;
@@ -51,7 +53,8 @@ impl Build<'_> {
             let rows = watched.agreeing.map_or(vec![watched.row], |agreeing| agreeing.rows.to_vec());
             watched.sizes = rows.iter().map(|&row| self.size(row, &sizes.weights)).collect();
             let (miss, size) = match watched.agreeing {
-                // The angle that both give makes the most of them: it is the length that says whether they agree.
+                // The angle is the one that fits both rows best, so only the lengths that they see tell whether they
+                // are consistent.
                 Some(Agreeing { difference, square, .. }) => {
                     let [difference, square] = [difference, square].map(|e| self.known_value(e));
                     (difference, self.graph.square(square))
@@ -72,7 +75,7 @@ impl Build<'_> {
         self.sizes_of_watched = Some(sizes);
     }
 
-    /// The margins with what belongs to q̇ (`order` 0) or q̈ (`order` 1): `solution` of Φ_q x = `right`.
+    /// Subtracts the residual of q̇ (`order` 0) or q̈ (`order` 1) from the margins; `solution` solves Φ_q x = `right`.
     pub(super) fn watch_rates(&mut self, order: usize, right: &[ExprId], solution: &[ExprId]) {
         let Some(mut sizes) = self.sizes_of_watched.take() else { return };
         let mut all = self.graph.zero();
@@ -98,7 +101,8 @@ impl Build<'_> {
                     let term = self.graph.mul(entry, solution[k as usize]);
                     rest = self.graph.add(rest, term);
                 }
-                // Where Φₜ is a small difference of large terms, as a motion turns round, rounding is that of the terms.
+                // Where Φₜ is a small difference of large terms (a drive that reverses), its rounding error is that of
+                // the terms.
                 let (terms, share) = (squared_terms(&mut self.graph, right[row], 6), self.graph.number(SHARE));
                 let (terms, size) = (self.graph.mul(share, terms), self.graph.mul(watched.sizes[place], all));
                 let (square, size) = (self.graph.square(rest), self.graph.add(size, terms));
@@ -109,7 +113,7 @@ impl Build<'_> {
         self.sizes_of_watched = Some(sizes);
     }
 
-    /// Takes `square`/`size` over `tolerance` from the margin, and writes it.
+    /// Subtracts (`square`/`size`)/`tolerance` from the margin and writes it.
     fn take_away(&mut self, watched: &mut Watched, square: ExprId, size: ExprId, tolerance: ExprId) {
         let least = self.graph.number(LEAST);
         let size = self.graph.add(size, least);
@@ -120,7 +124,7 @@ impl Build<'_> {
         self.write(Slot::Margin(watched.place), watched.margin);
     }
 
-    /// τ² at a level, for the scalar at hand: TOLERANCE² + ROUNDING² · nearness^level of an `f64`.
+    /// τ² at a level, (TOLERANCE² + ROUNDING² · nearness^level) for `f64`, scaled to the precision of the scalar type.
     fn tolerance(&mut self, nearness: ExprId, level: i32) -> ExprId {
         let graph = &mut self.graph;
         let (tolerance, rounding) = (graph.number(TOLERANCE * TOLERANCE), graph.number(ROUNDING * ROUNDING));
@@ -157,7 +161,8 @@ impl Build<'_> {
         Sizes { weights, nearness, velocity: one }
     }
 
-    /// The square of the length that rows hold between lengths and angles; where none holds both, that of all lengths.
+    /// The square of the length taken from rows that contain both lengths and angles; if there are none, the sum of
+    /// all squared lengths.
     fn squared_length(&mut self) -> ExprId {
         let coordinates = &self.system.set.coordinates;
         let mut sums = [self.graph.zero(); 2];
@@ -195,7 +200,7 @@ impl Build<'_> {
         self.graph.whole(square)
     }
 
-    /// Σ Φᵣₖ² wₖ.
+    /// Σ Φᵣₖ² wₖ of a row r.
     fn size(&mut self, row: usize, weights: &[ExprId]) -> ExprId {
         let mut size = self.graph.zero();
         for (k, entry) in self.system.equations[row].phi_q.clone() {
