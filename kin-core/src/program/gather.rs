@@ -1,19 +1,20 @@
-//! Angles of vectors side by side: atan2 of several vectors at once costs little more than of one.
+//! Groups independent atan2 instructions, because several of them evaluated together cost little more than one.
 //!
-//! For straight code alone: in a program with loops it would tear apart what repeats.
+//! This applies to straight-line code only; in a program with loops it would break up the repetition.
 
 use super::{Instruction, Program, Value};
 
-/// How far apart two of them may be.
+/// Maximum distance between two instructions of a group.
 const WINDOW: usize = 96;
 
-/// `program` with atan2s that do not need one another together, as far as no sine stands between them.
+/// Reorders `program` so that independent atan2 instructions follow one another, where no SinCos lies between them.
 pub fn gather(program: &Program) -> Program {
     program.reordered(&order(&program.instructions))
 }
 
 impl Program {
-    /// The instructions in another order, operands first; those that are not in it are dropped.
+    /// The instructions in another order, in which operands still come first; instructions that `order` omits are
+    /// dropped.
     pub(super) fn reordered(&self, order: &[usize]) -> Self {
         let mut renumbered = vec![Value(0); self.instructions.len()];
         for (new, old) in order.iter().enumerate() {

@@ -1,21 +1,21 @@
-//! Sums in the order in which their terms are there: what waits for a function comes last.
+//! Reorders the terms of sums so that terms that depend on the result of a function are added last.
 //!
-//! A row of a joint is a difference of two points, (r + A s) − (r′ + A′ s′). Taken as it stands, everything in it but two
-//! operations waits for sines and cosines; as (r − r′) + A s − A′ s′ the origins do not, and the rows of a joint are chains
-//! of one kind, which a compiler packs into vectors.
+//! A row of a joint is the difference of two points, (r + A s) − (r′ + A′ s′). In this order all but two operations
+//! depend on sines and cosines; in (r − r′) + A s − A′ s′ the difference of the origins does not. The rows of a joint
+//! then become chains of the same form, which a compiler vectorises.
 
 use super::numbered::Numbered;
 use super::{Instruction, Program, Value};
 
-/// A term of a sum: its place, and whether it is subtracted.
+/// A term of a sum: the index of its instruction, and whether it is subtracted.
 type Term = (usize, bool);
 
-/// `program` with every sum of three terms or more, whose parts nobody else uses, taken from the earliest term to the latest;
-/// as many operations as before.
+/// Reorders every sum of at least three terms whose partial sums have no other use. The number of operations is
+/// unchanged.
 pub(super) fn early_terms_first(program: Program) -> Program {
     let instructions = &program.instructions;
     let (late, inner) = (late(instructions), inner(&program));
-    // Sums that stay as they are keep their parts.
+    // Partial sums are removed only where the sum is reordered.
     let mut orders = vec![None; instructions.len()];
     let mut part_of_ordered = vec![false; instructions.len()];
     let has_parts = |place: usize| match instructions[place] {
@@ -47,7 +47,7 @@ pub(super) fn early_terms_first(program: Program) -> Program {
     Program { instructions: numbered.instructions, outputs }
 }
 
-/// What waits for a function.
+/// For every instruction, whether it depends on the result of a function such as a sine or cosine.
 fn late(instructions: &[Instruction]) -> Vec<bool> {
     let mut late = vec![false; instructions.len()];
     for (place, instruction) in instructions.iter().enumerate() {
@@ -61,7 +61,7 @@ fn late(instructions: &[Instruction]) -> Vec<bool> {
     late
 }
 
-/// Sums that are used once, in another sum.
+/// For every instruction, whether it is a sum whose only use is as a term of another sum.
 fn inner(program: &Program) -> Vec<bool> {
     let is_sum = |instruction: &Instruction| matches!(instruction, Instruction::Add(..) | Instruction::Sub(..));
     let mut uses = vec![0_u32; program.instructions.len()];
@@ -77,7 +77,7 @@ fn inner(program: &Program) -> Vec<bool> {
     own.map(|(instruction, (uses, in_sum))| is_sum(instruction) && uses == 1 && in_sum).collect()
 }
 
-/// The terms of a sum from left to right, and the sums that are parts of it.
+/// The terms of a sum from left to right, and the partial sums that it is made of.
 fn terms(instructions: &[Instruction], inner: &[bool], root: usize) -> (Vec<Term>, Vec<usize>) {
     let (mut terms, mut parts) = (Vec::new(), Vec::new());
     let mut open = vec![(root, false)];
@@ -99,15 +99,15 @@ fn terms(instructions: &[Instruction], inner: &[bool], root: usize) -> (Vec<Term
     (terms, parts)
 }
 
-/// The term that begins, which is not subtracted, and the others: early before late, otherwise as they stood. None where
-/// there is nothing to gain.
+/// The first term, which is not subtracted, and the remaining terms, those that depend on a function last. `None` if
+/// the order would gain nothing.
 fn ordered(mut terms: Vec<Term>, late: &[bool]) -> Option<(usize, Vec<Term>)> {
     let waiting = terms.iter().filter(|(place, _)| late[*place]).count();
     if terms.len() < 3 || waiting == 0 || waiting == terms.len() {
         return None;
     }
     terms.sort_by_key(|(place, _)| late[*place]);
-    // The leftmost term of all is never subtracted.
+    // There is always a term that is added: the leftmost one.
     let first = terms.iter().position(|(_, minus)| !minus)?;
     let (first, _) = terms.remove(first);
     Some((first, terms))
