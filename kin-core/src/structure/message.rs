@@ -1,4 +1,4 @@
-//! Redundant rows as errors: what is said twice, by which joints, and what would be right.
+//! Errors for redundant rows: which joints repeat the same constraint, and how to correct it.
 
 use super::diagnosis::{Redundancy, Structure};
 use crate::check::meets_held;
@@ -8,7 +8,7 @@ use crate::mechanism::Mechanism;
 use crate::system::KinematicSystem;
 use std::collections::BTreeMap;
 
-/// Most names that a message lists.
+/// Maximum number of names that a message lists.
 const SHOWN: usize = 8;
 
 /// An error for every declaration with redundant rows, in order of declaration.
@@ -27,7 +27,7 @@ pub fn explain(mechanism: &Mechanism, system: &KinematicSystem, structure: &Stru
         .collect()
 }
 
-/// What is said of one declaration, which may meet a held coordinate.
+/// The message for one declaration; `meets_held` says whether its joint involves a held coordinate.
 fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redundancy], meets_held: bool) -> String {
     let set = &system.set;
     let joint_of = |row: usize| set.rows[row].joint;
@@ -58,7 +58,8 @@ fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redund
             format!("what {with} already {}", if others.len() > 1 { "determine" } else { "determines" })
         };
         let rows = if drivers == 1 { "1 driving row".to_owned() } else { format!("{drivers} driving rows") };
-        // Joints that are redundant at special lengths leave more to be driven.
+        // If joints are redundant for special lengths, the mechanism has more degrees of freedom than the generic rank
+        // shows.
         let has_lengths = |joint: &usize| {
             let joint = &set.joints[*joint];
             let is_angle = set.meanings(joint).iter().all(|meaning| *meaning == RowMeaning::Angle);
@@ -84,7 +85,7 @@ fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redund
     )
 }
 
-/// What is said of rows that are redundant all by themselves: no coordinate changes their residuals.
+/// The message for rows that are redundant by themselves: their residuals depend on no coordinate.
 fn says_nothing(
     set: &ConstraintSet,
     own: &[usize],
@@ -116,7 +117,7 @@ fn says_nothing(
     format!("{said}; a held coordinate already satisfies {it}, or never can: leave that coordinate free instead")
 }
 
-/// `row `N.angle` of ` where not all rows of the joint are redundant.
+/// `row `N.angle` of `, or nothing if all rows of the joint are redundant.
 fn rows(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy]) -> String {
     let [joint] = own else { return String::new() };
     let joint = &set.joints[*joint];
@@ -127,13 +128,13 @@ fn rows(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy]) -> String
     format!("{} {} of ", if names.len() == 1 { "row" } else { "rows" }, names.join(" and "))
 }
 
-/// What would be right, by the kind of each joint and by which of its rows are redundant.
+/// The correction to suggest, which depends on the kinds of the joints and on which of their rows are redundant.
 fn advice(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy], driving: bool) -> String {
     let it = if own.len() > 1 { "them" } else { "it" };
     if driving {
         return format!("remove {it}");
     }
-    // Members of a family may differ in what of them is redundant.
+    // Members of a family may differ in which of their rows are redundant.
     let mut kinds: Vec<(Option<&str>, Vec<usize>)> = Vec::new();
     for &joint in own {
         let instead = instead_of(set, joint, redundant);
@@ -145,7 +146,7 @@ fn advice(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy], driving
     if let [(None, _)] = kinds[..] {
         return format!("remove {it}");
     }
-    // What is shorter stands first.
+    // The shorter part, a removal, comes first.
     kinds.sort_by_key(|(instead, _)| instead.is_some());
     let parts = kinds.iter().map(|(instead, joints)| {
         let names = list(joints.iter().map(|joint| set.joints[*joint].name.as_str()));
@@ -157,7 +158,7 @@ fn advice(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy], driving
     parts.collect::<Vec<_>>().join(", and ")
 }
 
-/// What holds only as much as the rows of a joint do that are not redundant, if that has a name.
+/// A joint that has only the non-redundant rows of this joint, if there is one.
 fn instead_of(set: &ConstraintSet, place: usize, redundant: &[&Redundancy]) -> Option<&'static str> {
     let joint = &set.joints[place];
     let is_redundant = |row: usize| redundant.iter().any(|r| r.row == row);
@@ -178,12 +179,12 @@ fn instead_of(set: &ConstraintSet, place: usize, redundant: &[&Redundancy]) -> O
     }
 }
 
-/// Number of driving rows.
+/// The number of driving rows.
 fn drivers(system: &KinematicSystem) -> usize {
     system.classes.iter().filter(|class| class.driving).count()
 }
 
-/// Each once, in order.
+/// Each joint once, in order of first occurrence.
 fn distinct(joints: impl Iterator<Item = usize>) -> Vec<usize> {
     let mut all = Vec::new();
     joints.for_each(|joint| {
