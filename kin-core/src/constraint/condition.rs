@@ -12,7 +12,7 @@ use super::set::{ConditionInstance, ConstraintSet, ObservableKind};
 use crate::mechanism::Relation;
 
 impl Assembly<'_> {
-    /// All conditions, one for every index of a range.
+    /// Writes all conditions, one for every index of a range.
     pub(crate) fn conditions(&mut self, set: &mut ConstraintSet) {
         for (family, condition) in self.mechanism.conditions.iter().enumerate() {
             for (shown, index) in Self::instances(condition.range) {
@@ -23,7 +23,8 @@ impl Assembly<'_> {
                     Relation::Less => self.graph.sub(right, left),
                 };
                 let name = indexed(&condition.name, shown.is_some(), index);
-                // Of a member whose index leaves nothing that moves; the others have the rule on formulas.
+                // Only a member with a special index gets here; formulas that are constant in general are rejected by
+                // a rule before.
                 if self.graph.depends(value).is_static() {
                     let message = format!(
                         "unilateral `{name}` comes to a value of parameters alone, so that no motion changes it; one \
