@@ -1,4 +1,4 @@
-//! The example of the guide's chapter on a new constraint, `equidistant(N: P, Q, R)`: it compiles, and Φ is what it says.
+//! The example of the guide's chapter on a new constraint, `equidistant(N: P, Q, R)`; the test checks its row of Φ.
 
 use super::joint::{JointType, joint};
 use crate::constraint::{Assembly, ConstraintSet, RowMeaning, Rows};
