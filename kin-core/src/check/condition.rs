@@ -1,10 +1,10 @@
-//! The rule on unilateral conditions.
+//! The rule for unilateral conditions.
 
 use super::mention::changes;
 use crate::error::ModelError;
 use crate::mechanism::Mechanism;
 
-/// A condition holds a coordinate, t or an input: otherwise no motion can change it.
+/// Rule: a condition contains a coordinate, t or an input, because otherwise no motion can change it.
 pub(super) fn conditions_change(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for condition in &mechanism.conditions {
         let mut indices = condition.range.map_or(0..1, |range| range.indices());
