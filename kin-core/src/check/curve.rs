@@ -9,7 +9,7 @@ fn curves(mechanism: &Mechanism) -> impl Iterator<Item = &Curve> {
 }
 
 /// Rule: a literal polar radius is positive, an implicit curve contains X or Y, a parametric curve its parameter.
-pub(super) fn curves_are_curves(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+pub(super) fn curves_depend_on_their_variables(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for curve in curves(mechanism) {
         match curve {
             Curve::Polar { radius, origin } => match radius.literal() {
@@ -43,7 +43,7 @@ pub(super) fn curves_are_curves(mechanism: &Mechanism, errors: &mut Vec<ModelErr
 
 /// Rule: a curve with a roller has a third derivative. The row contains the tangent c′, so γ contains c‴, but a
 /// supplied function provides only two derivatives.
-pub(super) fn rollers_know_their_curve(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+pub(super) fn roller_curves_have_derivatives(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for curve in curves(mechanism) {
         let Curve::Parametric { parameter, x, y, roller: Some(_), .. } = curve else { continue };
         for node in [x, y].into_iter().flat_map(nodes) {

@@ -52,7 +52,7 @@ pub(super) fn lengths_are_positive(mechanism: &Mechanism, errors: &mut Vec<Model
 
 /// Rule: a radius is not a literal 0. A radius that is 0 for a member of a family, or after constant folding, is
 /// reported when the rows are written.
-pub(super) fn radii_have_a_size(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+pub(super) fn radii_are_not_zero(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for (slot, operand) in operands(mechanism) {
         let radii = match operand {
             Operand::Radii(radii) => vec![&radii.i, &radii.j],

@@ -19,7 +19,8 @@ pub(super) fn loads_act_on_bodies(mechanism: &Mechanism, errors: &mut Vec<ModelE
                 errors.push(ModelError::new(body.origin(), message));
             }
             (LoadKind::Force | LoadKind::Torque, [body]) if body.is_ground() => {
-                let message = format!("{keyword} `{name}` acts on the ground, which nothing moves; it acts on a body");
+                let message =
+                    format!("{keyword} `{name}` acts on the ground, which does not move; a load acts on a body");
                 errors.push(ModelError::new(body.origin(), message));
             }
             (_, [a, b]) => {
@@ -50,7 +51,7 @@ pub(super) fn one_field_of_gravity(mechanism: &Mechanism, errors: &mut Vec<Model
 }
 
 /// Rule: if there is gravity, there is a mass.
-pub(super) fn gravity_pulls_masses(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+pub(super) fn gravity_has_masses(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     let first = |kind| loads_of(mechanism, kind).next();
     if let (Some(gravity), None) = (first(LoadKind::Gravity), first(LoadKind::Mass)) {
         let message = "gravity pulls masses, and no body has one: `#[mass(crank @ (l1/2, 0), mass = m1)]`";
@@ -79,7 +80,7 @@ pub(super) fn centres_differ(mechanism: &Mechanism, errors: &mut Vec<ModelError>
 }
 
 /// Rule: masses and moments of inertia are not negative, and a spring has a stiffness or a damping.
-pub(super) fn loads_have_a_size(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+pub(super) fn loads_have_valid_sizes(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for load in &mechanism.loads {
         let literal = |key: &str| {
             let found = load.operands.iter().find(|(slot, _)| slot.key == key)?;

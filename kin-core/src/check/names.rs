@@ -58,7 +58,7 @@ pub(super) fn are_distinct(mechanism: &Mechanism) -> bool {
 }
 
 /// Rule: no name is a reserved word.
-pub(super) fn names_are_free(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+pub(super) fn names_are_not_reserved(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for (name, kind, origin) in declared(mechanism) {
         if is_reserved(name) {
             let meaning = match name {

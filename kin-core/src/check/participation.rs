@@ -7,7 +7,7 @@ use crate::mechanism::{Body, Component, Mechanism};
 use std::collections::BTreeSet;
 
 /// Rule: every row contains a coordinate, because otherwise no motion can satisfy it.
-pub(super) fn rows_hold_coordinates(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+pub(super) fn rows_contain_coordinates(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for joint in &mechanism.joints {
         // A joint of the ground with itself is reported by another rule.
         if is_within_ground(joint) {
@@ -51,7 +51,7 @@ pub(super) fn has_coordinates(mechanism: &Mechanism, errors: &mut Vec<ModelError
 }
 
 /// Rule: some row contains a coordinate of every body that has coordinates.
-pub(super) fn bodies_are_touched(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+pub(super) fn bodies_are_in_rows(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     let touched: BTreeSet<(usize, usize)> = all_mentioned(mechanism)
         .into_iter()
         .filter_map(|coordinate| match coordinate {
@@ -70,7 +70,7 @@ pub(super) fn bodies_are_touched(mechanism: &Mechanism, errors: &mut Vec<ModelEr
 }
 
 /// Rule: some row contains every scalar coordinate.
-pub(super) fn scalars_are_mentioned(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+pub(super) fn scalars_are_in_rows(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     let mentioned = all_mentioned(mechanism);
     for (family, scalar) in mechanism.scalars.iter().enumerate() {
         let unmentioned = (0..scalar.len.unwrap_or(1)).filter(|&m| !mentioned.contains(&Coordinate::Scalar(family, m)));

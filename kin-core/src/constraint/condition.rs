@@ -27,8 +27,8 @@ impl Assembly<'_> {
                 // a rule before.
                 if self.graph.depends(value).is_static() {
                     let message = format!(
-                        "unilateral `{name}` comes to a value of parameters alone, so that no motion changes it; one \
-                         of its sides moves"
+                        "unilateral `{name}` depends on parameters alone, so that no motion changes it; one of its \
+                         sides must vary"
                     );
                     self.error_once(condition.keyword, message);
                 }

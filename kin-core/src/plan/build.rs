@@ -1,9 +1,9 @@
 //! State of a solution while its expressions are built: stages, known coordinates, divisors, margins, redundant rows.
 
 use super::known::Known;
-use super::reduce::Agreeing;
+use super::reduce::PairedRows;
 use super::step::StepId;
-use super::steps::Listed;
+use super::steps::StepList;
 use crate::expr::{ExprId, Graph, Symbol};
 use crate::program::Slot;
 use crate::system::KinematicSystem;
@@ -28,10 +28,10 @@ pub(super) struct Divisor {
 }
 
 /// A redundant row, which the solution is checked against.
-pub(super) struct Watched {
+pub(super) struct RedundantRow {
     pub(super) row: usize,
     /// The kept row that gives an angle together with this row, if there is one.
-    pub(super) agreeing: Option<Agreeing>,
+    pub(super) paired: Option<PairedRows>,
     /// The index of the row's margin.
     pub(super) place: usize,
     /// The margin so far; each level (position, velocity, acceleration) subtracts its residual.
@@ -58,7 +58,7 @@ pub(super) struct Build<'a> {
     pub(super) known: Known,
     pub(super) stages: Vec<Stage>,
     /// The steps with their modes and margins.
-    pub(super) listed: Listed,
+    pub(super) listed: StepList,
     /// Number of values that say whether an iteration has converged.
     pub(super) iterations: u32,
     /// For every iteration whose margin is still to be written: its first row, the index of its margin, and the index
@@ -73,15 +73,15 @@ pub(super) struct Build<'a> {
     /// All margins written so far.
     pub(super) margins: Vec<ExprId>,
     /// The redundant rows, and the sizes that their margins share.
-    pub(super) watched: Vec<Watched>,
-    pub(super) sizes_of_watched: Option<Sizes>,
+    pub(super) redundant: Vec<RedundantRow>,
+    pub(super) redundant_sizes: Option<Sizes>,
 }
 
 impl<'a> Build<'a> {
-    pub(super) fn new(system: &'a KinematicSystem, graph: Graph, listed: Listed) -> Self {
+    pub(super) fn new(system: &'a KinematicSystem, graph: Graph, listed: StepList) -> Self {
         let known = Known::default();
         let (stages, pending, closures) = (vec![Stage::Closed(Vec::new())], Vec::new(), Vec::new());
-        let (margins, watched, sizes_of_watched) = (Vec::new(), Vec::new(), None);
+        let (margins, redundant, redundant_sizes) = (Vec::new(), Vec::new(), None);
         Self {
             system,
             graph,
@@ -94,8 +94,8 @@ impl<'a> Build<'a> {
             divisors: Vec::new(),
             closures,
             margins,
-            watched,
-            sizes_of_watched,
+            redundant,
+            redundant_sizes,
         }
     }
 

@@ -6,12 +6,12 @@
 //! still help if another row of the same joint is kept and both turn the same vector: together they give the cosine
 //! and the sine of the angle, so no sign has to be chosen.
 
-use super::form::Memory;
+use super::form::ReaderCache;
 use super::matching;
-use super::reduce::{Agreeing, Reduction};
+use super::reduce::{PairedRows, Reduction};
 use super::tree::{Block, Part, Way};
 use crate::expr::{Graph, IdMap};
-use crate::structure::Spare;
+use crate::structure::RemovableRows;
 use crate::system::KinematicSystem;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -22,27 +22,27 @@ const TRIES: usize = 16;
 pub(super) struct Chosen {
     pub(super) tree: Block,
     /// For each row, the original rows that it has been combined from.
-    pub(super) made_of: Vec<BTreeSet<usize>>,
+    pub(super) source_rows: Vec<BTreeSet<usize>>,
     /// Redundant rows that the tree does not use, in order of declaration.
     pub(super) left_out: Vec<usize>,
     /// Those of the redundant rows that give an angle together with a kept row.
-    pub(super) agreeing: Vec<Agreeing>,
+    pub(super) paired: Vec<PairedRows>,
     score: Score,
 }
 
 /// Chooses the rows and the tree for a system of full column rank.
 pub(super) fn choose(system: &KinematicSystem, graph: &mut Graph) -> Option<Chosen> {
     let set = &system.set;
-    let mut search = Search { system, graph, memory: Memory::new(set.coordinates.len()) };
+    let mut search = Search { system, graph, memory: ReaderCache::new(set.coordinates.len()) };
     if set.rows.len() == set.coordinates.len() {
         return search.of(Vec::new());
     }
-    let spare = Spare::new(system);
+    let spare = RemovableRows::new(system);
     let (mut best, mut named) = (None, Vec::new());
     for places in [spare.declared(), spare.walked()] {
         let found = spare.rows(&places, &[]);
         let next = search.of(found.iter().map(|found| found.row).collect());
-        if best.is_none() || toil(&next) < toil(&best) {
+        if best.is_none() || cost(&next) < cost(&best) {
             (best, named) = (next, vec![(places, found)]);
         }
     }
@@ -60,9 +60,9 @@ pub(super) fn choose(system: &KinematicSystem, graph: &mut Graph) -> Option<Chos
                 }
                 tries -= 1;
                 let kept = best.iter().flat_map(|best| &best.left_out).copied().filter(|&other| other != found.row);
-                let rather: Vec<usize> = kept.chain([row]).collect();
-                let next = search.of(spare.rows(&places, &rather).iter().map(|found| found.row).collect());
-                if toil(&next) < toil(&best) {
+                let preferred: Vec<usize> = kept.chain([row]).collect();
+                let next = search.of(spare.rows(&places, &preferred).iter().map(|found| found.row).collect());
+                if cost(&next) < cost(&best) {
                     best = next;
                 }
             }
@@ -74,7 +74,7 @@ pub(super) fn choose(system: &KinematicSystem, graph: &mut Graph) -> Option<Chos
 struct Search<'a> {
     system: &'a KinematicSystem,
     graph: &'a mut Graph,
-    memory: Memory,
+    memory: ReaderCache,
 }
 
 impl Search<'_> {
@@ -114,10 +114,10 @@ impl Search<'_> {
             graph: &mut *self.graph,
             memory: &mut self.memory,
             rows: set.rows.iter().map(|row| row.phi).collect(),
-            made_of: all.map(|row| BTreeSet::from([row])).collect(),
+            source_rows: all.map(|row| BTreeSet::from([row])).collect(),
             replaced: BTreeSet::new(),
             rewritten: IdMap::default(),
-            agreeing: Vec::new(),
+            paired: Vec::new(),
         };
         let (mut tree, mut moves) = (Block::default(), vec![false; set.coordinates.len()]);
         for (rows, unknowns) in blocks {
@@ -130,13 +130,13 @@ impl Search<'_> {
             let spare: Vec<usize> = rows.iter().filter_map(|row| beside.get(row)).copied().collect();
             tree.parts.push(Part::Block(reduction.block(&rows, &unknowns, &spare)?));
         }
-        let Reduction { made_of, agreeing, .. } = reduction;
+        let Reduction { source_rows, paired, .. } = reduction;
         let still = moves.iter().zip(&set.coordinates).filter(|(moves, k)| !**moves && !k.kind.is_length()).count();
         let iterated = sum(&tree, &|way| if let Way::Newton { residuals } = way { residuals.len() } else { 0 });
         let two = |way: &Way| matches!(way, Way::Angle { .. } | Way::Quadratic { .. } | Way::Circle { .. });
         let closures = sum(&tree, &|way| usize::from(two(way)));
         let score = Score { still, iterated, closures };
-        Some(Chosen { tree, made_of, left_out: left_out.to_vec(), agreeing, score })
+        Some(Chosen { tree, source_rows, left_out: left_out.to_vec(), paired, score })
     }
 }
 
@@ -159,7 +159,7 @@ fn score(chosen: &Option<Chosen>) -> (bool, Option<Score>) {
 
 /// The score without the number of closures. Fewer closures are no advantage: they may only mean that the tree relies
 /// on rows that agree with the others for special dimensions alone.
-fn toil(chosen: &Option<Chosen>) -> (bool, Option<[usize; 2]>) {
+fn cost(chosen: &Option<Chosen>) -> (bool, Option<[usize; 2]>) {
     (chosen.is_none(), chosen.as_ref().map(|Chosen { score, .. }| [score.still, score.iterated]))
 }
 

@@ -8,25 +8,25 @@ use crate::expr::{ExprId, Graph, Node, Symbol};
 use crate::mechanism::Function;
 
 /// Weight of the squared terms of a difference against its square. They outweigh it only where digits cancel.
-pub(super) const SHARE: f64 = 1e-6;
+pub(super) const TERM_WEIGHT: f64 = 1e-6;
 
 /// Added to denominators, so that 0/0 becomes 0.
 pub(super) const LEAST: f64 = 1e-300;
 
 /// The sum of the squared terms of a sum, the product of such sums for a product; below `depth` levels the plain
 /// square.
-pub(super) fn squared_terms(graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {
+pub(super) fn sum_of_squared_terms(graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {
     if depth == 0 {
         return graph.square(id);
     }
     match graph.node(id) {
-        Node::Neg(a) | Node::Whole(a) => squared_terms(graph, a, depth - 1),
+        Node::Neg(a) | Node::Whole(a) => sum_of_squared_terms(graph, a, depth - 1),
         Node::Add(a, b) | Node::Sub(a, b) => {
-            let (a, b) = (squared_terms(graph, a, depth - 1), squared_terms(graph, b, depth - 1));
+            let (a, b) = (sum_of_squared_terms(graph, a, depth - 1), sum_of_squared_terms(graph, b, depth - 1));
             graph.add(a, b)
         }
         Node::Mul(a, b) => {
-            let (a, b) = (squared_terms(graph, a, depth - 1), squared_terms(graph, b, depth - 1));
+            let (a, b) = (sum_of_squared_terms(graph, a, depth - 1), sum_of_squared_terms(graph, b, depth - 1));
             graph.mul(a, b)
         }
         _ => graph.square(id),
@@ -64,7 +64,7 @@ pub(super) fn squared_size(graph: &mut Graph, id: ExprId, depth: usize) -> ExprI
 /// nothing to compare it with. A constant divisor leads to no limit: it is a dimension such as the radius of a gear
 /// and may be far smaller than others before digits are lost, so `others` are then weighted with `SHARE`, too.
 pub(super) fn share(graph: &mut Graph, square: ExprId, others: &[ExprId], parts: &[ExprId]) -> Option<ExprId> {
-    let is_term = |graph: &mut Graph, part: ExprId| squared_terms(graph, part, 8) == graph.square(part);
+    let is_term = |graph: &mut Graph, part: ExprId| sum_of_squared_terms(graph, part, 8) == graph.square(part);
     let terms = parts.iter().all(|&part| is_term(graph, part));
     if terms && others.is_empty() {
         return None;
@@ -75,17 +75,17 @@ pub(super) fn share(graph: &mut Graph, square: ExprId, others: &[ExprId], parts:
         rest = graph.add(rest, other);
     }
     if graph.depends(square).is_static() {
-        let share = graph.number(SHARE);
+        let share = graph.number(TERM_WEIGHT);
         rest = graph.mul(share, rest);
     }
     let whole = graph.add(square, rest);
-    let whole = with_share(graph, whole, if terms { &[] } else { parts });
+    let whole = with_squared_terms(graph, whole, if terms { &[] } else { parts });
     Some(graph.div(square, whole))
 }
 
 /// The squared sine of the angle between two vectors: their squared cross product over the product of their squared
 /// lengths.
-pub(super) fn spread(graph: &mut Graph, square: ExprId, [a, b]: [ExprId; 2]) -> ExprId {
+pub(super) fn squared_sine(graph: &mut Graph, square: ExprId, [a, b]: [ExprId; 2]) -> ExprId {
     let (product, least) = (graph.mul(a, b), graph.number(LEAST));
     let whole = graph.add(product, least);
     graph.div(square, whole)
@@ -107,10 +107,10 @@ fn signed_root(graph: &mut Graph, mode: ExprId, inside: ExprId) -> ExprId {
 }
 
 /// `size` plus `SHARE` times the squared terms of `parts`; never 0.
-fn with_share(graph: &mut Graph, size: ExprId, parts: &[ExprId]) -> ExprId {
-    let (mut terms, share, least) = (graph.zero(), graph.number(SHARE), graph.number(LEAST));
+fn with_squared_terms(graph: &mut Graph, size: ExprId, parts: &[ExprId]) -> ExprId {
+    let (mut terms, share, least) = (graph.zero(), graph.number(TERM_WEIGHT), graph.number(LEAST));
     for &part in parts {
-        let squares = squared_terms(graph, part, 8);
+        let squares = sum_of_squared_terms(graph, part, 8);
         terms = graph.add(terms, squares);
     }
     let terms = graph.mul(share, terms);
@@ -130,7 +130,7 @@ pub(super) fn angle(graph: &mut Graph, mode: ExprId, [a, b, c]: [ExprId; 3]) -> 
     // beside c because of the dimensions only, and c is included in the comparison.
     let still = [a, b].iter().all(|&e| graph.depends(e).is_static());
     let parts = [a, b, c];
-    let whole = with_share(graph, d, if still { &parts } else { &parts[..2] });
+    let whole = with_squared_terms(graph, d, if still { &parts } else { &parts[..2] });
     (turned, inverse, graph.div(inside, whole))
 }
 
@@ -167,7 +167,7 @@ pub(super) fn quadratic(graph: &mut Graph, mode: ExprId, [a, b, c]: [ExprId; 3])
         return (x, margin);
     }
     let a2 = graph.square(a);
-    let whole = with_share(graph, a2, &[a]);
+    let whole = with_squared_terms(graph, a2, &[a]);
     let share = graph.div(a2, whole);
     let share = graph.mul(second, share);
     let stays = graph.add(first, share);
@@ -188,7 +188,7 @@ pub(super) fn circle(graph: &mut Graph, mode: ExprId, [e, lx, ly, k, nx, ny, m]:
     let at = [graph.sub(x0, dx), graph.add(y0, dy)];
     // For concentric circles n vanishes, and there is no line.
     let size = graph.call(Function::Abs, full);
-    let size = with_share(graph, size, &[off]);
+    let size = with_squared_terms(graph, size, &[off]);
     (at, graph.div(inside, size))
 }
 

@@ -9,7 +9,7 @@ use super::closures::{self, angle_indicator, circle_indicator, inverse, quadrati
 use super::dense;
 use super::known::turned;
 use super::rates::Rates;
-use super::reduce::Agreeing;
+use super::reduce::PairedRows;
 use super::rewrite::Turned;
 use super::step::StepId;
 use super::tree::{Block, Core, Pair, PairValue, Part, Pivot, Way};
@@ -21,10 +21,10 @@ use std::collections::BTreeMap;
 impl Build<'_> {
     /// Builds all stages of q, q̇ and q̈ and the margins of the redundant rows. Returns the numbers of the stages at
     /// which q̇ and q̈ begin.
-    pub(super) fn all(&mut self, tree: &Block, left_out: &[usize], agreeing: &[Agreeing]) -> [usize; 2] {
+    pub(super) fn all(&mut self, tree: &Block, left_out: &[usize], paired: &[PairedRows]) -> [usize; 2] {
         self.block(tree);
         self.divisor_margins();
-        self.watch(left_out, agreeing);
+        self.add_redundant_rows(left_out, paired);
         let mut starts = [0; 2];
         for (order, start) in starts.iter_mut().enumerate() {
             let right: Vec<ExprId> = (self.system.equations.iter())
@@ -35,13 +35,13 @@ impl Build<'_> {
             let (solution, margins) = self.rates(tree, right.clone());
             if order == 0 {
                 self.iteration_margins(&margins);
-                self.watch_positions();
+                self.check_positions();
             }
             *start = self.stages.len();
             let slot = |k| if order == 0 { Slot::Velocity(k) } else { Slot::Acceleration(k) };
             self.stages.push(Stage::Closed(solution.iter().enumerate().map(|(k, e)| (slot(k), *e)).collect()));
             let solution: Vec<ExprId> = solution.into_iter().map(|e| self.graph.whole(e)).collect();
-            self.watch_rates(order, &right, &solution);
+            self.check_rates(order, &right, &solution);
             self.known.rates = (0..).zip(solution).collect();
         }
         self.number_margins();
@@ -63,7 +63,7 @@ impl Build<'_> {
     }
 
     /// Records the value of a coordinate, and its cosine and sine if they were found without the angle.
-    fn know(&mut self, k: u32, value: ExprId, turned: Option<Turned>) {
+    fn record_solution(&mut self, k: u32, value: ExprId, turned: Option<Turned>) {
         let value = self.graph.whole(value);
         self.known.values.insert(k, value);
         self.known.turns.insert(k, turned.unwrap_or(Turned::Angle(value)));
@@ -87,7 +87,7 @@ impl Build<'_> {
             self.divide_by_coefficient(step, vec![row], coordinate, coefficient);
             let known = self.known_value(value);
             let turned = turned(&mut self.graph, &self.known.turns, &self.known.rewritten, value);
-            self.know(coordinate, known, Some(turned));
+            self.record_solution(coordinate, known, Some(turned));
         }
     }
 
@@ -101,14 +101,14 @@ impl Build<'_> {
                     self.divide(step, pair, square, by.to_vec());
                 }
                 let value = self.known_value(*value);
-                self.know(pair.coordinate, value, None);
+                self.record_solution(pair.coordinate, value, None);
             }
             PairValue::Angle { turn, cos, sin, size, vectors, .. } => {
                 if !self.graph.depends(*size).is_static() || vectors.is_some() {
                     let size = self.known_value(*size);
                     match vectors.map(|vectors| vectors.map(|e| self.known_value(e))) {
                         Some(vectors) if self.graph.literal(size).is_none() => {
-                            let margin = closures::spread(&mut self.graph, size, vectors);
+                            let margin = closures::squared_sine(&mut self.graph, size, vectors);
                             self.write_margin(step, margin);
                         }
                         Some(_) => {}
@@ -163,7 +163,7 @@ impl Build<'_> {
         let value = graph.mul(part, rest);
         let sin = if own < 0 { graph.neg(pair[1]) } else { pair[1] };
         // The cosine and sine of a multiple of the angle are not those of the angle.
-        self.know(k, value, (own.abs() == 1).then_some(Turned::Pair([pair[0], sin])));
+        self.record_solution(k, value, (own.abs() == 1).then_some(Turned::Pair([pair[0], sin])));
     }
 
     fn core(&mut self, core: &Core) {
@@ -186,7 +186,7 @@ impl Build<'_> {
                     (_, None) => {}
                 }
                 for (&k, value) in core.coordinates.iter().zip(solutions.into_iter().flatten()) {
-                    self.know(k, value, None);
+                    self.record_solution(k, value, None);
                 }
             }
             Way::Newton { residuals } => self.newton(step, core, residuals),
@@ -206,7 +206,7 @@ impl Build<'_> {
                 let known = [*a, *b, *c].map(|e| self.known_value(e));
                 let (value, margin) = closures::quadratic(&mut self.graph, mode, known);
                 self.write(Slot::Margin(place), margin);
-                self.know(k, value, None);
+                self.record_solution(k, value, None);
             }
             Way::Circle { e, l, k, n, m, .. } => {
                 let at = [core.coordinates[0], core.coordinates[1]];
@@ -215,8 +215,8 @@ impl Build<'_> {
                 let known = [*e, l[0], l[1], *k, n[0], n[1], *m].map(|e| self.known_value(e));
                 let ([x, y], margin) = closures::circle(&mut self.graph, mode, known);
                 self.write(Slot::Margin(place), margin);
-                self.know(at[0], x, None);
-                self.know(at[1], y, None);
+                self.record_solution(at[0], x, None);
+                self.record_solution(at[1], y, None);
             }
         }
     }
@@ -233,7 +233,7 @@ impl Build<'_> {
         let jets = total_derivatives(&mut self.graph, residuals);
         for &k in &core.coordinates {
             let unknown = self.graph.symbol(Symbol::Unknown(k));
-            self.know(k, unknown, None);
+            self.record_solution(k, unknown, None);
         }
         // The outputs of the unknowns are moved to a stage after the iteration.
         let written = match self.stages.last_mut() {

@@ -46,14 +46,14 @@ pub(super) struct Form {
 }
 
 /// Cached results of readers with the same set of unknowns, and the zero test for coefficients.
-pub(super) struct Memory {
+pub(super) struct ReaderCache {
     pub(super) probe: Probe,
     unknowns: BTreeSet<u32>,
     holds: IdMap<bool>,
     read: IdMap<Rc<Form>>,
 }
 
-impl Memory {
+impl ReaderCache {
     /// An empty cache for expressions over the given number of coordinates.
     pub(super) fn new(coordinates: usize) -> Self {
         let (unknowns, holds, read) = (BTreeSet::new(), IdMap::default(), IdMap::default());
@@ -64,12 +64,12 @@ impl Memory {
 /// Converts expressions to forms.
 pub(super) struct Reader<'a> {
     pub(super) graph: &'a mut Graph,
-    pub(super) memory: &'a mut Memory,
+    pub(super) memory: &'a mut ReaderCache,
     unknowns: &'a BTreeSet<u32>,
 }
 
 impl<'a> Reader<'a> {
-    pub(super) fn new(graph: &'a mut Graph, memory: &'a mut Memory, unknowns: &'a BTreeSet<u32>) -> Self {
+    pub(super) fn new(graph: &'a mut Graph, memory: &'a mut ReaderCache, unknowns: &'a BTreeSet<u32>) -> Self {
         if memory.unknowns != *unknowns {
             memory.unknowns.clone_from(unknowns);
             memory.holds.clear();

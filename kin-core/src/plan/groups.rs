@@ -63,7 +63,7 @@ pub(super) fn name_group(set: &ConstraintSet, step: &mut Step) {
         }
         (StepKind::Closure, "RRR") if walked => format!("{joints} on one line"),
         (StepKind::Closure, "RRP") => "the link square to the guide".to_owned(),
-        (StepKind::Closure, _) => format!("both closures of {joints} in one place"),
+        (StepKind::Closure, _) => format!("both solutions of {joints} coinciding"),
         (StepKind::Linear(_), "PRP") => "both guides parallel".to_owned(),
         (StepKind::Linear(n), _) => format!("determinant {n}×{n} of {joints} zero"),
         (StepKind::Newton(n), _) => format!("Jacobian {n}×{n} of {joints} singular"),

@@ -19,18 +19,18 @@ impl Known {
     /// Rewrites an expression of the description in terms of the known coordinates.
     pub(super) fn value(&mut self, graph: &mut Graph, id: ExprId) -> ExprId {
         let Self { values, turns, rates, rewritten } = self;
-        rewrite(graph, id, rewritten, &mut InTermsOf { values, turns, rates })
+        rewrite(graph, id, rewritten, &mut KnownValues { values, turns, rates })
     }
 }
 
 /// The substitution of the known coordinates.
-struct InTermsOf<'k> {
+struct KnownValues<'k> {
     values: &'k FastMap<u32, ExprId>,
     turns: &'k FastMap<u32, Turned>,
     rates: &'k FastMap<u32, ExprId>,
 }
 
-impl Substitution for InTermsOf<'_> {
+impl Substitution for KnownValues<'_> {
     fn symbol(&mut self, _graph: &mut Graph, symbol: Symbol) -> Option<ExprId> {
         match symbol {
             Symbol::Coordinate(k) => self.values.get(&k).copied(),

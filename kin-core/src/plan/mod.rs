@@ -14,7 +14,7 @@
 //!
 //! If there are more rows than coordinates, the plan uses a subset of rows that determines all coordinates (see
 //! `choice`) and checks the redundant rows: each has a margin that says whether the solution satisfies it (see
-//! `watch`).
+//! `redundant_rows`).
 //!
 //! Velocities, accelerations and any other solution of Φ_q x = b follow the same tree (see `rates`).
 
@@ -35,19 +35,19 @@ mod probe;
 mod rates;
 mod recognise;
 mod reduce;
+mod redundant_rows;
 mod rewrite;
 mod sections;
 mod step;
 mod steps;
 mod tree;
-mod watch;
 
 pub use formulas::{Formulas, Line};
 pub(crate) use probe::Probe;
+pub use redundant_rows::TOLERANCE;
 pub(crate) use rewrite::{Substitution, rewrite};
 pub use sections::Section;
 pub use step::{Mode, Step, StepId};
-pub use watch::TOLERANCE;
 
 use crate::expr::{ExprId, Graph};
 use crate::program::{Program, Slot, lower};
@@ -56,7 +56,7 @@ use crate::vocabulary::Depth;
 use build::Build;
 use choice::Chosen;
 use std::ops::Range;
-use steps::Listed;
+use steps::StepList;
 
 /// How a mechanism is solved, block by block.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -130,7 +130,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     let set = &system.set;
     let (n, s) = (set.coordinates.len(), set.rows.len());
     if system.classes.iter().any(|class| !class.holonomic) {
-        return Err("rows of velocity level leave the position to the motion".to_owned());
+        return Err("rows of velocity level do not determine the position".to_owned());
     }
     if s < n {
         return Err(format!("{s} rows leave {} of {n} coordinates undetermined", n - s));
@@ -140,12 +140,12 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     }
     let mut graph = set.graph.clone();
     let chosen = choice::choose(system, &mut graph);
-    let Chosen { tree, made_of, left_out, agreeing, .. } =
+    let Chosen { tree, source_rows, left_out, paired, .. } =
         chosen.ok_or_else(|| "the rows do not determine all coordinates".to_owned())?;
-    let listed = Listed::new(system, &graph, &tree, &made_of);
+    let listed = StepList::new(system, &graph, &tree, &source_rows);
     let before = written.then(|| graph.clone());
     let mut build = Build::new(system, graph, listed);
-    let [velocity, acceleration] = build.all(&tree, &left_out, &agreeing);
+    let [velocity, acceleration] = build.all(&tree, &left_out, &paired);
     let (resolve, regular, orientations) = build.resolve(&tree);
     let solution = resolve.iter().map(|(_, x)| *x).collect();
     let (resolve, factors) = sections::split(&mut build.graph, resolve, &regular);
@@ -163,7 +163,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     let sections = sections.into_iter().enumerate().map(|(place, section)| (section, depth(place))).collect();
     let formulas = before.map_or_else(Vec::new, |graph| formulas::formulas(system, graph, &listed, &tree));
     let orientations = iterated.into_iter().map(|(_, step, margin)| listed.iteration(system, step, margin)).collect();
-    let Listed { steps, modes, margins, .. } = listed;
+    let StepList { steps, modes, margins, .. } = listed;
     let plan = SolutionPlan {
         steps,
         modes,

@@ -6,7 +6,7 @@
 
 use crate::expr::{Algebra, ExprId, Graph, IdMap};
 use crate::structure::field::{Draw, Residue};
-use crate::structure::residue::Drawn;
+use crate::structure::residue::ResidueFold;
 use crate::structure::turn::Turns;
 
 /// Residues at one random point, computed when they are needed.
@@ -40,6 +40,6 @@ impl Probe {
 
     fn of(&mut self, graph: &Graph, id: ExprId) -> Residue {
         let Self { ref turns, draw, ref mut known } = *self;
-        Drawn { graph, turns, pose: (), draw, known }.fold(id)
+        ResidueFold { graph, turns, pose: (), draw, known }.fold(id)
     }
 }

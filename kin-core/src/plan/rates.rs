@@ -15,7 +15,7 @@ use crate::mechanism::Function;
 use std::collections::BTreeMap;
 
 /// ½ and a little more: after rounding, a/max(a, b) still does not exceed 1.
-const HALF: f64 = 0.5 + 4.0 * f64::EPSILON;
+const HALF_ROUNDED_UP: f64 = 0.5 + 4.0 * f64::EPSILON;
 
 /// Depth to which the terms of a divisor are taken into account.
 const DEPTH: usize = 8;
@@ -147,7 +147,7 @@ impl<'g> Rates<'g> {
             if let (true, Some(orientation)) = (iterates, orientation) {
                 // The margin of `dense` is relative to the rows as they stand, so it does not show when a whole row
                 // vanishes.
-                let share = self.share_of_rows(&matrix);
+                let share = self.row_regularity(&matrix);
                 let root = self.graph.call(Function::Sqrt, share);
                 let orientation = self.graph.mul(orientation, root);
                 self.orientations.insert(row, orientation);
@@ -157,10 +157,10 @@ impl<'g> Rates<'g> {
         }
         if let [row] = matrix.as_slice() {
             let (square, size) = (self.graph.square(row[0]), squared_size(self.graph, row[0], DEPTH));
-            self.hold_against(square, size);
+            self.record_regularity(square, size);
             if let (true, Some(&first)) = (iterates, core.rows.first()) {
                 // For a single unknown the sign of its coefficient is the orientation.
-                let size = self.at_least(size, square);
+                let size = self.maximum(size, square);
                 let (margin, root) = (self.graph.div(square, size), self.graph.call(Function::Sqrt, size));
                 let orientation = self.graph.div(row[0], root);
                 self.margins.insert(first, margin);
@@ -170,9 +170,9 @@ impl<'g> Rates<'g> {
     }
 
     /// The maximum of two non-negative numbers plus a tiny positive number, without a branch.
-    fn at_least(&mut self, a: ExprId, b: ExprId) -> ExprId {
+    fn maximum(&mut self, a: ExprId, b: ExprId) -> ExprId {
         let graph = &mut *self.graph;
-        let (difference, half, least) = (graph.sub(a, b), graph.number(HALF), graph.number(LEAST));
+        let (difference, half, least) = (graph.sub(a, b), graph.number(HALF_ROUNDED_UP), graph.number(LEAST));
         let (apart, sum) = (graph.call(Function::Abs, difference), graph.add(a, b));
         let twice = graph.add(sum, apart);
         let larger = graph.mul(half, twice);
@@ -181,14 +181,14 @@ impl<'g> Rates<'g> {
 
     /// How much of its rows has not cancelled: the product over the rows of the mean of (entry² / squared size of the
     /// entry's terms). It is dimensionless, and 0 where a row vanishes.
-    fn share_of_rows(&mut self, matrix: &[Vec<ExprId>]) -> ExprId {
+    fn row_regularity(&mut self, matrix: &[Vec<ExprId>]) -> ExprId {
         let mut product = self.graph.number(1.0);
         for row in matrix {
             let (mut sum, mut count) = (self.graph.zero(), 0.0);
             for &entry in row {
                 if !self.graph.is_zero(entry) {
                     let (square, size) = (self.graph.square(entry), squared_size(self.graph, entry, DEPTH));
-                    let size = self.at_least(size, square);
+                    let size = self.maximum(size, square);
                     let share = self.graph.div(square, size);
                     sum = self.graph.add(sum, share);
                     count += 1.0;
@@ -202,7 +202,7 @@ impl<'g> Rates<'g> {
     }
 
     /// Records the regularity of a divisor, its square divided by `size`, unless the divisor is a non-zero constant.
-    fn hold_against(&mut self, square: ExprId, size: ExprId) {
+    fn record_regularity(&mut self, square: ExprId, size: ExprId) {
         if !self.graph.depends(square).is_static() || self.graph.is_zero(square) {
             let margin = self.graph.div(square, size);
             self.regular.push(margin);
@@ -247,7 +247,7 @@ impl<'g> Rates<'g> {
         }
         let [of_p, of_q] = [p, q].map(|part| squared_size(self.graph, part, DEPTH));
         let size = self.graph.add(of_p, of_q);
-        self.hold_against(square, size);
+        self.record_regularity(square, size);
         let top = self.graph.plain_dot([p, q], rights);
         let one = self.graph.number(1.0);
         let inverse = self.graph.div(one, square);

@@ -15,7 +15,7 @@
 //! intersection of a circle with a line or a circle. What is left is solved by Newton's iteration on the remaining
 //! unknowns.
 
-use super::form::{Form, Key, Memory, Reader};
+use super::form::{Form, Key, Reader, ReaderCache};
 use super::matching::blocks;
 use super::recognise::recognise;
 use super::rewrite::{Substitution, rewrite};
@@ -26,24 +26,24 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The rows during the reduction.
 pub(super) struct Reduction<'a> {
     pub(super) graph: &'a mut Graph,
-    pub(super) memory: &'a mut Memory,
+    pub(super) memory: &'a mut ReaderCache,
     /// The current expression of every row.
     pub(super) rows: Vec<ExprId>,
     /// For each row, the original rows that it has been combined from.
-    pub(super) made_of: Vec<BTreeSet<usize>>,
+    pub(super) source_rows: Vec<BTreeSet<usize>>,
     /// Rows that have been replaced by the combined row of a pair; they are no longer on the scale of their rows of
     /// Φ_q.
     pub(super) replaced: BTreeSet<usize>,
     /// Cache of the substitution in progress: the rewritten form of each expression.
     pub(super) rewritten: IdMap<ExprId>,
     /// Pairs of a kept row and a redundant row.
-    pub(super) agreeing: Vec<Agreeing>,
+    pub(super) paired: Vec<PairedRows>,
 }
 
 /// Two rows, one of them redundant, that turn the same known vector. Together they give the angle uniquely; they are
 /// consistent if both give the vector the same length.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Agreeing {
+pub(super) struct PairedRows {
     /// The kept row and the redundant one.
     pub(super) rows: [usize; 2],
     /// Half the difference of the squared lengths of the vector according to the two rows.
@@ -97,8 +97,8 @@ impl Reduction<'_> {
                 if holds {
                     let mut replaced = Replaced { coordinate, value };
                     self.rows[other] = rewrite(self.graph, self.rows[other], &mut self.rewritten, &mut replaced);
-                    let own = self.made_of[row].clone();
-                    self.made_of[other].extend(own);
+                    let own = self.source_rows[row].clone();
+                    self.source_rows[other].extend(own);
                     if rows.contains(&other) {
                         let form = self.form(other, &unknowns);
                         forms.insert(other, form);
@@ -131,7 +131,7 @@ impl Reduction<'_> {
     }
 
     fn part(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, spare: &[usize]) -> Option<Part> {
-        if let Some(pair) = spare.iter().find_map(|&spare| self.agreeing(rows, spare, unknowns)) {
+        if let Some(pair) = spare.iter().find_map(|&spare| self.paired(rows, spare, unknowns)) {
             return Some(Part::Pair(Box::new(pair)));
         }
         // The unknowns of other parts count as known here.
@@ -154,8 +154,8 @@ impl Reduction<'_> {
         };
         let [first, second] = pair_rows;
         for exchange in &exchanges {
-            let own: Vec<usize> = pair_rows.iter().flat_map(|&row| self.made_of[row].iter().copied()).collect();
-            self.made_of[exchange.row].extend(own);
+            let own: Vec<usize> = pair_rows.iter().flat_map(|&row| self.source_rows[row].iter().copied()).collect();
+            self.source_rows[exchange.row].extend(own);
         }
         let replaced = pair_rows.iter().any(|row| self.replaced.contains(row));
         let value = match value {
@@ -168,8 +168,8 @@ impl Reduction<'_> {
         };
         self.replaced.insert(first);
         self.rows[first] = row;
-        let own = self.made_of[second].clone();
-        self.made_of[first].extend(own);
+        let own = self.source_rows[second].clone();
+        self.source_rows[first].extend(own);
         let rest: Vec<usize> = rows.iter().copied().filter(|&other| other != second).collect();
         let mut unknowns = unknowns.clone();
         unknowns.remove(&coordinate);
@@ -223,7 +223,7 @@ impl Reduction<'_> {
 
     /// Combines a single row in one angle with a redundant row that turns the same vector. The two rows always
     /// determine the angle, and no sign has to be chosen.
-    fn agreeing(&mut self, rows: &[usize], spare: usize, unknowns: &BTreeSet<u32>) -> Option<Pair> {
+    fn paired(&mut self, rows: &[usize], spare: usize, unknowns: &BTreeSet<u32>) -> Option<Pair> {
         let &[first] = rows else { return None };
         let rows = [first, spare];
         if unknowns.len() != 1 || rows.iter().any(|row| self.replaced.contains(row)) {
@@ -232,7 +232,7 @@ impl Reduction<'_> {
         let forms: BTreeMap<usize, Form> = rows.iter().map(|&row| (row, self.form(row, unknowns))).collect();
         let Eliminated { rows, coordinate, value, row, exchanges } = self.norm(&rows, unknowns, &forms)?;
         let PairValue::Angle { square: Some(square), .. } = value else { return None };
-        self.agreeing.push(Agreeing { rows, difference: row, square });
+        self.paired.push(PairedRows { rows, difference: row, square });
         Some(Pair { rows, coordinate, value, exchanges, inner: Block::default() })
     }
 

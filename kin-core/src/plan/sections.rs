@@ -58,14 +58,14 @@ impl Places {
 }
 
 /// A substitution of held values for expressions that earlier sections have computed.
-struct Done<'p> {
+struct HeldValues<'p> {
     places: &'p mut Places,
     section: usize,
     /// Whether symbols are held, too, because later sections do not have the inputs they stand for.
     symbols: bool,
 }
 
-impl Done<'_> {
+impl HeldValues<'_> {
     /// Whether an earlier section computes the expression, so that it can be held.
     fn is_held(&self, graph: &Graph, id: ExprId) -> bool {
         let known = match graph.node(id) {
@@ -78,7 +78,7 @@ impl Done<'_> {
     }
 }
 
-impl Substitution for Done<'_> {
+impl Substitution for HeldValues<'_> {
     fn symbol(&mut self, _graph: &mut Graph, _symbol: Symbol) -> Option<ExprId> {
         None
     }
@@ -114,7 +114,7 @@ pub(super) fn sections(graph: &mut Graph, stages: Vec<Stage>, first: u32) -> (Ve
                 }
             }
             Stage::Newton { unknowns, corrections, .. } => {
-                own_constants(graph, &mut places, number, unknowns, corrections)
+                assign_constants(graph, &mut places, number, unknowns, corrections)
             }
         }
     }
@@ -136,7 +136,7 @@ pub(super) fn sections(graph: &mut Graph, stages: Vec<Stage>, first: u32) -> (Ve
 }
 
 /// Assigns the parts of an iteration that do not depend on its unknowns to the preceding section.
-fn own_constants(graph: &mut Graph, places: &mut Places, number: usize, unknowns: &[u32], corrections: &[ExprId]) {
+fn assign_constants(graph: &mut Graph, places: &mut Places, number: usize, unknowns: &[u32], corrections: &[ExprId]) {
     let mut moving: IdMap<()> = IdMap::default();
     for id in graph.reachable(corrections.iter().copied()) {
         let node = graph.node(id);
@@ -187,7 +187,7 @@ fn programs(
         let wanted: Vec<_> = wanted.map(|&(_, place, id)| (Slot::Held(place as usize), id)).collect();
         roots[section].extend(wanted);
         rewritten.clear();
-        let mut done = Done { places: &mut *places, section, symbols };
+        let mut done = HeldValues { places: &mut *places, section, symbols };
         hold(graph, &roots[section], &mut done);
         for (_, id) in &mut roots[section] {
             *id = rewrite(graph, *id, &mut rewritten, &mut done);
@@ -198,7 +198,7 @@ fn programs(
 
 /// Holds everything that `outputs` read from earlier sections. The values are numbered in the order of their
 /// derivation, so that groups of the same structure use the same order.
-fn hold(graph: &mut Graph, outputs: &[(Slot, ExprId)], done: &mut Done<'_>) {
+fn hold(graph: &mut Graph, outputs: &[(Slot, ExprId)], done: &mut HeldValues<'_>) {
     let (mut seen, mut needed): (IdMap<()>, Vec<ExprId>) = Default::default();
     let mut open: Vec<ExprId> = outputs.iter().map(|(_, id)| *id).collect();
     while let Some(id) = open.pop() {

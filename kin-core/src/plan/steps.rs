@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// The steps, modes and margins of a plan, in the order in which they are found.
 #[derive(Debug, Default)]
-pub(super) struct Listed {
+pub(super) struct StepList {
     pub(super) steps: Vec<Step>,
     pub(super) modes: Vec<Mode>,
     pub(super) margins: usize,
@@ -23,16 +23,16 @@ pub(super) struct Listed {
     places: Vec<usize>,
 }
 
-impl Listed {
+impl StepList {
     /// Lists the steps of a tree in order of solution.
-    pub(super) fn new(system: &KinematicSystem, graph: &Graph, tree: &Block, made_of: &[BTreeSet<usize>]) -> Self {
+    pub(super) fn new(system: &KinematicSystem, graph: &Graph, tree: &Block, source_rows: &[BTreeSet<usize>]) -> Self {
         let mut listed = Self::default();
-        listed.block((system, graph), tree, made_of);
+        listed.block((system, graph), tree, source_rows);
         let given = |(place, step): (usize, &Step)| {
             step.coordinates.iter().map(|&(k, _)| (k, StepId(place))).collect::<Vec<_>>()
         };
         listed.giving = listed.steps.iter().enumerate().flat_map(given).collect();
-        listed.take_in_explicit(&system.set);
+        listed.add_explicit_joints(&system.set);
         for step in &mut listed.steps {
             name_group(&system.set, step);
         }
@@ -41,7 +41,7 @@ impl Listed {
 
     /// Adds joints whose rows are explicit (an origin on a known pin, an axis along a known axis) to the group of the
     /// body that they position.
-    fn take_in_explicit(&mut self, set: &ConstraintSet) {
+    fn add_explicit_joints(&mut self, set: &ConstraintSet) {
         let explicit = self.steps.iter().filter(|step| step.kind == StepKind::Explicit);
         let given: Vec<(usize, usize)> = explicit
             .flat_map(|step| &step.coordinates)
@@ -69,14 +69,14 @@ impl Listed {
         }
     }
 
-    fn block(&mut self, of: (&KinematicSystem, &Graph), block: &Block, made_of: &[BTreeSet<usize>]) {
+    fn block(&mut self, of: (&KinematicSystem, &Graph), block: &Block, source_rows: &[BTreeSet<usize>]) {
         let (system, graph) = of;
         for part in &block.parts {
             match part {
-                Part::Core(core) => self.add(system, core, made_of),
-                Part::Block(block) => self.block(of, block, made_of),
+                Part::Core(core) => self.add(system, core, source_rows),
+                Part::Block(block) => self.block(of, block, source_rows),
                 Part::Pair(pair) => {
-                    self.block(of, &pair.inner, made_of);
+                    self.block(of, &pair.inner, source_rows);
                     if let (Some(letters), Some(step)) = (letters_of_pair(graph, pair), self.steps.last_mut()) {
                         step.closed_as = Some(letters);
                     }
@@ -89,8 +89,8 @@ impl Listed {
         }
     }
 
-    fn add(&mut self, system: &KinematicSystem, core: &Core, made_of: &[BTreeSet<usize>]) {
-        let rows: BTreeSet<usize> = core.rows.iter().flat_map(|&row| made_of[row].iter().copied()).collect();
+    fn add(&mut self, system: &KinematicSystem, core: &Core, source_rows: &[BTreeSet<usize>]) {
+        let rows: BTreeSet<usize> = core.rows.iter().flat_map(|&row| source_rows[row].iter().copied()).collect();
         let kind = match &core.way {
             Way::Linear { matrix, .. } if matrix.len() == 1 => StepKind::Explicit,
             Way::Linear { matrix, .. } => StepKind::Linear(matrix.len()),
@@ -166,7 +166,7 @@ impl Listed {
     }
 
     /// Adds a step for the redundant rows of each joint. Returns the step of every row, in the order of `rows`.
-    pub(super) fn watched(&mut self, set: &ConstraintSet, rows: &[usize]) -> Vec<StepId> {
+    pub(super) fn redundant_steps(&mut self, set: &ConstraintSet, rows: &[usize]) -> Vec<StepId> {
         let mut steps: Vec<StepId> = Vec::new();
         for &row in rows {
             let joint = set.rows[row].joint;

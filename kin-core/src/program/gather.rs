@@ -31,7 +31,7 @@ impl Program {
 fn order(instructions: &[Instruction]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..instructions.len()).collect();
     let is_atan2 = |place: usize| matches!(instructions[place], Instruction::Atan2(..));
-    let mut late = vec![false; instructions.len()];
+    let mut after_atan2 = vec![false; instructions.len()];
     let mut first = 0;
     while first < order.len() {
         if !is_atan2(order[first]) {
@@ -44,16 +44,16 @@ fn order(instructions: &[Instruction]) -> Vec<usize> {
         let (mut free, mut gathered, mut after) = (Vec::new(), Vec::new(), Vec::new());
         for &place in &window {
             let mut needs = false;
-            instructions[place].for_each_operand(|operand| needs |= late[operand.index()]);
+            instructions[place].for_each_operand(|operand| needs |= after_atan2[operand.index()]);
             let group = match needs {
                 true => &mut after,
                 false if is_atan2(place) => &mut gathered,
                 false => &mut free,
             };
             group.push(place);
-            late[place] = needs || is_atan2(place);
+            after_atan2[place] = needs || is_atan2(place);
         }
-        window.iter().for_each(|&place| late[place] = false);
+        window.iter().for_each(|&place| after_atan2[place] = false);
         let next = first + if gathered.len() > 1 { free.len() + gathered.len() } else { 1 };
         if gathered.len() > 1 {
             let gathered = free.into_iter().chain(gathered).chain(after);

@@ -4,9 +4,9 @@
 //! `signs.rs`). Finally the instructions are ordered so that sines and cosines that can be computed together are
 //! adjacent.
 
-use super::numbered::Numbered;
+use super::reassociate;
 use super::signs::{self, Signs};
-use super::sums;
+use super::value_numbering::ValueNumbering;
 use super::{Instruction, Program, Slot, Value};
 use crate::expr::{Bits, ExprId, Graph, IdMap, Node, Rotation};
 use crate::mechanism::Function;
@@ -21,21 +21,21 @@ struct Signed {
 /// Lowers the expressions of `outputs`.
 pub fn lower(graph: &Graph, outputs: &[(Slot, ExprId)]) -> Program {
     let signs = signs::choose(graph, outputs.iter().map(|(_, id)| *id));
-    let mut lowering = Lowering { graph, signs, known: IdMap::default(), out: Numbered::default() };
+    let mut lowering = Lowering { graph, signs, known: IdMap::default(), out: ValueNumbering::default() };
     let mut written = Vec::with_capacity(outputs.len());
     for (slot, id) in outputs {
         lowering.reach(*id);
         let value = lowering.positive(*id);
         written.push((*slot, value));
     }
-    sums::early_terms_first(schedule(Program { instructions: lowering.out.instructions, outputs: written }))
+    reassociate::early_terms_first(schedule(Program { instructions: lowering.out.instructions, outputs: written }))
 }
 
 struct Lowering<'g> {
     graph: &'g Graph,
     signs: Signs,
     known: IdMap<Signed>,
-    out: Numbered,
+    out: ValueNumbering,
 }
 
 impl Lowering<'_> {

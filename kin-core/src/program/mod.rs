@@ -5,10 +5,10 @@
 mod display;
 mod gather;
 mod lower;
-mod numbered;
+mod reassociate;
 mod roll;
 mod signs;
-mod sums;
+mod value_numbering;
 
 pub use gather::gather;
 pub use lower::lower;

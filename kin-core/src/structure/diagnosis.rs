@@ -78,14 +78,14 @@ pub fn diagnose(system: &KinematicSystem) -> Structure {
 }
 
 /// Φ_q at a random pose, row by row.
-pub(super) struct Drawn<'a> {
+pub(super) struct RandomJacobian<'a> {
     system: &'a KinematicSystem,
     rows: Vec<Row>,
     /// The number of entries per column.
     weights: Vec<usize>,
 }
 
-impl<'a> Drawn<'a> {
+impl<'a> RandomJacobian<'a> {
     pub(super) fn new(system: &'a KinematicSystem, draw: Draw) -> Self {
         let set = &system.set;
         let turns = Turns::new(system, draw);
@@ -134,10 +134,10 @@ impl<'a> Drawn<'a> {
 
 /// The structure according to one random pose.
 fn at(system: &KinematicSystem, draw: Draw) -> Structure {
-    let drawn = Drawn::new(system, draw);
-    let (coordinates, rows) = (drawn.weights.len(), drawn.rows.len());
+    let jacobian = RandomJacobian::new(system, draw);
+    let (coordinates, rows) = (jacobian.weights.len(), jacobian.rows.len());
     let mut structure = Structure { coordinates, rows, ..Structure::default() };
-    let redundant = drawn.redundant(drawn.drivers_last(), |row, rank| {
+    let redundant = jacobian.redundant(jacobian.drivers_last(), |row, rank| {
         structure.rank = rank;
         let class = system.classes[row];
         if !class.driving {

@@ -42,7 +42,7 @@ fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redund
     let advice = advice(set, &own, redundant, driving);
     let plural = own.len() > 1;
     if redundant.iter().all(|r| r.circuit.is_empty()) {
-        return says_nothing(set, &own, redundant, &advice, meets_held);
+        return redundant_by_itself(set, &own, redundant, &advice, meets_held);
     }
     if driving {
         let (freedom, drivers) = (structure.degrees_of_freedom(), drivers(system));
@@ -66,7 +66,7 @@ fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redund
             !is_angle && !system.classes[joint.first_row].driving
         };
         let by_lengths = others.iter().any(has_lengths);
-        let unless = if by_lengths { ", where lengths leave more to move," } else { "" };
+        let unless = if by_lengths { ", if special lengths leave more degrees of freedom," } else { "" };
         return format!(
             "the mechanism has {freedom} and {rows}: {names} {said} {already}; {advice}, or{unless} write \
              `#[mechanism(allow_redundant)]`"
@@ -86,7 +86,7 @@ fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redund
 }
 
 /// The message for rows that are redundant by themselves: their residuals depend on no coordinate.
-fn says_nothing(
+fn redundant_by_itself(
     set: &ConstraintSet,
     own: &[usize],
     redundant: &[&Redundancy],
@@ -99,15 +99,20 @@ fn says_nothing(
     let is_equation = |joint: &usize| set.joints[*joint].kind.is_free_equation();
     let same_sides = redundant.iter().all(|r| set.graph.is_zero(residual(r.row)));
     if same_sides && own.iter().all(is_equation) {
-        let (says, each, it) = if plural { ("say", "of each", "them") } else { ("says", "of it", "it") };
+        let (constrains, each, it) =
+            if plural { ("constrain", "of each", "them") } else { ("constrains", "of it", "it") };
         return format!(
-            "{names} {says} nothing: both sides {each} are the same; write on the right what the left side is to be, or \
-             remove {it}"
+            "{names} {constrains} nothing: both sides {each} are the same; write the value of the left side on \
+             the right, or remove {it}"
         );
     }
-    let (holds, it) = if plural { ("hold", "their") } else { ("holds", "its") };
+    let (constrains, residual) = if plural {
+        ("constrain", "their residuals do not depend")
+    } else {
+        ("constrains", "its residual does not depend")
+    };
     let said = format!(
-        "{rows}{names} {holds} nothing: at no pose {it} residual changes with a coordinate; {advice}, or write \
+        "{rows}{names} {constrains} nothing: {residual} on any coordinate; {advice}, or write \
          `#[mechanism(allow_redundant)]`"
     );
     if !meets_held {

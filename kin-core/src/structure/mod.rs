@@ -20,10 +20,10 @@ mod message;
 mod partials;
 mod place;
 mod rank;
+mod removable_rows;
 pub(crate) mod residue;
-mod spare;
 pub(crate) mod turn;
 
 pub use diagnosis::{Redundancy, Structure, diagnose};
 pub use message::explain;
-pub(crate) use spare::Spare;
+pub(crate) use removable_rows::RemovableRows;

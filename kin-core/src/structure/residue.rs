@@ -30,7 +30,7 @@ pub(crate) trait Pose {
 impl Pose for () {}
 
 /// The fold that computes residues of a graph's expressions.
-pub(crate) struct Drawn<'a, P> {
+pub(crate) struct ResidueFold<'a, P> {
     pub(crate) graph: &'a Graph,
     pub(crate) turns: &'a Turns,
     pub(crate) pose: P,
@@ -39,13 +39,13 @@ pub(crate) struct Drawn<'a, P> {
     pub(crate) known: &'a mut IdMap<Residue>,
 }
 
-impl<P> Drawn<'_, P> {
+impl<P> ResidueFold<'_, P> {
     fn drawn(&self, id: ExprId) -> Residue {
         self.draw.residue(SORT_FUNCTION, id.index() as u64)
     }
 }
 
-impl<P: Pose> Algebra for Drawn<'_, P> {
+impl<P: Pose> Algebra for ResidueFold<'_, P> {
     type Value = Residue;
 
     fn graph(&self) -> &Graph {
@@ -141,7 +141,7 @@ impl<'a> Residues<'a> {
     /// The residue of an expression.
     pub(super) fn of(&mut self, id: ExprId) -> Residue {
         let Self { set, turns, places, draw, ref mut known } = *self;
-        Drawn { graph: &set.graph, turns, pose: Placed { set, places }, draw, known }.fold(id)
+        ResidueFold { graph: &set.graph, turns, pose: Placed { set, places }, draw, known }.fold(id)
     }
 
     /// The direction of an axis in its frame, of any length: a literal ratio, or the vector before normalisation.

@@ -103,7 +103,7 @@ impl fmt::Display for Uncertified {
             Self::Open { degrees_of_freedom } => {
                 write!(f, "{degrees_of_freedom} degrees of freedom are open, so that no solution is alone")
             }
-            Self::VelocityLevel => f.write_str("rows of velocity level leave the position to the motion"),
+            Self::VelocityLevel => f.write_str("rows of velocity level do not determine the position"),
             Self::Unbounded { row } => write!(
                 f,
                 "row {row} has no enclosure: it uses a supplied function, or is not continuous around the configuration"

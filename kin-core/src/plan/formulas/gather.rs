@@ -2,7 +2,7 @@
 
 use crate::expr::{ExprId, Graph, Symbol};
 use crate::plan::step::StepId;
-use crate::plan::steps::Listed;
+use crate::plan::steps::StepList;
 use crate::plan::tree::{Block, Core, PairValue, Part, Way};
 
 /// A part that is solved at once. Its expressions are given as indices of the list of roots.
@@ -31,12 +31,12 @@ pub(super) enum Solved {
 
 struct Gather<'a> {
     graph: &'a mut Graph,
-    listed: &'a Listed,
+    listed: &'a StepList,
     items: Vec<Item>,
     roots: Vec<ExprId>,
 }
 
-pub(super) fn gather(graph: &mut Graph, listed: &Listed, tree: &Block) -> (Vec<Item>, Vec<ExprId>) {
+pub(super) fn gather(graph: &mut Graph, listed: &StepList, tree: &Block) -> (Vec<Item>, Vec<ExprId>) {
     let mut gather = Gather { graph, listed, items: Vec::new(), roots: Vec::new() };
     gather.block(tree);
     (gather.items, gather.roots)

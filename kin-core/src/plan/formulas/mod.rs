@@ -15,13 +15,13 @@ mod write;
 
 pub use line::{Formulas, Line};
 
-use super::steps::Listed;
+use super::steps::StepList;
 use super::tree::Block;
 use crate::expr::Graph;
 use crate::system::KinematicSystem;
 
 /// The formulas of the steps of a tree.
-pub(super) fn formulas(system: &KinematicSystem, graph: Graph, listed: &Listed, tree: &Block) -> Vec<Formulas> {
+pub(super) fn formulas(system: &KinematicSystem, graph: Graph, listed: &StepList, tree: &Block) -> Vec<Formulas> {
     let mut graph = graph;
     let (items, roots) = gather::gather(&mut graph, listed, tree);
     write::write(system, graph, listed, &items, &roots)

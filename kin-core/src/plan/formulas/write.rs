@@ -7,14 +7,14 @@ use super::share::Naming;
 use crate::expr::{ExprId, Graph, Jet, Shown, Symbol, total_derivatives};
 use crate::mechanism::Function;
 use crate::plan::step::{Step, StepId};
-use crate::plan::steps::Listed;
+use crate::plan::steps::StepList;
 use crate::system::KinematicSystem;
 use crate::vocabulary::StepKind;
 
 struct Writer<'a> {
     system: &'a KinematicSystem,
     graph: Graph,
-    listed: &'a Listed,
+    listed: &'a StepList,
     roots: &'a [ExprId],
     jets: Vec<Jet>,
     naming: Naming<'a>,
@@ -25,7 +25,7 @@ struct Writer<'a> {
 pub(super) fn write(
     system: &KinematicSystem,
     mut graph: Graph,
-    listed: &Listed,
+    listed: &StepList,
     items: &[Item],
     roots: &[ExprId],
 ) -> Vec<Formulas> {

@@ -101,7 +101,9 @@ impl Search<'_> {
         }
         // Among loops that save the same number of items, the shortest period is preferred.
         found.sort_by_key(|span| (core::cmp::Reverse(span.saved()), span.period));
-        found.into_iter().find_map(|span| self.valid(self.well_cut(span)).or_else(|| self.valid(span)))
+        found
+            .into_iter()
+            .find_map(|span| self.addressable(self.with_fewest_crossings(span)).or_else(|| self.addressable(span)))
     }
 
     /// Number of items from `start` on that are repeated `period` items later with constant steps of their addresses.
@@ -124,7 +126,7 @@ impl Search<'_> {
 
     /// Shifts the start of a loop within its first iteration such that the fewest values cross from one iteration to
     /// the next.
-    fn well_cut(&self, span: Span) -> Span {
+    fn with_fewest_crossings(&self, span: Span) -> Span {
         let Span { start, period, count } = span;
         let mut crossing = vec![0_i64; period + 1];
         for (place, item) in (start + period..start + 2 * period).enumerate() {
@@ -147,13 +149,13 @@ impl Search<'_> {
     }
 
     /// The loop, shortened to the iterations whose operands can be addressed; `None` if too few remain.
-    fn valid(&self, mut span: Span) -> Option<Span> {
+    fn addressable(&self, mut span: Span) -> Option<Span> {
         // The first iterations may read values of another loop at irregular places; they are left to straight code.
         for _ in 0..3 {
             if span.count < self.fewest {
                 return None;
             }
-            match self.shortened(span) {
+            match self.addressable_iterations(span) {
                 Some(count) if count >= self.fewest => return Some(Span { count, ..span }),
                 _ => span = Span { start: span.start + span.period, count: span.count - 1, ..span },
             }
@@ -162,7 +164,7 @@ impl Search<'_> {
     }
 
     /// Number of iterations whose operands are at addresses that a loop can express.
-    fn shortened(&self, span: Span) -> Option<usize> {
+    fn addressable_iterations(&self, span: Span) -> Option<usize> {
         let mut count = span.count;
         for item in span.start..span.start + span.period {
             let (first, second) = (self.stream.addresses(item), self.stream.addresses(item + span.period));
@@ -171,7 +173,7 @@ impl Search<'_> {
                     continue;
                 }
                 let step = second[k] - first[k];
-                count = self.readable(span, first[k], step, count)?;
+                count = self.readable_iterations(span, first[k], step, count)?;
             }
         }
         Some(count)
@@ -179,7 +181,7 @@ impl Search<'_> {
 
     /// How many of the items `first`, `first + step`, … belong to one loop, or are straight code at the addresses that
     /// iterations of this loop would have.
-    fn readable(&self, span: Span, first: i64, step: i64, count: usize) -> Option<usize> {
+    fn readable_iterations(&self, span: Span, first: i64, step: i64, count: usize) -> Option<usize> {
         let start = span.start as i64;
         if step == 0 {
             return (first < start).then_some(count);

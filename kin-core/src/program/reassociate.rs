@@ -4,7 +4,7 @@
 //! depend on sines and cosines; in (r − r′) + A s − A′ s′ the difference of the origins does not. The rows of a joint
 //! then become chains of the same form, which a compiler vectorises.
 
-use super::numbered::Numbered;
+use super::value_numbering::ValueNumbering;
 use super::{Instruction, Program, Value};
 
 /// A term of a sum: the index of its instruction, and whether it is subtracted.
@@ -14,17 +14,17 @@ type Term = (usize, bool);
 /// unchanged.
 pub(super) fn early_terms_first(program: Program) -> Program {
     let instructions = &program.instructions;
-    let (late, inner) = (late(instructions), inner(&program));
+    let (depends_on_function, partial_sums) = (depends_on_function(instructions), partial_sums(&program));
     // Partial sums are removed only where the sum is reordered.
     let mut orders = vec![None; instructions.len()];
     let mut part_of_ordered = vec![false; instructions.len()];
     let has_parts = |place: usize| match instructions[place] {
-        Instruction::Add(a, b) | Instruction::Sub(a, b) => inner[a.index()] || inner[b.index()],
+        Instruction::Add(a, b) | Instruction::Sub(a, b) => partial_sums[a.index()] || partial_sums[b.index()],
         _ => false,
     };
-    for place in (0..instructions.len()).filter(|place| !inner[*place] && has_parts(*place)) {
-        let (terms, parts) = terms(instructions, &inner, place);
-        orders[place] = ordered(terms, &late);
+    for place in (0..instructions.len()).filter(|place| !partial_sums[*place] && has_parts(*place)) {
+        let (terms, parts) = terms(instructions, &partial_sums, place);
+        orders[place] = ordered(terms, &depends_on_function);
         if orders[place].is_some() {
             parts.into_iter().for_each(|part| part_of_ordered[part] = true);
         }
@@ -33,36 +33,36 @@ pub(super) fn early_terms_first(program: Program) -> Program {
         return program;
     }
     let mut renumbered = vec![Value(0); instructions.len()];
-    let mut numbered = Numbered::default();
+    let mut value_numbering = ValueNumbering::default();
     for (place, order) in orders.into_iter().enumerate().filter(|(place, _)| !part_of_ordered[*place]) {
         renumbered[place] = match order {
-            None => numbered.emit(instructions[place].map_operands(|value| renumbered[value.index()])),
+            None => value_numbering.emit(instructions[place].map_operands(|value| renumbered[value.index()])),
             Some((first, others)) => others.into_iter().fold(renumbered[first], |sum, (term, minus)| {
                 let term = renumbered[term];
-                numbered.emit(if minus { Instruction::Sub(sum, term) } else { Instruction::Add(sum, term) })
+                value_numbering.emit(if minus { Instruction::Sub(sum, term) } else { Instruction::Add(sum, term) })
             }),
         };
     }
     let outputs = program.outputs.iter().map(|(slot, value)| (*slot, renumbered[value.index()])).collect();
-    Program { instructions: numbered.instructions, outputs }
+    Program { instructions: value_numbering.instructions, outputs }
 }
 
 /// For every instruction, whether it depends on the result of a function such as a sine or cosine.
-fn late(instructions: &[Instruction]) -> Vec<bool> {
-    let mut late = vec![false; instructions.len()];
+fn depends_on_function(instructions: &[Instruction]) -> Vec<bool> {
+    let mut depends_on_function = vec![false; instructions.len()];
     for (place, instruction) in instructions.iter().enumerate() {
         let mut own = matches!(
             instruction,
             Instruction::SinCos(_) | Instruction::Call(..) | Instruction::Atan2(..) | Instruction::Supplied(..)
         );
-        instruction.for_each_operand(|operand| own |= late[operand.index()]);
-        late[place] = own;
+        instruction.for_each_operand(|operand| own |= depends_on_function[operand.index()]);
+        depends_on_function[place] = own;
     }
-    late
+    depends_on_function
 }
 
 /// For every instruction, whether it is a sum whose only use is as a term of another sum.
-fn inner(program: &Program) -> Vec<bool> {
+fn partial_sums(program: &Program) -> Vec<bool> {
     let is_sum = |instruction: &Instruction| matches!(instruction, Instruction::Add(..) | Instruction::Sub(..));
     let mut uses = vec![0_u32; program.instructions.len()];
     let mut in_sum = vec![false; program.instructions.len()];
@@ -78,13 +78,13 @@ fn inner(program: &Program) -> Vec<bool> {
 }
 
 /// The terms of a sum from left to right, and the partial sums that it is made of.
-fn terms(instructions: &[Instruction], inner: &[bool], root: usize) -> (Vec<Term>, Vec<usize>) {
+fn terms(instructions: &[Instruction], partial_sums: &[bool], root: usize) -> (Vec<Term>, Vec<usize>) {
     let (mut terms, mut parts) = (Vec::new(), Vec::new());
     let mut open = vec![(root, false)];
     while let Some((place, minus)) = open.pop() {
         let operands = match instructions[place] {
-            Instruction::Add(a, b) if place == root || inner[place] => [(a, minus), (b, minus)],
-            Instruction::Sub(a, b) if place == root || inner[place] => [(a, minus), (b, !minus)],
+            Instruction::Add(a, b) if place == root || partial_sums[place] => [(a, minus), (b, minus)],
+            Instruction::Sub(a, b) if place == root || partial_sums[place] => [(a, minus), (b, !minus)],
             _ => {
                 terms.push((place, minus));
                 continue;
@@ -101,12 +101,12 @@ fn terms(instructions: &[Instruction], inner: &[bool], root: usize) -> (Vec<Term
 
 /// The first term, which is not subtracted, and the remaining terms, those that depend on a function last. `None` if
 /// the order would gain nothing.
-fn ordered(mut terms: Vec<Term>, late: &[bool]) -> Option<(usize, Vec<Term>)> {
-    let waiting = terms.iter().filter(|(place, _)| late[*place]).count();
+fn ordered(mut terms: Vec<Term>, depends_on_function: &[bool]) -> Option<(usize, Vec<Term>)> {
+    let waiting = terms.iter().filter(|(place, _)| depends_on_function[*place]).count();
     if terms.len() < 3 || waiting == 0 || waiting == terms.len() {
         return None;
     }
-    terms.sort_by_key(|(place, _)| late[*place]);
+    terms.sort_by_key(|(place, _)| depends_on_function[*place]);
     // There is always a term that is added: the leftmost one.
     let first = terms.iter().position(|(_, minus)| !minus)?;
     let (first, _) = terms.remove(first);

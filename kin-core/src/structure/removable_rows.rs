@@ -5,16 +5,16 @@
 //! kept have to lead from the drivers to all other bodies, and the row that is left out belongs to the joint that
 //! closes the circuit.
 
-use super::diagnosis::{DRAWS, Drawn, Redundancy};
+use super::diagnosis::{DRAWS, RandomJacobian, Redundancy};
 use super::field::Draw;
 use crate::constraint::{CoordinateKind, Frame, RowMeaning};
 use crate::system::{KinematicSystem, RowClass};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 /// Φ_q at a random pose, from which several sets of rows can be chosen.
-pub(crate) struct Spare<'a> {
+pub(crate) struct RemovableRows<'a> {
     system: &'a KinematicSystem,
-    drawn: Drawn<'a>,
+    jacobian: RandomJacobian<'a>,
     /// Driving rows that are redundant because the other rows alone are rigid for general dimensions.
     driving: Vec<usize>,
     /// Rows of joints between bodies that other joints already connect, such that together they would be rigidly
@@ -22,35 +22,35 @@ pub(crate) struct Spare<'a> {
     doubled: BTreeSet<usize>,
 }
 
-impl<'a> Spare<'a> {
+impl<'a> RemovableRows<'a> {
     pub(crate) fn new(system: &'a KinematicSystem) -> Self {
         // One random pose suffices: should it be a special one, the kept rows are singular, which a margin reports.
-        let drawn = Drawn::new(system, Draw(DRAWS[0]));
+        let jacobian = RandomJacobian::new(system, Draw(DRAWS[0]));
         // If the geometry is rigid for general dimensions, a driving row is redundant to it. A mechanism that is
         // driven nevertheless has special dimensions, so a row of the geometry has to be left out and not the driver.
         let classes = &system.classes;
         let rigid = |found: &Redundancy| {
             classes[found.row].driving && !found.circuit.iter().any(|&other| classes[other].driving)
         };
-        let redundant = drawn.redundant(drawn.drivers_last(), |_, _| {});
+        let redundant = jacobian.redundant(jacobian.drivers_last(), |_, _| {});
         let driving = redundant.iter().filter(|found| rigid(found)).map(|found| found.row).collect();
-        let doubled = doubled(system, &drawn);
-        Self { system, drawn, driving, doubled }
+        let doubled = doubled(system, &jacobian);
+        Self { system, jacobian, driving, doubled }
     }
 
     /// The rows to leave out: the last row of every circuit. The order is: driving rows that the geometry alone makes
     /// redundant, other rows, rows that a moving held coordinate drives, other driving rows, and within each of these
     /// groups by `places`. Doubled joints come after all of them, and the rows `rather` last.
-    pub(crate) fn rows(&self, places: &[usize], rather: &[usize]) -> Vec<Redundancy> {
+    pub(crate) fn rows(&self, places: &[usize], preferred: &[usize]) -> Vec<Redundancy> {
         let key = |row: usize| {
             let class = self.system.classes[row];
             let level = match self.driving.contains(&row) {
                 true => 0,
                 false => 1 + u8::from(class.leads()) + u8::from(class.driving),
             };
-            (rather.contains(&row), self.doubled.contains(&row), level, places[row])
+            (preferred.contains(&row), self.doubled.contains(&row), level, places[row])
         };
-        self.drawn.redundant(key, |_, _| {})
+        self.jacobian.redundant(key, |_, _| {})
     }
 
     /// The positions of the rows in the order of declaration.
@@ -114,7 +114,7 @@ impl<'a> Spare<'a> {
 /// The rows of joints that would lock two bodies which another joint with at least as many rows connects already. Such
 /// a joint is meant to be redundant (two pins on one axis, two guides along one line). Rows of angles alone are not
 /// included, since they may be meant to lock the bodies.
-fn doubled(system: &KinematicSystem, drawn: &Drawn<'_>) -> BTreeSet<usize> {
+fn doubled(system: &KinematicSystem, jacobian: &RandomJacobian<'_>) -> BTreeSet<usize> {
     let set = &system.set;
     let number = |frame: Frame| match frame {
         Frame::Ground => 0,
@@ -138,7 +138,7 @@ fn doubled(system: &KinematicSystem, drawn: &Drawn<'_>) -> BTreeSet<usize> {
         let mut own: Vec<usize> = Vec::new();
         for (k, joint) in joints.into_iter().enumerate() {
             own.extend(rows(joint));
-            if k > 0 && drawn.rank_of(&own) == 3 {
+            if k > 0 && jacobian.rank_of(&own) == 3 {
                 out.extend(rows(joint));
             }
         }

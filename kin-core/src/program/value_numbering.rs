@@ -5,12 +5,12 @@ use crate::hash::Table;
 
 /// A list of instructions without duplicates.
 #[derive(Default)]
-pub(super) struct Numbered {
+pub(super) struct ValueNumbering {
     pub(super) instructions: Vec<Instruction>,
     values: Table,
 }
 
-impl Numbered {
+impl ValueNumbering {
     /// The value of an instruction, which is appended if it is new. The operands of sums and products are brought into
     /// a fixed order, literals last, so that a + b and b + a are equal.
     pub(super) fn emit(&mut self, instruction: Instruction) -> Value {
