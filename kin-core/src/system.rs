@@ -59,8 +59,9 @@ pub struct KinematicSystem {
 
 /// Differentiates a constraint set.
 ///
-/// # Errors Rows and observables that need a third derivative of an input or a supplied function. The caller provides
-/// only the value, the rate and the acceleration.
+/// # Errors
+/// Rows and observables that need a third derivative of an input or a supplied function. The caller provides only the
+/// value, the rate and the acceleration.
 pub fn differentiate(mut set: ConstraintSet) -> Result<KinematicSystem, Vec<ModelError>> {
     let rows: Vec<ExprId> = set.rows.iter().map(|row| row.phi).collect();
     let observed: Vec<ExprId> = set.observables.iter().map(|o| o.value).collect();

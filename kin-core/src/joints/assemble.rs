@@ -12,8 +12,9 @@ use core::ops::Range;
 
 /// Assembles Φ and everything that is reported.
 ///
-/// # Errors Indices out of range and cyclic definitions, at their origins. A mechanism that
-/// [`check`](crate::check::check) accepts has none.
+/// # Errors
+/// Indices out of range and cyclic definitions, at their origins. A mechanism that [`check`](crate::check::check)
+/// accepts has none.
 pub fn assemble(mechanism: &Mechanism) -> Result<ConstraintSet, Vec<ModelError>> {
     let mut set = ConstraintSet { name: mechanism.name.clone(), ..ConstraintSet::default() };
     let mut assembly = Assembly::new(mechanism, &mut set);

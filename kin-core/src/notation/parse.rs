@@ -33,7 +33,8 @@ const DEPTH: usize = 200;
 impl Formula {
     /// Parses the text that [`Shown`](crate::expr::Shown) prints.
     ///
-    /// # Errors The text is not a formula, for example because it was cut off at the maximum length.
+    /// # Errors
+    /// The text is not a formula, for example because it was cut off at the maximum length.
     pub fn parse(text: &str) -> Result<Self, ParseError> {
         let mut reader = Reader { text, at: 0, depth: 0 };
         let formula = reader.sum()?;

@@ -36,7 +36,7 @@ pub(super) struct RedundantRow {
     pub(super) place: usize,
     /// The margin so far; each level (position, velocity, acceleration) subtracts its residual.
     pub(super) margin: ExprId,
-    /// Σ Φᵣₖ² wₖ of the row r, or of both rows in `agreeing`.
+    /// Σ Φᵣₖ² wₖ of the row r, or of both rows in `paired`.
     pub(super) sizes: Vec<ExprId>,
 }
 

@@ -37,10 +37,10 @@ pub(super) fn choose(system: &KinematicSystem, graph: &mut Graph) -> Option<Chos
     if set.rows.len() == set.coordinates.len() {
         return search.of(Vec::new());
     }
-    let spare = RemovableRows::new(system);
+    let removable = RemovableRows::new(system);
     let (mut best, mut named) = (None, Vec::new());
-    for places in [spare.declared(), spare.walked()] {
-        let found = spare.rows(&places, &[]);
+    for places in [removable.declared(), removable.walked()] {
+        let found = removable.rows(&places, &[]);
         let next = search.of(found.iter().map(|found| found.row).collect());
         if best.is_none() || cost(&next) < cost(&best) {
             (best, named) = (next, vec![(places, found)]);
@@ -61,7 +61,7 @@ pub(super) fn choose(system: &KinematicSystem, graph: &mut Graph) -> Option<Chos
                 tries -= 1;
                 let kept = best.iter().flat_map(|best| &best.left_out).copied().filter(|&other| other != found.row);
                 let preferred: Vec<usize> = kept.chain([row]).collect();
-                let next = search.of(spare.rows(&places, &preferred).iter().map(|found| found.row).collect());
+                let next = search.of(removable.rows(&places, &preferred).iter().map(|found| found.row).collect());
                 if cost(&next) < cost(&best) {
                     best = next;
                 }
@@ -127,8 +127,8 @@ impl Search<'_> {
             unknowns.iter().for_each(|&k| moves[k] = driven);
             let rows: Vec<usize> = rows.into_iter().map(|place| used[place]).collect();
             let unknowns: BTreeSet<u32> = unknowns.into_iter().map(|k| k as u32).collect();
-            let spare: Vec<usize> = rows.iter().filter_map(|row| beside.get(row)).copied().collect();
-            tree.parts.push(Part::Block(reduction.block(&rows, &unknowns, &spare)?));
+            let removable: Vec<usize> = rows.iter().filter_map(|row| beside.get(row)).copied().collect();
+            tree.parts.push(Part::Block(reduction.block(&rows, &unknowns, &removable)?));
         }
         let Reduction { source_rows, paired, .. } = reduction;
         let still = moves.iter().zip(&set.coordinates).filter(|(moves, k)| !**moves && !k.kind.is_length()).count();

@@ -60,9 +60,9 @@ pub(super) fn squared_size(graph: &mut Graph, id: ExprId, depth: usize) -> ExprI
 }
 
 /// The margin of a divisor: its square divided by the sum of itself, the squares of `others` (the other coefficients
-/// of its rows) and `SHARE` times the squared terms of `parts`, which the divisor is made of. `None` if there is
+/// of its rows) and `TERM_WEIGHT` times the squared terms of `parts`, which the divisor is made of. `None` if there is
 /// nothing to compare it with. A constant divisor leads to no limit: it is a dimension such as the radius of a gear
-/// and may be far smaller than others before digits are lost, so `others` are then weighted with `SHARE`, too.
+/// and may be far smaller than others before digits are lost, so `others` are then weighted with `TERM_WEIGHT`, too.
 pub(super) fn share(graph: &mut Graph, square: ExprId, others: &[ExprId], parts: &[ExprId]) -> Option<ExprId> {
     let is_term = |graph: &mut Graph, part: ExprId| sum_of_squared_terms(graph, part, 8) == graph.square(part);
     let terms = parts.iter().all(|&part| is_term(graph, part));
@@ -106,7 +106,7 @@ fn signed_root(graph: &mut Graph, mode: ExprId, inside: ExprId) -> ExprId {
     graph.whole(w)
 }
 
-/// `size` plus `SHARE` times the squared terms of `parts`; never 0.
+/// `size` plus `TERM_WEIGHT` times the squared terms of `parts`; never 0.
 fn with_squared_terms(graph: &mut Graph, size: ExprId, parts: &[ExprId]) -> ExprId {
     let (mut terms, share, least) = (graph.zero(), graph.number(TERM_WEIGHT), graph.number(LEAST));
     for &part in parts {

@@ -75,9 +75,9 @@ impl Substitution for Replaced {
 }
 
 impl Reduction<'_> {
-    /// Reduces `rows` over `unknowns`; `None` if the rows do not determine them. `spare` lists redundant rows that may
-    /// help; the coordinates of other blocks in them are known.
-    pub(super) fn block(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, spare: &[usize]) -> Option<Block> {
+    /// Reduces `rows` over `unknowns`; `None` if the rows do not determine them. `removable` lists redundant rows that
+    /// may help; the coordinates of other blocks in them are known.
+    pub(super) fn block(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, removable: &[usize]) -> Option<Block> {
         let (mut rows, mut unknowns) = (rows.to_vec(), unknowns.clone());
         let mut out = Block::default();
         let mut forms: BTreeMap<usize, Form> = rows.iter().map(|&row| (row, self.form(row, &unknowns))).collect();
@@ -88,7 +88,7 @@ impl Reduction<'_> {
             rows.retain(|&other| other != row);
             unknowns.remove(&coordinate);
             self.rewritten.clear();
-            for &other in rows.iter().chain(spare) {
+            for &other in rows.iter().chain(removable) {
                 // A coordinate that cancels out of a row has already been removed from its expression.
                 let holds = match forms.get(&other) {
                     Some(form) => self.has(form, coordinate),
@@ -115,23 +115,24 @@ impl Reduction<'_> {
                 found.iter().filter_map(|k| places.binary_search(k).ok()).collect()
             })
             .collect();
-        let mut spare: Vec<(usize, BTreeSet<u32>)> =
-            spare.iter().map(|&row| (row, self.written(row, &unknowns))).collect();
+        let mut removable: Vec<(usize, BTreeSet<u32>)> =
+            removable.iter().map(|&row| (row, self.written(row, &unknowns))).collect();
         for (part_rows, part_unknowns) in blocks(&held, places.len()).ok()? {
             let part_rows: Vec<usize> = part_rows.into_iter().map(|place| rows[place]).collect();
             let part_unknowns: BTreeSet<u32> = part_unknowns.into_iter().map(|place| places[place]).collect();
             // A redundant row is used in the part that solves for the last of its unknowns.
-            spare.iter_mut().for_each(|(_, open)| open.retain(|k| !part_unknowns.contains(k)));
-            let known =
-                spare.iter().filter(|(row, open)| open.is_empty() && !self.written(*row, &part_unknowns).is_empty());
+            removable.iter_mut().for_each(|(_, open)| open.retain(|k| !part_unknowns.contains(k)));
+            let known = removable
+                .iter()
+                .filter(|(row, open)| open.is_empty() && !self.written(*row, &part_unknowns).is_empty());
             let known: Vec<usize> = known.map(|(row, _)| *row).collect();
             out.parts.push(self.part(&part_rows, &part_unknowns, &known)?);
         }
         Some(out)
     }
 
-    fn part(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, spare: &[usize]) -> Option<Part> {
-        if let Some(pair) = spare.iter().find_map(|&spare| self.paired(rows, spare, unknowns)) {
+    fn part(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, removable: &[usize]) -> Option<Part> {
+        if let Some(pair) = removable.iter().find_map(|&removable| self.paired(rows, removable, unknowns)) {
             return Some(Part::Pair(Box::new(pair)));
         }
         // The unknowns of other parts count as known here.
@@ -174,8 +175,8 @@ impl Reduction<'_> {
         let mut unknowns = unknowns.clone();
         unknowns.remove(&coordinate);
         let free = |&row: &usize| self.written(row, &BTreeSet::from([coordinate])).is_empty();
-        let spare: Vec<usize> = spare.iter().copied().filter(free).collect();
-        let inner = self.block(&rest, &unknowns, &spare)?;
+        let removable: Vec<usize> = removable.iter().copied().filter(free).collect();
+        let inner = self.block(&rest, &unknowns, &removable)?;
         Some(Part::Pair(Box::new(Pair { rows: pair_rows, coordinate, value, exchanges, inner })))
     }
 
@@ -223,9 +224,9 @@ impl Reduction<'_> {
 
     /// Combines a single row in one angle with a redundant row that turns the same vector. The two rows always
     /// determine the angle, and no sign has to be chosen.
-    fn paired(&mut self, rows: &[usize], spare: usize, unknowns: &BTreeSet<u32>) -> Option<Pair> {
+    fn paired(&mut self, rows: &[usize], removable: usize, unknowns: &BTreeSet<u32>) -> Option<Pair> {
         let &[first] = rows else { return None };
-        let rows = [first, spare];
+        let rows = [first, removable];
         if unknowns.len() != 1 || rows.iter().any(|row| self.replaced.contains(row)) {
             return None;
         }

@@ -40,7 +40,7 @@ impl<'a> RemovableRows<'a> {
 
     /// The rows to leave out: the last row of every circuit. The order is: driving rows that the geometry alone makes
     /// redundant, other rows, rows that a moving held coordinate drives, other driving rows, and within each of these
-    /// groups by `places`. Doubled joints come after all of them, and the rows `rather` last.
+    /// groups by `places`. Doubled joints come after all of them, and the rows `preferred` last.
     pub(crate) fn rows(&self, places: &[usize], preferred: &[usize]) -> Vec<Redundancy> {
         let key = |row: usize| {
             let class = self.system.classes[row];
