@@ -108,7 +108,8 @@ fn needs_what_is_not_supplied(system: &KinematicSystem) -> Vec<ModelError> {
         let needed = set.graph.reachable(outputs.into_iter().chain(equation.phi_q.iter().map(|(_, e)| *e)));
         if let Some(missing) = needed.iter().find_map(beyond) {
             let message = format!(
-                "`{name}` needs the third derivative of `{missing}`; only its value, rate and acceleration are available"
+                "`{name}` needs the third derivative of `{missing}`; only its value, rate and acceleration \
+                 are available"
             );
             errors.push(ModelError::new(origin, message));
         }

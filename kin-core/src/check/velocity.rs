@@ -23,8 +23,8 @@ pub(super) fn velocity_rows_are_linear(mechanism: &Mechanism, errors: &mut Vec<M
         let rates: Vec<Option<Origin>> = sides.into_iter().map(|side| walk.rate(side)).collect();
         if walk.dots == 0 {
             let message = format!(
-                "nonholonomic `{}` holds no `dot(…)`, so that it does not constrain velocities; an equation of positions \
-                 is a `constraint`",
+                "nonholonomic `{}` holds no `dot(…)`, so that it does not constrain velocities; an equation of \
+                 positions is a `constraint`",
                 joint.name
             );
             errors.push(ModelError::new(joint.keyword, message));

@@ -3,8 +3,8 @@
 //! ```text
 //! left > right:  g = left − right        left < right:  g = right − left
 //! ```
-//! The condition is satisfied while g > 0. g is an observable like any other, with ġ = g_q q̇ + g_t and
-//! g̈ = g_q q̈ − γ_g, in the unit of the two sides; it is no row of Φ (lecture, slides 27–34: bilateral and unilateral).
+//! The condition is satisfied while g > 0. g is an observable with ġ = g_q q̇ + g_t and g̈ = g_q q̈ − γ_g, in the unit
+//! of the two sides; it is not a row of Φ (lecture, slides 27–34: bilateral and unilateral constraints).
 
 use super::assembly::Assembly;
 use super::layout::indexed;

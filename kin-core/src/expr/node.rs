@@ -26,7 +26,7 @@ pub enum Symbol {
     /// Time t.
     Time,
     /// An input: its value, rate or acceleration (order 0, 1, 2). Differentiation may write a higher order, up to
-    /// twice the highest; [`differentiate`](crate::system::differentiate) refuses results that need it.
+    /// twice the highest; [`differentiate`](crate::system::differentiate) reports results that need it as errors.
     Input(u32, u8),
     /// A generalized coordinate q_k.
     Coordinate(u32),
@@ -147,9 +147,9 @@ impl Bits {
 
 /// An operation on expressions.
 ///
-/// `RotX`, `RotY` are the components of a rotated body vector ρ = A(φ)·s, kept as one atom so that its derivative is
+/// `RotX`, `RotY` are the components of a rotated body vector ρ = A(φ)·s, kept as one node so that its derivative is
 /// φ̇ perp(ρ) and not a sum of four products. `Dot` and `Cross` are u·d and u×d = perp(u)·d of a unit vector u that
-/// turns with φ and any vector d, kept as atoms for the same reason: they are each other's derivative.
+/// turns with φ and any vector d, kept as nodes for the same reason: each is the derivative of the other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Node {
     /// A literal.

@@ -5,7 +5,7 @@ use crate::constraint::{Assembly, ConstraintSet, RowMeaning, Rows};
 use crate::error::Origin;
 use crate::mechanism::{BodyRef, Formula, Mechanism, Place, Slot};
 
-// A kind of its own has a word of its own in the vocabulary.
+// The example borrows the variant `Constraint` of the vocabulary; a real kind has a variant of its own.
 joint! {
     /// Operands of a point with two equal distances.
     Equidistant as Constraint {

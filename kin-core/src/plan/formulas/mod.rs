@@ -2,7 +2,7 @@
 //! its coordinates, then their rates and accelerations, each in terms of quantities that come before.
 //!
 //! ```text
-//! tree → items in the order of the solution (gather) → derivatives of all at once → lines (write, with names for what is shared)
+//! tree → items in order of solution (gather) → derivatives of all items → lines (write, share)
 //! ```
 //!
 //! Known coordinates appear by name, so every line is about its own step only. Long expressions are split: a part that
