@@ -10,6 +10,7 @@ use crate::model::{Model, Pattern};
 use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;
 use crate::planned::follower::{Control, Follower};
+use crate::scalar::Scalar;
 use crate::signal::Signal;
 use crate::state::State;
 use crate::workspace::{Instant, Subset};
@@ -17,20 +18,20 @@ use core::borrow::Borrow;
 
 /// The values e of rows or observables, the non-zeros of their Jacobian, their time derivatives and the right-hand
 /// sides of their accelerations.
-pub(crate) struct Parts<'a> {
+pub(crate) struct Parts<'a, T = f64> {
     /// e, one number per row.
-    pub(crate) phi: &'a [f64],
+    pub(crate) phi: &'a [T],
     /// The non-zeros of e_q.
-    pub(crate) phi_q: &'a [f64],
+    pub(crate) phi_q: &'a [T],
     /// e_t.
-    pub(crate) phi_t: &'a [f64],
+    pub(crate) phi_t: &'a [T],
     /// −(e_q q̇)_q q̇ − 2 e_qt q̇ − e_tt.
-    pub(crate) gamma: &'a [f64],
+    pub(crate) gamma: &'a [T],
 }
 
-impl<'a> Parts<'a> {
+impl<'a, T: Scalar> Parts<'a, T> {
     /// The entries of a row of e_q with their indices in q; `pattern` is sorted by rows.
-    pub(crate) fn gradient(&self, pattern: &Pattern, row: usize) -> impl Iterator<Item = (usize, f64)> + use<'a> {
+    pub(crate) fn gradient(&self, pattern: &Pattern, row: usize) -> impl Iterator<Item = (usize, T)> + use<'a, T> {
         let entries = pattern.entries;
         let first = entries.partition_point(|&(r, _)| r < row);
         let of_row = entries.iter().zip(self.phi_q).skip(first).take_while(move |((r, _), _)| *r == row);
@@ -38,11 +39,11 @@ impl<'a> Parts<'a> {
     }
 
     /// e, ė = e_q q̇ + e_t and ë = e_q q̈ − γ of a row, for parts evaluated at q and q̇ of the state.
-    pub(crate) fn rates(&self, pattern: &Pattern, row: usize, state: &State) -> Signal {
+    pub(crate) fn rates(&self, pattern: &Pattern, row: usize, q_dot: &[T], q_ddot: &[T]) -> Signal<T> {
         let still = Signal { value: self.phi[row], rate: self.phi_t[row], acceleration: -self.gamma[row] };
         self.gradient(pattern, row).fold(still, |sum, (k, entry)| Signal {
-            rate: sum.rate + entry * state.q_dot[k],
-            acceleration: sum.acceleration + entry * state.q_ddot[k],
+            rate: sum.rate + entry * q_dot[k],
+            acceleration: sum.acceleration + entry * q_ddot[k],
             ..sum
         })
     }
