@@ -119,7 +119,7 @@ impl<M: Mechanism> Follower<M> {
         let Some((place, step)) = step else {
             // No step of the plan is at its limit where the walk was stopped.
             self.predicted = blocked.here.q;
-            return match self.ask(mechanism, at) {
+            return match self.solve_in_modes(mechanism, at) {
                 Ok(false) => self.explain(at),
                 Ok(true) => PlanError::Jump { t: reached, t_refused: t },
                 Err(error) => error.into(),
