@@ -4,7 +4,7 @@
 //! the processors, which other programs on the machine hardly change.
 
 // Its `main` is not called here.
-#[allow(dead_code)]
+#[allow(dead_code, unreachable_pub)]
 #[path = "../four_bar.rs"]
 mod four_bar;
 

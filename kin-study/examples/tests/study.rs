@@ -2,7 +2,7 @@
 //! is kept, and what is refused.
 
 // Its `main` is not called here.
-#[allow(dead_code)]
+#[allow(dead_code, unreachable_pub)]
 #[path = "../four_bar.rs"]
 mod four_bar;
 
@@ -26,8 +26,8 @@ fn study(rows: u64) -> Study {
     Study::new()
         .rows(rows)
         .seed(4)
-        .parameter("l2", Range::Uniform { from: 0.2, to: 0.6 })
-        .parameter("l3", Range::Normal { mean: 0.3, deviation: 0.05, from: 0.15, to: 0.45 })
+        .parameter("l2", Range::Uniform { from: 0.15, to: 0.5 })
+        .parameter("l3", Range::Normal { mean: 0.3, deviation: 0.1, from: 0.1, to: 0.5 })
         .turn(0.0, 6.0, 40)
         .score("swing", Score::Range("rocker.phi".to_owned()))
         .score("fastest", Score::Greatest("|rocker.phi_dot|".to_owned()))
@@ -184,7 +184,7 @@ fn scores_are_those_of_single_solutions() {
         }
         assert!(number(14) > 0.0 && fields[15].is_empty() && fields[16].is_empty());
     }
-    assert!(complete > 10 && broken > 10, "{complete} and {broken}");
+    assert!(complete > 5 && broken > 5, "{complete} and {broken}");
 }
 
 #[test]
