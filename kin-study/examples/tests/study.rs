@@ -9,11 +9,13 @@ mod four_bar;
 use four_bar::FourBar;
 use kin_runtime::Kinematics;
 use kin_study::{
-    Histogram, Limits, Measure, Range, Sampling, Score, Study, StudyError, Watch, query, query_to_file, run, run_part,
+    Histogram, Limits, Measure, Range, Sampling, Score, Study, StudyError, Watch, query, query_to_file, run, run_from,
+    run_part,
 };
 use std::fs;
 use std::num::NonZero;
 use std::path::Path;
+use std::process::ExitCode;
 use std::sync::atomic::Ordering;
 use tempfile::TempDir;
 
@@ -283,4 +285,27 @@ fn files_that_cannot_be_written_are_named() {
     assert!(error.to_string().contains("has no rows of a study"), "{error}");
     let error = query_to_file(target.path(), "select 1", Path::new("x.txt")).expect_err("it is no table");
     assert!(error.to_string().contains("neither in .csv nor in .parquet"), "{error}");
+}
+
+#[test]
+fn the_program_says_by_its_status_how_it_went() {
+    let target = directory();
+    let [file, out] = ["study.toml", "rows"].map(|name| target.path().join(name).to_string_lossy().into_owned());
+    let program = |args: &[&str]| {
+        let args = ["four_bar"].iter().chain(args).map(|arg| (*arg).to_owned());
+        format!("{:?}", run_from::<FourBar>(args))
+    };
+    let status = |code: u8| format!("{:?}", ExitCode::from(code));
+    fs::write(&file, "rows = 100\n[motion]\nto = 1\nsteps = 4\n[parameters]\nl2 = [0.4, 0.5]\n")
+        .expect("it can be written");
+    assert_eq!(program(&["run", &file, "--out", &out]), status(0));
+    assert_eq!(program(&["run", &file, "--out", &out]), status(1));
+    assert_eq!(program(&["run", &file, "--out", &out, "--resume"]), status(0));
+    assert_eq!(count(Path::new(&out), "select count(*) from study where l2 = 0.4 or l2 = 0.5"), 100);
+    assert_eq!(program(&["query", "select nothing from study", "--in", &out]), status(1));
+    assert_eq!(program(&["chunk", &file, "--out", &out, "--index", "2", "--of", "2"]), status(2));
+    assert_eq!(program(&["walk"]), status(2));
+    fs::write(&file, "rows = 100\nmotion = 3\n").expect("it can be written");
+    assert_eq!(program(&["run", &file, "--out", &out]), status(2));
+    assert_eq!(program(&["run", "no such file", "--out", &out]), status(1));
 }
