@@ -25,7 +25,8 @@ const LEFT_OVER: f64 = 1e-7;
 pub(crate) struct Numbers {
     pub(crate) values: Vec<f64>,
     pub(crate) determined: Vec<bool>,
-    given: Vec<(&'static str, f64, f64)>,
+    /// Name, effort and rate.
+    pub(crate) given: Vec<(&'static str, f64, f64)>,
 }
 
 /// The forces at a state.
@@ -38,7 +39,8 @@ pub(crate) fn forces(equations: &mut Equations<'_>, state: &State) -> Result<For
     Ok(collected(model, info, state, &numbers))
 }
 
-fn numbers(equations: &mut Equations<'_>, info: &ForceModel, state: &State) -> Result<Numbers, SolveError> {
+/// The numbers of forces at a state.
+pub(crate) fn numbers(equations: &mut Equations<'_>, info: &ForceModel, state: &State) -> Result<Numbers, SolveError> {
     for (what, list) in [("q", &state.q), ("q_dot", &state.q_dot), ("q_ddot", &state.q_ddot)] {
         equations.check(what, list)?;
     }
@@ -112,7 +114,7 @@ fn finite(values: &[f64], t: f64) -> Result<(), SolveError> {
 }
 
 /// The numbers by what they are.
-fn collected(model: &'static Model, info: &ForceModel, state: &State, numbers: &Numbers) -> Forces {
+pub(crate) fn collected(model: &'static Model, info: &ForceModel, state: &State, numbers: &Numbers) -> Forces {
     let Numbers { values, determined, given } = numbers;
     let wrench = |place: usize| Wrench { force: [values[place], values[place + 1]], moment: values[place + 2] };
     let known = |place: usize| determined[place].then(|| values[place]);
