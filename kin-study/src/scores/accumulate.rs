@@ -89,7 +89,7 @@ impl<M: Mechanism> Scoring<M> {
         let evaluated = self.reporter.evaluate(mechanism, moment);
         state[0] = least(state[0], moment.margin);
         for score in &self.scores {
-            let value = self.reporter.value(score.quantity, &evaluated, moment);
+            let value = self.reporter.value(score.quantity, evaluated.as_deref(), moment);
             let state = &mut state[score.state..];
             match &score.rule {
                 Rule::Least => state[0] = least(state[0], value),
@@ -101,7 +101,7 @@ impl<M: Mechanism> Scoring<M> {
                 Rule::At(instant) if *instant == moment.instant => state[0] = value,
                 Rule::At(_) => {}
                 Rule::Distance(points, _) => {
-                    let y = self.reporter.value(score.quantity + 1, &evaluated, moment);
+                    let y = self.reporter.value(score.quantity + 1, evaluated.as_deref(), moment);
                     for (square, point) in state.iter_mut().zip(points) {
                         let [dx, dy] = [value - Lanes::from(point[0]), y - Lanes::from(point[1])];
                         *square = least(*square, dx * dx + dy * dy);

@@ -41,17 +41,14 @@ impl<M: Mechanism> Reporter<M> {
         Ok(Self { quantities, inputs, observes, has_forces, entries, mechanism: PhantomData })
     }
 
-    /// Evaluates what the quantities have in common.
+    /// Evaluates what the quantities have in common; nothing where they are coordinates and their rates.
     #[inline]
-    pub(super) fn evaluate(&self, mechanism: &M, moment: &Moment<'_>) -> Evaluated<M> {
-        let mut evaluated = Evaluated { observations: None, geometry: Vec::new(), forces: Vec::new() };
-        if self.observes || self.has_forces {
-            self.fill(mechanism, moment, &mut evaluated);
-        }
-        evaluated
+    pub(super) fn evaluate(&self, mechanism: &M, moment: &Moment<'_>) -> Option<Box<Evaluated<M>>> {
+        (self.observes || self.has_forces).then(|| self.evaluated(mechanism, moment))
     }
 
-    fn fill(&self, mechanism: &M, moment: &Moment<'_>, evaluated: &mut Evaluated<M>) {
+    fn evaluated(&self, mechanism: &M, moment: &Moment<'_>) -> Box<Evaluated<M>> {
+        let mut evaluated = Box::new(Evaluated { observations: None, geometry: Vec::new(), forces: Vec::new() });
         let zero = Lanes::from(0.0);
         let inputs = &self.inputs[moment.instant * M::INPUTS..][..M::INPUTS];
         let at = Instant { t: Lanes::from(moment.t), inputs };
@@ -70,15 +67,17 @@ impl<M: Mechanism> Reporter<M> {
             fits = fits.and(mechanism.forces_with(parameters, &at, q, q_dot, q_ddot, &[], forces));
         }
         debug_assert!(fits.is_ok(), "all lists have the lengths of the mechanism");
+        evaluated
     }
 
     /// The quantity at a place of the list.
     #[inline]
-    pub(super) fn value(&self, place: usize, evaluated: &Evaluated<M>, moment: &Moment<'_>) -> Lanes {
+    pub(super) fn value(&self, place: usize, evaluated: Option<&Evaluated<M>>, moment: &Moment<'_>) -> Lanes {
         let quantity = &self.quantities[place];
-        let value = match quantity.source {
-            Source::Coordinate { place, order } => [moment.q, moment.q_dot, moment.q_ddot][order][place],
-            ref other => self.derived(other, evaluated, moment),
+        let value = match (&quantity.source, evaluated) {
+            (&Source::Coordinate { place, order }, _) => [moment.q, moment.q_dot, moment.q_ddot][order][place],
+            (other, Some(evaluated)) => self.derived(other, evaluated, moment),
+            (_, None) => Lanes::from(f64::NAN),
         };
         if quantity.magnitude { value.abs() } else { value }
     }
