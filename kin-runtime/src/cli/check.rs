@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::engine::{Engine, Miss, Setup};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::moving::instant;
+use super::instants::instant;
 use super::options::{FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
@@ -203,7 +203,8 @@ pub(super) fn facts(findings: &Findings) -> Facts {
             .add("  acceleration Φ_q q̈ = γ", size(&closure.acceleration), row(&closure.acceleration));
     }
     if let Some(certified) = &findings.certificate {
-        facts.add("  certificate", "", [certificate::words(certified)]);
+        let words = certificate::words(certified);
+        facts.add("  certificate", "", words.split(", "));
     }
     if let Some(power) = findings.power {
         facts.add("forces", "", [""]).add("  power balance", magnitude(power), ["of the rate of all energy"]);

@@ -249,7 +249,7 @@ impl<M: Mechanism> Follower<M> {
 }
 
 /// The longest step in which no body turns by more than `most`.
-fn natural_step([q_dot, q_ddot]: [&[f64]; 2], weights: &[f64], most: f64) -> f64 {
+pub(super) fn natural_step([q_dot, q_ddot]: [&[f64]; 2], weights: &[f64], most: f64) -> f64 {
     let largest =
         |rates: &[f64]| rates.iter().zip(weights).map(|(rate, weight)| (rate * weight).abs()).fold(0.0, f64::max);
     let by_velocity = most / largest(q_dot);
