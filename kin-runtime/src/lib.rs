@@ -72,7 +72,7 @@ pub use scalar::lanes::Lanes;
 #[cfg(feature = "std")]
 pub use {
     analysis::modes,
-    report::{mobility, ratios, transmission},
+    report::{measure, mobility, ratios, transmission},
     results::{
         assembly, certificate, error, forces, motion, observer, options, ranges, sensitivities, state, trajectory,
     },
@@ -88,7 +88,7 @@ pub use crate::{
     function::ScalarFunction,
     generic::GenericMechanism,
     mechanism::{LengthError, Mechanism, Observations, Workspace},
-    planned::{Limit, LimitKind, Located, ModeKey, PlanError, Planned, Sign},
+    planned::{InputRange, Limit, LimitKind, Located, ModeKey, OutOfRange, PlanError, Planned, Sign},
     scalar::Scalar,
     series::PowerSeries,
     signal::{Instant, Signal},
@@ -105,6 +105,7 @@ pub use crate::{
     events::{Crossing, Event, Unwatched},
     forces::{Effort, Forces, Reaction, SpringForce, Wrench},
     kinematics::Kinematics,
+    measure::Measure,
     mobility::{Cause, Mobility, RedundantRow},
     modes::Mode,
     motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates},

@@ -10,13 +10,14 @@ use crate::cross_check::{CrossCheck, CrossCheckOptions};
 use crate::error::SolveError;
 use crate::evaluation::curve::CurvePoint;
 use crate::forces::Forces;
+use crate::measure::Measure;
 use crate::mechanism::Mechanism;
 use crate::mobility::Mobility;
 use crate::model::Model;
 use crate::modes::Mode;
 use crate::motion::Motion;
 use crate::observer::Observer;
-use crate::planned::Sign;
+use crate::planned::{OutOfRange, Sign};
 use crate::ranges::Ranges;
 use crate::ratios::VelocityRatios;
 use crate::sensitivities::Sensitivities;
@@ -76,6 +77,8 @@ pub(super) trait Engine {
     /// An assembled configuration, singular or not.
     fn assemble(&self, setup: &Setup, t: f64) -> Result<Vec<f64>, SolveError>;
     fn state(&self, setup: &Setup, t: f64) -> Result<State, SolveError>;
+    /// The input that keeps the mechanism from closing.
+    fn out_of_range(&self, setup: &Setup, t: f64) -> Option<OutOfRange>;
     /// The motion up to the first failure, or up to the first event where it is to stop there; and the failure. `visit` is
     /// lent every state in its turn, and none is kept.
     fn sweep_each(
@@ -86,7 +89,12 @@ pub(super) trait Engine {
         observer: Observer<'_>,
         visit: &mut dyn FnMut(&State) -> ControlFlow<()>,
     ) -> (Trajectory, Option<SolveError>);
+    /// The motion from a state on, at instants that follow one another, at inputs as they are `t` − `first` after the first
+    /// instant of the whole motion.
+    fn sweep_from(&self, setup: &Setup, first: f64, start: &[f64], times: &[f64]) -> Result<Trajectory, SolveError>;
     fn motion(&self, setup: &Setup, state: &State) -> Result<Motion, SolveError>;
+    /// The values of quantities at a state.
+    fn measure(&self, setup: &Setup, state: &State, measures: &[Measure]) -> Result<Vec<f64>, SolveError>;
     fn forces(&self, setup: &Setup, state: &State) -> Result<Forces, SolveError>;
     fn sensitivities(&self, setup: &Setup, state: &State) -> Result<Sensitivities, SolveError>;
     fn certify(&self, setup: &Setup, state: &State) -> Result<Certificate, Uncertified>;
@@ -152,6 +160,10 @@ impl<M: Mechanism> Engine for Bound<M> {
         self.solver(setup).state(&Instant { t, inputs: &setup.inputs })
     }
 
+    fn out_of_range(&self, setup: &Setup, t: f64) -> Option<OutOfRange> {
+        self.solver(setup).out_of_range(&Instant { t, inputs: &setup.inputs })
+    }
+
     fn sweep_each(
         &self,
         setup: &Setup,
@@ -167,6 +179,19 @@ impl<M: Mechanism> Engine for Bound<M> {
             Ok(trajectory) => (trajectory, None),
             Err(error) => (*error.trajectory, Some(error.source)),
         }
+    }
+
+    fn sweep_from(&self, setup: &Setup, first: f64, start: &[f64], times: &[f64]) -> Result<Trajectory, SolveError> {
+        let inputs = |t: f64, out: &mut [Signal]| setup.inputs_after(t - first, out);
+        // Prescribed coordinates begin at the first of these instants.
+        let elapsed = times.first().copied().unwrap_or(first) - first;
+        let given = setup.given.iter().map(|&(place, signal)| (place, signal.after(elapsed))).collect();
+        let later = Setup { given, ..setup.clone() };
+        self.solver(&later).with_inputs(&inputs).sweep_from(start, times).map_err(|error| error.source)
+    }
+
+    fn measure(&self, setup: &Setup, state: &State, measures: &[Measure]) -> Result<Vec<f64>, SolveError> {
+        self.solver(setup).measure(state, measures)
     }
 
     fn motion(&self, setup: &Setup, state: &State) -> Result<Motion, SolveError> {

@@ -3,7 +3,7 @@
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::moving::Asked;
+use super::instants::{Asked, End};
 use super::options::SetupArgs;
 use super::output::{Form, OutputArgs};
 use super::session::Session;
@@ -54,8 +54,8 @@ pub(super) fn run(args: &LimitsArgs, engine: &mut dyn Engine, session: &mut Sess
     let output = ledger.take(session.destination(&args.output, "limits"));
     let setup = ledger.take(args.setup.apply_complete(engine));
     let ((from, to), output, setup) = ledger.close(zip3(ends, output, setup))?;
-    let asked = Asked::Grid { from: from.unwrap_or(values::Moment::At(0.0)), to, steps: 1 };
-    let times = asked.times(&*engine, &setup)?;
+    let from = End::At(from.unwrap_or(values::Moment::At(0.0)));
+    let times = Asked::Grid { from, to: to.map(End::At), steps: 1 }.instants(&*engine, &setup)?.times;
     let (Some(&from), Some(&to)) = (times.first(), times.last()) else { return Ok(()) };
     let all = engine.ranges(&setup, from, to).map_err(|error| analysis(engine, &error))?;
     let text = match output.form {

@@ -3,11 +3,12 @@
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::moving::instant;
+use super::instants::instant;
 use super::options::{AngleArgs, FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::{Solved, analysis, note_freedom, note_start, solve};
+use crate::measure::Measure;
 use crate::model::Model;
 use crate::present::certificate;
 use crate::present::condition;
@@ -78,8 +79,11 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
         Form::Json => json(engine, &solved)?,
         Form::Csv => {
             let mut bytes = Vec::new();
-            let row = |rows: &mut CsvRows<&mut Vec<u8>>| rows.row(&solved.state, None).and_then(|()| rows.flush());
-            let written = CsvRows::new(model, false, &mut bytes).and_then(|mut rows| row(&mut rows));
+            let columns = Measure::standard(model, false);
+            let values = columns.iter().filter_map(|measure| measure.of_state(&solved.state));
+            let row = |rows: &mut CsvRows<&mut Vec<u8>>| rows.row(values).and_then(|()| rows.flush());
+            let names = columns.iter().map(Measure::name);
+            let written = CsvRows::new(names, &mut bytes).and_then(|mut rows| row(&mut rows));
             written.map_err(|error| Failure::Output(format!("cannot write csv: {error}")))?;
             String::from_utf8_lossy(&bytes).into_owned()
         }

@@ -127,7 +127,15 @@ fn misfit(engine: &dyn Engine, setup: &Setup, t: f64, error: &SolveError) -> Fai
             let lead = format!("  could be given, {} of them: ", open.degrees_of_freedom_left);
             Failure::Analysis(format!("{}: {error}\n{}", engine.model().name, listing(&lead, &names)))
         }
-        _ => analysis(engine, error),
+        _ => {
+            let open = matches!(error, SolveError::NotAssembled { .. } | SolveError::ModeNotAssembled { .. });
+            let negative =
+                matches!(error, SolveError::DegenerateGeometry { fault: Degeneracy::NegativeLength { .. }, .. });
+            match (open || negative).then(|| engine.out_of_range(setup, t)).flatten() {
+                Some(why) => Failure::Analysis(format!("{}: {why}\n  {error}", engine.model().name)),
+                None => analysis(engine, error),
+            }
+        }
     }
 }
 

@@ -217,6 +217,21 @@ impl<'a> Equations<'a> {
         result
     }
 
+    /// Evaluates with time standing still, and all inputs but one, whose rate is 1.
+    pub(crate) fn along<R>(
+        &mut self,
+        input: Option<usize>,
+        evaluate: impl FnOnce(&mut Self) -> Result<R, SolveError>,
+    ) -> Result<R, SolveError> {
+        let inputs = self.inputs.clone();
+        for (k, u) in self.inputs.iter_mut().enumerate() {
+            *u = Signal::new(u.value, if Some(k) == input { 1.0 } else { 0.0 }, 0.0);
+        }
+        let result = self.by_inputs(evaluate);
+        self.inputs = inputs;
+        result
+    }
+
     /// The current instant.
     pub(crate) fn instant(&self) -> Instant<'_> {
         Instant { t: self.t, inputs: &self.inputs }

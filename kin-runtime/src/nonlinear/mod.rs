@@ -2,4 +2,6 @@
 
 pub(crate) mod dormand_prince;
 pub(crate) mod newton;
+#[cfg(feature = "cli")]
+pub(crate) mod peak;
 pub(crate) mod root;

@@ -281,10 +281,17 @@ impl fmt::Display for PlanError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoPlan { why } => write!(f, "no plan because {why}"),
-            Self::Limit { t, limit } if limit.at().is_some_and(|at| (at - t).abs() > 1e-9 * t.abs()) => {
-                write!(f, "no way to t = {}: {limit}", rounded(*t))
+            Self::Limit { t, limit } => {
+                match limit.at().is_some_and(|at| (at - t).abs() > 1e-9 * t.abs()) {
+                    true => write!(f, "no way to t = {}: {limit}", rounded(*t))?,
+                    false => write!(f, "at t = {}, {limit}", rounded(*t))?,
+                }
+                // To find that costs more than a tick has time for.
+                let hint =
+                    if limit.step.has_inputs() { "; `Planned::out_of_range` says what its inputs can be" } else { "" };
+                f.write_str(hint)
             }
-            Self::Limit { t, limit } | Self::Singular { t, limit } | Self::Contradiction { t, limit } => {
+            Self::Singular { t, limit } | Self::Contradiction { t, limit } => {
                 write!(f, "at t = {t}, {limit}", t = rounded(*t))
             }
             Self::Undecided { t, mode } => {

@@ -10,6 +10,7 @@ pub(crate) mod lists;
 mod mode;
 pub(crate) mod passed;
 pub(crate) mod predict;
+mod range;
 mod report;
 mod step;
 mod text;
@@ -19,6 +20,7 @@ mod walk;
 
 pub use error::{Limit, LimitKind, Located, PlanError};
 pub use mode::{ModeKey, Sign};
+pub use range::{InputRange, OutOfRange};
 pub use step::Step;
 
 use crate::mechanism::Mechanism;
@@ -130,7 +132,8 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     /// # Errors
     /// [`PlanError::Limit`] where a group reaches its limit on the way, [`PlanError::Singular`] where a step is
     /// singular, [`PlanError::Contradiction`] where redundant rows disagree, [`PlanError::Jump`] where a driver jumps;
-    /// [`PlanError::NonFinite`] and [`PlanError::Length`]. The last accepted state then remains.
+    /// [`PlanError::NonFinite`] and [`PlanError::Length`]. The last accepted state then remains;
+    /// [`out_of_range`](Self::out_of_range) says which input is to blame, and what it can be.
     #[inline]
     pub fn at(&mut self, at: &Instant<'_>) -> Result<&Self, PlanError> {
         self.follower.update(self.mechanism.get(), at, &Control::USUAL)?;

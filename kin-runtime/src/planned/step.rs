@@ -55,6 +55,11 @@ impl Step {
         self.info().joints.iter().filter_map(|&joint| joints.get(joint)).map(|joint| joint.name)
     }
 
+    /// Whether the mechanism has inputs.
+    pub(super) const fn has_inputs(&self) -> bool {
+        !self.model.inputs.is_empty()
+    }
+
     /// The name of the mechanism.
     pub const fn mechanism(&self) -> &'static str {
         self.model.name

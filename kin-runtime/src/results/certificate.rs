@@ -106,10 +106,11 @@ impl fmt::Display for Uncertified {
             Self::Open { degrees_of_freedom } => {
                 write!(f, "{degrees_of_freedom} degrees of freedom are open, so that no solution is alone")
             }
-            Self::VelocityLevel => f.write_str("rows of velocity level leave the position to the motion"),
-            Self::Unbounded { row } => {
-                write!(f, "row {row} has no enclosure: it uses a supplied function, or is not continuous here")
-            }
+            Self::VelocityLevel => f.write_str("rows of velocity level do not determine the position"),
+            Self::Unbounded { row } => write!(
+                f,
+                "row {row} has no enclosure: it uses a supplied function, or is not continuous around the configuration"
+            ),
             Self::Singular { nearness } if *nearness == 0.0 => f.write_str("Φ_q is singular"),
             Self::Singular { nearness } => {
                 write!(f, "Φ_q is nearly singular: its inverse condition number is {nearness:.1e}")

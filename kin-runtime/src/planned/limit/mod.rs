@@ -101,14 +101,29 @@ impl<M: Mechanism> Follower<M> {
         at: &Instant<'_>,
         blocked: &Blocked<M>,
     ) -> PlanError {
+        self.refusal_at(mechanism, course, at, blocked).0
+    }
+
+    /// [`refusal`](Self::refusal) with the place on the course of the limit or, where that is not known, of the last good
+    /// state.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn refusal_at(
+        &mut self,
+        mechanism: &M,
+        course: &dyn Course,
+        at: &Instant<'_>,
+        blocked: &Blocked<M>,
+    ) -> (PlanError, f64) {
+        let last = blocked.places[0];
         if let Some(error) = self.unusable(at) {
-            return error;
+            return (error, last);
         }
         self.limit = None;
         let t = at.t;
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         let reached = course.at(blocked.places[0], inputs.as_mut());
-        let Some(fault) = blocked.fault else { return PlanError::TooManySteps { t: reached, t_refused: t } };
+        let Some(fault) = blocked.fault else { return (PlanError::TooManySteps { t: reached, t_refused: t }, last) };
         let plan = &M::model().plan;
         let place = match fault {
             Fault::Margin(place) => Some(place),
@@ -119,16 +134,17 @@ impl<M: Mechanism> Follower<M> {
         let Some((place, step)) = step else {
             // No step of the plan is at its limit where the walk was stopped.
             self.predicted = blocked.here.q;
-            return match self.ask(mechanism, at) {
+            let why = match self.solve_in_modes(mechanism, at) {
                 Ok(false) => self.explain(at),
                 Ok(true) => PlanError::Jump { t: reached, t_refused: t },
                 Err(error) => error.into(),
             };
+            return (why, last);
         };
         let sign = (0..plan.signs()).find(|sign| plan.margin_of_sign(*sign) == Some(place));
         let Some(sign) = sign else {
             let margin = self.margin_at(mechanism, course, blocked.places[1], place, blocked);
-            return of_kind(t, Limit { step, margin, located: Some(Located { at: reached, kind: None }) });
+            return (of_kind(t, Limit { step, margin, located: Some(Located { at: reached, kind: None }) }), last);
         };
         let closes = sign < plan.modes.len();
         // An iteration does not converge beyond a fold, so that its margin has no root: the limit is where the walk
@@ -143,7 +159,7 @@ impl<M: Mechanism> Follower<M> {
         let Spot { s, margin, least } = spot;
         if closes && margin < -JUMP {
             // The margin is zero nowhere, so the motion jumps.
-            return PlanError::Jump { t: reached, t_refused: t };
+            return (PlanError::Jump { t: reached, t_refused: t }, last);
         }
         // If the minimum is not zero, the search ended before the limit, which lies farther on.
         let is_there = closes && margin <= TOUCHES;
@@ -161,7 +177,7 @@ impl<M: Mechanism> Follower<M> {
         // The margin at the instant requested says how far beyond its limit the group would be.
         let asked = self.margin_at(mechanism, course, course.ends()[1], place, blocked);
         let margin = if asked <= Plan::SMALLEST_MARGIN { asked } else { margin };
-        of_kind(t, Limit { step, margin, located: Some(Located { at: limit_at, kind }) })
+        (of_kind(t, Limit { step, margin, located: Some(Located { at: limit_at, kind }) }), s)
     }
 
     /// A margin at a place of the course, in the current modes.
