@@ -97,7 +97,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let inputs: Vec<Signal<Winding>> = inputs.iter().map(|u| u.map(|x| Winding(Interval::from(x)))).collect();
         let at = Instant { t: Winding(Interval::new(from, to)), inputs: &inputs };
         let all = Winding(Interval::ENTIRE);
-        let mut lists = [const { () }; 3].map(|()| vec![all; M::COORDINATES]);
+        let mut lists: [Vec<Winding>; 3] = std::array::from_fn(|_| vec![all; M::COORDINATES]);
         let mut margins = vec![all; M::model().plan.margins];
         let [q, q_dot, q_ddot] = &mut lists;
         let solved = Solved { q, q_dot, q_ddot, margins: &mut margins };
