@@ -10,7 +10,8 @@ use quote::quote;
 /// The static table, beside the trait.
 pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, rows: usize) -> TokenStream {
     let (Some(forces), Some(count)) = (forces, kernels.force_operations) else { return TokenStream::new() };
-    let Forces { count: numbers, solved, efforts, reactions, springs, .. } = forces;
+    let Forces { count: numbers, of_multipliers, efforts, reactions, springs, .. } = forces;
+    let solved = of_multipliers.is_some();
     let operations = operations(count);
     let efforts = efforts.iter().map(|effort| {
         let (name, place) = (&effort.name, effort.place);
@@ -21,10 +22,12 @@ pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, rows: usize) ->
         let (has_force, has_moment) = (reaction.force.is_some(), reaction.moment.is_some());
         let couples = reaction.couples.iter().map(|(body, _)| frame(*body));
         let generalized = reaction.generalized.len();
+        let (has_normal, has_tangential) = (reaction.normal.is_some(), reaction.tangential.is_some());
         quote! {
             __kin::ReactionInfo {
                 name: #name, on: #on, place: #place, has_force: #has_force, has_moment: #has_moment,
                 couples: &[#(#couples),*], generalized: #generalized,
+                has_normal: #has_normal, has_tangential: #has_tangential,
             }
         }
     });

@@ -16,7 +16,7 @@ use crate::motion::Motion;
 use crate::observer::Observer;
 use crate::planned::Sign;
 use crate::ratios::VelocityRatios;
-use crate::solver::Solver;
+use crate::solver::{ContactWatch, Solver};
 use crate::state::State;
 use crate::trajectory::Trajectory;
 use crate::transmission::TransmissionAngle;
@@ -83,7 +83,16 @@ pub(super) trait Engine {
         visit: &mut dyn FnMut(&State) -> ControlFlow<()>,
     ) -> (Trajectory, Option<SolveError>);
     fn motion(&self, setup: &Setup, state: &State) -> Result<Motion, SolveError>;
-    fn forces(&self, setup: &Setup, state: &State) -> Result<Forces, SolveError>;
+    /// Forces, the least of them where redundant joints share a load, if they are to be.
+    fn forces(&self, setup: &Setup, state: &State, least_norm: bool) -> Result<Forces, SolveError>;
+    /// Watches the normal forces of contacts from state to state, whose first is at `first`.
+    fn watch_contacts(
+        &self,
+        setup: &Setup,
+        first: f64,
+        watch: &mut ContactWatch,
+        state: &State,
+    ) -> Result<(), SolveError>;
     fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError>;
     fn velocity_ratios(&self, setup: &Setup, state: &State) -> Result<VelocityRatios, SolveError>;
     fn transmission_angles(&self, state: &State) -> Result<Vec<TransmissionAngle>, SolveError>;
@@ -165,8 +174,20 @@ impl<M: Mechanism> Engine for Bound<M> {
         self.solver(setup).motion(state)
     }
 
-    fn forces(&self, setup: &Setup, state: &State) -> Result<Forces, SolveError> {
-        self.solver(setup).forces(state)
+    fn forces(&self, setup: &Setup, state: &State, least_norm: bool) -> Result<Forces, SolveError> {
+        let solver = self.solver(setup);
+        if least_norm { solver.forces_of_least_norm(state) } else { solver.forces(state) }
+    }
+
+    fn watch_contacts(
+        &self,
+        setup: &Setup,
+        first: f64,
+        watch: &mut ContactWatch,
+        state: &State,
+    ) -> Result<(), SolveError> {
+        let inputs = |t: f64, out: &mut [Signal]| setup.inputs_after(t - first, out);
+        self.solver(setup).with_inputs(&inputs).watch_contacts(watch, state)
     }
 
     fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError> {

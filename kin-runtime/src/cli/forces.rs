@@ -4,7 +4,7 @@ use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
 use super::moving::instant;
-use super::options::{FreedomArgs, InstantArgs, SetupArgs};
+use super::options::{InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::{analysis, driven_state, note_freedom};
@@ -19,8 +19,9 @@ pub(super) struct ForcesArgs {
     instant: InstantArgs,
     #[command(flatten)]
     setup: SetupArgs,
-    #[command(flatten)]
-    freedom: FreedomArgs,
+    /// Where redundant joints share a load, the least forces; where drivers leave the motion open, the smallest q̇ and q̈
+    #[arg(long)]
+    least_norm: bool,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -49,14 +50,22 @@ pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Sess
     let setup = ledger.take(args.setup.apply_complete(engine));
     let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
     let t = instant("--at", t, &*engine, &setup)?;
-    let (state, _) = driven_state(engine, &setup, t, args.freedom.least_norm)?;
+    let (state, _) = driven_state(engine, &setup, t, args.least_norm)?;
     note_freedom(session, state.degrees_of_freedom_left);
-    let forces = engine.forces(&setup, &state).map_err(|error| analysis(engine, &error))?;
-    if forces.reactions.iter().any(|reaction| !reaction.determined) {
-        session.note(
-            "note: redundant rows share the load: equilibrium alone does not tell what is undetermined; the bodies' \
-             stiffness would",
-        );
+    let forces = engine.forces(&setup, &state, args.least_norm).map_err(|error| analysis(engine, &error))?;
+    let undetermined = forces.reactions.iter().any(|reaction| !reaction.determined)
+        || forces.efforts.iter().any(|effort| !effort.determined);
+    if undetermined {
+        session.note(match args.least_norm {
+            true => {
+                "note: redundant rows share the load: equilibrium alone does not tell how; these are the least of all \
+                 forces that are possible"
+            }
+            false => {
+                "note: redundant rows share the load: equilibrium alone does not tell what is undetermined; the bodies' \
+                 stiffness would, and --least-norm gives the least forces"
+            }
+        });
     }
     let text = match output.form {
         Form::Json => to_json(&forces).map_err(Failure::Output)?,

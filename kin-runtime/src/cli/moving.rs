@@ -11,12 +11,14 @@ use super::solved::{analysis, driven_state, fully_driven};
 use super::values::{self, Moment};
 use super::watch::Watch;
 use crate::error::SolveError;
+use crate::forces::ContactChange;
 use crate::model::{Component, CoordinateKind, Model};
 use crate::motion::Motion;
 use crate::observer::Reached;
 use crate::present::condition;
 use crate::present::number::rounded;
 use crate::present::text::count;
+use crate::solver::ContactWatch;
 use crate::state::State;
 use crate::trajectory::Trajectory;
 
@@ -119,6 +121,8 @@ pub(super) struct Moved {
     pub(super) limit: Option<String>,
     /// Degrees of freedom that the drivers leave at the first instant.
     pub(super) left: usize,
+    /// Contacts that lift off on the way or press again.
+    pub(super) contacts: Vec<ContactChange>,
 }
 
 /// How a motion is followed.
@@ -148,6 +152,7 @@ impl Walk<'_> {
         let first = times.first().copied().unwrap_or(0.0);
         let (start, _) = driven_state(engine, setup, first, self.freedom.least_norm)?;
         let (mut finished, mut last, mut why) = (0, None, None);
+        let (mut contacts, touches) = (ContactWatch::default(), has_contacts(engine.model()));
         let mut step = |state: &State| {
             // A sweep may also pass through a position where the drivers lose their grip.
             if state.degrees_of_freedom_left > 0 && !self.freedom.least_norm {
@@ -158,6 +163,10 @@ impl Walk<'_> {
             let motion = motion.map_err(|error| why = Some((state.t, Some(analysis(engine, &error)))));
             let Ok(motion) = motion else { return ControlFlow::Break(()) };
             visit(state, motion.as_ref())?;
+            if touches {
+                // Where there are no forces, nothing is said of contacts.
+                let _ = engine.watch_contacts(setup, first, &mut contacts, state);
+            }
             (finished, last) = (finished + 1, Some(state.t));
             watch.step(finished)
         };
@@ -184,7 +193,8 @@ impl Walk<'_> {
             }
             (ended, _) => (ended, None),
         };
-        Ok(Moved { trajectory, motions: Vec::new(), ended, limit, left: start.degrees_of_freedom_left })
+        let left = start.degrees_of_freedom_left;
+        Ok(Moved { trajectory, motions: Vec::new(), ended, limit, left, contacts: contacts.changes })
     }
 
     /// The motion with its states, and with what is reported of them where that is wanted.
@@ -213,6 +223,7 @@ pub(super) fn note_motion(session: &mut Session<'_>, moved: &Moved) {
     let trajectory = &moved.trajectory;
     moved.limit.iter().for_each(|note| session.note(note));
     note_events(session, trajectory);
+    moved.contacts.iter().for_each(|change| session.note(&format!("event: {change}")));
     note_unwatched(session, trajectory);
     note_fallbacks(session, trajectory);
 }
@@ -257,6 +268,11 @@ fn note_fallbacks(session: &mut Session<'_>, trajectory: &Trajectory) {
         let steps = count(trajectory.fallbacks.len(), "internal step");
         session.note(&format!("note: full Newton took over from the plan on {steps}, first {first}"));
     }
+}
+
+/// Whether the mechanism has contacts whose forces are known.
+fn has_contacts(model: &Model) -> bool {
+    model.forces.is_some_and(|forces| forces.reactions.iter().any(|reaction| reaction.has_normal))
 }
 
 /// The names of the columns besides t, points and joint quantities included.

@@ -52,6 +52,12 @@ fn visit(model: &Model, info: &ForceModel, forces: Option<&Forces>, f: &mut dyn 
             let value = found.and_then(|found| found.generalized.get(c).copied());
             f(format!("{name}.generalized"), value.unwrap_or(f64::NAN));
         }
+        if reaction.has_normal {
+            f(format!("{name}.normal"), found.and_then(|found| found.normal).unwrap_or(f64::NAN));
+        }
+        if reaction.has_tangential {
+            f(format!("{name}.tangential"), found.and_then(|found| found.tangential).unwrap_or(f64::NAN));
+        }
     }
     for (k, spring) in info.springs.iter().enumerate() {
         let what = if spring.turns { "torque" } else { "tension" };
@@ -99,6 +105,15 @@ pub(crate) fn text(forces: &Forces) -> String {
             .right("|force|", held().map(|r| known_or_none(r.force.map(|[x, y]| x.hypot(y)), r.point.is_some())))
             .right("moment", held().map(|r| known_or_none(r.moment, !r.determined)));
         out += &section("Joints: what they exert on a body, and the opposite on the other", &table);
+    }
+    let contacts = || forces.reactions.iter().filter(|r| r.normal.is_some());
+    if contacts().next().is_some() {
+        let table = Table::new()
+            .words("contact", contacts().map(|r| r.name))
+            .words("on", contacts().map(|r| r.on.map_or("", |frame| forces.body(frame))))
+            .right("normal", contacts().map(|r| known_or_none(r.normal, true)))
+            .right("tangential", contacts().map(|r| known_or_none(r.tangential, false)));
+        out += &section("Contacts: positive normal forces press, negative ones would pull", &table);
     }
     let couples: Vec<_> =
         forces.reactions.iter().flat_map(|r| r.couples.iter().map(move |couple| (r.name, couple))).collect();

@@ -30,6 +30,8 @@ struct ForcesRecord<'a> {
 struct EffortRecord {
     effort: Option<f64>,
     rate: f64,
+    #[serde(skip_serializing_if = "is_true")]
+    determined: bool,
 }
 
 #[derive(Serialize)]
@@ -46,6 +48,10 @@ struct ReactionRecord<'a> {
     torques: Named<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     generalized: Option<&'a f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    normal: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tangential: Option<f64>,
     #[serde(skip_serializing_if = "is_true")]
     determined: bool,
 }
@@ -86,12 +92,13 @@ struct Power {
 
 impl<'a> ForcesRecord<'a> {
     fn new(forces: &'a Forces) -> Self {
-        let effort = |e: &Effort| (e.name, EffortRecord { effort: e.effort, rate: e.rate });
+        let effort = |e: &Effort| (e.name, EffortRecord { effort: e.effort, rate: e.rate, determined: e.determined });
         let reaction = |r: &'a Reaction| {
             let torques = r.couples.iter().map(|(frame, couple)| (forces.body(*frame), *couple)).collect();
             let (on, generalized) = (r.on.map(|frame| forces.body(frame)), r.generalized.first());
             let (point, force, moment) = (r.point, r.force, r.moment);
-            (r.name, ReactionRecord { on, point, force, moment, torques, generalized, determined: r.determined })
+            let (normal, tangential, determined) = (r.normal, r.tangential, r.determined);
+            (r.name, ReactionRecord { on, point, force, moment, torques, generalized, normal, tangential, determined })
         };
         let spring = |s: &SpringForce| {
             let of = |wanted: bool, value: f64| (s.turns == wanted).then_some(value);

@@ -1,5 +1,8 @@
 //! Forces: the reference files, and laws that hold for every machine.
 
+mod batches;
+mod contacts;
 mod laws;
 mod machines;
+mod redundant;
 mod references;

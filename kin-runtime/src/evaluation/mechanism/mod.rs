@@ -272,7 +272,7 @@ pub trait Mechanism: Sized {
     }
 
     /// Efforts, reactions, energies and powers at a solved q, q̇, q̈: the numbers of [`ForceModel`](crate::model::ForceModel).
-    /// `right` is λ, s numbers; nothing where the closed forms hold it.
+    /// `right` is λ, s numbers; or nothing, where the closed forms solve it along the plan.
     ///
     /// # Errors
     /// When an argument has the wrong length.
