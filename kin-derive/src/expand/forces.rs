@@ -4,11 +4,13 @@ use super::entries::{frame, optional};
 use super::tables::operations;
 use kin_core::Kernels;
 use kin_core::loads::Forces;
+use kin_core::mechanism::Mechanism;
+use kin_core::units::{ForceUnits, force_units};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 /// The static table, beside the trait.
-pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, rows: usize) -> TokenStream {
+pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, mechanism: &Mechanism, rows: usize) -> TokenStream {
     let (Some(forces), Some(count)) = (forces, kernels.force_operations) else { return TokenStream::new() };
     let Forces { count: numbers, of_multipliers, efforts, reactions, springs, .. } = forces;
     let solved = of_multipliers.is_some();
@@ -35,6 +37,8 @@ pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, rows: usize) ->
         let (name, turns, place) = (&spring.name, spring.turns, spring.place);
         quote! { __kin::SpringInfo { name: #name, turns: #turns, place: #place } }
     });
+    let ForceUnits { force, moment, energy, power } = force_units(mechanism);
+    let [force, moment, energy, power] = [force, moment, energy, power].map(optional);
     // With a plan there is such a type.
     let multipliers = kernels.solution.is_none().then(|| quote! { type __Rows<__T> = [__T; #rows]; });
     quote! {
@@ -46,6 +50,7 @@ pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, rows: usize) ->
             efforts: &[#(#efforts),*],
             reactions: &[#(#reactions),*],
             springs: &[#(#springs),*],
+            units: __kin::ForceUnits { force: #force, moment: #moment, energy: #energy, power: #power },
         };
     }
 }

@@ -3,10 +3,12 @@
 use super::BatchError;
 use super::column::{Arguments, Configurations};
 use super::run::{CHUNK, Progress, Shape, drive};
-use super::solution::{Problems, Solutions};
+use super::solution::{Problems, Solutions, SolvedBlock};
 use crate::mechanism::Mechanism;
 use crate::model::ForceModel;
-use crate::scalar::lanes::{Octet, Pack};
+use crate::scalar::lanes::{Lanes, Octet, Pack};
+use crate::signal::{Instant, Signal};
+use crate::workspace::Array;
 use alloc::vec::Vec;
 use core::marker::PhantomData;
 use core::ops::ControlFlow;
@@ -110,15 +112,63 @@ pub fn forces<M: Mechanism + Sync>(
     let &Problems { parameters, t, inputs, modes, start } = problems;
     let configurations = Configurations { parameters, t, inputs, q: start, q_dot: modes.columns() };
     let shape = Shape { count: out.count, width: Octet::COUNT, stride: model.count, chunk: CHUNK };
-    let arguments = || Arguments::<M, Octet>::new(&configurations);
-    drive(&shape, &mut out.blocks, watch, arguments, |first, arguments, out| {
+    let scratch = || Scratch { arguments: Arguments::<M, Octet>::new(&configurations), four: Four::new(model.count) };
+    drive(&shape, &mut out.blocks, watch, scratch, |first, Scratch { arguments, four }, out| {
         let block = arguments.block(first);
         let solved = solutions.block(first / Octet::COUNT);
-        let lengths =
-            mechanism.forces_with(block.parameters, &block.at, solved.q, solved.q_dot, solved.q_ddot, &[], out);
-        debug_assert!(lengths.is_ok(), "the columns have been counted");
+        for group in 0..Octet::GROUPS {
+            four.take(block.parameters, &block.at, &solved, group);
+            let at = Instant { t: block.at.t.group(group), inputs: &four.inputs };
+            let [parameters, q, q_dot, q_ddot] =
+                [four.parameters.as_ref(), four.q.as_ref(), four.q_dot.as_ref(), four.q_ddot.as_ref()];
+            let lengths = mechanism.forces_with(parameters, &at, q, q_dot, q_ddot, &[], &mut four.forces);
+            debug_assert!(lengths.is_ok(), "the columns have been counted");
+            out.iter_mut().zip(&four.forces).for_each(|(to, from)| to.set_group(group, *from));
+        }
         for lane in (0..Octet::COUNT).filter(|lane| solved.good.lane(*lane) == 0.0) {
             out.iter_mut().for_each(|number| number.set(lane, 0.0));
         }
     })
+}
+
+/// What one thread needs.
+struct Scratch<'a, M: Mechanism> {
+    arguments: Arguments<'a, M, Octet>,
+    four: Four<M>,
+}
+
+/// Half a block. Closed forms of forces are wide rather than long: numbers of eight lanes would not stay in registers.
+struct Four<M: Mechanism> {
+    parameters: M::Parameters<Lanes>,
+    inputs: Vec<Signal<Lanes>>,
+    q: M::Coordinates<Lanes>,
+    q_dot: M::Coordinates<Lanes>,
+    q_ddot: M::Coordinates<Lanes>,
+    forces: Vec<Lanes>,
+}
+
+impl<M: Mechanism> Four<M> {
+    fn new(count: usize) -> Self {
+        let nothing = |_| Lanes::default();
+        Self {
+            parameters: Array::generate(nothing),
+            inputs: alloc::vec![Signal::constant(Lanes::default()); M::INPUTS],
+            q: Array::generate(nothing),
+            q_dot: Array::generate(nothing),
+            q_ddot: Array::generate(nothing),
+            forces: alloc::vec![Lanes::default(); count],
+        }
+    }
+
+    #[inline(always)]
+    fn take(&mut self, parameters: &[Octet], at: &Instant<'_, Octet>, solved: &SolvedBlock<'_>, group: usize) {
+        let copy = |to: &mut [Lanes], from: &[Octet]| {
+            to.iter_mut().zip(from).for_each(|(to, from)| *to = from.group(group));
+        };
+        copy(self.parameters.as_mut(), parameters);
+        copy(self.q.as_mut(), solved.q);
+        copy(self.q_dot.as_mut(), solved.q_dot);
+        copy(self.q_ddot.as_mut(), solved.q_ddot);
+        self.inputs.iter_mut().zip(at.inputs).for_each(|(to, from)| *to = from.map(|x| x.group(group)));
+    }
 }

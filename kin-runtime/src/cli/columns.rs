@@ -4,18 +4,22 @@ use super::degrees;
 use crate::model::Model;
 use crate::motion::Motion;
 use crate::present::animation::ColumnInfo;
-use crate::present::forces::column_names;
+use crate::present::forces::column_units;
 use crate::present::grid::{names, row};
 use crate::present::units::Units;
 use crate::state::State;
 
 /// Names and units of the columns besides t: each with its rate and its acceleration, but for forces.
 pub(super) fn column_infos(model: &Model, units: Units, names: &[String]) -> Vec<ColumnInfo> {
-    let with_rates = names.len() - column_names(model).len();
+    let of_forces = column_units(model);
+    let with_rates = names.len() - of_forces.len();
     let info = |(k, name): (usize, &String)| {
         let base = name.trim_end_matches("_ddot").trim_end_matches("_dot");
-        let order = if k < with_rates { k % 3 } else { 0 };
-        ColumnInfo { unit: units.derivative(units.measure(base), order), name: name.clone() }
+        let unit = match k.checked_sub(with_rates) {
+            None => units.derivative(units.measure(base), k % 3),
+            Some(place) => of_forces[place].map(str::to_owned),
+        };
+        ColumnInfo { unit, name: name.clone() }
     };
     names.iter().enumerate().map(info).collect()
 }

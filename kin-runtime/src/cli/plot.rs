@@ -78,8 +78,9 @@ pub(super) const HELP: Help = Help {
     },
     details: "\
 Quantities are the columns of `sweep --points`: a coordinate, its rate (NAME_dot), its
-acceleration (NAME_ddot), and those of points (NAME.x), defines and joints. What has one unit
-shares a diagram. --vary may be repeated, for one curve for each combination of values. Without
+acceleration (NAME_ddot), and those of points (NAME.x), defines, joints and forces. What has one
+unit shares a diagram. The name of a joint, or `shaking`, is the polar diagram of its force: its
+y component over its x component, the arrow's end as the motion goes on. --vary may be repeated, for one curve for each combination of values. Without
 --out the SVG goes to stdout.
 
 When a motion fails midway, or Ctrl-C ends it, its finished part is drawn and the status is 1,
@@ -244,12 +245,20 @@ fn wanted(model: &Model, what: &[String], names: &[String]) -> Result<Vec<Wanted
     let mut wanted = Vec::new();
     for what in what {
         if let Some((x, y)) = what.split_once(':') {
+            // The parts of a force have one scale.
+            let path = x.strip_suffix(".force_x").is_some_and(|joint| y.strip_suffix(".force_y") == Some(joint));
             let [x, y] = [x, y].map(|name| ledger.take(find("WHAT", Kind::Quantity, name, &names)));
-            wanted.extend(x.zip(y).map(|(x, y)| Wanted { x, y, path: false }));
+            wanted.extend(x.zip(y).map(|(x, y)| Wanted { x, y, path }));
             continue;
         }
         let path = carried.clone().any(|name| name == what) && place(what).is_none();
         if let (true, Some(x), Some(y)) = (path, place(&format!("{what}.x")), place(&format!("{what}.y"))) {
+            wanted.push(Wanted { x, y, path: true });
+            continue;
+        }
+        let hodograph =
+            place(what).is_none().then(|| place(&format!("{what}.force_x")).zip(place(&format!("{what}.force_y"))));
+        if let Some((x, y)) = hodograph.flatten() {
             wanted.push(Wanted { x, y, path: true });
             continue;
         }
@@ -268,7 +277,7 @@ fn panels(units: Units, wanted: &[Wanted], infos: &[ColumnInfo], runs: &[Curves]
     for &want in wanted {
         let curves = runs.iter().map(|run| {
             let points = run.columns[want.x].iter().copied().zip(run.columns[want.y].iter().copied());
-            let own = if want.path { name(want.y).trim_end_matches(".y") } else { name(want.y) };
+            let own = if want.path { name(want.y).trim_end_matches("_y").trim_end_matches(".y") } else { name(want.y) };
             let names: Vec<&str> = [own, &run.name]
                 .into_iter()
                 .filter(|name| !name.is_empty() && (wanted.len() > 1 || *name != own))

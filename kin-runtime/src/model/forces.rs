@@ -24,6 +24,33 @@ pub struct ForceModel {
     pub reactions: &'static [ReactionInfo],
     /// Springs.
     pub springs: &'static [SpringInfo],
+    /// Units.
+    pub units: ForceUnits,
+}
+
+/// The units of forces, from those of masses, lengths and times that are written; none where these do not tell them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ForceUnits {
+    /// Of forces: `N`.
+    pub force: Option<&'static str>,
+    /// Of moments: `N·m`.
+    pub moment: Option<&'static str>,
+    /// Of energies: `J`.
+    pub energy: Option<&'static str>,
+    /// Of powers: `W`.
+    pub power: Option<&'static str>,
+}
+
+/// `forces in N, moments in N·m, energies in J, powers in W`; nothing where they are not known.
+impl core::fmt::Display for ForceUnits {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let all = [("forces", self.force), ("moments", self.moment), ("energies", self.energy), ("powers", self.power)];
+        let known = all.into_iter().filter_map(|(what, unit)| Some((what, unit?)));
+        known
+            .enumerate()
+            .try_for_each(|(k, (what, unit))| write!(f, "{}{what} in {unit}", if k > 0 { ", " } else { "" }))
+    }
 }
 
 impl ForceModel {

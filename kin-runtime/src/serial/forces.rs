@@ -2,6 +2,7 @@
 
 use super::Named;
 use crate::forces::{Effort, Forces, Reaction, SpringForce, Wrench};
+use crate::model::ForceUnits;
 use serde::{Serialize, Serializer};
 
 /// Drivers, joints and springs by name; what is undetermined is missing.
@@ -24,6 +25,8 @@ struct ForcesRecord<'a> {
     energy: Energy,
     power: Power,
     multipliers: Named<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    units: Option<ForceUnits>,
 }
 
 #[derive(Serialize)]
@@ -127,6 +130,7 @@ impl<'a> ForcesRecord<'a> {
                 dampers: forces.damper_power,
                 energy_rate: forces.energy_rate,
             },
+            units: forces.model.forces.map(|info| info.units).filter(|units| *units != ForceUnits::default()),
             multipliers: forces.model.rows.iter().map(|row| row.name).zip(forces.multipliers.iter().copied()).collect(),
         }
     }

@@ -4,5 +4,8 @@ mod batches;
 mod contacts;
 mod laws;
 mod machines;
+mod pictures;
 mod redundant;
 mod references;
+mod squeezer;
+mod units;
