@@ -39,11 +39,15 @@ mod linear;
 #[cfg(feature = "std")]
 mod nonlinear;
 #[cfg(feature = "std")]
+mod proof;
+#[cfg(feature = "std")]
 mod random;
 #[cfg(feature = "std")]
 mod report;
 #[cfg(feature = "std")]
 mod results;
+#[cfg(feature = "std")]
+mod sensitivity;
 #[cfg(all(feature = "serde", feature = "std"))]
 mod serial;
 #[cfg(feature = "std")]
@@ -69,7 +73,7 @@ pub use scalar::lanes::Lanes;
 pub use {
     analysis::modes,
     report::{mobility, ratios, transmission},
-    results::{error, forces, motion, observer, options, state, trajectory},
+    results::{assembly, certificate, error, forces, motion, observer, options, sensitivities, state, trajectory},
     sweep::events,
 };
 
@@ -92,6 +96,8 @@ pub use crate::{
 #[cfg(feature = "std")]
 #[doc(no_inline)]
 pub use crate::{
+    assembly::{Assemblies, Assembly, Undecided},
+    certificate::{Certificate, Uncertified},
     cross_check::{Configuration, CrossCheck, CrossCheckOptions, FunctionCheck, WorstEntry},
     error::{Degeneracy, GeometryFault, Refusal, SolveError, SweepError},
     events::{Crossing, Event, Unwatched},
@@ -103,6 +109,7 @@ pub use crate::{
     observer::{Observer, Reached},
     options::Options,
     ratios::{VelocityRatio, VelocityRatios},
+    sensitivities::{Deviation, Sensitivities, Sensitivity},
     series::{Derivatives, MotionDerivatives},
     solver::{Position, Solver},
     state::State,

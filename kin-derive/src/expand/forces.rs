@@ -1,4 +1,4 @@
-//! The table of forces: what the numbers are that their closed forms write. Nothing for a mechanism without loads.
+//! The static table that describes the numbers of the closed forms of forces; empty for a mechanism without loads.
 
 use super::entries::{frame, optional};
 use super::tables::operations;
@@ -9,7 +9,7 @@ use kin_core::units::{ForceUnits, force_units};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The static table, beside the trait.
+/// The static table as an item beside the trait's implementation.
 pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, mechanism: &Mechanism, rows: usize) -> TokenStream {
     let (Some(forces), Some(count)) = (forces, kernels.force_operations) else { return TokenStream::new() };
     let Forces { count: numbers, of_multipliers, efforts, reactions, springs, .. } = forces;
@@ -39,7 +39,7 @@ pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, mechanism: &Mec
     });
     let ForceUnits { force, moment, energy, power } = force_units(mechanism);
     let [force, moment, energy, power] = [force, moment, energy, power].map(optional);
-    // With a plan there is such a type.
+    // With a plan this type has already been defined.
     let multipliers = kernels.solution.is_none().then(|| quote! { type __Rows<__T> = [__T; #rows]; });
     quote! {
         #multipliers

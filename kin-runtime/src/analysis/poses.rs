@@ -54,8 +54,10 @@ pub(crate) fn write_poses(parts: &Parts<'_>, state: &mut State) -> Result<(), So
     let model = state.model;
     let mut fault = None;
     write(model, state, |state, observable, coordinate| {
-        let rates =
-            coordinate.map_or_else(|| parts.rates(&model.observable_pattern, observable, state), |k| state.rates(k));
+        let rates = coordinate.map_or_else(
+            || parts.rates(&model.observable_pattern, observable, &state.q_dot, &state.q_ddot),
+            |k| state.rates(k),
+        );
         for value in [rates.value, rates.rate, rates.acceleration] {
             let error = finite("observables", observable, name(model, observable), value);
             fault = fault.take().or(error.map_err(|error| error.at(state.t)).err());

@@ -4,6 +4,8 @@ use std::ops::ControlFlow;
 
 use super::failure::Failure;
 use super::names::listing;
+use crate::assembly::Assemblies;
+use crate::certificate::{Certificate, Uncertified};
 use crate::cross_check::{CrossCheck, CrossCheckOptions};
 use crate::error::SolveError;
 use crate::evaluation::curve::CurvePoint;
@@ -16,6 +18,7 @@ use crate::motion::Motion;
 use crate::observer::Observer;
 use crate::planned::Sign;
 use crate::ratios::VelocityRatios;
+use crate::sensitivities::Sensitivities;
 use crate::solver::{ContactWatch, Solver};
 use crate::state::State;
 use crate::trajectory::Trajectory;
@@ -93,6 +96,8 @@ pub(super) trait Engine {
         watch: &mut ContactWatch,
         state: &State,
     ) -> Result<(), SolveError>;
+    fn sensitivities(&self, setup: &Setup, state: &State) -> Result<Sensitivities, SolveError>;
+    fn certify(&self, setup: &Setup, state: &State) -> Result<Certificate, Uncertified>;
     fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError>;
     fn velocity_ratios(&self, setup: &Setup, state: &State) -> Result<VelocityRatios, SolveError>;
     fn transmission_angles(&self, state: &State) -> Result<Vec<TransmissionAngle>, SolveError>;
@@ -102,6 +107,7 @@ pub(super) trait Engine {
     -> Result<Option<CrossCheck>, SolveError>;
     /// The modes of a configuration; none where there is no plan.
     fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Vec<Mode>;
+    fn assemblies(&self, setup: &Setup, t: f64) -> Result<Assemblies, SolveError>;
     /// Local points, axes, values and radii at an instant.
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError>;
     /// A point of the curve of a joint.
@@ -190,6 +196,14 @@ impl<M: Mechanism> Engine for Bound<M> {
         self.solver(setup).with_inputs(&inputs).watch_contacts(watch, state)
     }
 
+    fn sensitivities(&self, setup: &Setup, state: &State) -> Result<Sensitivities, SolveError> {
+        self.solver(setup).sensitivities(state)
+    }
+
+    fn certify(&self, setup: &Setup, state: &State) -> Result<Certificate, Uncertified> {
+        self.solver(setup).certify(state)
+    }
+
     fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError> {
         self.solver(setup).mobility(at, q)
     }
@@ -217,6 +231,10 @@ impl<M: Mechanism> Engine for Bound<M> {
 
     fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Vec<Mode> {
         Solver::new(&self.mechanism).modes(at, q).unwrap_or_default()
+    }
+
+    fn assemblies(&self, setup: &Setup, t: f64) -> Result<Assemblies, SolveError> {
+        self.solver(setup).assemblies(&Instant { t, inputs: &setup.inputs })
     }
 
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError> {

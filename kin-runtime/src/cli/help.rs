@@ -5,7 +5,7 @@ use super::examples::{Help, Names};
 use super::names::listing;
 use super::output::{either, forms};
 use super::trial::Trial;
-use super::{animate, check, completions, forces, info, paint, report, solve, sweep};
+use super::{animate, check, completions, forces, info, modes, paint, report, sensitivities, solve, sweep};
 use crate::model::Model;
 
 /// The whole command line of a mechanism, of the options that all mechanisms have.
@@ -44,6 +44,8 @@ const COMMANDS: &[(&str, Help)] = &[
     ("solve", solve::HELP),
     ("sweep", sweep::HELP),
     ("forces", forces::HELP),
+    ("sensitivities", sensitivities::HELP),
+    ("modes", modes::HELP),
     ("check", check::HELP),
     #[cfg(feature = "equations")]
     ("equations", super::equations::HELP),

@@ -7,7 +7,7 @@
 //! # }
 //! ```
 //!
-//! The commands are `info`, `solve`, `sweep`, `animate`, `plot` and `equations` (with the
+//! The commands are `info`, `solve`, `sweep`, `forces`, `sensitivities`, `modes`, `animate`, `plot` and `equations` (with the
 //! features of their names), `check` and `completions`, one per file; without a command a report at t = 0 is printed.
 //! Results go to stdout or to the file of `--out`, whose ending chooses the format; everything else goes to stderr. The exit
 //! status is 0 only when the answer is good, 2 when the options make no sense, 1 when the mechanism has no good answer,
@@ -49,6 +49,7 @@ mod info;
 mod interrupt;
 #[cfg(not(all(feature = "plot", feature = "equations")))]
 mod missing;
+mod modes;
 mod moving;
 mod names;
 mod number;
@@ -59,6 +60,7 @@ mod paint;
 mod plot;
 mod program;
 mod report;
+mod sensitivities;
 mod session;
 mod solve;
 mod solved;
@@ -104,6 +106,8 @@ enum Command {
     Solve(solve::SolveArgs),
     Sweep(sweep::SweepArgs),
     Forces(forces::ForcesArgs),
+    Sensitivities(sensitivities::SensitivitiesArgs),
+    Modes(modes::ModesArgs),
     Check(check::CheckArgs),
     #[cfg(feature = "equations")]
     Equations(equations::EquationsArgs),
@@ -149,6 +153,8 @@ fn run(
         Some(Command::Solve(args)) => solve::run(args, engine, &mut session),
         Some(Command::Sweep(args)) => sweep::run(args, engine, &mut session),
         Some(Command::Forces(args)) => forces::run(args, engine, &mut session),
+        Some(Command::Sensitivities(args)) => sensitivities::run(args, engine, &mut session),
+        Some(Command::Modes(args)) => modes::run(args, engine, &mut session),
         Some(Command::Check(args)) => check::run(args, engine, &mut session),
         #[cfg(feature = "equations")]
         Some(Command::Equations(args)) => equations::run(args, engine, &mut session),

@@ -81,7 +81,9 @@ const WRITERS: &[(&str, &[Form])] = &[
     ("info", &[Form::Text, Form::Json]),
     ("solve", &[Form::Text, Form::Json, Form::Csv]),
     ("forces", &[Form::Text, Form::Json, Form::Csv]),
+    ("sensitivities", &[Form::Text, Form::Json, Form::Csv]),
     ("sweep", &[Form::Text, Form::Json, Form::Csv]),
+    ("modes", &[Form::Text, Form::Json]),
     ("check", &[Form::Text, Form::Json]),
     #[cfg(feature = "equations")]
     ("equations", &[Form::Text, Form::Latex, Form::Html]),

@@ -3,6 +3,7 @@
 use super::{Frame, OperationCount};
 
 /// Numbers before the multipliers: shaking (3), inertia (3), energies (3), powers (3), the rate of all energy.
+#[cfg(feature = "std")]
 pub(crate) const TOTALS: usize = 13;
 
 /// The forces of a mechanism with masses or loads: what [`Mechanism::forces_with`](crate::Mechanism::forces_with) writes.

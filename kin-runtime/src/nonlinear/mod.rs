@@ -1,4 +1,4 @@
-//! Numerical methods that know nothing of mechanisms: Newton's iteration, roots in brackets, Runge–Kutta steps.
+//! Numerical methods that are independent of mechanisms: Newton's iteration, roots in brackets, Runge–Kutta steps.
 
 pub(crate) mod dormand_prince;
 pub(crate) mod newton;

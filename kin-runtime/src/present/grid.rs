@@ -95,9 +95,9 @@ fn io_error(error: csv::Error) -> io::Error {
     }
 }
 
-/// A number for another program.
+/// A number for another program. What is not determined, as the force of a joint with redundant rows, leaves its cell empty.
 fn exact(value: f64) -> String {
-    if value.is_finite() { plain(value) } else { value.to_string() }
+    if value.is_finite() { plain(value) } else { String::new() }
 }
 
 /// Columns on the screen that a table may take beside t.

@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use serde::ser::{SerializeMap, SerializeSeq};
 use serde::{Serialize, Serializer};
 
+use super::certificate::{CertificateRecord, Certified};
 use super::condition::EventRecord;
 use super::plan::ModeRecord;
 use super::text::coordinate_names as names_at;
@@ -54,6 +55,8 @@ pub(crate) struct StateRecord<'a> {
     velocity_ratios: Named<&'a VelocityRatio>,
     input_ratios: Named<&'a VelocityRatio>,
     modes: Vec<ModeRecord>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    certificate: Option<CertificateRecord>,
 }
 
 impl<'a> StateRecord<'a> {
@@ -88,6 +91,7 @@ impl<'a> StateRecord<'a> {
             velocity_ratios: ratios.drivers.iter().map(|d| (d.name, d)).collect(),
             input_ratios: ratios.inputs.iter().map(|u| (u.name, u)).collect(),
             modes: Vec::new(),
+            certificate: None,
         }
     }
 
@@ -99,6 +103,11 @@ impl<'a> StateRecord<'a> {
     /// Adds the assembly modes.
     pub(crate) fn with_modes(self, modes: &[Mode]) -> Self {
         Self { modes: ModeRecord::of(modes), ..self }
+    }
+
+    /// Adds the certificate that was asked for.
+    pub(crate) fn with_certificate(self, certified: Option<&Certified>) -> Self {
+        Self { certificate: certified.map(CertificateRecord::of), ..self }
     }
 }
 

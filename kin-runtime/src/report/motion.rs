@@ -23,7 +23,8 @@ pub(crate) fn motion(equations: &mut Equations<'_>, state: &State) -> Result<Mot
     equations.system.observe(&at, &state.q, &state.q_dot)?;
     let parts = equations.system.observables();
     let pattern = &model.observable_pattern;
-    let rates: Vec<Signal> = (0..model.observables.len()).map(|k| parts.rates(pattern, k, state)).collect();
+    let rates: Vec<Signal> =
+        (0..model.observables.len()).map(|k| parts.rates(pattern, k, &state.q_dot, &state.q_ddot)).collect();
     for (index, rate) in rates.iter().enumerate() {
         for value in [rate.value, rate.rate, rate.acceleration] {
             finite("observables", index, name(model, index), value).map_err(|error| error.at(state.t))?;

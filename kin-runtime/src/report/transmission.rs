@@ -55,7 +55,31 @@ pub(crate) fn transmission_angles(
     equations.check("q", q)?;
     let joints = equations.model.joints;
     let places = places(equations, q)?;
-    let driven = driven(equations.model);
+    let mut found = Vec::new();
+    for [joint, a, b] in neighbours(equations.model) {
+        let [Some(Frame::Body(i)), Some(Frame::Body(j))] = joints[joint].frames else { continue };
+        let at = |joint: usize, body: usize| places.iter().find(|p| p.joint == joint && p.body == body);
+        let (Some(centre), Some(from), Some(to)) = (at(joint, i), at(a, i), at(b, j)) else { continue };
+        if let Some(angle) = angle_between(centre.r, from.r, to.r) {
+            let between = [joints[a].name, joints[b].name];
+            found.push(TransmissionAngle { joint: joints[joint].name, between, angle });
+        }
+    }
+    Ok(found)
+}
+
+/// The transmission angles that a mechanism has, by the places of their joints in [`Model::joints`]: the revolute joint, its
+/// neighbour on its first body and the one on its second.
+#[doc(hidden)]
+pub fn neighbours(model: &Model) -> Vec<[usize; 3]> {
+    let joints = model.joints;
+    let driven = driven(model);
+    let stands_on = |joint: usize, body: usize| {
+        let on_body = |geometry: &&Geometry| geometry.frame == Frame::Body(body);
+        let is_point = |geometry: &&Geometry| matches!(geometry.role, Role::P | Role::Q);
+        let mut points = joints[joint].geometry.iter().filter(is_point).filter(on_body);
+        is_point_like(&joints[joint]) && points.any(|geometry| stands_still(&joints[joint], geometry))
+    };
     let mut found = Vec::new();
     for (index, joint) in joints.iter().enumerate() {
         let (JointKind::Revolute, [Some(Frame::Body(i)), Some(Frame::Body(j))]) = (joint.kind, joint.frames) else {
@@ -64,21 +88,13 @@ pub(crate) fn transmission_angles(
         if driven.iter().any(|bodies| matches!(bodies[..], [a] if a == i || a == j) || *bodies == sorted(i, j)) {
             continue;
         }
-        let at = |body: usize| places.iter().filter(move |p| p.body == body);
-        let Some(centre) = at(i).find(|p| p.joint == index) else { continue };
-        for a in at(i).filter(|p| p.joint != index) {
-            for b in at(j).filter(|p| p.joint != index && p.joint != a.joint) {
-                if !closed_together(equations.model, [index, a.joint, b.joint]) {
-                    continue;
-                }
-                if let Some(angle) = angle_between(centre.r, a.r, b.r) {
-                    let between = [joints[a.joint].name, joints[b.joint].name];
-                    found.push(TransmissionAngle { joint: joint.name, between, angle });
-                }
-            }
+        let others = |body: usize| (0..joints.len()).filter(move |&k| k != index && stands_on(k, body));
+        for a in others(i) {
+            let pairs = others(j).filter(|&b| b != a && closed_together(model, [index, a, b]));
+            found.extend(pairs.map(|b| [index, a, b]));
         }
     }
-    Ok(found)
+    found
 }
 
 /// True for joints of one closed group; without a plan nobody knows the groups.

@@ -8,14 +8,18 @@ pub(crate) mod compare;
 #[cfg(feature = "std")]
 mod dual;
 pub(crate) mod expansion;
+mod interval;
 #[cfg(feature = "simd")]
 pub(crate) mod lanes;
 pub(crate) mod recurrence;
 pub(crate) mod standard;
+mod tangents;
 mod taylor;
 #[cfg(feature = "simd")]
 pub(crate) mod trig;
 
+pub use interval::Interval;
+pub use tangents::Tangents;
 pub use taylor::Taylor;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};

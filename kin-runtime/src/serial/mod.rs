@@ -1,6 +1,7 @@
 //! Results as serde sees them, where names come from the model: maps by name, in the order of declaration.
 
 mod forces;
+mod sensitivities;
 
 use crate::model::{BodyInfo, Model, PointInfo};
 use crate::motion::{BodyMotion, Motion, PointMotion};

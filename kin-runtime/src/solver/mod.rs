@@ -28,7 +28,9 @@ use crate::transmission::{TransmissionAngle, transmission_angles};
 use crate::workspace::{Instant, Signal};
 use nalgebra::DMatrix;
 
+mod assemblies;
 mod by_plan;
+mod certify;
 mod contacts;
 mod settings;
 mod sweep;

@@ -40,6 +40,22 @@ struct Teeth {
     k: f64,
 }
 
+/// A beam on three equal arms, of which two would do: nothing determines what each pin carries.
+#[mechanism(allow_redundant)]
+#[bodies(a, b, c, beam)]
+#[revolute(O1: ground @ (0, 0), a @ (0, 0))]
+#[revolute(O2: ground @ (0.3, 0), b @ (0, 0))]
+#[revolute(O3: ground @ (0.6, 0), c @ (0, 0))]
+#[revolute(A: a @ (0.2, 0), beam @ (0, 0))]
+#[revolute(B: b @ (0.2, 0), beam @ (0.3, 0))]
+#[revolute(C: c @ (0.2, 0), beam @ (0.6, 0))]
+#[driver(drive: a.phi = 1 + t)]
+#[guess(a.phi = 1, b.phi = 1, c.phi = 1)]
+#[gravity(0, -9.81)]
+#[mass(beam @ (0.2, 0.05), mass = 3, inertia = 0.1)]
+#[derive(Default)]
+struct Loaded;
+
 fn main() -> ExitCode {
     let mut args: Vec<OsString> = std::env::args_os().collect();
     let name = if args.len() > 1 { args.remove(1) } else { OsString::new() };
@@ -51,13 +67,14 @@ fn main() -> ExitCode {
         Some("leg") => run_from::<FiveBarLeg>(args),
         Some("infeasible") => run_from::<InfeasibleFourbar>(args),
         Some("limits") => run_from::<StrokeLimits>(args),
+        Some("loaded") => run_from::<Loaded>(args),
         Some("redundant") => run_from::<RedundantParallelogram>(args),
         Some("singular") => run_from::<SingularSliderCrank>(args),
         Some("teeth") => run_from::<Teeth>(args),
         Some("underdriven") => run_from::<UnderdrivenFivebar>(args),
         _ => {
             eprintln!(
-                "error: the first argument is cam, wrong_cam, fourbar, ends, infeasible, leg, limits, redundant, singular, teeth or underdriven"
+                "error: the first argument is cam, wrong_cam, fourbar, ends, infeasible, leg, limits, loaded, redundant, singular, teeth or underdriven"
             );
             ExitCode::from(2)
         }

@@ -5,6 +5,7 @@ use std::process::{Command, Stdio};
 
 mod completions;
 mod files;
+mod forces;
 mod help;
 #[cfg(target_os = "linux")]
 mod interrupt;

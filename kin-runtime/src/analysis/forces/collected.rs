@@ -7,8 +7,8 @@ use crate::model::{EffortInfo, ForceModel, Model, ReactionInfo};
 use crate::state::State;
 
 /// The numbers by what they are.
-pub(super) fn collected(model: &'static Model, info: &ForceModel, state: &State, numbers: &Numbers) -> Forces {
-    let Numbers { values, determined, given, sharing } = numbers;
+pub(crate) fn collected(model: &'static Model, info: &ForceModel, state: &State, numbers: &Numbers) -> Forces {
+    let Numbers { values, determined, given, sharing, .. } = numbers;
     let shown: Vec<bool> = determined.iter().map(|determined| *determined || *sharing == Sharing::LeastNorm).collect();
     let wrench = |place: usize| Wrench { force: [values[place], values[place + 1]], moment: values[place + 2] };
     let known = |place: usize| shown[place].then(|| values[place]);

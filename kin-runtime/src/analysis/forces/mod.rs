@@ -19,10 +19,9 @@ use crate::model::forces::TOTALS;
 use crate::model::{Component, CoordinateKind, ForceModel};
 use crate::state::State;
 use crate::workspace::Subset;
-use collected::collected;
+pub(crate) use collected::collected;
 use nalgebra::{DMatrix, DVector};
-use numbers::Numbers;
-pub(crate) use numbers::Sharing;
+pub(crate) use numbers::{Numbers, Sharing};
 
 /// What of r may be left over, beside r.
 const LEFT_OVER: f64 = 1e-7;
@@ -33,18 +32,27 @@ pub(crate) fn forces(equations: &mut Equations<'_>, state: &State, sharing: Shar
     let Some(info) = model.forces else {
         return Err(SolveError::NoLoads { mechanism: model.name });
     };
+    let numbers = numbers(equations, info, state, sharing)?;
+    Ok(collected(model, info, state, &numbers))
+}
+
+/// The numbers of forces at a state.
+pub(crate) fn numbers(
+    equations: &mut Equations<'_>,
+    info: &ForceModel,
+    state: &State,
+    sharing: Sharing,
+) -> Result<Numbers, SolveError> {
     for (what, list) in [("q", &state.q), ("q_dot", &state.q_dot), ("q_ddot", &state.q_ddot)] {
         equations.check(what, list)?;
     }
-    let by_plan = by_plan(equations, info, state)?;
-    let numbers = match by_plan {
+    match by_plan(equations, info, state)? {
         Some(values) => {
             let determined = vec![true; values.len()];
-            Numbers { values, determined, given: Vec::new(), sharing }
+            Ok(Numbers { values, determined, given: Vec::new(), sharing, by_plan: true })
         }
-        None => numbers(equations, info, state, sharing)?,
-    };
-    Ok(collected(model, info, state, &numbers))
+        None => by_elimination(equations, info, state, sharing),
+    }
 }
 
 /// The numbers by the closed forms; none where there are none, and where they are no solution.
@@ -77,7 +85,7 @@ fn by_plan(equations: &mut Equations<'_>, info: &ForceModel, state: &State) -> R
 }
 
 /// The numbers by a numeric solution for λ.
-fn numbers(
+fn by_elimination(
     equations: &mut Equations<'_>,
     info: &ForceModel,
     state: &State,
@@ -110,7 +118,7 @@ fn numbers(
         let rate = equations.given_coordinate(row - declared).map_or(0.0, |k| state.q_dot[k]);
         (equations.row_name(row), -lambda[row], rate, shared.is_determined(row))
     });
-    Ok(Numbers { values, determined, given: given.collect(), sharing })
+    Ok(Numbers { values, determined, given: given.collect(), sharing, by_plan: false })
 }
 
 /// Why no multipliers balance r: the configuration is singular, or something is left open.

@@ -10,10 +10,13 @@ pub(crate) enum Sharing {
 }
 
 /// The numbers of forces, and which of them equilibrium determines; efforts of prescribed coordinates.
-pub(super) struct Numbers {
-    pub(super) values: Vec<f64>,
-    pub(super) determined: Vec<bool>,
+#[derive(Clone)]
+pub(crate) struct Numbers {
+    pub(crate) values: Vec<f64>,
+    pub(crate) determined: Vec<bool>,
     /// The name of every prescribed coordinate, its effort, the rate of the coordinate, and whether the effort is determined.
-    pub(super) given: Vec<(&'static str, f64, f64, bool)>,
-    pub(super) sharing: Sharing,
+    pub(crate) given: Vec<(&'static str, f64, f64, bool)>,
+    pub(crate) sharing: Sharing,
+    /// True where the closed forms hold λ, false where it was eliminated.
+    pub(crate) by_plan: bool,
 }

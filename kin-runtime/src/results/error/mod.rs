@@ -1,5 +1,6 @@
 //! What can go wrong in an analysis, with numbers.
 
+use crate::certificate::Uncertified;
 use crate::mechanism::LengthError;
 use crate::planned::{Limit, PlanError, Sign};
 use core::fmt;
@@ -218,6 +219,40 @@ pub enum SolveError {
         condition: f64,
         /// The group of the plan that is at its limit; none where there is no plan.
         limit: Option<Limit>,
+    },
+    /// Derivatives by parameters were asked for where the parameters do not determine the configuration: degrees of freedom
+    /// are left open, or rows of velocity level make the position an outcome of the motion so far.
+    NotDetermined {
+        /// Time.
+        t: f64,
+        /// How many degrees of freedom are left open; 0 where rows of velocity level are why.
+        open: usize,
+        /// Coordinates that could be given.
+        could_be_given: Vec<&'static str>,
+    },
+    /// The configuration has no derivative by a parameter.
+    NoSensitivity {
+        /// Time.
+        t: f64,
+        /// The parameter.
+        parameter: &'static str,
+        /// A row that would be missed, where redundant rows agree at this value of the parameter alone; none where a
+        /// function has no derivative here, or none that is known.
+        row_name: Option<&'static str>,
+    },
+    /// No parameter has this index.
+    UnknownParameter {
+        /// The index.
+        index: usize,
+        /// Number of parameters.
+        parameters: usize,
+    },
+    /// Nothing can be proven of these equations ([`Solver::assemblies`](crate::Solver::assemblies)).
+    NotCertified {
+        /// Time.
+        t: f64,
+        /// Why.
+        why: Uncertified,
     },
     /// NaN or infinity in an argument, a parameter or a result.
     NonFinite {

@@ -110,6 +110,37 @@ impl fmt::Display for SolveError {
                 "{mechanism} has neither masses nor loads: forces follow from `mass`, `gravity`, `force`, `torque`, \
                  `spring` and `torsion_spring`"
             ),
+            Self::NotDetermined { t, open: 0, .. } => write!(
+                f,
+                "at t = {t} parameters do not determine the position: rows of velocity level make it an outcome of the \
+                 motion before",
+                t = rounded(*t)
+            ),
+            Self::NotDetermined { t, open, could_be_given } => {
+                let freedoms = if *open == 1 { "degree of freedom is" } else { "degrees of freedom are" };
+                let t = rounded(*t);
+                write!(f, "at t = {t} parameters do not determine the position: {open} {freedoms} left open")?;
+                if could_be_given.is_empty() {
+                    Ok(())
+                } else {
+                    write!(f, "; could be given: {}", could_be_given.join(", "))
+                }
+            }
+            Self::NoSensitivity { t, parameter, row_name: Some(row) } => write!(
+                f,
+                "no derivative by `{parameter}` at t = {t}: redundant rows agree at this value of it alone, and row \
+                 `{row}` would be missed",
+                t = rounded(*t)
+            ),
+            Self::NoSensitivity { t, parameter, row_name: None } => write!(
+                f,
+                "no derivative by `{parameter}` at t = {t}: a function has none there, or none that is known",
+                t = rounded(*t)
+            ),
+            Self::UnknownParameter { index, parameters } => {
+                write!(f, "no parameter has the index {index}: there are {parameters}")
+            }
+            Self::NotCertified { t, why } => write!(f, "nothing is proven at t = {t}: {why}", t = rounded(*t)),
             Self::NotHeld { t, open, could_be_given } => {
                 let freedoms = if *open == 1 { "degree of freedom is" } else { "degrees of freedom are" };
                 write!(

@@ -1,0 +1,82 @@
+//! Derivatives of q, q̇ and q̈ of the lecture's four-bar by all seven parameters, against q, q̇ and q̈ alone by the same plan:
+//! `cargo bench -p kin-benches --bench sensitivities`.
+
+use kin_benches::four_bar::FourBar;
+use kin_benches::paired::{Contender, compare};
+use kin_benches::placed::Placed;
+use kin_runtime::plan::{Depth, Solved};
+use kin_runtime::scalar::Tangents;
+use kin_runtime::{Instant, Kinematics, Mechanism, Scalar};
+use std::hint::black_box;
+
+/// One revolution.
+const STEPS: usize = 360;
+
+/// The plan over a scalar, from instant to instant.
+struct Steps<'m, T> {
+    four_bar: &'m FourBar,
+    parameters: [T; 7],
+    modes: [T; 1],
+    start: [T; 9],
+    found: Placed<[[T; 9]; 3]>,
+}
+
+impl<'m, T: Scalar> Steps<'m, T> {
+    fn new(four_bar: &'m FourBar, parameters: [T; 7]) -> Self {
+        let start = four_bar.solver().with_guess(5, 0.9).with_guess(8, 5.0).state(&0.0.into()).expect("it closes");
+        let (numbers, mut modes) = (four_bar.parameters::<f64>(), [0.0]);
+        four_bar.closures_with(&numbers, &Instant::at(0.0), &start.q, &mut modes).expect("one mode");
+        let zero = T::from_f64(0.0);
+        Self {
+            four_bar,
+            parameters,
+            modes: modes.map(|mode: f64| T::from_f64(mode.signum())),
+            start: std::array::from_fn(|k| T::from_f64(start.q[k])),
+            found: Placed::new(|| [[zero; 9]; 3]),
+        }
+    }
+
+    fn turn(&mut self) {
+        for step in 0..STEPS {
+            let at = Instant::at(T::from_f64(step as f64 * std::f64::consts::TAU / STEPS as f64));
+            let [q, q_dot, q_ddot] = self.found.here();
+            let mut margins = [T::from_f64(0.0); 9];
+            let solved = Solved { q, q_dot, q_ddot, margins: &mut margins[..FourBar::model().plan.margins] };
+            let (parameters, modes) = (black_box(&self.parameters), &self.modes);
+            self.four_bar
+                .solve_with(parameters, &at, modes, &self.start, Depth::Acceleration, solved)
+                .expect("nine coordinates");
+            black_box(self.found.here());
+        }
+    }
+}
+
+fn main() {
+    let four_bar = FourBar::default();
+    let numbers = four_bar.parameters::<f64>();
+    let mut plain = Steps::new(&four_bar, numbers);
+    let mut seven: Steps<'_, Tangents<7>> =
+        Steps::new(&four_bar, std::array::from_fn(|k| Tangents::variable(numbers[k], k)));
+    let mut eight: Steps<'_, Tangents<8>> =
+        Steps::new(&four_bar, std::array::from_fn(|k| Tangents::variable(numbers[k], k)));
+    let solver = four_bar.solver();
+    let state = solver.with_guess(5, 0.9).with_guess(8, 5.0).state(&0.0.into()).expect("it closes");
+    let solver = four_bar.solver();
+    compare(
+        "q, q̇, q̈ of the four-bar and their derivatives by seven parameters",
+        STEPS,
+        &mut [
+            Contender { name: "the plan", work: Box::new(|| plain.turn()) },
+            Contender { name: "with tangents by seven parameters", work: Box::new(|| seven.turn()) },
+            Contender { name: "with tangents in eight lanes", work: Box::new(|| eight.turn()) },
+            Contender {
+                name: "Solver::sensitivities, with points and joints",
+                work: Box::new(|| {
+                    for _ in 0..STEPS {
+                        black_box(solver.sensitivities(black_box(&state)).expect("a regular state"));
+                    }
+                }),
+            },
+        ],
+    );
+}

@@ -1,0 +1,173 @@
+//! Sensitivities: derivatives of a solved state by parameters.
+
+use crate::forces::Forces;
+use crate::model::Model;
+use crate::motion::{BodyMotion, PointMotion, report};
+use crate::signal::Signal;
+use crate::text::numbers;
+use core::fmt;
+use core::ops::Index;
+
+/// Derivatives of a solved state by parameters: what [`Solver::sensitivities`](crate::Solver::sensitivities) gives.
+///
+/// Indexed by the name of a parameter; what that gives is indexed by the handles of the mechanism, as a motion is:
+/// `sensitivities["l1"][FourBar::tip].v`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sensitivities {
+    /// Time.
+    pub t: f64,
+    /// The mechanism's names.
+    pub model: &'static Model,
+    /// The margins of the plan's steps, [`Plan::margins`](crate::plan::Plan::margins) numbers: how far each is from where it
+    /// cannot close. Empty where Φ_q was factorised as a whole.
+    pub margins: Vec<f64>,
+    /// One per parameter that was asked for, in that order.
+    pub by: Vec<Sensitivity>,
+}
+
+impl Sensitivities {
+    /// The derivatives by a parameter; none where they were not asked for.
+    pub fn by(&self, parameter: &str) -> Option<&Sensitivity> {
+        self.by.iter().find(|by| by.parameter == parameter)
+    }
+}
+
+impl Index<&str> for Sensitivities {
+    type Output = Sensitivity;
+
+    /// # Panics
+    /// Where nothing was asked for by a parameter of this name.
+    fn index(&self, parameter: &str) -> &Sensitivity {
+        self.by(parameter).unwrap_or_else(|| panic!("no derivatives by `{parameter}`"))
+    }
+}
+
+/// Derivatives by one parameter: every number is that of the state, or of what is reported of it, differentiated by the
+/// parameter while the instant and the assembly mode are held.
+#[derive(Clone, PartialEq)]
+pub struct Sensitivity {
+    /// The mechanism's names.
+    pub model: &'static Model,
+    /// The parameter.
+    pub parameter: &'static str,
+    /// ∂q/∂p, n numbers.
+    pub q: Vec<f64>,
+    /// ∂q̇/∂p, n numbers.
+    pub q_dot: Vec<f64>,
+    /// ∂q̈/∂p, n numbers.
+    pub q_ddot: Vec<f64>,
+    /// The margins of the plan's steps; empty where Φ_q was factorised as a whole.
+    pub margins: Vec<f64>,
+    /// Bodies, in the order of [`Model::bodies`].
+    pub bodies: Vec<BodyMotion>,
+    /// Points, in the order of [`Model::points`]; a point's own place in its body included.
+    pub points: Vec<PointMotion>,
+    /// Defines, in the order of [`Model::defines`].
+    pub defines: Vec<Signal>,
+    /// Per joint of [`Model::joints`], its quantities in the order of
+    /// [`JointInfo::quantities`](crate::model::JointInfo::quantities).
+    pub joints: Vec<Vec<Signal>>,
+    /// Unilateral conditions, in the order of [`Model::conditions`].
+    pub conditions: Vec<Signal>,
+    /// Efforts, reactions, energies and powers, where the state has forces and they have derivatives.
+    pub forces: Option<Forces>,
+}
+
+report!(Sensitivity, body: BodyMotion, point: PointMotion);
+
+impl Sensitivity {
+    /// With nothing in it.
+    pub(crate) const fn new(model: &'static Model, parameter: &'static str) -> Self {
+        Self {
+            model,
+            parameter,
+            q: Vec::new(),
+            q_dot: Vec::new(),
+            q_ddot: Vec::new(),
+            margins: Vec::new(),
+            bodies: Vec::new(),
+            points: Vec::new(),
+            defines: Vec::new(),
+            joints: Vec::new(),
+            conditions: Vec::new(),
+            forces: None,
+        }
+    }
+
+    /// True where q, q̇, q̈ and what is reported of the motion have derivatives.
+    pub(crate) fn is_finite(&self) -> bool {
+        let coordinates = [&self.q, &self.q_dot, &self.q_ddot].into_iter().flatten().copied();
+        let points = self.points.iter().flat_map(|point| [point.r, point.v, point.a].into_iter().flatten());
+        let joints = self.joints.iter().flatten();
+        let signals = self.defines.iter().chain(joints).chain(&self.conditions);
+        let signals = signals.flat_map(|signal| [signal.value, signal.rate, signal.acceleration]);
+        coordinates.chain(points).chain(signals).all(f64::is_finite)
+    }
+}
+
+/// Three lines per parameter: the derivatives of q, q̇ and q̈.
+impl fmt::Display for Sensitivities {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} at t = {}", self.model.name, self.t)?;
+        self.by.iter().try_for_each(|by| write!(f, "\n{by}"))
+    }
+}
+
+/// The derivatives of q, q̇ and q̈.
+impl fmt::Display for Sensitivity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (k, (name, list)) in [("q", &self.q), ("q̇", &self.q_dot), ("q̈", &self.q_ddot)].into_iter().enumerate() {
+            let separator = if k == 0 { "" } else { "\n" };
+            write!(f, "{separator}{name} by {}: ", self.parameter)?;
+            numbers(f, list)?;
+        }
+        Ok(())
+    }
+}
+
+/// By how much tolerances of dimensions move a quantity, to first order.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Deviation {
+    /// Σ |∂y/∂p| δ: all dimensions at their limits, each on its worse side.
+    pub worst: f64,
+    /// √(Σ (∂y/∂p δ)²): the root sum of squares, what independent deviations come to.
+    pub root_sum_square: f64,
+}
+
+impl Sensitivities {
+    /// By how much a quantity deviates where every parameter may deviate by its tolerance on either side.
+    ///
+    /// `tolerances` has a number for every parameter of [`by`](Self::by), in the unit of the parameter; `derivative` takes
+    /// the derivative of the quantity out of those of a parameter.
+    ///
+    /// ```
+    /// use kin_runtime::{Kinematics, mechanism};
+    ///
+    /// #[mechanism]
+    /// #[bodies(crank)]
+    /// #[point(tip = crank @ (a + b, 0))]
+    /// #[revolute(pin: ground @ (0, 0), crank @ (0, 0))]
+    /// #[driver(drive: crank.phi = t)]
+    /// #[derive(Default)]
+    /// struct Crank {
+    ///     #[param(0.2)]
+    ///     a: f64,
+    ///     #[param(0.3)]
+    ///     b: f64,
+    /// }
+    ///
+    /// let crank = Crank::default();
+    /// let solver = crank.solver();
+    /// let by = solver.sensitivities(&solver.state(&0.0.into())?)?;
+    /// let deviation = by.deviation(&[0.003, 0.004], |by| by[Crank::tip].r[0]);
+    /// assert!((deviation.worst - 0.007).abs() < 1e-15);
+    /// assert!((deviation.root_sum_square - 0.005).abs() < 1e-15);
+    /// # Ok::<(), kin_runtime::SolveError>(())
+    /// ```
+    pub fn deviation(&self, tolerances: &[f64], derivative: impl Fn(&Sensitivity) -> f64) -> Deviation {
+        let parts = self.by.iter().zip(tolerances).map(|(by, tolerance)| (derivative(by) * tolerance).abs());
+        let (worst, squares) = parts.fold((0.0, 0.0), |(sum, squares), part| (sum + part, squares + part * part));
+        Deviation { worst, root_sum_square: squares.sqrt() }
+    }
+}

@@ -1,0 +1,211 @@
+//! Sensitivities: exact derivatives of a solved state by the parameters of its mechanism.
+//!
+//! The mode of the configuration and the instant stay what they are. Where the plan solves the mechanism, its closed forms
+//! over numbers with [`Tangents`](crate::scalar::Tangents) hold all derivatives; where one of its steps iterates, one
+//! correction of what has converged is the linear solve. Otherwise, with D_p the derivative along (q_p, q̇_p, 1) while the
+//! highest derivative of q is held,
+//!
+//! ```text
+//! Φ_q q_p = −Φ_p        Φ_q q̇_p = −D_p(Φ_q q̇ + Φ_t)        Φ_q q̈_p = −D_p(Φ_q q̈ − γ)
+//! ```
+//!
+//! with one factorisation of Φ_q (Haug, *Computer Aided Kinematics and Dynamics of Mechanical Systems*, 1989, differentiates
+//! the same equations by time). The right-hand sides are the code of Φ, Φ_q, Φ_t and γ over the same numbers, and so is all
+//! that is reported of the motion and of forces.
+
+mod forces;
+mod linear;
+mod variation;
+
+use crate::analysis::by_plan;
+use crate::equations::Equations;
+use crate::error::SolveError;
+use crate::mechanism::Mechanism;
+use crate::mobility::mobility;
+use crate::model::{Level, Model};
+use crate::motion::{BodyMotion, PointMotion};
+use crate::plan::Plan;
+use crate::sensitivities::{Sensitivities, Sensitivity};
+use crate::signal::Signal;
+use crate::solver::Solver;
+use crate::state::State;
+use linear::Linear;
+use variation::{Number, Variation, Varied, Varying, WIDTH};
+
+/// What the plan's q may miss that of the state by, in the size of its numbers, to be the same configuration.
+const SAME: f64 = 1e-6;
+
+impl<M: Mechanism> Solver<'_, M> {
+    /// Derivatives by every parameter of q, q̇, q̈ and of all that is reported of a solved state: bodies, points, defines,
+    /// joint quantities, conditions, efforts and reactions. Units are those of the quantity by that of the parameter.
+    ///
+    /// The assembly mode, the instant, the inputs and prescribed coordinates are held; parameters of drivers are parameters
+    /// as any other.
+    ///
+    /// ```
+    /// use kin_runtime::{Kinematics, mechanism};
+    ///
+    /// /// A crank whose end is at (l cos φ, l sin φ), φ = ω t.
+    /// #[mechanism]
+    /// #[bodies(crank)]
+    /// #[point(tip = crank @ (l, 0))]
+    /// #[revolute(pin: ground @ (0, 0), crank @ (0, 0))]
+    /// #[driver(drive: crank.phi = omega * t)]
+    /// #[derive(Default)]
+    /// struct Crank {
+    ///     #[param(0.2)]
+    ///     l: f64,
+    ///     #[param(3)]
+    ///     omega: f64,
+    /// }
+    ///
+    /// let crank = Crank::default();
+    /// let solver = crank.solver();
+    /// let by = solver.sensitivities(&solver.state(&0.1.into())?)?;
+    /// let (sin, cos) = 0.3_f64.sin_cos();
+    /// assert!((by["l"][Crank::tip].r[0] - cos).abs() < 1e-15);
+    /// assert!((by["omega"][Crank::tip].r[0] + 0.2 * 0.1 * sin).abs() < 1e-15);
+    /// # Ok::<(), kin_runtime::SolveError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`NotDetermined`](SolveError::NotDetermined) where degrees of freedom are left open and where rows of velocity level
+    /// make the position an outcome of the motion; [`Singular`](SolveError::Singular) and the other errors of
+    /// [`velocity`](Self::velocity) where Φ_q has no full rank here;
+    /// [`NoSensitivity`](SolveError::NoSensitivity) where redundant rows agree at this value of a parameter alone, or a
+    /// function has no derivative. A supplied function in a driver needs a third derivative for q̈
+    /// ([`ScalarFunction::derivatives`](crate::ScalarFunction::derivatives)).
+    pub fn sensitivities(&self, state: &State) -> Result<Sensitivities, SolveError> {
+        let all: Vec<usize> = (0..M::PARAMETERS).collect();
+        self.sensitivities_by(state, &all)
+    }
+
+    /// [`sensitivities`](Self::sensitivities) by some parameters, places in
+    /// [`Model::parameters`](crate::model::Model::parameters).
+    ///
+    /// # Errors
+    /// As [`sensitivities`](Self::sensitivities), and [`UnknownParameter`](SolveError::UnknownParameter).
+    pub fn sensitivities_by(&self, state: &State, parameters: &[usize]) -> Result<Sensitivities, SolveError> {
+        if let Some(&index) = parameters.iter().find(|&&index| index >= M::PARAMETERS) {
+            return Err(SolveError::UnknownParameter { index, parameters: M::PARAMETERS });
+        }
+        let mut varying = Varying::new(self.mechanism);
+        self.analyse(&state.instant(), |equations| sensitivities(equations, &mut varying, state, parameters))
+    }
+
+    /// [`sensitivities_by`](Self::sensitivities_by) at every state of a motion, in their order.
+    ///
+    /// # Errors
+    /// As [`sensitivities_by`](Self::sensitivities_by) at the first state that has none.
+    pub fn sensitivities_along(
+        &self,
+        states: &[State],
+        parameters: &[usize],
+    ) -> Result<Vec<Sensitivities>, SolveError> {
+        states.iter().map(|state| self.sensitivities_by(state, parameters)).collect()
+    }
+}
+
+fn sensitivities(
+    equations: &mut Equations<'_>,
+    variation: &mut dyn Variation,
+    state: &State,
+    parameters: &[usize],
+) -> Result<Sensitivities, SolveError> {
+    for (what, list) in [("q", &state.q), ("q_dot", &state.q_dot), ("q_ddot", &state.q_ddot)] {
+        equations.check(what, list)?;
+    }
+    let model = equations.model;
+    if model.rows.iter().any(|row| row.level == Level::Velocity) {
+        return Err(SolveError::NotDetermined { t: state.t, open: 0, could_be_given: Vec::new() });
+    }
+    if state.degrees_of_freedom_left > 0 {
+        return Err(open(equations, state)?);
+    }
+    let (mut varied, mut linear, mut by) = (Varied::default(), None, Vec::with_capacity(parameters.len()));
+    for chunk in parameters.chunks(WIDTH) {
+        variation.begin(&state.instant(), chunk);
+        if !planned(equations, variation, state, &mut varied)? {
+            let linear = match &linear {
+                Some(linear) => linear,
+                None => linear.insert(Linear::at(equations, state)?),
+            };
+            linear.vary(equations, variation, state, chunk, &mut varied)?;
+        }
+        let names = |lane: usize| model.parameters[chunk[lane]].name;
+        let first = by.len();
+        by.extend((0..chunk.len()).map(|lane| quantities(model, names(lane), lane, &varied)));
+        observe(variation, &varied, &mut by[first..])?;
+        if let Some(info) = model.forces {
+            forces::forces(equations, variation, info, state, &varied, &mut by[first..]);
+        }
+    }
+    match by.iter().find(|by| !by.is_finite()) {
+        Some(by) => Err(SolveError::NoSensitivity { t: state.t, parameter: by.parameter, row_name: None }),
+        None => {
+            let margins = varied.margins.iter().map(|margin| margin.value()).collect();
+            Ok(Sensitivities { t: state.t, model, margins, by })
+        }
+    }
+}
+
+/// What is left open, as an error.
+fn open(equations: &mut Equations<'_>, state: &State) -> Result<SolveError, SolveError> {
+    let open = mobility(equations, &state.q)?;
+    let could_be_given = open.could_be_given.iter().map(|&k| equations.model.coordinates[k].name).collect();
+    Ok(SolveError::NotDetermined { t: state.t, open: state.degrees_of_freedom_left, could_be_given })
+}
+
+/// q, q̇ and q̈ by the plan; false where it has no answer, or none that counts.
+fn planned(
+    equations: &Equations<'_>,
+    variation: &mut dyn Variation,
+    state: &State,
+    varied: &mut Varied,
+) -> Result<bool, SolveError> {
+    let plan = &equations.model.plan;
+    // Rows that the plan does without may hold at these parameters alone: all rows together say whether they do.
+    if !equations.options.use_plan || !by_plan::exists(equations) || plan.watched().next().is_some() {
+        return Ok(false);
+    }
+    let mut modes = Vec::new();
+    by_plan::modes(equations, &state.q, &mut modes);
+    if modes.contains(&0.0) || !variation.solve(&modes, &state.q, varied)? {
+        return Ok(false);
+    }
+    let good = varied.margins.iter().all(|margin| margin.value() > Plan::SMALLEST_MARGIN);
+    let same = |found: &[Number], exact: &[f64]| {
+        let size = exact.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
+        found.iter().zip(exact).all(|(found, exact)| {
+            (found.value() - exact).abs() <= SAME * size && found.by().iter().all(|by| by.is_finite())
+        })
+    };
+    let Varied { q, q_dot, q_ddot, .. } = &*varied;
+    Ok(good && same(q, &state.q) && same(q_dot, &state.q_dot) && same(q_ddot, &state.q_ddot))
+}
+
+/// The derivatives of q, q̇ and q̈ by the parameter of a lane; room for the rest.
+fn quantities(model: &'static Model, parameter: &'static str, lane: usize, varied: &Varied) -> Sensitivity {
+    let of = |list: &[Number]| list.iter().map(|number| number.by()[lane]).collect();
+    let [q, q_dot, q_ddot, margins] = [&varied.q, &varied.q_dot, &varied.q_ddot, &varied.margins].map(|list| of(list));
+    Sensitivity { q, q_dot, q_ddot, margins, ..Sensitivity::new(model, parameter) }
+}
+
+/// The derivatives of all that is reported of the motion.
+fn observe(variation: &mut dyn Variation, varied: &Varied, by: &mut [Sensitivity]) -> Result<(), SolveError> {
+    let model = variation.model();
+    let parts = variation.observe(&varied.q, &varied.q_dot)?;
+    let pattern = &model.observable_pattern;
+    let all: Vec<Signal<Number>> =
+        (0..model.observables.len()).map(|k| parts.rates(pattern, k, &varied.q_dot, &varied.q_ddot)).collect();
+    for (lane, by) in by.iter_mut().enumerate() {
+        let at = |k: usize| all.get(k).map(|signal| signal.map(|number| number.by()[lane])).unwrap_or_default();
+        by.bodies = model.bodies.iter().map(|body| BodyMotion::from(body.observables.map(at))).collect();
+        by.points = model.points.iter().map(|point| PointMotion::from(point.observables.map(at))).collect();
+        by.defines = model.defines.iter().map(|define| at(define.observable)).collect();
+        by.joints =
+            model.joints.iter().map(|joint| joint.quantities.iter().map(|q| at(q.observable)).collect()).collect();
+        by.conditions = model.conditions.iter().map(|condition| at(condition.observable)).collect();
+    }
+    Ok(())
+}

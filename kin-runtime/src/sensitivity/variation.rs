@@ -1,0 +1,137 @@
+//! The thin generic layer: a mechanism evaluated over numbers that carry their derivatives by some of its parameters.
+
+use crate::equations::system::Parts;
+use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
+use crate::model::Model;
+use crate::plan::{Depth, Solved};
+use crate::scalar::{Scalar, Tangents};
+use crate::workspace::{Array, Instant, Signal, Subset};
+
+/// Parameters that are taken together.
+pub(crate) const WIDTH: usize = 8;
+
+/// A number with its derivatives by these parameters.
+pub(crate) type Number = Tangents<WIDTH>;
+
+/// Coordinates, at most, whose numbers are on the stack: a plan has about twenty values for each.
+const LARGEST: usize = 160;
+
+/// q, q̇ and q̈ with their derivatives.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Varied {
+    pub(crate) q: Vec<Number>,
+    pub(crate) q_dot: Vec<Number>,
+    pub(crate) q_ddot: Vec<Number>,
+    /// The margins of the plan; empty where it did not solve.
+    pub(crate) margins: Vec<Number>,
+}
+
+/// A mechanism some of whose parameters vary.
+pub(crate) trait Variation {
+    /// Names, rows and patterns.
+    fn model(&self) -> &'static Model;
+    /// Varies these parameters at an instant.
+    fn begin(&mut self, at: &Instant<'_>, parameters: &[usize]);
+    /// q, q̇ and q̈ by the plan from q in these modes, with its margins; false where it is too large for that.
+    fn solve(&mut self, modes: &[f64], q: &[f64], varied: &mut Varied) -> Result<bool, LengthError>;
+    /// Evaluates Φ, Φ_q, Φ_t, γ, or a subset.
+    fn evaluate(&mut self, subset: Subset, q: &[Number], q_dot: &[Number]) -> Result<Parts<'_, Number>, LengthError>;
+    /// Evaluates the observables.
+    fn observe(&mut self, q: &[Number], q_dot: &[Number]) -> Result<Parts<'_, Number>, LengthError>;
+    /// r = Q − M q̈.
+    fn generalized_forces(&self, varied: &Varied, generalized: &mut [Number]) -> Result<(), LengthError>;
+    /// The numbers of forces, given λ where the closed forms do not hold it.
+    fn forces(&self, varied: &Varied, multipliers: &[Number], forces: &mut [Number]) -> Result<(), LengthError>;
+}
+
+/// The [`Variation`] of a [`Mechanism`].
+pub(crate) struct Varying<'m, M: Mechanism> {
+    mechanism: &'m M,
+    t: Number,
+    parameters: M::Parameters<Number>,
+    inputs: M::Inputs<Number>,
+    workspace: Box<Workspace<M, Number>>,
+    observations: Box<Observations<M, Number>>,
+}
+
+impl<'m, M: Mechanism> Varying<'m, M> {
+    /// Takes the struct's parameters and makes workspaces.
+    pub(crate) fn new(mechanism: &'m M) -> Self {
+        Self {
+            mechanism,
+            t: Number::from_f64(0.0),
+            parameters: mechanism.parameters(),
+            inputs: M::Inputs::generate(|_| Signal::constant(Number::from_f64(0.0))),
+            workspace: Box::new(M::workspace()),
+            observations: Box::new(M::observations()),
+        }
+    }
+
+    fn at(&self) -> Instant<'_, Number> {
+        Instant { t: self.t, inputs: self.inputs.as_ref() }
+    }
+}
+
+fn parts<R: AsRef<[Number]>, J: AsRef<[Number]>>(evaluation: &crate::workspace::Evaluation<R, J>) -> Parts<'_, Number> {
+    Parts { phi: evaluation.phi(), phi_q: evaluation.phi_q(), phi_t: evaluation.phi_t(), gamma: evaluation.gamma() }
+}
+
+impl<M: Mechanism> Variation for Varying<'_, M> {
+    fn model(&self) -> &'static Model {
+        M::model()
+    }
+
+    fn begin(&mut self, at: &Instant<'_>, parameters: &[usize]) {
+        self.t = Number::from_f64(at.t);
+        self.inputs = M::Inputs::generate(|k| at.inputs.get(k).copied().unwrap_or_default().map(Number::from_f64));
+        self.parameters = self.mechanism.parameters();
+        for (place, &parameter) in parameters.iter().take(WIDTH).enumerate() {
+            if let Some(number) = self.parameters.as_mut().get_mut(parameter) {
+                *number = Number::variable(number.value(), place);
+            }
+        }
+    }
+
+    fn solve(&mut self, modes: &[f64], q: &[f64], varied: &mut Varied) -> Result<bool, LengthError> {
+        if M::COORDINATES > LARGEST {
+            return Ok(false);
+        }
+        let number = Number::from_f64;
+        // There are never more modes than coordinates.
+        let signs = M::Coordinates::<Number>::generate(|k| number(modes.get(k).copied().unwrap_or(0.0)));
+        let start = M::Coordinates::<Number>::generate(|k| number(q.get(k).copied().unwrap_or(f64::NAN)));
+        let Varied { q, q_dot, q_ddot, margins } = varied;
+        margins.clear();
+        margins.resize(M::model().plan.margins, number(0.0));
+        for list in [&mut *q, &mut *q_dot, &mut *q_ddot] {
+            list.clear();
+            list.resize(M::COORDINATES, number(0.0));
+        }
+        let solved = Solved { q, q_dot, q_ddot, margins };
+        let (parameters, modes) = (self.parameters.as_ref(), &signs.as_ref()[..modes.len()]);
+        self.mechanism.solve_with(parameters, &self.at(), modes, start.as_ref(), Depth::Acceleration, solved)?;
+        Ok(true)
+    }
+
+    fn evaluate(&mut self, subset: Subset, q: &[Number], q_dot: &[Number]) -> Result<Parts<'_, Number>, LengthError> {
+        let at = Instant { t: self.t, inputs: self.inputs.as_ref() };
+        self.mechanism.evaluate_with(self.parameters.as_ref(), subset, &at, q, q_dot, &mut self.workspace)?;
+        Ok(parts(&self.workspace))
+    }
+
+    fn observe(&mut self, q: &[Number], q_dot: &[Number]) -> Result<Parts<'_, Number>, LengthError> {
+        let at = Instant { t: self.t, inputs: self.inputs.as_ref() };
+        self.mechanism.observe_with(self.parameters.as_ref(), &at, q, q_dot, &mut self.observations)?;
+        Ok(parts(&self.observations))
+    }
+
+    fn generalized_forces(&self, varied: &Varied, generalized: &mut [Number]) -> Result<(), LengthError> {
+        let Varied { q, q_dot, q_ddot, .. } = varied;
+        self.mechanism.generalized_forces_with(self.parameters.as_ref(), &self.at(), q, q_dot, q_ddot, generalized)
+    }
+
+    fn forces(&self, varied: &Varied, multipliers: &[Number], forces: &mut [Number]) -> Result<(), LengthError> {
+        let Varied { q, q_dot, q_ddot, .. } = varied;
+        self.mechanism.forces_with(self.parameters.as_ref(), &self.at(), q, q_dot, q_ddot, multipliers, forces)
+    }
+}

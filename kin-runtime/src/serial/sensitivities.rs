@@ -1,0 +1,101 @@
+//! Sensitivities by name: of every quantity, by every parameter.
+
+use super::{Named, coordinate_names};
+use crate::forces::{Effort, Reaction, Wrench};
+use crate::motion::PointMotion;
+use crate::sensitivities::{Sensitivities, Sensitivity};
+use crate::signal::Signal;
+use serde::{Serialize, Serializer};
+
+/// The derivatives of one quantity by all parameters.
+type By<T> = Named<T>;
+
+/// Derivatives of q, q̇ and q̈ by parameter, then everything that is reported, by name and parameter.
+impl Serialize for Sensitivities {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Record::new(self).serialize(serializer)
+    }
+}
+
+#[derive(Serialize)]
+struct Record<'a> {
+    t: f64,
+    mechanism: &'static str,
+    coordinates: Vec<&'static str>,
+    parameters: Vec<&'static str>,
+    dq: By<&'a [f64]>,
+    dq_dot: By<&'a [f64]>,
+    dq_ddot: By<&'a [f64]>,
+    points: Named<By<PointMotion>>,
+    defines: Named<By<Signal>>,
+    joints: Named<Named<By<Signal>>>,
+    conditions: Named<By<Signal>>,
+    #[serde(skip_serializing_if = "Named::is_empty")]
+    efforts: Named<By<EffortRecord>>,
+    #[serde(skip_serializing_if = "Named::is_empty")]
+    reactions: Named<By<ReactionRecord>>,
+    #[serde(skip_serializing_if = "Named::is_empty")]
+    shaking: By<Wrench>,
+}
+
+/// The effort of a driver and the rate of what it drives, differentiated.
+#[derive(Serialize)]
+struct EffortRecord {
+    value: Option<f64>,
+    rate: f64,
+}
+
+#[derive(Serialize)]
+struct ReactionRecord {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    force: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    moment: Option<f64>,
+}
+
+impl<'a> Record<'a> {
+    fn new(sensitivities: &'a Sensitivities) -> Self {
+        let Sensitivities { t, model, by, .. } = sensitivities;
+        let vectors = |of: fn(&Sensitivity) -> &[f64]| by.iter().map(|by| (by.parameter, of(by))).collect();
+        let joints = model.joints.iter().enumerate().filter(|(_, joint)| !joint.quantities.is_empty());
+        let joint = |(place, joint): (usize, &'static crate::model::JointInfo)| {
+            let quantities = joint.quantities.iter().enumerate();
+            let all = quantities.map(|(k, info)| (info.name, each(by, |by| by.joints[place][k])));
+            (joint.name, all.collect())
+        };
+        let forces = by.first().and_then(|by| by.forces.as_ref());
+        let of_forces = || by.iter().filter_map(|by| Some((by.parameter, by.forces.as_ref()?)));
+        let effort = |(k, effort): (usize, &Effort)| {
+            let record = |effort: &Effort| EffortRecord { value: effort.effort, rate: effort.rate };
+            (effort.name, of_forces().map(|(name, forces)| (name, record(&forces.efforts[k]))).collect())
+        };
+        let reaction = |(k, reaction): (usize, &Reaction)| {
+            let record = |reaction: &Reaction| ReactionRecord { force: reaction.force, moment: reaction.moment };
+            (reaction.name, of_forces().map(|(name, forces)| (name, record(&forces.reactions[k]))).collect())
+        };
+        Self {
+            t: *t,
+            mechanism: model.name,
+            coordinates: coordinate_names(model),
+            parameters: by.iter().map(|by| by.parameter).collect(),
+            dq: vectors(|by| &by.q),
+            dq_dot: vectors(|by| &by.q_dot),
+            dq_ddot: vectors(|by| &by.q_ddot),
+            points: model.points.iter().enumerate().map(|(k, p)| (p.name, each(by, |by| by.points[k]))).collect(),
+            defines: model.defines.iter().enumerate().map(|(k, d)| (d.name, each(by, |by| by.defines[k]))).collect(),
+            joints: joints.map(joint).collect(),
+            conditions: {
+                let conditions = model.conditions.iter().enumerate();
+                conditions.map(|(k, info)| (info.name, each(by, |by| by.conditions[k]))).collect()
+            },
+            efforts: forces.iter().flat_map(|forces| forces.efforts.iter().enumerate().map(effort)).collect(),
+            reactions: forces.iter().flat_map(|forces| forces.reactions.iter().enumerate().map(reaction)).collect(),
+            shaking: of_forces().map(|(name, forces)| (name, forces.shaking)).collect(),
+        }
+    }
+}
+
+/// A quantity by every parameter.
+fn each<T>(by: &[Sensitivity], of: impl Fn(&Sensitivity) -> T) -> By<T> {
+    by.iter().map(|by| (by.parameter, of(by))).collect()
+}

@@ -1,0 +1,72 @@
+//! The command `sensitivities`.
+
+use kin_runtime::Kinematics;
+use kin_runtime::cli::run_from;
+use kin_tests::mechanisms::{FourbarLectureMid, loaded};
+use serde_json::Value;
+use std::process::ExitCode;
+
+/// What the command writes with these arguments.
+fn written<M: kin_runtime::Mechanism + Default>(name: &str, args: &[&str]) -> (ExitCode, String) {
+    let file = std::env::temp_dir().join(format!("kin-sensitivities-{}-{name}", std::process::id()));
+    let path = file.to_string_lossy().into_owned();
+    let all = ["mechanism", "sensitivities"].iter().chain(args).copied().chain(["--out", &path]);
+    let status = run_from::<M>(all.map(str::to_owned).collect::<Vec<String>>());
+    let text = std::fs::read_to_string(&file).unwrap_or_default();
+    let _ = std::fs::remove_file(&file);
+    (status, text)
+}
+
+#[test]
+fn json_has_every_quantity_by_every_parameter() {
+    let (status, text) =
+        written::<FourbarLectureMid>("all.json", &["--at", "0.37", "--tolerance", "l1=0.1mm,l2=0.0002"]);
+    assert_eq!(ExitCode::SUCCESS, status);
+    let found: Value = serde_json::from_str(&text).unwrap();
+    let mechanism = FourbarLectureMid::default();
+    let solver = mechanism.solver();
+    let exact = solver.sensitivities(&solver.state(&0.37.into()).unwrap()).unwrap();
+    let near = |found: &Value, exact: f64| {
+        let found = found.as_f64().unwrap();
+        assert!((found - exact).abs() <= 1e-12 * exact.abs().max(1.0), "{found} instead of {exact}");
+    };
+    near(&found["t"], 0.37);
+    assert_eq!("coupler.phi", found["coordinates"][5]);
+    for by in &exact.by {
+        for (key, list) in [("dq", &by.q), ("dq_dot", &by.q_dot), ("dq_ddot", &by.q_ddot)] {
+            list.iter().enumerate().for_each(|(k, exact)| near(&found[key][by.parameter][k], *exact));
+        }
+        let point = &found["points"]["B"][by.parameter];
+        for (key, list) in [("r", by.points[0].r), ("v", by.points[0].v), ("a", by.points[0].a)] {
+            (0..2).for_each(|axis| near(&point[key][axis], list[axis]));
+        }
+        near(&found["joints"]["B"]["angle"][by.parameter]["value"], by.joints[2][0].value);
+    }
+    let deviation = exact.deviation(&[1e-4, 2e-4], |by| by.q[5]);
+    near(&found["tolerances"]["coupler.phi"]["worst"], deviation.worst);
+    near(&found["tolerances"]["coupler.phi"]["root_sum_square"], deviation.root_sum_square);
+}
+
+#[test]
+fn efforts_stand_by_driver_and_parameter() {
+    let (_, text) = written::<loaded::FourbarLectureMid>("forces.json", &["--at", "0.37"]);
+    let found: Value = serde_json::from_str(&text).unwrap();
+    let mechanism = loaded::FourbarLectureMid::default();
+    let solver = mechanism.solver();
+    let exact = solver.sensitivities(&solver.state(&0.37.into()).unwrap()).unwrap();
+    for by in &exact.by {
+        let effort = by.forces.as_ref().unwrap().efforts[0].effort.unwrap();
+        let found = found["efforts"]["drive"][by.parameter]["value"].as_f64().unwrap();
+        assert!((found - effort).abs() <= 1e-12 * effort.abs().max(1.0), "{found} instead of {effort}");
+    }
+}
+
+#[test]
+fn the_report_says_which_dimension_matters_most() {
+    let (_, text) = written::<FourbarLectureMid>("report.txt", &["--at", "0.37"]);
+    assert!(text.contains("Point B: which dimension matters most"), "{text}");
+    let (_, table) = written::<FourbarLectureMid>("table.csv", &["--at", "0.37"]);
+    assert!(table.starts_with("quantity,l1,l2,l3,d1,d2,w\n"), "{table}");
+    let (status, _) = written::<FourbarLectureMid>("wrong.json", &["--tolerance", "l9=0.1"]);
+    assert_ne!(ExitCode::SUCCESS, status);
+}

@@ -1,0 +1,163 @@
+//! Laws of sensitivities, over all test mechanisms: they are derivatives of the motion solved again; what parameters do not
+//! determine is refused.
+
+use kin_runtime::model::Level;
+use kin_runtime::{Instant, Kinematics, Options, SolveError, State};
+use kin_tests::compare::{Differences, largest};
+use kin_tests::every_mechanism;
+use kin_tests::mechanisms::{loaded, signals, *};
+
+/// Of the derivative, or of the quantity over the parameter's size.
+const CLOSE: f64 = 1e-6;
+/// Step of the differences beside the parameter's size.
+const STEP: f64 = 2e-4;
+
+/// Everything that is compared: q, q̇, q̈ and points, each list with the size that it is measured by.
+fn lists(q: [&[f64]; 3], points: &[kin_runtime::PointMotion]) -> Vec<Vec<f64>> {
+    let of = |part: fn(&kin_runtime::PointMotion) -> [f64; 2]| points.iter().flat_map(part).collect::<Vec<f64>>();
+    let mut all: Vec<Vec<f64>> = q.into_iter().map(<[f64]>::to_vec).collect();
+    all.extend([of(|p| p.r), of(|p| p.v), of(|p| p.a)]);
+    all
+}
+
+fn of_state(state: &State) -> Vec<Vec<f64>> {
+    lists([&state.q, &state.q_dot, &state.q_ddot], &state.points)
+}
+
+/// Efforts and forces in joints.
+fn forces_of<M: Kinematics>(mechanism: &M, state: &State) -> Vec<f64> {
+    mechanism.solver().forces(state).map_or(Vec::new(), |forces| force_numbers(&forces))
+}
+
+fn force_numbers(forces: &kin_runtime::Forces) -> Vec<f64> {
+    let efforts = forces.efforts.iter().map(|effort| effort.effort.unwrap_or(0.0));
+    let reactions = forces.reactions.iter().flat_map(|reaction| {
+        let [x, y] = reaction.force.unwrap_or([0.0; 2]);
+        let moments = reaction.moment.into_iter().chain(reaction.couples.iter().map(|(_, couple)| *couple));
+        [x, y].into_iter().chain(moments).chain(reaction.generalized.iter().copied())
+    });
+    let total = [forces.kinetic, forces.gravity, forces.elastic, forces.driver_power, forces.shaking.moment];
+    efforts.chain(reactions).chain(total).collect()
+}
+
+/// Derivatives equal differences of what is solved again with the parameter changed.
+fn are_derivatives<M: Kinematics + Default>(from: f64, to: f64) {
+    let mechanism = M::default();
+    let parameters = mechanism.parameters::<f64>().as_ref().to_vec();
+    let mut differences = Differences::new();
+    for share in [0.31, 0.77] {
+        let inputs = |t: f64, out: &mut [kin_runtime::Signal]| write_signals::<M>(t, out);
+        let t = from + share * (to - from);
+        let trajectory = mechanism.solver().with_inputs(&inputs).sweep(&[from, t]).unwrap();
+        let state = trajectory.states.last().unwrap();
+        let found = match mechanism.solver().sensitivities(state) {
+            Ok(found) => found,
+            Err(error) => return refused::<M>(state, &error),
+        };
+        let whole = Options { use_plan: false, ..Options::default() };
+        let by_rows = mechanism.solver().with_options(whole).sensitivities(state).unwrap();
+        for (index, &value) in parameters.iter().enumerate() {
+            let (by, by_rows) = (&found.by[index], &by_rows.by[index]);
+            let step = STEP * value.abs().max(0.05);
+            let at = |k: f64| {
+                let mut changed = M::default();
+                assert!(changed.set_parameter(index, value + k * step));
+                let inputs = signals::<M>(t);
+                let state = changed.solver().state_from(&Instant { t, inputs: &inputs }, &state.q).unwrap();
+                let mut all = of_state(&state);
+                all.push(forces_of(&changed, &state));
+                all
+            };
+            let samples = [-2.0, -1.0, 1.0, 2.0].map(at);
+            let mut exact = lists([&by.q, &by.q_dot, &by.q_ddot], &by.points);
+            exact.push(by.forces.as_ref().map_or(Vec::new(), force_numbers));
+            let mut second = lists([&by_rows.q, &by_rows.q_dot, &by_rows.q_ddot], &by_rows.points);
+            second.push(by_rows.forces.as_ref().map_or(Vec::new(), force_numbers));
+            differences.at(format_args!("{} at t = {t}, by {}", M::model().name, by.parameter));
+            for (list, (exact, second)) in exact.iter().zip(&second).enumerate() {
+                let [a, b, c, d] = samples.each_ref().map(|sample| &sample[list]);
+                let quotient = |k: usize| (8.0 * (c[k] - b[k]) - (d[k] - a[k])) / (12.0 * step);
+                let quotients: Vec<f64> = (0..a.len()).map(quotient).collect();
+                let size = largest(&quotients).max(largest(a) / value.abs().max(0.05)).max(1e-3);
+                differences.vector("derivative", |k| format!("{list}[{k}]"), &quotients, exact, CLOSE * size);
+                differences.vector("derivative by all rows", |k| format!("{list}[{k}]"), exact, second, 1e-9 * size);
+            }
+        }
+    }
+    if !parameters.is_empty() {
+        differences.finish();
+    }
+}
+
+/// What has no sensitivities says why.
+fn refused<M: Kinematics + Default>(state: &State, error: &SolveError) {
+    match error {
+        SolveError::NotDetermined { open: 0, .. } => {
+            assert!(M::model().rows.iter().any(|row| row.level == Level::Velocity));
+        }
+        SolveError::NotDetermined { open, could_be_given, .. } => {
+            assert_eq!(*open, state.degrees_of_freedom_left);
+            assert!(!could_be_given.is_empty(), "{error}");
+        }
+        // Only equal cranks close.
+        SolveError::NoSensitivity { parameter, row_name: Some(_), .. } => {
+            let index = M::model().parameters.iter().position(|info| info.name == *parameter).unwrap();
+            let mut changed = M::default();
+            let value = changed.parameters::<f64>().as_ref()[index];
+            changed.set_parameter(index, 1.001 * value);
+            assert!(changed.solver().state_from(&state.instant(), &state.q).is_err(), "{error}");
+        }
+        SolveError::NoSensitivity { row_name: None, .. } => assert!(!M::model().functions.is_empty(), "{error}"),
+        other => panic!("{other}"),
+    }
+}
+
+macro_rules! law_tests {
+    (
+        moving { $($moving:ident: $Moving:ident, $from:literal, $to:literal;)* }
+        unassembled { $($other:ident: $Other:ident;)* }
+    ) => {
+        $(#[test]
+        fn $moving() {
+            are_derivatives::<$Moving>($from, $to);
+        })*
+    };
+}
+
+every_mechanism!(law_tests);
+
+macro_rules! of_forces {
+    ($($name:ident: $Mechanism:ident;)*) => {
+        mod forces {
+            use super::*;
+
+            $(#[test]
+            fn $name() {
+                are_derivatives::<loaded::$Mechanism>(0.0, 1.0);
+            })*
+        }
+    };
+}
+
+of_forces! {
+    fourbar_lecture_mid: FourbarLectureMid;
+    fourbar_lecture_angles: FourbarLectureAngles;
+    bogie_on_rail: BogieOnRail;
+    cam_oscillating_follower: CamOscillatingFollower;
+    planetary_basic: PlanetaryBasic;
+    quick_return: QuickReturn;
+    rack_pinion_slider: RackPinionSlider;
+    slider_crank_inline: SliderCrankInline;
+}
+
+#[test]
+fn parameters_that_do_not_exist_are_errors() {
+    let mechanism = FourbarLectureMid::default();
+    let solver = mechanism.solver();
+    let state = solver.state(&0.0.into()).unwrap();
+    assert_eq!(Err(SolveError::UnknownParameter { index: 6, parameters: 6 }), solver.sensitivities_by(&state, &[0, 6]));
+    let some = solver.sensitivities_by(&state, &[2]).unwrap();
+    assert_eq!(vec!["l3"], some.by.iter().map(|by| by.parameter).collect::<Vec<_>>());
+    assert_eq!(some["l3"], solver.sensitivities(&state).unwrap()["l3"]);
+    assert_eq!(Ok(vec![some]), solver.sensitivities_along(std::slice::from_ref(&state), &[2]));
+}
