@@ -12,7 +12,7 @@ use super::values::{self, Moment};
 use super::watch::Watch;
 use crate::error::SolveError;
 use crate::forces::ContactChange;
-use crate::model::{Component, CoordinateKind, Model};
+use crate::model::{Component, CoordinateKind, ForceModel, Model};
 use crate::motion::Motion;
 use crate::observer::Reached;
 use crate::present::condition;
@@ -152,7 +152,8 @@ impl Walk<'_> {
         let first = times.first().copied().unwrap_or(0.0);
         let (start, _) = driven_state(engine, setup, first, self.freedom.least_norm)?;
         let (mut finished, mut last, mut why) = (0, None, None);
-        let (mut contacts, touches) = (ContactWatch::default(), has_contacts(engine.model()));
+        let (mut contacts, touches) =
+            (ContactWatch::default(), engine.model().forces.is_some_and(ForceModel::has_contacts));
         let mut step = |state: &State| {
             // A sweep may also pass through a position where the drivers lose their grip.
             if state.degrees_of_freedom_left > 0 && !self.freedom.least_norm {
@@ -268,11 +269,6 @@ fn note_fallbacks(session: &mut Session<'_>, trajectory: &Trajectory) {
         let steps = count(trajectory.fallbacks.len(), "internal step");
         session.note(&format!("note: full Newton took over from the plan on {steps}, first {first}"));
     }
-}
-
-/// Whether the mechanism has contacts whose forces are known.
-fn has_contacts(model: &Model) -> bool {
-    model.forces.is_some_and(|forces| forces.reactions.iter().any(|reaction| reaction.has_normal))
 }
 
 /// The names of the columns besides t, points and joint quantities included.

@@ -13,6 +13,7 @@ use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Destination, Form, OutputArgs};
 use super::session::Session;
 use super::solved::note_freedom;
+use crate::forces::ContactChange;
 use crate::model::Model;
 use crate::motion::Motion;
 use crate::present::grid::{self, CsvRows};
@@ -65,7 +66,8 @@ pub(super) const HELP: Help = Help {
 csv has one header line and one row per instant: t, then every coordinate, its rate (NAME_dot)
 and acceleration (NAME_ddot). Inputs and given coordinates hold at the first instant and go on
 with their acceleration. Where a unilateral condition meets its limit is said on stderr, and in
-json under `events`; where it changes too fast to be watched, too, and under `unwatched`.
+json under `events`; where it changes too fast to be watched, too, and under `unwatched`. With
+masses, contacts that lift off or press again are told likewise, and in json under `contacts`.
 
 Rows go to csv and json as they come, however many there are. When a sweep fails midway the
 finished rows are written and the status is 1. Ctrl-C ends a sweep in the same way, with status
@@ -172,9 +174,9 @@ fn json(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let model = walk.engine.model();
-    let ended = |write: &mut dyn FnMut(&Trajectory, bool)| {
+    let ended = |write: &mut dyn FnMut(&Trajectory, &[ContactChange], bool)| {
         if let Some(Ok(moved)) = &*moved.borrow() {
-            write(&moved.trajectory, moved.ended.is_none() && moved.limit.is_none());
+            write(&moved.trajectory, &moved.contacts, moved.ended.is_none() && moved.limit.is_none());
         }
     };
     let parameters = Parameters::new(model, &walk.engine.parameters());

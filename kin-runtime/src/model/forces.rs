@@ -76,6 +76,11 @@ impl ForceModel {
     /// The first multiplier.
     pub const MULTIPLIERS: usize = TOTALS;
 
+    /// Whether bodies touch, so that their normal forces may change their sign.
+    pub(crate) fn has_contacts(&self) -> bool {
+        self.reactions.iter().any(|reaction| reaction.has_normal)
+    }
+
     /// A driver by its name.
     pub fn effort(&self, driver: &str) -> Option<&'static EffortInfo> {
         self.efforts.iter().find(|effort| effort.name == driver)

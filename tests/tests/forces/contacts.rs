@@ -149,3 +149,18 @@ fn what_is_pressed_outwards_is_positive() {
     let contact = forces.reaction("contact").unwrap();
     assert_eq!(contact.force.unwrap()[1] > 0.0, contact.normal.unwrap() > 0.0, "{forces}");
 }
+
+/// `sweep` tells where the follower lifts off, and has it for another program.
+#[test]
+fn a_sweep_tells_where_contacts_lift_off() {
+    let file = format!("{}/lift-off.json", env!("CARGO_TARGET_TMPDIR"));
+    let args = ["eccentric", "sweep", "--steps", "24", "--format", "json", "--out", &file];
+    assert_eq!(std::process::ExitCode::SUCCESS, kin_runtime::cli::run_from::<Eccentric>(args));
+    let json: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
+    let contacts = json["contacts"].as_array().unwrap();
+    assert_eq!(2, contacts.len(), "{contacts:?}");
+    let first = (9.81_f64 / 16.0).asin() / 40.0;
+    assert_eq!("contact", contacts[0]["name"]);
+    assert!((contacts[0]["t"].as_f64().unwrap() - first).abs() < 1e-10);
+    assert_eq!([true, false], [0, 1].map(|k: usize| contacts[k]["lifts_off"].as_bool().unwrap()));
+}
