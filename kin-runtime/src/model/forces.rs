@@ -77,7 +77,7 @@ impl ForceModel {
     pub const MULTIPLIERS: usize = TOTALS;
 
     /// Whether bodies touch, so that their normal forces may change their sign.
-    pub(crate) fn has_contacts(&self) -> bool {
+    pub fn has_contacts(&self) -> bool {
         self.reactions.iter().any(|reaction| reaction.has_normal)
     }
 
