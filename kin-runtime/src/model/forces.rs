@@ -4,7 +4,7 @@ use super::{Frame, OperationCount};
 
 /// Numbers before the multipliers: shaking (3), inertia (3), energies (3), powers (3), the rate of all energy.
 #[cfg(feature = "std")]
-pub(crate) const TOTALS: usize = 13;
+pub(crate) const TOTALS: usize = ForceModel::MULTIPLIERS;
 
 /// The forces of a mechanism with masses or loads: what [`Mechanism::forces_with`](crate::Mechanism::forces_with) writes.
 ///
@@ -74,7 +74,7 @@ impl ForceModel {
     /// The rate of all energy.
     pub const ENERGY_RATE: usize = 12;
     /// The first multiplier.
-    pub const MULTIPLIERS: usize = TOTALS;
+    pub const MULTIPLIERS: usize = 13;
 
     /// Whether bodies touch, so that their normal forces may change their sign.
     pub fn has_contacts(&self) -> bool {
