@@ -8,6 +8,7 @@
 use kin_benches::loaded::LoadedFourBar;
 use kin_benches::paired::{Contender, compare};
 use kin_benches::placed::Placed;
+use kin_runtime::batch::{self, Column, ForceSolutions, Modes, Problems, Solutions};
 use kin_runtime::nalgebra::{SMatrix, SVector};
 use kin_runtime::plan::{Depth, Solved};
 use kin_runtime::{Instant, Kinematics, Mechanism, Subset, Workspace};
@@ -91,6 +92,47 @@ impl Motion {
     }
 }
 
+/// Configurations of a batch: so many that their results stay in the cache of the second level.
+const BATCH: usize = STEPS;
+
+/// A batch over a turn, solved.
+struct Batch {
+    times: Vec<f64>,
+    start: Vec<f64>,
+    modes: [f64; 1],
+    parameters: [f64; 7],
+    solutions: Solutions<LoadedFourBar>,
+    forces: ForceSolutions<LoadedFourBar>,
+}
+
+impl Batch {
+    fn new(four_bar: &LoadedFourBar) -> Self {
+        let turn = std::f64::consts::TAU / four_bar.omega;
+        let motion = Motion::new(four_bar);
+        Self {
+            times: (0..BATCH).map(|k| turn * k as f64 / BATCH as f64).collect(),
+            start: motion.q.to_vec(),
+            modes: motion.modes,
+            parameters: motion.parameters,
+            solutions: Solutions::new(BATCH),
+            forces: ForceSolutions::new(BATCH),
+        }
+    }
+
+    fn solve(&mut self, four_bar: &LoadedFourBar, and_forces: bool) {
+        let Self { times, start, modes, parameters, solutions, forces } = self;
+        let start: Vec<Column<'_>> = start.iter().map(|x| Column::Shared(*x)).collect();
+        let (parameters, modes) = (parameters.map(Column::Shared), modes.map(Column::Shared));
+        let t = Column::Each(black_box(times));
+        let problems = Problems { parameters: &parameters, t, inputs: &[], modes: Modes::Signs(&modes), start: &start };
+        batch::solve(four_bar, Depth::Acceleration, &problems, solutions, &batch::always).expect("nine columns");
+        if and_forces {
+            batch::forces(four_bar, &problems, solutions, forces, &batch::always).expect("it has masses");
+        }
+        black_box((solutions, forces));
+    }
+}
+
 fn main() {
     let four_bar = &LoadedFourBar::default();
     let dt = std::f64::consts::TAU / STEPS as f64 / four_bar.omega;
@@ -106,6 +148,7 @@ fn main() {
             }
         }
     };
+    let [mut alone, mut with_forces] = [(); 2].map(|()| Batch::new(four_bar));
     let mut contenders = [
         Contender {
             name: "q, q̇, q̈ by the plan",
@@ -128,4 +171,9 @@ fn main() {
         },
     ];
     compare("Forces of the four-bar", STEPS, &mut contenders);
+    let mut contenders = [
+        Contender { name: "batch::solve", work: Box::new(move || alone.solve(four_bar, false)) },
+        Contender { name: "and batch::forces", work: Box::new(move || with_forces.solve(four_bar, true)) },
+    ];
+    compare("Forces of the four-bar in batches", BATCH, &mut contenders);
 }

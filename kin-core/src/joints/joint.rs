@@ -1,5 +1,6 @@
 //! The interface of a kind of joint: operands, rows of Φ, and optionally rules and vector equations.
 
+use super::contact::Contact;
 use crate::constraint::{Assembly, Rows};
 use crate::error::ModelError;
 use crate::mechanism::{Joint, Mechanism, Operands, StatementForm, TypedOperands};
@@ -29,6 +30,11 @@ pub(super) trait JointType: TypedOperands {
     /// The rules of this kind beyond those of its slots.
     fn check(&self, _joint: &Joint, _mechanism: &Mechanism, _errors: &mut Vec<ModelError>) {}
 
+    /// How its bodies touch; none where a joint holds them together.
+    fn contact(&self, _a: &mut Assembly<'_>) -> Option<Contact> {
+        None
+    }
+
     /// The equations of the rows in vectors, as in a textbook; empty if the rows are the user's own formulas.
     fn vector_equations(_joint: &NamedJoint<'_>) -> Vec<Equation> {
         Vec::new()
@@ -40,6 +46,7 @@ pub(super) struct Kind {
     pub(super) form: &'static StatementForm,
     pub(super) reaction: Reaction,
     pub(super) rows: fn(&mut Assembly<'_>, &Operands) -> Rows,
+    pub(super) contact: fn(&mut Assembly<'_>, &Operands) -> Option<Contact>,
     pub(super) check: fn(&Joint, &Mechanism, &mut Vec<ModelError>),
     pub(super) vector_equations: fn(&NamedJoint<'_>) -> Vec<Equation>,
 }
@@ -50,6 +57,7 @@ impl Kind {
             form: J::FORM,
             reaction: J::REACTION,
             rows: |a, operands| J::of(operands).map_or_else(Rows::default, |joint| joint.rows(a)),
+            contact: |a, operands| J::of(operands)?.contact(a),
             check: |joint, mechanism, errors| {
                 if let Some(typed) = J::of(&joint.operands) {
                     typed.check(joint, mechanism, errors);

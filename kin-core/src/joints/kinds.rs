@@ -1,5 +1,6 @@
 //! The table of all kinds of joints.
 
+use super::contact::Contact;
 use super::joint::{Kind, Reaction};
 use super::{
     Angle, Belt, Constraint, Distance, Driver, Fixed, FlatFollower, Gear, KnifeEdge, Nonholonomic, OnCurve,
@@ -58,6 +59,11 @@ pub(crate) fn rows_of(a: &mut Assembly<'_>, operands: &Operands) -> Rows {
 /// What the reaction of a joint acts as.
 pub(crate) fn reaction_of(operands: &Operands) -> Reaction {
     kind_of(operands).map_or(Reaction::Generalized, |kind| kind.reaction)
+}
+
+/// How the bodies of a joint touch; none where it holds them together.
+pub(crate) fn contact_of(a: &mut Assembly<'_>, operands: &Operands) -> Option<Contact> {
+    (kind_of(operands)?.contact)(a, operands)
 }
 
 /// Checks the rules that belong to the joint's kind.

@@ -11,6 +11,7 @@
 //! The line of centres acts as a carrier with the angle ψ: the third row is that of a [`gear`](super::gear). Singular
 //! for R_i + R_j = 0, where the centres coincide and ψ is arbitrary. After Nikravesh (1988), section 4.2.
 
+use super::contact::{Contact, Normal, side};
 use super::joint::{JointType, joint};
 use super::rolling_on_line::WAYS;
 use crate::constraint::{Assembly, RowMeaning, Rows};
@@ -70,6 +71,12 @@ impl JointType for RollingOnDisc {
             ("roll", RowMeaning::Other, a.graph.sub(rolled, offset)),
         ];
         rows
+    }
+
+    /// From the point of contact to the centre of the second disc.
+    fn contact(&self, a: &mut Assembly<'_>) -> Option<Contact> {
+        let (psi, radius) = (a.formula(&Formula::Scalar(self.along)), a.formula(&self.radii.j.value));
+        Some(Contact { normal: Normal::Direction(psi), side: side(&mut a.graph, radius), sticks: true })
     }
 
     /// Rule: literal radii do not put both discs on one centre. Radii that become so for a member of a family or by

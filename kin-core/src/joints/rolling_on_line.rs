@@ -10,6 +10,7 @@
 //! contact with the line has the velocity of the line there. Never singular as long as R is not 0. Reports the stroke
 //! u·d of the centre. After Nikravesh (1988), section 4.2.
 
+use super::contact::{Contact, Normal, side};
 use super::joint::{JointType, joint};
 use super::translational::{across, along};
 use crate::constraint::{Assembly, RowMeaning, Rows};
@@ -58,6 +59,12 @@ impl JointType for RollingOnLine {
         ];
         rows.quantities = vec![("stroke", stroke)];
         rows
+    }
+
+    /// The line presses the disc to the side on which it lies.
+    fn contact(&self, a: &mut Assembly<'_>) -> Option<Contact> {
+        let radius = a.formula(&self.radius.value);
+        Some(Contact { normal: Normal::UnitGradient, side: side(&mut a.graph, radius), sticks: true })
     }
 
     fn vector_equations(joint: &NamedJoint<'_>) -> Vec<Equation> {

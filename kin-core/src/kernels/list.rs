@@ -36,14 +36,20 @@ pub struct List {
     pub length: usize,
     /// The program of the list.
     pub kernel: Kernel,
+    /// Where that solves for the multipliers λ itself: the program for λ that is given.
+    pub of_multipliers: Option<Kernel>,
 }
 
 impl List {
     /// The list that a program writes.
     pub(super) fn of(method: &'static str, name: &'static str, given: Given, program: &Program) -> Self {
         let length = program.outputs.len();
-        Self { method, name, given, length, kernel: Kernel::new("write", program, &[(Slot::Entry(0), length)]) }
+        Self { method, name, given, length, kernel: written(program), of_multipliers: None }
     }
+}
+
+fn written(program: &Program) -> Kernel {
+    Kernel::new("write", program, &[(Slot::Entry(0), program.outputs.len())])
 }
 
 /// The program that writes a sequence of expressions.
@@ -68,12 +74,9 @@ pub(super) fn lists(set: &ConstraintSet, arguments: &[ExprId]) -> Vec<List> {
     lists.into_iter().filter(|(.., values)| !values.is_empty()).map(list).collect()
 }
 
-/// The lists of forces: the generalized forces r, unless the results contain the solution for λ; and the results.
-pub(super) fn of_forces(forces: &Forces) -> Vec<List> {
-    let mut lists = Vec::new();
-    if !forces.solved {
-        lists.push(List::of("generalized_forces_with", "generalized", Given::Acceleration, &forces.generalized));
-    }
-    lists.push(List::of("forces_with", "forces", Given::Multipliers, &forces.results));
-    lists
+/// The lists of forces: r, from which λ is solved numerically, and the results, along the plan and given λ.
+pub(super) fn of_forces(forces: &Forces) -> [List; 2] {
+    let mut results = List::of("forces_with", "forces", Given::Multipliers, &forces.results);
+    results.of_multipliers = forces.of_multipliers.as_ref().map(written);
+    [List::of("generalized_forces_with", "generalized", Given::Acceleration, &forces.generalized), results]
 }

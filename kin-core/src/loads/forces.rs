@@ -34,14 +34,15 @@ pub struct SpringForce {
 /// and springs.
 #[derive(Clone, Debug)]
 pub struct Forces {
-    /// r = Q − M q̈, one number for every coordinate; needed where λ is solved from outside.
+    /// r = Q − M q̈, one number for every coordinate, from which λ is solved numerically.
     pub generalized: Program,
-    /// All results.
+    /// All results; they hold the solution for λ along the plan where there is one, and read it as right-hand sides
+    /// otherwise.
     pub results: Program,
+    /// All results with λ as right-hand sides, where `results` hold its solution.
+    pub of_multipliers: Option<Program>,
     /// Their number.
     pub count: usize,
-    /// True where the results hold the solution for λ; otherwise they read it as right-hand sides.
-    pub solved: bool,
     /// Efforts.
     pub efforts: Vec<Effort>,
     /// Reactions.
@@ -72,30 +73,12 @@ pub fn forces(mechanism: &Mechanism, system: &KinematicSystem, linear: Option<Li
     let along_plan = solution.filter(|x| x.len() == rows);
     let solved = along_plan.and_then(|x| transpose(&mut bodies.a.graph, &x, &equilibrium.posed, rows));
     let is_solved = solved.is_some();
-    let given = |graph: &mut Graph| (0..rows).map(|row| graph.symbol(Symbol::Right(row as u32))).collect();
-    let lambda: Vec<ExprId> = solved.unwrap_or_else(|| given(&mut bodies.a.graph));
-    let of_holds = equilibrium.multipliers_of_holds(&mut bodies, &lambda);
-    let multipliers = lambda.iter().copied().chain(of_holds).collect();
+    let given: Vec<ExprId> = (0..rows).map(|row| bodies.a.graph.symbol(Symbol::Right(row as u32))).collect();
     let probe = Probe::new(set.coordinates.len());
-    let mut writer = Writer { bodies: &mut bodies, system, equilibrium: &equilibrium, multipliers, probe };
-    let (mut efforts, mut reactions) = (writer.efforts(), writer.reactions());
-    let mut results = totals(&mut bodies.a.graph, &acting, &efforts).to_vec();
-    results.extend(&lambda);
-    for effort in &mut efforts {
-        effort.place = results.len();
-        results.extend(effort.numbers);
-    }
-    for reaction in &mut reactions {
-        reaction.place = results.len();
-        results.extend(reaction.force.iter().flatten().flatten());
-        results.extend(reaction.moment);
-        results.extend(reaction.couples.iter().map(|(_, couple)| *couple));
-        results.extend(&reaction.generalized);
-    }
-    for spring in &mut springs {
-        spring.place = results.len();
-        results.extend(spring.numbers);
-    }
+    let mut writer = Writer { bodies: &mut bodies, system, equilibrium: &equilibrium, multipliers: Vec::new(), probe };
+    let lambda = solved.unwrap_or_else(|| given.clone());
+    let of_multipliers = is_solved.then(|| writer.results(&given, &acting, &mut springs.clone()).list);
+    let Results { list: results, efforts, reactions } = writer.results(&lambda, &acting, &mut springs);
     let graph = &bodies.a.graph;
     let program = |list: &[ExprId]| {
         lower(graph, &list.iter().enumerate().map(|(k, id)| (Slot::Entry(k), *id)).collect::<Vec<_>>())
@@ -103,12 +86,47 @@ pub fn forces(mechanism: &Mechanism, system: &KinematicSystem, linear: Option<Li
     Some(Forces {
         generalized: program(&equilibrium.posed),
         results: program(&results),
+        of_multipliers: of_multipliers.map(|list| program(&list)),
         count: results.len(),
-        solved: is_solved,
         efforts,
         reactions,
         springs,
     })
+}
+
+/// All results, and what efforts and reactions they hold.
+struct Results {
+    list: Vec<ExprId>,
+    efforts: Vec<Effort>,
+    reactions: Vec<ReactionForce>,
+}
+
+impl Writer<'_, '_> {
+    /// The results for multipliers λ; springs learn their places.
+    fn results(&mut self, lambda: &[ExprId], acting: &[Acting], springs: &mut [SpringForce]) -> Results {
+        let of_holds = self.equilibrium.multipliers_of_holds(self.bodies, lambda);
+        self.multipliers = lambda.iter().copied().chain(of_holds).collect();
+        let (mut efforts, mut reactions) = (self.efforts(), self.reactions());
+        let mut list = totals(&mut self.bodies.a.graph, acting, &efforts).to_vec();
+        list.extend(lambda);
+        for effort in &mut efforts {
+            effort.place = list.len();
+            list.extend(effort.numbers);
+        }
+        for reaction in &mut reactions {
+            reaction.place = list.len();
+            list.extend(reaction.force.iter().flatten().flatten());
+            list.extend(reaction.moment);
+            list.extend(reaction.couples.iter().map(|(_, couple)| *couple));
+            list.extend(&reaction.generalized);
+            list.extend(reaction.normal.iter().chain(&reaction.tangential));
+        }
+        for spring in springs {
+            spring.place = list.len();
+            list.extend(spring.numbers);
+        }
+        Results { list, efforts, reactions }
+    }
 }
 
 /// What all masses and loads do, the field of gravity first, and the springs among them.

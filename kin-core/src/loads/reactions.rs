@@ -7,9 +7,9 @@ use super::equilibrium::{Equilibrium, FreeRow, Hold};
 use super::free_bodies::FreeBodies;
 use super::load::Wrench;
 use crate::constraint::{ConstraintSet, Frame, JointInstance, RowMeaning};
-use crate::expr::ExprId;
-use crate::joints::{Reaction, reaction_of};
-use crate::mechanism::Component;
+use crate::expr::{ExprId, Graph};
+use crate::joints::{Contact, Normal, Reaction, contact_of, reaction_of};
+use crate::mechanism::{Component, Function};
 use crate::plan::Probe;
 use crate::system::KinematicSystem;
 use crate::vocabulary::Role;
@@ -44,6 +44,10 @@ pub struct ReactionForce {
     pub couples: Vec<(Frame, ExprId)>,
     /// What is conjugate to the user's own rows: −λ.
     pub generalized: Vec<ExprId>,
+    /// Where bodies touch: the normal part of the force, positive where they press on one another.
+    pub normal: Option<ExprId>,
+    /// Where they roll on one another without slipping: the part along the line, or along growing ψ.
+    pub tangential: Option<ExprId>,
 }
 
 /// Writes what is exerted.
@@ -200,6 +204,7 @@ impl Writer<'_, '_> {
                     Some(point) => {
                         reaction.force = Some([point, [wrench[0], wrench[1]]]);
                         reaction.moment = Some(self.about(frame, point, wrench));
+                        self.touch(joint, frame, [wrench[0], wrench[1]], &mut reaction);
                         if kind == Reaction::OnSecondAndCouples {
                             reaction.couples = self.couples(&reaction.rows, Some(frame), Some(point));
                         }
@@ -209,6 +214,46 @@ impl Writer<'_, '_> {
             }
         }
         Some(reaction)
+    }
+
+    /// The parts of a contact's force on a body across and along what it touches.
+    fn touch(&mut self, joint: &JointInstance, frame: Frame, force: [ExprId; 2], reaction: &mut ReactionForce) {
+        self.bodies.a.index = joint.family.1;
+        let mechanism = self.bodies.a.mechanism;
+        let Some(family) = mechanism.joints.get(joint.family.0) else { return };
+        let Some(Contact { normal, side, sticks }) = contact_of(&mut self.bodies.a, &family.operands) else { return };
+        let gradient =
+            |row: &FreeRow, graph: &mut Graph, place: u32| row.gradient.get(&place).copied().unwrap_or(graph.zero());
+        let [x, y, _] = self.bodies.places(frame);
+        let first = self.row(joint.first_row).clone();
+        let second = self.row(joint.first_row + joint.rows.min(2) - 1).clone();
+        let graph = &mut self.bodies.a.graph;
+        let left = match normal {
+            Normal::Gradient | Normal::UnitGradient => [gradient(&first, graph, x), gradient(&first, graph, y)],
+            Normal::LeftOf(along) => {
+                // The rows hold −c(u): their derivative is minus the tangent.
+                let minus_tangent = [gradient(&first, graph, along), gradient(&second, graph, along)];
+                [minus_tangent[1], graph.neg(minus_tangent[0])]
+            }
+            Normal::Direction(angle) => {
+                let unit = [graph.number(1.0), graph.zero()];
+                graph.rotate(angle, unit)
+            }
+        };
+        let mut across = graph.plain_dot(left, force);
+        if matches!(normal, Normal::Gradient | Normal::LeftOf(_)) {
+            let square = graph.plain_dot(left, left);
+            let length = graph.call(Function::Sqrt, square);
+            across = graph.div(across, length);
+        }
+        reaction.normal = Some(graph.mul(side, across));
+        if sticks {
+            // The last row holds arcs, R φ of the second body: its multiplier is the force that turns the body at the arm R,
+            // on a line along the axis, on a disc against growing ψ. Whoever drives ψ pushes besides, and not in the contact.
+            let turning = self.multipliers[joint.first_row + joint.rows - 1];
+            reaction.tangential =
+                Some(if matches!(normal, Normal::Direction(_)) { turning } else { graph.neg(turning) });
+        }
     }
 
     /// Where the joint's point of a body is.

@@ -19,6 +19,8 @@ mod check;
 mod checker;
 #[cfg(feature = "compiler")]
 mod derived;
+#[cfg(feature = "compiler")]
+mod forces;
 mod parse;
 #[cfg(feature = "compiler")]
 mod quantity;
@@ -29,5 +31,7 @@ mod unit;
 pub use check::check;
 #[cfg(feature = "compiler")]
 pub use derived::{Units, are_written, derive};
+#[cfg(feature = "compiler")]
+pub use forces::{ForceUnits, force_units};
 pub use parse::{UnknownUnit, parse};
 pub use unit::Unit;

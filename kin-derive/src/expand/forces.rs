@@ -4,13 +4,16 @@ use super::entries::{frame, optional};
 use super::tables::operations;
 use kin_core::Kernels;
 use kin_core::loads::Forces;
+use kin_core::mechanism::Mechanism;
+use kin_core::units::{ForceUnits, force_units};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 /// The static table as an item beside the trait's implementation.
-pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, rows: usize) -> TokenStream {
+pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, mechanism: &Mechanism, rows: usize) -> TokenStream {
     let (Some(forces), Some(count)) = (forces, kernels.force_operations) else { return TokenStream::new() };
-    let Forces { count: numbers, solved, efforts, reactions, springs, .. } = forces;
+    let Forces { count: numbers, of_multipliers, efforts, reactions, springs, .. } = forces;
+    let solved = of_multipliers.is_some();
     let operations = operations(count);
     let efforts = efforts.iter().map(|effort| {
         let (name, place) = (&effort.name, effort.place);
@@ -21,10 +24,12 @@ pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, rows: usize) ->
         let (has_force, has_moment) = (reaction.force.is_some(), reaction.moment.is_some());
         let couples = reaction.couples.iter().map(|(body, _)| frame(*body));
         let generalized = reaction.generalized.len();
+        let (has_normal, has_tangential) = (reaction.normal.is_some(), reaction.tangential.is_some());
         quote! {
             __kin::ReactionInfo {
                 name: #name, on: #on, place: #place, has_force: #has_force, has_moment: #has_moment,
                 couples: &[#(#couples),*], generalized: #generalized,
+                has_normal: #has_normal, has_tangential: #has_tangential,
             }
         }
     });
@@ -32,6 +37,8 @@ pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, rows: usize) ->
         let (name, turns, place) = (&spring.name, spring.turns, spring.place);
         quote! { __kin::SpringInfo { name: #name, turns: #turns, place: #place } }
     });
+    let ForceUnits { force, moment, energy, power } = force_units(mechanism);
+    let [force, moment, energy, power] = [force, moment, energy, power].map(optional);
     // With a plan this type has already been defined.
     let multipliers = kernels.solution.is_none().then(|| quote! { type __Rows<__T> = [__T; #rows]; });
     quote! {
@@ -43,6 +50,7 @@ pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, rows: usize) ->
             efforts: &[#(#efforts),*],
             reactions: &[#(#reactions),*],
             springs: &[#(#springs),*],
+            units: __kin::ForceUnits { force: #force, moment: #moment, energy: #energy, power: #power },
         };
     }
 }

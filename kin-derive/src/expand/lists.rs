@@ -15,6 +15,20 @@ pub(super) fn lists(lowered: &Lowered, kernels: &Kernels) -> TokenStream {
 fn list(lowered: &Lowered, list: &List) -> TokenStream {
     let printed = kernel(lowered, &list.kernel);
     let (item, call, length, name) = (printed.item, printed.call, list.length, list.name);
+    let (item, call) = match list.of_multipliers.as_ref().map(|of| kernel(lowered, of)) {
+        None => (item, call),
+        Some(given) => {
+            let (of_given, call_given) = (given.item, given.call);
+            let either = quote! {
+                if right.is_empty() { #item #call } else {
+                    let right: &__Rows<__T> = __kin::fixed("multipliers", right)?;
+                    #of_given
+                    #call_given
+                }
+            };
+            (TokenStream::new(), either)
+        }
+    };
     let [method, argument] = [list.method, name].map(|name| Ident::new(name, Span::call_site()));
     let known = [
         (

@@ -30,7 +30,7 @@ pub(crate) fn velocity(
 pub(crate) fn solve(equations: &Equations<'_>, factor: &Factorization) -> Result<DVector<f64>, SolveError> {
     let right = -scaled(equations, &equations.phi_t);
     let solution = factor.solve(&right);
-    if let Some((row, residual)) = inconsistency(equations, &solution, &right) {
+    if let Some((row, residual)) = inconsistency(equations, &solution, &right, 0.0) {
         let (row_name, joint) = (equations.row_name(row), equations.joint_name(row));
         return Err(SolveError::InconsistentVelocity { t: equations.t, residual, row_name, joint, rank: factor.rank });
     }
@@ -68,10 +68,16 @@ pub(crate) fn scaled(equations: &Equations<'_>, right: &DVector<f64>) -> DVector
     DVector::from_iterator(right.len(), right.iter().zip(&equations.scale.rows).map(|(r, s)| r * s))
 }
 
-/// The row whose equation Φ_q x = b the solution misses most, when that is more than rounding.
-pub(crate) fn inconsistency(equations: &Equations<'_>, x: &DVector<f64>, right: &DVector<f64>) -> Option<(usize, f64)> {
+/// The row whose equation Φ_q x = b the solution misses most, when that is more than rounding; b is a sum of parts that are
+/// `parts` large, on the common scale.
+pub(crate) fn inconsistency(
+    equations: &Equations<'_>,
+    x: &DVector<f64>,
+    right: &DVector<f64>,
+    parts: f64,
+) -> Option<(usize, f64)> {
     let left = scaled(equations, &equations.times(x.as_slice()));
-    let size = right.amax().max(equations.scale.size(x.as_slice()));
+    let size = right.amax().max(equations.scale.size(x.as_slice())).max(parts);
     let (row, worst) = (left - right)
         .iter()
         .enumerate()

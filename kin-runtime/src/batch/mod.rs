@@ -49,12 +49,13 @@
 //! # Ok::<(), kin_runtime::batch::BatchError>(())
 //! ```
 //!
-//! [`solve`] gives q, q̇ and q̈ by the plan ([`crate::plan`]), and [`sweep`] the whole motion of many sets of parameters over one
+//! [`solve`] gives q, q̇ and q̈ by the plan ([`crate::plan`]), [`forces()`] what drivers supply and joints carry then, and [`sweep`] the whole motion of many sets of parameters over one
 //! time grid, handed to a closure as it goes, so that millions of motions take no memory for their states.
 
 mod column;
 mod end;
 mod evaluation;
+mod forces;
 mod modes;
 mod motion;
 mod poses;
@@ -68,6 +69,7 @@ mod text;
 pub use column::{Column, Configurations};
 pub use end::End;
 pub use evaluation::{Evaluations, evaluate};
+pub use forces::{ForceSolutions, forces};
 pub use modes::Modes;
 pub use run::{Progress, always};
 pub use solution::{Problems, Solutions, solve};
@@ -82,6 +84,8 @@ pub enum BatchError {
     Length(LengthError),
     /// The mechanism has no plan, and why: only evaluation is there.
     NoPlan(&'static str),
+    /// There are no forces in closed form, and why.
+    NoForces(&'static str),
     /// It was told to stop; results are incomplete.
     Stopped(Progress),
 }
@@ -91,6 +95,7 @@ impl core::fmt::Display for BatchError {
         match self {
             Self::Length(error) => error.fmt(f),
             Self::NoPlan(why) => write!(f, "no plan because {why}"),
+            Self::NoForces(why) => write!(f, "no forces because {why}"),
             Self::Stopped(progress) => write!(f, "stopped after {progress}"),
         }
     }

@@ -6,7 +6,7 @@ use super::modes::Modes;
 use super::motion::least_length;
 use super::poses::{Poses, Question};
 use super::run::{CHUNK, Progress, Shape, drive};
-use crate::mechanism::Mechanism;
+use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::Depth;
 use crate::planned::lists::{self, Margins};
 use crate::scalar::Scalar;
@@ -29,6 +29,28 @@ pub struct Problems<'a> {
     pub modes: Modes<'a>,
     /// n columns: angles come out within half a turn of these, and iterations start here.
     pub start: &'a [Column<'a>],
+}
+
+impl Problems<'_> {
+    /// Whether everything has as many numbers as it must.
+    pub(super) fn check<M: Mechanism>(&self, count: usize) -> Result<(), BatchError> {
+        let &Self { parameters, t, inputs, modes, start } = self;
+        check_list("parameters", M::PARAMETERS, parameters, count)?;
+        check_list("start", M::COORDINATES, start, count)?;
+        t.check("the column of t", count)?;
+        check_signals::<M>(inputs, count)?;
+        modes.check::<M>(count)?;
+        Ok(())
+    }
+}
+
+/// A block of solutions.
+pub(super) struct SolvedBlock<'s> {
+    pub(super) q: &'s [Octet],
+    pub(super) q_dot: &'s [Octet],
+    pub(super) q_ddot: &'s [Octet],
+    /// 1 in the lanes that are solved, 0 in the others.
+    pub(super) good: &'s Octet,
 }
 
 /// The results of a batch of solutions.
@@ -58,6 +80,20 @@ impl<M: Mechanism> Solutions<M> {
     /// How many configurations there are.
     pub fn count(&self) -> usize {
         self.count
+    }
+
+    /// Whether there are so many.
+    pub(super) fn check(&self, count: usize) -> Result<(), LengthError> {
+        let what = "the list of solutions";
+        if self.count == count { Ok(()) } else { Err(LengthError { what, expected: count, found: self.count }) }
+    }
+
+    /// Block number `place`.
+    pub(super) fn block(&self, place: usize) -> SolvedBlock<'_> {
+        let n = M::COORDINATES;
+        let block = &self.blocks[place * Self::STRIDE..][..Self::STRIDE];
+        let (q, q_dot, q_ddot) = (&block[..n], &block[n..2 * n], &block[2 * n..3 * n]);
+        SolvedBlock { q, q_dot, q_ddot, good: &block[Self::GOOD] }
     }
 
     /// Whether each configuration is solved.
@@ -201,11 +237,7 @@ pub fn solve<M: Mechanism + Sync>(
         return Err(BatchError::NoPlan(why));
     }
     let &Problems { parameters, t, inputs, modes, start } = problems;
-    check_list("parameters", M::PARAMETERS, parameters, out.count)?;
-    check_list("start", M::COORDINATES, start, out.count)?;
-    t.check("the column of t", out.count)?;
-    check_signals::<M>(inputs, out.count)?;
-    modes.check::<M>(out.count)?;
+    problems.check::<M>(out.count)?;
     let configurations = Configurations { parameters, t, inputs, q: start, q_dot: modes.columns() };
     let work = Solve { mechanism, depth, modes };
     let shape = Shape { count: out.count, width: Octet::COUNT, stride: Solutions::<M>::STRIDE, chunk: CHUNK };

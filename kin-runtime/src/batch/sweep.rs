@@ -3,6 +3,7 @@
 use super::BatchError;
 use super::column::{Arguments, Column, Configurations, check_list, check_signals};
 use super::end::{End, Outcome};
+use super::forces::table;
 use super::modes::Modes;
 use super::motion::Motion;
 use super::run::{Progress, Shape, blocks, drive};
@@ -52,6 +53,7 @@ pub struct Moment<'s> {
     pub q_ddot: &'s [Lanes],
     /// The smallest margin.
     pub margin: Lanes,
+    inputs: &'s [Signal<Lanes>],
     ends: &'s [Option<End>; Lanes::COUNT],
     all: bool,
 }
@@ -61,6 +63,20 @@ impl Moment<'_> {
     #[inline]
     pub fn moves(&self, lane: usize) -> bool {
         self.ends[lane].is_none()
+    }
+
+    /// Forces of the block: the numbers of [`ForceModel`](crate::model::ForceModel), from which a score may take efforts
+    /// ([`ForceModel::effort`](crate::model::ForceModel::effort)), reactions, powers.
+    ///
+    /// # Errors
+    /// [`NoForces`](BatchError::NoForces) as in [`forces`](super::forces), and where `forces` has another length than
+    /// [`ForceModel::count`](crate::model::ForceModel::count).
+    #[inline]
+    pub fn forces<M: Mechanism>(&self, mechanism: &M, forces: &mut [Lanes]) -> Result<(), BatchError> {
+        table::<M>()?;
+        let at = Instant { t: Lanes::from(self.t), inputs: self.inputs };
+        mechanism.forces_with(self.parameters, &at, self.q, self.q_dot, self.q_ddot, &[], forces)?;
+        Ok(())
     }
 
     /// `new` in the lanes that move, `old` in the others.
@@ -126,6 +142,7 @@ struct Sweep<'a, M, V, S> {
 struct Scratch<'a, M: Mechanism> {
     arguments: Arguments<'a, M, Octet>,
     inputs: Vec<Signal<Octet>>,
+    shown_inputs: Vec<Signal<Lanes>>,
     /// Elsewhere than on the stack, which a large mechanism's own code needs.
     motion: Box<Motion<M>>,
     shown: Box<Shown<M>>,
@@ -149,6 +166,7 @@ where
         Scratch {
             arguments: Arguments::new(self.configurations),
             inputs: alloc::vec![Signal::constant(Octet::default()); M::INPUTS],
+            shown_inputs: alloc::vec![Signal::constant(Lanes::default()); M::INPUTS],
             motion: Box::new(Motion::nothing()),
             shown: Box::new(Shown {
                 parameters: Array::generate(four),
@@ -160,7 +178,7 @@ where
     }
 
     fn block(&self, first: usize, scratch: &mut Scratch<'a, M>, out: &mut [Outcome<S>]) {
-        let Scratch { arguments, inputs, motion, shown } = scratch;
+        let Scratch { arguments, inputs, shown_inputs, motion, shown } = scratch;
         out.iter_mut().for_each(|(_, ends)| *ends = [None; Lanes::COUNT]);
         let block = arguments.block(first);
         motion.parameters.as_mut().copy_from_slice(block.parameters);
@@ -168,6 +186,9 @@ where
         for (instant, &t) in self.sweeps.times.iter().enumerate() {
             for (input, column) in inputs.iter_mut().zip(self.sweeps.inputs) {
                 *input = column.map(|numbers| Octet::from_f64(numbers.at(instant)));
+            }
+            for (shown, input) in shown_inputs.iter_mut().zip(inputs.iter()) {
+                *shown = input.map(|numbers| numbers.group(0));
             }
             let at = Instant { t: Octet::from_f64(t), inputs };
             let refusals = if instant == 0 {
@@ -200,6 +221,7 @@ where
                     q_dot: shown.q_dot.as_ref(),
                     q_ddot: shown.q_ddot.as_ref(),
                     margin: poses.margin.group(group),
+                    inputs: shown_inputs,
                     all: ends.iter().all(Option::is_none),
                     ends,
                 };

@@ -161,7 +161,8 @@ pub(super) fn find(
     let close = |m: &Option<Miss>| m.is_none_or(|m| m.error <= CLOSURE_TOLERANCE);
     let closed = closure.as_ref().is_none_or(|c| close(&c.velocity) && close(&c.acceleration));
     let planned = plan.as_ref().is_none_or(|plan| plan.max_error <= CLOSURE_TOLERANCE);
-    let power = state.and_then(|state| engine.forces(&Setup::default(), state).ok()).map(|forces| forces.power_miss());
+    let power =
+        state.and_then(|state| engine.forces(&Setup::default(), state, false).ok()).map(|forces| forces.power_miss());
     let balanced = power.is_none_or(|miss| miss <= CLOSURE_TOLERANCE);
     let certificate = state.map(|state| engine.certify(setup, state));
     // There may be good reasons for which nothing is proven; that it is no solution is none.

@@ -21,7 +21,7 @@ use crate::planned::{OutOfRange, Sign};
 use crate::ranges::Ranges;
 use crate::ratios::VelocityRatios;
 use crate::sensitivities::Sensitivities;
-use crate::solver::Solver;
+use crate::solver::{ContactWatch, Solver};
 use crate::state::State;
 use crate::trajectory::Trajectory;
 use crate::transmission::TransmissionAngle;
@@ -95,7 +95,16 @@ pub(super) trait Engine {
     fn motion(&self, setup: &Setup, state: &State) -> Result<Motion, SolveError>;
     /// The values of quantities at a state.
     fn measure(&self, setup: &Setup, state: &State, measures: &[Measure]) -> Result<Vec<f64>, SolveError>;
-    fn forces(&self, setup: &Setup, state: &State) -> Result<Forces, SolveError>;
+    /// Forces, the least of them where redundant joints share a load, if they are to be.
+    fn forces(&self, setup: &Setup, state: &State, least_norm: bool) -> Result<Forces, SolveError>;
+    /// Watches the normal forces of contacts from state to state, whose first is at `first`.
+    fn watch_contacts(
+        &self,
+        setup: &Setup,
+        first: f64,
+        watch: &mut ContactWatch,
+        state: &State,
+    ) -> Result<(), SolveError>;
     fn sensitivities(&self, setup: &Setup, state: &State) -> Result<Sensitivities, SolveError>;
     fn certify(&self, setup: &Setup, state: &State) -> Result<Certificate, Uncertified>;
     fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError>;
@@ -198,8 +207,20 @@ impl<M: Mechanism> Engine for Bound<M> {
         self.solver(setup).motion(state)
     }
 
-    fn forces(&self, setup: &Setup, state: &State) -> Result<Forces, SolveError> {
-        self.solver(setup).forces(state)
+    fn forces(&self, setup: &Setup, state: &State, least_norm: bool) -> Result<Forces, SolveError> {
+        let solver = self.solver(setup);
+        if least_norm { solver.forces_of_least_norm(state) } else { solver.forces(state) }
+    }
+
+    fn watch_contacts(
+        &self,
+        setup: &Setup,
+        first: f64,
+        watch: &mut ContactWatch,
+        state: &State,
+    ) -> Result<(), SolveError> {
+        let inputs = |t: f64, out: &mut [Signal]| setup.inputs_after(t - first, out);
+        self.solver(setup).with_inputs(&inputs).watch_contacts(watch, state)
     }
 
     fn sensitivities(&self, setup: &Setup, state: &State) -> Result<Sensitivities, SolveError> {

@@ -4,11 +4,11 @@ use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
 use super::instants::instant;
-use super::options::{FreedomArgs, InstantArgs, SetupArgs};
+use super::options::{InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::{analysis, driven_state, note_freedom};
-use crate::measure::{column_names, column_values};
+use crate::measure::{column_values, columns};
 use crate::present::forces::text;
 use crate::present::json::to_json;
 use crate::present::number::plain;
@@ -20,8 +20,9 @@ pub(super) struct ForcesArgs {
     instant: InstantArgs,
     #[command(flatten)]
     setup: SetupArgs,
-    #[command(flatten)]
-    freedom: FreedomArgs,
+    /// Where redundant joints share a load, the least forces; where drivers leave the motion open, the smallest q̇ and q̈
+    #[arg(long)]
+    least_norm: bool,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -50,19 +51,28 @@ pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Sess
     let setup = ledger.take(args.setup.apply_complete(engine));
     let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
     let t = instant("--at", t, &*engine, &setup)?;
-    let (state, _) = driven_state(engine, &setup, t, args.freedom.least_norm)?;
+    let (state, _) = driven_state(engine, &setup, t, args.least_norm)?;
     note_freedom(session, state.degrees_of_freedom_left);
-    let forces = engine.forces(&setup, &state).map_err(|error| analysis(engine, &error))?;
-    if forces.reactions.iter().any(|reaction| !reaction.determined) {
-        session.note(
-            "note: redundant rows share the load: equilibrium alone does not tell what is undetermined; the bodies' \
-             stiffness would",
-        );
+    let forces = engine.forces(&setup, &state, args.least_norm).map_err(|error| analysis(engine, &error))?;
+    let undetermined = forces.reactions.iter().any(|reaction| !reaction.determined)
+        || forces.efforts.iter().any(|effort| !effort.determined);
+    if undetermined {
+        session.note(match args.least_norm {
+            true => {
+                "note: redundant rows share the load: equilibrium alone does not tell how; these are the least of all \
+                 forces that are possible"
+            }
+            false => {
+                "note: redundant rows share the load: equilibrium alone does not tell what is undetermined; the bodies' \
+                 stiffness would, and --least-norm gives the least forces"
+            }
+        });
     }
     let text = match output.form {
         Form::Json => to_json(&forces).map_err(Failure::Output)?,
         Form::Csv => {
-            let (names, mut values) = (column_names(engine.model()), Vec::new());
+            let names: Vec<String> = columns(engine.model()).into_iter().map(|(name, _)| name).collect();
+            let mut values = Vec::new();
             column_values(engine.model(), Some(&forces), &mut values);
             let values: Vec<String> =
                 values.into_iter().map(|v| if v.is_finite() { plain(v) } else { String::new() }).collect();

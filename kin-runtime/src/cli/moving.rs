@@ -10,13 +10,16 @@ use super::session::Session;
 use super::solved::{analysis, driven_state, fully_driven};
 use super::watch::Watch;
 use crate::error::SolveError;
+use crate::forces::ContactChange;
 use crate::measure::Measure;
+use crate::model::ForceModel;
 use crate::motion::Motion;
 use crate::observer::Reached;
 use crate::present::condition;
 use crate::present::number::rounded;
 use crate::present::record::Row;
 use crate::present::text::count;
+use crate::solver::ContactWatch;
 use crate::state::State;
 use crate::trajectory::Trajectory;
 
@@ -36,6 +39,8 @@ pub(super) struct Moved {
     pub(super) at_its_end: bool,
     /// Degrees of freedom that the drivers leave at the first instant.
     pub(super) left: usize,
+    /// Contacts that lift off on the way or press again.
+    pub(super) contacts: Vec<ContactChange>,
 }
 
 /// How a motion is followed.
@@ -66,6 +71,7 @@ struct Leg {
     ended: Option<Failure>,
     limit: Option<String>,
     left: usize,
+    contacts: Vec<ContactChange>,
 }
 
 impl Leg {
@@ -124,9 +130,10 @@ impl Walk<'_> {
             notes.extend(first.limit);
             leg.ended = first.ended.or(leg.ended);
             leg.trajectory = joined(first.trajectory, leg.trajectory);
+            leg.contacts.splice(0..0, first.contacts.into_iter().rev());
         }
-        let Leg { trajectory, ended, left, .. } = leg;
-        Ok(Moved { trajectory, motions: Vec::new(), columns: Vec::new(), ended, notes, at_its_end, left })
+        let Leg { trajectory, ended, left, contacts, .. } = leg;
+        Ok(Moved { trajectory, motions: Vec::new(), columns: Vec::new(), ended, notes, at_its_end, left, contacts })
     }
 
     /// Lends the configuration at a limit, where it was found: with all that depends on the place alone, and without rates.
@@ -172,6 +179,8 @@ impl Walk<'_> {
         let first = times.first().copied().unwrap_or(0.0);
         let (start, _) = driven_state(engine, setup, first, self.freedom.least_norm)?;
         let (mut finished, mut last, mut why) = (0, None, None);
+        let (mut contacts, touches) =
+            (ContactWatch::default(), engine.model().forces.is_some_and(ForceModel::has_contacts));
         let mut step = |state: &State| {
             // A sweep may also pass through a position where the drivers lose their grip.
             if state.degrees_of_freedom_left > 0 && !self.freedom.least_norm {
@@ -183,6 +192,10 @@ impl Walk<'_> {
             let row = row.map_err(|error| why = Some((state.t, Some(analysis(engine, &error)))));
             let Ok((motion, values)) = row else { return ControlFlow::Break(()) };
             visit(&Row { state, motion: motion.as_ref(), values: &values })?;
+            if touches {
+                // Where there are no forces, nothing is said of contacts.
+                let _ = engine.watch_contacts(setup, first, &mut contacts, state);
+            }
             (finished, last) = (finished + 1, Some(state.t));
             watch.step(done + finished)
         };
@@ -216,7 +229,8 @@ impl Walk<'_> {
             }
             (ended, _) => (ended, None),
         };
-        Ok(Leg { trajectory, ended, limit, left: start.degrees_of_freedom_left })
+        let left = start.degrees_of_freedom_left;
+        Ok(Leg { trajectory, ended, limit, left, contacts: contacts.changes })
     }
 
     /// The motion with its states, with what is reported of them where that is wanted, and with the quantities in columns.
@@ -258,6 +272,7 @@ pub(super) fn note_motion(session: &mut Session<'_>, moved: &Moved) {
     let trajectory = &moved.trajectory;
     moved.notes.iter().for_each(|note| session.note(note));
     note_events(session, trajectory);
+    moved.contacts.iter().for_each(|change| session.note(&format!("event: {change}")));
     note_unwatched(session, trajectory);
     note_fallbacks(session, trajectory);
 }

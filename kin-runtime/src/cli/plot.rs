@@ -80,9 +80,10 @@ pub(super) const HELP: Help = Help {
     },
     details: "\
 Quantities are the columns of `sweep --points`: a coordinate, its rate (NAME_dot), its
-acceleration (NAME_ddot), and those of points (NAME.x, NAME.speed), defines, joints and inputs,
-transmission angles (B.transmission) and velocity ratios (tip.x/drive). What has one unit shares
-a diagram. --vary may be repeated, for one curve for each combination of values. With --to limit
+acceleration (NAME_ddot), and those of points (NAME.x, NAME.speed), defines, joints, inputs and
+forces, transmission angles (B.transmission) and velocity ratios (tip.x/drive). What has one unit
+shares a diagram. The name of a joint, or `shaking`, is the polar diagram of its force: the end of
+the arrow as the motion goes on. --vary may be repeated, for one curve for each combination of values. With --to limit
 (and --from limit) curves end where the mechanism can go no further, with a mark that the legend
 names. Without --out the SVG goes to stdout.
 
@@ -146,6 +147,12 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     let names: Vec<String> = infos.iter().map(|info| info.name.clone()).collect();
     let beside = wanted.is_empty();
     let wanted = if beside { telling(model, &names, &infos, &first.columns) } else { wanted };
+    // An empty diagram would hide that there is nothing to draw.
+    let undefined = |k: usize| k > 0 && runs.iter().all(|run| run.columns[k].iter().all(|value| !value.is_finite()));
+    if let Some(k) = wanted.iter().flat_map(|want| [want.x, want.y]).find(|&k| undefined(k)) {
+        let what = "has no value in all of the motion: it is undetermined, or not defined there";
+        return Err(Failure::Analysis(format!("{}: `{}` {what}", model.name, infos[k - 1].name)));
+    }
     let diagram = Diagram { title: model.name.to_owned(), panels: panels(units, &wanted, &infos, &runs), beside };
     let bytes = match output.form {
         Form::Png => diagram.png().map_err(Failure::Output)?,
@@ -233,14 +240,20 @@ fn wanted(model: &'static Model, what: &[String], measures: &mut Vec<Measure>) -
     let mut wanted = Vec::new();
     for what in what {
         if let Some((x, y)) = what.split_once(':') {
+            // The components of a force have one scale.
+            let path = x.strip_suffix(".force_x").is_some_and(|joint| y.strip_suffix(".force_y") == Some(joint));
             let [x, y] = [x, y].map(|name| ledger.take(find_quantity(model, name)));
-            wanted.extend(x.zip(y).map(|(x, y)| Wanted { x: place(x), y: place(y), path: false }));
+            wanted.extend(x.zip(y).map(|(x, y)| Wanted { x: place(x), y: place(y), path }));
             continue;
         }
         let axis = |axis: &str| Measure::named(model, &format!("{what}.{axis}"));
         if let (None, true, Some(x), Some(y)) =
             (Measure::named(model, what), carried().any(|name| name == what), axis("x"), axis("y"))
         {
+            wanted.push(Wanted { x: place(x), y: place(y), path: true });
+            continue;
+        }
+        if let (None, Some(x), Some(y)) = (Measure::named(model, what), axis("force_x"), axis("force_y")) {
             wanted.push(Wanted { x: place(x), y: place(y), path: true });
             continue;
         }
@@ -259,7 +272,7 @@ fn panels(units: Units, wanted: &[Wanted], infos: &[ColumnInfo], runs: &[Curves]
     for &want in wanted {
         let curves = runs.iter().map(|run| {
             let points = run.columns[want.x].iter().copied().zip(run.columns[want.y].iter().copied());
-            let own = if want.path { name(want.y).trim_end_matches(".y") } else { name(want.y) };
+            let own = if want.path { name(want.y).trim_end_matches("_y").trim_end_matches(".y") } else { name(want.y) };
             let names: Vec<&str> = [own, &run.name]
                 .into_iter()
                 .filter(|name| !name.is_empty() && (wanted.len() > 1 || *name != own))

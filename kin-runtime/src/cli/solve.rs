@@ -68,7 +68,7 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
     let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
     let t = instant("--at", t, &*engine, &setup)?;
     let mut solved = solve(engine, &setup, t, args.freedom.least_norm)?;
-    let forces = args.forces.then(|| engine.forces(&setup, &solved.state)).transpose();
+    let forces = args.forces.then(|| engine.forces(&setup, &solved.state, args.freedom.least_norm)).transpose();
     solved.motion.forces = forces.map_err(|error| analysis(engine, &error))?;
     solved.certificate = args.certify.then(|| engine.certify(&setup, &solved.state));
     let solved = solved.shown(engine.model(), args.angles.degrees);

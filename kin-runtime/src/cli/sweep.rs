@@ -17,6 +17,7 @@ use super::session::Session;
 use super::solved::note_freedom;
 use super::vary::{Choice, VaryArgs};
 use super::watch::Watch;
+use crate::forces::ContactChange;
 use crate::measure::Measure;
 use crate::model::Model;
 use crate::present::grid::{self, CsvRows};
@@ -83,7 +84,8 @@ ratios of the former to a driver or an input (tip.x/drive).
 
 Inputs and given coordinates hold at the first instant and go on with their acceleration. Where a
 unilateral condition meets its limit is said on stderr, and in json under `events`; where it
-changes too fast to be watched, too, and under `unwatched`.
+changes too fast to be watched, too, and under `unwatched`. With masses, contacts that lift off or
+press again are told likewise, and in json under `contacts`.
 
 With --to limit (and --from limit) the motion ends where the mechanism does: the last row is the
 limit itself, at which rates have no value, and the rows before it lie closer together. Where no
@@ -307,9 +309,9 @@ fn json(
                     ControlFlow::Continue(())
                 })));
             };
-            let ended = |write: &mut dyn FnMut(&Trajectory, bool)| {
+            let ended = |write: &mut dyn FnMut(&Trajectory, &[ContactChange], bool)| {
                 if let Some(Ok(moved)) = &*moved.borrow() {
-                    write(&moved.trajectory, moved.ended.is_none() && !moved.at_its_end);
+                    write(&moved.trajectory, &moved.contacts, moved.ended.is_none() && !moved.at_its_end);
                 }
             };
             write(&SweepRecord {

@@ -4,7 +4,7 @@ use super::{Frame, OperationCount};
 
 /// Numbers before the multipliers: shaking (3), inertia (3), energies (3), powers (3), the rate of all energy.
 #[cfg(feature = "std")]
-pub(crate) const TOTALS: usize = 13;
+pub(crate) const TOTALS: usize = ForceModel::MULTIPLIERS;
 
 /// The forces of a mechanism with masses or loads: what [`Mechanism::forces_with`](crate::Mechanism::forces_with) writes.
 ///
@@ -15,7 +15,7 @@ pub(crate) const TOTALS: usize = 13;
 pub struct ForceModel {
     /// How many numbers there are.
     pub count: usize,
-    /// True where the closed forms hold the solution for λ, along the plan; otherwise λ is solved from Φ_qᵀ λ = r.
+    /// True where the closed forms hold the solution for λ, along the plan; otherwise λ must be solved from Φ_qᵀ λ = r.
     pub solved: bool,
     /// Operations of one evaluation.
     pub operations: OperationCount,
@@ -25,6 +25,94 @@ pub struct ForceModel {
     pub reactions: &'static [ReactionInfo],
     /// Springs.
     pub springs: &'static [SpringInfo],
+    /// Units.
+    pub units: ForceUnits,
+}
+
+/// The units of forces, from those of masses, lengths and times that are written; none where these do not tell them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ForceUnits {
+    /// Of forces: `N`.
+    pub force: Option<&'static str>,
+    /// Of moments: `N·m`.
+    pub moment: Option<&'static str>,
+    /// Of energies: `J`.
+    pub energy: Option<&'static str>,
+    /// Of powers: `W`.
+    pub power: Option<&'static str>,
+}
+
+/// `forces in N, moments in N·m, energies in J, powers in W`; nothing where they are not known.
+impl core::fmt::Display for ForceUnits {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let all = [("forces", self.force), ("moments", self.moment), ("energies", self.energy), ("powers", self.power)];
+        let known = all.into_iter().filter_map(|(what, unit)| Some((what, unit?)));
+        known
+            .enumerate()
+            .try_for_each(|(k, (what, unit))| write!(f, "{}{what} in {unit}", if k > 0 { ", " } else { "" }))
+    }
+}
+
+impl ForceModel {
+    /// The place of the force of shaking, x and y, and of its moment behind them.
+    pub const SHAKING: usize = 0;
+    /// That of inertia alone.
+    pub const INERTIA: usize = 3;
+    /// Kinetic energy.
+    pub const KINETIC: usize = 6;
+    /// Potential energy of gravity.
+    pub const GRAVITY: usize = 7;
+    /// Energy of springs.
+    pub const SPRINGS: usize = 8;
+    /// Power of drivers.
+    pub const DRIVER_POWER: usize = 9;
+    /// Power of applied loads.
+    pub const APPLIED_POWER: usize = 10;
+    /// Power of dampers.
+    pub const DAMPER_POWER: usize = 11;
+    /// The rate of all energy.
+    pub const ENERGY_RATE: usize = 12;
+    /// The first multiplier.
+    pub const MULTIPLIERS: usize = 13;
+
+    /// Whether bodies touch, so that their normal forces may change their sign.
+    pub fn has_contacts(&self) -> bool {
+        self.reactions.iter().any(|reaction| reaction.has_normal)
+    }
+
+    /// A driver by its name.
+    pub fn effort(&self, driver: &str) -> Option<&'static EffortInfo> {
+        self.efforts.iter().find(|effort| effort.name == driver)
+    }
+
+    /// A joint by its name.
+    pub fn reaction(&self, joint: &str) -> Option<&'static ReactionInfo> {
+        self.reactions.iter().find(|reaction| reaction.name == joint)
+    }
+
+    /// A spring by its name.
+    pub fn spring(&self, name: &str) -> Option<&'static SpringInfo> {
+        self.springs.iter().find(|spring| spring.name == name)
+    }
+}
+
+impl ReactionInfo {
+    /// The place of the force, x, and y behind it; none where there are only couples.
+    pub fn force(&self) -> Option<usize> {
+        self.has_force.then_some(self.place + 2)
+    }
+
+    /// The place of the moment.
+    pub fn moment(&self) -> Option<usize> {
+        self.has_moment.then_some(self.place + if self.has_force { 4 } else { 0 })
+    }
+
+    /// The place of the normal part of a contact force.
+    pub fn normal(&self) -> Option<usize> {
+        let before = usize::from(self.has_force) * 4 + usize::from(self.has_moment);
+        self.has_normal.then_some(self.place + before + self.couples.len() + self.generalized)
+    }
 }
 
 /// A driver: its effort and the rate of what it drives stand at `place`.
@@ -36,8 +124,8 @@ pub struct EffortInfo {
     pub place: usize,
 }
 
-/// A joint: what it exerts begins at `place` with point and force (4 numbers, where there is one), then the moment, couples
-/// and generalized forces.
+/// A joint: what it exerts begins at `place` with point and force (4 numbers, where there is one), then the moment, couples,
+/// generalized forces, and the normal and the tangential part of a contact force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReactionInfo {
     /// Its name; `b.x`, `b.y`, `b.phi` or `b.origin` for what holds or carries a body.
@@ -54,6 +142,10 @@ pub struct ReactionInfo {
     pub couples: &'static [Frame],
     /// How many generalized forces it has, one per row of the user's own.
     pub generalized: usize,
+    /// Its bodies touch, and the force has a normal part.
+    pub has_normal: bool,
+    /// They roll on one another, and it has a tangential part.
+    pub has_tangential: bool,
 }
 
 /// A spring: length or angle, its rate, tension or couple on the second body, energy and power of the damper stand at `place`.

@@ -10,9 +10,9 @@ mod joint;
 mod text;
 mod units;
 
-pub use forces::ForceModel;
 #[doc(hidden)]
 pub use forces::{EffortInfo, ReactionInfo, SpringInfo};
+pub use forces::{ForceModel, ForceUnits};
 pub use handles::{Body, Coordinate, Input, Point, Quantity};
 #[doc(hidden)]
 pub use joint::Role;

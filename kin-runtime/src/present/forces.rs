@@ -7,6 +7,10 @@ use crate::forces::{Forces, Reaction, Wrench};
 /// Tables of efforts, reactions, springs, shaking, energies and powers.
 pub(crate) fn text(forces: &Forces) -> String {
     let mut out = String::new();
+    let units = forces.model.forces.map_or_else(String::new, |info| info.units.to_string());
+    if !units.is_empty() {
+        out += &format!("  {units}\n");
+    }
     if !forces.efforts.is_empty() {
         let efforts = || forces.efforts.iter();
         let table = Table::new()
@@ -27,6 +31,15 @@ pub(crate) fn text(forces: &Forces) -> String {
             .right("|force|", held().map(|r| known_or_none(r.force.map(|[x, y]| x.hypot(y)), r.point.is_some())))
             .right("moment", held().map(|r| known_or_none(r.moment, !r.determined)));
         out += &section("Joints: what they exert on a body, and the opposite on the other", &table);
+    }
+    let contacts = || forces.reactions.iter().filter(|r| r.normal.is_some());
+    if contacts().next().is_some() {
+        let table = Table::new()
+            .words("contact", contacts().map(|r| r.name))
+            .words("on", contacts().map(|r| r.on.map_or("", |frame| forces.body(frame))))
+            .right("normal", contacts().map(|r| known_or_none(r.normal, true)))
+            .right("tangential", contacts().map(|r| known_or_none(r.tangential, false)));
+        out += &section("Contacts: positive normal forces press, negative ones would pull", &table);
     }
     let couples: Vec<_> =
         forces.reactions.iter().flat_map(|r| r.couples.iter().map(move |couple| (r.name, couple))).collect();

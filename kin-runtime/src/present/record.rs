@@ -10,9 +10,10 @@ use super::condition::EventRecord;
 use super::plan::ModeRecord;
 use super::text::coordinate_names as names_at;
 use super::units::{Units, UnitsRecord};
+use crate::forces::ContactChange;
 use crate::measure::Measure;
 use crate::mobility::Mobility;
-use crate::model::Model;
+use crate::model::{ForceModel, Model};
 use crate::modes::Mode;
 use crate::motion::Motion;
 use crate::ratios::{VelocityRatio, VelocityRatios};
@@ -125,8 +126,8 @@ pub(crate) struct Row<'r> {
 /// A row of a sweep that is written.
 pub(crate) type Visit<'v> = &'v mut dyn FnMut(&Row<'_>) -> ControlFlow<()>;
 
-/// Tells what is known of a sweep when it is over, and whether it is complete.
-pub(crate) type Ended<'e> = &'e dyn Fn(&mut dyn FnMut(&Trajectory, bool));
+/// Tells what is known of a sweep when it is over, which contacts lift off or press again, and whether it is complete.
+pub(crate) type Ended<'e> = &'e dyn Fn(&mut dyn FnMut(&Trajectory, &[ContactChange], bool));
 
 /// A sweep, whose states are made while they are written.
 pub(crate) struct SweepRecord<'a> {
@@ -157,7 +158,7 @@ impl Serialize for SweepRecord<'_> {
         }
         map.serialize_entry("states", &States { model: self.model, quantities: self.quantities, walk: self.walk })?;
         let mut rest = Ok(());
-        (self.ended)(&mut |trajectory, complete| rest = end(&mut map, trajectory, complete));
+        (self.ended)(&mut |trajectory, contacts, complete| rest = end(&mut map, trajectory, contacts, complete));
         rest?;
         map.end()
     }
@@ -203,7 +204,12 @@ impl Serialize for Several<'_> {
 }
 
 /// What stands behind the states.
-fn end<M: SerializeMap>(map: &mut M, trajectory: &Trajectory, complete: bool) -> Result<(), M::Error> {
+fn end<M: SerializeMap>(
+    map: &mut M,
+    trajectory: &Trajectory,
+    contacts: &[ContactChange],
+    complete: bool,
+) -> Result<(), M::Error> {
     let violated: Vec<&str> = trajectory.violated_at_start().map(|condition| condition.name).collect();
     let events: Vec<EventRecord<'_>> = trajectory.events.iter().map(EventRecord::new).collect();
     // False when the sweep ended early: the states are those before the failure, or up to the event.
@@ -211,6 +217,9 @@ fn end<M: SerializeMap>(map: &mut M, trajectory: &Trajectory, complete: bool) ->
     map.serialize_entry("stopped", &trajectory.stopped)?;
     map.serialize_entry("violated_at_start", &violated)?;
     map.serialize_entry("events", &events)?;
+    if trajectory.model.forces.is_some_and(ForceModel::has_contacts) {
+        map.serialize_entry("contacts", contacts)?;
+    }
     map.serialize_entry("unwatched", &trajectory.unwatched)?;
     map.serialize_entry("fallbacks", &trajectory.fallbacks)
 }

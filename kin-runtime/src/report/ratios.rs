@@ -186,7 +186,7 @@ fn respond(
 ) -> Result<DVector<f64>, SolveError> {
     let right = scaled(equations, right);
     let x = factor.solve(&right);
-    match inconsistency(equations, &x, &right) {
+    match inconsistency(equations, &x, &right, 0.0) {
         None => Ok(x),
         Some((row, residual)) => Err(SolveError::InconsistentVelocity {
             t: equations.t,

@@ -19,10 +19,12 @@ pub struct Effort {
     /// The driver; `b.x`, `b.y` or `b.phi` for a held coordinate that moves, the coordinate for one that is given.
     pub name: &'static str,
     /// Torque along an angle, force along a length; positive when it does positive work while the driven quantity
-    /// grows. None where redundant rows leave it undetermined.
+    /// grows. None where redundant rows leave it undetermined, unless the least is asked for.
     pub effort: Option<f64>,
     /// The rate of the driven quantity; effort · rate is the power supplied.
     pub rate: f64,
+    /// False where redundant rows share the load in a way that equilibrium alone does not tell.
+    pub determined: bool,
 }
 
 /// What a joint exerts. The other body receives the opposite force at the same place and the opposite moment.
@@ -34,7 +36,8 @@ pub struct Reaction {
     pub on: Option<Frame>,
     /// The joint's point in the inertial frame; none for a pure couple.
     pub point: Option<[f64; 2]>,
-    /// The force in the inertial frame; none for a pure couple, and where redundant rows leave it undetermined.
+    /// The force in the inertial frame; none for a pure couple, and where redundant rows leave it undetermined,
+    /// unless the least forces are asked for ([`Solver::forces_of_least_norm`](crate::Solver::forces_of_least_norm)).
     pub force: Option<[f64; 2]>,
     /// The moment about that point, or the couple; none where there is none or where it is undetermined.
     pub moment: Option<f64>,
@@ -42,8 +45,40 @@ pub struct Reaction {
     pub couples: Vec<(Frame, f64)>,
     /// −λ of the user's own rows, conjugate to left minus right.
     pub generalized: Vec<f64>,
+    /// Where bodies touch (cams, flat followers, rolling discs): the normal part of the contact force. It is positive where
+    /// they press on one another, so that the contact would open where it changes its sign: a polar curve, and an
+    /// implicit one whose left side grows outwards, press outwards; a parametric curve to its right, or to the side of its
+    /// roller; lines and discs to the side of the disc that rolls.
+    pub normal: Option<f64>,
+    /// Where discs roll without slipping: the part of the contact force on the second body along the line's axis, or in the
+    /// direction of growing ψ. The least coefficient of friction is
+    /// |tangential| / normal.
+    pub tangential: Option<f64>,
     /// False where redundant rows share the load in a way that equilibrium alone does not tell.
     pub determined: bool,
+}
+
+/// A contact whose bodies stop pressing on one another, or begin to again.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ContactChange {
+    /// The joint.
+    pub name: &'static str,
+    /// When its normal force changes its sign.
+    pub t: f64,
+    /// True where it would pull from there on, in the direction of the motion; false where it presses again.
+    pub lifts_off: bool,
+    /// Width of the interval of time in which the sign changes; 0 for a contact that pulls from the first instant on.
+    pub within: f64,
+}
+
+/// `contact lifts off at t = 0.3`.
+impl fmt::Display for ContactChange {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let what = if self.lifts_off { "lifts off" } else { "presses again" };
+        write!(f, "{} {what} at t = ", self.name)?;
+        crate::text::number(f, &self.t)
+    }
 }
 
 /// A spring.
@@ -97,7 +132,7 @@ pub struct Forces {
     /// d/dt of all energy, from the derivatives of the energies themselves: what drivers, applied loads and dampers supply
     /// together.
     pub energy_rate: f64,
-    /// λ of all rows of Φ; of least norm where redundant rows leave it open. They depend on how rows are scaled.
+    /// λ of all rows of Φ; those of least forces where redundant rows leave them open. They depend on how rows are scaled.
     pub multipliers: Vec<f64>,
 }
 
@@ -162,6 +197,10 @@ impl fmt::Display for Reaction {
         write!(f, "{}:", self.name)?;
         if !self.determined {
             f.write_str(" undetermined, redundant rows share the load")?;
+            // Behind these words numbers are one possibility.
+            if self.force.is_some() || self.moment.is_some() {
+                f.write_str(", the least:")?;
+            }
         }
         if let Some([x, y]) = self.force {
             write!(f, " force ({x}, {y})")?;
@@ -170,7 +209,9 @@ impl fmt::Display for Reaction {
             write!(f, " moment {moment}")?;
         }
         self.couples.iter().try_for_each(|(_, couple)| write!(f, " couple {couple}"))?;
-        self.generalized.iter().try_for_each(|value| write!(f, " generalized force {value}"))
+        self.generalized.iter().try_for_each(|value| write!(f, " generalized force {value}"))?;
+        self.normal.map_or(Ok(()), |normal| write!(f, " normal {normal}"))?;
+        self.tangential.map_or(Ok(()), |tangential| write!(f, " tangential {tangential}"))
     }
 }
 

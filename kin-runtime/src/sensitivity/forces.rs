@@ -1,7 +1,7 @@
 //! Derivatives of forces: Φ_qᵀ λ_p = r_p − (Φ_q)_pᵀ λ, and the numbers of forces over what carries derivatives.
 
 use super::variation::{Number, Variation, Varied};
-use crate::analysis::forces::{Numbers, collected, numbers};
+use crate::analysis::forces::{Numbers, Sharing, collected, numbers};
 use crate::equations::Equations;
 use crate::equations::scale::Scale;
 use crate::error::SolveError;
@@ -23,19 +23,17 @@ pub(crate) fn forces(
     varied: &Varied,
     by: &mut [Sensitivity],
 ) {
-    let Ok(at) = numbers(equations, info, state) else { return };
+    let Ok(at) = numbers(equations, info, state, Sharing::Undetermined) else { return };
     let model = equations.model;
     let Ok((values, given)) = varied_numbers(equations, variation, info, state, varied, &at) else { return };
     for (lane, by) in by.iter_mut().enumerate() {
-        let numbers = Numbers {
-            values: values.iter().map(|value| value.by()[lane]).collect(),
-            determined: at.determined.clone(),
-            given: Vec::new(),
-        };
+        let numbers =
+            Numbers { values: values.iter().map(|value| value.by()[lane]).collect(), given: Vec::new(), ..at.clone() };
         let mut forces = collected(model, info, state, &numbers);
-        for (&(name, effort, rate), (effort_by, rate_by)) in at.given.iter().zip(&given) {
+        for (&(name, effort, rate, determined), (effort_by, rate_by)) in at.given.iter().zip(&given) {
             let (effort_by, rate_by) = (effort_by.by()[lane], rate_by.by()[lane]);
-            forces.efforts.push(crate::forces::Effort { name, effort: Some(effort_by), rate: rate_by });
+            let known = determined.then_some(effort_by);
+            forces.efforts.push(crate::forces::Effort { name, effort: known, rate: rate_by, determined });
             forces.driver_power += effort_by * rate + effort * rate_by;
         }
         let finite = numbers.values.iter().zip(&numbers.determined).all(|(value, known)| !known || value.is_finite());
@@ -57,13 +55,13 @@ fn varied_numbers(
 ) -> Result<(Vec<Number>, Vec<Given>), SolveError> {
     let zero = Number::from_f64(0.0);
     let mut values = vec![zero; info.count];
-    if info.solved {
+    if at.by_plan {
         variation.forces(varied, &[], &mut values)?;
         return Ok((values, Vec::new()));
     }
     let (declared, n) = (equations.model.rows.len(), equations.coordinates());
     let own = at.values[TOTALS..TOTALS + declared].iter().copied();
-    let lambda: Vec<f64> = own.chain(at.given.iter().map(|(_, effort, _)| -effort)).collect();
+    let lambda: Vec<f64> = own.chain(at.given.iter().map(|(_, effort, ..)| -effort)).collect();
     let mut right = vec![zero; n];
     variation.generalized_forces(varied, &mut right)?;
     let parts = variation.evaluate(Subset::JACOBIAN, &varied.q, &varied.q_dot)?;

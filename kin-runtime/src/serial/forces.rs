@@ -2,6 +2,7 @@
 
 use super::Named;
 use crate::forces::{Effort, Forces, Reaction, SpringForce, Wrench};
+use crate::model::ForceUnits;
 use serde::{Serialize, Serializer};
 
 /// Drivers, joints and springs by name; what is undetermined is missing.
@@ -24,12 +25,16 @@ struct ForcesRecord<'a> {
     energy: Energy,
     power: Power,
     multipliers: Named<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    units: Option<ForceUnits>,
 }
 
 #[derive(Serialize)]
 struct EffortRecord {
     effort: Option<f64>,
     rate: f64,
+    #[serde(skip_serializing_if = "is_true")]
+    determined: bool,
 }
 
 #[derive(Serialize)]
@@ -46,6 +51,10 @@ struct ReactionRecord<'a> {
     torques: Named<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     generalized: Option<&'a f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    normal: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tangential: Option<f64>,
     #[serde(skip_serializing_if = "is_true")]
     determined: bool,
 }
@@ -86,12 +95,13 @@ struct Power {
 
 impl<'a> ForcesRecord<'a> {
     fn new(forces: &'a Forces) -> Self {
-        let effort = |e: &Effort| (e.name, EffortRecord { effort: e.effort, rate: e.rate });
+        let effort = |e: &Effort| (e.name, EffortRecord { effort: e.effort, rate: e.rate, determined: e.determined });
         let reaction = |r: &'a Reaction| {
             let torques = r.couples.iter().map(|(frame, couple)| (forces.body(*frame), *couple)).collect();
             let (on, generalized) = (r.on.map(|frame| forces.body(frame)), r.generalized.first());
             let (point, force, moment) = (r.point, r.force, r.moment);
-            (r.name, ReactionRecord { on, point, force, moment, torques, generalized, determined: r.determined })
+            let (normal, tangential, determined) = (r.normal, r.tangential, r.determined);
+            (r.name, ReactionRecord { on, point, force, moment, torques, generalized, normal, tangential, determined })
         };
         let spring = |s: &SpringForce| {
             let of = |wanted: bool, value: f64| (s.turns == wanted).then_some(value);
@@ -120,6 +130,7 @@ impl<'a> ForcesRecord<'a> {
                 dampers: forces.damper_power,
                 energy_rate: forces.energy_rate,
             },
+            units: forces.model.forces.map(|info| info.units).filter(|units| *units != ForceUnits::default()),
             multipliers: forces.model.rows.iter().map(|row| row.name).zip(forces.multipliers.iter().copied()).collect(),
         }
     }

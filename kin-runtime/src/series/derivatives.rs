@@ -182,7 +182,7 @@ fn solve(
         return Err(SolveError::OutOfRange { t: equations.t, order: k });
     }
     if let Some(factor) = whole
-        && let Some((row, residual)) = inconsistency(equations, &solution, &right)
+        && let Some((row, residual)) = inconsistency(equations, &solution, &right, 0.0)
     {
         let (row_name, joint) = (equations.row_name(row), equations.joint_name(row));
         let (t, rank) = (equations.t, factor.rank);

@@ -3,6 +3,7 @@
 use crate::analysis;
 use crate::analysis::acceleration::acceleration;
 use crate::analysis::fit::fit_inputs;
+use crate::analysis::forces::Sharing;
 use crate::analysis::position::position;
 use crate::analysis::singular::explain;
 use crate::analysis::velocity::{factorize, velocity};
@@ -32,11 +33,14 @@ use nalgebra::DMatrix;
 mod assemblies;
 mod by_plan;
 mod certify;
+mod contacts;
 mod ranges;
 mod settings;
 mod sweep;
 
 pub use crate::analysis::position::Position;
+#[cfg(feature = "cli")]
+pub(crate) use contacts::ContactWatch;
 
 /// Position, velocity and acceleration analysis of one mechanism.
 ///
@@ -213,7 +217,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
             let mut motion = motion(equations, state)?;
             // They do not belong to the motion: where they do not exist, it is good nevertheless.
             if equations.model.forces.is_some() {
-                motion.forces = analysis::forces::forces(equations, state).ok();
+                motion.forces = analysis::forces::forces(equations, state, Sharing::Undetermined).ok();
             }
             Ok(motion)
         })
@@ -239,13 +243,30 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         )
     }
 
-    /// What drivers supply and joints carry at a solved state, from M q̈ + Φ_qᵀ λ = Q.
+    /// What drivers supply and joints carry at a solved state, from M q̈ + Φ_qᵀ λ = Q. What redundant rows leave
+    /// undetermined has no number.
     ///
     /// # Errors
     /// [`NoLoads`](SolveError::NoLoads) for a mechanism without masses and loads, [`NotHeld`](SolveError::NotHeld) where
-    /// degrees of freedom are left that loads act along; [`NonFinite`](SolveError::NonFinite).
+    /// degrees of freedom are left that loads act along, [`UnboundedForces`](SolveError::UnboundedForces) in a singular
+    /// configuration; [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn forces(&self, state: &State) -> Result<Forces, SolveError> {
-        self.analyse(&state.instant(), |equations| analysis::forces::forces(equations, state))
+        self.shared_forces(state, Sharing::Undetermined)
+    }
+
+    /// As [`forces`](Self::forces), but where redundant rows share a load, with the least forces that are possible: the least
+    /// sum of the squares of all forces in joints, times a typical length of the mechanism, and of all moments. Equal bodies
+    /// that are placed symmetrically share equally; how real bodies share depends on their stiffness and on tolerances.
+    /// [`Reaction::determined`](crate::Reaction::determined) says which numbers are so.
+    ///
+    /// # Errors
+    /// As [`forces`](Self::forces).
+    pub fn forces_of_least_norm(&self, state: &State) -> Result<Forces, SolveError> {
+        self.shared_forces(state, Sharing::LeastNorm)
+    }
+
+    fn shared_forces(&self, state: &State, sharing: Sharing) -> Result<Forces, SolveError> {
+        self.analyse(&state.instant(), |equations| analysis::forces::forces(equations, state, sharing))
     }
 
     /// Estimated condition number of the scaled Φ_q at a state: see [`State::condition`].

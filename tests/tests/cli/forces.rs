@@ -16,6 +16,12 @@ fn what_is_not_determined_is_an_empty_cell_and_no_number() {
         assert!(cells[column("drive.effort")].parse::<f64>().unwrap().is_finite(), "{line}");
         assert!(!line.contains("NaN"), "{line}");
     }
+    let plot = kin("loaded plot A.force_x --to 0.2 --steps 2");
+    assert!(
+        plot.status == Some(1) && plot.err.contains("`A.force_x` has no value in all of the motion"),
+        "{}",
+        plot.err
+    );
     let ran = kin("loaded forces --at 0.2 --format json");
     assert!(ran.status == Some(0) && ran.err.contains("redundant rows share the load"), "{}", ran.err);
     let answer: Value = serde_json::from_str(&ran.out).unwrap();

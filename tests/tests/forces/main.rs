@@ -1,5 +1,11 @@
 //! Forces: the reference files, and laws that hold for every machine.
 
+mod batches;
+mod contacts;
 mod laws;
 mod machines;
+mod pictures;
+mod redundant;
 mod references;
+mod squeezer;
+mod units;

@@ -20,6 +20,7 @@
 use super::relative::{draw, in_theta};
 use crate::constraint::{Assembly, PlacedAxis, RowMeaning, Rows};
 use crate::expr::{ExprId, Symbol, partial};
+use crate::joints::contact::{Contact, Normal};
 use crate::joints::joint::{JointType, joint};
 use crate::mechanism::{Axis, Formula, Place, Slot, Takes};
 use crate::vocabulary::Role;
@@ -64,6 +65,11 @@ impl JointType for FlatFollower {
         rows.residuals = vec![("", RowMeaning::Other, a.graph.sub(lift, support))];
         rows.quantities = vec![("theta", theta)];
         rows
+    }
+
+    /// The cam presses the face along n.
+    fn contact(&self, a: &mut Assembly<'_>) -> Option<Contact> {
+        Some(Contact::smooth(&mut a.graph, Normal::UnitGradient))
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::{implicit, parametric, polar};
 use crate::constraint::{Assembly, Rows};
+use crate::joints::contact::{Contact, Normal, side};
 use crate::joints::joint::{JointType, joint};
 use crate::mechanism::{Curve, Place, Slot, Takes};
 use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals, zero};
@@ -30,6 +31,19 @@ impl JointType for OnCurve {
                 parametric::rows(a, &p, &q, parameter, [x, y], roller.as_ref())
             }
         }
+    }
+
+    /// The follower is pressed away from the centre of a polar curve, towards larger values of an implicit one, and to the
+    /// right of a parametric one, or to the side of its roller.
+    fn contact(&self, a: &mut Assembly<'_>) -> Option<Contact> {
+        let Curve::Parametric { parameter, roller, .. } = &self.curve else {
+            return Some(Contact::smooth(&mut a.graph, Normal::Gradient));
+        };
+        let right = a.graph.number(-1.0);
+        let radius = roller.as_ref().map(|radius| a.formula(radius)).filter(|radius| !a.graph.is_zero(*radius));
+        let side = radius.map_or(right, |radius| side(&mut a.graph, radius));
+        let along = a.scalar(parameter)?;
+        Some(Contact { side, ..Contact::smooth(&mut a.graph, Normal::LeftOf(along)) })
     }
 
     /// For a parametric curve r_Q − r_P − A_i c(u) = 0; rows of the other forms are the user's own formulas.

@@ -272,7 +272,7 @@ pub trait Mechanism: Sized {
     }
 
     /// Writes efforts, reactions, energies and powers at a solved q, q̇, q̈, the numbers of
-    /// [`ForceModel`](crate::model::ForceModel). `right` is λ, s numbers; empty where the closed forms compute λ.
+    /// [`ForceModel`](crate::model::ForceModel). `right` is λ, s numbers; or nothing: closed forms along the plan compute it.
     ///
     /// # Errors
     /// When an argument has the wrong length.

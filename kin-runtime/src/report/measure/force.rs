@@ -1,60 +1,93 @@
 //! Forces as columns of numbers.
 
+use super::Dimension;
 use crate::forces::Forces;
-use crate::model::{ForceModel, Frame, Model};
+use crate::model::{ForceModel, ForceUnits, Frame, Model};
 
-/// The names of the columns of forces; none for a mechanism without masses and loads.
-pub(crate) fn column_names(model: &Model) -> Vec<String> {
+/// The names of the columns of forces with what they measure; none for a mechanism without masses and loads.
+pub(crate) fn columns(model: &Model) -> Vec<(String, Dimension)> {
     let Some(info) = model.forces else { return Vec::new() };
-    let mut names = Vec::new();
-    visit(model, info, None, &mut |name, _| names.push(name));
-    names
+    let mut columns = Vec::new();
+    visit(model, info, None, &mut |name, unit, _| columns.push((name, unit.map_or(Dimension::Unknown, Dimension::In))));
+    columns
 }
 
-/// The numbers of [`column_names`]; NaN for what is undetermined.
+/// The numbers of [`columns`]; NaN for what is undetermined.
 pub(crate) fn column_values(model: &Model, forces: Option<&Forces>, out: &mut Vec<f64>) {
     if let Some(info) = model.forces {
-        visit(model, info, forces, &mut |_, value| out.push(value));
+        visit(model, info, forces, &mut |_, _, value| out.push(value));
     }
+}
+
+/// The unit of a driver's effort: that of a force where it drives a length, that of a moment where it drives an angle.
+fn unit_of_effort(model: &Model, info: &ForceModel, driver: &str) -> Option<&'static str> {
+    let ForceUnits { force, moment, .. } = info.units;
+    let of = |name: &str| match Dimension::named(&model.units, name) {
+        Dimension::Length => force,
+        Dimension::Angle => moment,
+        Dimension::In(unit) if Some(unit) == model.units.length => force,
+        Dimension::In(_) | Dimension::Unknown => None,
+    };
+    let Some(joint) = model.joints.iter().find(|joint| joint.name == driver) else { return of(driver) };
+    if joint.keeps_distance() {
+        return force;
+    }
+    // A row of one quantity says what it drives.
+    let entries = model.constraint_pattern.entries.iter().filter(|(row, _)| *row == joint.first_row);
+    let mut units = entries.map(|(_, column)| of(model.coordinates[*column].name));
+    let first = units.next()?;
+    units.all(|unit| unit == first).then_some(first)?
 }
 
 /// A number of the whole mechanism.
 type Total = fn(&Forces) -> f64;
 
 /// Every column with its number, in order.
-fn visit(model: &Model, info: &ForceModel, forces: Option<&Forces>, f: &mut dyn FnMut(String, f64)) {
+fn visit(
+    model: &Model,
+    info: &ForceModel,
+    forces: Option<&Forces>,
+    f: &mut dyn FnMut(String, Option<&'static str>, f64),
+) {
+    let ForceUnits { force, moment, energy, power } = info.units;
     let body = |frame: Frame| match frame {
         Frame::Ground => "ground",
         Frame::Body(place) => model.bodies.get(place).map_or("", |body| body.name),
     };
     for (k, effort) in info.efforts.iter().enumerate() {
         let value = forces.and_then(|forces| forces.efforts.get(k)?.effort);
-        f(format!("{}.effort", effort.name), value.unwrap_or(f64::NAN));
+        f(format!("{}.effort", effort.name), unit_of_effort(model, info, effort.name), value.unwrap_or(f64::NAN));
     }
     for (k, reaction) in info.reactions.iter().enumerate() {
         let (name, found) = (reaction.name, forces.and_then(|forces| forces.reactions.get(k)));
         if reaction.has_force {
             let [x, y] = found.and_then(|found| found.force).unwrap_or([f64::NAN; 2]);
             for (what, value) in [("force_x", x), ("force_y", y), ("force", x.hypot(y))] {
-                f(format!("{name}.{what}"), value);
+                f(format!("{name}.{what}"), force, value);
             }
         }
         if reaction.has_moment {
-            f(format!("{name}.moment"), found.and_then(|found| found.moment).unwrap_or(f64::NAN));
+            f(format!("{name}.moment"), moment, found.and_then(|found| found.moment).unwrap_or(f64::NAN));
         }
         for (c, frame) in reaction.couples.iter().enumerate() {
             let value = found.and_then(|found| Some(found.couples.get(c)?.1));
-            f(format!("{name}.torque_{}", body(*frame)), value.unwrap_or(f64::NAN));
+            f(format!("{name}.torque_{}", body(*frame)), moment, value.unwrap_or(f64::NAN));
         }
         for c in 0..reaction.generalized {
             let value = found.and_then(|found| found.generalized.get(c).copied());
-            f(format!("{name}.generalized"), value.unwrap_or(f64::NAN));
+            f(format!("{name}.generalized"), None, value.unwrap_or(f64::NAN));
+        }
+        if reaction.has_normal {
+            f(format!("{name}.normal"), force, found.and_then(|found| found.normal).unwrap_or(f64::NAN));
+        }
+        if reaction.has_tangential {
+            f(format!("{name}.tangential"), force, found.and_then(|found| found.tangential).unwrap_or(f64::NAN));
         }
     }
     for (k, spring) in info.springs.iter().enumerate() {
         let what = if spring.turns { "torque" } else { "tension" };
         let value = forces.and_then(|forces| Some(forces.springs.get(k)?.force));
-        f(format!("{}.{what}", spring.name), value.unwrap_or(f64::NAN));
+        f(format!("{}.{what}", spring.name), if spring.turns { moment } else { force }, value.unwrap_or(f64::NAN));
     }
     let total = |of: Total| forces.map_or(f64::NAN, of);
     let totals: [(&str, Total); 10] = [
@@ -70,6 +103,12 @@ fn visit(model: &Model, info: &ForceModel, forces: Option<&Forces>, f: &mut dyn 
         ("power.dampers", |forces| forces.damper_power),
     ];
     for (name, of) in totals {
-        f(name.to_owned(), total(of));
+        let unit = match name.split_once('.') {
+            Some(("energy", _)) => energy,
+            Some(("power", _)) => power,
+            Some((_, "moment")) => moment,
+            _ => force,
+        };
+        f(name.to_owned(), unit, total(of));
     }
 }

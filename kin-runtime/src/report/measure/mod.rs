@@ -21,7 +21,7 @@ mod value;
 
 pub(crate) use dimension::Dimension;
 #[cfg(feature = "cli")]
-pub(crate) use force::{column_names, column_values};
+pub(crate) use force::{column_values, columns};
 pub(crate) use value::values;
 
 use crate::model::{Component, CoordinateKind, Model, Units};
@@ -176,8 +176,8 @@ impl Measure {
                 add(&name, Of::Observable(quantity.observable), dimension);
             }
         }
-        let forces = force::column_names(model).into_iter().enumerate();
-        out.extend(forces.map(|(k, name)| Self::new(name, Of::Force(k), Dimension::Unknown)));
+        let forces = force::columns(model).into_iter().enumerate();
+        out.extend(forces.map(|(k, (name, dimension))| Self::new(name, Of::Force(k), dimension)));
         out
     }
 

@@ -1,7 +1,7 @@
 //! The values of quantities at a solved state.
 
 use super::{Measure, Of, Place, force};
-use crate::analysis::forces::forces;
+use crate::analysis::forces::{Sharing, forces};
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::forces::Forces;
@@ -55,7 +55,7 @@ pub(crate) fn values(
     let observed = has(|of| matches!(of, Of::Observable(_)));
     let motion = observed.then(|| motion(equations, state)).transpose()?;
     let loads: Option<Forces> = match has(|of| matches!(of, Of::Force(_))) {
-        true => forces(equations, state).ok(),
+        true => forces(equations, state, Sharing::Undetermined).ok(),
         false => None,
     };
     let mut of_forces = Vec::new();

@@ -209,6 +209,17 @@ pub enum SolveError {
         /// Coordinates that could be given.
         could_be_given: Vec<&'static str>,
     },
+    /// The configuration is singular: loads act against a dead centre, and forces grow without bounds near it.
+    UnboundedForces {
+        /// Time.
+        t: f64,
+        /// The joints and drivers whose forces grow.
+        joints: Vec<&'static str>,
+        /// Estimated condition number of the scaled Φ_q; infinite where it is exactly singular.
+        condition: f64,
+        /// The group of the plan that is at its limit; none where there is no plan.
+        limit: Option<Limit>,
+    },
     /// Derivatives by parameters were asked for where the parameters do not determine the configuration: degrees of freedom
     /// are left open, or rows of velocity level make the position an outcome of the motion so far.
     NotDetermined {
@@ -337,6 +348,7 @@ impl SolveError {
         match self {
             Self::NotAssembled { limit, .. }
             | Self::Singular { limit, .. }
+            | Self::UnboundedForces { limit, .. }
             | Self::StepRefused { limit, .. }
             | Self::ModeNotAssembled { limit, .. } => limit.as_ref(),
             Self::Plan(error) => error.limit(),

@@ -154,6 +154,15 @@ impl fmt::Display for SolveError {
                     write!(f, "; could be given: {}", could_be_given.join(", "))
                 }
             }
+            Self::UnboundedForces { t, joints, limit, .. } => {
+                write!(
+                    f,
+                    "singular configuration at t = {t}: near it forces grow without bounds in {}",
+                    joints.join(", "),
+                    t = rounded(*t)
+                )?;
+                write_limit(f, limit)
+            }
             Self::DegenerateGeometry { t, joint, fault } => {
                 write!(f, "joint `{joint}` at t = {t}: {fault}", t = rounded(*t))
             }

@@ -174,7 +174,7 @@ pub(super) fn settle(
     }
     let right = -scaled(equations, &equations.phi_t);
     let q_dot = found.solve(&right);
-    if inconsistency(equations, &q_dot, &right).is_some() {
+    if inconsistency(equations, &q_dot, &right, 0.0).is_some() {
         return Err(Fault::Open(worst));
     }
     equations.check("q_dot", q_dot.as_slice())?;

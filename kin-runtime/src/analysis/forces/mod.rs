@@ -1,0 +1,149 @@
+//! Forces: Φ_qᵀ λ = r at a solved state, and what λ means.
+//!
+//! Along a plan the closed forms hold λ themselves. Otherwise λ is solved here from the scaled Φ_q: R Φ_q D with rows and
+//! columns on the common scale, (R Φ_q D)ᵀ y = D r, λ = R y. So it is where coordinates are given, where dimensions leave
+//! a degree of freedom open that no symbol shows, and where the closed forms do not close.
+
+mod collected;
+mod numbers;
+mod sharing;
+
+use crate::analysis::singular::diagnose;
+use crate::equations::Equations;
+use crate::equations::scale::Scale;
+use crate::error::SolveError;
+use crate::forces::Forces;
+use crate::linear::Factorization;
+use crate::mobility::mobility;
+use crate::model::forces::TOTALS;
+use crate::model::{Component, CoordinateKind, ForceModel};
+use crate::state::State;
+use crate::workspace::Subset;
+pub(crate) use collected::collected;
+use nalgebra::{DMatrix, DVector};
+pub(crate) use numbers::{Numbers, Sharing};
+
+/// What of r may be left over, beside r.
+const LEFT_OVER: f64 = 1e-7;
+
+/// The forces at a state.
+pub(crate) fn forces(equations: &mut Equations<'_>, state: &State, sharing: Sharing) -> Result<Forces, SolveError> {
+    let model = equations.model;
+    let Some(info) = model.forces else {
+        return Err(SolveError::NoLoads { mechanism: model.name });
+    };
+    let numbers = numbers(equations, info, state, sharing)?;
+    Ok(collected(model, info, state, &numbers))
+}
+
+/// The numbers of forces at a state.
+pub(crate) fn numbers(
+    equations: &mut Equations<'_>,
+    info: &ForceModel,
+    state: &State,
+    sharing: Sharing,
+) -> Result<Numbers, SolveError> {
+    for (what, list) in [("q", &state.q), ("q_dot", &state.q_dot), ("q_ddot", &state.q_ddot)] {
+        equations.check(what, list)?;
+    }
+    match by_plan(equations, info, state)? {
+        Some(values) => {
+            let determined = vec![true; values.len()];
+            Ok(Numbers { values, determined, given: Vec::new(), sharing, by_plan: true })
+        }
+        None => by_elimination(equations, info, state, sharing),
+    }
+}
+
+/// The numbers by the closed forms; none where there are none, and where they are no solution.
+fn by_plan(equations: &mut Equations<'_>, info: &ForceModel, state: &State) -> Result<Option<Vec<f64>>, SolveError> {
+    let rows = equations.model.rows.len();
+    // They know neither prescribed coordinates nor degrees of freedom that dimensions leave open.
+    if !info.solved || state.degrees_of_freedom_left > 0 || equations.rows() > rows {
+        return Ok(None);
+    }
+    let mut values = vec![0.0; info.count];
+    equations.system.forces(&state.instant(), state, &[], &mut values)?;
+    let mut r = vec![0.0; equations.coordinates()];
+    equations.system.generalized_forces(&state.instant(), state, &mut r)?;
+    equations.evaluate(Subset::JACOBIAN, &state.q, None)?;
+    let mut rest = r.clone();
+    let lambda = &values[TOTALS..TOTALS + rows];
+    for ((row, column), entry) in equations.entries() {
+        rest[column] -= entry * lambda[row];
+    }
+    let coordinates = equations.model.coordinates;
+    let is_length =
+        |k: usize| matches!(coordinates[k].kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. });
+    let largest = |list: &[f64], of_lengths: bool| {
+        let own = list.iter().enumerate().filter(|(k, _)| is_length(*k) == of_lengths);
+        own.fold(0.0, |largest: f64, (_, x)| if x.is_nan() { f64::INFINITY } else { largest.max(x.abs()) })
+    };
+    let closes = [true, false].into_iter().all(|kind| largest(&rest, kind) <= LEFT_OVER * largest(&r, kind));
+    let finite = values.iter().all(|value| value.is_finite());
+    Ok((closes && finite).then_some(values))
+}
+
+/// The numbers by a numeric solution for λ.
+fn by_elimination(
+    equations: &mut Equations<'_>,
+    info: &ForceModel,
+    state: &State,
+    sharing: Sharing,
+) -> Result<Numbers, SolveError> {
+    let declared = equations.model.rows.len();
+    let n = equations.coordinates();
+    let mut r = vec![0.0; n];
+    equations.system.generalized_forces(&state.instant(), state, &mut r)?;
+    finite("Q − M q̈", &r, state.t)?;
+    equations.scale = Scale::around(equations, &state.q);
+    equations.evaluate(Subset::VELOCITY, &state.q, None)?;
+    let all: Vec<usize> = (0..equations.rows()).collect();
+    let scaled = equations.scaled(&all).transpose();
+    let right = DVector::from_iterator(n, r.iter().zip(&equations.scale.columns).map(|(r, d)| r * d));
+    let tolerance = equations.options.rank_tolerance;
+    let factor = Factorization::revealing(&scaled, &vec![1.0; all.len()], tolerance);
+    let y = factor.solve(&right);
+    let left_over = (&scaled * &y - &right).amax();
+    if left_over > LEFT_OVER * right.amax().max(f64::MIN_POSITIVE) {
+        return Err(not_held(equations, state, &scaled)?);
+    }
+    let shared = sharing::Shared::new(equations, info, state, &scaled, y, factor.rank)?;
+    let (y, determined) = (shared.multipliers(), shared.determined());
+    let lambda = shared.unscaled(&y);
+    let mut values = vec![0.0; info.count];
+    equations.system.forces(&state.instant(), state, &lambda[..declared], &mut values)?;
+    finite("forces", &values, state.t)?;
+    let given = (declared..all.len()).map(|row| {
+        let rate = equations.given_coordinate(row - declared).map_or(0.0, |k| state.q_dot[k]);
+        (equations.row_name(row), -lambda[row], rate, shared.is_determined(row))
+    });
+    Ok(Numbers { values, determined, given: given.collect(), sharing, by_plan: false })
+}
+
+/// Why no multipliers balance r: the configuration is singular, or something is left open.
+fn not_held(equations: &mut Equations<'_>, state: &State, scaled: &DMatrix<f64>) -> Result<SolveError, SolveError> {
+    let columns = vec![1.0; scaled.nrows()];
+    let here = Factorization::absolute(&scaled.transpose(), &columns, equations.options.rank_tolerance);
+    if let Some(SolveError::Singular { rows, condition, limit, .. }) = diagnose(equations, &state.q, &here) {
+        let mut joints: Vec<&'static str> = Vec::new();
+        for row in rows {
+            let info = equations.model.rows.iter().find(|info| info.name == row);
+            let joint = info.map_or(row, |info| equations.model.joints[info.joint].name);
+            if !joints.contains(&joint) {
+                joints.push(joint);
+            }
+        }
+        return Ok(SolveError::UnboundedForces { t: state.t, joints, condition, limit });
+    }
+    let open = mobility(equations, &state.q)?;
+    let could_be_given = open.could_be_given.iter().map(|&k| equations.model.coordinates[k].name).collect();
+    Ok(SolveError::NotHeld { t: state.t, open: open.degrees_of_freedom_left, could_be_given })
+}
+
+fn finite(what: &'static str, values: &[f64], t: f64) -> Result<(), SolveError> {
+    match values.iter().position(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(index) => Err(SolveError::NonFinite { what, index, name: "", t: Some(t) }),
+    }
+}

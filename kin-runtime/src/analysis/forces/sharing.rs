@@ -1,0 +1,135 @@
+//! What redundant rows leave undetermined, and the least of all forces that are possible then.
+//!
+//! Where rows are more than their rank, λ may change along every null vector of Φ_qᵀ, and whatever changes along one is
+//! undetermined: equilibrium alone does not tell it. Of all possible λ, one has the least forces: the least sum of the
+//! squares of all forces in joints, times a length of the mechanism, of all moments and couples, and of the multipliers of
+//! rows that exert neither (drivers, rows of the user's own), on the common scale. However a joint is written, its force
+//! counts alike.
+
+use crate::equations::Equations;
+use crate::error::SolveError;
+use crate::linear::{Factorization, null_space};
+use crate::model::{ForceModel, Model};
+use crate::state::State;
+use nalgebra::{DMatrix, DVector};
+
+/// What counts as a change along a null vector, beside the largest change.
+const CHANGE: f64 = 1e-9;
+
+/// The multipliers of rows that share a load.
+pub(super) struct Shared {
+    /// Scaled multipliers of least forces.
+    least: DVector<f64>,
+    /// Null vectors of the transposed scaled Φ_q.
+    null: DMatrix<f64>,
+    determined: Vec<bool>,
+    rows: Vec<f64>,
+}
+
+impl Shared {
+    /// From one solution y of the scaled system.
+    pub(super) fn new(
+        equations: &Equations<'_>,
+        info: &ForceModel,
+        state: &State,
+        scaled: &DMatrix<f64>,
+        y: DVector<f64>,
+        rank: usize,
+    ) -> Result<Self, SolveError> {
+        let tolerance = equations.options.rank_tolerance;
+        let null = match rank < scaled.ncols() {
+            true => null_space(scaled, tolerance),
+            false => DMatrix::zeros(y.len(), 0),
+        };
+        let rows = equations.scale.rows.clone();
+        let mut shared = Self { least: y, null, determined: vec![true; info.count], rows };
+        if shared.null.ncols() > 0 {
+            shared.share(equations, info, state)?;
+        }
+        Ok(shared)
+    }
+
+    fn share(&mut self, equations: &Equations<'_>, info: &ForceModel, state: &State) -> Result<(), SolveError> {
+        let declared = equations.model.rows.len();
+        let numbers = |lambda: &[f64]| -> Result<DVector<f64>, SolveError> {
+            let mut values = vec![0.0; info.count];
+            equations.system.forces(&state.instant(), state, &lambda[..declared], &mut values)?;
+            Ok(DVector::from_vec(values))
+        };
+        let (weights, counted) = weights(equations.model, info, equations.scale.length);
+        let here = numbers(&self.unscaled(&self.least))?;
+        // As large as the multipliers are, so that rounding of what does not change is small beside what does.
+        let size = if self.least.amax() > 0.0 { self.least.amax() } else { 1.0 };
+        let (count, free) = (info.count, self.null.ncols());
+        let mut changes = DMatrix::zeros(count, free);
+        for (k, vector) in self.null.column_iter().enumerate() {
+            let moved = numbers(&self.unscaled(&(&self.least + vector * size)))?;
+            changes.set_column(k, &(moved - &here).component_mul(&weights));
+        }
+        let largest = changes.amax();
+        self.determined = changes.row_iter().map(|change| change.amax() <= CHANGE * largest).collect();
+        // Σ (numbers + changes z)² + Σ (y + null z)², of what counts.
+        let other: Vec<usize> = (0..self.least.len()).filter(|&row| !exerts(equations.model, info, row)).collect();
+        let forces: Vec<usize> = (0..count).filter(|&place| counted[place]).collect();
+        let matrix = DMatrix::from_fn(forces.len() + other.len(), free, |i, j| match forces.get(i) {
+            Some(&place) => changes[(place, j)],
+            None => size * self.null[(other[i - forces.len()], j)],
+        });
+        let right = DVector::from_fn(matrix.nrows(), |i, _| match forces.get(i) {
+            Some(&place) => -here[place] * weights[place],
+            None => -self.least[other[i - forces.len()]],
+        });
+        let scale = matrix.amax().max(f64::MIN_POSITIVE);
+        let z = Factorization::revealing(&(matrix / scale), &vec![1.0; free], equations.options.rank_tolerance)
+            .solve(&(right / scale));
+        self.least += &self.null * (z * size);
+        Ok(())
+    }
+
+    /// The scaled multipliers of least forces.
+    pub(super) fn multipliers(&self) -> DVector<f64> {
+        self.least.clone()
+    }
+
+    /// λ of scaled multipliers.
+    pub(super) fn unscaled(&self, y: &DVector<f64>) -> Vec<f64> {
+        y.iter().zip(&self.rows).map(|(y, s)| y * s).collect()
+    }
+
+    /// Which of the numbers equilibrium determines.
+    pub(super) fn determined(&self) -> Vec<bool> {
+        self.determined.clone()
+    }
+
+    /// Whether equilibrium determines the multiplier of a row.
+    pub(super) fn is_determined(&self, row: usize) -> bool {
+        self.null.row(row).iter().all(|entry| entry.abs() <= CHANGE)
+    }
+}
+
+/// What every number is multiplied with to be a moment, and whether it is a force, a moment or a couple of a joint.
+fn weights(model: &Model, info: &ForceModel, length: f64) -> (DVector<f64>, Vec<bool>) {
+    let (mut weights, mut counted) = (DVector::from_element(info.count, 1.0), vec![false; info.count]);
+    debug_assert!(model.forces.is_some());
+    for reaction in info.reactions {
+        let mut place = reaction.place;
+        if reaction.has_force {
+            place += 2;
+            for place in place..place + 2 {
+                (weights[place], counted[place]) = (length, true);
+            }
+            place += 2;
+        }
+        let moments = usize::from(reaction.has_moment) + reaction.couples.len();
+        counted[place..place + moments].fill(true);
+    }
+    (weights, counted)
+}
+
+/// Whether the joint of a row exerts a force, a moment or couples.
+fn exerts(model: &Model, info: &ForceModel, row: usize) -> bool {
+    let Some(row) = model.rows.get(row) else { return false };
+    let name = model.joints[row.joint].name;
+    let reaction = info.reactions.iter().find(|reaction| reaction.name == name);
+    reaction.is_some_and(|reaction| reaction.has_force || reaction.has_moment || !reaction.couples.is_empty())
+}

@@ -1,0 +1,140 @@
+//! Where contacts lift off: the instants at which a normal force changes its sign.
+
+use super::Solver;
+use crate::error::SolveError;
+use crate::forces::{ContactChange, Forces};
+use crate::mechanism::Mechanism;
+use crate::nonlinear::root::{Value, bracket, tolerance};
+use crate::signal::Signal;
+use crate::state::State;
+use crate::workspace::Instant;
+
+/// What answers questions between two states: the state at an instant near another, with its normal forces.
+type Between<'b> = &'b dyn Fn(f64, &State) -> Option<(State, Vec<f64>)>;
+
+/// Watches normal forces from state to state.
+#[derive(Default)]
+pub(crate) struct ContactWatch {
+    /// The last two states with their normal forces, 0 where there is none.
+    last: Vec<(State, Vec<f64>)>,
+    /// What was seen.
+    pub(crate) changes: Vec<ContactChange>,
+}
+
+impl ContactWatch {
+    /// The next state of a motion.
+    pub(crate) fn push(&mut self, state: State, forces: &Forces, between: Between<'_>) {
+        let normals = normals(forces);
+        for k in 0..normals.len() {
+            let (name, value) = (contact(forces, k), normals[k]);
+            let found = match self.last.as_slice() {
+                [] if value < 0.0 => vec![ContactChange { name, t: state.t, lifts_off: true, within: 0.0 }],
+                [] => Vec::new(),
+                [.., (before, earlier)] if (earlier[k] < 0.0) != (value < 0.0) => {
+                    vec![change(name, k, (before, earlier[k]), (&state, value), between)]
+                }
+                [(first, earliest), (before, earlier)] => {
+                    let values = [(first, earliest[k]), (before, earlier[k]), (&state, value)];
+                    dip(name, k, values, between)
+                }
+                _ => Vec::new(),
+            };
+            self.changes.extend(found);
+        }
+        if self.last.len() == 2 {
+            self.last.remove(0);
+        }
+        self.last.push((state, normals));
+    }
+}
+
+/// The normal forces of all contacts.
+fn normals(forces: &Forces) -> Vec<f64> {
+    forces.reactions.iter().filter_map(|reaction| reaction.normal).collect()
+}
+
+fn contact(forces: &Forces, k: usize) -> &'static str {
+    forces.reactions.iter().filter(|reaction| reaction.normal.is_some()).nth(k).map_or("", |reaction| reaction.name)
+}
+
+/// The change of sign between two states.
+fn change(name: &'static str, k: usize, from: (&State, f64), to: (&State, f64), between: Between<'_>) -> ContactChange {
+    let lifts_off = to.1 < 0.0;
+    let sign = if lifts_off { 1.0 } else { -1.0 };
+    let value = |(state, normal): (&State, f64)| Value { t: state.t, f: sign * normal, rate: f64::NAN };
+    let near = |t: f64| if (t - from.0.t).abs() < (to.0.t - t).abs() { from.0 } else { to.0 };
+    let evaluate = |t: f64| {
+        let (state, normals) = between(t, near(t))?;
+        Some(value((&state, *normals.get(k)?)))
+    };
+    let [first, last] = bracket(value(from), value(to), tolerance(to.0.t.abs()), evaluate);
+    let t = if first.f.abs() < last.f.abs() { first.t } else { last.t };
+    ContactChange { name, t, lifts_off, within: (last.t - first.t).abs() }
+}
+
+/// Two changes around the least of three forces of one sign, where a parabola through them comes near 0 or beyond.
+fn dip(name: &'static str, k: usize, values: [(&State, f64); 3], between: Between<'_>) -> Vec<ContactChange> {
+    let [(a, x), (b, y), (c, z)] = values;
+    let sign = if y < 0.0 { -1.0 } else { 1.0 };
+    let (x, y, z) = (sign * x, sign * y, sign * z);
+    let (h, g) = (b.t - a.t, c.t - b.t);
+    let (before, after) = ((y - x) / h, (z - y) / g);
+    let curvature = (after - before) / (h + g);
+    let slope = (before * g + after * h) / (h + g);
+    if x < y || z < y || curvature.is_nan() || curvature <= 0.0 {
+        return Vec::new();
+    }
+    let (t, least) = (b.t - 0.5 * slope / curvature, y - 0.25 * slope * slope / curvature);
+    if least > 0.1 * y {
+        return Vec::new();
+    }
+    let Some((state, normals)) = between(t, b) else { return Vec::new() };
+    let Some(value) = normals.get(k).copied().filter(|value| sign * value < 0.0) else { return Vec::new() };
+    // Between the first and the second state it is before the second, otherwise behind it.
+    let (from, to) = if (t - b.t) * h < 0.0 { ((a, sign * x), (b, sign * y)) } else { ((b, sign * y), (c, sign * z)) };
+    vec![change(name, k, from, (&state, value), between), change(name, k, (&state, value), to, between)]
+}
+
+impl<M: Mechanism> Solver<'_, M> {
+    /// Where contacts lift off, and where they press again, over the states of a motion in its order: the instants at which
+    /// the normal force of a cam, a flat follower or a rolling disc ([`Reaction::normal`](crate::Reaction::normal)) changes
+    /// its sign, as near as rounding allows. Joints of kin hold in both directions, and the motion is that of the equations
+    /// all the way; a real follower leaves its cam there unless something presses it on, as a spring or a groove.
+    ///
+    /// Between states the mechanism is solved again; a force that changes its sign twice between two states is
+    /// found where it is small at the states beside. A contact that pulls from the first state on lifts off there.
+    ///
+    /// # Errors
+    /// As [`forces`](Self::forces) at the states.
+    pub fn contact_changes(&self, states: &[State]) -> Result<Vec<ContactChange>, SolveError> {
+        let mut watch = ContactWatch::default();
+        for state in states {
+            self.watch_contacts(&mut watch, state)?;
+        }
+        Ok(watch.changes)
+    }
+
+    /// The next state of a motion that is watched.
+    pub(crate) fn watch_contacts(&self, watch: &mut ContactWatch, state: &State) -> Result<(), SolveError> {
+        let forces = self.forces(state)?;
+        watch.push(state.clone(), &forces, &|t, near| {
+            let state = self.beside(t, near)?;
+            let normals = normals(&self.forces(&state).ok()?);
+            Some((state, normals))
+        });
+        Ok(())
+    }
+
+    /// The state at an instant near another.
+    fn beside(&self, t: f64, near: &State) -> Option<State> {
+        let mut inputs = near.inputs.clone();
+        match self.inputs {
+            Some(function) => function(t, &mut inputs),
+            None => inputs.iter_mut().for_each(|input: &mut Signal| *input = input.after(t - near.t)),
+        }
+        let h = t - near.t;
+        let rates = near.q.iter().zip(&near.q_dot).zip(&near.q_ddot);
+        let start: Vec<f64> = rates.map(|((q, rate), acceleration)| q + h * (rate + 0.5 * h * acceleration)).collect();
+        self.state_from(&Instant { t, inputs: &inputs }, &start).ok()
+    }
+}

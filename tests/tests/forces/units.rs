@@ -1,0 +1,67 @@
+//! The units of forces follow from those that are written.
+
+use kin_runtime::{Mechanism, mechanism};
+
+macro_rules! arm {
+    ($name:ident, $length:literal, $mass:literal, $stiffness:literal) => {
+        /// An arm with a weight and a spring.
+        #[mechanism]
+        #[bodies(arm)]
+        #[revolute(O: ground @ (0, 0), arm @ (0, 0))]
+        #[driver(motor: arm.phi = 0.3 + t)]
+        #[mass(arm @ (l, 0), mass = m)]
+        #[spring(S: ground @ (0, 0), arm @ (l, 0), stiffness = k)]
+        #[derive(Default)]
+        struct $name {
+            #[param(0.3, unit = $length)]
+            l: f64,
+            #[param(2, unit = $mass)]
+            m: f64,
+            #[param(5, unit = $stiffness)]
+            k: f64,
+        }
+    };
+}
+
+arm!(Metres, "m", "kg", "N/m");
+arm!(Millimetres, "mm", "kg", "mN/mm");
+arm!(Grams, "m", "g", "mN/m");
+
+/// An arm whose stiffness alone tells the size of a force.
+#[mechanism]
+#[bodies(arm)]
+#[revolute(O: ground @ (0, 0), arm @ (0, 0))]
+#[driver(motor: arm.phi = 0.3 + t)]
+#[mass(arm @ (l, 0), mass = 1)]
+#[spring(S: ground @ (0, 0), arm @ (l, 0), stiffness = k)]
+#[derive(Default)]
+struct ByStiffness {
+    #[param(30, unit = "mm")]
+    l: f64,
+    #[param(5, unit = "N/mm")]
+    k: f64,
+}
+
+/// Nothing tells what a mass of 2 is.
+#[mechanism]
+#[bodies(arm)]
+#[revolute(O: ground @ (0, 0), arm @ (0, 0))]
+#[driver(motor: arm.phi = 0.3 + t)]
+#[mass(arm @ (l, 0), mass = 2)]
+#[derive(Default)]
+struct Unknown {
+    #[param(0.3, unit = "m")]
+    l: f64,
+}
+
+#[test]
+fn forces_have_the_units_of_masses_lengths_and_times() {
+    let of = |model: &kin_runtime::model::Model| model.forces.unwrap().units.to_string();
+    assert_eq!("forces in N, moments in N·m, energies in J, powers in W", of(Metres::model()));
+    assert_eq!("forces in mN, moments in mN·mm, energies in uJ, powers in uW".replace("uJ", "mN·mm"), {
+        of(Millimetres::model()).replace("µW", "uW")
+    });
+    assert_eq!("forces in mN, moments in mN·m, energies in mJ, powers in mW", of(Grams::model()));
+    assert_eq!("forces in N, moments in N·mm, energies in mJ, powers in mW", of(ByStiffness::model()));
+    assert_eq!("", of(Unknown::model()));
+}
