@@ -215,7 +215,10 @@ fn a_row_with_the_same_on_both_sides_is_told_so() {
         assert!(said[0].starts_with("`d` constrains nothing: both sides of it are the same;"), "{row}: {said:?}");
     }
     let members = said("#[driver(d[i in 0..2]: arm[i].phi = arm[i].phi)]");
-    assert!(members[0].starts_with("`d[0]` and `d[1]` constrain nothing: both sides of each are the same;"), "{members:?}");
+    assert!(
+        members[0].starts_with("`d[0]` and `d[1]` constrain nothing: both sides of each are the same;"),
+        "{members:?}"
+    );
     // The sides differ, but their difference depends on no coordinate.
     let timed = said("#[driver(d: crank.phi = crank.phi + t)]");
     assert!(timed[0].starts_with("`d` constrains nothing: its residual does not depend"), "{timed:?}");
