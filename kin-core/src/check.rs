@@ -1,36 +1,37 @@
-//! What is wrong with a mechanism before any equation is written: one function per rule.
+//! The rules that a mechanism must satisfy before any equation is written, one function per rule.
 //!
-//! Part by part ([`check_parts`]):
+//! Rules for single parts ([`check_parts`]):
 //! - `names_differ`: bodies, coordinates, parameters, points, defines, functions and inputs share one namespace;
-//! - `names_are_free`: none of them is a word of the language;
+//! - `names_are_not_reserved`: none of these names is a reserved word;
 //! - `row_names_differ`: rows have a namespace of their own;
-//! - `families_have_members`: lengths and ranges are not empty and not absurd;
-//! - `indices_exist`: every index is within its family at every step of the range;
-//! - `origins_end_somewhere`: no body is carried by itself, directly or around a circle;
-//! - `defines_end_somewhere`: no define uses itself;
-//! - `joints_join_two_bodies`: a joint has two different bodies;
-//! - the rules of each kind of joint: the carrier of two gears is a third body, discs on one another have two centres;
+//! - `families_have_members`: lengths and ranges are neither empty nor too large;
+//! - `indices_exist`: every index is valid for its family over the whole range;
+//! - `origins_are_acyclic`: no body is carried by itself, directly or through other bodies;
+//! - `defines_are_acyclic`: no define uses itself;
+//! - `joints_join_two_bodies`: a joint connects two different bodies;
+//! - the rules of each kind of joint: the carrier of two gears is a third body, two rolling discs have different
+//!   centres;
 //! - `axes_have_a_direction`: an axis is not (0, 0);
 //! - `lengths_are_positive`: a literal length is greater than 0;
-//! - `radii_have_a_size`: a radius is not a literal 0;
-//! - `divisors_are_not_zero`: nothing is divided by a literal 0;
-//! - `curves_are_curves`: a literal polar radius is positive, and a curve holds its variables;
-//! - `rollers_know_their_curve`: a roller runs on no curve that has only two derivatives;
-//! - `velocity_rows_are_linear`: a row of velocity level is linear in `dot(…)`, and holds one of something that
-//!   changes;
-//! - `guesses_are_for_coordinates`: a guess is for a free coordinate, one for each;
-//! - `rows_hold_coordinates`: a row that mentions no coordinate constrains nothing;
-//! - `conditions_change`: a condition of parameters alone is always or never satisfied;
-//! - `loads_act_on_bodies`: a mass or a force belongs to a body, a spring joins two;
-//! - `centres_differ`: no two masses have one centre;
-//! - `loads_have_a_size`: masses are not negative, and a spring has a stiffness or a damping;
-//! - `one_field_of_gravity`: gravity is written once.
+//! - `radii_are_not_zero`: a radius is not a literal 0;
+//! - `divisors_are_not_zero`: no divisor is a literal 0;
+//! - `curves_depend_on_their_variables`: a literal polar radius is positive, and a curve contains its variables;
+//! - `roller_curves_have_derivatives`: the curve of a roller has a third derivative;
+//! - `velocity_rows_are_linear`: a row of velocity level is linear in `dot(…)` and contains the rate of something that
+//!   varies;
+//! - `guesses_are_for_coordinates`: a guess is for a free coordinate, at most one for each;
+//! - `rows_contain_coordinates`: every row contains a coordinate, because otherwise it constrains nothing;
+//! - `conditions_vary`: a condition does not depend on parameters alone;
+//! - `loads_act_on_bodies`: a mass or a force belongs to a body, a spring connects two;
+//! - `centres_differ`: no two masses have the same centre;
+//! - `loads_have_valid_sizes`: masses are not negative, and a spring has a stiffness or a damping;
+//! - `one_field_of_gravity`: gravity is declared at most once.
 //!
-//! As a whole ([`check`]), the last two where no row is wrong in what it joins or holds:
-//! - `has_coordinates`: something can move;
-//! - `bodies_are_touched`: some row mentions a coordinate of every body;
-//! - `scalars_are_mentioned`: some row mentions every scalar coordinate;
-//! - `gravity_pulls_masses`: where there is gravity, there is a mass.
+//! Rules for the mechanism as a whole ([`check`]); the second and third are checked only if all rows are correct:
+//! - `has_coordinates`: there is at least one coordinate;
+//! - `bodies_are_in_rows`: the rows contain a coordinate of every body;
+//! - `scalars_are_in_rows`: the rows contain every scalar coordinate;
+//! - `gravity_has_masses`: if there is gravity, there is a mass.
 
 mod condition;
 mod curve;
@@ -53,102 +54,102 @@ use std::collections::BTreeSet;
 pub(crate) use mention::meets_held;
 pub use names::{RESERVED, is_reserved};
 
-use condition::conditions_change;
-use curve::{curves_are_curves, rollers_know_their_curve};
+use condition::conditions_vary;
+use curve::{curves_depend_on_their_variables, roller_curves_have_derivatives};
 use geometry::{
-    axes_have_a_direction, divisors_are_not_zero, joints_join_two_bodies, lengths_are_positive, radii_have_a_size,
+    axes_have_a_direction, divisors_are_not_zero, joints_join_two_bodies, lengths_are_positive, radii_are_not_zero,
 };
 use guess::guesses_are_for_coordinates;
-use loads::{centres_differ, gravity_pulls_masses, loads_act_on_bodies, loads_have_a_size, one_field_of_gravity};
-use names::{names_are_free, names_differ, row_names_differ};
-use participation::{bodies_are_touched, has_coordinates, rows_hold_coordinates, scalars_are_mentioned};
+use loads::{centres_differ, gravity_has_masses, loads_act_on_bodies, loads_have_valid_sizes, one_field_of_gravity};
+use names::{names_are_not_reserved, names_differ, row_names_differ};
+use participation::{bodies_are_in_rows, has_coordinates, rows_contain_coordinates, scalars_are_in_rows};
 use velocity::velocity_rows_are_linear;
 
-/// The most members that a family can have: each becomes coordinates and equations of its own.
+/// The maximum number of members of a family; each member has coordinates and equations of its own.
 pub const MAX_MEMBERS: usize = 10_000;
 
-/// Everything that is wrong with `mechanism`, in the order of its origins.
+/// All errors of `mechanism`, ordered by origin.
 pub fn check(mechanism: &Mechanism) -> Vec<ModelError> {
     let mut errors = check_parts(mechanism);
-    // Of two things with one name only one is used, which is the other's fault.
-    if is_sound(mechanism) && names::are_distinct(mechanism) {
+    // If two objects share a name, references find only one of them, and the other would seem to be unused.
+    if references_resolve(mechanism) && names::are_distinct(mechanism) {
         let before = errors.len();
         has_coordinates(mechanism, &mut errors);
         let mut of_rows = Vec::new();
         check_rows(mechanism, &mut of_rows);
-        // A row that is wrong may be the one that was to hold what no row holds now.
+        // An incorrect row may be the one that should contain the coordinate that no row contains.
         if errors.len() == before && of_rows.is_empty() {
-            bodies_are_touched(mechanism, &mut errors);
-            scalars_are_mentioned(mechanism, &mut errors);
+            bodies_are_in_rows(mechanism, &mut errors);
+            scalars_are_in_rows(mechanism, &mut errors);
         }
-        gravity_pulls_masses(mechanism, &mut errors);
+        gravity_has_masses(mechanism, &mut errors);
     }
     sorted(errors)
 }
 
-/// What is wrong with the parts of `mechanism`, each for itself: also right when other parts are missing.
+/// The errors in the parts of `mechanism`, considered one by one; valid even if other parts are missing.
 pub fn check_parts(mechanism: &Mechanism) -> Vec<ModelError> {
     let mut errors = Vec::new();
     names_differ(mechanism, &mut errors);
-    names_are_free(mechanism, &mut errors);
+    names_are_not_reserved(mechanism, &mut errors);
     row_names_differ(mechanism, &mut errors);
     families_have_members(mechanism, &mut errors);
     indices_exist(mechanism, &mut errors);
-    origins_end_somewhere(mechanism, &mut errors);
-    defines_end_somewhere(mechanism, &mut errors);
+    origins_are_acyclic(mechanism, &mut errors);
+    defines_are_acyclic(mechanism, &mut errors);
     axes_have_a_direction(mechanism, &mut errors);
     lengths_are_positive(mechanism, &mut errors);
-    radii_have_a_size(mechanism, &mut errors);
+    radii_are_not_zero(mechanism, &mut errors);
     divisors_are_not_zero(mechanism, &mut errors);
-    curves_are_curves(mechanism, &mut errors);
-    rollers_know_their_curve(mechanism, &mut errors);
-    loads_have_a_size(mechanism, &mut errors);
+    curves_depend_on_their_variables(mechanism, &mut errors);
+    roller_curves_have_derivatives(mechanism, &mut errors);
+    loads_have_valid_sizes(mechanism, &mut errors);
     one_field_of_gravity(mechanism, &mut errors);
-    if is_sound(mechanism) {
+    if references_resolve(mechanism) {
         check_rows(mechanism, &mut errors);
         guesses_are_for_coordinates(mechanism, &mut errors);
-        conditions_change(mechanism, &mut errors);
+        conditions_vary(mechanism, &mut errors);
         loads_act_on_bodies(mechanism, &mut errors);
         centres_differ(mechanism, &mut errors);
     }
     sorted(errors)
 }
 
-/// What is wrong with the rows of a sound mechanism: with what they join and hold.
+/// Checks the rows of a mechanism whose names and indices are valid: what they connect and contain.
 fn check_rows(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     joints_join_two_bodies(mechanism, errors);
     mechanism.joints.iter().for_each(|joint| joints::check(joint, mechanism, errors));
-    rows_hold_coordinates(mechanism, errors);
+    rows_contain_coordinates(mechanism, errors);
     velocity_rows_are_linear(mechanism, errors);
 }
 
-/// True when families can be unrolled and names followed to their ends.
-fn is_sound(mechanism: &Mechanism) -> bool {
+/// True if families can be expanded and references followed without cycles.
+fn references_resolve(mechanism: &Mechanism) -> bool {
     let mut errors = Vec::new();
     families_have_members(mechanism, &mut errors);
     if errors.is_empty() {
         indices_exist(mechanism, &mut errors);
-        origins_end_somewhere(mechanism, &mut errors);
-        defines_end_somewhere(mechanism, &mut errors);
+        origins_are_acyclic(mechanism, &mut errors);
+        defines_are_acyclic(mechanism, &mut errors);
     }
     errors.is_empty()
 }
 
-/// A point that is used twice would have its mistakes told twice.
+/// Sorts the errors and removes duplicates, which arise from a point that is used several times.
 fn sorted(mut errors: Vec<ModelError>) -> Vec<ModelError> {
     errors.sort_by_key(|error| error.origin);
     errors.dedup();
     errors
 }
 
-/// The families of defines, each after those that it uses as far as there is no circle.
+/// The families of defines, each after those that it uses unless they form a cycle.
 pub(crate) fn order_of_defines(mechanism: &Mechanism) -> cycle::Order {
     let uses = |formula| defines_in(formula).map(|member| member.family).collect();
     let edges: Vec<Vec<usize>> = mechanism.defines.iter().map(|define| uses(&define.formula)).collect();
     cycle::order(&edges)
 }
 
-/// A family has at least one member and at most [`MAX_MEMBERS`].
+/// Rule: a family has at least one member and at most [`MAX_MEMBERS`].
 fn families_have_members(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     let bodies = mechanism.bodies.iter().map(|b| (&b.name, b.len, b.origin));
     let scalars = mechanism.scalars.iter().map(|s| (&s.name, s.len, s.origin));
@@ -175,7 +176,7 @@ fn families_have_members(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
         let Some(range) = range else { continue };
         let (start, end) = (range.start, range.end);
         if start >= end {
-            let message = format!("the range {start}..{end} of `{name}` is empty; it ends before its second bound");
+            let message = format!("the range {start}..{end} of `{name}` is empty; its second bound is not included");
             errors.push(ModelError::new(origin, message));
         } else if start < 0 || end > MAX_MEMBERS as i64 {
             let message = format!("the range {start}..{end} of `{name}` leaves 0..{MAX_MEMBERS}");
@@ -184,9 +185,9 @@ fn families_have_members(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     }
 }
 
-/// Every index is within its family at both ends of the range; between them it is, since it is linear.
+/// Rule: every index exists at both ends of the range; since indices are linear, they exist in between, too.
 fn indices_exist(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
-    // A point stands in the model wherever it is used; its mistakes are told once, at its declaration.
+    // A named point is copied wherever it is used; its errors are reported once, at its declaration.
     let mut told = BTreeSet::new();
     for scope in scopes(mechanism) {
         for used in scope.uses(mechanism) {
@@ -206,8 +207,8 @@ fn indices_exist(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     }
 }
 
-/// The origins of carried bodies lead to a body that is not carried, or to the ground.
-fn origins_end_somewhere(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+/// Rule: a chain of carried bodies ends at a body that is not carried, or at the ground.
+fn origins_are_acyclic(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     let carriers: Vec<Vec<usize>> = mechanism.bodies.iter().map(carriers).collect();
     for circle in cycle::order(&carriers).cycles {
         let names: Vec<&str> = circle.iter().map(|&k| mechanism.bodies[k].name.as_str()).collect();
@@ -230,17 +231,17 @@ fn carriers(body: &Body) -> Vec<usize> {
     }
 }
 
-/// Defines lead to formulas without defines.
-fn defines_end_somewhere(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+/// Rule: no define uses itself, directly or through other defines.
+fn defines_are_acyclic(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for circle in order_of_defines(mechanism).cycles {
         let names: Vec<&str> = circle.iter().map(|&k| mechanism.defines[k].name.as_str()).collect();
         let origin = circle.first().map_or(mechanism.origin, |&k| mechanism.defines[k].origin);
-        let message = format!("{}; a define is made of what does not need it", chain(&names, "uses", "uses itself"));
+        let message = format!("{}; a define must not depend on itself", chain(&names, "uses", "uses itself"));
         errors.push(ModelError::new(origin, message));
     }
 }
 
-/// `` `a` uses `b`, `b` uses `a` ``, or `` `a` uses itself ``.
+/// The text `` `a` uses `b`, `b` uses `a` ``, or `` `a` uses itself ``.
 pub fn chain(names: &[&str], verb: &str, alone: &str) -> String {
     if let [name] = names {
         return format!("`{name}` {alone}");

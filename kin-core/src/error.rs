@@ -1,25 +1,25 @@
-//! What can be wrong with a mechanism, and where.
+//! Errors in a mechanism and their places in the source.
 //!
-//! The core knows neither tokens nor spans: every part of a [`Mechanism`](crate::mechanism::Mechanism)
-//! carries an opaque [`Origin`] that whoever built the model can turn back into a place in the source.
+//! This crate knows neither tokens nor spans. Every part of a [`Mechanism`](crate::mechanism::Mechanism) carries an
+//! opaque [`Origin`], which the code that built the mechanism can map back to a place in the source.
 
 use core::fmt;
 
-/// A place in whatever the model was written in; meaningful only to the builder of the model.
+/// A place in the source of a mechanism; its meaning is known only to the code that built the mechanism.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Origin(pub u32);
 
-/// One mistake in a mechanism: where it is and what would be right.
+/// An error in a mechanism: its place and a message.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ModelError {
-    /// The part of the description that is wrong.
+    /// The part of the mechanism that is wrong.
     pub origin: Origin,
-    /// One sentence on what is wrong, then what would be right.
+    /// A sentence that says what is wrong and how to correct it.
     pub message: String,
 }
 
 impl ModelError {
-    /// A mistake at `origin`.
+    /// An error at `origin`.
     pub fn new(origin: Origin, message: impl Into<String>) -> Self {
         Self { origin, message: message.into() }
     }

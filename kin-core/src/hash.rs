@@ -1,29 +1,30 @@
-//! A hash for small keys of our own making, and a table of what has been met.
+//! A fast hash for small keys, and a hash table of indices.
 //!
-//! Macros are built without optimisation, where the standard library's keyed hash takes a good part of an expansion, and
-//! its tables, written for groups of keys at a time, another. Protection against chosen keys is of no use here: keys are
-//! ids and instructions, and whoever writes a mechanism waits for it alone. Nothing iterates such a map.
+//! Macros are compiled without optimisation, where the keyed hash and the SIMD-style tables of the standard library
+//! take a considerable part of the time of an expansion. Resistance against chosen keys is not needed: the keys are
+//! ids and instructions of a mechanism that its author compiles. The maps are never iterated, so their order does not
+//! matter.
 
 use core::hash::{BuildHasherDefault, Hasher};
 use std::collections::HashMap;
 
-/// A map whose keys hash fast.
+/// A map with a fast hash.
 pub(crate) type FastMap<K, V> = HashMap<K, V, BuildHasherDefault<Fast>>;
 
-/// Multiply and rotate, word by word.
+/// A hasher that rotates and multiplies word by word.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Fast(u64);
 
 impl Fast {
     fn add(&mut self, word: u64) {
-        // An odd constant without structure: 2⁶⁴ divided by the golden ratio.
+        // 2⁶⁴ divided by the golden ratio, an odd constant without regular structure.
         self.0 = (self.0.rotate_left(5) ^ word).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     }
 }
 
 impl Hasher for Fast {
     fn finish(&self) -> u64 {
-        // A map takes its place from the lowest bits, which a product mixes least.
+        // A map uses the lowest bits, which the multiplication mixes least.
         self.0 ^ (self.0 >> 29)
     }
 
@@ -56,22 +57,23 @@ impl Hasher for Fast {
     }
 }
 
-/// One more word in a hash; the upper half is the best mixed.
+/// Adds a word to a hash; the upper half of the result is mixed best.
 pub(crate) const fn mixed(hash: u64, word: u64) -> u64 {
     let product = (hash ^ word).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     product ^ (product >> 29)
 }
 
-/// Where things stand that are kept in order elsewhere, found by their hash: open addressing, one slot after the other.
+/// A hash table that finds the indices of objects stored elsewhere, with open addressing and linear probing.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Table {
-    /// The upper half of the hash, and the place plus one; 0 is free. As many as a power of two, half of them free.
+    /// Each slot holds the upper half of the hash and the index plus one; 0 is a free slot. The number of slots is a
+    /// power of two, and at least half of them are free.
     slots: Vec<u64>,
     len: usize,
 }
 
 impl Table {
-    /// The place that has this hash and is the `same`.
+    /// The index that has this hash and for which `same` holds.
     pub(crate) fn find(&self, hash: u64, same: impl Fn(usize) -> bool) -> Option<usize> {
         if self.slots.is_empty() {
             return None;
@@ -93,7 +95,7 @@ impl Table {
         }
     }
 
-    /// Notes a place that was not found.
+    /// Inserts an index that `find` did not find.
     pub(crate) fn insert(&mut self, hash: u64, place: usize) {
         self.len += 1;
         if 2 * self.len > self.slots.len() {
@@ -130,7 +132,7 @@ mod tests {
         let keys: Vec<u64> = (0..1000).map(|k| k * k % 1009 + 5000 * k).collect();
         let mut table = Table::default();
         for (place, key) in keys.iter().enumerate() {
-            // Some share all of their hash, most share the slot where the search begins.
+            // Some keys have equal hashes, and most share their first slot.
             let hash = mixed(7, *key % 400);
             assert_eq!(table.find(hash, |other| keys[other] == *key), None);
             table.insert(hash, place);
@@ -153,7 +155,7 @@ mod tests {
                 highest.insert(hasher.finish() >> 57);
             }
         }
-        // 4096 keys thrown into 4096 places fill 63 % of them.
+        // 4096 random keys in 4096 slots occupy 63 % of them.
         assert!(lowest.len() > 2300 && highest.len() == 128, "{} {}", lowest.len(), highest.len());
     }
 }

@@ -1,27 +1,28 @@
-//! Symbolic kinematics of planar mechanisms: what `#[mechanism]` does between parsing and emitting code.
+//! Symbolic kinematics of planar mechanisms: the part of `#[mechanism]` between parsing and emitting code.
 //!
 //! ```text
 //! Mechanism → ConstraintSet → KinematicSystem → SolutionPlan → Kernels
 //!    assemble      differentiate        plan        kernels
 //! ```
 //!
-//! Each arrow is one function from one named type to the next, and none calls back into an earlier one.
+//! Each arrow is one function from one type to the next; no stage calls an earlier one.
 //!
-//! - [`vocabulary`]: the words that kin-runtime shares; all that there is without the feature `compiler`.
-//! - [`expr`]: the hash-consed expressions, the one place that differentiates, and the one fold that walks them.
-//! - [`mechanism`]: what the user said, names resolved: a joint is the operands in the slots of its form.
-//! - [`constraint`]: the constraint set Φ with everything that is reported, and the state in which rows are written.
+//! - [`vocabulary`]: the kinds and names shared with kin-runtime; the only module without the feature `compiler`.
+//! - [`expr`]: hash-consed expressions, their total derivatives, and the fold that evaluates and rewrites them.
+//! - [`mechanism`]: the mechanism as the user declared it, with names resolved; a joint is a list of operands for its
+//!   slots.
+//! - [`constraint`]: the constraint set Φ with everything that is reported, and the assembly state for writing rows.
 //! - [`notation`], [`vectors`]: formulas, and the vector equations of joints, as Unicode text, LaTeX and MathML.
-//! - [`joints`]: one kind of joint per file: operands, rows of Φ, rules, vector equations; and assembly.
-//! - [`check`], [`units`]: the rules of a mechanism, and whether its units agree.
+//! - [`joints`]: one file for each kind of joint (operands, rows of Φ, rules, vector equations), and the assembly.
+//! - [`check`], [`units`]: the rules of a mechanism, and the consistency of its units.
 //! - [`system`]: Φ_q, Φ_t, γ and the class of every row.
-//! - [`structure`]: what the equations say before any number is known: generic rank, redundant rows.
-//! - [`program`]: straight-line code shared by all outputs, and what repeats in it as loops.
+//! - [`structure`]: structural analysis without numbers: generic rank, redundant rows.
+//! - [`program`]: straight-line code shared by all outputs, and loops for its repetition.
 //! - [`mod@plan`]: how the mechanism is solved, step by step.
-//! - [`mod@kernels`]: every program of the mechanism, finished: what generated code consists of.
-//! - [`sheet`]: the derivation for people.
+//! - [`mod@kernels`]: all programs of the mechanism in final form, which generated code consists of.
+//! - [`sheet`]: the derivation as a document.
 //!
-//! Each room imports only those before it in this list. There are no tokens, no spans and no I/O here.
+//! Each module depends only on those before it in this list. The crate has no tokens, no spans and no I/O.
 
 #![cfg_attr(not(feature = "units"), no_std)]
 

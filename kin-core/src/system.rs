@@ -1,66 +1,67 @@
-//! The kinematic system: Φ with Φ_q, Φ_t and γ, and the class of every row.
+//! The kinematic system: Φ with its derivatives Φ_q, Φ_t and γ, and the class of every row.
 //!
-//! Both derivatives come from [`total_derivatives`]: Φ̇ = Φ_q q̇ + Φ_t and
-//! Φ̈ = Φ_q q̈ − γ, so that the velocity equations are Φ_q q̇ = ν = −Φ_t and the acceleration equations Φ_q q̈ = γ.
+//! The derivatives are obtained by [`total_derivatives`]: Φ̇ = Φ_q q̇ + Φ_t and Φ̈ = Φ_q q̈ − γ. The velocity
+//! equations are Φ_q q̇ = ν = −Φ_t, the acceleration equations Φ_q q̈ = γ.
 //!
-//! A row of velocity level, η = B q̇ + b = 0, is differentiated once: η̇ = B q̈ − γ. B and b stand in its rows of Φ_q
-//! and Φ_t, so that velocity and acceleration equations look like those of all other rows.
+//! A row of velocity level, η = B q̇ + b = 0, is differentiated once: η̇ = B q̈ − γ. B and b are stored as its rows of
+//! Φ_q and Φ_t, so the velocity and acceleration equations have the same form for all rows.
 
 use crate::constraint::{ConstraintRow, ConstraintSet, ObservableKind, VelocityRow};
 use crate::error::{ModelError, Origin};
 use crate::expr::{ExprId, Jet, MAX_ORDER, Node, Symbol, total_derivatives, velocity_derivatives};
 use core::fmt;
 
-/// A row with its derivatives.
+/// A row and its derivatives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equation {
     /// Φ, or the value of an observable; 0 for a row of velocity level.
     pub phi: ExprId,
-    /// Non-zero entries of the row of Φ_q, by coordinate; B of a row of velocity level.
+    /// The non-zero entries of the row of Φ_q with their coordinates; for a row of velocity level the row of B.
     pub phi_q: Vec<(u32, ExprId)>,
-    /// Φ_t; b of a row of velocity level.
+    /// Φ_t; for a row of velocity level b.
     pub phi_t: ExprId,
-    /// γ = −(Φ_q q̇)_q q̇ − 2 Φ_qt q̇ − Φ_tt; of a row of velocity level −η_q q̇ − η_t at fixed q̇.
+    /// γ = −(Φ_q q̇)_q q̇ − 2 Φ_qt q̇ − Φ_tt; for a row of velocity level −η_q q̇ − η_t for constant q̇.
     pub gamma: ExprId,
 }
 
-/// The class of a row (lecture, slides 27–34). Every row is an equation, so bilateral.
+/// The class of a row (lecture, slides 27–34). All rows are equations, that is, bilateral constraints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RowClass {
-    /// Φ(q, t) = 0; otherwise a velocity-level row.
+    /// True for a row Φ(q, t) = 0, false for a row of velocity level.
     pub holonomic: bool,
-    /// t or an input appears; otherwise scleronomic.
+    /// True if t or an input appears; otherwise the row is scleronomic.
     pub rheonomic: bool,
-    /// Declared by `driver` or `speed`, or t or an input appears in its own operands. A row that is rheonomic only because
-    /// a held coordinate of one of its bodies moves does not drive.
+    /// True if the row is declared by `driver` or `speed`, or if its own operands contain t or an input. A row that is
+    /// rheonomic only because of a moving held coordinate is not driving.
     pub driving: bool,
 }
 
 impl RowClass {
-    /// True for a row that leads motion into the mechanism: it drives, or a body that it joins is moved by a held coordinate.
+    /// True if the row transmits motion into the mechanism: it is driving, or a held coordinate of one of its bodies
+    /// moves.
     pub fn leads(self) -> bool {
         self.driving || self.rheonomic
     }
 }
 
-/// Φ, Φ_q, Φ_t, γ of a mechanism and of everything that it reports.
+/// Φ, Φ_q, Φ_t, γ of a mechanism, and the same derivatives of everything that it reports.
 #[derive(Clone, Debug)]
 pub struct KinematicSystem {
-    /// Names, coordinates, bodies, joints; its graph holds all expressions.
+    /// The constraint set; its graph contains all expressions.
     pub set: ConstraintSet,
-    /// Rows of Φ.
+    /// The rows of Φ.
     pub equations: Vec<Equation>,
     /// The class of every row.
     pub classes: Vec<RowClass>,
-    /// Observables, with the same derivatives.
+    /// The observables with their derivatives.
     pub observables: Vec<Equation>,
 }
 
 /// Differentiates a constraint set.
 ///
 /// # Errors
-/// Rows and defines whose equations need a third derivative of an input or a supplied function: an evaluation has
-/// value, rate and acceleration.
+/// Rows and observables that need a third derivative of an input or a supplied function. The caller provides only the
+/// value, the rate and the acceleration.
 pub fn differentiate(mut set: ConstraintSet) -> Result<KinematicSystem, Vec<ModelError>> {
     let rows: Vec<ExprId> = set.rows.iter().map(|row| row.phi).collect();
     let observed: Vec<ExprId> = set.observables.iter().map(|o| o.value).collect();
@@ -81,7 +82,8 @@ pub fn differentiate(mut set: ConstraintSet) -> Result<KinematicSystem, Vec<Mode
     if errors.is_empty() { Ok(system) } else { Err(errors) }
 }
 
-/// One error for every row and define that needs more than a second derivative of what only the caller knows.
+/// An error for every row and observable that needs more derivatives of an input or supplied function than the caller
+/// provides.
 fn needs_what_is_not_supplied(system: &KinematicSystem) -> Vec<ModelError> {
     let set = &system.set;
     let beyond = |id: &ExprId| match set.graph.node(*id) {
@@ -106,7 +108,8 @@ fn needs_what_is_not_supplied(system: &KinematicSystem) -> Vec<ModelError> {
         let needed = set.graph.reachable(outputs.into_iter().chain(equation.phi_q.iter().map(|(_, e)| *e)));
         if let Some(missing) = needed.iter().find_map(beyond) {
             let message = format!(
-                "`{name}` needs the third derivative of `{missing}`; value, rate and acceleration are what there is of it"
+                "`{name}` needs the third derivative of `{missing}`; only its value, rate and acceleration \
+                 are available"
             );
             errors.push(ModelError::new(origin, message));
         }
@@ -123,7 +126,7 @@ fn class(set: &ConstraintSet, row: &ConstraintRow) -> RowClass {
     RowClass { holonomic, rheonomic, driving: declared || (rheonomic && row.operands_move) }
 }
 
-/// B, b and γ of the rows of velocity level.
+/// Stores B, b and γ of the rows of velocity level.
 fn velocity_level(set: &mut ConstraintSet, equations: &mut [Equation]) {
     let rows: Vec<(usize, VelocityRow)> =
         set.rows.iter().enumerate().filter_map(|(k, row)| row.velocity.map(|velocity| (k, velocity))).collect();

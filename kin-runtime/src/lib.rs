@@ -73,7 +73,9 @@ pub use scalar::lanes::Lanes;
 pub use {
     analysis::modes,
     report::{measure, mobility, ratios, transmission},
-    results::{assembly, certificate, error, forces, motion, observer, options, sensitivities, state, trajectory},
+    results::{
+        assembly, certificate, error, forces, motion, observer, options, ranges, sensitivities, state, trajectory,
+    },
     sweep::events,
 };
 
@@ -109,6 +111,7 @@ pub use crate::{
     motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates},
     observer::{Observer, Reached},
     options::Options,
+    ranges::{Range, RangeLimit, Ranges},
     ratios::{VelocityRatio, VelocityRatios},
     sensitivities::{Deviation, Sensitivities, Sensitivity},
     series::{Derivatives, MotionDerivatives},

@@ -1,4 +1,4 @@
-//! Rules on curves.
+//! Rules for curves.
 
 use crate::error::ModelError;
 use crate::mechanism::{Curve, CurveVariable, Formula, Mechanism, Member, nodes};
@@ -8,8 +8,8 @@ fn curves(mechanism: &Mechanism) -> impl Iterator<Item = &Curve> {
     mechanism.joints.iter().filter_map(|joint| joint.operands.curve())
 }
 
-/// A literal polar radius is positive, an implicit curve holds X or Y, and a parametric one its parameter.
-pub(super) fn curves_are_curves(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+/// Rule: a literal polar radius is positive, an implicit curve contains X or Y, a parametric curve its parameter.
+pub(super) fn curves_depend_on_their_variables(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for curve in curves(mechanism) {
         match curve {
             Curve::Polar { radius, origin } => match radius.literal() {
@@ -41,8 +41,9 @@ pub(super) fn curves_are_curves(mechanism: &Mechanism, errors: &mut Vec<ModelErr
     }
 }
 
-/// The direction of a roller's curve is c′, so that γ holds c‴: a supplied function has two derivatives only.
-pub(super) fn rollers_know_their_curve(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+/// Rule: a curve with a roller has a third derivative. The row contains the tangent c′, so γ contains c‴, but a
+/// supplied function provides only two derivatives.
+pub(super) fn roller_curves_have_derivatives(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for curve in curves(mechanism) {
         let Curve::Parametric { parameter, x, y, roller: Some(_), .. } = curve else { continue };
         for node in [x, y].into_iter().flat_map(nodes) {
@@ -60,7 +61,7 @@ pub(super) fn rollers_know_their_curve(mechanism: &Mechanism, errors: &mut Vec<M
     }
 }
 
-/// True when the parameter stands in the formula; defines hold no coordinates inside a curve.
+/// True if the formula contains the parameter. Defines inside a curve contain no coordinates.
 fn holds(formula: &Formula, parameter: &Member) -> bool {
     nodes(formula).into_iter().any(|node| matches!(node, Formula::Scalar(member) if member.family == parameter.family))
 }

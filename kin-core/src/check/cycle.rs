@@ -1,15 +1,15 @@
-//! Circles in what should be a chain: defines that use themselves, origins that carry themselves.
+//! Finds cycles in graphs of dependencies: defines that use themselves, bodies that carry themselves.
 
-/// What [`order`] finds.
+/// The result of [`order`].
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Order {
-    /// All nodes; each stands after those it leads to, as far as there is no circle.
+    /// All nodes; each comes after the nodes that it leads to, unless they form a cycle.
     pub order: Vec<usize>,
-    /// Circles without a common node, each beginning with its smallest one.
+    /// Cycles without common nodes, each starting at its smallest node.
     pub cycles: Vec<Vec<usize>>,
 }
 
-/// Orders the nodes of a graph given by `edges`, where node `k` leads to `edges[k]`.
+/// Orders the nodes of a graph topologically, where node `k` leads to `edges[k]`.
 pub fn order(edges: &[Vec<usize>]) -> Order {
     #[derive(Clone, Copy, PartialEq)]
     enum State {
@@ -21,8 +21,8 @@ pub fn order(edges: &[Vec<usize>]) -> Order {
     let mut on_cycle = vec![false; edges.len()];
     let mut result = Order::default();
     for root in 0..edges.len() {
-        // Nodes on the way from the root, each with the number of its edges that were followed: long chains
-        // must not become deep recursion.
+        // The path from the root, each node with the number of its edges that have been followed. An explicit stack is
+        // used because recursion on long chains could overflow the call stack.
         let mut path: Vec<(usize, usize)> = Vec::new();
         if state[root] == State::New {
             state[root] = State::Open;
@@ -44,7 +44,7 @@ pub fn order(edges: &[Vec<usize>]) -> Order {
                 Some(State::Open) => {
                     let start = path.iter().position(|(node, _)| *node == next).unwrap_or(0);
                     let circle: Vec<usize> = path[start..].iter().map(|(node, _)| *node).collect();
-                    // One circle of those that share a node is enough to see the mistake.
+                    // Of several cycles that share a node, one is enough to explain the error.
                     if !circle.iter().any(|&node| on_cycle[node]) {
                         circle.iter().for_each(|&node| on_cycle[node] = true);
                         result.cycles.push(from_smallest(circle));

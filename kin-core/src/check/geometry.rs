@@ -1,15 +1,15 @@
-//! Rules on geometry that can be seen without numbers.
+//! Rules for geometry that depend on literal numbers only.
 
 use super::scope::scopes;
 use crate::error::ModelError;
 use crate::mechanism::{BodyRef, Formula, Joint, Mechanism, Operand, Slot, Takes};
 
-/// True for a joint of the ground with itself.
+/// True if the joint connects the ground with itself.
 pub(super) fn is_within_ground(joint: &Joint) -> bool {
     joint.operands.joined().is_some_and(|bodies| bodies.iter().all(BodyRef::is_ground))
 }
 
-/// A joint joins two bodies, at every step of its range.
+/// Rule: a joint connects two different bodies, for every index of its range.
 pub(super) fn joints_join_two_bodies(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for joint in &mechanism.joints {
         let Some([a, b]) = joint.operands.joined() else { continue };
@@ -22,7 +22,7 @@ pub(super) fn joints_join_two_bodies(mechanism: &Mechanism, errors: &mut Vec<Mod
     }
 }
 
-/// The axis of a joint points somewhere.
+/// Rule: the axis of a joint has a direction.
 pub(super) fn axes_have_a_direction(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for (_, operand) in operands(mechanism) {
         let Operand::Axis(axis) = operand else { continue };
@@ -33,7 +33,7 @@ pub(super) fn axes_have_a_direction(mechanism: &Mechanism, errors: &mut Vec<Mode
     }
 }
 
-/// A distance is positive: at 0 its row has no gradient.
+/// Rule: a distance is positive, because a row with the distance 0 has no gradient.
 pub(super) fn lengths_are_positive(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for (slot, operand) in operands(mechanism) {
         let (true, Operand::Value(length)) = (slot.positive, operand) else { continue };
@@ -50,9 +50,9 @@ pub(super) fn lengths_are_positive(mechanism: &Mechanism, errors: &mut Vec<Model
     }
 }
 
-/// A radius is not a literal 0; what comes to that for a member of a family, or once numbers are folded, is seen when its
-/// rows are written.
-pub(super) fn radii_have_a_size(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+/// Rule: a radius is not a literal 0. A radius that is 0 for a member of a family, or after constant folding, is
+/// reported when the rows are written.
+pub(super) fn radii_are_not_zero(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for (slot, operand) in operands(mechanism) {
         let radii = match operand {
             Operand::Radii(radii) => vec![&radii.i, &radii.j],
@@ -72,7 +72,7 @@ fn operands(mechanism: &Mechanism) -> impl Iterator<Item = (&'static Slot, &Oper
     mechanism.joints.iter().flat_map(|joint| joint.operands.iter())
 }
 
-/// Nothing is divided by a literal 0.
+/// Rule: no divisor is a literal 0.
 pub(super) fn divisors_are_not_zero(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for scope in scopes(mechanism) {
         for node in scope.nodes() {

@@ -1,11 +1,11 @@
-//! The rule on guesses.
+//! The rule for guesses.
 
 use super::mention::Coordinate;
 use crate::error::ModelError;
 use crate::mechanism::{BodyRef, GuessTarget, Mechanism, Range, Source};
 use std::collections::BTreeSet;
 
-/// A guess is for a coordinate, and there is one for each at most.
+/// Rule: a guess is for a free coordinate, and there is at most one for each.
 pub(super) fn guesses_are_for_coordinates(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     let mut given = BTreeSet::new();
     for guess in &mechanism.guesses {

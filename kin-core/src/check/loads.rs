@@ -1,10 +1,10 @@
-//! Rules on masses and loads: each acts on something that can move, and none is written twice.
+//! Rules for masses and loads.
 
 use crate::error::{ModelError, Origin};
 use crate::mechanism::{BodyRef, Load, Mechanism, Operand, Place};
 use crate::vocabulary::{LoadKind, StatementKind};
 
-/// Every mass and load acts on a body.
+/// Rule: every mass and load acts on a body, and between two different bodies if it has two.
 pub(super) fn loads_act_on_bodies(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for load in &mechanism.loads {
         let StatementKind::Load(kind) = load.operands.kind() else { continue };
@@ -19,7 +19,8 @@ pub(super) fn loads_act_on_bodies(mechanism: &Mechanism, errors: &mut Vec<ModelE
                 errors.push(ModelError::new(body.origin(), message));
             }
             (LoadKind::Force | LoadKind::Torque, [body]) if body.is_ground() => {
-                let message = format!("{keyword} `{name}` acts on the ground, which nothing moves; it acts on a body");
+                let message =
+                    format!("{keyword} `{name}` acts on the ground, which does not move; a load acts on a body");
                 errors.push(ModelError::new(body.origin(), message));
             }
             (_, [a, b]) => {
@@ -41,7 +42,7 @@ fn loads_of(mechanism: &Mechanism, kind: LoadKind) -> impl Iterator<Item = &Load
     mechanism.loads.iter().filter(move |load| load.operands.kind() == StatementKind::Load(kind))
 }
 
-/// There is one field of gravity.
+/// Rule: gravity is declared at most once.
 pub(super) fn one_field_of_gravity(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for second in loads_of(mechanism, LoadKind::Gravity).skip(1) {
         let message = "there is a `gravity` already; one field pulls all masses";
@@ -49,8 +50,8 @@ pub(super) fn one_field_of_gravity(mechanism: &Mechanism, errors: &mut Vec<Model
     }
 }
 
-/// Gravity has something to pull.
-pub(super) fn gravity_pulls_masses(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+/// Rule: if there is gravity, there is a mass.
+pub(super) fn gravity_has_masses(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     let first = |kind| loads_of(mechanism, kind).next();
     if let (Some(gravity), None) = (first(LoadKind::Gravity), first(LoadKind::Mass)) {
         let message = "gravity pulls masses, and no body has one: `#[mass(crank @ (l1/2, 0), mass = m1)]`";
@@ -58,7 +59,7 @@ pub(super) fn gravity_pulls_masses(mechanism: &Mechanism, errors: &mut Vec<Model
     }
 }
 
-/// No two masses have one centre: that is one mass, written twice.
+/// Rule: no two masses have the same centre, because such a mass has probably been declared twice.
 pub(super) fn centres_differ(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     let mut known: Vec<&Place> = Vec::new();
     for load in &mechanism.loads {
@@ -78,8 +79,8 @@ pub(super) fn centres_differ(mechanism: &Mechanism, errors: &mut Vec<ModelError>
     }
 }
 
-/// Masses and moments of inertia are not negative, and a spring has a stiffness or a damping.
-pub(super) fn loads_have_a_size(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+/// Rule: masses and moments of inertia are not negative, and a spring has a stiffness or a damping.
+pub(super) fn loads_have_valid_sizes(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for load in &mechanism.loads {
         let literal = |key: &str| {
             let found = load.operands.iter().find(|(slot, _)| slot.key == key)?;

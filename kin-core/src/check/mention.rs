@@ -1,27 +1,28 @@
-//! Which coordinates a row mentions, through points, defines and carried origins.
+//! Determines which coordinates a row contains, directly or through points, defines and carried origins.
 //!
-//! The answer may hold too much, never too little: a rule may only speak of what is certainly not mentioned.
+//! The result may contain too many coordinates but never too few, so that a rule can rely on a coordinate that is
+//! missing.
 
 use crate::mechanism::{BodyRef, Component, Formula, Joint, Mechanism, Member, Operand, Place, Sees, Source, nodes};
 use std::collections::BTreeSet;
 
-/// A generalized coordinate: of a member of a family.
+/// A generalized coordinate of a member of a family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Coordinate {
-    /// Family, member and component of a body.
+    /// The body family, the member and the component of a coordinate of a body.
     Pose(usize, usize, Component),
-    /// Family and member of a scalar coordinate.
+    /// The family and the member of a scalar coordinate.
     Scalar(usize, usize),
 }
 
-/// What can be mentioned; coordinates that are held or carried lead on.
+/// A reference: a define, or a coordinate, which may be held or carried and then leads to further references.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Mention {
     Coordinate(Coordinate),
     Define(usize, usize),
 }
 
-/// The free coordinates that any step of the joint's range mentions.
+/// The free coordinates that the joint contains for any index of its range.
 pub(super) fn mentioned(mechanism: &Mechanism, joint: &Joint) -> BTreeSet<Coordinate> {
     let indices = joint.range.map_or(0..1, |range| range.indices());
     let mut all = Mentions::new(mechanism);
@@ -29,14 +30,14 @@ pub(super) fn mentioned(mechanism: &Mechanism, joint: &Joint) -> BTreeSet<Coordi
     all.follow()
 }
 
-/// The free coordinates that the joint mentions at step `i` of its range.
+/// The free coordinates that the joint contains for the index `i`.
 pub(super) fn mentioned_at(mechanism: &Mechanism, joint: &Joint, i: i64) -> BTreeSet<Coordinate> {
     let mut all = Mentions::new(mechanism);
     all.joint(joint, i);
     all.follow()
 }
 
-/// False only for what certainly stays as it is at step `i` of its range: no coordinate, no t and no input is in it.
+/// False only if the formulas are certainly constant for the index `i`: they contain no coordinate, no t and no input.
 pub(super) fn changes(mechanism: &Mechanism, formulas: &[&Formula], i: i64) -> bool {
     let mut all = Mentions::new(mechanism);
     formulas.iter().for_each(|formula| all.formula(formula, i));
@@ -44,14 +45,14 @@ pub(super) fn changes(mechanism: &Mechanism, formulas: &[&Formula], i: i64) -> b
     all.rheonomic || !all.follow().is_empty()
 }
 
-/// True if the formula mentions a free coordinate at step `i` of its range.
+/// True if the formula contains a free coordinate for the index `i`.
 pub(super) fn moves(mechanism: &Mechanism, formula: &Formula, i: i64) -> bool {
     let mut all = Mentions::new(mechanism);
     all.formula(formula, i);
     !all.follow().is_empty()
 }
 
-/// True if any step of the joint's range meets a coordinate that is held.
+/// True if the joint involves a held coordinate for any index of its range.
 pub(crate) fn meets_held(mechanism: &Mechanism, joint: &Joint) -> bool {
     let indices = joint.range.map_or(0..1, |range| range.indices());
     let mut all = Mentions::new(mechanism);
@@ -65,7 +66,7 @@ pub(crate) fn meets_held(mechanism: &Mechanism, joint: &Joint) -> bool {
     })
 }
 
-/// Where a component of a member of a family comes from.
+/// How a component of the bodies of a family is determined.
 fn source(mechanism: &Mechanism, family: usize, component: Component) -> Option<Source<'_>> {
     mechanism.bodies.get(family).map(|body| body.source(component))
 }
@@ -74,7 +75,7 @@ struct Mentions<'a> {
     mechanism: &'a Mechanism,
     seen: BTreeSet<Mention>,
     open: Vec<Mention>,
-    /// t or an input was met.
+    /// True if t or an input has been found.
     rheonomic: bool,
 }
 
@@ -89,7 +90,7 @@ impl<'a> Mentions<'a> {
         }
     }
 
-    /// Follows what was noted to its end.
+    /// Follows all references that have been recorded.
     fn close(&mut self) {
         let mechanism = self.mechanism;
         while let Some(mention) = self.open.pop() {
@@ -111,7 +112,7 @@ impl<'a> Mentions<'a> {
         }
     }
 
-    /// The coordinates that are free of all that what was noted leads to.
+    /// The free coordinates among all references, after following them.
     fn follow(mut self) -> BTreeSet<Coordinate> {
         let mechanism = self.mechanism;
         self.close();
@@ -135,7 +136,7 @@ impl<'a> Mentions<'a> {
                 Operand::Point(place) => self.point(place, slot.sees, i),
                 Operand::Points(places) => places.iter().for_each(|place| self.point(place, slot.sees, i)),
                 Operand::Body(body) => self.pose(*body, Component::Phi, i),
-                // An axis and radii are formulas of parameters.
+                // Axes and radii are formulas of parameters.
                 Operand::Axis(_) | Operand::Radii(_) => {}
                 Operand::Bodies(bodies) => bodies.iter().for_each(|body| self.pose(*body, Component::Phi, i)),
                 Operand::Scalar(_) | Operand::Vector(_) | Operand::Value(_) | Operand::Curve(_) => {
@@ -146,7 +147,7 @@ impl<'a> Mentions<'a> {
         }
     }
 
-    /// A point, as far as rows see it.
+    /// Records the coordinates of a point that appear in the rows.
     fn point(&mut self, place: &Place, sees: Sees, i: i64) {
         match sees {
             Sees::Component(component) => self.place(place, &[component], i),
@@ -192,7 +193,7 @@ impl<'a> Mentions<'a> {
         }
     }
 
-    /// The given coordinates of a point; the body's angle moves them unless the point is the body's origin.
+    /// Records the given components of a point, and the angle of its body unless the point is the body's origin.
     fn place(&mut self, place: &Place, components: &[Component], i: i64) {
         for component in components {
             self.pose(place.body, *component, i);
@@ -204,7 +205,7 @@ impl<'a> Mentions<'a> {
     }
 }
 
-/// A member's number as the value of the index variable.
+/// The index of a member as the value of an index variable.
 fn index(member: usize) -> i64 {
     i64::try_from(member).unwrap_or(i64::MAX)
 }

@@ -1,21 +1,21 @@
-//! Rules on names.
+//! Rules for names.
 
 use crate::error::{ModelError, Origin};
 use crate::mechanism::{Load, Mechanism};
 use std::collections::BTreeMap;
 
-/// The words that the language keeps for itself.
+/// The reserved words of the language.
 pub const RESERVED: [&str; 17] = [
     "t", "pi", "ground", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "ln", "abs", "pow",
     "distance", "dot",
 ];
 
-/// True for a word that the language keeps for itself.
+/// True if `name` is a reserved word.
 pub fn is_reserved(name: &str) -> bool {
     RESERVED.contains(&name)
 }
 
-/// Everything with a name in the shared namespace, in the order of the source.
+/// All names of the shared namespace, in the order of the source.
 fn declared(mechanism: &Mechanism) -> Vec<(&str, &'static str, Origin)> {
     let mut all: Vec<(&str, &'static str, Origin)> = Vec::new();
     all.extend(mechanism.parameters.iter().map(|p| (p.name.as_str(), "a parameter", p.origin)));
@@ -29,7 +29,7 @@ fn declared(mechanism: &Mechanism) -> Vec<(&str, &'static str, Origin)> {
     all
 }
 
-/// Two things with one name: the second is told about the first.
+/// Rule: names are unique; the error is at the second declaration and names the first.
 pub(super) fn names_differ(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     let mut first = BTreeMap::new();
     for (name, kind, origin) in declared(mechanism) {
@@ -50,15 +50,15 @@ pub(super) fn names_differ(mechanism: &Mechanism, errors: &mut Vec<ModelError>) 
     }
 }
 
-/// True when no name is declared twice.
+/// True if no name is declared twice.
 pub(super) fn are_distinct(mechanism: &Mechanism) -> bool {
     let mut errors = Vec::new();
     names_differ(mechanism, &mut errors);
     errors.is_empty()
 }
 
-/// A name that is a word of the language.
-pub(super) fn names_are_free(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+/// Rule: no name is a reserved word.
+pub(super) fn names_are_not_reserved(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for (name, kind, origin) in declared(mechanism) {
         if is_reserved(name) {
             let meaning = match name {
@@ -73,7 +73,7 @@ pub(super) fn names_are_free(mechanism: &Mechanism, errors: &mut Vec<ModelError>
     }
 }
 
-/// Two rows with one name; conditions, masses and loads that have a name count as rows.
+/// Rule: names of rows are unique. Conditions, and masses and loads with a name, share the namespace of the rows.
 pub(super) fn row_names_differ(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     let named = |load: &&Load| load.operands.form().named || load.name != load.operands.keyword();
     let statements = mechanism.joints.iter().chain(mechanism.loads.iter().filter(named));

@@ -1,4 +1,4 @@
-//! Rules on what takes part: rows mention coordinates, and everything that can move is mentioned.
+//! Rules on coordinates and rows: rows contain coordinates, and every coordinate that can vary is in a row.
 
 use super::geometry::is_within_ground;
 use super::mention::{Coordinate, mentioned, mentioned_at};
@@ -6,10 +6,10 @@ use crate::error::ModelError;
 use crate::mechanism::{Body, Component, Mechanism};
 use std::collections::BTreeSet;
 
-/// A row that mentions no coordinate cannot be satisfied by moving anything.
-pub(super) fn rows_hold_coordinates(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+/// Rule: every row contains a coordinate, because otherwise no motion can satisfy it.
+pub(super) fn rows_contain_coordinates(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for joint in &mechanism.joints {
-        // A joint within the ground has its own message.
+        // A joint of the ground with itself is reported by another rule.
         if is_within_ground(joint) {
             continue;
         }
@@ -25,12 +25,12 @@ pub(super) fn rows_hold_coordinates(mechanism: &Mechanism, errors: &mut Vec<Mode
     }
 }
 
-/// True for a body with a coordinate of its own.
+/// True if the body has a generalized coordinate.
 fn has_free(body: &Body) -> bool {
     Component::ALL.into_iter().any(|component| body.is_free(component))
 }
 
-/// A mechanism has at least one coordinate.
+/// Rule: a mechanism has at least one coordinate.
 pub(super) fn has_coordinates(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     if !mechanism.scalars.is_empty() || mechanism.bodies.iter().any(has_free) {
         return;
@@ -50,8 +50,8 @@ pub(super) fn has_coordinates(mechanism: &Mechanism, errors: &mut Vec<ModelError
     errors.push(ModelError::new(mechanism.origin, message));
 }
 
-/// Every body with a coordinate is mentioned by some row.
-pub(super) fn bodies_are_touched(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+/// Rule: some row contains a coordinate of every body that has coordinates.
+pub(super) fn bodies_are_in_rows(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     let touched: BTreeSet<(usize, usize)> = all_mentioned(mechanism)
         .into_iter()
         .filter_map(|coordinate| match coordinate {
@@ -69,8 +69,8 @@ pub(super) fn bodies_are_touched(mechanism: &Mechanism, errors: &mut Vec<ModelEr
     }
 }
 
-/// Every scalar coordinate is mentioned by some row.
-pub(super) fn scalars_are_mentioned(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+/// Rule: some row contains every scalar coordinate.
+pub(super) fn scalars_are_in_rows(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     let mentioned = all_mentioned(mechanism);
     for (family, scalar) in mechanism.scalars.iter().enumerate() {
         let unmentioned = (0..scalar.len.unwrap_or(1)).filter(|&m| !mentioned.contains(&Coordinate::Scalar(family, m)));
@@ -85,7 +85,7 @@ fn all_mentioned(mechanism: &Mechanism) -> BTreeSet<Coordinate> {
     mechanism.joints.iter().flat_map(|joint| mentioned(mechanism, joint)).collect()
 }
 
-/// The members that are missing, as a person would say it.
+/// The missing members of a family as text for a message.
 fn missing(name: &str, len: Option<usize>, members: Vec<usize>) -> Option<String> {
     const SHOWN: usize = 4;
     match (members.len(), len) {

@@ -1,24 +1,24 @@
-//! The parts of a mechanism with the range that their indices run over.
+//! The declarations of a mechanism, each with the range of its index variable.
 
 use crate::error::Origin;
 use crate::mechanism::{
     Body, BodyOrigin, BodyRef, Condition, Formula, GuessTarget, Index, Joint, Mechanism, Member, Place, Range, nodes,
 };
 
-/// What one declaration is made of.
+/// The content of one declaration.
 #[derive(Debug, Default)]
 pub(super) struct Scope<'a> {
-    /// The range of its index variable.
+    /// The range of the index variable.
     pub(super) range: Option<Range>,
-    /// Its formulas, those of its points included.
+    /// The formulas, including those of points.
     pub(super) formulas: Vec<&'a Formula>,
-    /// The bodies it names outside of formulas.
+    /// The bodies that are named outside formulas.
     pub(super) bodies: Vec<BodyRef>,
-    /// Scalar coordinates it names outside of formulas.
+    /// The scalar coordinates that are named outside formulas.
     pub(super) scalars: Vec<Member>,
 }
 
-/// Use of a member of a family.
+/// A reference to a member of a family.
 #[derive(Debug)]
 pub(super) struct Use<'a> {
     pub(super) name: &'a str,
@@ -29,7 +29,7 @@ pub(super) struct Use<'a> {
 }
 
 impl Use<'_> {
-    /// A step of the range at which the member does not exist, and the index there.
+    /// An end of the range at which the member does not exist, and the invalid index there.
     pub(super) fn outside(&self, range: Option<Range>) -> Option<(i64, i128)> {
         let (first, last) = range.map_or((0, 0), |range| (range.start, range.end.saturating_sub(1)));
         [first, last].into_iter().find_map(|i| {
@@ -40,7 +40,7 @@ impl Use<'_> {
     }
 }
 
-/// Everything that can name something; declarations of points and defines come before their uses.
+/// All declarations; points and defines come before the declarations that use them.
 pub(super) fn scopes(mechanism: &Mechanism) -> Vec<Scope<'_>> {
     let bodies = mechanism.bodies.iter().map(Scope::of_body);
     let points = mechanism.points.iter().map(|point| Scope::new(point.range).place(&point.place));
@@ -62,7 +62,7 @@ impl<'a> Scope<'a> {
         Self { range, ..Self::default() }
     }
 
-    /// The index variable of a family of bodies is the number of the member.
+    /// The scope of a body, whose index variable is the number of the member.
     fn of_body(body: &'a Body) -> Self {
         let range = body.len.map(|len| Range { start: 0, end: i64::try_from(len).unwrap_or(i64::MAX) });
         let mut scope = Self::new(range);
@@ -74,7 +74,7 @@ impl<'a> Scope<'a> {
         scope
     }
 
-    /// A joint, driver or equation.
+    /// The scope of a joint, driver or equation.
     pub(super) fn of_joint(joint: &'a Joint) -> Self {
         let mut scope = Self::new(joint.range);
         for (_, operand) in joint.operands.iter() {
@@ -85,7 +85,7 @@ impl<'a> Scope<'a> {
         scope
     }
 
-    /// A unilateral condition.
+    /// The scope of a unilateral condition.
     fn of_condition(condition: &'a Condition) -> Self {
         Self::new(condition.range).formula(&condition.left).formula(&condition.right)
     }
@@ -109,12 +109,12 @@ impl<'a> Scope<'a> {
         self.body(place.body).formula(&place.x).formula(&place.y)
     }
 
-    /// Every node of every formula.
+    /// All nodes of all formulas.
     pub(super) fn nodes(&self) -> impl Iterator<Item = &'a Formula> {
         self.formulas.iter().flat_map(|formula| nodes(formula))
     }
 
-    /// Every member of a family that is named.
+    /// All references to members of families.
     pub(super) fn uses<'m>(&self, mechanism: &'m Mechanism) -> Vec<Use<'m>> {
         let bodies = self.bodies.iter().filter_map(|body| body_use(mechanism, *body));
         let scalars = self.scalars.iter().filter_map(|member| scalar_use(mechanism, *member));

@@ -168,7 +168,7 @@ fn everything_that_can_move_is_mentioned() {
     assert_eq!(said.len(), 2, "{said:?}");
     assert!(said[0].contains("no row touches `wheel`") && said[1].contains("any of the 2 members of `u`"), "{said:?}");
     assert_eq!(check_parts(&m), []);
-    // Only an angle that is held is left of the wheel.
+    // The wheel has a held angle and a carried origin, so no coordinate is left.
     m.scalars.clear();
     m.bodies[1].origin_at = BodyOrigin::Carried(place(single(0)));
     m.bodies[1].phi = Some(Formula::ZERO);
@@ -177,7 +177,7 @@ fn everything_that_can_move_is_mentioned() {
     one(&m, "angle `K` mentions no coordinate");
 }
 
-/// A model that is not written in the user's language may hold what that cannot say.
+/// A mechanism that is built by a program may contain what the user's language cannot express.
 #[test]
 fn a_rope_of_fewer_than_two_points_is_an_error_and_no_panic() {
     for count in [0, 1] {
@@ -185,7 +185,7 @@ fn a_rope_of_fewer_than_two_points_is_an_error_and_no_panic() {
         let length = Value { value: Formula::Number(1.0), origin: Origin(5) };
         let points = vec![place(single(0)); count];
         m.joints.push(joint("N", Rope { points, length }.into()));
-        // One without points mentions no coordinate either.
+        // A rope without points also violates the rule that a row contains a coordinate.
         let said = said(&m);
         assert!(said.len() == 2 - count && said.iter().any(|text| text.contains("two points or more")), "{said:?}");
         assert!(crate::assemble(&m).is_ok());

@@ -1,13 +1,13 @@
-//! Rules on rows of velocity level.
+//! Rules for rows of velocity level.
 //!
-//! A formula is walked with its degree in q̇: 0 without a rate, 1 for `dot(…)` of something that moves, and more than
-//! that nowhere.
+//! The degree of a formula in q̇ is determined recursively: 0 without a rate, 1 for `dot(…)` of something that depends
+//! on coordinates; a higher degree is an error.
 
 use super::mention::{changes, moves};
 use crate::error::{ModelError, Origin};
 use crate::mechanism::{Formula, Mechanism, Takes};
 
-/// A row of velocity level is linear in the rates of coordinates, and holds at least one.
+/// Rule: a row of velocity level is linear in the rates of coordinates and contains at least one.
 pub(super) fn velocity_rows_are_linear(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for joint in &mechanism.joints {
         let sides: Vec<&Formula> = (joint.operands.iter())
@@ -23,8 +23,8 @@ pub(super) fn velocity_rows_are_linear(mechanism: &Mechanism, errors: &mut Vec<M
         let rates: Vec<Option<Origin>> = sides.into_iter().map(|side| walk.rate(side)).collect();
         if walk.dots == 0 {
             let message = format!(
-                "nonholonomic `{}` holds no `dot(…)`, so that it says nothing of velocities; an equation of positions \
-                 is a `constraint`",
+                "nonholonomic `{}` holds no `dot(…)`, so that it does not constrain velocities; an equation of \
+                 positions is a `constraint`",
                 joint.name
             );
             errors.push(ModelError::new(joint.keyword, message));
@@ -40,10 +40,10 @@ pub(super) fn velocity_rows_are_linear(mechanism: &Mechanism, errors: &mut Vec<M
 
 struct Walk<'a> {
     mechanism: &'a Mechanism,
-    /// Index variable.
+    /// The value of the index variable.
     i: i64,
     errors: &'a mut Vec<ModelError>,
-    /// Number of `dot`s met.
+    /// The number of `dot` calls found.
     dots: usize,
 }
 
@@ -55,9 +55,10 @@ impl Walk<'_> {
         None
     }
 
-    /// The last `dot` that makes the formula linear in q̇; none where it is free of q̇, or wrong and reported.
+    /// The origin of the last `dot` that contributes to the degree 1; `None` if the formula is free of q̇ or has been
+    /// reported as an error.
     fn rate(&mut self, formula: &Formula) -> Option<Origin> {
-        // A long sum or product is deep on its left.
+        // A long sum or product is deeply nested on the left, so the left operands are visited in a loop.
         let (mut operations, mut left) = (Vec::new(), formula);
         while let Formula::Add(a, _) | Formula::Sub(a, _) | Formula::Mul(a, _) | Formula::Div(a, ..) = left {
             operations.push(left);

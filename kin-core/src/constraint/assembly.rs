@@ -1,4 +1,4 @@
-//! The state of an assembly: what is known while the rows of Φ are written.
+//! The state of an assembly: everything that is known while the rows of Φ are written.
 
 use super::pose::Pose;
 use super::set::{ConstraintSet, Observable, ObservableKind};
@@ -12,9 +12,9 @@ use std::collections::HashMap;
 pub(crate) struct Assembly<'m> {
     pub(crate) mechanism: &'m Mechanism,
     pub(crate) graph: Graph,
-    /// First instance of every body family.
+    /// The index of the first member of every body family.
     pub(crate) first_body: Vec<usize>,
-    /// The poses of all bodies, as far as known.
+    /// The poses of all bodies, as far as they are known.
     pub(crate) poses: Vec<Pose>,
     /// The pose of the ground.
     pub(crate) ground: [ExprId; 3],
@@ -23,17 +23,17 @@ pub(crate) struct Assembly<'m> {
     pub(crate) first_parameter: Vec<u32>,
     pub(crate) first_input: Vec<u32>,
     pub(crate) first_function: Vec<u32>,
-    /// Defines by family and index; `None` while one is being built.
+    /// The values of defines by family and index; `None` while a define is being built.
     pub(crate) defines: HashMap<(usize, i64), Option<ExprId>>,
-    /// The index variable of the range that is being laid out.
+    /// The value of the index variable in the range that is being laid out.
     pub(crate) index: i64,
-    /// The name of what is being written, where it is a member of a family.
+    /// The name of the joint that is being written, if it is a member of a family.
     pub(crate) member: Option<String>,
-    /// What the variables of the curve that is being written stand for.
+    /// The values of the variables of the curve that is being written.
     pub(crate) variables: Variables,
-    /// Every q̇ is 0: rates of formulas are their partial derivatives with respect to time.
+    /// If set, every q̇ is 0, and the rates of formulas are their partial time derivatives.
     pub(crate) at_rest: bool,
-    /// The curve of the joint that is being written, for a drawing.
+    /// The curve of the joint that is being written, for drawings.
     pub(crate) outline: Option<[ExprId; 4]>,
     pub(crate) errors: Vec<ModelError>,
 }
@@ -44,20 +44,20 @@ impl Assembly<'_> {
         self.graph.zero()
     }
 
-    /// What is wrong with a family is told once, of the first member that has it.
+    /// Reports an error at most once for each origin, because all members of a family share an origin.
     pub(crate) fn error_once(&mut self, origin: Origin, message: impl Into<String>) {
         if self.errors.iter().all(|error| error.origin != origin) {
             self.error(origin, message);
         }
     }
 
-    /// What is degenerate in a joint; a member of a family is named.
+    /// Reports that an operand of a joint is degenerate; the message names the member of a family.
     pub(crate) fn degenerate(&mut self, origin: Origin, what: &str, message: impl core::fmt::Display) {
         let member = self.member.as_ref().map_or(String::new(), |name| format!(" of `{name}`"));
         self.error_once(origin, format!("{what}{member} {message}"));
     }
 
-    /// The radius of a disc or gear, which is not 0; plain numbers have their own rule.
+    /// The radius of a disc or gear, which must not be 0. Literal numbers have been checked by a rule before.
     pub(crate) fn radius(&mut self, radius: &Value) -> ExprId {
         let before = self.errors.len();
         let value = self.formula(&radius.value);
@@ -73,7 +73,8 @@ impl Assembly<'_> {
         set.observables.len() - 1
     }
 
-    /// The instances of a range: a single one, or one for every index.
+    /// The instances of a range, as (index to show, index): a single one without a range, otherwise one for every
+    /// index.
     pub(crate) fn instances(range: Option<Range>) -> Vec<(Option<i64>, i64)> {
         match range {
             None => vec![(None, 0)],

@@ -3,8 +3,8 @@
 //! ```text
 //! left > right:  g = left − right        left < right:  g = right − left
 //! ```
-//! The condition is satisfied while g > 0. g is an observable like any other, with ġ = g_q q̇ + g_t and
-//! g̈ = g_q q̈ − γ_g, in the unit of the two sides; it is no row of Φ (lecture, slides 27–34: bilateral and unilateral).
+//! The condition is satisfied while g > 0. g is an observable with ġ = g_q q̇ + g_t and g̈ = g_q q̈ − γ_g, in the unit
+//! of the two sides; it is not a row of Φ (lecture, slides 27–34: bilateral and unilateral constraints).
 
 use super::assembly::Assembly;
 use super::layout::indexed;
@@ -12,7 +12,7 @@ use super::set::{ConditionInstance, ConstraintSet, ObservableKind};
 use crate::mechanism::Relation;
 
 impl Assembly<'_> {
-    /// All conditions, one for every index of a range.
+    /// Writes all conditions, one for every index of a range.
     pub(crate) fn conditions(&mut self, set: &mut ConstraintSet) {
         for (family, condition) in self.mechanism.conditions.iter().enumerate() {
             for (shown, index) in Self::instances(condition.range) {
@@ -23,11 +23,12 @@ impl Assembly<'_> {
                     Relation::Less => self.graph.sub(right, left),
                 };
                 let name = indexed(&condition.name, shown.is_some(), index);
-                // Of a member whose index leaves nothing that moves; the others have the rule on formulas.
+                // Only a member with a special index gets here; formulas that are constant in general are rejected by
+                // a rule before.
                 if self.graph.depends(value).is_static() {
                     let message = format!(
-                        "unilateral `{name}` comes to a value of parameters alone, so that no motion changes it; one \
-                         of its sides moves"
+                        "unilateral `{name}` depends on parameters alone, so that no motion changes it; one of its \
+                         sides must vary"
                     );
                     self.error_once(condition.keyword, message);
                 }

@@ -1,4 +1,4 @@
-//! What a mechanism declares beside its joints: bodies, points, defines and guesses, member by member.
+//! Lays out what a mechanism declares besides its joints: bodies, points, defines and guesses, member by member.
 
 use super::assembly::Assembly;
 use super::layout::indexed;
@@ -7,7 +7,7 @@ use crate::mechanism::{BodyOrigin, Component, GuessTarget};
 use crate::vocabulary::Frame;
 
 impl Assembly<'_> {
-    /// The poses of all bodies.
+    /// Writes the poses of all bodies.
     pub(crate) fn bodies(&mut self, set: &mut ConstraintSet) {
         for place in 0..set.bodies.len() {
             let (family, index) = set.bodies[place].family;
@@ -23,7 +23,7 @@ impl Assembly<'_> {
         }
     }
 
-    /// All named points.
+    /// Writes all named points.
     pub(crate) fn points(&mut self, set: &mut ConstraintSet) {
         for (family, point) in self.mechanism.points.iter().enumerate() {
             for (shown, index) in Self::instances(point.range) {
@@ -45,7 +45,7 @@ impl Assembly<'_> {
         }
     }
 
-    /// All named expressions.
+    /// Writes all named expressions.
     pub(crate) fn defines(&mut self, set: &mut ConstraintSet) {
         for (family, define) in self.mechanism.defines.iter().enumerate() {
             for (shown, index) in Self::instances(define.range) {
@@ -62,7 +62,7 @@ impl Assembly<'_> {
         }
     }
 
-    /// All guesses.
+    /// Writes all guesses.
     pub(crate) fn guesses(&mut self, set: &mut ConstraintSet) {
         for guess in &self.mechanism.guesses {
             for (_, index) in Self::instances(guess.range) {

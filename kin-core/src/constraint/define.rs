@@ -1,4 +1,4 @@
-//! Named expressions: each is built once, after those that it uses.
+//! Named expressions (defines): each is built once, after the defines that it uses.
 
 use super::assembly::Assembly;
 use crate::error::Origin;
@@ -6,11 +6,11 @@ use crate::expr::ExprId;
 use crate::mechanism::{Define, Member, Range, defines_in};
 use std::collections::HashSet;
 
-/// A define by its family and its index there.
+/// A define, by its family and its index in the family.
 type Named = (usize, i64);
 
 impl Assembly<'_> {
-    /// A define, built once however often it is used.
+    /// The value of a define, which is built only once however often it is used.
     pub(crate) fn define(&mut self, member: &Member) -> ExprId {
         let Some(define) = self.mechanism.defines.get(member.family) else { return self.graph.zero() };
         match index_in(define, member, self.index) {
@@ -22,7 +22,7 @@ impl Assembly<'_> {
         }
     }
 
-    /// The define of a family at an index.
+    /// The value of a member of a family of defines.
     pub(crate) fn define_at(&mut self, family: usize, index: i64, origin: Origin) -> ExprId {
         if !self.defines.contains_key(&(family, index)) {
             self.build_with_uses((family, index));
@@ -36,7 +36,8 @@ impl Assembly<'_> {
         }
     }
 
-    /// Builds a define after those that it uses, however long the chain of them is: it must not become deep recursion.
+    /// Builds a define after the defines that it uses. The search is iterative, so that a long chain cannot overflow
+    /// the stack.
     fn build_with_uses(&mut self, named: Named) {
         let mut met = HashSet::from([named]);
         let mut open = vec![(named, self.uses(named))];
@@ -58,7 +59,7 @@ impl Assembly<'_> {
         }
     }
 
-    /// The defines that a define uses itself; what is out of range is told when it is built.
+    /// The defines that a define uses directly. An index out of range is reported when the define is built.
     fn uses(&self, (family, index): Named) -> Vec<Named> {
         let all = &self.mechanism.defines;
         let used = |member: &Member| {
@@ -77,7 +78,7 @@ impl Assembly<'_> {
     }
 }
 
-/// The index that `member` means at `i`, where the family has it.
+/// The index that `member` refers to when the index variable is `i`, if the family has such a member.
 fn index_in(define: &Define, member: &Member, i: i64) -> Option<i64> {
     let range = define.range.map_or(0..1, Range::indices);
     member.index.at(i).map(|index| index as i64).filter(|index| range.contains(index))

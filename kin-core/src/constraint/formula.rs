@@ -1,18 +1,18 @@
-//! Formulas as the user wrote them to expressions.
+//! Converts the user's formulas to expressions.
 
 use super::assembly::Assembly;
 use crate::expr::{ExprId, Symbol, total_derivatives};
 use crate::mechanism::{Component, Formula, Member};
 
 impl Assembly<'_> {
-    /// The place in q of a scalar coordinate at the current index, if there is one.
+    /// The index in q of a scalar coordinate for the current index variable, if it exists.
     pub(crate) fn scalar(&mut self, member: &Member) -> Option<u32> {
         let len = self.mechanism.scalars.get(member.family)?.len.unwrap_or(1);
         let index = member.index.at(self.index).filter(|i| *i < len)?;
         Some(self.first_scalar[member.family] + index as u32)
     }
 
-    /// A formula at the current index.
+    /// The expression of a formula for the current index variable.
     pub(crate) fn formula(&mut self, formula: &Formula) -> ExprId {
         match formula {
             Formula::Number(value) => self.graph.number(*value),
@@ -59,7 +59,7 @@ impl Assembly<'_> {
                 self.distance(&p, &q)
             }
             Formula::Define(member) => self.define(member),
-            // Outside of its curve there is no such variable; lowering has said so.
+            // A curve variable outside a curve has been reported when names were resolved.
             Formula::Curve(variable) => self.variables.get(*variable).unwrap_or_else(|| self.graph.zero()),
             Formula::Neg(a) => {
                 let a = self.formula(a);
@@ -95,7 +95,7 @@ impl Assembly<'_> {
         }
     }
 
-    /// ė of an expression free of q̇, or e_t while all q̇ are 0.
+    /// ė of an expression without q̇, or its partial time derivative e_t while `at_rest` is set.
     pub(crate) fn rate(&mut self, e: ExprId) -> ExprId {
         match total_derivatives(&mut self.graph, &[e]).first() {
             Some(jet) if self.at_rest => jet.partial_t,
@@ -104,7 +104,8 @@ impl Assembly<'_> {
         }
     }
 
-    /// Sums and products; a long one is deep on its left, so that side is walked and not called.
+    /// Sums and products. A long one is deeply nested on the left, so the left operands are visited in a loop, not
+    /// recursively.
     fn arithmetic(&mut self, formula: &Formula) -> ExprId {
         let (mut operations, mut left) = (Vec::new(), formula);
         while let Formula::Add(a, _) | Formula::Sub(a, _) | Formula::Mul(a, _) | Formula::Div(a, ..) = left {

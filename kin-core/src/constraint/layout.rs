@@ -1,4 +1,4 @@
-//! Layout: families to instances, with their names and their places in q.
+//! Layout: expands families into instances, with their names and their indices in q.
 
 use super::assembly::Assembly;
 use super::pose::Pose;
@@ -13,7 +13,7 @@ pub(crate) fn indexed(name: &str, is_array: bool, index: impl core::fmt::Display
 }
 
 impl<'m> Assembly<'m> {
-    /// An assembly with all parameters, bodies and coordinates laid out.
+    /// An assembly in which all parameters, bodies and coordinates are laid out.
     pub(crate) fn new(mechanism: &'m Mechanism, set: &mut ConstraintSet) -> Self {
         let mut first_parameter = Vec::new();
         for parameter in &mechanism.parameters {

@@ -1,7 +1,8 @@
-//! The constraint set: Φ with everything that is reported, and the state in which joints write their rows of it.
+//! The constraint set: Φ with everything that is reported, and the assembly state in which joints write their rows of
+//! Φ.
 //!
-//! Imports `expr` and `mechanism`. Nothing here knows the kinds of joints, and nothing differentiates but rates, for which
-//! rows of velocity level ask `expr`.
+//! This module depends on `expr` and `mechanism`. It does not know the kinds of joints, and differentiates only to
+//! obtain rates for rows of velocity level.
 
 mod assembly;
 mod condition;

@@ -1,4 +1,4 @@
-//! Bodies, points and axes as they are placed in the inertial frame.
+//! Expressions of bodies, points and axes in the inertial frame.
 
 use super::assembly::Assembly;
 use super::pose::{PlacedAxis, PlacedPoint, Pose};
@@ -7,7 +7,7 @@ use crate::mechanism::{Axis, Body, BodyOrigin, BodyRef, Component, Function, Pla
 use crate::vocabulary::Frame;
 
 impl<'m> Assembly<'m> {
-    /// The frame that a body reference means at `index`, if there is one.
+    /// The frame that a body reference denotes when the index variable is `index`, if it exists.
     pub(crate) fn resolve(&self, body: &BodyRef, index: i64) -> Option<Frame> {
         match body {
             BodyRef::Ground(_) => Some(Frame::Ground),
@@ -18,12 +18,12 @@ impl<'m> Assembly<'m> {
         }
     }
 
-    /// Number of bodies of a family.
+    /// The number of bodies of a family.
     fn members(&self, family: usize) -> usize {
         self.mechanism.bodies.get(family).map_or(0, |b| b.len.unwrap_or(1))
     }
 
-    /// The frame that a body reference means at the current index.
+    /// The frame that a body reference denotes for the current index variable.
     pub(crate) fn frame(&mut self, body: &BodyRef) -> Option<Frame> {
         let found = self.resolve(body, self.index);
         if let (None, BodyRef::Body { family, origin, .. }) = (found, body) {
@@ -33,7 +33,7 @@ impl<'m> Assembly<'m> {
         found
     }
 
-    /// x, y, φ of a body at the current index.
+    /// x, y, φ of a body for the current index variable.
     pub(crate) fn pose(&mut self, body: &BodyRef) -> [ExprId; 3] {
         let frame = self.frame(body).unwrap_or(Frame::Ground);
         self.pose_in(frame)
@@ -46,7 +46,7 @@ impl<'m> Assembly<'m> {
         }
     }
 
-    /// x, y, φ of the body at `place`. Carriers come first, however long the chain of them is.
+    /// x, y, φ of the body at `place`. The poses of its carriers are built first, without recursion.
     pub(crate) fn pose_of(&mut self, place: usize) -> [ExprId; 3] {
         let (mut chain, mut next) = (Vec::new(), Some(place));
         while let Some(place) = next {
@@ -74,13 +74,13 @@ impl<'m> Assembly<'m> {
         }
     }
 
-    /// The family of the body at `place`, and its index there.
+    /// The family of the body at `place`, and the body's index in it.
     fn family_of(&self, place: usize) -> (&'m Body, i64) {
         let family = self.first_body.partition_point(|first| *first <= place) - 1;
         (&self.mechanism.bodies[family], (place - self.first_body[family]) as i64)
     }
 
-    /// The body that carries the origin of another.
+    /// The body that carries the origin of the body at `place`.
     fn carrier_of(&self, place: usize) -> Option<usize> {
         let (body, index) = self.family_of(place);
         let BodyOrigin::Carried(carrier) = &body.origin_at else { return None };
@@ -105,7 +105,7 @@ impl<'m> Assembly<'m> {
         pose
     }
 
-    /// A body-fixed point in the inertial frame.
+    /// The position of a body-fixed point in the inertial frame.
     pub(crate) fn place(&mut self, place: &Place) -> PlacedPoint {
         let frame = self.frame(&place.body).unwrap_or(Frame::Ground);
         let [x, y, angle] = self.pose_in(frame);
@@ -115,7 +115,7 @@ impl<'m> Assembly<'m> {
         PlacedPoint { frame, local, base: [x, y], r, angle }
     }
 
-    /// The unit vector of an axis fixed in the frame of `p`, v̂ = v/|v|.
+    /// The unit vector v̂ = v/|v| of an axis fixed in the frame of `p`.
     pub(crate) fn axis(&mut self, axis: &Axis, p: &PlacedPoint) -> PlacedAxis {
         let v = [self.formula(&axis.x), self.formula(&axis.y)];
         let local = match (self.graph.literal(v[0]), self.graph.literal(v[1])) {
@@ -141,14 +141,14 @@ impl<'m> Assembly<'m> {
         PlacedAxis { local, u: self.graph.rotate(p.angle, local), angle: p.angle }
     }
 
-    /// |r_Q − r_P|².
+    /// The squared distance |r_Q − r_P|².
     pub(crate) fn square_of_distance(&mut self, p: &PlacedPoint, q: &PlacedPoint) -> ExprId {
         let d = [0, 1].map(|k| self.graph.sub(q.r[k], p.r[k]));
         let (x, y) = (self.graph.square(d[0]), self.graph.square(d[1]));
         self.graph.add(x, y)
     }
 
-    /// |r_Q − r_P|.
+    /// The distance |r_Q − r_P|.
     pub(crate) fn distance(&mut self, p: &PlacedPoint, q: &PlacedPoint) -> ExprId {
         let square = self.square_of_distance(p, q);
         self.graph.call(Function::Sqrt, square)

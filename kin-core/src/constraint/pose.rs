@@ -1,38 +1,38 @@
-//! Bodies, points and axes in the inertial frame.
+//! The state of bodies, points and axes in the inertial frame.
 
 use crate::expr::ExprId;
 use crate::vocabulary::Frame;
 
-/// A point in the inertial frame: r = r_i + A_i s.
+/// A point in the inertial frame, r = r_i + A_i s.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PlacedPoint {
     pub(crate) frame: Frame,
-    /// s.
+    /// The body-fixed coordinates s.
     pub(crate) local: [ExprId; 2],
-    /// r_i.
+    /// The origin r_i of the body.
     pub(crate) base: [ExprId; 2],
-    /// r.
+    /// The position r.
     pub(crate) r: [ExprId; 2],
-    /// φ_i.
+    /// The angle φ_i of the body.
     pub(crate) angle: ExprId,
 }
 
-/// A unit axis fixed in a frame.
+/// A unit axis fixed in the frame of a body.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PlacedAxis {
-    /// v̂ in the frame.
+    /// The components of v̂ in that frame.
     pub(crate) local: [ExprId; 2],
-    /// u = A v̂.
+    /// The direction u = A v̂ in the inertial frame.
     pub(crate) u: [ExprId; 2],
-    /// The angle it turns with.
+    /// The angle of the frame.
     pub(crate) angle: ExprId,
 }
 
-/// The pose of a body, as far as it is known.
+/// The pose of a body during the assembly.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Pose {
     Unknown,
-    /// It is being built; to need it now is to need itself.
+    /// The pose is being built; if it is needed now, the body is carried by itself.
     Building,
     Known([ExprId; 3]),
 }

@@ -1,4 +1,4 @@
-//! What a joint hands to the constraint set.
+//! The rows and results that a joint contributes to the constraint set.
 
 use super::assembly::Assembly;
 use super::pose::PlacedPoint;
@@ -8,11 +8,11 @@ use crate::mechanism::Formula;
 use crate::vocabulary::Frame;
 use crate::vocabulary::Role;
 
-/// What a joint hands back: rows as (suffix of the name, what the row says, residual), and what it reports.
+/// The contribution of a joint: rows as (suffix of the name, meaning, residual), geometry and reported quantities.
 #[derive(Default)]
 pub(crate) struct Rows {
     pub(crate) residuals: Vec<(&'static str, RowMeaning, ExprId)>,
-    /// The row of velocity level; its joint has no other.
+    /// The row of velocity level; a joint with such a row has no other.
     pub(crate) velocity: Option<VelocityRow>,
     pub(crate) geometry: Vec<(Role, Frame, Vec<ExprId>)>,
     pub(crate) quantities: Vec<(&'static str, ExprId)>,
@@ -20,7 +20,7 @@ pub(crate) struct Rows {
 }
 
 impl Rows {
-    /// The two points of a joint, with their geometry.
+    /// Rows of a joint between two points, with the geometry of the points.
     pub(crate) fn between(p: &PlacedPoint, q: &PlacedPoint) -> Self {
         Self {
             frames: [Some(p.frame), Some(q.frame)],

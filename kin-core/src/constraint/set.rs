@@ -1,4 +1,4 @@
-//! The constraint set: Φ with everything that is reported about it, all families laid out.
+//! The constraint set: Φ with everything that is reported about it, families expanded into members.
 
 use crate::error::Origin;
 use crate::expr::{ExprId, Graph, Names, Symbol};
@@ -6,17 +6,17 @@ use crate::mechanism::Component;
 use crate::vocabulary::{Frame, JointKind, Role};
 use core::fmt;
 
-/// What a generalized coordinate is.
+/// The kind of a generalized coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CoordinateKind {
-    /// Of a body's pose.
+    /// A component of the pose of a body, which is given by its index.
     Pose(usize, Component),
     /// A scalar coordinate.
     Scalar,
 }
 
 impl CoordinateKind {
-    /// True for x and y of a body: what counts in units of length. Scalars say nothing of what they are.
+    /// True for x and y of a body. Scalar coordinates count as dimensionless, because their unit is unknown.
     pub fn is_length(self) -> bool {
         matches!(self, Self::Pose(_, Component::X | Component::Y))
     }
@@ -27,67 +27,67 @@ impl CoordinateKind {
 pub struct Coordinate {
     /// `crank.phi`, `link[3].x` or the scalar's name.
     pub name: String,
-    /// What it is.
+    /// The kind of the coordinate.
     pub kind: CoordinateKind,
 }
 
-/// A body with its pose.
+/// A body and its pose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BodyInstance {
     /// `crank` or `link[3]`.
     pub name: String,
-    /// Place of its family in the mechanism, and its index there.
+    /// The index of the body's family in the mechanism, and the body's index in the family.
     pub family: (usize, usize),
-    /// Places in q of x, y, φ; `None` where held or carried.
+    /// The indices in q of x, y, φ; `None` for components that are held or carried.
     pub coordinates: [Option<u32>; 3],
-    /// The body that carries its origin.
+    /// The body that carries the origin.
     pub carried_by: Option<Frame>,
-    /// The point of that body which is its origin.
+    /// The point of the carrier at which the origin is, in the carrier's frame.
     pub carried_at: Option<[ExprId; 2]>,
-    /// x, y, φ.
+    /// The expressions of x, y, φ.
     pub pose: [ExprId; 3],
-    /// Observables of x, y, φ.
+    /// The observables of x, y, φ.
     pub observables: [usize; 3],
 }
 
 /// A named point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointInstance {
-    /// Its name.
+    /// The name of the point.
     pub name: String,
-    /// Place of its family in the mechanism, and its index there.
+    /// The index of the point's family in the mechanism, and the point's index in the family.
     pub family: (usize, usize),
-    /// The body that carries it.
+    /// The body that the point belongs to.
     pub frame: Frame,
-    /// Place of its body-fixed coordinates in the geometry.
+    /// The index of the point's body-fixed coordinates in [`ConstraintSet::geometry`].
     pub local: usize,
-    /// Observables of x and y.
+    /// The observables of x and y.
     pub observables: [usize; 2],
 }
 
 /// A named expression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DefineInstance {
-    /// Its name.
+    /// The name of the expression.
     pub name: String,
-    /// The token that declared it.
+    /// The token that declares it.
     pub origin: Origin,
-    /// Place of its family in the mechanism, and its index there.
+    /// The index of its family in the mechanism, and its index in the family.
     pub family: (usize, usize),
-    /// Its observable.
+    /// The observable.
     pub observable: usize,
-    /// True when it holds coordinates, t or inputs.
+    /// True if the expression contains coordinates, t or inputs.
     pub varies: bool,
 }
 
-/// A piece of geometry of a joint.
+/// A geometric operand of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Geometry {
-    /// What it is for.
+    /// The role of the operand.
     pub role: Role,
-    /// The frame it is fixed in.
+    /// The frame in which it is fixed.
     pub frame: Frame,
-    /// Place of its first number in [`ConstraintSet::geometry`].
+    /// The index of its first number in [`ConstraintSet::geometry`].
     pub offset: usize,
 }
 
@@ -96,116 +96,117 @@ pub struct Geometry {
 pub struct Quantity {
     /// `angle`, `stroke` or `distance`.
     pub name: &'static str,
-    /// Its observable.
+    /// The observable.
     pub observable: usize,
 }
 
-/// A joint with its rows.
+/// A joint and its rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointInstance {
     /// `A` or `N[3]`.
     pub name: String,
-    /// The keyword's token.
+    /// The token of the keyword.
     pub origin: Origin,
-    /// Place of its family in the mechanism, and its index there.
+    /// The index of the joint's family in the mechanism, and the joint's index in the family.
     pub family: (usize, i64),
-    /// Kind.
+    /// The kind of joint.
     pub kind: JointKind,
-    /// Frames of the operands.
+    /// The frames of the operands.
     pub frames: [Option<Frame>; 2],
-    /// First row.
+    /// The index of the first row.
     pub first_row: usize,
-    /// Number of rows.
+    /// The number of rows.
     pub rows: usize,
-    /// For a drawing.
+    /// The geometric operands, for drawings.
     pub geometry: Vec<Geometry>,
-    /// What it reports.
+    /// The quantities that the joint reports.
     pub quantities: Vec<Quantity>,
 }
 
-/// The curve of a joint, for a drawing, in the frame of the joint's first operand.
+/// The curve of a joint for drawings, in the frame of the joint's first operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CurveInstance {
-    /// Its joint.
+    /// The index of the joint.
     pub joint: usize,
-    /// x, y and their derivatives by the curve's argument, as formulas of [`Symbol::ARGUMENT`].
+    /// x, y and their derivatives with respect to the argument of the curve, as functions of [`Symbol::ARGUMENT`].
     pub point: [ExprId; 4],
 }
 
-/// What a row of Φ says of the points, axes and bodies of its joint, as far as others can use it.
+/// The geometric meaning of a row of Φ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RowMeaning {
-    /// A coordinate of r_Q − r_P: 0 for x, 1 for y.
+    /// A component of r_Q − r_P: 0 for x, 1 for y.
     Coincidence(usize),
-    /// A coordinate of r_P, 0 for x, 1 for y, minus the joint's value.
+    /// A component of r_P minus the joint's value: 0 for x, 1 for y.
     Coordinate(usize),
-    /// perp(A v̂)·(r_Q − r_P), minus an offset where there is one.
+    /// perp(A v̂)·(r_Q − r_P), minus the offset if there is one.
     AcrossAxis(Option<ExprId>),
     /// |r_Q − r_P|² − e².
     SquaredDistance,
-    /// The angle of a body, or between two.
+    /// The angle of a body, or between two bodies.
     Angle,
-    /// Something else.
+    /// Any other meaning.
     Other,
 }
 
-/// A row of Φ, or of velocity level.
+/// A row of Φ or of velocity level.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConstraintRow {
-    /// `A.x`, or the joint's name.
+    /// `A.x`, or the joint's name if it has a single row.
     pub name: String,
-    /// Its joint.
+    /// The index of the joint.
     pub joint: usize,
-    /// Its residual; 0 for a row of velocity level.
+    /// The residual; 0 for a row of velocity level.
     pub phi: ExprId,
-    /// What it says.
+    /// The geometric meaning.
     pub meaning: RowMeaning,
-    /// What a row of velocity level says.
+    /// The equation of a row of velocity level.
     pub velocity: Option<VelocityRow>,
-    /// True when its own operands contain t or an input; false when t reaches it only through the pose of a body.
+    /// True if the joint's own operands for this row contain t or an input; false if t enters only by the pose of a
+    /// body.
     pub operands_move: bool,
 }
 
-/// η = B(q, t) q̇ + b(q, t), of a row of velocity level: η = 0.
+/// A row of velocity level, η = B(q, t) q̇ + b(q, t) = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct VelocityRow {
-    /// η, with rates as symbols.
+    /// The expression η, in which rates are symbols.
     pub eta: ExprId,
-    /// b, which is η at q̇ = 0.
+    /// The expression b, which is η for q̇ = 0.
     pub b: ExprId,
 }
 
-/// A unilateral condition: an inequality that is watched and never solved.
+/// A unilateral condition: an inequality that is monitored but not solved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConditionInstance {
     /// `limit` or `limit[3]`.
     pub name: String,
-    /// Place of its family in the mechanism, and its index there.
+    /// The index of its family in the mechanism, and its index in the family.
     pub family: (usize, i64),
-    /// The inequality as it was written.
+    /// The inequality as the user wrote it.
     pub text: String,
-    /// Its observable: by how much the larger side exceeds the other.
+    /// The observable g, which is the larger side minus the smaller one.
     pub observable: usize,
-    /// True when t or an input appears.
+    /// True if the condition contains t or an input.
     pub rheonomic: bool,
-    /// Where it was declared.
+    /// The token that declares it.
     pub origin: Origin,
 }
 
-/// A family after it has been laid out: its members stand one after another.
+/// A family after expansion; its members are consecutive.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Family {
-    /// Name without index.
+    /// The name without index.
     pub name: String,
-    /// Place of the first member's first body or row.
+    /// The index of the first body or row of the first member.
     pub first: usize,
-    /// Number of members.
+    /// The number of members.
     pub members: usize,
-    /// Bodies or rows of one member; that of member k begins at `first + k * stride`.
+    /// The number of bodies or rows of a member; those of member k start at `first + k * stride`.
     pub stride: usize,
 }
 
-/// What an observable is.
+/// The kind of an observable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ObservableKind {
     /// x, y or φ of a body.
@@ -214,59 +215,59 @@ pub enum ObservableKind {
     Point(usize, Component),
     /// A named expression.
     Define(usize),
-    /// Joint, and place in its quantities.
+    /// A quantity of a joint: the index of the joint, and the index of the quantity in its list.
     Joint(usize, usize),
     /// A unilateral condition.
     Condition(usize),
 }
 
-/// Something that is reported with rate and acceleration.
+/// A value that is reported together with its rate and acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Observable {
-    /// What it is.
+    /// The kind of the observable.
     pub kind: ObservableKind,
-    /// Its value.
+    /// The expression of the value.
     pub value: ExprId,
 }
 
 /// Φ of a mechanism, its coordinates, and everything that is reported.
 #[derive(Clone, Debug, Default)]
 pub struct ConstraintSet {
-    /// Name of the mechanism.
+    /// The name of the mechanism.
     pub name: String,
-    /// The expressions.
+    /// The graph of all expressions.
     pub graph: Graph,
-    /// Parameters, element by element.
+    /// The names of the parameters; arrays element by element.
     pub parameters: Vec<String>,
-    /// Supplied functions, element by element.
+    /// The names of the supplied functions; arrays element by element.
     pub functions: Vec<String>,
-    /// Inputs.
+    /// The names of the inputs; arrays element by element.
     pub inputs: Vec<String>,
-    /// Entries of q.
+    /// The entries of q.
     pub coordinates: Vec<Coordinate>,
-    /// Bodies.
+    /// The bodies.
     pub bodies: Vec<BodyInstance>,
-    /// Points.
+    /// The named points.
     pub points: Vec<PointInstance>,
-    /// Defines.
+    /// The named expressions.
     pub defines: Vec<DefineInstance>,
-    /// Joints.
+    /// The joints.
     pub joints: Vec<JointInstance>,
-    /// Curves of joints.
+    /// The curves of joints.
     pub curves: Vec<CurveInstance>,
-    /// Rows of Φ.
+    /// The rows of Φ.
     pub rows: Vec<ConstraintRow>,
-    /// Unilateral conditions.
+    /// The unilateral conditions.
     pub conditions: Vec<ConditionInstance>,
-    /// Observables.
+    /// The observables.
     pub observables: Vec<Observable>,
-    /// Local points, axes and values.
+    /// The numbers of the geometry: body-fixed points, axes and values.
     pub geometry: Vec<ExprId>,
-    /// Families of bodies, by place in `bodies`.
+    /// The families of bodies, by indices of `bodies`.
     pub body_families: Vec<Family>,
-    /// Families of rows, by place in `rows`.
+    /// The families of rows, by indices of `rows`.
     pub row_families: Vec<Family>,
-    /// Guessed coordinates and values.
+    /// The coordinates with a guess, and its value.
     pub guesses: Vec<(u32, ExprId)>,
 }
 
@@ -292,7 +293,7 @@ impl Names for ConstraintSet {
 }
 
 impl ConstraintSet {
-    /// The distances that joints keep: links, cylinders, drivers of distances, in the order of the joints.
+    /// The lengths that joints prescribe (links, cylinders, drivers of distances), in the order of the joints.
     pub fn kept_lengths(&self) -> impl Iterator<Item = ExprId> + '_ {
         let has = |joint: &JointInstance, role: Role| joint.geometry.iter().any(|piece| piece.role == role);
         let keeps = move |joint: &&JointInstance| joint.kind.keeps_length(has(joint, Role::Q));
@@ -303,7 +304,7 @@ impl ConstraintSet {
         self.joints.iter().filter(keeps).filter_map(value)
     }
 
-    /// What the rows of a joint say.
+    /// The meanings of the rows of a joint.
     pub fn meanings(&self, joint: &JointInstance) -> Vec<RowMeaning> {
         let rows = self.rows.get(joint.first_row..joint.first_row + joint.rows).unwrap_or_default();
         rows.iter().map(|row| row.meaning).collect()
@@ -314,12 +315,12 @@ impl ConstraintSet {
         self.coordinates.get(k as usize).map_or("", |c| c.name.as_str())
     }
 
-    /// The name of an input.
+    /// The name of input `k`.
     pub fn input_name(&self, k: u32) -> &str {
         self.inputs.get(k as usize).map_or("", String::as_str)
     }
 
-    /// `id` as text.
+    /// The text of `id` in the user's names.
     pub fn show(&self, id: ExprId) -> String {
         crate::expr::Shown { graph: &self.graph, names: self, id }.to_string()
     }

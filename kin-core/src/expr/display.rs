@@ -1,10 +1,10 @@
-//! Expressions as text, with the user's names.
+//! Prints expressions with the user's names.
 
 use super::graph::Graph;
 use super::node::{ExprId, Node, Symbol};
 use core::fmt;
 
-/// Names of the symbols.
+/// Names for symbols, functions and parts of expressions.
 pub trait Names {
     /// The name of `symbol`, e.g. `crank.phi` or `crank.phi_dot`.
     fn symbol(&self, symbol: Symbol) -> String;
@@ -12,13 +12,13 @@ pub trait Names {
     fn function(&self, index: u32) -> String {
         format!("f{index}")
     }
-    /// The name that stands for an expression wherever it is part of another.
+    /// A name that replaces an expression wherever it is part of another one.
     fn part(&self, _id: ExprId) -> Option<&str> {
         None
     }
 }
 
-/// Plain numbered names.
+/// Numbered names: `q0`, `p1`, ….
 impl Names for () {
     fn symbol(&self, symbol: Symbol) -> String {
         match symbol {
@@ -41,9 +41,9 @@ pub(crate) const fn suffix(order: u8) -> &'static str {
     }
 }
 
-/// An expression that can be printed.
+/// An expression with everything needed to print it.
 pub struct Shown<'a, N: Names> {
-    /// Its graph.
+    /// The graph of the expression.
     pub graph: &'a Graph,
     /// The names.
     pub names: &'a N,
@@ -51,22 +51,22 @@ pub struct Shown<'a, N: Names> {
     pub id: ExprId,
 }
 
-/// How tightly an operation binds.
+/// Binding strengths of operations, from loose to tight.
 const SUM: u8 = 1;
 const PRODUCT: u8 = 2;
 const UNARY: u8 = 3;
 const POWER: u8 = 4;
 const ATOM: u8 = 5;
 
-/// A shared part is written wherever it is used, so the text of a small graph can be endless: beyond this many operands
-/// it is cut with an ellipsis.
+/// Maximum number of operands that are printed. Shared parts are written out at every use, so the text of a small
+/// graph can become exponentially long; beyond this limit it is cut with an ellipsis.
 const MAX_OPERANDS: usize = 50_000;
 
-/// Something to write.
+/// An item that remains to be written.
 enum Piece {
     Text(&'static str),
     Owned(String),
-    /// An expression; it needs parentheses when it binds less tightly than this.
+    /// An expression, put in parentheses if it binds less tightly than the given strength.
     Operand(ExprId, u8),
 }
 
@@ -74,7 +74,7 @@ use Piece::{Operand, Owned, Text};
 
 impl<N: Names> fmt::Display for Shown<'_, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // What is still to be written, last first: neither a long sum nor a deep nest can exhaust the stack.
+        // A stack of the items that remain to be written; long sums and deep nesting cannot overflow the call stack.
         let mut waiting = vec![Operand(self.id, 0)];
         let mut operands = 0;
         while let Some(piece) = waiting.pop() {
@@ -102,14 +102,14 @@ impl<N: Names> fmt::Display for Shown<'_, N> {
 }
 
 impl<N: Names> Shown<'_, N> {
-    /// How tightly `id` binds, and what it is written with.
+    /// The binding strength of `id`, and the pieces of its text.
     fn pieces(&self, id: ExprId) -> (u8, Vec<Piece>) {
         match self.graph.node(id) {
             Node::Number(bits) if bits.value() < 0.0 => (UNARY, vec![Owned(bits.value().to_string())]),
             Node::Number(bits) => (ATOM, vec![Owned(bits.value().to_string())]),
             Node::Symbol(symbol) => (ATOM, vec![Owned(self.names.symbol(symbol))]),
             Node::Neg(a) => (UNARY, vec![Text("-"), Operand(a, UNARY)]),
-            // A sum is cheaper than a product, and a product is what a person writes.
+            // a + a is cheaper to compute, but 2*a is easier to read.
             Node::Add(a, b) if a == b => (PRODUCT, vec![Text("2*"), Operand(a, UNARY)]),
             Node::Add(a, b) => match self.minus_sine(b) {
                 Some(term) => (SUM, [vec![Operand(a, SUM), Text(" - ")], term].into_iter().flatten().collect()),
@@ -141,7 +141,7 @@ impl<N: Names> Shown<'_, N> {
         }
     }
 
-    /// `factor*of(angle)`, nothing for a literal zero.
+    /// `factor*of(angle)`; empty for a literal zero.
     fn term(&self, factor: ExprId, of: &'static str, angle: ExprId) -> Vec<Piece> {
         match self.graph.literal(factor) {
             Some(0.0) => Vec::new(),
@@ -150,7 +150,7 @@ impl<N: Names> Shown<'_, N> {
         }
     }
 
-    /// The term y*sin(φ) when `id` is −y*sin(φ), the first component of a vector (0, y).
+    /// The term y*sin(φ) if `id` is −y*sin(φ), the x component of a rotated vector (0, y).
     fn minus_sine(&self, id: ExprId) -> Option<Vec<Piece>> {
         match self.graph.node(id) {
             Node::RotX(r) if self.graph.is_zero(r.x) && !self.graph.is_zero(r.y) => {
@@ -171,7 +171,7 @@ fn call(name: String, arguments: &[ExprId]) -> Vec<Piece> {
     pieces
 }
 
-/// Two terms, either of which may be nothing.
+/// Two terms joined by an operator; either may be empty.
 fn joined(a: Vec<Piece>, operator: &'static str, b: Vec<Piece>) -> (u8, Vec<Piece>) {
     match (a.is_empty(), b.is_empty()) {
         (true, true) => (ATOM, vec![Text("0")]),

@@ -1,4 +1,4 @@
-//! The reference evaluator: an expression's value in double precision, straight from the graph.
+//! The reference evaluator: computes an expression in double precision directly from the graph.
 
 use super::fold::Algebra;
 use super::graph::Graph;
@@ -6,7 +6,7 @@ use super::map::IdMap;
 use super::node::{ExprId, Node, Rotation, Symbol};
 use crate::mechanism::Function;
 
-/// What an evaluation supplies.
+/// The values of symbols and supplied functions.
 pub trait Environment {
     /// The value of a symbol.
     fn symbol(&self, symbol: Symbol) -> f64;
@@ -22,7 +22,7 @@ impl<F: Fn(Symbol) -> f64> Environment for F {
     }
 }
 
-/// A function of the user's language.
+/// Evaluates a built-in function.
 fn function(f: Function, x: f64) -> f64 {
     match f {
         Function::Sin => x.sin(),
@@ -43,13 +43,13 @@ fn nearest(a: f64, b: f64) -> f64 {
     a + core::f64::consts::TAU * ((b - a) / core::f64::consts::TAU).round()
 }
 
-/// The values of `roots`.
+/// The values of the expressions `roots`.
 pub fn evaluate(graph: &Graph, roots: &[ExprId], environment: &impl Environment) -> Vec<f64> {
     let mut numbers = Numbers { graph, environment, known: IdMap::default() };
     roots.iter().map(|root| numbers.fold(*root)).collect()
 }
 
-/// Expressions in double precision.
+/// The fold that computes values in double precision.
 struct Numbers<'a, E> {
     graph: &'a Graph,
     environment: &'a E,

@@ -1,71 +1,71 @@
-//! The fold over expressions: one walk, of which evaluation, residues and rewriting are algebras.
+//! The fold over expressions; evaluation, residues and rewriting are algebras of it.
 
 use super::graph::Graph;
 use super::map::IdMap;
 use super::node::{ExprId, Node, Rotation, Symbol, Turning};
 
-/// What the operations of expressions become. Methods are given the values of operands, or operands whose values are
-/// [`known`](Self::known).
+/// An interpretation of the operations. Methods receive the values of operands, or operands whose values can be read
+/// with [`value`](Self::value).
 pub(crate) trait Algebra {
-    /// What an expression becomes.
+    /// The result for an expression.
     type Value: Copy + Default;
 
     /// The graph that is folded.
     fn graph(&self) -> &Graph;
-    /// The values so far.
+    /// The values that have been computed.
     fn known(&mut self) -> &mut IdMap<Self::Value>;
 
-    /// The value of an expression that is found without those of its operands.
+    /// The value of an expression that is known without visiting its operands.
     fn at_once(&mut self, _id: ExprId) -> Option<Self::Value> {
         None
     }
-    /// A literal.
+    /// The value of a literal.
     fn number(&mut self, id: ExprId, value: f64) -> Self::Value;
-    /// A symbol.
+    /// The value of a symbol.
     fn symbol(&mut self, id: ExprId, symbol: Symbol) -> Self::Value;
-    /// −a.
+    /// The value of −a.
     fn neg(&mut self, a: Self::Value) -> Self::Value;
-    /// a + b.
+    /// The value of a + b.
     fn add(&mut self, a: Self::Value, b: Self::Value) -> Self::Value;
-    /// a + a.
+    /// The value of a + a.
     fn double(&mut self, a: Self::Value) -> Self::Value {
         self.add(a, a)
     }
-    /// a − b.
+    /// The value of a − b.
     fn sub(&mut self, a: Self::Value, b: Self::Value) -> Self::Value;
-    /// a · b.
+    /// The value of a · b.
     fn mul(&mut self, a: Self::Value, b: Self::Value) -> Self::Value;
-    /// a / b.
+    /// The value of a / b.
     fn div(&mut self, id: ExprId, a: Self::Value, b: Self::Value) -> Self::Value;
-    /// aⁿ.
+    /// The value of aⁿ.
     fn powi(&mut self, id: ExprId, a: Self::Value, n: i32) -> Self::Value;
-    /// a as one thing.
+    /// The value of an opaque expression, see [`Node::Whole`].
     fn whole(&mut self, a: Self::Value) -> Self::Value {
         a
     }
-    /// A(φ)·s.
+    /// The rotated vector A(φ)·s.
     fn rotate(&mut self, rotation: Rotation) -> [Self::Value; 2];
-    /// u·d.
+    /// The value of u·d.
     fn dot(&mut self, Turning { u, d, .. }: Turning) -> Self::Value {
         let ([ux, uy], [dx, dy]) = (u.map(|id| self.value(id)), d.map(|id| self.value(id)));
         let (x, y) = (self.mul(ux, dx), self.mul(uy, dy));
         self.add(x, y)
     }
-    /// u_x d_y − u_y d_x.
+    /// The value of u_x d_y − u_y d_x.
     fn cross(&mut self, Turning { u, d, .. }: Turning) -> Self::Value {
         let ([ux, uy], [dx, dy]) = (u.map(|id| self.value(id)), d.map(|id| self.value(id)));
         let (x, y) = (self.mul(ux, dy), self.mul(uy, dx));
         self.sub(x, y)
     }
-    /// Everything else: functions, signs, angles of vectors, powers that are no integers.
+    /// The value of any other node: functions, signs, atan2, non-integer powers.
     fn function(&mut self, id: ExprId, node: Node) -> Self::Value;
 
-    /// The value of an operand.
+    /// The value of an operand that has been folded.
     fn value(&mut self, id: ExprId) -> Self::Value {
         self.known().or(id, Self::Value::default())
     }
 
-    /// The value of `root`: its operands first, without recursion, each expression once.
+    /// The value of `root`. Operands are visited first, each expression once, without recursion.
     fn fold(&mut self, root: ExprId) -> Self::Value {
         let mut open = vec![(root, false)];
         while let Some((id, ready)) = open.pop() {
@@ -85,7 +85,7 @@ pub(crate) trait Algebra {
         self.value(root)
     }
 
-    /// The value of an expression from those of its operands.
+    /// The value of a node whose operands have been folded.
     fn node(&mut self, id: ExprId) -> Self::Value {
         let node = self.graph().node(id);
         match node {

@@ -1,18 +1,18 @@
-//! The hash-consed arena: every distinct expression once.
+//! The hash-consed graph of expressions, which stores every distinct expression once.
 
 use super::node::{Bits, Depends, ExprId, Node, Symbol};
 use crate::hash::Table;
 
-/// An arena of expressions. Operands always come before the expressions that use them.
+/// An arena of expressions, in which operands always come before the expressions that use them.
 ///
-/// Constructors simplify locally (see `simplify.rs`) and never expand a product over a sum; only [`Graph::intern`] keeps an
-/// operation as it is written.
+/// The constructors simplify locally (see `simplify.rs`) and never expand a product over a sum; only [`Graph::intern`]
+/// stores an operation as it is given.
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
     depends: Vec<Depends>,
     known: Table,
-    /// The literal 0, which is asked for more often than anything else.
+    /// The literal 0, cached because it is requested most often.
     zero: Option<ExprId>,
 }
 
@@ -22,27 +22,27 @@ impl Graph {
         Self::default()
     }
 
-    /// Number of distinct expressions.
+    /// The number of distinct expressions.
     pub fn len(&self) -> usize {
         self.nodes.len()
     }
 
-    /// True when nothing has been built yet.
+    /// True for a graph without expressions.
     pub fn is_empty(&self) -> bool {
         self.nodes.is_empty()
     }
 
-    /// The operation behind `id`.
+    /// The node of `id`.
     pub fn node(&self, id: ExprId) -> Node {
         self.nodes[id.index()]
     }
 
-    /// What `id` depends on.
+    /// The kinds of symbols that `id` depends on.
     pub fn depends(&self, id: ExprId) -> Depends {
         self.depends[id.index()]
     }
 
-    /// The id of `node` if it has been built.
+    /// The id of `node` if the graph contains it.
     pub(super) fn find(&self, node: &Node) -> Option<ExprId> {
         self.found(node, node.hashed())
     }
@@ -51,7 +51,7 @@ impl Graph {
         self.known.find(hash, |place| self.nodes[place] == *node).map(|place| ExprId(place as u32))
     }
 
-    /// The id of `node`, built as it is when it is new.
+    /// The id of `node`, which is added without simplification if it is new.
     pub fn intern(&mut self, node: Node) -> ExprId {
         let hash = node.hashed();
         if let Some(id) = self.found(&node, hash) {
@@ -62,7 +62,7 @@ impl Graph {
             _ => Depends::NOTHING,
         };
         node.for_each_operand(|operand| depends = depends.or(self.depends[operand.index()]));
-        // A description has far fewer than 2³² expressions; saturating keeps this total.
+        // A mechanism has far fewer than 2³² expressions; saturation only avoids a panic.
         let id = ExprId(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX));
         self.nodes.push(node);
         self.depends.push(depends);
@@ -70,12 +70,12 @@ impl Graph {
         id
     }
 
-    /// The literal `value`.
+    /// The id of the literal `value`.
     pub fn number(&mut self, value: f64) -> ExprId {
         self.intern(Node::Number(Bits::new(value)))
     }
 
-    /// The literal 0.
+    /// The id of the literal 0.
     pub fn zero(&mut self) -> ExprId {
         match self.zero {
             Some(zero) => zero,
@@ -87,12 +87,12 @@ impl Graph {
         }
     }
 
-    /// A symbol.
+    /// The id of a symbol.
     pub fn symbol(&mut self, symbol: Symbol) -> ExprId {
         self.intern(Node::Symbol(symbol))
     }
 
-    /// The value of a literal.
+    /// The value of `id` if it is a literal.
     pub fn literal(&self, id: ExprId) -> Option<f64> {
         match self.node(id) {
             Node::Number(bits) => Some(bits.value()),
@@ -105,16 +105,16 @@ impl Graph {
         matches!(self.node(id), Node::Number(bits) if bits.is_zero())
     }
 
-    /// Every expression that was built, operands first.
+    /// All expressions of the graph, operands first.
     pub fn ids(&self) -> impl Iterator<Item = ExprId> + use<> {
         (0..self.nodes.len() as u32).map(ExprId)
     }
 
-    /// Everything that `roots` are made of, operands first.
+    /// All expressions that `roots` consist of, operands first.
     pub fn reachable(&self, roots: impl IntoIterator<Item = ExprId>) -> Vec<ExprId> {
         let mut seen = vec![false; self.nodes.len()];
         let mut stack: Vec<ExprId> = roots.into_iter().collect();
-        // Only what is found is walked over, so that many small questions to a large graph stay cheap.
+        // A list of the expressions found keeps small queries on a large graph cheap.
         let mut found = Vec::new();
         while let Some(id) = stack.pop() {
             if !std::mem::replace(&mut seen[id.index()], true) {
@@ -126,7 +126,7 @@ impl Graph {
             found.sort_unstable();
             return found;
         }
-        // Much of the graph: whoever is seen stands in order already.
+        // If a large part of the graph is reachable, a scan in ascending order is cheaper than sorting.
         found.clear();
         let mut place = 0;
         while place < seen.len() {

@@ -1,8 +1,9 @@
-//! Total time derivatives by differentiating directly (lecture, slides 52–63): the one place that differentiates.
+//! Total time derivatives by direct differentiation (lecture, slides 52–63). All differentiation happens here.
 //!
-//! For e(q, t) the first derivative is ė = Σ_k e_k q̇_k + e_t and the second ë = Σ_k e_k q̈_k + r. Both are found at
-//! once, node by node from the operands' derivatives, so that everything keeps its structure: the coefficients e_k of
-//! q̇ (and again of q̈) are the row of Φ_q, the velocity-free rest e_t is Φ_t, and the acceleration-free rest r is −γ.
+//! For e(q, t) the first derivative is ė = Σ_k e_k q̇_k + e_t and the second is ë = Σ_k e_k q̈_k + r. Both are
+//! computed together, node by node from the derivatives of the operands, which preserves the structure of the
+//! expressions. The coefficients e_k of q̇ (and of q̈) are the row of Φ_q, the velocity-free rest e_t is Φ_t, and the
+//! acceleration-free rest r is −γ.
 
 use super::graph::Graph;
 use super::node::{ExprId, Node, Symbol};
@@ -12,22 +13,23 @@ use std::rc::Rc;
 /// An expression with its first and second total time derivatives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Jet {
-    /// e_k for every coordinate k that appears, by k: the coefficients of q̇_k in ė and of q̈_k in ë.
+    /// The partial derivatives e_k, by ascending k, for every coordinate that appears: the coefficients of q̇_k and of
+    /// q̈_k.
     pub gradient: Vec<(u32, ExprId)>,
-    /// e_t: ė without the terms in q̇.
+    /// The partial time derivative e_t, which is ė without the terms in q̇.
     pub partial_t: ExprId,
-    /// ė in full.
+    /// The complete first derivative ė.
     pub rate: ExprId,
-    /// r: ë without the terms in q̈.
+    /// The rest r, which is ë without the terms in q̈.
     pub rest: ExprId,
 }
 
-/// The jets of `roots`, which must be free of q̇.
+/// The derivatives of `roots`, which must not contain q̇.
 pub fn total_derivatives(graph: &mut Graph, roots: &[ExprId]) -> Vec<Jet> {
     derivatives(graph, roots, of_symbol)
 }
 
-/// The jets of `roots`, given those of the symbols.
+/// The derivatives of `roots`, given those of symbols.
 pub(super) fn derivatives(graph: &mut Graph, roots: &[ExprId], of_symbol: fn(&mut Graph, Symbol) -> Jet) -> Vec<Jet> {
     let order = graph.reachable(roots.iter().copied());
     let unchanging = Rc::new(constant(graph));
@@ -45,7 +47,7 @@ pub(super) fn derivatives(graph: &mut Graph, roots: &[ExprId], of_symbol: fn(&mu
     roots.iter().map(|root| Jet::clone(&jets[root.index()])).collect()
 }
 
-/// The partial derivatives of `roots` by a coordinate, or by the argument of a curve that is drawn.
+/// The partial derivatives of `roots` with respect to a coordinate or to the argument of a curve.
 pub fn partial<const N: usize>(graph: &mut Graph, roots: [ExprId; N], by: Symbol) -> [ExprId; N] {
     let (jets, zero) = (total_derivatives(graph, &roots), graph.zero());
     let is_by = |k: u32| Symbol::Coordinate(k) == by;
@@ -53,7 +55,7 @@ pub fn partial<const N: usize>(graph: &mut Graph, roots: [ExprId; N], by: Symbol
     core::array::from_fn(|place| jets.get(place).map_or(zero, by_k))
 }
 
-/// The jet of `id` from those of its operands.
+/// The derivatives of `id` from those of its operands.
 fn derive(graph: &mut Graph, jets: &[Rc<Jet>], id: ExprId) -> Jet {
     let jet = |id: ExprId| Rc::clone(&jets[id.index()]);
     match graph.node(id) {
@@ -67,7 +69,7 @@ fn derive(graph: &mut Graph, jets: &[Rc<Jet>], id: ExprId) -> Jet {
             linear(graph, &[(None, &jet(a)), (Some(minus), &jet(b))])
         }
         Node::Mul(a, b) if a == b => {
-            // (a²)˙ = 2a ȧ, (a²)¨ = 2a ä + 2ȧ²; in the rest the factor 2 is taken out.
+            // (a²)˙ = 2a ȧ and (a²)¨ = 2a ä + 2ȧ², where the factor 2 of the rest is taken out.
             let (a_jet, double) = (jet(a), graph.double(a));
             let mut out = linear(graph, &[(Some(double), &a_jet)]);
             let (product, square) = (graph.mul(a, a_jet.rest), graph.square(a_jet.rate));
@@ -77,7 +79,7 @@ fn derive(graph: &mut Graph, jets: &[Rc<Jet>], id: ExprId) -> Jet {
             out
         }
         Node::Mul(a, b) => {
-            // (ab)˙ = a ḃ + b ȧ, (ab)¨ = a b̈ + b ä + 2ȧ ḃ.
+            // (ab)˙ = a ḃ + b ȧ and (ab)¨ = a b̈ + b ä + 2ȧ ḃ.
             let (a_jet, b_jet) = (jet(a), jet(b));
             let mut out = linear(graph, &[(Some(a), &b_jet), (Some(b), &a_jet)]);
             let two = graph.number(2.0);
@@ -107,10 +109,10 @@ fn derive(graph: &mut Graph, jets: &[Rc<Jet>], id: ExprId) -> Jet {
             })
         }
         Node::Call(f, a) => of_function(graph, f, id, a, &jet(a)),
-        // A literal never changes, and a sign is constant wherever it has a derivative; symbols have their jets.
+        // Literals are constant, signs are piecewise constant, and symbols have been handled by the caller.
         Node::Number(_) | Node::Sign(_) | Node::Symbol(_) => constant(graph),
         Node::Atan2(y, x) => match (graph.node(y), graph.node(x)) {
-            // atan2(u×d, u·d) is the direction of d less that of u, which turns with φ.
+            // atan2(u×d, u·d) is the direction of d minus that of u, whose rate is φ̇.
             (Node::Cross(t), Node::Dot(other)) if t == other => {
                 let direction = of_atan2(graph, t.d, &jet(t.d[0]), &jet(t.d[1]));
                 let minus = graph.number(-1.0);
@@ -118,7 +120,7 @@ fn derive(graph: &mut Graph, jets: &[Rc<Jet>], id: ExprId) -> Jet {
             }
             _ => of_atan2(graph, [x, y], &jet(x), &jet(y)),
         },
-        // Whole turns do not change while the mechanism moves.
+        // The number of whole turns is constant during a motion.
         Node::Nearest(a, _) | Node::Whole(a) => linear(graph, &[(None, &jet(a))]),
         Node::RotX(r) | Node::RotY(r) => {
             let along = graph.rotate(r.angle, [r.x, r.y]);
@@ -162,8 +164,8 @@ fn of_symbol(graph: &mut Graph, symbol: Symbol) -> Jet {
     jet
 }
 
-/// The time derivative of a symbol that is given, as t and inputs are; 0 for q and q̇, whose rules are the level's own,
-/// and for what does not change.
+/// The partial time derivative of a symbol that the caller supplies (t and inputs); 0 for constants, and for q and q̇,
+/// which the position level and the velocity level treat differently.
 pub(super) fn rate_of_given(graph: &mut Graph, symbol: Symbol) -> ExprId {
     match symbol {
         Symbol::Time => graph.number(1.0),
@@ -181,7 +183,7 @@ pub(super) fn rate_of_given(graph: &mut Graph, symbol: Symbol) -> ExprId {
     }
 }
 
-/// Σ c·jet with coefficients that do not change; no coefficient means 1.
+/// Σ c·jet for coefficients that count as constant; a missing coefficient means 1.
 fn linear(graph: &mut Graph, terms: &[(Option<ExprId>, &Jet)]) -> Jet {
     let zero = graph.zero();
     let mut out = Jet { gradient: Vec::new(), partial_t: zero, rate: zero, rest: zero };
@@ -210,7 +212,7 @@ fn accumulate(graph: &mut Graph, gradient: &mut Vec<(u32, ExprId)>, k: u32, e: E
     }
 }
 
-/// f(a) with f′ = `first` and f″: ė = f′ȧ, ë = f′ä + f″ȧ².
+/// The derivatives of f(a), given f′ and f″: ė = f′ȧ, ë = f′ä + f″ȧ².
 fn compose(graph: &mut Graph, a: &Jet, first: ExprId, second: impl FnOnce(&mut Graph) -> ExprId) -> Jet {
     let mut out = linear(graph, &[(Some(first), a)]);
     if !graph.is_zero(a.rate) {
@@ -221,7 +223,7 @@ fn compose(graph: &mut Graph, a: &Jet, first: ExprId, second: impl FnOnce(&mut G
     out
 }
 
-/// e = a/b: ė = (ȧ − e ḃ)/b, ë = (ä − e b̈ − 2ė ḃ)/b.
+/// The derivatives of e = a/b: ė = (ȧ − e ḃ)/b, ë = (ä − e b̈ − 2ė ḃ)/b.
 fn quotient(graph: &mut Graph, e: ExprId, a_jet: &Jet, b: ExprId, b_jet: &Jet) -> Jet {
     let minus_e = graph.neg(e);
     let mut out = linear(graph, &[(None, a_jet), (Some(minus_e), b_jet)]);
@@ -249,7 +251,7 @@ fn of_function(graph: &mut Graph, f: Function, e: ExprId, a: ExprId, jet: &Jet) 
             compose(graph, jet, first, |graph| graph.neg(e))
         }
         Function::Tan => {
-            // 1 + tan², 2 tan (1 + tan²).
+            // tan′ = 1 + tan², tan″ = 2 tan (1 + tan²).
             let (one, square) = (graph.number(1.0), graph.square(e));
             let first = graph.add(one, square);
             compose(graph, jet, first, |graph| {
@@ -258,7 +260,7 @@ fn of_function(graph: &mut Graph, f: Function, e: ExprId, a: ExprId, jet: &Jet) 
             })
         }
         Function::Asin | Function::Acos => {
-            // ±1/√(1 − a²), ±a/√(1 − a²)³ = a f′/(1 − a²).
+            // f′ = ±1/√(1 − a²), f″ = ±a/√(1 − a²)³ = a f′/(1 − a²).
             let (one, square) = (graph.number(1.0), graph.square(a));
             let inside = graph.sub(one, square);
             let root = graph.call(Function::Sqrt, inside);
@@ -270,7 +272,7 @@ fn of_function(graph: &mut Graph, f: Function, e: ExprId, a: ExprId, jet: &Jet) 
             })
         }
         Function::Atan => {
-            // 1/(1 + a²), −2a f′².
+            // f′ = 1/(1 + a²), f″ = −2a f′².
             let (one, square) = (graph.number(1.0), graph.square(a));
             let inside = graph.add(one, square);
             let first = graph.div(one, inside);
@@ -280,7 +282,7 @@ fn of_function(graph: &mut Graph, f: Function, e: ExprId, a: ExprId, jet: &Jet) 
             })
         }
         Function::Sqrt => {
-            // 1/(2√a), −f′²/√a.
+            // f′ = 1/(2√a), f″ = −f′²/√a.
             let half = graph.number(0.5);
             let first = graph.div(half, e);
             compose(graph, jet, first, |graph| {
@@ -305,7 +307,7 @@ fn of_function(graph: &mut Graph, f: Function, e: ExprId, a: ExprId, jet: &Jet) 
     }
 }
 
-/// e = atan2(y, x), d = x² + y²: ė = (x ẏ − y ẋ)/d, ë = (x ÿ − y ẍ − 2ė (x ẋ + y ẏ))/d.
+/// The derivatives of e = atan2(y, x), with d = x² + y²: ė = (x ẏ − y ẋ)/d, ë = (x ÿ − y ẍ − 2ė (x ẋ + y ẏ))/d.
 fn of_atan2(graph: &mut Graph, [x, y]: [ExprId; 2], x_jet: &Jet, y_jet: &Jet) -> Jet {
     let minus_y = graph.neg(y);
     let mut out = linear(graph, &[(Some(x), y_jet), (Some(minus_y), x_jet)]);
@@ -324,7 +326,7 @@ fn of_atan2(graph: &mut Graph, [x, y]: [ExprId; 2], x_jet: &Jet, y_jet: &Jet) ->
     out
 }
 
-/// ρ = A(φ)s: ρ̇ = φ̇ perp(ρ) + A ṡ, ρ̈ = φ̈ perp(ρ) − φ̇² ρ + 2φ̇ perp(A ṡ) + A s̈.
+/// The derivatives of ρ = A(φ)s: ρ̇ = φ̇ perp(ρ) + A ṡ, ρ̈ = φ̈ perp(ρ) − φ̇² ρ + 2φ̇ perp(A ṡ) + A s̈.
 fn rotated(graph: &mut Graph, is_x: bool, angle: ExprId, rho: [ExprId; 2], phi: &Jet, s: [&Jet; 2]) -> Jet {
     let perp = [graph.neg(rho[1]), rho[0]];
     let side = usize::from(!is_x);
@@ -362,8 +364,8 @@ fn rotated(graph: &mut Graph, is_x: bool, angle: ExprId, rho: [ExprId; 2], phi: 
     out
 }
 
-/// With u̇ = φ̇ perp(u), c = u·d and z = u×d: ċ = φ̇ z + u·ḋ, ż = −φ̇ c + u×ḋ,
-/// c̈ = φ̈ z − φ̇² c + 2φ̇ u×ḋ + u·d̈, z̈ = −φ̈ c − φ̇² z − 2φ̇ u·ḋ + u×d̈.
+/// The derivatives of c = u·d and z = u×d with u̇ = φ̇ perp(u): ċ = φ̇ z + u·ḋ, ż = −φ̇ c + u×ḋ, c̈ = φ̈ z − φ̇²
+/// c + 2φ̇ u×ḋ + u·d̈, z̈ = −φ̈ c − φ̇² z − 2φ̇ u·ḋ + u×d̈.
 fn turning(graph: &mut Graph, is_dot: bool, u: [ExprId; 2], [dot, cross]: [ExprId; 2], phi: &Jet, d: [&Jet; 2]) -> Jet {
     let (own, other) = if is_dot { (dot, cross) } else { (cross, graph.neg(dot)) };
     let minus_u_y = graph.neg(u[1]);

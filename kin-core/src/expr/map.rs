@@ -1,11 +1,11 @@
-//! A map from expressions: their places in the arena are the places of the map.
+//! A map from expressions to values, indexed by expression id.
 
 use super::ExprId;
 
-/// What is known of expressions. Asking is an index into a list, which costs little also without optimisation.
+/// A map whose lookup is an array access, which is fast even without compiler optimisation.
 #[derive(Clone, Debug)]
 pub(crate) struct IdMap<V> {
-    /// For every expression 0, or the place of its value plus one.
+    /// For every expression, 0 or the index of its value plus one.
     slots: Vec<u32>,
     ids: Vec<ExprId>,
     values: Vec<V>,
@@ -23,7 +23,7 @@ impl<V> IdMap<V> {
         if place < self.slots.len() { self.slots[place] } else { 0 }
     }
 
-    /// What is known of `id`.
+    /// The value of `id`, if there is one.
     pub(crate) fn get(&self, id: ExprId) -> Option<&V> {
         match self.slot(id) {
             0 => None,
@@ -31,12 +31,12 @@ impl<V> IdMap<V> {
         }
     }
 
-    /// Whether something is known of `id`.
+    /// Whether `id` has a value.
     pub(crate) fn contains(&self, id: ExprId) -> bool {
         self.slot(id) != 0
     }
 
-    /// Remembers what is known of `id` now.
+    /// Sets the value of `id`.
     pub(crate) fn insert(&mut self, id: ExprId, value: V) {
         let place = id.index();
         if place >= self.slots.len() {
@@ -54,7 +54,7 @@ impl<V> IdMap<V> {
         }
     }
 
-    /// Forgets everything, in as many steps as there is to forget.
+    /// Removes all values, in time proportional to their number.
     pub(crate) fn clear(&mut self) {
         let mut k = 0;
         while k < self.ids.len() {
@@ -65,14 +65,14 @@ impl<V> IdMap<V> {
         self.values.clear();
     }
 
-    /// Everything, in the order in which it was first remembered.
+    /// All values, in the order in which their expressions were first inserted.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (ExprId, &V)> {
         self.ids.iter().copied().zip(&self.values)
     }
 }
 
 impl<V: Copy> IdMap<V> {
-    /// What is known of `id`, or `otherwise`.
+    /// The value of `id`, or `otherwise` if there is none.
     pub(crate) fn or(&self, id: ExprId, otherwise: V) -> V {
         match self.slot(id) {
             0 => otherwise,

@@ -1,6 +1,7 @@
-//! Expressions: a hash-consed graph, local simplification, total time derivatives, one fold, a reference evaluator.
+//! Expressions: a hash-consed graph, local simplification, total time derivatives, a generic fold, a reference
+//! evaluator.
 //!
-//! This room imports nothing but the list of functions of the user's language.
+//! This module depends only on the list of built-in functions.
 
 mod display;
 mod eval;

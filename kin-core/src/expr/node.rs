@@ -3,58 +3,60 @@
 use crate::hash::mixed;
 use crate::mechanism::Function;
 
-/// An expression: its place in the [`Graph`](super::Graph)'s arena. Equal ids mean equal expressions.
+/// An expression: an index of the [`Graph`](super::Graph)'s arena. Equal ids mean equal expressions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ExprId(pub(crate) u32);
 
 impl ExprId {
-    /// Place in the arena.
+    /// The index in the arena.
     pub const fn index(self) -> usize {
         self.0 as usize
     }
 }
 
-/// The highest derivative of inputs and supplied functions that an evaluation has: value, rate, acceleration.
+/// The highest order of derivatives of inputs and supplied functions that the caller supplies: value, rate,
+/// acceleration.
 pub const MAX_ORDER: u8 = 2;
 
-/// What an evaluation supplies.
+/// An input of an evaluation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Symbol {
-    /// A parameter, array fields element by element.
+    /// A parameter; array fields are numbered element by element.
     Parameter(u32),
     /// Time t.
     Time,
     /// An input: its value, rate or acceleration (order 0, 1, 2). Differentiation may write a higher order, up to
-    /// twice the highest; [`differentiate`](crate::system::differentiate) refuses results that need it.
+    /// twice the highest; [`differentiate`](crate::system::differentiate) reports results that need it as errors.
     Input(u32, u8),
     /// A generalized coordinate q_k.
     Coordinate(u32),
-    /// Its rate q̇_k.
+    /// The rate q̇_k of a coordinate.
     Rate(u32),
-    /// Its acceleration q̈_k, where forces are asked for.
+    /// The acceleration q̈_k of a coordinate, used for forces only.
     Acceleration(u32),
-    /// The sign, ±1, of an assembly mode. This and the following stand in the programs of a solution plan only.
+    /// The sign, ±1, of an assembly mode. This and the following symbols occur only in the programs of a solution
+    /// plan.
     Mode(u32),
-    /// q_k where a solution begins: what angles are counted from, and where an iteration starts.
+    /// The start value of q_k: angles are taken within half a turn of it, and iterations start from it.
     Start(u32),
-    /// An unknown of an iteration: its current value, and afterwards its solution.
+    /// An unknown of an iteration: its current value, after the iteration its solution.
     Unknown(u32),
-    /// A value that an earlier part of the solution has left.
+    /// A value that an earlier part of the solution has stored.
     Held(u32),
-    /// A right-hand side b_k of Φ_q x = b.
+    /// Entry b_k of the right-hand side of Φ_q x = b.
     Right(u32),
-    /// The square of how much coarser the scalar is than an `f64`, for tolerances: 1 for an `f64`.
+    /// The factor by which squared tolerances are larger for the scalar type than for `f64`, where it is 1.
     Coarseness,
 }
 
-/// The place of the argument of a curve that is drawn, as if it were a coordinate: it is in no q.
+/// The index of a curve's argument, which is treated as a coordinate but is not part of q.
 const ARGUMENT: u32 = u32::MAX;
 
 impl Symbol {
-    /// The free argument of a curve that is drawn.
+    /// The free argument of a curve.
     pub const ARGUMENT: Self = Self::Coordinate(ARGUMENT);
 
-    /// Its place in the array that it is of; time is alone.
+    /// The index of the symbol in its array; 0 for time.
     pub const fn index(self) -> u32 {
         match self {
             Self::Time | Self::Coarseness => 0,
@@ -71,7 +73,7 @@ impl Symbol {
         }
     }
 
-    /// The symbol at another place of the same array.
+    /// The symbol at index `k` of the same array.
     pub const fn at(self, k: u32) -> Self {
         match self {
             Self::Time => Self::Time,
@@ -89,7 +91,7 @@ impl Symbol {
         }
     }
 
-    /// A hash in few steps.
+    /// A fast hash of the symbol.
     pub(crate) fn hashed(self, of: u64) -> u64 {
         let (kind, order) = match self {
             Self::Parameter(_) => (0, 0),
@@ -108,7 +110,7 @@ impl Symbol {
         mixed(of, u64::from(self.index()) << 16 | u64::from(order) << 8 | kind)
     }
 
-    /// The name of a symbol that only solution plans have.
+    /// The name of a symbol that occurs only in solution plans.
     pub(crate) fn of_plan(self) -> String {
         match self {
             Self::Mode(k) => format!("mode{k}"),
@@ -127,12 +129,12 @@ impl Symbol {
 pub struct Bits(u64);
 
 impl Bits {
-    /// The number's bits; −0 is stored as 0, so that zero has one form.
+    /// The bits of a number; −0 is stored as 0, so that zero has one representation.
     pub fn new(value: f64) -> Self {
         Self(if value == 0.0 { 0 } else { value.to_bits() })
     }
 
-    /// True for 0.
+    /// True for the number 0.
     pub const fn is_zero(self) -> bool {
         self.0 == 0
     }
@@ -145,14 +147,14 @@ impl Bits {
 
 /// An operation on expressions.
 ///
-/// `RotX`, `RotY` are the components of a rotated body vector ρ = A(φ)·s, kept as one atom so that its derivative is
+/// `RotX`, `RotY` are the components of a rotated body vector ρ = A(φ)·s, kept as one node so that its derivative is
 /// φ̇ perp(ρ) and not a sum of four products. `Dot` and `Cross` are u·d and u×d = perp(u)·d of a unit vector u that
-/// turns with φ and any vector d, kept as atoms for the same reason: they are each other's derivative.
+/// turns with φ and any vector d, kept as nodes for the same reason: each is the derivative of the other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Node {
     /// A literal.
     Number(Bits),
-    /// Something that the evaluation supplies.
+    /// An input of the evaluation.
     Symbol(Symbol),
     /// −a.
     Neg(ExprId),
@@ -176,7 +178,7 @@ pub enum Node {
     Atan2(ExprId, ExprId),
     /// The angle a + 2πn that is nearest to b.
     Nearest(ExprId, ExprId),
-    /// a, as one thing: no product or sum that holds it is rearranged with what a is made of.
+    /// The value a as an opaque unit: products and sums that contain it are not rearranged with its parts.
     Whole(ExprId),
     /// cos φ·s_x − sin φ·s_y.
     RotX(Rotation),
@@ -193,22 +195,22 @@ pub enum Node {
 /// A body-fixed vector s turned by the angle φ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Rotation {
-    /// φ.
+    /// The angle φ.
     pub angle: ExprId,
-    /// s_x.
+    /// The component s_x.
     pub x: ExprId,
-    /// s_y.
+    /// The component s_y.
     pub y: ExprId,
 }
 
 /// A unit vector u = A(φ)·v̂ and a vector d.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Turning {
-    /// The angle that u turns with.
+    /// The angle φ that u rotates with.
     pub angle: ExprId,
-    /// u.
+    /// The vector u.
     pub u: [ExprId; 2],
-    /// d.
+    /// The vector d.
     pub d: [ExprId; 2],
 }
 
@@ -248,7 +250,7 @@ impl Node {
         }
     }
 
-    /// A hash in few steps.
+    /// A fast hash of the node.
     pub(crate) fn hashed(&self) -> u64 {
         let one = |kind: u64, a: ExprId, rest: u64| mixed(mixed(kind, u64::from(a.0)), rest);
         let two = |kind: u64, a: ExprId, b: ExprId| mixed(kind, u64::from(a.0) << 32 | u64::from(b.0));
@@ -276,12 +278,12 @@ impl Node {
     }
 }
 
-/// What an expression depends on.
+/// The kinds of symbols that an expression depends on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Depends(u8);
 
 impl Depends {
-    /// Nothing: a literal.
+    /// No symbols: a literal.
     pub const NOTHING: Self = Self(0);
     /// Parameters.
     pub const PARAMETER: Self = Self(1);
@@ -293,25 +295,25 @@ impl Depends {
     pub const COORDINATE: Self = Self(8);
     /// Rates of coordinates.
     pub const RATE: Self = Self(16);
-    /// What a solution plan supplies: modes, starts, unknowns, values held.
+    /// Symbols of a solution plan: modes, start values, unknowns, held values.
     pub const PLAN: Self = Self(32);
 
-    /// Both.
+    /// The union of both sets.
     pub const fn or(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
 
-    /// True when anything of `other` is in `self`.
+    /// True if the sets have a common element.
     pub const fn on(self, other: Self) -> bool {
         self.0 & other.0 != 0
     }
 
-    /// True for literals and expressions of parameters: they do not change while the mechanism moves.
+    /// True for literals and expressions of parameters, which are constant during a motion.
     pub const fn is_static(self) -> bool {
         self.0 & !Self::PARAMETER.0 == 0
     }
 
-    /// True when t or an input appears.
+    /// True if the expression depends on t or on an input.
     pub const fn is_rheonomic(self) -> bool {
         self.on(Self(Self::TIME.0 | Self::INPUT.0))
     }

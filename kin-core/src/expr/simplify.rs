@@ -1,19 +1,19 @@
-//! Construction with local simplification.
+//! Constructors with local simplification.
 //!
-//! Rules: literals fold; 0 and 1 vanish; signs move outwards, so that ρ and −ρ share one node; factors of a product
-//! are sorted (numbers, parameters, the rest, rates apart from values), so that equal products meet; vectors turned by
-//! right angles only change places. Nothing is expanded, and nothing is cancelled that could hide a division by zero
-//! (x/x stays).
+//! Operations on literals are evaluated; zero terms and factors of 1 are dropped; signs are moved outwards, so that ρ
+//! and −ρ share one node; the factors of a product are sorted (numbers, parameters, other values, rates), so that
+//! equal products become one node; rotation by a right angle only permutes components. Products are never expanded,
+//! and nothing is cancelled that could hide a division by zero (x/x is kept).
 
 use super::graph::Graph;
 use super::node::{Bits, ExprId, Node};
 use crate::mechanism::Function;
 
-/// Products of more factors than this stay as they were built. Flattening them would cost the square of their number,
-/// and a power of a power of a power … has exponentially many.
+/// Maximum number of factors of a product that is sorted. Sorting costs the square of their number, and nested powers
+/// can have exponentially many.
 const MAX_FACTORS: usize = 24;
 
-/// Classes of factors, in the order in which they stand.
+/// Classes of factors, in the order in which they appear in a product.
 const STATIC: u8 = 0;
 const MOVING: u8 = 1;
 const RATES: u8 = 2;
@@ -29,7 +29,7 @@ impl Graph {
         self.intern(Node::Neg(a))
     }
 
-    /// a and its sign: −a gives (true, a), a negative literal likewise.
+    /// The sign and the magnitude of an expression: (true, a) for −a and for a negative literal −a.
     pub(super) fn unsigned(&mut self, a: ExprId) -> (bool, ExprId) {
         match self.node(a) {
             Node::Neg(inner) => (true, inner),
@@ -122,7 +122,7 @@ impl Graph {
         self.signed(negative_a != negative_b, product)
     }
 
-    /// a · b · …, in any order.
+    /// The product of any number of factors.
     pub fn mul_all<const N: usize>(&mut self, factors: [ExprId; N]) -> ExprId {
         let one = self.number(1.0);
         factors.into_iter().fold(one, |product, factor| self.mul(product, factor))
@@ -143,11 +143,11 @@ impl Graph {
         Some(factors)
     }
 
-    /// The product of unsigned factors: one number, then values, times the product of rates. Keeping rates apart lets
-    /// φ̇² be shared by all products that hold it. `None` when the numbers' product is out of range where they are not.
+    /// The product of unsigned factors: the number and the values first, then the product of the rates. Keeping rates
+    /// together lets several products share φ̇². `None` if the numbers multiply to 0 or overflow.
     fn product(&mut self, factors: &[ExprId]) -> Option<ExprId> {
         let mut number = 1.0_f64;
-        // (class, factor), sorted as they come: there are few of them.
+        // (class, factor) by insertion sort, since there are few factors.
         let mut sorted: Vec<(u8, ExprId)> = Vec::with_capacity(factors.len());
         for &factor in factors {
             let depends = self.depends(factor);
@@ -201,7 +201,7 @@ impl Graph {
             && divisor.to_bits().trailing_zeros() >= 52
             && divisor.recip().is_normal()
         {
-            // The reciprocal of a power of two is exact, and a product is cheaper than a quotient.
+            // The reciprocal of a power of two is exact, and multiplication is cheaper than division.
             let factor = self.number(divisor.recip());
             return self.mul(factor, a);
         }
@@ -210,7 +210,7 @@ impl Graph {
         self.signed(negative_a != negative_b, quotient)
     }
 
-    /// a when `id` is the product 2·a.
+    /// The expression a if `id` is the product 2·a.
     fn half(&self, id: ExprId) -> Option<ExprId> {
         match self.node(id) {
             Node::Mul(two, a) if self.literal(two) == Some(2.0) => Some(a),
@@ -218,7 +218,7 @@ impl Graph {
         }
     }
 
-    /// 2a as a + a: one factor, which all products that hold it share.
+    /// 2a as the sum a + a, a single factor that several products can share.
     pub fn double(&mut self, a: ExprId) -> ExprId {
         if let Some(sum) = self.fold(a, a, |x, y| x + y) {
             return sum;
@@ -228,7 +228,7 @@ impl Graph {
         self.signed(negative, double)
     }
 
-    /// The folded literal of two literals, when it is finite.
+    /// The literal result of an operation on two literals, if it is finite.
     fn fold(&mut self, a: ExprId, b: ExprId, f: impl Fn(f64, f64) -> f64) -> Option<ExprId> {
         let value = f(self.literal(a)?, self.literal(b)?);
         value.is_finite().then(|| self.number(value))
@@ -315,7 +315,7 @@ impl Graph {
         self.intern(Node::Atan2(y, x))
     }
 
-    /// a, as one thing. Numbers, symbols and their opposites are so anyway.
+    /// The value a as an opaque unit; numbers, symbols and their negatives are opaque already.
     pub fn whole(&mut self, a: ExprId) -> ExprId {
         let (negative, inner) = self.unsigned(a);
         match self.node(inner) {

@@ -1,13 +1,13 @@
-//! Construction of vectors that turn, with the same local simplification: vectors turned by right angles only change
-//! places, and ρ and −ρ share one atom.
+//! Constructors for rotated vectors with local simplification: a right angle only permutes the components, and ρ and
+//! −ρ share one node.
 
 use super::graph::Graph;
 use super::node::{ExprId, Node, Rotation, Turning};
 use core::f64::consts::FRAC_PI_2;
 
 impl Graph {
-    /// Quarter turns (0 to 3) of an angle that is literally a multiple of π/2, a few turns at most. Whoever writes
-    /// `pi/2` means a right angle, and not the number next to it whose cosine is 6e-17.
+    /// The number of quarter turns (0 to 3) of an angle that is literally a small multiple of π/2. A user who writes
+    /// `pi/2` means a right angle and not the nearby number whose cosine is 6e-17.
     fn quarters(&self, angle: ExprId) -> Option<usize> {
         let value = self.literal(angle)?;
         let quarters = (value / FRAC_PI_2).round();
@@ -15,7 +15,7 @@ impl Graph {
         is_multiple.then(|| quarters.rem_euclid(4.0) as usize)
     }
 
-    /// ρ = A(φ)·(x, y). ρ and −ρ share one atom and differ by a sign.
+    /// The rotated vector ρ = A(φ)·(x, y). ρ and −ρ share one node and differ by a sign.
     pub fn rotate(&mut self, angle: ExprId, [x, y]: [ExprId; 2]) -> [ExprId; 2] {
         if let Some(quarters) = self.quarters(angle) {
             let (minus_x, minus_y) = (self.neg(x), self.neg(y));
@@ -25,7 +25,7 @@ impl Graph {
             return [x, y];
         }
         let ((negative_x, positive_x), (negative_y, positive_y)) = (self.unsigned(x), self.unsigned(y));
-        // A vector with x ≥ 0 (or x = 0 and y ≥ 0) is the base; its opposite is written with a sign.
+        // The node is built for the vector with x > 0 (or x = 0 and y > 0 in sign); its opposite is the negated node.
         let negative = if self.is_zero(x) { negative_y } else { negative_x };
         let base = if negative { [positive_x, if negative_y { positive_y } else { self.neg(y) }] } else { [x, y] };
         let rotation = Rotation { angle, x: base[0], y: base[1] };
@@ -33,7 +33,7 @@ impl Graph {
         [self.signed(negative, rx), self.signed(negative, ry)]
     }
 
-    /// u·d of a unit vector `u` that turns with `angle`.
+    /// u·d for a unit vector `u` that rotates with `angle`.
     pub fn dot(&mut self, angle: ExprId, u: [ExprId; 2], d: [ExprId; 2]) -> ExprId {
         if self.depends(angle).is_static() {
             return self.plain_dot(u, d);
@@ -41,7 +41,7 @@ impl Graph {
         self.intern(Node::Dot(Turning { angle, u, d }))
     }
 
-    /// u×d = perp(u)·d of a unit vector `u` that turns with `angle`.
+    /// u×d = perp(u)·d for a unit vector `u` that rotates with `angle`.
     pub fn cross(&mut self, angle: ExprId, u: [ExprId; 2], d: [ExprId; 2]) -> ExprId {
         if self.depends(angle).is_static() {
             return self.plain_cross(u, d);

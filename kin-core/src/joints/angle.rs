@@ -1,6 +1,6 @@
 //! Absolute and relative angle of bodies.
 //!
-//! Row (1), in radians, never wrapped:
+//! Row (1), in radians, not reduced modulo 2π:
 //! ```text
 //! φ − e = 0        or        φ_b − φ_a − e = 0
 //! ```
@@ -17,7 +17,7 @@ joint! {
     Angle {
         /// The body.
         body: BodyRef = Slot::body("body"),
-        /// e.
+        /// The angle e.
         value: Formula = Slot::value(Dimension::Angle),
     }
     example: "#[angle(A: slider = 0)]"
@@ -26,11 +26,11 @@ joint! {
 joint! {
     /// Operands of a relative angle.
     RelativeAngle {
-        /// Body a.
+        /// The body a.
         a: BodyRef = Slot::body("a"),
-        /// Body b.
+        /// The body b.
         b: BodyRef = Slot::body("b"),
-        /// e.
+        /// The angle e.
         value: Formula = Slot::value(Dimension::Angle),
     }
     example: "#[relative_angle(A: crank, rocker = pi/2)]"

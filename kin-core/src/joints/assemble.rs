@@ -1,4 +1,4 @@
-//! Assembly: walks the mechanism and asks every joint for its rows.
+//! Assembly: writes the rows of all joints of a mechanism.
 
 use super::kinds::rows_of;
 use crate::constraint::{
@@ -13,7 +13,7 @@ use core::ops::Range;
 /// Assembles Φ and everything that is reported.
 ///
 /// # Errors
-/// Indices out of range and cycles, at their origins; a mechanism that [`check`](crate::check::check)
+/// Indices out of range and cyclic definitions, at their origins. A mechanism that [`check`](crate::check::check)
 /// accepts has none.
 pub fn assemble(mechanism: &Mechanism) -> Result<ConstraintSet, Vec<ModelError>> {
     let mut set = ConstraintSet { name: mechanism.name.clone(), ..ConstraintSet::default() };
@@ -96,10 +96,9 @@ fn write(a: &mut Assembly<'_>, set: &mut ConstraintSet, joint: &Joint, family: (
     });
 }
 
-/// The rows of a joint, out of `rows`, whose own operands contain t or an input. Such rows drive: a length, an angle, an
-/// offset or a right-hand side that moves prescribes a motion. A joint of a body whose held coordinate moves contains t as
-/// well, but only through the pose of that body. It drives nothing; it is where the mechanism is fastened to something
-/// that moves.
+/// The rows, of `rows` in all, whose own operands contain t or an input. Such rows are driving: a length, angle,
+/// offset or right-hand side that varies with time prescribes a motion. A joint of a body with a moving held
+/// coordinate also contains t, but only by the pose of the body; it is not driving.
 fn moving_rows(mechanism: &Mechanism, operands: &Operands, rows: usize) -> Range<usize> {
     let moves = |formulas: Vec<_>| formulas.into_iter().any(|formula| contains_signal(mechanism, formula));
     let moving = operands.iter().filter(|(slot, operand)| slot.may_move() && moves(operand.formulas()));

@@ -1,11 +1,11 @@
-//! Belt or chain: two bodies turn in the same sense, as fast as their radii say.
+//! Belt or chain: two bodies rotate in the same sense, with the ratio given by their radii.
 //!
 //! Row (1), in units of length; φ_c = 0 for axles in the ground:
 //! ```text
 //! R_a(φ_a − φ_c) − R_b(φ_b − φ_c) − e = 0
 //! ```
-//! A crossed belt has radii of different sign. The belt does not slip, and only the ratio of the radii counts. It is
-//! the row of a [`gear`](super::gear) with the second radius reversed.
+//! A crossed belt has radii of opposite sign. The belt does not slip, and only the ratio of the radii matters. The row
+//! is that of a [`gear`](super::gear) with the sign of the second radius reversed.
 
 use super::gear::{carrier_is_a_third_body, coupled, coupled_angles};
 use super::joint::{JointType, Reaction, joint};
@@ -17,15 +17,15 @@ use crate::vectors::{Equation, NamedJoint};
 joint! {
     /// Operands of a belt or chain.
     Belt {
-        /// Body a.
+        /// The body a.
         a: BodyRef = Slot::body("a"),
-        /// Body b.
+        /// The body b.
         b: BodyRef = Slot::body("b"),
-        /// R_a and R_b.
+        /// The radii R_a and R_b.
         radii: Radii = Slot::required("radii", Takes::Radii).measured_in(Dimension::CommonLength),
-        /// The body that carries both axles; the ground unless another is given.
+        /// The body that carries both axles, by default the ground.
         carrier: BodyRef = Slot::required("carrier", Takes::Carrier),
-        /// e.
+        /// The offset e.
         offset: Formula = Slot::offset("offset", Dimension::CommonLength),
     }
     example: "#[belt(A: motor, spindle, radii = (r1, r2))]"

@@ -14,9 +14,9 @@ use crate::vocabulary::Role;
 joint! {
     /// Operands of an absolute x.
     X {
-        /// P.
+        /// The point P.
         p: Place = Slot::component_of_point("p", Component::X),
-        /// e.
+        /// The value e.
         value: Formula = Slot::value(Dimension::Length),
     }
     example: "#[x(A: slider @ (0, 0) = 0.1)]"
@@ -25,9 +25,9 @@ joint! {
 joint! {
     /// Operands of an absolute y.
     Y {
-        /// P.
+        /// The point P.
         p: Place = Slot::component_of_point("p", Component::Y),
-        /// e.
+        /// The value e.
         value: Formula = Slot::value(Dimension::Length),
     }
     example: "#[y(A: slider @ (0, 0) = 0)]"

@@ -1,11 +1,11 @@
-//! Distance: P and Q keep a distance, as if joined by a massless link (revolute–revolute composite).
+//! Distance: P and Q keep a given distance, as if joined by a massless link (revolute–revolute composite).
 //!
 //! Row (1), in units of length squared:
 //! ```text
 //! |r_Q − r_P|² − e² = 0
 //! ```
-//! Singular when P and Q coincide: the gradient of the square vanishes there, so e must not be 0; use a revolute
-//! joint for that. Reports the distance. After Haug (1989), section 3.2.
+//! Singular if P and Q coincide, because the gradient of the square vanishes there. So e must not be 0; a revolute
+//! joint makes points coincide. Reports the distance. After Haug (1989), section 3.2.
 
 use super::joint::{JointType, joint};
 use crate::constraint::{Assembly, PlacedPoint, RowMeaning, Rows};
@@ -18,11 +18,11 @@ use crate::vocabulary::Role;
 joint! {
     /// Operands of a distance.
     Distance {
-        /// P of body i.
+        /// The point P of body i.
         p: Place = Slot::frame("p"),
-        /// Q of body j.
+        /// The point Q of body j.
         q: Place = Slot::frame("q"),
-        /// e.
+        /// The length e.
         length: Value = Slot::required("length", Takes::Signal).positive(),
     }
     example: "#[distance(A: crank @ (l1, 0), rocker @ (0, 0), length = l2)]"
@@ -41,9 +41,9 @@ impl JointType for Distance {
     }
 }
 
-/// |r_Q − r_P|² − e².
+/// The row |r_Q − r_P|² − e².
 pub(super) fn between(a: &mut Assembly<'_>, p: &PlacedPoint, q: &PlacedPoint, length: ExprId, origin: Origin) -> Rows {
-    // A number only once names are followed and numbers folded; plain ones have their own rule.
+    // Literal lengths have been checked by a rule before; here the length may become a number by constant folding.
     match a.graph.literal(length) {
         Some(0.0) => {
             a.degenerate(

@@ -13,11 +13,11 @@ use crate::constraint::{Assembly, Rows};
 use crate::mechanism::{Formula, Slot, Takes, Value};
 
 joint! {
-    /// Sides of a driving constraint.
+    /// The sides of a driving constraint.
     Driver {
-        /// Left side.
+        /// The left side.
         left: Formula = Slot::left(Takes::Side),
-        /// Right side.
+        /// The right side.
         right: Value = Slot::right(Takes::Side),
     }
     example: "#[driver(drive: crank.phi = phi0 + omega*t)]"

@@ -1,11 +1,11 @@
-//! The example of the guide's chapter on a new constraint, `equidistant(N: P, Q, R)`: it compiles, and Φ is what it says.
+//! The example of the guide's chapter on a new constraint, `equidistant(N: P, Q, R)`; the test checks its row of Φ.
 
 use super::joint::{JointType, joint};
 use crate::constraint::{Assembly, ConstraintSet, RowMeaning, Rows};
 use crate::error::Origin;
 use crate::mechanism::{BodyRef, Formula, Mechanism, Place, Slot};
 
-// A kind of its own has a word of its own in the vocabulary.
+// The example borrows the variant `Constraint` of the vocabulary; a real kind has a variant of its own.
 joint! {
     /// Operands of a point with two equal distances.
     Equidistant as Constraint {

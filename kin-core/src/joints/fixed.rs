@@ -1,4 +1,4 @@
-//! Fixed joint: two bodies move as one.
+//! Fixed joint: two bodies move as one rigid body.
 //!
 //! Rows (3): those of a revolute joint, and the relative angle.
 //! ```text
@@ -16,11 +16,11 @@ use crate::vocabulary::Role;
 joint! {
     /// Operands of a fixed joint.
     Fixed {
-        /// P of body i.
+        /// The point P of body i.
         p: Place = Slot::frame("p"),
-        /// Q of body j.
+        /// The point Q of body j.
         q: Place = Slot::frame("q"),
-        /// c.
+        /// The angle c.
         angle: Formula = Slot::offset("angle", Dimension::Angle).in_last_row(),
     }
     example: "#[fixed(A: crank @ (l1, 0), plate @ (0, 0), angle = 0)]"

@@ -1,6 +1,6 @@
-//! Free-form equations of positions.
+//! Free-form equations in positions.
 //!
-//! Row (1), in the unit of its sides:
+//! Row (1), in the unit of the sides:
 //! ```text
 //! left − right = 0
 //! ```
@@ -10,11 +10,11 @@ use crate::constraint::{Assembly, Rows};
 use crate::mechanism::{Formula, Slot, Takes};
 
 joint! {
-    /// Sides of an equation.
+    /// The sides of an equation.
     Constraint {
-        /// Left side.
+        /// The left side.
         left: Formula = Slot::left(Takes::Side),
-        /// Right side.
+        /// The right side.
         right: Formula = Slot::right(Takes::Side),
     }
     example: "#[constraint(close_x: l1*cos(phi1) + l2*cos(phi2) = d1)]"

@@ -1,13 +1,14 @@
-//! Gear: two bodies roll on one another with fixed axles, or with axles that a carrier moves.
+//! Gear: two bodies roll on one another; their axles are fixed, or moved by a carrier.
 //!
 //! Row (1), in units of length; φ_c = 0 for axles in the ground:
 //! ```text
 //! R_a(φ_a − φ_c) + R_b(φ_b − φ_c) − e = 0
 //! ```
-//! External gears have radii of one sign and turn against one another; the ring of an internal pair has the negative
-//! one and turns with its pinion. Only the ratio counts, so that numbers of teeth do as well. The row says nothing of
-//! the axles: revolute joints on the carrier put them where they belong. Never singular while a radius is not 0; with
-//! R_a + R_b = 0 the carrier drops out. After Haug (1989), section 3.3; relative to the carrier it is Willis' equation.
+//! External gears have radii of the same sign and rotate in opposite senses. The ring of an internal pair has a
+//! negative radius and rotates in the sense of its pinion. Only the ratio matters, so numbers of teeth can be given
+//! instead of radii. The row does not hold the axles in place, for which revolute joints on the carrier are needed.
+//! Never singular as long as no radius is 0; for R_a + R_b = 0 the carrier cancels out. After Haug (1989), section
+//! 3.3; relative to the carrier it is Willis' equation.
 
 use super::joint::{JointType, Reaction, joint};
 use crate::constraint::{Assembly, Frame, RowMeaning, Rows};
@@ -20,15 +21,15 @@ use crate::vocabulary::Role;
 joint! {
     /// Operands of a gear pair.
     Gear {
-        /// Body a.
+        /// The body a.
         a: BodyRef = Slot::body("a"),
-        /// Body b.
+        /// The body b.
         b: BodyRef = Slot::body("b"),
-        /// R_a and R_b.
+        /// The radii R_a and R_b.
         radii: Radii = Slot::required("radii", Takes::Radii).measured_in(Dimension::CommonLength),
-        /// The body that carries both axles; the ground unless another is given.
+        /// The body that carries both axles, by default the ground.
         carrier: BodyRef = Slot::required("carrier", Takes::Carrier),
-        /// e.
+        /// The offset e.
         offset: Formula = Slot::offset("offset", Dimension::CommonLength),
     }
     example: "#[gear(A: sun, planet, radii = (r1, r2), carrier = arm)]"
@@ -52,7 +53,8 @@ impl JointType for Gear {
     }
 }
 
-/// R_a(φ_a − φ_c) and R_b(φ_b − φ_c), joined by `join`, minus the offset; `bodies` are a, b and the carrier c.
+/// The row of two arcs R_a(φ_a − φ_c) and R_b(φ_b − φ_c) combined by `join`, minus the offset; `bodies` are a, b and
+/// c.
 pub(super) fn coupled(
     a: &mut Assembly<'_>,
     bodies: [&BodyRef; 3],
@@ -82,7 +84,7 @@ pub(super) fn coupled(
     }
 }
 
-/// The body that carries the axles of a gear pair is none of the two, at no step of the range.
+/// Rule: the carrier of a gear pair is neither of the two gears, for any index of the range.
 pub(super) fn carrier_is_a_third_body(
     gears: [BodyRef; 2],
     carrier: BodyRef,
@@ -90,7 +92,7 @@ pub(super) fn carrier_is_a_third_body(
     mechanism: &Mechanism,
     errors: &mut Vec<ModelError>,
 ) {
-    // Two gears on one body have their own message.
+    // A joint of two gears on one body is reported by another rule.
     if mechanism.common_member(joint.range, gears[0], gears[1]).is_some() {
         return;
     }
@@ -98,7 +100,7 @@ pub(super) fn carrier_is_a_third_body(
     errors.extend(gears.into_iter().find_map(own).map(|(origin, message)| ModelError::new(origin, message)));
 }
 
-/// Where a gear is its own carrier, and what to say about it.
+/// If a gear is its own carrier, the origin and the message of the error.
 fn own_carrier(mechanism: &Mechanism, joint: &Joint, gear: BodyRef, carrier: BodyRef) -> Option<(Origin, String)> {
     let body = mechanism.common_member(joint.range, gear, carrier)?;
     let (keyword, name) = (joint.operands.keyword(), &joint.name);
@@ -111,7 +113,7 @@ fn own_carrier(mechanism: &Mechanism, joint: &Joint, gear: BodyRef, carrier: Bod
     })
 }
 
-/// R_a(φ_a − φ_c) ± R_b(φ_b − φ_c) = e, with c the carrier.
+/// The equation R_a(φ_a − φ_c) ± R_b(φ_b − φ_c) = e with the carrier c.
 pub(super) fn coupled_angles(joint: &NamedJoint<'_>, sign: &'static str) -> Vec<Equation> {
     let Some(terms) = Terms::of(joint) else { return Vec::new() };
     let arc = |place: &'static str, phi: Symbol| {

@@ -1,41 +1,41 @@
-//! What every kind of joint has: operands, rows of Φ, and as far as it wants them rules and vector equations.
+//! The interface of a kind of joint: operands, rows of Φ, and optionally rules and vector equations.
 
 use crate::constraint::{Assembly, Rows};
 use crate::error::ModelError;
 use crate::mechanism::{Joint, Mechanism, Operands, StatementForm, TypedOperands};
 use crate::vectors::{Equation, NamedJoint};
 
-/// What the rows of a joint exert on its bodies.
+/// What the constraint reaction of a joint's rows acts as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Reaction {
-    /// A force at the joint's point and a couple, on the body of the second operand, and the opposite on the first.
+    /// A force at the joint's point and a couple on the body of the second operand, and their opposites on the first.
     OnSecond,
-    /// Couples alone, on every body that the rows turn.
+    /// Couples only, on every body whose angle appears in the rows.
     Couples,
-    /// Both: a force on the body of the second operand, and couples on all others.
+    /// A force on the body of the second operand, and couples on the other bodies.
     OnSecondAndCouples,
-    /// What is conjugate to the rows, which are the user's own.
+    /// A generalized force conjugate to the rows, which are free equations of the user.
     Generalized,
 }
 
 /// A kind of joint.
 pub(super) trait JointType: TypedOperands {
-    /// What its rows exert.
+    /// What the reaction acts as.
     const REACTION: Reaction = Reaction::OnSecond;
 
-    /// Its rows.
+    /// The rows of Φ.
     fn rows(&self, a: &mut Assembly<'_>) -> Rows;
 
-    /// The rules that only this kind has, beyond those that every slot has.
+    /// The rules of this kind beyond those of its slots.
     fn check(&self, _joint: &Joint, _mechanism: &Mechanism, _errors: &mut Vec<ModelError>) {}
 
-    /// The equations of its rows in vectors, as a textbook writes them; none where the rows are the user's own formulas.
+    /// The equations of the rows in vectors, as in a textbook; empty if the rows are the user's own formulas.
     fn vector_equations(_joint: &NamedJoint<'_>) -> Vec<Equation> {
         Vec::new()
     }
 }
 
-/// A kind of joint as an entry of the table of all kinds.
+/// An entry of the table of all kinds of joints.
 pub(super) struct Kind {
     pub(super) form: &'static StatementForm,
     pub(super) reaction: Reaction,
@@ -60,7 +60,7 @@ impl Kind {
     }
 }
 
-/// Declares the operands of a kind of joint: a struct with a field for every slot, and how the joint is written.
+/// Declares the operands of a kind of joint: a struct with a field for every slot, and its form as a statement.
 macro_rules! joint {
     (
         $(#[$meta:meta])*

@@ -12,8 +12,8 @@ use crate::mechanism::{Joint, Mechanism, Operands, StatementForm};
 use crate::vectors::{Equation, NamedJoint};
 use crate::vocabulary::StatementKind;
 
-/// Every kind of joint, in the order of the guide. A new kind is a file of its own, its word in the
-/// [vocabulary](crate::vocabulary), and a row here.
+/// Every kind of joint, in the order of the guide. A new kind needs a file of its own, a variant in the
+/// [vocabulary](crate::vocabulary), and an entry here.
 const KINDS: &[Kind] = &[
     Kind::of::<Revolute>(),
     Kind::of::<Translational>(),
@@ -40,37 +40,37 @@ const KINDS: &[Kind] = &[
     Kind::of::<Driver>(),
 ];
 
-/// How every kind of joint is written, in the order of the guide; kinds that share a keyword stand side by side.
+/// The forms of all kinds of joints, in the order of the guide; kinds with the same keyword are adjacent.
 pub fn forms() -> impl Iterator<Item = &'static StatementForm> {
     KINDS.iter().map(|kind| kind.form)
 }
 
-/// The kind of a joint.
+/// The kind of joint that the operands belong to.
 fn kind_of(operands: &Operands) -> Option<&'static Kind> {
     KINDS.iter().find(|kind| kind.form == operands.form())
 }
 
-/// The rows of a joint; none for what is no joint.
+/// The rows of a joint; empty if the operands are not those of a joint.
 pub(crate) fn rows_of(a: &mut Assembly<'_>, operands: &Operands) -> Rows {
     kind_of(operands).map_or_else(Rows::default, |kind| (kind.rows)(a, operands))
 }
 
-/// What the rows of a joint exert.
+/// What the reaction of a joint acts as.
 pub(crate) fn reaction_of(operands: &Operands) -> Reaction {
     kind_of(operands).map_or(Reaction::Generalized, |kind| kind.reaction)
 }
 
-/// The rules that only the joint's kind has.
+/// Checks the rules that belong to the joint's kind.
 pub(crate) fn check(joint: &Joint, mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     if let Some(kind) = kind_of(&joint.operands) {
         (kind.check)(joint, mechanism, errors);
     }
 }
 
-/// The equations of a joint's rows in vectors; none where the rows are the user's own formulas.
+/// The equations of a joint's rows in vectors; empty if the rows are the user's own formulas.
 pub(crate) fn vector_equations(joint: &NamedJoint<'_>) -> Vec<Equation> {
     let same = |kind: &&Kind| kind.form.kind == StatementKind::Joint(joint.kind);
-    // The forms of a curve are one kind of joint.
+    // All forms of a curve belong to one entry, which is found by its keyword.
     let written_alike = |kind: &&Kind| kind.form.kind.keyword() == joint.kind.keyword();
     let kind = KINDS.iter().find(same).or_else(|| KINDS.iter().find(written_alike));
     kind.map_or_else(Vec::new, |kind| (kind.vector_equations)(joint))

@@ -1,11 +1,11 @@
-//! Knife edge: a point of a body moves along a direction of the body only, as a blade, skate or wheel does.
+//! Knife edge: a point of a body can move only along a direction of the body, as a blade, skate or wheel does.
 //!
 //! Row (1) of velocity level, with ψ = φ_i + α and u = (cos ψ, sin ψ), in units of velocity:
 //! ```text
 //! u × ṙ_P = −ẋ_P sin ψ + ẏ_P cos ψ = 0
 //! ```
-//! α may depend on time: a wheel that is steered. Never singular by itself, for B has the unit vector perp(u) in the
-//! columns of a free origin. After Neimark and Fufaev, Dynamics of Nonholonomic Systems (1972), chapter 1.
+//! α may depend on time, as for a steered wheel. Never singular by itself: if the origin is free, B contains the unit
+//! vector perp(u) in its columns. After Neimark and Fufaev, Dynamics of Nonholonomic Systems (1972), chapter 1.
 
 use super::joint::{JointType, joint};
 use super::nonholonomic::{Heading, velocity_row};
@@ -16,9 +16,9 @@ use crate::vectors::{Equation, NamedJoint, Terms, equals, zero};
 joint! {
     /// Operands of a knife edge.
     KnifeEdge {
-        /// P of body i.
+        /// The point P of body i.
         p: Place = Slot::frame("p"),
-        /// α.
+        /// The angle α.
         angle: Formula = Slot::offset("angle", Dimension::Angle),
     }
     example: "#[knife_edge(A: sleigh @ (0, 0), angle = 0)]"

@@ -1,12 +1,12 @@
-//! Free-form rows of velocity level, and what all rows of that level have in common.
+//! Free-form rows of velocity level, and the code that all rows of this level share.
 //!
 //! Row (1), linear in the rates that `dot(…)` stands for:
 //! ```text
 //! η = left − right = B(q, t) q̇ + b(q, t) = 0
 //! ```
-//! It has no residual of position level; B is its row of Φ_q and b its entry of Φ_t. In general such a row cannot be
-//! integrated: which positions can be reached is not determined by it. After Haug (1989), section 3.5.3, and Nikravesh
-//! (1988), section 1.3.
+//! The row has no residual at position level; B is its row of Φ_q, and b its entry of Φ_t. In general such a row is
+//! not integrable: it does not restrict which positions can be reached. After Haug (1989), section 3.5.3, and
+//! Nikravesh (1988), section 1.3.
 
 use super::joint::{JointType, Reaction, joint};
 use crate::constraint::{Assembly, PlacedPoint, Rows, VelocityRow};
@@ -15,11 +15,11 @@ use crate::mechanism::{Formula, Place, Slot, Takes};
 use crate::vocabulary::Role;
 
 joint! {
-    /// Sides of an equation of velocity level.
+    /// The sides of an equation of velocity level.
     Nonholonomic {
-        /// Left side.
+        /// The left side.
         left: Formula = Slot::left(Takes::SideOfRates),
-        /// Right side.
+        /// The right side.
         right: Formula = Slot::right(Takes::SideOfRates),
     }
     example: "#[nonholonomic(A: dot(wheel.x) = -R*dot(wheel.phi))]"
@@ -37,7 +37,7 @@ impl JointType for Nonholonomic {
     }
 }
 
-/// η and b: the same formula with rates, and with all q̇ at 0.
+/// The expressions η and b: the same formula with rates, and with q̇ = 0.
 pub(super) fn velocity_row(a: &mut Assembly<'_>, mut eta: impl FnMut(&mut Assembly<'_>) -> ExprId) -> VelocityRow {
     let full = eta(a);
     let outer = std::mem::replace(&mut a.at_rest, true);
@@ -46,12 +46,12 @@ pub(super) fn velocity_row(a: &mut Assembly<'_>, mut eta: impl FnMut(&mut Assemb
     VelocityRow { eta: full, b }
 }
 
-/// A point with a direction that turns with its body: u = (cos ψ, sin ψ), ψ = φ_i + α.
+/// A point and a direction that rotates with its body: u = (cos ψ, sin ψ), ψ = φ_i + α.
 pub(super) struct Heading {
     pub(super) p: PlacedPoint,
-    /// ψ.
+    /// The angle ψ.
     pub(super) psi: ExprId,
-    /// u.
+    /// The direction u.
     pub(super) u: [ExprId; 2],
 }
 
@@ -64,12 +64,12 @@ impl Heading {
         Self { p, psi, u: a.graph.rotate(psi, unit) }
     }
 
-    /// ṙ_P.
+    /// The velocity ṙ_P of the point.
     pub(super) fn velocity(&self, a: &mut Assembly<'_>) -> [ExprId; 2] {
         self.p.r.map(|component| a.rate(component))
     }
 
-    /// The geometry of the point and its direction in the body's frame.
+    /// The row of velocity level, with the point and the direction in the body's frame as geometry.
     pub(super) fn rows(&self, a: &mut Assembly<'_>, angle: &Formula, velocity: VelocityRow) -> Rows {
         let alpha = a.formula(angle);
         let direction = vec![a.graph.cos(alpha), a.graph.sin(alpha)];

@@ -1,4 +1,4 @@
-//! Point on a line: Q of body j stays on a line of body i through P, or at a signed offset from it
+//! Point on a line: Q of body j stays on a line of body i through P, or at a signed distance from it
 //! (revolute–translational composite).
 //!
 //! Row (1), with u = A_i v̂, in units of length; a positive offset is to the left of the axis:
@@ -17,13 +17,13 @@ use crate::vocabulary::Role;
 joint! {
     /// Operands of a point on a line.
     PointOnLine {
-        /// P of body i, on the line.
+        /// The point P of body i, on the line.
         p: Place = Slot::frame("p"),
-        /// Q of body j.
+        /// The point Q of body j.
         q: Place = Slot::frame("q"),
-        /// v in body i.
+        /// The direction v of the line in body i.
         axis: Axis = Slot::required("axis", Takes::Axis),
-        /// e.
+        /// The offset e.
         offset: Formula = Slot::offset("offset", Dimension::Length),
     }
     example: "#[point_on_line(A: rocker @ (0, 0), crank @ (l1, 0), axis = (1, 0))]"

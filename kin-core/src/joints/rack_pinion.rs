@@ -1,13 +1,13 @@
-//! Rack and pinion: a pinion whose axle the guide carries moves a rack along the guide.
+//! Rack and pinion: a pinion, whose axle is on the guide, moves a rack along the guide.
 //!
-//! Row (1), with u = A_i v̂ of the guide i and φ_b of the pinion, in units of length:
+//! Row (1), where u = A_i v̂ belongs to the guide i and φ_b to the pinion, in units of length:
 //! ```text
 //! u·(r_Q − r_P) − R(φ_b − φ_i) − e = 0
 //! ```
-//! Where the pinion turns counter-clockwise, a positive radius moves the rack along the axis: it meshes to the right of
-//! the axle, looking along the axis. A rack to the left has a negative radius. A translational joint keeps the rack on
-//! its guide, and a revolute joint the pinion on its axle. Never singular while R is not 0. Reports the stroke
-//! u·(r_Q − r_P). After Haug (1989), section 3.3.
+//! With a positive radius, counter-clockwise rotation of the pinion moves the rack along the axis: the rack meshes to
+//! the right of the axle, seen along the axis. A rack to the left has a negative radius. A translational joint keeps
+//! the rack on its guide, and a revolute joint the pinion on its axle. Never singular as long as R is not 0. Reports
+//! the stroke u·(r_Q − r_P). After Haug (1989), section 3.3.
 
 use super::joint::{JointType, Reaction, joint};
 use super::translational::along;
@@ -21,17 +21,17 @@ use crate::vocabulary::Role;
 joint! {
     /// Operands of a rack and its pinion.
     RackPinion {
-        /// P of the guide, body i.
+        /// The point P of the guide, body i.
         p: Place = Slot::frame("p"),
-        /// Q of the rack, body j.
+        /// The point Q of the rack, body j.
         q: Place = Slot::point("q"),
-        /// v in body i.
+        /// The direction v in body i.
         axis: Axis = Slot::required("axis", Takes::Axis),
-        /// The pinion, whose axle the guide carries.
+        /// The pinion, whose axle is on the guide.
         pinion: BodyRef = Slot::required("pinion", Takes::Body),
-        /// R.
+        /// The radius R.
         radius: Value = Slot::required("radius", Takes::Radius),
-        /// e.
+        /// The offset e.
         offset: Formula = Slot::offset("offset", Dimension::Length),
     }
     example: "#[rack_pinion(A: ground @ (0, 0), rack @ (0, 0), axis = (1, 0), pinion = wheel, radius = r)]"
@@ -60,8 +60,8 @@ impl JointType for RackPinion {
     }
 }
 
-/// The row of a slide along `axis` that a body moves by turning, `by_radian` for every radian against the guide:
-/// u·(r_Q − r_P) − by_radian (φ_b − φ_i) − e.
+/// The row of a slide along `axis` that is proportional to a rotation, `by_radian` for each radian relative to the
+/// guide: u·(r_Q − r_P) − by_radian (φ_b − φ_i) − e.
 pub(super) fn stroke_by_angle(
     a: &mut Assembly<'_>,
     [p, q]: [&Place; 2],
@@ -85,7 +85,7 @@ pub(super) fn stroke_by_angle(
     rows
 }
 
-/// The guide is not what turns, at no step of the range; `what` is the name of the latter.
+/// Rule: the guide is not the rotating body, for any index of the range; `what` is the name of the latter.
 pub(super) fn guide_does_not_turn(
     guide: BodyRef,
     turning: BodyRef,

@@ -1,4 +1,4 @@
-//! Revolute joint: P of body i and Q of body j are one point.
+//! Revolute joint: P of body i and Q of body j coincide.
 //!
 //! Rows (2), in the inertial frame, in units of length:
 //! ```text
@@ -16,9 +16,9 @@ use crate::vectors::{Equation, NamedJoint, Terms, equals, zero};
 joint! {
     /// Operands of a revolute joint.
     Revolute {
-        /// P of body i.
+        /// The point P of body i.
         p: Place = Slot::point("p"),
-        /// Q of body j.
+        /// The point Q of body j.
         q: Place = Slot::point("q"),
     }
     example: "#[revolute(A: crank @ (l1, 0), coupler @ (0, 0))]"
@@ -38,7 +38,7 @@ impl JointType for Revolute {
     }
 }
 
-/// r_Q − r_P, two rows.
+/// The two rows r_Q − r_P.
 pub(super) fn coincidence(
     a: &mut Assembly<'_>,
     p: [ExprId; 2],

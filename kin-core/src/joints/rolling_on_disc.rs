@@ -1,15 +1,15 @@
 //! Rolling on a disc: a disc of body j, centred at Q, rolls without slipping on a disc of body i, centred at P.
 //!
-//! Rows (3), with d = r_Q − r_P and the scalar coordinate ψ, the direction of d in the inertial frame, in units of
+//! Rows (3), where d = r_Q − r_P and the scalar coordinate ψ is the direction of d in the inertial frame, in units of
 //! length:
 //! ```text
 //! x, y:  d − (R_i + R_j)(cos ψ, sin ψ) = 0
 //! roll:  R_i(φ_i − ψ) + R_j(φ_j − ψ) − e = 0
 //! ```
-//! The discs touch at r_P + R_i(cos ψ, sin ψ) = r_Q − R_j(cos ψ, sin ψ), whatever the signs; a ring, inside of which
-//! the other disc rolls, has the negative radius. ψ is a coordinate because the direction of d alone would forget whole
-//! turns. The line of centres acts as a carrier that turns with ψ: the third row is that of a [`gear`](super::gear).
-//! Singular where R_i + R_j = 0: the centres coincide and ψ is any angle. After Nikravesh (1988), section 4.2.
+//! The discs touch at r_P + R_i(cos ψ, sin ψ) = r_Q − R_j(cos ψ, sin ψ), for any signs. A ring inside which the other
+//! disc rolls has a negative radius. ψ is a coordinate because the direction of d alone does not count whole turns.
+//! The line of centres acts as a carrier with the angle ψ: the third row is that of a [`gear`](super::gear). Singular
+//! for R_i + R_j = 0, where the centres coincide and ψ is arbitrary. After Nikravesh (1988), section 4.2.
 
 use super::joint::{JointType, joint};
 use super::rolling_on_line::WAYS;
@@ -21,17 +21,17 @@ use crate::vocabulary::Role;
 joint! {
     /// Operands of a disc that rolls on a disc.
     RollingOnDisc {
-        /// P, the centre of the disc of body i.
+        /// The point P, the centre of the disc of body i.
         p: Place = Slot::frame("p"),
-        /// Q, the centre of the disc of body j.
+        /// The point Q, the centre of the disc of body j.
         q: Place = Slot::frame("q"),
-        /// R_i and R_j.
+        /// The radii R_i and R_j.
         radii: Radii = Slot::required("radii", Takes::Radii),
-        /// ψ, a scalar coordinate: the direction of d in the inertial frame.
+        /// The scalar coordinate ψ, the direction of d in the inertial frame.
         along: Member =
             Slot::required("along", Takes::Scalar("`along` names a scalar coordinate, `#[coordinates(psi)]`"))
                 .measured_in(Dimension::Angle),
-        /// e.
+        /// The offset e.
         offset: Formula = Slot::offset("offset", Dimension::Length).in_last_row(),
     }
     example: "#[rolling(A: ring @ (0, 0), wheel @ (0, 0), radii = (r1, r2), along = psi)]",
@@ -48,7 +48,7 @@ impl JointType for RollingOnDisc {
         rows.geometry.push((Role::Radius, p.frame, vec![radii[0]]));
         rows.geometry.push((Role::Radius, q.frame, vec![radii[1]]));
         rows.geometry.push((Role::Value, p.frame, vec![offset]));
-        // (R_i + R_j)(cos ψ, sin ψ) is the vector (R_i + R_j, 0) of a body that turns with ψ.
+        // (R_i + R_j)(cos ψ, sin ψ) is the vector (R_i + R_j, 0) rotated by ψ.
         let (sum, zero) = (a.graph.add(radii[0], radii[1]), a.graph.zero());
         if a.graph.is_zero(sum) && radii.iter().all(|radius| !a.graph.is_zero(*radius)) {
             a.degenerate(
@@ -72,8 +72,8 @@ impl JointType for RollingOnDisc {
         rows
     }
 
-    /// Discs that roll on one another do not have one centre; what comes to that for a member of a family, or once numbers
-    /// are folded, is seen when its rows are written.
+    /// Rule: literal radii do not put both discs on one centre. Radii that become so for a member of a family or by
+    /// constant folding are reported when the rows are written.
     fn check(&self, _: &Joint, _: &Mechanism, errors: &mut Vec<ModelError>) {
         if let (Some(i), Some(j)) = (self.radii.i.value.literal(), self.radii.j.value.literal())
             && i != 0.0

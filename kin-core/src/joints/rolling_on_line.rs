@@ -5,10 +5,10 @@
 //! normal:  perp(u)·d − R = 0
 //! roll:    u·d + R(φ_j − φ_i) − e = 0
 //! ```
-//! A positive radius is a disc to the left of the axis, which turns clockwise where it rolls along the axis; a negative
-//! one lies to the right. Differentiated, the second row says that the point of the disc that touches the line has the
-//! velocity of the line there. Never singular while R is not 0. Reports the stroke u·d of the centre. After Nikravesh
-//! (1988), section 4.2.
+//! A positive radius means a disc to the left of the axis, which rotates clockwise when it rolls along the axis; a
+//! negative radius means a disc to the right. The derivative of the second row says that the point of the disc in
+//! contact with the line has the velocity of the line there. Never singular as long as R is not 0. Reports the stroke
+//! u·d of the centre. After Nikravesh (1988), section 4.2.
 
 use super::joint::{JointType, joint};
 use super::translational::{across, along};
@@ -17,22 +17,22 @@ use crate::mechanism::{Axis, Dimension, Formula, Place, Slot, Takes, Value};
 use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
 use crate::vocabulary::Role;
 
-/// The two ways in which a disc rolls.
+/// A message with the two forms of a rolling disc.
 pub(super) const WAYS: &str =
     "a disc rolls on a line with `axis = (1, 0), radius = r`, on another disc with `radii = (r1, r2), along = psi`";
 
 joint! {
     /// Operands of a disc that rolls on a line.
     RollingOnLine {
-        /// P of body i, on the line.
+        /// The point P of body i, on the line.
         p: Place = Slot::frame("p"),
-        /// Q, the centre of the disc, body j.
+        /// The point Q of body j, the centre of the disc.
         q: Place = Slot::frame("q"),
-        /// v in body i.
+        /// The direction v of the line in body i.
         axis: Axis = Slot::required("axis", Takes::Axis),
-        /// R.
+        /// The radius R.
         radius: Value = Slot::required("radius", Takes::Radius),
-        /// e.
+        /// The offset e.
         offset: Formula = Slot::offset("offset", Dimension::Length).in_last_row(),
     }
     example: "#[rolling(A: ground @ (0, 0), wheel @ (0, 0), axis = (1, 0), radius = r)]",

@@ -1,12 +1,13 @@
-//! Rope: an inextensible rope, taut, from the first point over all others to the last.
+//! Rope: a taut, inextensible rope from the first point over all others to the last.
 //!
 //! Row (1), in units of length:
 //! ```text
 //! Σ |r_{k+1} − r_k| − e = 0
 //! ```
-//! The rope runs freely over the points between: pulleys whose radius is small. A point may occur more than once, as in a
-//! block and tackle; a length that changes is a winch. Singular where two neighbouring points coincide, for the distance
-//! has no gradient there. The row is an equation: it does not see whether the rope would be pushed. Reports its length.
+//! The rope runs freely over the points in between, which are pulleys of negligible radius. A point may occur more
+//! than once, as in a block and tackle; a length that varies is a winch. Singular where two consecutive points
+//! coincide, because their distance has no gradient there. The row is an equation, so it does not detect a rope that
+//! would have to push. Reports the length.
 
 use super::joint::{JointType, joint};
 use crate::constraint::{Assembly, Frame, RowMeaning, Rows};
@@ -17,9 +18,9 @@ use crate::vocabulary::Role;
 joint! {
     /// Operands of a rope.
     Rope {
-        /// The points, in the order of the rope.
+        /// The points, in their order along the rope.
         points: Vec<Place> = Slot::points("points"),
-        /// e.
+        /// The length e.
         length: Value = Slot::required("length", Takes::Signal).positive(),
     }
     example: "#[rope(N: ground @ (0, 0), hook @ (0, 0), ground @ (0.2, 0), length = l)]"
@@ -55,7 +56,7 @@ impl JointType for Rope {
         rows
     }
 
-    /// A rope has two ends.
+    /// Rule: a rope has at least two points.
     fn check(&self, joint: &Joint, _: &Mechanism, errors: &mut Vec<ModelError>) {
         if self.points.len() < 2 {
             let message = format!("rope `{}` runs over two points or more", joint.name);

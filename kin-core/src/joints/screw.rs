@@ -1,14 +1,14 @@
-//! Screw: a spindle with a thread moves a carriage along its axis, as far as it turns.
+//! Screw: rotation of a spindle moves a carriage along its axis, in proportion to the angle.
 //!
-//! Row (1), with u = A_i v̂ of the guide i and φ_b of what turns, in units of length:
+//! Row (1), where u = A_i v̂ belongs to the guide i and φ_b to the rotating body, in units of length:
 //! ```text
 //! u·(r_Q − r_P) − p/(2π) (φ_b − φ_i) − e = 0
 //! ```
-//! p is the lead: how far one turn moves Q along the axis. A positive lead moves it along the axis where b turns
-//! counter-clockwise, a negative one against it. Seen in the plane, b is what stands for the spindle's turning: a motor's
-//! body, a handwheel, a gear before a bevel gear. A translational joint keeps the carriage on its guide, and a revolute
-//! joint or a held origin keeps b in its place. It is the row of a [rack](super::RackPinion) with the radius p/(2π).
-//! Reports the stroke u·(r_Q − r_P).
+//! p is the lead: the distance by which one turn moves Q along the axis. With a positive lead counter-clockwise
+//! rotation of b moves Q along the axis, with a negative one against it. In the plane, b stands for the rotation of
+//! the spindle: the rotor of a motor, a handwheel, a gear in front of a bevel gear. A translational joint keeps the
+//! carriage on its guide, and a revolute joint or a held origin keeps b in place. The row is that of a
+//! [rack](super::RackPinion) with the radius p/(2π). Reports the stroke u·(r_Q − r_P).
 
 use super::joint::{JointType, Reaction, joint};
 use super::rack_pinion::{guide_does_not_turn, stroke_by_angle};
@@ -19,17 +19,17 @@ use crate::mechanism::{Axis, BodyRef, Dimension, Formula, Joint, Mechanism, Plac
 joint! {
     /// Operands of a screw.
     Screw {
-        /// P of the guide, body i.
+        /// The point P of the guide, body i.
         p: Place = Slot::frame("p"),
-        /// Q of the carriage, body j.
+        /// The point Q of the carriage, body j.
         q: Place = Slot::point("q"),
-        /// v in body i.
+        /// The direction v in body i.
         axis: Axis = Slot::required("axis", Takes::Axis),
-        /// p, the way of one turn.
+        /// The lead p, the stroke per turn.
         lead: Formula = Slot::required("lead", Takes::Signal),
-        /// What turns.
+        /// The rotating body b.
         nut: BodyRef = Slot::required("nut", Takes::Body),
-        /// e.
+        /// The offset e.
         offset: Formula = Slot::offset("offset", Dimension::Length),
     }
     example: "#[screw(N: ground @ (0, 0), carriage @ (0, 0), axis = (1, 0), lead = p, nut = motor)]"

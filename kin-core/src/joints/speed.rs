@@ -1,10 +1,10 @@
-//! Speed: the velocity of a point of a body along a direction of the body is prescribed. It drives.
+//! Speed: prescribes the velocity of a point of a body along a direction of the body. It is a driving row.
 //!
 //! Row (1) of velocity level, with ψ = φ_i + α and u = (cos ψ, sin ψ), in units of velocity:
 //! ```text
 //! u · ṙ_P − f = ẋ_P cos ψ + ẏ_P sin ψ − f = 0
 //! ```
-//! Says nothing of the velocity across u: see `knife_edge` for that.
+//! It does not restrict the velocity across u; see `knife_edge` for that.
 
 use super::joint::{JointType, joint};
 use super::nonholonomic::{Heading, velocity_row};
@@ -15,11 +15,11 @@ use crate::vocabulary::Role;
 joint! {
     /// Operands of a prescribed speed.
     Speed {
-        /// P of body i.
+        /// The point P of body i.
         p: Place = Slot::frame("p"),
-        /// α.
+        /// The angle α.
         angle: Formula = Slot::offset("angle", Dimension::Angle),
-        /// f.
+        /// The prescribed speed f.
         value: Formula = Slot::required("value", Takes::Signal).measured_in(Dimension::Speed),
     }
     example: "#[speed(A: sleigh @ (0, 0), angle = 0, value = v)]"

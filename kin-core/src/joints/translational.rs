@@ -1,12 +1,12 @@
-//! Translational joint: body j slides along an axis of body i and does not turn against it.
+//! Translational joint: body j slides along an axis of body i and does not rotate relative to it.
 //!
 //! Rows (2), with u = A_i v̂, |v̂| = 1:
 //! ```text
 //! normal:  perp(u)·(r_Q − r_P) = 0      length
 //! angle:   φ_j − φ_i − c = 0            angle
 //! ```
-//! perp(u)·(r_P − r_i) is the constant perp(v̂)·s′_P, so the first row is written perp(u)·(r_Q − r_i) minus that
-//! constant: the same number with fewer operations. Reports the stroke u·(r_Q − r_P). After Haug (1989), section 3.3.
+//! perp(u)·(r_P − r_i) is the constant perp(v̂)·s′_P, so the first row is computed as perp(u)·(r_Q − r_i) minus that
+//! constant, which takes fewer operations. Reports the stroke u·(r_Q − r_P). After Haug (1989), section 3.3.
 
 use super::joint::{JointType, joint};
 use crate::constraint::{Assembly, PlacedAxis, PlacedPoint, RowMeaning, Rows};
@@ -18,13 +18,13 @@ use crate::vocabulary::Role;
 joint! {
     /// Operands of a translational joint.
     Translational {
-        /// P of body i.
+        /// The point P of body i.
         p: Place = Slot::frame("p"),
-        /// Q of body j.
+        /// The point Q of body j.
         q: Place = Slot::frame("q"),
-        /// v in body i.
+        /// The direction v of the axis in body i.
         axis: Axis = Slot::required("axis", Takes::Axis),
-        /// c.
+        /// The angle c.
         angle: Formula = Slot::offset("angle", Dimension::Angle).in_last_row(),
     }
     example: "#[translational(A: ground @ (0, 0), slider @ (0, 0), axis = (1, 0))]"
@@ -53,7 +53,7 @@ impl JointType for Translational {
     }
 }
 
-/// perp(u)·(r_Q − r_P).
+/// The distance across the axis, perp(u)·(r_Q − r_P).
 pub(super) fn across(a: &mut Assembly<'_>, axis: &PlacedAxis, p: &PlacedPoint, q: &PlacedPoint) -> ExprId {
     let d = [a.graph.sub(q.r[0], p.base[0]), a.graph.sub(q.r[1], p.base[1])];
     let whole = a.graph.cross(axis.angle, axis.u, d);
@@ -61,7 +61,7 @@ pub(super) fn across(a: &mut Assembly<'_>, axis: &PlacedAxis, p: &PlacedPoint, q
     a.graph.sub(whole, constant)
 }
 
-/// u·(r_Q − r_P).
+/// The stroke along the axis, u·(r_Q − r_P).
 pub(super) fn along(a: &mut Assembly<'_>, axis: &PlacedAxis, p: &PlacedPoint, q: &PlacedPoint) -> ExprId {
     let d = [a.graph.sub(q.r[0], p.base[0]), a.graph.sub(q.r[1], p.base[1])];
     let whole = a.graph.dot(axis.angle, axis.u, d);

@@ -1,21 +1,21 @@
-//! A kernel: a finished program with what a function of its own needs to know.
+//! A kernel: a finished program with everything that is needed to emit it as a function.
 
 use crate::expr::Symbol;
 use crate::program::{Instruction, Piece, Program, Rolled, Slot, Source, Step, finished};
 use std::collections::BTreeSet;
 
-/// A finished program that becomes a function of its own.
+/// A finished program that becomes a function.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kernel {
     /// The name of the function.
     pub name: String,
-    /// What it does.
+    /// The code of the function.
     pub code: Rolled,
-    /// The arrays that it may write, by the first slot of each, with their lengths.
+    /// The arrays that the function may write, each given by its first slot and its length.
     pub arrays: Vec<(Slot, usize)>,
-    /// How many values stand in the array from which it takes what earlier parts of a solution have held.
+    /// The length of the array of held values that the function reads.
     pub held: usize,
-    /// Whether it is always inlined into its caller.
+    /// Whether the function is always inlined into its caller.
     pub inlined: bool,
 }
 
@@ -25,7 +25,7 @@ impl Kernel {
         Self { name: name.into(), code: finished(program), arrays: arrays.to_vec(), held: 0, inlined: false }
     }
 
-    /// The same kernel among so many values that earlier parts of a solution hold.
+    /// Sets the length of the array of held values.
     pub(super) fn holding(self, held: usize) -> Self {
         Self { held, ..self }
     }
@@ -36,7 +36,7 @@ impl Kernel {
         })
     }
 
-    /// What it reads: the first symbol of every array, in their order.
+    /// The arrays that the function reads, each given by its first symbol, in order.
     pub fn reads(&self) -> BTreeSet<Symbol> {
         let first = |source: &Source| match *source {
             Source::Load(Symbol::ARGUMENT, _) => Some(Symbol::ARGUMENT),
@@ -47,7 +47,7 @@ impl Kernel {
         self.code.sources.iter().filter_map(first).collect()
     }
 
-    /// The supplied functions that it calls.
+    /// The supplied functions that the function calls.
     pub fn functions(&self) -> BTreeSet<u32> {
         let function = |step: &Step| match step {
             Step::Compute { instruction: Instruction::Supplied(function, _), .. } => Some(*function),
@@ -56,7 +56,7 @@ impl Kernel {
         self.steps().filter_map(function).collect()
     }
 
-    /// The arrays that it does write, by the first slot of each, with their lengths.
+    /// The arrays that the function actually writes, each given by its first slot and its length.
     pub fn writes(&self) -> Vec<(Slot, usize)> {
         let written: BTreeSet<Slot> = self
             .steps()

@@ -1,4 +1,4 @@
-//! Lists: what is evaluated as plain numbers, one method of a mechanism for each.
+//! Lists of numbers that a mechanism evaluates, each by a method of its own.
 
 use super::kernel::Kernel;
 use crate::constraint::{ConstraintRow, ConstraintSet};
@@ -6,35 +6,35 @@ use crate::expr::{ExprId, Graph};
 use crate::loads::Forces;
 use crate::program::{Program, Slot, lower};
 
-/// What a list is evaluated from; each holds what stands before it.
+/// The quantities that a list is evaluated from; each variant includes all earlier ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Given {
-    /// Parameters.
+    /// The parameters.
     Parameters,
-    /// t and the inputs, too.
+    /// t and the inputs.
     Instant,
-    /// q, too.
+    /// The positions q.
     Position,
-    /// q̇, too.
+    /// The velocities q̇.
     Velocity,
-    /// q̈, too.
+    /// The accelerations q̈.
     Acceleration,
-    /// The multipliers λ, too.
+    /// The multipliers λ.
     Multipliers,
 }
 
 /// A list of numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct List {
-    /// The method that writes it.
+    /// The method that writes the list.
     pub method: &'static str,
-    /// Its name among the arguments of that method.
+    /// The name of the list among the arguments of the method.
     pub name: &'static str,
-    /// What it is evaluated from.
+    /// The quantities that the list is evaluated from.
     pub given: Given,
-    /// How many numbers it has.
+    /// The number of entries.
     pub length: usize,
-    /// Its program.
+    /// The program of the list.
     pub kernel: Kernel,
 }
 
@@ -46,15 +46,15 @@ impl List {
     }
 }
 
-/// The program that writes expressions one after another.
+/// The program that writes a sequence of expressions.
 pub(super) fn listed(graph: &Graph, values: impl IntoIterator<Item = ExprId>) -> Program {
     let outputs = values.into_iter().enumerate().map(|(place, value)| (Slot::Entry(place), value));
     lower(graph, &outputs.collect::<Vec<_>>())
 }
 
-/// The lists of a mechanism; an empty one is left out. `arguments` are those of supplied functions.
+/// The non-empty lists of a mechanism; `arguments` are the arguments of supplied functions.
 pub(super) fn lists(set: &ConstraintSet, arguments: &[ExprId]) -> Vec<List> {
-    // A row of velocity level has the literal 0 in Φ; it stands for η in all other rows.
+    // A row of velocity level has the literal 0 in Φ; this literal stands for η of all other rows.
     let zero = set.rows.iter().find(|row| row.velocity.is_some()).map(|row| row.phi);
     let eta = |row: &ConstraintRow| Some(row.velocity.map_or(zero?, |velocity| velocity.eta));
     let lists: [(&str, &str, Given, Vec<ExprId>); 5] = [
@@ -68,7 +68,7 @@ pub(super) fn lists(set: &ConstraintSet, arguments: &[ExprId]) -> Vec<List> {
     lists.into_iter().filter(|(.., values)| !values.is_empty()).map(list).collect()
 }
 
-/// The lists of forces: r, where λ is solved from it, and the results, given λ unless they hold it.
+/// The lists of forces: the generalized forces r, unless the results contain the solution for λ; and the results.
 pub(super) fn of_forces(forces: &Forces) -> Vec<List> {
     let mut lists = Vec::new();
     if !forces.solved {

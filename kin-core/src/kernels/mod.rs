@@ -1,7 +1,7 @@
-//! Every program of a mechanism, finished: generated code is these kernels and static tables, and nothing else.
+//! All programs of a mechanism in their final form; generated code consists of these kernels and of static tables.
 //!
-//! All optimisation ends here. A list of numbers that a mechanism shall evaluate besides is one more entry of
-//! `list::lists`: the method that writes it, what it is evaluated from, and its expressions.
+//! All optimisation is complete after this stage. A new list of numbers is added as an entry of `list::lists`: its
+//! method, the quantities that it is evaluated from, and its expressions.
 
 mod kernel;
 mod list;
@@ -21,38 +21,38 @@ use crate::system::KinematicSystem;
 use crate::vocabulary::OperationCount;
 use rows::Rows;
 
-/// The programs of a mechanism.
+/// The kernels of a mechanism.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kernels {
-    /// The pattern of Φ_q.
+    /// The sparsity pattern of Φ_q.
     pub constraint_pattern: Pattern,
-    /// The pattern of the Jacobian of all observables.
+    /// The sparsity pattern of the Jacobian of all observables.
     pub observable_pattern: Pattern,
-    /// The operations of one evaluation of Φ, Φ_q, Φ_t and γ together.
+    /// The operation count of one evaluation of Φ, Φ_q, Φ_t and γ together.
     pub operations: OperationCount,
-    /// Φ alone.
+    /// Evaluates Φ.
     pub values: Kernel,
-    /// Φ and Φ_q.
+    /// Evaluates Φ and Φ_q.
     pub values_and_jacobian: Kernel,
-    /// Φ_q and Φ_t.
+    /// Evaluates Φ_q and Φ_t.
     pub jacobian_and_rates: Kernel,
-    /// Φ, Φ_q, Φ_t and γ.
+    /// Evaluates Φ, Φ_q, Φ_t and γ.
     pub everything: Kernel,
-    /// The same four of the observables.
+    /// Evaluates the same four quantities of the observables.
     pub observe: Kernel,
-    /// Lists of numbers, each with a method of its own.
+    /// The lists of numbers, each with a method of its own.
     pub lists: Vec<List>,
-    /// The supplied function of every entry of the list `arguments`.
+    /// The supplied function that belongs to each entry of the list `arguments`.
     pub arguments: Vec<usize>,
-    /// A point and the direction of the curves of joints, by the place of the joint.
+    /// Curves of joints: the index of the joint, and the kernel for a point of the curve and its direction.
     pub curves: Vec<(usize, Kernel)>,
-    /// The operations of one evaluation of forces, where there are any.
+    /// The operation count of one evaluation of the forces, if there are any.
     pub force_operations: Option<OperationCount>,
-    /// The solution plan, where there is one.
+    /// The kernels of the solution plan, if there is one.
     pub solution: Option<SolutionKernels>,
 }
 
-/// Makes the programs of a mechanism.
+/// Makes the kernels of a mechanism.
 pub fn kernels(system: &KinematicSystem, plan: &SolutionPlan, forces: Option<&Forces>) -> Kernels {
     let set = &system.set;
     let constraints = Rows::new(&set.graph, &system.equations, &set.row_families);
@@ -88,7 +88,7 @@ pub fn kernels(system: &KinematicSystem, plan: &SolutionPlan, forces: Option<&Fo
     }
 }
 
-/// The kernel of rows, which writes to four arrays.
+/// The kernel of a program for rows, which writes to four arrays.
 fn evaluation(name: &str, program: &Program, pattern: &Pattern) -> Kernel {
     let (rows, entries) = (pattern.rows, pattern.entries.len());
     let arrays = [(Slot::Phi(0), rows), (Slot::PhiQ(0), entries), (Slot::PhiT(0), rows), (Slot::Gamma(0), rows)];

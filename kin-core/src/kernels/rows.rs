@@ -1,30 +1,31 @@
-//! Rows as a program: what an evaluation writes, and in which order it is computed.
+//! The program that evaluates rows, and the order of its outputs.
 
 use crate::constraint::Family;
 use crate::expr::{ExprId, Graph};
 use crate::program::{Program, Slot, lower};
 use crate::system::Equation;
 
-/// The pattern of a sparse Jacobian.
+/// The sparsity pattern of a Jacobian.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pattern {
-    /// How many rows it has.
+    /// The number of rows.
     pub rows: usize,
     /// (row, column) of every entry, row by row.
     pub entries: Vec<(usize, usize)>,
-    /// Entries that are literal constants, by their place.
+    /// (index of the entry, value) of the entries that are literal constants.
     pub constants: Vec<(usize, f64)>,
 }
 
 /// The program of Φ, Φ_q, Φ_t and γ, with the pattern of Φ_q.
 pub(super) struct Rows {
     pub(super) pattern: Pattern,
-    /// All but the literal constants. A part of it is taken by [`Program::only`]: to the last bit the same.
+    /// The program for everything except literal constants. [`Program::only`] extracts parts with bitwise equal
+    /// results.
     pub(super) program: Program,
 }
 
 impl Rows {
-    /// Lays out equations; literal entries of Φ_q and literal zeros of Φ_t and γ are never written.
+    /// Makes the program of the equations. Literal entries of Φ_q and literal zeros of Φ_t and γ are not written.
     pub(super) fn new(graph: &Graph, equations: &[Equation], families: &[Family]) -> Self {
         let (mut entries, mut constants) = (Vec::new(), Vec::new());
         let mut outputs: Vec<(Slot, ExprId)> = Vec::new();
@@ -53,8 +54,9 @@ impl Rows {
     }
 }
 
-/// Lowers the first member of every family of rows, then the second of every family, and so on: what one row of a member
-/// shares with another stays at hand, and all of it is one loop. Outputs stand as they were.
+/// Lowers the rows of the first member of every family, then those of the second members, and so on. Values that the
+/// rows of a member share are then close together, and all rows of the members become one loop. The outputs of the
+/// program keep their original order.
 fn member_by_member(
     graph: &Graph,
     outputs: &[(Slot, ExprId)],
@@ -67,9 +69,9 @@ fn member_by_member(
         let row = row_of(outputs[*place].0);
         let own = |family: &&Family| (family.first..family.first + family.members * family.stride).contains(&row);
         match families.iter().find(own) {
-            // What links members is one less, and belongs to the second of them.
+            // A family of joints between members has one row fewer; its first row belongs to the second member.
             Some(family) => longest - family.members + (row - family.first) / family.stride,
-            // What is declared behind them stays behind them.
+            // Rows that are declared after the families stay behind them.
             None if row < begin => 0,
             None => usize::MAX,
         }

@@ -1,4 +1,4 @@
-//! The programs of a solution plan.
+//! The kernels of a solution plan.
 
 use super::kernel::Kernel;
 use super::list::{Given, List};
@@ -7,46 +7,46 @@ use crate::program::Slot;
 use crate::system::KinematicSystem;
 use crate::vocabulary::Depth;
 
-/// Instructions of a plan whose parts become one function; a dyad has about two hundred. In one function, what one part
-/// holds for another stays in registers.
+/// Maximum number of instructions of a plan that is inlined into one function (a dyad has about two hundred). Within
+/// one function, the values that a part holds for later parts stay in registers.
 const SHORT: usize = 1000;
 
-/// The programs of a plan.
+/// The kernels of a plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SolutionKernels {
-    /// The parts of a solution, in their order.
+    /// The parts of a solution in order of execution.
     pub parts: Vec<Part>,
-    /// How many values they hold for one another.
+    /// The number of values that parts hold for later parts.
     pub held: usize,
-    /// What depends on Φ_q alone in Φ_q x = b: the factors.
+    /// Computes the factors: everything in the solution of Φ_q x = b that depends on Φ_q alone.
     pub factorise: Kernel,
-    /// x from the factors and b.
+    /// Computes x from the factors and b.
     pub solve: Kernel,
 }
 
 /// A part of a solution.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// How far it belongs.
+    /// The level (position, velocity, acceleration) that the part belongs to.
     pub depth: Depth,
-    /// Its program; of an iteration what is subtracted from the unknowns.
+    /// The program; for an iteration, that of the corrections subtracted from the unknowns.
     pub kernel: Kernel,
-    /// What it iterates, where it does.
+    /// The iteration, if the part is one.
     pub iteration: Option<Iteration>,
 }
 
-/// Newton's iteration.
+/// A Newton iteration.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Iteration {
-    /// The unknowns, places in q.
+    /// The unknowns, as indices of q.
     pub unknowns: Vec<usize>,
-    /// Which of them are lengths.
+    /// Whether each unknown is a length.
     pub lengths: Vec<bool>,
-    /// The place among the values held that says whether it has converged.
+    /// The index of the held value that says whether the iteration has converged.
     pub converged: usize,
 }
 
-/// The programs of a plan; none where there is no plan.
+/// The kernels of a plan; `None` if there is no plan.
 pub(super) fn of_plan(system: &KinematicSystem, plan: &SolutionPlan) -> Option<SolutionKernels> {
     if plan.absent.is_some() {
         return None;
@@ -83,7 +83,7 @@ pub(super) fn of_plan(system: &KinematicSystem, plan: &SolutionPlan) -> Option<S
     })
 }
 
-/// What tells the modes of a configuration, and what tells all branches apart where there are iterations, too.
+/// The list of indicators that give the modes of a configuration and, if there are iterations, their orientations.
 pub(super) fn closures(plan: &SolutionPlan) -> Option<List> {
     let (method, name) = match plan.orientations.is_empty() {
         true => ("closures_with", "closures"),

@@ -3,48 +3,48 @@
 use super::{Component, Formula, Place};
 use crate::error::Origin;
 
-/// How the origin of a body is given.
+/// How the origin of a body is determined.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BodyOrigin {
-    /// x and y are generalized coordinates unless held at a value (lecture, solutions 1 and 2).
+    /// x and y are generalized coordinates unless they are held (lecture, solutions 1 and 2).
     Free {
-        /// Held x, a formula of parameters, t, inputs and scalar coordinates.
+        /// The held value of x, a formula of parameters, t, inputs and scalar coordinates.
         x: Option<Formula>,
-        /// Held y, likewise.
+        /// The held value of y, a formula of the same kind.
         y: Option<Formula>,
     },
     /// The origin is a point of another body (lecture, solution 3).
     Carried(Place),
 }
 
-/// A body, or a family of equal bodies `link[0] … link[len − 1]`.
+/// A body, or a family of bodies `link[0] … link[len − 1]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
-    /// Name without index.
+    /// The name without index.
     pub name: String,
-    /// Number of members; `None` for a single body.
+    /// The number of members; `None` for a single body.
     pub len: Option<usize>,
-    /// Where the origin comes from.
+    /// How the origin is determined.
     pub origin_at: BodyOrigin,
-    /// Held rotation, likewise.
+    /// The held value of the angle.
     pub phi: Option<Formula>,
-    /// The token that declared it.
+    /// The token that declares the body.
     pub origin: Origin,
 }
 
-/// Where a component of a body's pose comes from.
+/// How a component of a body's pose is determined.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Source<'m> {
-    /// It is a generalized coordinate.
+    /// A generalized coordinate.
     Free,
-    /// It is held at a value.
+    /// Held at a value.
     Held(&'m Formula),
-    /// It is that of a point of another body.
+    /// The coordinate of a point of another body.
     Carried(&'m Place),
 }
 
 impl Body {
-    /// Where a component of the pose comes from.
+    /// How a component of the pose is determined.
     pub fn source(&self, component: Component) -> Source<'_> {
         let held = match (component, &self.origin_at) {
             (Component::Phi, _) => &self.phi,
@@ -55,7 +55,7 @@ impl Body {
         held.as_ref().map_or(Source::Free, Source::Held)
     }
 
-    /// True for a component that is a generalized coordinate.
+    /// True if the component is a generalized coordinate.
     pub fn is_free(&self, component: Component) -> bool {
         matches!(self.source(component), Source::Free)
     }
@@ -64,91 +64,91 @@ impl Body {
 /// Scalar generalized coordinates (global method, curve parameters).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scalar {
-    /// Name without index.
+    /// The name without index.
     pub name: String,
-    /// Number of members; `None` for a single one.
+    /// The number of members; `None` for a single coordinate.
     pub len: Option<usize>,
-    /// Its unit, as written.
+    /// The unit as the user wrote it.
     pub unit: Option<String>,
-    /// The token that declared it.
+    /// The token that declares the coordinate.
     pub origin: Origin,
 }
 
-/// A parameter: a field of the struct.
+/// A parameter, which is a field of the struct.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
-    /// Field name.
+    /// The name of the field.
     pub name: String,
-    /// Number of elements of an array field.
+    /// The number of elements of an array field.
     pub len: Option<usize>,
-    /// Unit for people, as written.
+    /// The unit as the user wrote it.
     pub unit: Option<String>,
-    /// Default value of every element, when all have one.
+    /// The default value of every element, if all elements have one.
     pub default: Option<Vec<f64>>,
-    /// The field's doc comment, first paragraph.
+    /// The first paragraph of the field's doc comment.
     pub doc: String,
-    /// The token that declared it.
+    /// The token that declares the parameter.
     pub origin: Origin,
 }
 
-/// A signal known only at run time, with its rate and acceleration.
+/// An input: a signal known only at run time, with its rate and acceleration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Input {
-    /// Name without index.
+    /// The name without index.
     pub name: String,
-    /// Number of members; `None` for a single one.
+    /// The number of members; `None` for a single input.
     pub len: Option<usize>,
-    /// Its unit, as written.
+    /// The unit as the user wrote it.
     pub unit: Option<String>,
-    /// Its value where nobody gives one: on the command line, and in examples.
+    /// The value that is used if the caller gives none, on the command line and in examples.
     pub default: Option<f64>,
-    /// The token that declared it.
+    /// The token that declares the input.
     pub origin: Origin,
 }
 
-/// A scalar function that the caller supplies as a field of the struct, or an array of them.
+/// A scalar function that the user supplies as a field of the struct, or an array of such functions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SuppliedFunction {
-    /// Field name.
+    /// The name of the field.
     pub name: String,
-    /// Number of elements of an array field.
+    /// The number of elements of an array field.
     pub len: Option<usize>,
-    /// The token that declared it.
+    /// The token that declares the function.
     pub origin: Origin,
 }
 
-/// A named point, reported with velocity and acceleration; `range` when repeated.
+/// A named point, or a family of points; its velocity and acceleration are reported, too.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedPoint {
-    /// Name without index.
+    /// The name without index.
     pub name: String,
-    /// Range of the family, when repeated.
+    /// The range of a family.
     pub range: Option<Range>,
-    /// Where it is.
+    /// The point.
     pub place: Place,
-    /// The token that declared it.
+    /// The token that declares the point.
     pub origin: Origin,
 }
 
-/// A named expression, reported with rate and acceleration when it holds coordinates.
+/// A named expression, or a family of them; its rate and acceleration are reported if it contains coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Define {
-    /// Name without index.
+    /// The name without index.
     pub name: String,
-    /// Range of the family, when repeated.
+    /// The range of a family.
     pub range: Option<Range>,
-    /// Its formula.
+    /// The formula.
     pub formula: Formula,
-    /// Its unit, as written.
+    /// The unit as the user wrote it.
     pub unit: Option<String>,
-    /// The token that declared it.
+    /// The token that declares the expression.
     pub origin: Origin,
 }
 
-/// The range of a repeated row, point or define: `N[i in start..end]`.
+/// The range of a family, `N[i in start..end]`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Range {
-    /// First index.
+    /// The first index.
     pub start: i64,
     /// One past the last index.
     pub end: i64,

@@ -1,10 +1,10 @@
-//! Unilateral conditions: inequalities that are watched along a motion and never solved as equations.
+//! Unilateral conditions: inequalities that are monitored during a motion but not solved as equations.
 
 use super::{Formula, Range};
 use crate::error::Origin;
 use core::fmt;
 
-/// Which side of a condition is the larger one.
+/// Which side of a condition is to be larger.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Relation {
     /// left > right.
@@ -22,23 +22,23 @@ impl fmt::Display for Relation {
     }
 }
 
-/// A unilateral condition, or a family of them over a range. Its name lives among those of the rows.
+/// A unilateral condition, or a family of them over a range. Its name shares a namespace with the rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Condition {
-    /// Name without index.
+    /// The name without index.
     pub name: String,
-    /// Range, when repeated.
+    /// The range of a family.
     pub range: Option<Range>,
-    /// Both sides as they were written, for people.
+    /// The condition as the user wrote it.
     pub text: String,
-    /// Left side.
+    /// The left side.
     pub left: Formula,
-    /// Which side is the larger one.
+    /// Which side is to be larger.
     pub relation: Relation,
-    /// Right side.
+    /// The right side.
     pub right: Formula,
-    /// The keyword's token.
+    /// The token of the keyword.
     pub keyword: Origin,
-    /// The name's token.
+    /// The token of the name.
     pub origin: Origin,
 }

@@ -1,34 +1,34 @@
-//! Curves fixed in a body, in one of three ways of writing.
+//! Curves fixed in a body, in polar, implicit or parametric form.
 
 use super::{Formula, Member};
 use crate::error::Origin;
 
-/// A curve fixed in a body, with its centre at the first operand's point.
+/// A curve fixed in a body, with its centre at the point of the first operand.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Curve {
-    /// `polar(theta) = e`: the distance ρ(θ) from the centre, 2π-periodic.
+    /// `polar(theta) = e`: the distance ρ(θ) from the centre, which must be 2π-periodic.
     Polar {
-        /// ρ.
+        /// The formula of ρ.
         radius: Formula,
         /// The tokens of ρ.
         origin: Origin,
     },
-    /// `implicit(X, Y) = e`: the points at which e vanishes.
+    /// `implicit(X, Y) = e`: the points where e vanishes.
     Implicit {
-        /// e.
+        /// The formula e.
         value: Formula,
         /// The tokens of e.
         origin: Origin,
     },
-    /// `parametric(u) = (ex, ey)`: the points c(u), or those of its parallel curve where a roller runs on it.
+    /// `parametric(u) = (ex, ey)`: the points c(u), or those of a parallel curve if there is a roller.
     Parametric {
-        /// u, a scalar coordinate.
+        /// The scalar coordinate u.
         parameter: Member,
-        /// First component of c.
+        /// The first component of c.
         x: Formula,
-        /// Second component.
+        /// The second component of c.
         y: Formula,
-        /// R: signed distance of the parallel curve, positive to the left of growing u.
+        /// The signed radius R of the roller, positive to the left of the direction of increasing u.
         roller: Option<Formula>,
         /// The tokens of the pair.
         origin: Origin,
@@ -36,7 +36,7 @@ pub enum Curve {
 }
 
 impl Curve {
-    /// The keyword with which it is written.
+    /// The keyword of the form.
     pub const fn keyword(&self) -> &'static str {
         match self {
             Self::Polar { .. } => "polar",
@@ -45,7 +45,7 @@ impl Curve {
         }
     }
 
-    /// Its formulas.
+    /// The formulas of the curve.
     pub fn formulas(&self) -> Vec<&Formula> {
         match self {
             Self::Polar { radius, .. } => vec![radius],

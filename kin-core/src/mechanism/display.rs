@@ -1,4 +1,4 @@
-//! A mechanism as text, in the user's language: what was understood.
+//! Prints a mechanism in the user's language, as it was understood.
 
 use super::{
     BodyOrigin, BodyRef, Component, Curve, Formula, GuessTarget, Index, Joint, Mechanism, Member, Operand, Place,
@@ -133,7 +133,7 @@ impl Mechanism {
         }
     }
 
-    /// A formula with every operation in brackets, as it was understood.
+    /// A formula with explicit brackets around every operation.
     fn text(&self, formula: &Formula) -> String {
         let binary =
             |a: &Formula, operator: &str, b: &Formula| format!("({} {operator} {})", self.text(a), self.text(b));

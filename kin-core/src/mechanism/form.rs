@@ -1,33 +1,34 @@
-//! How a joint, a mass or a load is written: its keyword, and the operands that it takes, slot by slot.
+//! The form of a joint, mass or load as a statement: its keyword and the slots of its operands.
 //!
-//! Everything that reads, checks, prints or measures such a statement goes through its slots, so that none of it knows
-//! the kinds.
+//! Code that parses, checks, prints or converts units of such a statement works on its slots and does not depend on
+//! its kind.
 
 use super::Component;
 use crate::vocabulary::StatementKind;
 
-/// How a statement of one kind is written.
+/// The form of statements of one kind.
 #[derive(Debug, PartialEq)]
 pub struct StatementForm {
-    /// The kind; of a joint with a curve its kind depends on how the curve is written, too.
+    /// The kind of statement. For joints with a curve, the kind also depends on the form of the curve.
     pub kind: StatementKind,
-    /// It begins with a name and a colon; otherwise it may.
+    /// Whether the statement must start with a name and a colon; otherwise the name is optional.
     pub named: bool,
-    /// What it takes, in the order in which it is written: operands, then the right-hand side, then options.
+    /// The slots in the order in which they are written: operands, the right-hand side, options.
     pub slots: &'static [Slot],
-    /// A statement of the kind as the user writes it.
+    /// An example of a statement of this kind.
     pub example: &'static str,
-    /// What to say where kinds share a keyword and nothing tells which of them is meant; otherwise empty.
+    /// The message if several kinds share the keyword and the statement does not show which of them is meant;
+    /// otherwise empty.
     pub choice: &'static str,
 }
 
 impl StatementForm {
-    /// The slots that are written in one way.
+    /// The slots that are written in the given way.
     pub fn written(&self, written: Written) -> impl Iterator<Item = &'static Slot> + use<> {
         self.slots.iter().filter(move |slot| slot.written == written)
     }
 
-    /// True for an equation: a right-hand side follows the last operand.
+    /// True for an equation, in which a right-hand side follows the last operand.
     pub fn is_equation(&self) -> bool {
         self.written(Written::Right).next().is_some()
     }
@@ -36,44 +37,44 @@ impl StatementForm {
 /// How an operand is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Written {
-    /// By itself, at its place.
+    /// As a positional operand.
     Operand,
-    /// Behind `=`, after the last operand.
+    /// After `=`, behind the last operand.
     Right,
-    /// As `key = value`, in any order.
+    /// As an option `key = value`, in any order.
     Option,
 }
 
-/// What an operand is.
+/// The type of an operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Takes {
-    /// `body @ (x, y)`, or a named point.
+    /// A point: `body @ (x, y)` or the name of a point.
     Point,
-    /// Two points or more.
+    /// At least two points.
     Points,
     /// A body.
     Body,
-    /// One body, or two.
+    /// One or two bodies.
     Bodies,
-    /// `(fx, fy)`, two formulas of anything, which may hold `dot(…)`.
+    /// A vector `(fx, fy)` of arbitrary formulas, which may contain `dot(…)`.
     Vector,
     /// A formula of parameters.
     Constant,
-    /// A body; the ground where none is given.
+    /// A body, by default the ground.
     Carrier,
-    /// The name of a scalar coordinate, and what to say where it is none.
+    /// The name of a scalar coordinate; the text is the error message for any other name.
     Scalar(&'static str),
-    /// `(vx, vy)`.
+    /// An axis `(vx, vy)`.
     Axis,
-    /// A radius, which is not 0.
+    /// A radius other than 0.
     Radius,
-    /// `(ra, rb)`.
+    /// Two radii `(ra, rb)`.
     Radii,
     /// A formula of parameters, t and inputs.
     Signal,
-    /// A formula of anything: a side of an equation.
+    /// An arbitrary formula: a side of an equation.
     Side,
-    /// A side of an equation of velocity level, which may hold `dot(…)`.
+    /// A side of an equation of velocity level, which may contain `dot(…)`.
     SideOfRates,
     /// A support function, a formula in θ.
     Support,
@@ -81,53 +82,53 @@ pub enum Takes {
     Curve,
 }
 
-/// In what a formula is measured.
+/// The dimension of a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dimension {
     /// A length.
     Length,
     /// An angle.
     Angle,
-    /// A length by a time.
+    /// A length divided by a time.
     Speed,
-    /// A product of powers of mass, length and time, in this order.
+    /// A product of powers of mass, length and time; the exponents are in this order.
     Derived([i8; 3]),
-    /// Whatever all slots of this dimension agree on.
+    /// Any dimension, the same for all slots that are marked so.
     Common,
-    /// As [`Common`](Self::Common), and a length unless it is a plain number: radii, for which numbers of teeth do as
-    /// well.
+    /// Like [`Common`](Self::Common), but a length unless it is a plain number, because radii may be given as numbers
+    /// of teeth.
     CommonLength,
 }
 
-/// What of the body that carries a point, or that is named, appears in the rows; too much does no harm.
+/// Which coordinates of an operand's body appear in the rows; this may include more than necessary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sees {
-    /// The point.
+    /// Those of the point.
     Point,
-    /// One coordinate of the point.
+    /// Those of one component of the point.
     Component(Component),
-    /// The point and the angle of its body.
+    /// Those of the point, and the angle of its body.
     PointAndAngle,
 }
 
-/// An operand of a joint.
+/// An operand slot of a statement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slot {
-    /// Its key, as an option is written; of operands a letter.
+    /// The key of an option, or a letter for other operands.
     pub key: &'static str,
-    /// How it is written.
+    /// How the operand is written.
     pub written: Written,
-    /// What it is.
+    /// The type of the operand.
     pub takes: Takes,
-    /// It is 0 where it is not given.
+    /// Whether the operand is 0 if it is not given.
     pub or_zero: bool,
-    /// In what it is measured.
+    /// The dimension of the operand.
     pub dimension: Dimension,
-    /// What of its body the rows see.
+    /// Which coordinates of the operand's body appear in the rows.
     pub sees: Sees,
-    /// Only the last row of the joint holds it.
+    /// Whether the operand appears only in the last row of the joint.
     pub in_last_row: bool,
-    /// It is greater than 0.
+    /// Whether the operand must be greater than 0.
     pub positive: bool,
 }
 
@@ -145,32 +146,32 @@ impl Slot {
         }
     }
 
-    /// A point, whose body turns something in the rows.
+    /// A point whose body's angle also appears in the rows.
     pub const fn frame(letter: &'static str) -> Self {
         Self::new(letter, Written::Operand, Takes::Point)
     }
 
-    /// A point, of which only the place counts.
+    /// A point whose position alone appears in the rows.
     pub const fn point(letter: &'static str) -> Self {
         Self { sees: Sees::Point, ..Self::frame(letter) }
     }
 
-    /// A point, of which one coordinate counts.
+    /// A point of which only one coordinate appears in the rows.
     pub const fn component_of_point(letter: &'static str, component: Component) -> Self {
         Self { sees: Sees::Component(component), ..Self::frame(letter) }
     }
 
-    /// Points in a row, of which only the places count.
+    /// A list of points whose positions alone appear in the rows.
     pub const fn points(letter: &'static str) -> Self {
         Self { takes: Takes::Points, ..Self::point(letter) }
     }
 
-    /// A body, whose angle counts.
+    /// A body whose angle appears in the rows.
     pub const fn body(letter: &'static str) -> Self {
         Self::new(letter, Written::Operand, Takes::Body)
     }
 
-    /// An operand of another kind.
+    /// An operand of another type.
     pub const fn operand(letter: &'static str, takes: Takes) -> Self {
         Self::new(letter, Written::Operand, takes)
     }
@@ -185,42 +186,42 @@ impl Slot {
         Self { dimension: Dimension::Common, ..Self::new("right", Written::Right, takes) }
     }
 
-    /// The value behind `=`, a formula of parameters, t and inputs.
+    /// A value after `=`: a formula of parameters, t and inputs.
     pub const fn value(dimension: Dimension) -> Self {
         Self { dimension, ..Self::new("value", Written::Right, Takes::Signal) }
     }
 
-    /// An option that must be given.
+    /// A mandatory option.
     pub const fn required(key: &'static str, takes: Takes) -> Self {
         Self::new(key, Written::Option, takes)
     }
 
-    /// An option that is 0 unless it is given: a formula of parameters, t and inputs.
+    /// An option that is 0 by default: a formula of parameters, t and inputs.
     pub const fn offset(key: &'static str, dimension: Dimension) -> Self {
         Self { or_zero: true, dimension, ..Self::required(key, Takes::Signal) }
     }
 
-    /// An option measured in something else than a length.
+    /// The slot with another dimension.
     pub const fn measured_in(self, dimension: Dimension) -> Self {
         Self { dimension, ..self }
     }
 
-    /// An option that is something else.
+    /// The slot with another type.
     pub const fn taking(self, takes: Takes) -> Self {
         Self { takes, ..self }
     }
 
-    /// An option that only the last row holds.
+    /// The slot as an operand that appears only in the last row.
     pub const fn in_last_row(self) -> Self {
         Self { in_last_row: true, ..self }
     }
 
-    /// An option that is greater than 0.
+    /// The slot as an operand that must be greater than 0.
     pub const fn positive(self) -> Self {
         Self { positive: true, ..self }
     }
 
-    /// True for formulas that may hold t and inputs, so that a joint drives with them.
+    /// True for formulas that may contain t and inputs, which make the joint a driving one.
     pub const fn may_move(&self) -> bool {
         matches!(self.takes, Takes::Signal | Takes::Side | Takes::SideOfRates | Takes::Support | Takes::Curve)
     }

@@ -1,4 +1,4 @@
-//! Formulas as the user wrote them: names resolved to ids, nothing simplified yet.
+//! Formulas as the user wrote them, with names resolved but nothing simplified.
 
 use super::{BodyRef, Component, CurveVariable, Index, Member};
 use crate::error::Origin;
@@ -43,7 +43,7 @@ impl Function {
         Self::Abs,
     ];
 
-    /// The name in the user's language.
+    /// The name of the function in the user's language.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Sin => "sin",
@@ -59,13 +59,13 @@ impl Function {
         }
     }
 
-    /// The function called `name`.
+    /// The function with this name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|f| f.name() == name)
     }
 }
 
-/// A formula with resolved names. [`Origin`]s sit where something can be wrong.
+/// A formula with resolved names. An [`Origin`] is stored where an error may have to be reported.
 #[derive(Debug, PartialEq)]
 pub enum Formula {
     /// A literal number.
@@ -74,13 +74,13 @@ pub enum Formula {
     Pi,
     /// Time t.
     Time,
-    /// The number of the member of a family: an index as a value.
+    /// The value of the index variable, or of a linear expression in it.
     Index(Index),
     /// A parameter of the mechanism (a field of the struct).
     Parameter(Member),
     /// A signal known only at run time.
     Input(Member),
-    /// A coordinate of a body's pose, free, held or carried.
+    /// A component of a body's pose, which may be free, held or carried.
     Pose(BodyRef, Component),
     /// A scalar generalized coordinate.
     Scalar(Member),
@@ -90,7 +90,7 @@ pub enum Formula {
     Distance(Box<Place>, Box<Place>),
     /// A named expression.
     Define(Member),
-    /// The variable of the curve that the formula belongs to.
+    /// A variable of the curve that the formula belongs to.
     Curve(CurveVariable),
     /// −a.
     Neg(Box<Formula>),
@@ -102,32 +102,32 @@ pub enum Formula {
     Mul(Box<Formula>, Box<Formula>),
     /// a / b; the origin is that of the divisor.
     Div(Box<Formula>, Box<Formula>, Origin),
-    /// a to a constant power.
+    /// a to the power of a constant.
     Pow(Box<Formula>, f64),
     /// A function of one argument.
     Call(Function, Box<Formula>),
     /// atan2(y, x).
     Atan2(Box<Formula>, Box<Formula>),
-    /// A scalar function that the user supplies (a field of the struct), at an argument.
+    /// A scalar function that the user supplies (a field of the struct), applied to an argument.
     Supplied(Member, Box<Formula>),
-    /// The total time derivative of a formula, in a row of velocity level; the origin is that of the word `dot`.
+    /// The total time derivative of a formula in a row of velocity level; the origin is that of `dot`.
     Dot(Box<Formula>, Origin),
 }
 
-/// A point of a body: `body @ (x, y)` in that body's frame.
+/// A point of a body, `body @ (x, y)` in the body's frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
     /// The body.
     pub body: BodyRef,
-    /// First body-fixed coordinate, a formula of parameters.
+    /// The first body-fixed coordinate, a formula of parameters.
     pub x: Formula,
-    /// Second body-fixed coordinate.
+    /// The second body-fixed coordinate.
     pub y: Formula,
-    /// The whole operand.
+    /// The tokens of the operand.
     pub origin: Origin,
 }
 
-/// A long sum or product is deep on its left, so that side is walked and not called.
+/// A long sum or product is deeply nested on the left, so the left operands are copied in a loop, not recursively.
 impl Clone for Formula {
     fn clone(&self) -> Self {
         let (mut operations, mut left) = (Vec::new(), self);
@@ -154,7 +154,7 @@ impl Clone for Formula {
             Self::Atan2(y, x) => Self::Atan2(y.clone(), x.clone()),
             Self::Supplied(member, a) => Self::Supplied(*member, a.clone()),
             Self::Dot(a, origin) => Self::Dot(a.clone(), *origin),
-            // These have been walked.
+            // The loop above has removed these from the left end.
             Self::Add(a, b) => Self::Add(a.clone(), b.clone()),
             Self::Sub(a, b) => Self::Sub(a.clone(), b.clone()),
             Self::Mul(a, b) => Self::Mul(a.clone(), b.clone()),
@@ -177,7 +177,7 @@ impl Formula {
     /// The literal 0.
     pub const ZERO: Self = Self::Number(0.0);
 
-    /// The number, when the formula is one, with its sign.
+    /// The value of the formula if it is a literal number, possibly with a sign.
     pub fn literal(&self) -> Option<f64> {
         match self {
             Self::Number(v) => Some(*v),

@@ -1,4 +1,4 @@
-//! Joints, drivers and free equations, which contribute rows to Φ; masses and loads, which do not; and guesses.
+//! Joints, drivers and free equations, which contribute rows to Φ; masses and loads, which do not; guesses.
 
 use super::{BodyRef, Component, Formula, Member, Operands, Range};
 use crate::error::Origin;
@@ -6,39 +6,39 @@ use crate::error::Origin;
 /// A joint, driver or equation, or a family of them over a range.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
-    /// Name without index.
+    /// The name without index.
     pub name: String,
-    /// Range, when repeated.
+    /// The range of a family.
     pub range: Option<Range>,
-    /// What it says.
+    /// The operands.
     pub operands: Operands,
-    /// The keyword's token.
+    /// The token of the keyword.
     pub keyword: Origin,
-    /// The name's token.
+    /// The token of the name.
     pub origin: Origin,
 }
 
-/// A mass or a load, or a family of them; without a name of its own it has that of its keyword.
+/// A mass or a load, or a family of them; without a name of its own it is called by its keyword.
 pub type Load = Joint;
 
-/// What a guess sets.
+/// The coordinate that a guess is for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum GuessTarget {
-    /// A coordinate of a body.
+    /// A component of a body's pose.
     Pose(BodyRef, Component),
     /// A scalar coordinate.
     Scalar(Member),
 }
 
-/// The start of assembly for one coordinate.
+/// The start value of one coordinate for assembly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Guess {
-    /// Which coordinate.
+    /// The coordinate.
     pub target: GuessTarget,
-    /// Its value, a formula of parameters.
+    /// The value, a formula of parameters.
     pub value: Formula,
-    /// Range, when repeated.
+    /// The range of a family.
     pub range: Option<Range>,
-    /// The target's token.
+    /// The token of the coordinate.
     pub origin: Origin,
 }

@@ -1,7 +1,7 @@
 //! The declarative model: ground, bodies, body-fixed points, joints and drivers, with all names resolved.
 //!
-//! A [`Mechanism`] says what the user said and nothing more; families (`link[10]`, `N[i in 0..10]: …`) stay
-//! families. [`check`](crate::check::check) lists what is wrong with it.
+//! A [`Mechanism`] contains only what the user declared; families (`link[10]`, `N[i in 0..10]: …`) are not expanded.
+//! [`check`](crate::check::check) reports what is wrong with it.
 
 mod body;
 mod condition;
@@ -30,33 +30,33 @@ pub(crate) use walk::{contains_signal, defines_in, nodes};
 
 use crate::error::Origin;
 
-/// A planar mechanism as described.
+/// A planar mechanism as declared.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mechanism {
-    /// Name of the struct.
+    /// The name of the struct.
     pub name: String,
-    /// The struct's name token.
+    /// The token of the struct's name.
     pub origin: Origin,
-    /// Fields that are numbers or arrays of numbers, in order.
+    /// The fields that are numbers or arrays of numbers, in order.
     pub parameters: Vec<Parameter>,
-    /// Fields that are supplied functions, in order.
+    /// The fields that are supplied functions, in order.
     pub functions: Vec<SuppliedFunction>,
-    /// Signals known only at run time.
+    /// The signals known only at run time.
     pub inputs: Vec<Input>,
-    /// Bodies in order of declaration.
+    /// The bodies in order of declaration.
     pub bodies: Vec<Body>,
-    /// Scalar coordinates in order of declaration; they follow the bodies in q.
+    /// The scalar coordinates in order of declaration; they follow the bodies in q.
     pub scalars: Vec<Scalar>,
-    /// Named points.
+    /// The named points.
     pub points: Vec<NamedPoint>,
-    /// Named expressions.
+    /// The named expressions.
     pub defines: Vec<Define>,
-    /// Joints, drivers and equations in order of declaration; their rows stand in this order in Φ.
+    /// The joints, drivers and equations in order of declaration, which is the order of their rows in Φ.
     pub joints: Vec<Joint>,
-    /// Masses and loads in order of declaration; they have no rows.
+    /// The masses and loads in order of declaration; they have no rows in Φ.
     pub loads: Vec<Load>,
-    /// Unilateral conditions in order of declaration; they are no rows of Φ.
+    /// The unilateral conditions in order of declaration; they are not rows of Φ.
     pub conditions: Vec<Condition>,
-    /// Start of assembly.
+    /// The start values for assembly.
     pub guesses: Vec<Guess>,
 }

@@ -1,62 +1,62 @@
-//! The operands of a joint, a mass or a load: what stands in its slots.
+//! The operands of a joint, a mass or a load: the values of its slots.
 
 use super::form::{Slot, StatementForm, Takes, Written};
 use super::{BodyRef, Curve, Formula, Member, Place};
 use crate::error::Origin;
 use crate::vocabulary::{JointKind, StatementKind};
 
-/// An axis direction in the frame of the first operand's body (a flat follower's: of the second); kin normalises it.
+/// An axis direction in the frame of the first operand's body (for a flat follower, of the second), normalised later.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// First component, a formula of parameters.
+    /// The first component, a formula of parameters.
     pub x: Formula,
-    /// Second component.
+    /// The second component.
     pub y: Formula,
     /// The tokens of the axis.
     pub origin: Origin,
 }
 
-/// A formula with the tokens it is written with.
+/// A formula with its origin.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Value {
     /// The formula.
     pub value: Formula,
-    /// Its tokens.
+    /// The tokens of the formula.
     pub origin: Origin,
 }
 
-/// The radii of a pair of discs, or of two gears; negative for one that the other runs inside of.
+/// The radii of two discs or gears; the radius of a ring, inside which the other one runs, is negative.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Radii {
-    /// Of body i.
+    /// The radius of body i.
     pub i: Value,
-    /// Of body j.
+    /// The radius of body j.
     pub j: Value,
-    /// The pair.
+    /// The tokens of the pair.
     pub origin: Origin,
 }
 
-/// Two components in the inertial frame, or in that of a body.
+/// A vector with two components, in the inertial frame or in the frame of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vector {
-    /// First component.
+    /// The first component.
     pub x: Formula,
-    /// Second component.
+    /// The second component.
     pub y: Formula,
     /// The tokens of the pair.
     pub origin: Origin,
 }
 
-/// What stands in a slot.
+/// The value of a slot.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Operand {
     /// A point.
     Point(Place),
-    /// Points in a row.
+    /// A list of points.
     Points(Vec<Place>),
     /// A body.
     Body(BodyRef),
-    /// One body, or two.
+    /// One or two bodies.
     Bodies(Vec<BodyRef>),
     /// A vector.
     Vector(Vector),
@@ -73,7 +73,7 @@ pub enum Operand {
 }
 
 impl Operand {
-    /// Its formulas, those of its points included.
+    /// The formulas of the operand, including those of its points.
     pub fn formulas(&self) -> Vec<&Formula> {
         match self {
             Self::Point(place) => vec![&place.x, &place.y],
@@ -87,7 +87,7 @@ impl Operand {
         }
     }
 
-    /// The bodies that it names outside of its formulas.
+    /// The bodies that the operand names outside its formulas.
     pub fn bodies(&self) -> Vec<BodyRef> {
         match self {
             Self::Point(place) => vec![place.body],
@@ -100,7 +100,7 @@ impl Operand {
         }
     }
 
-    /// The scalar coordinate that it names outside of its formulas.
+    /// The scalar coordinate that the operand names outside its formulas.
     pub fn scalar(&self) -> Option<Member> {
         match self {
             Self::Scalar(member) | Self::Curve(Curve::Parametric { parameter: member, .. }) => Some(*member),
@@ -108,7 +108,7 @@ impl Operand {
         }
     }
 
-    /// True for something that `slot` takes.
+    /// True if `slot` takes an operand of this type.
     fn fits(&self, slot: &Slot) -> bool {
         match slot.takes {
             Takes::Point => matches!(self, Self::Point(_)),
@@ -127,15 +127,15 @@ impl Operand {
     }
 }
 
-/// Something that stands in a slot, as a type of its own.
+/// A Rust type for the value of a slot.
 pub trait OperandValue: Clone {
-    /// As an operand.
+    /// Converts the value to an operand.
     fn into_operand(self) -> Operand;
-    /// Out of an operand, where it is one of this type.
+    /// The value of an operand of this type; `None` for an operand of another type.
     fn of(operand: &Operand) -> Option<Self>;
 }
 
-/// A type that stands in a slot, with the variant of [`Operand`] that holds it.
+/// Implements [`OperandValue`] for the type that each variant of [`Operand`] holds.
 macro_rules! operand_values {
     ($($variant:ident: $type:ty),*) => {$(
         impl OperandValue for $type {
@@ -154,7 +154,7 @@ operand_values!(
     Point: Place, Points: Vec<Place>, Body: BodyRef, Bodies: Vec<BodyRef>, Vector: Vector, Scalar: Member, Axis: Axis, Value: Value, Radii: Radii, Curve: Curve
 );
 
-/// A formula of which nobody needs to know where it stands.
+/// A formula whose origin is not needed.
 impl OperandValue for Formula {
     fn into_operand(self) -> Operand {
         Operand::Value(Value { value: self, origin: Origin::default() })
@@ -165,7 +165,7 @@ impl OperandValue for Formula {
     }
 }
 
-/// The operands of a statement, one for every slot of its form.
+/// The operands of a statement, one for each slot of its form.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Operands {
     form: &'static StatementForm,
@@ -173,19 +173,19 @@ pub struct Operands {
 }
 
 impl Operands {
-    /// Operands for a form; none where they are too many, too few, or not what the slots take.
+    /// The operands of a statement; `None` if their number or their types do not fit the slots.
     pub fn new(form: &'static StatementForm, values: Vec<Operand>) -> Option<Self> {
         let fit = form.slots.iter().zip(&values).all(|(slot, value)| value.fits(slot));
         (fit && form.slots.len() == values.len()).then_some(Self { form, values })
     }
 
-    /// Operands out of the fields of a typed joint, which have the types that the slots of its form take.
+    /// The operands from the fields of a typed joint, whose types fit the slots by construction.
     pub(crate) fn of_fields(form: &'static StatementForm, values: Vec<Operand>) -> Self {
         debug_assert!(form.slots.iter().zip(&values).all(|(slot, value)| value.fits(slot)), "{form:?}: {values:?}");
         Self { form, values }
     }
 
-    /// How the joint is written.
+    /// The form of the statement.
     pub const fn form(&self) -> &'static StatementForm {
         self.form
     }
@@ -200,38 +200,38 @@ impl Operands {
         self.curve().map_or(self.form.kind, |curve| StatementKind::Joint(of_curve(curve)))
     }
 
-    /// The keyword of the user's language.
+    /// The keyword of the statement.
     pub const fn keyword(&self) -> &'static str {
         self.form.kind.keyword()
     }
 
-    /// Every slot with what stands in it.
+    /// The slots with their operands.
     pub fn iter(&self) -> impl Iterator<Item = (&'static Slot, &Operand)> + use<'_> {
         self.form.slots.iter().zip(&self.values)
     }
 
-    /// What stands in the slots.
+    /// The operands in the order of the slots.
     pub fn into_values(self) -> Vec<Operand> {
         self.values
     }
 
-    /// What stands in the slot at `place`.
+    /// The operand of the slot at index `place`, if it has type `T`.
     pub fn get<T: OperandValue>(&self, place: usize) -> Option<T> {
         self.values.get(place).and_then(T::of)
     }
 
-    /// The curve, where the joint has one.
+    /// The curve, if the joint has one.
     pub fn curve(&self) -> Option<&Curve> {
         self.values.iter().find_map(|value| if let Operand::Curve(curve) = value { Some(curve) } else { None })
     }
 
-    /// The two bodies that it joins; none where it joins no two.
+    /// The two bodies that the statement connects; `None` if it does not connect exactly two.
     pub fn joined(&self) -> Option<[BodyRef; 2]> {
         let bodies: Vec<BodyRef> = self.written().flat_map(Operand::bodies).collect();
         <[BodyRef; 2]>::try_from(bodies).ok()
     }
 
-    /// The tokens of the second operand.
+    /// The tokens of the second positional operand.
     pub fn second_origin(&self) -> Option<Origin> {
         self.written().nth(1).and_then(|operand| match operand {
             Operand::Point(place) => Some(place.origin),
@@ -240,7 +240,7 @@ impl Operands {
         })
     }
 
-    /// What is written before the options and the right-hand side.
+    /// The positional operands.
     fn written(&self) -> impl Iterator<Item = &Operand> {
         self.iter().filter(|(slot, _)| slot.written == Written::Operand).map(|(_, operand)| operand)
     }

@@ -1,16 +1,16 @@
-//! What a formula may refer to, names resolved: members of families, bodies, components of their poses, variables of curves.
+//! References in formulas with names resolved: members of families, bodies, variables of curves.
 
 use crate::error::Origin;
 
-/// An index into a family: `scale * i + offset`, where `i` is the variable of the row's range.
+/// An index of a family, `scale * i + offset`, where `i` is the index variable of the range.
 ///
-/// A thing that is not an array has the index 0; `link[3]` has scale 0 and offset 3; `link[i + 1]` inside
-/// `N[i in 0..10]: …` has scale 1 and offset 1.
+/// A single object has the index 0; `link[3]` has scale 0 and offset 3; `link[i + 1]` inside `N[i in 0..10]: …` has
+/// scale 1 and offset 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Index {
-    /// Factor of the range variable.
+    /// The factor of the index variable.
     pub scale: i64,
-    /// Constant part.
+    /// The constant part.
     pub offset: i64,
 }
 
@@ -20,21 +20,21 @@ impl Index {
         Self { scale: 0, offset }
     }
 
-    /// The value at `i`, or `None` on overflow or when negative.
+    /// The value for `i`; `None` if it overflows or is negative.
     pub fn at(self, i: i64) -> Option<usize> {
         let value = self.scale.checked_mul(i)?.checked_add(self.offset)?;
         usize::try_from(value).ok()
     }
 }
 
-/// A member of a family: which family, and which index in it.
+/// A member of a family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Member {
-    /// Position of the family in its list (`Mechanism::parameters`, `scalars`, `points`, `defines`, …).
+    /// The index of the family in its list (`Mechanism::parameters`, `scalars`, `points`, `defines`, …).
     pub family: usize,
-    /// Index in the family.
+    /// The index in the family.
     pub index: Index,
-    /// The token that named it.
+    /// The token of the reference.
     pub origin: Origin,
 }
 
@@ -45,17 +45,17 @@ pub enum BodyRef {
     Ground(Origin),
     /// A member of `Mechanism::bodies`.
     Body {
-        /// Position of the family in `Mechanism::bodies`.
+        /// The index of the family in `Mechanism::bodies`.
         family: usize,
-        /// Index in the family.
+        /// The index in the family.
         index: Index,
-        /// The token that named it.
+        /// The token of the reference.
         origin: Origin,
     },
 }
 
 impl BodyRef {
-    /// The token that named the body.
+    /// The token of the reference.
     pub const fn origin(&self) -> Origin {
         match self {
             Self::Ground(origin) | Self::Body { origin, .. } => *origin,
@@ -68,19 +68,19 @@ impl BodyRef {
     }
 }
 
-/// A variable that is known inside the formulas of a curve only.
+/// A variable that exists only inside the formulas of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum CurveVariable {
-    /// θ: the direction in which a polar curve or the support function of a cam is asked for.
+    /// The direction θ, the argument of a polar curve or of a support function.
     Theta,
-    /// First coordinate of a point of an implicit curve, in the curve's frame.
+    /// The first coordinate of a point of an implicit curve, in the curve's frame.
     X,
-    /// Second coordinate.
+    /// The second coordinate of such a point.
     Y,
 }
 
 impl CurveVariable {
-    /// The word in the user's language.
+    /// The name of the variable in the user's language.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Theta => "theta",

@@ -1,17 +1,17 @@
-//! Operands as a type with named fields, one for every slot of a form.
+//! Operands as structs with a named field for each slot.
 
 use super::{Operands, StatementForm};
 
-/// The operands of one kind of statement, as a type; the macro `operands` writes it.
+/// The operands of one kind of statement as a struct, declared by the macro `operands`.
 pub trait TypedOperands: Sized + Into<Operands> {
-    /// How it is written.
+    /// The form of the statement.
     const FORM: &'static StatementForm;
 
-    /// The typed operands of a statement of this kind; none for a statement of another kind.
+    /// The typed operands of a statement of this kind; `None` for a statement of another kind.
     fn of(operands: &Operands) -> Option<Self>;
 }
 
-/// Declares the operands of a kind of statement: a struct with a field for every slot, and how the statement is written.
+/// Declares the operands of a kind of statement: a struct with a field for each slot, and the form of the statement.
 macro_rules! operands {
     (
         $(#[$meta:meta])*

@@ -1,9 +1,9 @@
-//! Walks over formulas, and what references to bodies mean.
+//! Traversal of formulas, and resolution of references to bodies.
 
 use super::{BodyRef, Formula, Mechanism, Member, Range};
 use std::collections::BTreeSet;
 
-/// The formula and everything in it, the coordinates of its points included.
+/// All nodes of a formula, including those of the coordinates of its points.
 pub(crate) fn nodes(formula: &Formula) -> Vec<&Formula> {
     let mut open = vec![formula];
     let mut all = Vec::new();
@@ -37,7 +37,7 @@ pub(crate) fn nodes(formula: &Formula) -> Vec<&Formula> {
     all
 }
 
-/// The defines that a formula uses itself.
+/// The defines that a formula uses directly.
 pub(crate) fn defines_in(formula: &Formula) -> impl Iterator<Item = &Member> {
     nodes(formula).into_iter().filter_map(|node| match node {
         Formula::Define(member) => Some(member),
@@ -45,8 +45,8 @@ pub(crate) fn defines_in(formula: &Formula) -> impl Iterator<Item = &Member> {
     })
 }
 
-/// True if the formula contains t or an input, itself or in a define that it uses. The pose of a body is not followed: a
-/// held coordinate that moves belongs to the body.
+/// True if the formula, or a define that it uses, contains t or an input. Poses of bodies are not followed: a held
+/// coordinate that varies with time belongs to the body.
 pub(crate) fn contains_signal(mechanism: &Mechanism, formula: &Formula) -> bool {
     let (mut open, mut met) = (vec![formula], BTreeSet::new());
     while let Some(formula) = open.pop() {
@@ -64,7 +64,7 @@ pub(crate) fn contains_signal(mechanism: &Mechanism, formula: &Formula) -> bool 
 }
 
 impl Mechanism {
-    /// The body that two references both mean at some step of a range, by name.
+    /// The name of the body that both references denote for some index of a range.
     pub(crate) fn common_member(&self, range: Option<Range>, a: BodyRef, b: BodyRef) -> Option<String> {
         match (a, b) {
             (BodyRef::Ground(_), BodyRef::Ground(_)) => Some("ground".to_owned()),

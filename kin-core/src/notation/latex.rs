@@ -1,4 +1,4 @@
-//! LaTeX.
+//! Writes formulas as LaTeX.
 
 use super::name::{Base, Name};
 use super::parts::{self, Signs};
@@ -17,7 +17,7 @@ pub(super) fn write(formula: &Formula) -> String {
     }
 }
 
-/// The signs of sums.
+/// The signs in sums.
 pub(super) const SIGNS: Signs = Signs { first: "-", plus: " + ", minus: " - " };
 
 /// The terms of a sum with their signs.
@@ -25,7 +25,7 @@ fn terms(parts: &[(bool, Formula)]) -> Vec<String> {
     parts::terms(parts, &SIGNS, within)
 }
 
-/// A function whose argument has no brackets.
+/// True for a function whose argument is written without brackets.
 fn is_open(formula: &Formula) -> bool {
     match formula {
         Formula::Call(function, 0, arguments) => {
@@ -35,7 +35,7 @@ fn is_open(formula: &Formula) -> bool {
     }
 }
 
-/// Functions that LaTeX has a name for.
+/// The LaTeX command of a function, if there is one.
 fn known(function: &str) -> Option<&'static str> {
     Some(match function {
         "sin" => r"\sin",
@@ -68,7 +68,7 @@ fn within(formula: &Formula, least: u8) -> String {
     if formula.strength() < least { bracketed(formula) } else { write(formula) }
 }
 
-/// The base of a power: anything that is not one symbol stands in brackets.
+/// The base of a power, in brackets unless it is a single symbol.
 fn powered(formula: &Formula) -> String {
     match formula {
         Formula::Number(_) | Formula::Name(_) => write(formula),
@@ -84,7 +84,7 @@ fn signed(value: f64) -> String {
     if value < 0.0 { format!("-{}", number(-value)) } else { number(value) }
 }
 
-/// All digits; powers of ten where there are very many zeros.
+/// A number with all digits; very large or small numbers with a power of ten.
 fn number(value: f64) -> String {
     let plain = value.to_string();
     if plain.len() <= 18 {
@@ -119,7 +119,7 @@ pub(super) fn name(name: &Name) -> String {
     format!("{dotted}_{{{}}}", index.collect::<Vec<_>>().join(","))
 }
 
-/// A word in a text of LaTeX.
+/// A word in text mode, with special characters escaped.
 fn upright(word: &str) -> String {
     word.replace('_', r"\_").replace('#', r"\#")
 }

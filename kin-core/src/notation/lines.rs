@@ -1,11 +1,11 @@
-//! Formulas over several lines, in whatever notation.
+//! Breaks long formulas into lines, for any notation.
 
 use super::parts::Signs;
 use super::tree::Formula;
 use super::{Notation, latex, mathml, unicode};
 
-/// What a notation writes around and between the parts of formulas that go over several lines. Brackets that grow would
-/// have to end where the line does.
+/// The marks of a notation for formulas of several lines. The brackets have a fixed size, because brackets that grow
+/// with their content must be closed in the same line.
 struct Marks {
     open: &'static str,
     close: &'static str,
@@ -27,8 +27,8 @@ fn marks(notation: Notation) -> Marks {
 }
 
 impl Formula {
-    /// The formula in a notation, broken before the signs of its terms, and of sums in it that are too long themselves,
-    /// where it would take more than so many columns as plain text.
+    /// The formula as lines of at most `width` columns, measured as plain text, if possible. Lines are broken before
+    /// the signs of terms, also inside long sums that are part of the formula.
     pub fn lines(&self, notation: Notation, width: usize) -> Vec<String> {
         let [mut written, mut plain] = [Vec::new(), Vec::new()];
         self.pieces((notation, width), String::new(), &mut written);
@@ -52,7 +52,7 @@ impl Formula {
         self.write(Notation::Unicode).chars().count()
     }
 
-    /// What no line is broken within, the first with `lead` in front.
+    /// Splits the formula into pieces that are not broken; `lead` is put in front of the first one.
     fn pieces(&self, (notation, width): (Notation, usize), lead: String, out: &mut Vec<String>) {
         let marks = marks(notation);
         match self {

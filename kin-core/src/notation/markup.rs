@@ -1,6 +1,6 @@
-//! Text inside HTML and MathML.
+//! Escapes text for HTML and MathML.
 
-/// A text with the characters of the markup escaped.
+/// The text with the special characters of markup escaped.
 pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -1,4 +1,4 @@
-//! Presentation MathML, which browsers show without a script and without a network.
+//! Writes formulas as Presentation MathML, which browsers display without scripts or network access.
 
 use super::name::{Base, Name};
 use super::parts::{self, Signs};
@@ -11,9 +11,9 @@ pub(super) fn write(formula: &Formula) -> String {
         Formula::Minus(a) => format!("<mrow><mo>−</mo>{}</mrow>", within(a, 2)),
         Formula::Sum(parts) => format!("<mrow>{}</mrow>", terms(parts).concat()),
         Formula::Product(factors) => {
-            // A function of a name stands without brackets, as in the other notations.
+            // A function of a single name is written without brackets, as in the other notations.
             let factors = parts::factors(factors, is_open, within);
-            // An invisible sign of multiplication, with the distance that a reader expects.
+            // An invisible multiplication sign and the usual space.
             format!("<mrow>{}</mrow>", factors.join("<mo>&#x2062;</mo><mspace width=\"0.15em\"></mspace>"))
         }
         Formula::Quotient(a, b) => format!("<mfrac>{}{}</mfrac>", write(a), write(b)),
@@ -21,7 +21,7 @@ pub(super) fn write(formula: &Formula) -> String {
             let n =
                 if *n < 0.0 { format!("<mrow><mo>−</mo><mn>{}</mn></mrow>", -n) } else { format!("<mn>{n}</mn>") };
             match a.as_ref() {
-                // An exponent stands above an index, not behind it.
+                // The exponent is placed above the index, not behind it.
                 Formula::Name(own) => powered(own, Some(&n)),
                 _ => format!("<msup>{}{n}</msup>", within(a, 5)),
             }
@@ -30,7 +30,7 @@ pub(super) fn write(formula: &Formula) -> String {
     }
 }
 
-/// The signs of sums.
+/// The signs in sums.
 pub(super) const SIGNS: Signs = Signs { first: "<mo>−</mo>", plus: "<mo>+</mo>", minus: "<mo>−</mo>" };
 
 /// The terms of a sum with their signs.
@@ -38,7 +38,7 @@ fn terms(parts: &[(bool, Formula)]) -> Vec<String> {
     parts::terms(parts, &SIGNS, within)
 }
 
-/// A function whose argument has no brackets.
+/// True for a function whose argument is written without brackets.
 fn is_open(formula: &Formula) -> bool {
     matches!(formula, Formula::Call(_, 0, arguments) if matches!(arguments[..], [Formula::Name(_)]))
 }
@@ -68,7 +68,7 @@ pub(super) fn name(name: &Name) -> String {
     powered(name, None)
 }
 
-/// A name with an exponent.
+/// A name with an optional exponent.
 fn powered(name: &Name, power: Option<&str>) -> String {
     let letter = match &name.base {
         Base::Letter(letter) | Base::Greek(_, letter) => format!("<mi>{letter}</mi>"),
@@ -76,7 +76,7 @@ fn powered(name: &Name, power: Option<&str>) -> String {
     };
     let dotted = match name.order {
         0 => letter,
-        // As an accent it would touch the letter where there is no font for mathematics.
+        // As an accent the dot would touch the letter if no mathematical font is installed.
         1 => format!("<mover>{letter}<mo scriptlevel=\"0\" stretchy=\"false\">˙</mo></mover>"),
         _ => format!("<mover>{letter}<mo scriptlevel=\"0\" stretchy=\"false\">¨</mo></mover>"),
     };

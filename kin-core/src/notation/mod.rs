@@ -1,7 +1,7 @@
-//! Formulas as people write them: Unicode text, LaTeX and MathML, in the user's names.
+//! Formulas in readable form: Unicode text, LaTeX and MathML, with the user's names.
 //!
-//! A formula comes as the text that [`Shown`](crate::expr::Shown) prints from the graph, so that everything written here
-//! was derived there; [`Formula::parse`] reads it, and each notation has a writer of its own.
+//! The input is the text that [`Shown`](crate::expr::Shown) prints of an expression. [`Formula::parse`] reads it, and
+//! each notation has a writer of its own.
 //!
 //! ```
 //! use kin_core::notation::{Formula, Notation};
@@ -31,14 +31,14 @@ pub use name::{Base, Name};
 pub use parse::ParseError;
 pub use tree::Formula;
 
-/// How formulas are written.
+/// A notation for formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Notation {
-    /// Plain text with Greek letters, dots and indices.
+    /// Plain text with Greek letters, dots and subscripts.
     Unicode,
-    /// LaTeX for mathematics mode, without packages beyond amsmath.
+    /// LaTeX for math mode, which needs no package other than amsmath.
     Latex,
-    /// Presentation MathML: the inner elements, for one `<math>` around them.
+    /// Presentation MathML: elements to be placed inside a `<math>` element.
     MathMl,
 }
 

@@ -1,30 +1,30 @@
-//! Names of the user as symbols: `crank.phi_dot` is a letter with a dot and an index.
+//! The user's names as mathematical symbols: `crank.phi_dot` is a letter with a dot and an index.
 
-/// A name, taken apart.
+/// A name, split into its parts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
-    /// As the language has it: `crank.phi_dot`.
+    /// The name in the user's language: `crank.phi_dot`.
     pub written: String,
     /// The letter or word.
     pub base: Base,
-    /// 0, 1 or 2 dots.
+    /// The number of dots: 0, 1 or 2.
     pub order: usize,
-    /// What stands below: of `crank.phi` the body, of `l1` the digits, of `link[3].x` both body and number.
+    /// The indices: for `crank.phi` the body, for `l1` the digits, for `link[3].x` the body and its number.
     pub index: Vec<String>,
 }
 
-/// What a symbol is before it has indices.
+/// A symbol without dots and indices.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Base {
-    /// One Latin letter.
+    /// A single Latin letter.
     Letter(char),
-    /// A Greek letter by its name: `omega`.
+    /// A Greek letter and its name, such as `omega`.
     Greek(&'static str, char),
     /// A word of several letters.
     Word(String),
 }
 
-/// Names of letters with the letters.
+/// The Greek letters and their names.
 const GREEK: [(&str, char); 30] = [
     ("alpha", 'α'),
     ("beta", 'β'),
@@ -59,7 +59,7 @@ const GREEK: [(&str, char); 30] = [
 ];
 
 impl Name {
-    /// Takes a name apart.
+    /// Splits a name into its parts.
     pub fn new(written: &str) -> Self {
         let (stem, order) = match written.strip_suffix("_ddot") {
             Some(stem) => (stem, 2),
@@ -80,7 +80,7 @@ impl Name {
     }
 }
 
-/// `link[3]` as `link` and `3`.
+/// Splits `link[3]` into `link` and `3`.
 fn element(name: &str) -> (&str, Option<&str>) {
     match name.strip_suffix(']').and_then(|name| name.split_once('[')) {
         Some((name, place)) => (name, Some(place)),
@@ -88,7 +88,7 @@ fn element(name: &str) -> (&str, Option<&str>) {
     }
 }
 
-/// `phi0` as φ with index 0, `l1` as l with 1, `d_max` as d with max, `stroke` as a word.
+/// Splits `phi0` into φ and 0, `l1` into l and 1, `d_max` into d and max; `stroke` is a word without an index.
 fn symbol(name: &str) -> (Base, Option<String>) {
     let digits = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let (stem, index) = match name.split_once('_') {

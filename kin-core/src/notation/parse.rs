@@ -1,4 +1,4 @@
-//! Reading the text of an expression.
+//! Parses the text of an expression.
 //!
 //! ```text
 //! sum     = product { ("+" | "-") product }          product = unary { ("*" | "/") unary }
@@ -10,12 +10,12 @@ use super::name::Name;
 use super::tree::Formula;
 use core::fmt;
 
-/// A text that is no formula.
+/// The error for a text that is not a formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ParseError {
-    /// Where, in bytes.
+    /// The position in bytes.
     pub at: usize,
-    /// What would have been right.
+    /// The expected token.
     pub expected: &'static str,
 }
 
@@ -27,14 +27,14 @@ impl fmt::Display for ParseError {
 
 impl std::error::Error for ParseError {}
 
-/// Formulas that are nested more deeply than this are not for people.
+/// Maximum nesting depth; deeper formulas are not readable.
 const DEPTH: usize = 200;
 
 impl Formula {
-    /// Reads what [`Shown`](crate::expr::Shown) prints.
+    /// Parses the text that [`Shown`](crate::expr::Shown) prints.
     ///
     /// # Errors
-    /// When the text is something else, an expression that was cut off because of its length for example.
+    /// The text is not a formula, for example because it was cut off at the maximum length.
     pub fn parse(text: &str) -> Result<Self, ParseError> {
         let mut reader = Reader { text, at: 0, depth: 0 };
         let formula = reader.sum()?;
@@ -86,7 +86,7 @@ impl<'t> Reader<'t> {
             terms.push((minus, self.product()?));
         }
         self.depth -= 1;
-        // A bracket at the front changes nothing.
+        // Brackets around the first sum are redundant.
         if let (false, Formula::Sum(_)) = &terms[0] {
             let (_, Formula::Sum(first)) = terms.remove(0) else { return self.error("a sum") };
             terms.splice(0..0, first);
@@ -178,7 +178,7 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// a·b, flat, with signs in front.
+/// The product a·b without nested products, with the sign moved to the front.
 fn times(a: Formula, b: Formula) -> Formula {
     match (a, b) {
         (Formula::Minus(a), b) => times(*a, b).negated(),

@@ -1,18 +1,18 @@
-//! Terms of sums and factors of products, in whatever notation.
+//! Writes the terms of sums and the factors of products, for any notation.
 
 use super::tree::Formula;
 
-/// What a notation writes of sums.
+/// The signs that a notation writes in sums.
 pub(super) struct Signs {
-    /// A minus in front of the first term.
+    /// A minus sign in front of the first term.
     pub(super) first: &'static str,
-    /// Between terms.
+    /// A plus sign between terms.
     pub(super) plus: &'static str,
-    /// Between terms.
+    /// A minus sign between terms.
     pub(super) minus: &'static str,
 }
 
-/// The terms of a sum, each with its sign; `within` writes a formula, in brackets where it binds less tightly.
+/// The terms of a sum with their signs; `within` writes a formula, in brackets if it binds less tightly than given.
 pub(super) fn terms(terms: &[(bool, Formula)], signs: &Signs, within: impl Fn(&Formula, u8) -> String) -> Vec<String> {
     let one = |(place, (minus, term)): (usize, &(bool, Formula))| {
         let sign = match (place, minus) {
@@ -26,8 +26,8 @@ pub(super) fn terms(terms: &[(bool, Formula)], signs: &Signs, within: impl Fn(&F
     terms.iter().enumerate().map(one).collect()
 }
 
-/// The factors of a product. A function whose argument has no brackets (`is_open`) is followed by functions only, or it
-/// stands in brackets.
+/// The factors of a product. A function without brackets around its argument (`is_open`) must be followed by functions
+/// only; otherwise it is put in brackets.
 pub(super) fn factors(
     factors: &[Formula],
     is_open: impl Fn(&Formula) -> bool,

@@ -123,7 +123,7 @@ fn formulas_have_values() {
     assert_eq!(found, 18.0 - 2.0 + 8.0_f64.sin() * 3.0);
 }
 
-/// The value of a formula whose names have the values that `symbol` gives.
+/// The value of a formula for given values of its names.
 fn value(formula: &Formula, symbol: &dyn Fn(&Name) -> f64) -> f64 {
     let of = |formula: &Formula| value(formula, symbol);
     match formula {

@@ -1,13 +1,14 @@
-//! Formulas as a person would leave them: signs and brackets of sums gone, equal terms counted, equal factors as powers,
-//! one fraction of several, multiples of π by that letter, halves of parameters as fractions, functions last.
+//! Simplifies the form of formulas: redundant brackets and double signs are removed, equal terms and factors
+//! collected, several fractions combined into one, multiples of π and fractions of parameters recognised, functions
+//! placed last.
 //!
-//! Nothing is expanded and nothing cancelled, so that what is written has the operations of what was derived.
+//! Nothing is expanded or cancelled, so the formula still shows the operations that were derived.
 
 use super::name::Name;
 use super::tree::Formula;
 
 impl Formula {
-    /// The same formula, tidied.
+    /// The formula in tidied form.
     ///
     /// ```
     /// use kin_core::notation::{Formula, Notation};
@@ -21,7 +22,7 @@ impl Formula {
         self.ordered().with_fractions()
     }
 
-    /// With signs, terms and factors in order.
+    /// Puts signs, terms and factors in order.
     fn ordered(self) -> Self {
         match self {
             Self::Number(value) => of_pi(value).unwrap_or(self),
@@ -47,7 +48,7 @@ impl Formula {
 }
 
 impl Formula {
-    /// `l/2` for `0.5 l`, where the multiple of a length is that of a half, a quarter or an eighth.
+    /// Writes `l/2` for `0.5 l` if the number is a multiple of a half, a quarter or an eighth of a parameter.
     fn with_fractions(self) -> Self {
         let all = |formulas: Vec<Self>| formulas.into_iter().map(Self::with_fractions).collect::<Vec<_>>();
         match self {
@@ -64,10 +65,10 @@ impl Formula {
     }
 }
 
-/// What parameters are divided by rather than multiplied by a decimal number.
+/// The denominators that are written as a fraction of a parameter instead of a decimal number.
 const PARTS: [f64; 3] = [2.0, 4.0, 8.0];
 
-/// A parameter, or a power of one.
+/// True for a parameter or a power of one.
 fn is_parameter(formula: &Formula) -> bool {
     match formula {
         Formula::Name(name) => name.order == 0 && !name.written.contains('.'),
@@ -76,7 +77,7 @@ fn is_parameter(formula: &Formula) -> bool {
     }
 }
 
-/// A product whose number, a multiple of an eighth, stands below the first parameter.
+/// A product whose number is a multiple of an eighth, with the denominator moved below the first parameter.
 fn fraction(mut factors: Vec<Formula>) -> Formula {
     let below = |value: f64| PARTS.into_iter().find(|q| (value * q).fract() == 0.0 && value * q <= 12.0);
     if let [Formula::Number(value), ..] = factors[..]
@@ -95,8 +96,7 @@ fn fraction(mut factors: Vec<Formula>) -> Formula {
     if factors.len() == 1 { factors.remove(0) } else { Formula::Product(factors) }
 }
 
-/// Sums within a sum become its terms, and signs go to the terms. What is subtracted never stands first where there is
-/// anything that is added, unless it did.
+/// A sum without nested sums; signs are moved to the terms.
 fn sum(terms: Vec<(bool, Formula)>) -> Formula {
     let mut flat: Vec<(bool, Formula)> = Vec::new();
     for (minus, term) in terms {
@@ -116,7 +116,7 @@ fn sum(terms: Vec<(bool, Formula)>) -> Formula {
     }
 }
 
-/// Equal terms as a multiple of one; what cancels is left.
+/// Collects equal terms of the same sign into a multiple; terms that would cancel are kept.
 fn counted(terms: Vec<(bool, Formula)>) -> Vec<(bool, Formula)> {
     let mut out: Vec<(f64, Formula, (bool, Formula))> = Vec::new();
     for (minus, term) in terms {
@@ -144,12 +144,12 @@ fn counted(terms: Vec<(bool, Formula)>) -> Vec<(bool, Formula)> {
     out.into_iter().map(|(_, _, written)| written).collect()
 }
 
-/// A number that a person would write out.
+/// True for a number with few digits.
 fn is_short(value: f64) -> bool {
     value.abs().to_string().len() <= 7
 }
 
-/// p π/q with small numbers, where that is what the number is to the last digit.
+/// The number as p π/q with small integers p and q, if it equals that value to the last digit.
 fn of_pi(value: f64) -> Option<Formula> {
     let pi = core::f64::consts::PI;
     let near = value > 0.0 && value < 13.0 * pi;
@@ -168,7 +168,7 @@ fn of_pi(value: f64) -> Option<Formula> {
     None
 }
 
-/// Numbers first, functions last, equal factors next to one another as powers; the sign in front of all.
+/// A product with numbers first, functions last, equal factors collected as powers, and the sign in front.
 fn product(factors: Vec<Formula>) -> Formula {
     let (mut flat, mut minus) = (Vec::new(), false);
     for factor in factors {
@@ -190,7 +190,7 @@ fn product(factors: Vec<Formula>) -> Formula {
     {
         flat.insert(place.min(flat.len()), *above);
         let (above, below) = match (product(flat), *below) {
-            // Another fraction among the factors.
+            // There is another fraction among the factors.
             (Formula::Quotient(above, other), below) => (above, product(vec![*other, below])),
             (above, below) => (Box::new(above), below),
         };
@@ -208,7 +208,7 @@ fn product(factors: Vec<Formula>) -> Formula {
             Formula::Power(base, n) if n > 0.0 && n.fract() == 0.0 => (*base, n),
             other => (other, 1.0),
         };
-        // Numbers that were not multiplied stay as they were written.
+        // Numbers whose product would have too many digits remain separate.
         match powers.iter_mut().find(|(other, _)| *other == base && !matches!(base, Formula::Number(_))) {
             Some((_, times)) => *times += n,
             None => powers.push((base, n)),
@@ -220,8 +220,7 @@ fn product(factors: Vec<Formula>) -> Formula {
     if minus { product.negated() } else { product }
 }
 
-/// The half of a parameter as a number and the parameter, so that it joins the other numbers of a product; anything else
-/// as it is.
+/// Splits a fraction of a parameter into a number and the parameter, so that the number can be combined with others.
 fn multiple(factor: Formula) -> Vec<Formula> {
     match factor {
         Formula::Quotient(above, below) => match (*above, *below) {
@@ -234,7 +233,7 @@ fn multiple(factor: Formula) -> Vec<Formula> {
     }
 }
 
-/// Numbers, which stand first, as one where that is short; 1 goes where anything else is left.
+/// Multiplies the leading numbers as long as the product has few digits, and drops a factor of 1.
 fn multiplied(mut factors: Vec<Formula>) -> Vec<Formula> {
     while let [Formula::Number(a), Formula::Number(b), ..] = factors[..] {
         if !is_short(a * b) {

@@ -1,30 +1,30 @@
-//! What a formula is made of.
+//! The syntax tree of formulas.
 
 use super::name::Name;
 
-/// A formula as a person reads it: sums and products of several parts rather than trees of two.
+/// A formula in which sums and products have any number of parts.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Formula {
-    /// A number ≥ 0.
+    /// A non-negative number.
     Number(f64),
-    /// A coordinate, a parameter, time, an input, or a rate of one.
+    /// A coordinate, a parameter, time, an input, or a rate of one of these.
     Name(Name),
     /// −a.
     Minus(Box<Formula>),
-    /// Terms, each added or subtracted.
+    /// A sum of terms; the flag says that the term is subtracted.
     Sum(Vec<(bool, Formula)>),
-    /// Factors.
+    /// A product of factors.
     Product(Vec<Formula>),
     /// a / b.
     Quotient(Box<Formula>, Box<Formula>),
-    /// aⁿ with a constant n.
+    /// aⁿ for a constant n.
     Power(Box<Formula>, f64),
-    /// A function of its arguments, with so many primes.
+    /// A function with its number of primes and its arguments.
     Call(String, usize, Vec<Formula>),
 }
 
 impl Formula {
-    /// How tightly it binds: sums least.
+    /// The binding strength; a sum binds least tightly.
     pub(super) fn strength(&self) -> u8 {
         match self {
             Self::Sum(_) => 0,
@@ -36,12 +36,12 @@ impl Formula {
         }
     }
 
-    /// 0, written out.
+    /// True for the literal 0.
     pub fn is_zero(&self) -> bool {
         *self == Self::Number(0.0)
     }
 
-    /// −a, with the signs of numbers and double signs gone.
+    /// −a, where double signs cancel and −0 is 0.
     pub fn negated(self) -> Self {
         match self {
             Self::Minus(inner) => *inner,

@@ -1,4 +1,4 @@
-//! Plain text: φ̇_crank, l₁/2, products by thin distance.
+//! Writes formulas as plain text: φ̇_crank, l₁/2, products separated by spaces.
 
 use super::name::{Base, Name};
 use super::parts::{self, Signs};
@@ -20,7 +20,7 @@ pub(super) fn write(formula: &Formula) -> String {
     }
 }
 
-/// The signs of sums.
+/// The signs in sums.
 pub(super) const SIGNS: Signs = Signs { first: "−", plus: " + ", minus: " − " };
 
 /// The terms of a sum with their signs.
@@ -28,8 +28,8 @@ fn terms(parts: &[(bool, Formula)]) -> Vec<String> {
     parts::terms(parts, &SIGNS, within)
 }
 
-/// Factors beside one another. A fraction among them stands in brackets unless it is the last: what comes after a slash
-/// would seem to stand below it.
+/// A product. A fraction is put in brackets unless it is the last factor, because a factor behind a slash would seem
+/// to be part of the denominator.
 fn product(factors: &[Formula]) -> String {
     let mut texts = parts::factors(factors, is_open, within);
     let before = factors.len().saturating_sub(1);
@@ -41,7 +41,7 @@ fn product(factors: &[Formula]) -> String {
     texts.join(" ")
 }
 
-/// `sin φ` rather than `sin(φ)`.
+/// True for functions that are written as `sin φ` instead of `sin(φ)`.
 fn is_open(formula: &Formula) -> bool {
     match formula {
         Formula::Call(function, 0, arguments) => is_trigonometric(function) && is_short(arguments),
@@ -67,9 +67,9 @@ fn call(function: &str, primes: usize, arguments: &[Formula]) -> String {
     }
 }
 
-/// The formula, in brackets where it binds less tightly than `least`.
+/// The formula, in brackets if it binds less tightly than `least`.
 fn within(formula: &Formula, least: u8) -> String {
-    // A quotient is a slash, which binds what stands beside it.
+    // The slash of a quotient would capture the argument of a function without brackets.
     let loose = formula.strength() < least || least > 3 && is_open(formula);
     if loose { format!("({})", write(formula)) } else { write(formula) }
 }
@@ -95,7 +95,7 @@ pub(super) fn name(name: &Name) -> String {
     out
 }
 
-/// With the letters that have dots of their own, where there are some: combining dots stand badly in many fonts.
+/// A letter with dots; precomposed characters are preferred, because many fonts place combining dots badly.
 fn dotted(letter: String, order: usize) -> String {
     match (letter.as_str(), order) {
         (_, 0) => letter,

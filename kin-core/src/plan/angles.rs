@@ -1,4 +1,4 @@
-//! Elimination of angles: a vector that turns is as long as it was.
+//! Elimination of angles: rotation does not change the length of a vector.
 
 use super::form::{Form, Key, Reader};
 use super::reduce::{Eliminated, Reduction};
@@ -7,7 +7,8 @@ use crate::expr::ExprId;
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Reduction<'_> {
-    /// An angle that turns a known vector in two rows and stands in no other; the one of the shortest rows.
+    /// The elimination *norm*: an angle that turns a known vector in two rows and appears in no other row. If several
+    /// angles qualify, the one with the fewest terms in its rows is taken.
     pub(super) fn norm(
         &mut self,
         rows: &[usize],
@@ -39,7 +40,7 @@ impl Reduction<'_> {
         })
     }
 
-    /// F + M (cos θ, sin θ) = 0: the row without θ, and θ.
+    /// For two rows F + M (cos θ, sin θ) = 0, the value of θ and the combination of the rows that does not contain θ.
     fn without_angle(
         &mut self,
         [f, g]: [&Form; 2],
@@ -64,7 +65,7 @@ impl Reduction<'_> {
         let direct = probe.equal(graph, s2, c1) && probe.equal(graph, c2, minus_s1);
         let reflected = probe.opposite(graph, s2, c1) && probe.equal(graph, minus_c2, minus_s1);
         if direct || reflected {
-            // The second row, with its sign, is what the first is a quarter turn on.
+            // M is a rotation, or a reflection if its second row has the opposite sign, times |s|.
             let g = if reflected { graph.neg(g) } else { g };
             let square = graph.plain_dot([c1, s1], [c1, s1]);
             if probe.is_zero(graph, square) {
@@ -73,11 +74,12 @@ impl Reduction<'_> {
             let (a, b) = (graph.plain_cross([s1, c1], [f, g]), graph.plain_dot([s1, c1], [f, g]));
             // cos = −(C f − S g)/|s|², sin = −(S f + C g)/|s|².
             let (cos, sin) = (a, graph.neg(b));
-            // Half of it: what appears twice is not doubled.
+            // The factor ½ cancels the factor 2 that differentiation of the squares produces.
             let (norm, half) = (graph.plain_dot([f, g], [f, g]), graph.number(0.5));
             let row = graph.sub(norm, square);
             let row = graph.mul(half, row);
-            // What a multiple of the angle turns is moved by the angle that many times as far.
+            // Where θ contains the angle n times, its entries of Φ_q have the factor n, and |s|² is not the sum of
+            // their squares.
             let once = key.turn.iter().any(|&(other, n)| other == k && n.abs() == 1);
             let value =
                 PairValue::Angle { turn, cos, sin, size: square, square: once.then_some(square), vectors: None };
@@ -98,8 +100,8 @@ impl Reduction<'_> {
         Some((PairValue::Angle { turn, cos, sin, size: square, square: None, vectors: Some(vectors) }, row))
     }
 
-    /// An angle of several loops, left to one of them: what the others have of it is taken from that one, which makes
-    /// loops around it of them. Then it is in two rows only.
+    /// Removes an angle of more than two rows from all but two of them by subtracting multiples of these two rows; the
+    /// other rows then describe loops that bypass the angle, and the two rows are combined as in [`norm`](Self::norm).
     pub(super) fn norm_of_loops(
         &mut self,
         rows: &[usize],
@@ -113,7 +115,7 @@ impl Reduction<'_> {
             let keys: BTreeSet<&Key> =
                 with.iter().flat_map(|row| forms[row].terms.keys()).filter(|key| key.holds(k)).collect();
             let mut keys = keys.into_iter();
-            // A row that is a norm has another scale than its rates, and one with a rest cannot be taken apart.
+            // A replaced row has another scale than its row of Φ_q, and a row with a rest cannot be split into terms.
             let plain = with.iter().all(|row| forms[row].rest.is_none() && !self.replaced.contains(row));
             if let (Some(key), None, true) = (keys.next(), keys.next(), plain)
                 && key.powers.is_empty()
@@ -138,7 +140,7 @@ impl Reduction<'_> {
         })
     }
 
-    /// The two rows with the fewest terms in which a vector turns freely.
+    /// The two rows with the fewest terms whose coefficient vectors of `key` are linearly independent.
     fn shortest_loop(&mut self, rows: &[usize], forms: &BTreeMap<usize, Form>, key: &Key) -> Option<[usize; 2]> {
         let pairs = rows.iter().enumerate().flat_map(|(place, &f)| rows[place + 1..].iter().map(move |&g| [f, g]));
         let mut pairs: Vec<(usize, [usize; 2])> =
@@ -152,7 +154,7 @@ impl Reduction<'_> {
         })
     }
 
-    /// h − α f − β g, in which `key` is missing.
+    /// The row h − α f − β g, which does not contain `key`, and its factors.
     fn exchange(
         &mut self,
         other: usize,
@@ -178,12 +180,12 @@ impl Reduction<'_> {
         Some((Exchange { row: other, factors }, row))
     }
 
-    /// α and β with α a + β b = h.
+    /// The factors α and β with α a + β b = h.
     fn factors(&mut self, h: [ExprId; 2], [a, b]: [[ExprId; 2]; 2]) -> [ExprId; 2] {
         let (graph, probe) = (&mut *self.graph, &mut self.memory.probe);
         let (zero, one) = (graph.zero(), graph.number(1.0));
         let minus_one = graph.number(-1.0);
-        // The same joint in another loop, as a rule.
+        // Most often the loops share the joint, so that h is ±a or ±b.
         for (factor, test) in [(one, true), (minus_one, false)] {
             for (place, own) in [a, b].into_iter().enumerate() {
                 let same = (0..2).all(|k| match test {

@@ -1,23 +1,24 @@
-//! The solution of a plan while it is written: stages so far, what is known, what was divided by, rows that are watched.
+//! State of a solution while its expressions are built: stages, known coordinates, divisors, margins, redundant rows.
 
 use super::known::Known;
-use super::reduce::Agreeing;
+use super::reduce::PairedRows;
 use super::step::StepId;
-use super::steps::Listed;
+use super::steps::StepList;
 use crate::expr::{ExprId, Graph, Symbol};
 use crate::program::Slot;
 use crate::system::KinematicSystem;
 
-/// A stretch of the solution: expressions to compute, or an iteration.
+/// A stage of the solution: expressions to compute, or an iteration.
 pub(super) enum Stage {
-    /// What is written where.
+    /// The outputs: each slot with the expression that is stored there.
     Closed(Vec<(Slot, ExprId)>),
-    /// Unknowns, and what is subtracted from each of them, for their current values; the place of what says whether the
-    /// iteration has converged.
+    /// Newton's iteration: the unknowns; for each the correction that is subtracted from its current value; the index
+    /// of the held value that says whether the iteration has converged.
     Newton { unknowns: Vec<u32>, corrections: Vec<ExprId>, converged: u32 },
 }
 
-/// What a step divides by on its way to an unknown: its square, and what it is made of.
+/// A divisor of a step: the step, its rows, the unknown that is found, the square of the divisor, and the expressions
+/// that the divisor is made of.
 pub(super) struct Divisor {
     pub(super) step: StepId,
     pub(super) rows: Vec<usize>,
@@ -26,59 +27,61 @@ pub(super) struct Divisor {
     pub(super) parts: Vec<ExprId>,
 }
 
-/// A row that is left out.
-pub(super) struct Watched {
+/// A redundant row, which the solution is checked against.
+pub(super) struct RedundantRow {
     pub(super) row: usize,
-    /// What it says together with the row beside it.
-    pub(super) agreeing: Option<Agreeing>,
-    /// The place of its margin.
+    /// The kept row that gives an angle together with this row, if there is one.
+    pub(super) paired: Option<PairedRows>,
+    /// The index of the row's margin.
     pub(super) place: usize,
-    /// Its margin so far.
+    /// The margin so far; each level (position, velocity, acceleration) subtracts its residual.
     pub(super) margin: ExprId,
-    /// Σ Φᵣₖ² wₖ, of the row and of the one beside it.
+    /// Σ Φᵣₖ² wₖ of the row r, or of both rows in `paired`.
     pub(super) sizes: Vec<ExprId>,
 }
 
-/// Sizes that all watched rows share.
+/// Sizes that the margins of all redundant rows share.
 pub(super) struct Sizes {
-    /// wₖ.
+    /// The weights wₖ.
     pub(super) weights: Vec<ExprId>,
-    /// Σ 1/|margin| of what is solved, which is the inverse of the square of its distance from the nearest limit.
+    /// Σ 1/|margin| over the margins of all steps, which estimates the inverse squared distance from the nearest
+    /// limit.
     pub(super) nearness: ExprId,
-    /// V².
+    /// V², the squared size of the velocity.
     pub(super) velocity: ExprId,
 }
 
-/// Builds the solution of a plan.
+/// Builds the stages of the solution from the tree.
 pub(super) struct Build<'a> {
     pub(super) system: &'a KinematicSystem,
     pub(super) graph: Graph,
     pub(super) known: Known,
     pub(super) stages: Vec<Stage>,
-    /// Margins as far as they belong to positions, and those of iterations by their first row.
-    pub(super) listed: Listed,
-    /// Places that say whether iterations have converged.
+    /// The steps with their modes and margins.
+    pub(super) listed: StepList,
+    /// Number of values that say whether an iteration has converged.
     pub(super) iterations: u32,
-    /// (row, place of the margin, place that says whether it has converged) of every iteration.
+    /// For every iteration whose margin is still to be written: its first row, the index of its margin, and the index
+    /// of the value that says whether it has converged.
     pub(super) pending: Vec<(usize, usize, u32)>,
-    /// (first row, step, place of the margin) of every iteration.
+    /// For every iteration: its first row, its step and the index of its margin.
     pub(super) iterated: Vec<(usize, StepId, usize)>,
-    /// What was divided by.
+    /// The divisors whose margins are still to be written.
     pub(super) divisors: Vec<Divisor>,
-    /// The closures' indicators at a given q.
+    /// The indicators of all closures at a given q.
     pub(super) closures: Vec<ExprId>,
-    /// All margins so far.
+    /// All margins written so far.
     pub(super) margins: Vec<ExprId>,
-    /// Rows that are left out, and sizes for them.
-    pub(super) watched: Vec<Watched>,
-    pub(super) sizes_of_watched: Option<Sizes>,
+    /// The redundant rows, and the sizes that their margins share.
+    pub(super) redundant: Vec<RedundantRow>,
+    pub(super) redundant_sizes: Option<Sizes>,
 }
 
 impl<'a> Build<'a> {
-    pub(super) fn new(system: &'a KinematicSystem, graph: Graph, listed: Listed) -> Self {
+    pub(super) fn new(system: &'a KinematicSystem, graph: Graph, listed: StepList) -> Self {
         let known = Known::default();
         let (stages, pending, closures) = (vec![Stage::Closed(Vec::new())], Vec::new(), Vec::new());
-        let (margins, watched, sizes_of_watched) = (Vec::new(), Vec::new(), None);
+        let (margins, redundant, redundant_sizes) = (Vec::new(), Vec::new(), None);
         Self {
             system,
             graph,
@@ -91,17 +94,17 @@ impl<'a> Build<'a> {
             divisors: Vec::new(),
             closures,
             margins,
-            watched,
-            sizes_of_watched,
+            redundant,
+            redundant_sizes,
         }
     }
 
-    /// An expression of the description in terms of what is known.
+    /// Rewrites an expression of the description in terms of the known coordinates.
     pub(super) fn known_value(&mut self, id: ExprId) -> ExprId {
         self.known.value(&mut self.graph, id)
     }
 
-    /// The value of a coordinate.
+    /// The expression of a known coordinate.
     pub(super) fn value_of(&mut self, k: u32) -> ExprId {
         let symbol = self.graph.symbol(Symbol::Coordinate(k));
         self.known_value(symbol)

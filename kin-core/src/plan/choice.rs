@@ -1,54 +1,55 @@
-//! Which rows a plan goes by where there are more than coordinates, and the tree that follows from them.
+//! Selects the rows that a plan uses when there are more rows than coordinates, and builds the tree of the plan.
 //!
-//! The rows that are left out are those of every circuit that were declared last, but for rows that drive; where that
-//! leaves bodies that nothing drives, those that close a circuit on a walk from the driver; where an iteration is left,
-//! another row of the same circuit may leave none. A row that is left out beside one of the same joint helps it all the same, where both turn one
-//! vector: an angle is given by its cosine and its sine, not by one of them and a sign.
+//! The first candidate leaves out the row declared last in each circuit, driving rows excepted. If that leaves bodies
+//! that no driver moves, the second candidate leaves out the rows that close the circuits on a walk from the driver.
+//! If the best tree still needs an iteration, other rows of the same circuits are tried. A row that is left out can
+//! still help if another row of the same joint is kept and both turn the same vector: together they give the cosine
+//! and the sine of the angle, so no sign has to be chosen.
 
-use super::form::Memory;
+use super::form::ReaderCache;
 use super::matching;
-use super::reduce::{Agreeing, Reduction};
+use super::reduce::{PairedRows, Reduction};
 use super::tree::{Block, Part, Way};
 use crate::expr::{Graph, IdMap};
-use crate::structure::Spare;
+use crate::structure::RemovableRows;
 use crate::system::KinematicSystem;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Most choices that are tried.
+/// Maximum number of alternative rows that are tried.
 const TRIES: usize = 16;
 
-/// A tree, and what it was made of.
+/// A tree, and the rows it was made from.
 pub(super) struct Chosen {
     pub(super) tree: Block,
-    /// The rows that every row is made of.
-    pub(super) made_of: Vec<BTreeSet<usize>>,
-    /// Rows that the tree does without, in order of declaration.
+    /// For each row, the original rows that it has been combined from.
+    pub(super) source_rows: Vec<BTreeSet<usize>>,
+    /// Redundant rows that the tree does not use, in order of declaration.
     pub(super) left_out: Vec<usize>,
-    /// Those of them that help all the same.
-    pub(super) agreeing: Vec<Agreeing>,
+    /// Those of the redundant rows that give an angle together with a kept row.
+    pub(super) paired: Vec<PairedRows>,
     score: Score,
 }
 
-/// Chooses for a system of full rank.
+/// Chooses the rows and the tree for a system of full column rank.
 pub(super) fn choose(system: &KinematicSystem, graph: &mut Graph) -> Option<Chosen> {
     let set = &system.set;
-    let mut search = Search { system, graph, memory: Memory::new(set.coordinates.len()) };
+    let mut search = Search { system, graph, memory: ReaderCache::new(set.coordinates.len()) };
     if set.rows.len() == set.coordinates.len() {
         return search.of(Vec::new());
     }
-    let spare = Spare::new(system);
+    let removable = RemovableRows::new(system);
     let (mut best, mut named) = (None, Vec::new());
-    for places in [spare.declared(), spare.walked()] {
-        let found = spare.rows(&places, &[]);
+    for places in [removable.declared(), removable.walked()] {
+        let found = removable.rows(&places, &[]);
         let next = search.of(found.iter().map(|found| found.row).collect());
-        if best.is_none() || toil(&next) < toil(&best) {
+        if best.is_none() || cost(&next) < cost(&best) {
             (best, named) = (next, vec![(places, found)]);
         }
     }
     let mut tries = TRIES;
     for (places, named) in named {
         for found in &named {
-            // From the joint that comes last; a driver is meant to be there.
+            // Rows declared last are tried first. Driving rows are always kept.
             let mut others: Vec<usize> = found.circuit.clone();
             others.retain(|&row| !system.classes[row].driving);
             others.sort_by_key(|&row| std::cmp::Reverse(places[row]));
@@ -59,9 +60,9 @@ pub(super) fn choose(system: &KinematicSystem, graph: &mut Graph) -> Option<Chos
                 }
                 tries -= 1;
                 let kept = best.iter().flat_map(|best| &best.left_out).copied().filter(|&other| other != found.row);
-                let rather: Vec<usize> = kept.chain([row]).collect();
-                let next = search.of(spare.rows(&places, &rather).iter().map(|found| found.row).collect());
-                if toil(&next) < toil(&best) {
+                let preferred: Vec<usize> = kept.chain([row]).collect();
+                let next = search.of(removable.rows(&places, &preferred).iter().map(|found| found.row).collect());
+                if cost(&next) < cost(&best) {
                     best = next;
                 }
             }
@@ -73,11 +74,12 @@ pub(super) fn choose(system: &KinematicSystem, graph: &mut Graph) -> Option<Chos
 struct Search<'a> {
     system: &'a KinematicSystem,
     graph: &'a mut Graph,
-    memory: Memory,
+    memory: ReaderCache,
 }
 
 impl Search<'_> {
-    /// The better of the trees without these rows: with those that help, and without.
+    /// The better of two trees without the given rows: one that uses redundant rows of the same joints, and one that
+    /// does not.
     fn of(&mut self, mut left_out: Vec<usize>) -> Option<Chosen> {
         left_out.sort_unstable();
         let rows = &self.system.set.rows;
@@ -112,10 +114,10 @@ impl Search<'_> {
             graph: &mut *self.graph,
             memory: &mut self.memory,
             rows: set.rows.iter().map(|row| row.phi).collect(),
-            made_of: all.map(|row| BTreeSet::from([row])).collect(),
+            source_rows: all.map(|row| BTreeSet::from([row])).collect(),
             replaced: BTreeSet::new(),
             rewritten: IdMap::default(),
-            agreeing: Vec::new(),
+            paired: Vec::new(),
         };
         let (mut tree, mut moves) = (Block::default(), vec![false; set.coordinates.len()]);
         for (rows, unknowns) in blocks {
@@ -125,43 +127,43 @@ impl Search<'_> {
             unknowns.iter().for_each(|&k| moves[k] = driven);
             let rows: Vec<usize> = rows.into_iter().map(|place| used[place]).collect();
             let unknowns: BTreeSet<u32> = unknowns.into_iter().map(|k| k as u32).collect();
-            let spare: Vec<usize> = rows.iter().filter_map(|row| beside.get(row)).copied().collect();
-            tree.parts.push(Part::Block(reduction.block(&rows, &unknowns, &spare)?));
+            let removable: Vec<usize> = rows.iter().filter_map(|row| beside.get(row)).copied().collect();
+            tree.parts.push(Part::Block(reduction.block(&rows, &unknowns, &removable)?));
         }
-        let Reduction { made_of, agreeing, .. } = reduction;
+        let Reduction { source_rows, paired, .. } = reduction;
         let still = moves.iter().zip(&set.coordinates).filter(|(moves, k)| !**moves && !k.kind.is_length()).count();
         let iterated = sum(&tree, &|way| if let Way::Newton { residuals } = way { residuals.len() } else { 0 });
         let two = |way: &Way| matches!(way, Way::Angle { .. } | Way::Quadratic { .. } | Way::Circle { .. });
         let closures = sum(&tree, &|way| usize::from(two(way)));
         let score = Score { still, iterated, closures };
-        Some(Chosen { tree, made_of, left_out: left_out.to_vec(), agreeing, score })
+        Some(Chosen { tree, source_rows, left_out: left_out.to_vec(), paired, score })
     }
 }
 
-/// How much a tree leaves to do; less is better, in this order.
+/// How much work a tree leaves; smaller is better, compared field by field in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Score {
-    /// Angles and scalars that stand still whatever leads motion into the mechanism: of a mechanism that moves thanks to its dimensions,
-    /// rows that hold it by themselves are singular.
+    /// Number of angles and scalars that no driving row reaches. If a mechanism moves only because of its special
+    /// dimensions, a plan in which scleronomic rows fix such a coordinate by themselves is singular.
     still: usize,
-    /// Unknowns of iterations.
+    /// Number of unknowns of iterations.
     iterated: usize,
-    /// Parts that close in two ways.
+    /// Number of parts that have two solutions.
     closures: usize,
 }
 
-/// The score of what there is; the worst of nothing.
+/// A key for comparison: no tree at all is worse than any tree.
 fn score(chosen: &Option<Chosen>) -> (bool, Option<Score>) {
     (chosen.is_none(), chosen.as_ref().map(|chosen| chosen.score))
 }
 
-/// The score but for closures: fewer of them may only mean that rows were taken at their word that hold for special
-/// dimensions.
-fn toil(chosen: &Option<Chosen>) -> (bool, Option<[usize; 2]>) {
+/// The score without the number of closures. Fewer closures are no advantage: they may only mean that the tree relies
+/// on rows that agree with the others for special dimensions alone.
+fn cost(chosen: &Option<Chosen>) -> (bool, Option<[usize; 2]>) {
     (chosen.is_none(), chosen.as_ref().map(|Chosen { score, .. }| [score.still, score.iterated]))
 }
 
-/// The one with the better score; the first where they are alike.
+/// The tree with the better score; the first of two equal ones.
 fn better(first: Option<Chosen>, second: Option<Chosen>) -> Option<Chosen> {
     if score(&second) < score(&first) { second } else { first }
 }

@@ -1,25 +1,29 @@
-//! Small systems M x = b as expressions: by Cramer's rule up to three unknowns, beyond by elimination in a fixed order.
+//! Small linear systems M x = b as expressions: Cramer's rule for two or three unknowns, elimination in a fixed order
+//! for more.
 
 use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
 use crate::mechanism::Function;
 
-/// What [`solve`] finds.
+/// The result of [`solve`].
 pub(super) struct Solved {
-    /// x for every b.
+    /// The solution x for every right-hand side b.
     pub(super) solutions: Vec<Vec<ExprId>>,
-    /// A number that is 0 where M is singular; none for a single unknown.
+    /// A number that is 0 where M is singular; `None` for a single unknown.
     pub(super) margin: Option<ExprId>,
-    /// A number with the sign of det M, up to a sign that never changes, whose square is the margin; none for a single unknown.
+    /// A number whose square is the margin and whose sign is that of det M or always its opposite; `None` for a single
+    /// unknown.
     pub(super) orientation: Option<ExprId>,
 }
 
-/// x for every b, and a margin that is 0 where M is singular: for up to three unknowns (det M)² over the product of the
-/// rows' squared norms, beyond n/Σ 1/sᵢ², the harmonic mean of the squared shares sᵢ that pivots have in their rows: it is
-/// about the square of the smallest one, however many there are. One unknown has none.
+/// Solves M x = b for every b, with a margin that is 0 where M is singular. Up to three unknowns the margin is (det
+/// M)² over the product of the squared norms of the rows. For n > 3 it is n/Σ 1/sᵢ², where sᵢ is the size of pivot i
+/// relative to its row of M: the harmonic mean of sᵢ², which is of the order of the smallest sᵢ² for any n. A single
+/// unknown has no margin.
 ///
-/// `lengths` says which unknowns are lengths. Beside angles they count as angles times the length that the rows hold
-/// between both, so that margins are the same in metres and in millimetres.
+/// `lengths` says which unknowns are lengths. If the matrix has columns of lengths and of angles, columns of lengths
+/// are scaled by a length taken from the rows that contain both kinds, so that the margin does not depend on the unit
+/// of length.
 pub(super) fn solve(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], lengths: &[bool]) -> Solved {
     match matrix.len() {
         0 => alone(rights.iter().map(|_| Vec::new()).collect()),
@@ -34,18 +38,18 @@ pub(super) fn solve(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<Exp
     }
 }
 
-/// Which of the coordinates at these places are lengths.
+/// For each of the given coordinates, whether it is a length.
 pub(super) fn lengths(coordinates: &[Coordinate], places: &[u32]) -> Vec<bool> {
     places.iter().map(|&k| coordinates[k as usize].kind.is_length()).collect()
 }
 
-/// Solutions of at most one unknown.
+/// A result without margin and orientation, for at most one unknown.
 fn alone(solutions: Vec<Vec<ExprId>>) -> Solved {
     Solved { solutions, margin: None, orientation: None }
 }
 
-/// The square of what a length's entries are multiplied by: the squared entries of angles over those of lengths, in the
-/// rows that hold both. None where no row does, and no unit has to be chosen.
+/// The square of the factor for columns of lengths: over the rows that contain both kinds, the squared entries of
+/// angles divided by the squared entries of lengths. `None` if no row contains both kinds; then no scaling is needed.
 fn squared_length(graph: &mut Graph, matrix: &[Vec<ExprId>], lengths: &[bool]) -> Option<ExprId> {
     let mut sums = [graph.zero(); 2];
     for row in matrix {
@@ -115,7 +119,7 @@ fn signed_root(graph: &mut Graph, signed: ExprId, margin: ExprId) -> ExprId {
     graph.mul(sign, root)
 }
 
-/// The signed minor of M without row i and column j, for two or three rows.
+/// The cofactor of entry (i, j) of M, for two or three rows.
 fn cofactor(graph: &mut Graph, matrix: &[Vec<ExprId>], i: usize, j: usize) -> ExprId {
     let rest = |without: usize| (0..matrix.len()).filter(move |k| *k != without).collect::<Vec<_>>();
     let (rows, columns) = (rest(i), rest(j));
@@ -136,7 +140,8 @@ fn sum(graph: &mut Graph, products: impl Iterator<Item = (ExprId, ExprId)>) -> E
     sum
 }
 
-/// Gauss's elimination: numbers first as pivots, then the entry with the least fill (Markowitz 1957).
+/// Gaussian elimination. Numeric entries are preferred as pivots, then the entry with the least fill-in (Markowitz
+/// 1957).
 fn eliminate(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], lengths: &[bool]) -> Solved {
     let unit = squared_length(graph, matrix, lengths).map(|square| graph.call(Function::Sqrt, square));
     let magnitude = |graph: &mut Graph, entry: ExprId, column: usize| {
@@ -152,7 +157,7 @@ fn eliminate(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], 
     let (mut rows, mut columns): (Vec<usize>, Vec<usize>) = ((0..n).collect(), (0..n).collect());
     let mut order = Vec::new();
     let mut losses = graph.zero();
-    // The product of the pivots' signs is that of the determinant, but for the order of rows and columns, which is fixed.
+    // det M has the sign of this product, up to the parity of the fixed row and column permutations.
     let mut sign = graph.number(1.0);
     while !rows.is_empty() {
         let filled = |graph: &Graph, i: usize, j: usize| !graph.is_zero(m[i][j]);
@@ -163,12 +168,13 @@ fn eliminate(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], 
         };
         let entries = rows.iter().flat_map(|&i| columns.iter().map(move |&j| (i, j)));
         let best = entries.filter(|&(i, j)| filled(graph, i, j)).map(|(i, j)| score(i, j)).min();
-        // A column of zeros: whoever asked knows from the margin.
+        // There is no non-zero entry left: the matrix is singular for all values, which a margin of 0 reports.
         let Some((_, _, i, j)) = best else {
             let solutions = rights.iter().map(|_| vec![graph.zero(); n]).collect();
             return Solved { solutions, margin: Some(graph.zero()), orientation: Some(graph.zero()) };
         };
-        // Beside its row as it was given: what is left of a row that others are made of is small, the last pivot, too.
+        // The pivot is compared with its original row. After subtractions the whole row may be small, and the last
+        // pivot is alone in its row.
         let mut size = graph.zero();
         for (c, &entry) in matrix[i].iter().enumerate() {
             let magnitude = magnitude(graph, entry, c);

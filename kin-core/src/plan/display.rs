@@ -1,4 +1,4 @@
-//! Plans as text, with numbers for joints and coordinates.
+//! Prints plans as text, with numbers for joints and coordinates.
 
 use super::SolutionPlan;
 use core::fmt;

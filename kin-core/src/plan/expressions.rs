@@ -1,15 +1,15 @@
-//! From the tree of a plan to expressions: q step by step, then q̇ and q̈ by the linear level of the same tree.
+//! Builds expressions from the tree of a plan: q step by step, then q̇ and q̈ by the linear level of the same tree.
 //!
-//! Angles that close are known by cosine and sine; the angle itself is only taken for what is reported (atan2, and
-//! whole turns so that it is near where it was). A sign that says which closure is meant stands before every root, and
-//! the root is taken of the magnitude, so that nothing is ever not a number: the margin says whether it counts.
+//! An angle closure gives cosine and sine; the angle itself is needed for the result only (atan2, plus the number of
+//! whole turns that brings it nearest to its start value). The sign of the mode stands before every root, and the root
+//! is taken of the magnitude of its argument, so no result is NaN: the margin says whether the result is valid.
 
 use super::build::{Build, Divisor, Stage};
 use super::closures::{self, angle_indicator, circle_indicator, inverse, quadratic_indicator};
 use super::dense;
 use super::known::turned;
 use super::rates::Rates;
-use super::reduce::Agreeing;
+use super::reduce::PairedRows;
 use super::rewrite::Turned;
 use super::step::StepId;
 use super::tree::{Block, Core, Pair, PairValue, Part, Pivot, Way};
@@ -19,11 +19,12 @@ use crate::program::Slot;
 use std::collections::BTreeMap;
 
 impl Build<'_> {
-    /// All stages of q, q̇ and q̈, watching the rows that are left out; gives where those of q̇ and q̈ begin.
-    pub(super) fn all(&mut self, tree: &Block, left_out: &[usize], agreeing: &[Agreeing]) -> [usize; 2] {
+    /// Builds all stages of q, q̇ and q̈ and the margins of the redundant rows. Returns the numbers of the stages at
+    /// which q̇ and q̈ begin.
+    pub(super) fn all(&mut self, tree: &Block, left_out: &[usize], paired: &[PairedRows]) -> [usize; 2] {
         self.block(tree);
         self.divisor_margins();
-        self.watch(left_out, agreeing);
+        self.add_redundant_rows(left_out, paired);
         let mut starts = [0; 2];
         for (order, start) in starts.iter_mut().enumerate() {
             let right: Vec<ExprId> = (self.system.equations.iter())
@@ -34,20 +35,20 @@ impl Build<'_> {
             let (solution, margins) = self.rates(tree, right.clone());
             if order == 0 {
                 self.iteration_margins(&margins);
-                self.watch_positions();
+                self.check_positions();
             }
             *start = self.stages.len();
             let slot = |k| if order == 0 { Slot::Velocity(k) } else { Slot::Acceleration(k) };
             self.stages.push(Stage::Closed(solution.iter().enumerate().map(|(k, e)| (slot(k), *e)).collect()));
             let solution: Vec<ExprId> = solution.into_iter().map(|e| self.graph.whole(e)).collect();
-            self.watch_rates(order, &right, &solution);
+            self.check_rates(order, &right, &solution);
             self.known.rates = (0..).zip(solution).collect();
         }
         self.number_margins();
         starts
     }
 
-    /// x with Φ_q x = right, all coordinates known.
+    /// The solution x of Φ_q x = `right` and the margins of its cores, when all coordinates are known.
     fn rates(&mut self, tree: &Block, right: Vec<ExprId>) -> (Vec<ExprId>, BTreeMap<usize, ExprId>) {
         let mut entries = Vec::new();
         for equation in &self.system.equations {
@@ -61,8 +62,8 @@ impl Build<'_> {
         (rates.solution.iter().map(|value| value.unwrap_or(zero)).collect(), rates.margins)
     }
 
-    /// Knows a coordinate by its value, and by its cosine and sine where they were found first.
-    fn know(&mut self, k: u32, value: ExprId, turned: Option<Turned>) {
+    /// Records the value of a coordinate, and its cosine and sine if they were found without the angle.
+    fn record_solution(&mut self, k: u32, value: ExprId, turned: Option<Turned>) {
         let value = self.graph.whole(value);
         self.known.values.insert(k, value);
         self.known.turns.insert(k, turned.unwrap_or(Turned::Angle(value)));
@@ -86,7 +87,7 @@ impl Build<'_> {
             self.divide_by_coefficient(step, vec![row], coordinate, coefficient);
             let known = self.known_value(value);
             let turned = turned(&mut self.graph, &self.known.turns, &self.known.rewritten, value);
-            self.know(coordinate, known, Some(turned));
+            self.record_solution(coordinate, known, Some(turned));
         }
     }
 
@@ -100,14 +101,14 @@ impl Build<'_> {
                     self.divide(step, pair, square, by.to_vec());
                 }
                 let value = self.known_value(*value);
-                self.know(pair.coordinate, value, None);
+                self.record_solution(pair.coordinate, value, None);
             }
             PairValue::Angle { turn, cos, sin, size, vectors, .. } => {
                 if !self.graph.depends(*size).is_static() || vectors.is_some() {
                     let size = self.known_value(*size);
                     match vectors.map(|vectors| vectors.map(|e| self.known_value(e))) {
                         Some(vectors) if self.graph.literal(size).is_none() => {
-                            let margin = closures::spread(&mut self.graph, size, vectors);
+                            let margin = closures::squared_sine(&mut self.graph, size, vectors);
                             self.write_margin(step, margin);
                         }
                         Some(_) => {}
@@ -126,8 +127,9 @@ impl Build<'_> {
         self.divisors.push(Divisor { step, rows: pair.rows.to_vec(), unknown: pair.coordinate, square, parts });
     }
 
-    /// An angle from the cosine and sine of a sum of multiples of angles; both times something positive, whose inverse
-    /// is `scale`. Of the values that whole turns and the angle's own multiple leave, the one nearest the start.
+    /// An angle from the cosine and sine of `turn`, a sum of integer multiples of angles; `x` and `y` are these
+    /// multiplied by a positive number whose inverse is `scale`. Whole turns, and a multiple of the angle itself,
+    /// leave several values; the one nearest the start value is taken.
     fn angle(&mut self, k: u32, turn: &[(u32, i32)], [x, y]: [ExprId; 2], scale: ExprId) {
         let graph = &mut self.graph;
         let [cos, sin] = [x, y].map(|e| graph.mul(e, scale)).map(|e| graph.whole(e));
@@ -145,7 +147,7 @@ impl Build<'_> {
             let term = graph.mul(factor, value);
             others = graph.add(others, term);
             if let Some(turn) = self.known.turns.get(&other).copied() {
-                // Turned back by the others, one at a time.
+                // The rotation by each of the other angles is undone.
                 let (c, s) = (turn.cos(graph), turn.sin(graph));
                 let s = if n > 0 { graph.neg(s) } else { s };
                 for _ in 0..n.unsigned_abs() {
@@ -160,8 +162,8 @@ impl Build<'_> {
         let part = graph.number(1.0 / f64::from(own));
         let value = graph.mul(part, rest);
         let sin = if own < 0 { graph.neg(pair[1]) } else { pair[1] };
-        // The cosine and sine of a multiple are none of the angle itself.
-        self.know(k, value, (own.abs() == 1).then_some(Turned::Pair([pair[0], sin])));
+        // The cosine and sine of a multiple of the angle are not those of the angle.
+        self.record_solution(k, value, (own.abs() == 1).then_some(Turned::Pair([pair[0], sin])));
     }
 
     fn core(&mut self, core: &Core) {
@@ -184,7 +186,7 @@ impl Build<'_> {
                     (_, None) => {}
                 }
                 for (&k, value) in core.coordinates.iter().zip(solutions.into_iter().flatten()) {
-                    self.know(k, value, None);
+                    self.record_solution(k, value, None);
                 }
             }
             Way::Newton { residuals } => self.newton(step, core, residuals),
@@ -204,7 +206,7 @@ impl Build<'_> {
                 let known = [*a, *b, *c].map(|e| self.known_value(e));
                 let (value, margin) = closures::quadratic(&mut self.graph, mode, known);
                 self.write(Slot::Margin(place), margin);
-                self.know(k, value, None);
+                self.record_solution(k, value, None);
             }
             Way::Circle { e, l, k, n, m, .. } => {
                 let at = [core.coordinates[0], core.coordinates[1]];
@@ -213,13 +215,13 @@ impl Build<'_> {
                 let known = [*e, l[0], l[1], *k, n[0], n[1], *m].map(|e| self.known_value(e));
                 let ([x, y], margin) = closures::circle(&mut self.graph, mode, known);
                 self.write(Slot::Margin(place), margin);
-                self.know(at[0], x, None);
-                self.know(at[1], y, None);
+                self.record_solution(at[0], x, None);
+                self.record_solution(at[1], y, None);
             }
         }
     }
 
-    /// A new mode and its margin, given what tells the mode of a configuration.
+    /// Adds a mode and its margin to a step. `indicator` gives the mode of a known configuration.
     fn closure(&mut self, step: StepId, indicator: ExprId) -> (ExprId, usize) {
         self.closures.push(indicator);
         let place = self.listed.margin(step);
@@ -231,9 +233,9 @@ impl Build<'_> {
         let jets = total_derivatives(&mut self.graph, residuals);
         for &k in &core.coordinates {
             let unknown = self.graph.symbol(Symbol::Unknown(k));
-            self.know(k, unknown, None);
+            self.record_solution(k, unknown, None);
         }
-        // What was written of the unknowns stands after the iteration.
+        // The outputs of the unknowns are moved to a stage after the iteration.
         let written = match self.stages.last_mut() {
             Some(Stage::Closed(outputs)) => outputs.split_off(outputs.len() - core.coordinates.len()),
             _ => Vec::new(),
@@ -258,8 +260,9 @@ impl Build<'_> {
         self.iterated.push((core.rows[0], step, place));
     }
 
-    /// x with Φ_q x = b at a given q, entries of b as symbols; what is 0 where a divisor is; and for every iteration, in
-    /// their order, the determinant of its own system there, as [`dense::Solved::orientation`] has it.
+    /// Expressions for the solution x of Φ_q x = b at a given q, where the entries of b are symbols; the values that
+    /// are 0 where a divisor is 0; and for every iteration, in order, the indicator of its orientation
+    /// ([`dense::Solved::orientation`]).
     pub(super) fn resolve(&mut self, tree: &Block) -> (Vec<(Slot, ExprId)>, Vec<ExprId>, Vec<ExprId>) {
         let right = (0..self.system.equations.len()).map(|row| self.graph.symbol(Symbol::Right(row as u32))).collect();
         let entries = self.system.equations.iter().map(|equation| equation.phi_q.iter().copied().collect()).collect();
@@ -273,7 +276,7 @@ impl Build<'_> {
     }
 }
 
-/// What the linear level takes from the tree: squared lengths of vectors that turn, factors of exchanges.
+/// The expressions of the tree that the linear level uses: squared lengths of turned vectors, factors of exchanges.
 fn constants(block: &Block) -> Vec<ExprId> {
     let (mut out, mut open) = (Vec::new(), vec![block]);
     while let Some(block) = open.pop() {

@@ -1,12 +1,12 @@
-//! Rows as sums over their unknowns: what an expert sees in them.
+//! Rows as sums of terms in their unknowns, the form in which closures are recognised.
 //!
 //! ```text
 //! f = Σ_m Σ_θ m (C cos θ + S sin θ) + rest
 //! ```
 //!
-//! m are products of unknowns, θ sums of integer multiples of unknown angles, C and S expressions without unknowns. What
-//! is not of this kind (a supplied function of an unknown, say) is the rest. Coefficients that are zero for all values
-//! are found by [`Probe`], so that |A(φ)s|² has no φ left.
+//! The m are products of powers of unknowns, the θ sums of integer multiples of unknown angles, and C and S
+//! expressions without unknowns. Everything else (a supplied function of an unknown, for example) is the rest.
+//! Coefficients that are identically zero are found by [`Probe`] and removed; so |A(φ)s|² contains no φ.
 
 use super::probe::Probe;
 use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
@@ -15,10 +15,11 @@ use crate::structure::turn::terms;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-/// Terms of a form beyond which it is left as it is.
+/// Maximum number of terms; a longer expression is treated as a rest.
 const MAX_TERMS: usize = 64;
 
-/// A product of unknowns (place in q, power) and a sum of multiples of unknown angles, its first multiple positive.
+/// The key of a term: a product of unknowns (index of q, power) and a sum of multiples of unknown angles (index of q,
+/// multiple), the first multiple being positive.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Key {
     pub(super) powers: Vec<(u32, u8)>,
@@ -26,49 +27,49 @@ pub(super) struct Key {
 }
 
 impl Key {
-    /// Everything it holds.
+    /// All unknowns of the key.
     fn unknowns(&self) -> impl Iterator<Item = u32> + '_ {
         self.powers.iter().map(|(k, _)| *k).chain(self.turn.iter().map(|(k, _)| *k))
     }
 }
 
-/// θ with C and S.
+/// An angle θ with its coefficients [C, S].
 type Turning<'t> = (&'t [(u32, i32)], [ExprId; 2]);
 
-/// A row as a sum.
+/// A row as a sum of terms.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Form {
-    /// [C, S] of every product and angle.
+    /// The coefficients [C, S] of every key.
     pub(super) terms: BTreeMap<Key, [ExprId; 2]>,
-    /// What is not of this kind.
+    /// The part of the row that is not a sum of such terms.
     pub(super) rest: Option<ExprId>,
 }
 
-/// What readers of the same unknowns find, one after the other, and what tells them that a coefficient is zero.
-pub(super) struct Memory {
+/// Cached results of readers with the same set of unknowns, and the zero test for coefficients.
+pub(super) struct ReaderCache {
     pub(super) probe: Probe,
     unknowns: BTreeSet<u32>,
     holds: IdMap<bool>,
     read: IdMap<Rc<Form>>,
 }
 
-impl Memory {
-    /// For expressions over so many coordinates.
+impl ReaderCache {
+    /// An empty cache for expressions over the given number of coordinates.
     pub(super) fn new(coordinates: usize) -> Self {
         let (unknowns, holds, read) = (BTreeSet::new(), IdMap::default(), IdMap::default());
         Self { probe: Probe::new(coordinates), unknowns, holds, read }
     }
 }
 
-/// Reads forms; remembers which expressions hold unknowns.
+/// Converts expressions to forms.
 pub(super) struct Reader<'a> {
     pub(super) graph: &'a mut Graph,
-    pub(super) memory: &'a mut Memory,
+    pub(super) memory: &'a mut ReaderCache,
     unknowns: &'a BTreeSet<u32>,
 }
 
 impl<'a> Reader<'a> {
-    pub(super) fn new(graph: &'a mut Graph, memory: &'a mut Memory, unknowns: &'a BTreeSet<u32>) -> Self {
+    pub(super) fn new(graph: &'a mut Graph, memory: &'a mut ReaderCache, unknowns: &'a BTreeSet<u32>) -> Self {
         if memory.unknowns != *unknowns {
             memory.unknowns.clone_from(unknowns);
             memory.holds.clear();
@@ -77,12 +78,12 @@ impl<'a> Reader<'a> {
         Self { graph, memory, unknowns }
     }
 
-    /// What is sought.
+    /// The coordinates that are solved for; all others count as known.
     pub(super) fn unknowns(&self) -> &'a BTreeSet<u32> {
         self.unknowns
     }
 
-    /// True when an unknown is in `id`.
+    /// True if the expression `id` contains an unknown.
     pub(super) fn holds(&mut self, id: ExprId) -> bool {
         if !self.memory.holds.contains(id) {
             let order = self.graph.reachable([id]);
@@ -95,7 +96,7 @@ impl<'a> Reader<'a> {
         self.memory.holds.or(id, false)
     }
 
-    /// Notes for expressions, operands first, whether they hold unknowns.
+    /// Records for each expression in `order` (operands first) whether it contains an unknown.
     fn find(&mut self, order: &[ExprId]) {
         let holds = &mut self.memory.holds;
         for &id in order {
@@ -108,7 +109,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The form of a row, and the unknowns that are written in it.
+    /// The form of a row, and the unknowns that occur in its expression.
     pub(super) fn read(&mut self, id: ExprId) -> (Form, BTreeSet<u32>) {
         let order = self.graph.reachable([id]);
         self.find(&order);
@@ -130,7 +131,7 @@ impl<'a> Reader<'a> {
         (self.clean(form), written)
     }
 
-    /// Without coefficients that are zero for all values.
+    /// Removes coefficients that are identically zero.
     pub(super) fn clean(&mut self, mut form: Form) -> Form {
         let zero = self.graph.zero();
         form.terms.retain(|_, pair| {
@@ -225,7 +226,8 @@ impl<'a> Reader<'a> {
         (form.terms.len() <= MAX_TERMS).then_some(form)
     }
 
-    /// cos and sin of an angle that is a sum of integer multiples of unknowns and something known.
+    /// The forms of cos and sin of an angle that is a sum of integer multiples of unknowns and a known expression;
+    /// `None` for any other angle.
     fn turned(&mut self, angle: ExprId) -> Option<[Form; 2]> {
         let zero = self.graph.zero();
         let (mut turn, mut known) = (BTreeMap::<u32, i64>::new(), zero);
@@ -251,7 +253,7 @@ impl<'a> Reader<'a> {
         Some([self.term(&turn, [cos, minus_sin]), self.term(&turn, [sin, cos])])
     }
 
-    /// C cos θ + S sin θ with θ of either sign.
+    /// The term C cos θ + S sin θ, with the sign of θ normalised.
     fn term(&mut self, turn: &[(u32, i32)], [c, s]: [ExprId; 2]) -> Form {
         let zero = self.graph.zero();
         if turn.is_empty() {
@@ -273,7 +275,7 @@ impl<'a> Reader<'a> {
         self.sum(&nothing, a, factor)
     }
 
-    /// a + factor b, with a factor of ±1.
+    /// a + factor · b, where the factor is ±1.
     pub(super) fn sum(&mut self, a: &Form, b: &Form, factor: f64) -> Option<Form> {
         let mut out = a.clone();
         let zero = self.graph.zero();
@@ -291,7 +293,7 @@ impl<'a> Reader<'a> {
         Some(out)
     }
 
-    /// a · b; `None` where one of them has a rest, or the product has too many terms.
+    /// a · b; `None` if one of the forms has a rest or the product has too many terms.
     pub(super) fn product(&mut self, a: &Form, b: &Form) -> Option<Form> {
         if a.rest.is_some() || b.rest.is_some() || a.terms.len() * b.terms.len() > 4 * MAX_TERMS {
             return None;
@@ -310,7 +312,7 @@ impl<'a> Reader<'a> {
         Some(out)
     }
 
-    /// (C cos α + S sin α)(C′ cos β + S′ sin β) as terms in α + β and α − β.
+    /// The product (C cos α + S sin α)(C′ cos β + S′ sin β) as terms in α + β and α − β.
     fn turns(&mut self, (alpha, [c, s]): Turning<'_>, (beta, [d, r]): Turning<'_>) -> Vec<Form> {
         let graph = &mut *self.graph;
         if alpha.is_empty() {
@@ -333,7 +335,7 @@ impl<'a> Reader<'a> {
         vec![self.term(&combined(1), plus), self.term(&combined(-1), minus)]
     }
 
-    /// The form as an expression.
+    /// The expression of a form.
     pub(super) fn written(&mut self, form: &Form) -> ExprId {
         let mut sum = form.rest.unwrap_or_else(|| self.graph.zero());
         for (key, pair) in &form.terms {
@@ -343,7 +345,7 @@ impl<'a> Reader<'a> {
         sum
     }
 
-    /// m (C cos θ + S sin θ).
+    /// The expression of one term, m (C cos θ + S sin θ).
     pub(super) fn value(&mut self, key: &Key, [c, s]: [ExprId; 2]) -> ExprId {
         let graph = &mut *self.graph;
         let mut value = c;
@@ -374,7 +376,7 @@ fn multiplied(a: &[(u32, u8)], b: &[(u32, u8)]) -> Vec<(u32, u8)> {
 }
 
 impl Form {
-    /// The unknowns that appear, given those of the rest.
+    /// The unknowns of a form; `of_rest` gives those of its rest.
     pub(super) fn unknowns(&self, of_rest: impl FnOnce(ExprId) -> BTreeSet<u32>) -> BTreeSet<u32> {
         let mut found = self.rest.map_or_else(BTreeSet::new, of_rest);
         found.extend(self.terms.keys().flat_map(Key::unknowns));

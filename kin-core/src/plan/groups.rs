@@ -1,4 +1,5 @@
-//! Dyads by their letters: along their joints, carried origins being pins; in free equations by what closes there.
+//! Names dyads by the letters of their joints (R revolute, P prismatic). A dyad of joints is walked from one outer
+//! joint to the other, where a carried origin counts as a pin; a dyad of free equations is named by its closed form.
 
 use super::step::Step;
 use super::tree::{Core, Pair, PairValue, Part, Way};
@@ -8,7 +9,7 @@ use crate::vocabulary::JointKind;
 use crate::vocabulary::StepKind;
 use std::collections::BTreeSet;
 
-/// What a closure of two rows at once is: where two circles meet, or a circle and a line.
+/// The letters of a core of two rows: two circles intersect, or a circle and a line.
 pub(super) fn letters_of_way(way: &Way) -> Option<&'static str> {
     match way {
         Way::Circle { of_two: true, .. } => Some("RRR"),
@@ -17,8 +18,8 @@ pub(super) fn letters_of_way(way: &Way) -> Option<&'static str> {
     }
 }
 
-/// What a pair around a single closure is: a link that turns freely at its end, a guide that turns with its link, or one
-/// that does not.
+/// The letters of a pair around a single closure: a link that turns freely at its end, or a guide that turns with its
+/// link or does not.
 pub(super) fn letters_of_pair(graph: &Graph, pair: &Pair) -> Option<&'static str> {
     let [Part::Core(Core { coordinates, way, .. })] = pair.inner.parts.as_slice() else { return None };
     let &[k] = coordinates.as_slice() else { return None };
@@ -34,7 +35,7 @@ pub(super) fn letters_of_pair(graph: &Graph, pair: &Pair) -> Option<&'static str
     }
 }
 
-/// Orders the joints of a dyad along it, and says what it is and when it is singular.
+/// Orders the joints of a dyad from one end to the other, and writes the step's group and singular position.
 pub(super) fn name_group(set: &ConstraintSet, step: &mut Step) {
     let bodies = std::mem::take(&mut step.bodies);
     let free = step.joints.iter().all(|&joint| set.joints[joint].kind == JointKind::Constraint);
@@ -62,20 +63,20 @@ pub(super) fn name_group(set: &ConstraintSet, step: &mut Step) {
         }
         (StepKind::Closure, "RRR") if walked => format!("{joints} on one line"),
         (StepKind::Closure, "RRP") => "the link square to the guide".to_owned(),
-        (StepKind::Closure, _) => format!("both closures of {joints} in one place"),
+        (StepKind::Closure, _) => format!("both solutions of {joints} coinciding"),
         (StepKind::Linear(_), "PRP") => "both guides parallel".to_owned(),
         (StepKind::Linear(n), _) => format!("determinant {n}×{n} of {joints} zero"),
         (StepKind::Newton(n), _) => format!("Jacobian {n}×{n} of {joints} singular"),
     };
 }
 
-/// A joint of a dyad; an origin that another body carries is one without a name.
+/// A joint of a dyad; an origin that another body carries is a pin without a name.
 struct Hinge {
     joint: Option<usize>,
     frames: [Option<Frame>; 2],
 }
 
-/// The joints of a dyad from one side to the other, and its letters; `None` where it is none.
+/// The joints of a dyad from one end to the other, and its letters; `None` if the step is no dyad.
 fn walk(set: &ConstraintSet, joints: &[usize], bodies: &BTreeSet<usize>) -> Option<(Vec<usize>, String)> {
     let inside = |frame: Option<Frame>| match frame {
         Some(Frame::Body(body)) => bodies.contains(&body).then_some(body),
@@ -98,7 +99,8 @@ fn walk(set: &ConstraintSet, joints: &[usize], bodies: &BTreeSet<usize>) -> Opti
         return None;
     }
     let mut letters = String::new();
-    // Entered from outside, crossed from the first body, left to the outside: forwards is from body i to body j.
+    // A joint is crossed forwards if the walk goes from its body i to its body j: the first joint from the outside
+    // into `start`, the inner joint out of it, the last joint to the outside.
     let entered = ends(first);
     let start = entered.iter().flatten().next().copied();
     let along = || std::iter::once(first).chain(inner.iter().copied()).chain(std::iter::once(last));
@@ -110,7 +112,8 @@ fn walk(set: &ConstraintSet, joints: &[usize], bodies: &BTreeSet<usize>) -> Opti
             letters.push('R');
             continue;
         };
-        // A driven distance is a link whose length changes; one without frames is a formula of coordinates.
+        // A driven distance between two points is a link of variable length; a row without frames is a formula of
+        // coordinates.
         let joins = set.joints[joint].frames.iter().all(Option::is_some);
         letters.push_str(match (&set.meanings(&set.joints[joint])[..], forwards) {
             ([RowMeaning::Coincidence(_), RowMeaning::Coincidence(_)], _) => "R",

@@ -1,36 +1,36 @@
-//! Coordinates as far as they are solved: values, rotations and rates, and expressions in terms of them.
+//! The coordinates that are already solved, by values, rotations and rates, and expressions in terms of them.
 
 use super::rewrite::{Substitution, Turned, rewrite};
 use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
 use crate::hash::FastMap;
 use crate::structure::turn::terms;
 
-/// What is known of the coordinates so far.
+/// The coordinates that are already solved, by their index of q.
 #[derive(Default)]
 pub(super) struct Known {
     pub(super) values: FastMap<u32, ExprId>,
     pub(super) turns: FastMap<u32, Turned>,
     pub(super) rates: FastMap<u32, ExprId>,
-    /// Expressions of the description, rewritten.
+    /// Cache of rewritten expressions of the description.
     pub(super) rewritten: IdMap<ExprId>,
 }
 
 impl Known {
-    /// An expression of the description in terms of what is known.
+    /// Rewrites an expression of the description in terms of the known coordinates.
     pub(super) fn value(&mut self, graph: &mut Graph, id: ExprId) -> ExprId {
         let Self { values, turns, rates, rewritten } = self;
-        rewrite(graph, id, rewritten, &mut InTermsOf { values, turns, rates })
+        rewrite(graph, id, rewritten, &mut KnownValues { values, turns, rates })
     }
 }
 
-/// A view of [`Known`] that takes part in a rewriting.
-struct InTermsOf<'k> {
+/// The substitution of the known coordinates.
+struct KnownValues<'k> {
     values: &'k FastMap<u32, ExprId>,
     turns: &'k FastMap<u32, Turned>,
     rates: &'k FastMap<u32, ExprId>,
 }
 
-impl Substitution for InTermsOf<'_> {
+impl Substitution for KnownValues<'_> {
     fn symbol(&mut self, _graph: &mut Graph, symbol: Symbol) -> Option<ExprId> {
         match symbol {
             Symbol::Coordinate(k) => self.values.get(&k).copied(),
@@ -44,7 +44,8 @@ impl Substitution for InTermsOf<'_> {
     }
 }
 
-/// The rotation by an angle: products of known cosines and sines where there are any, and the rest as an angle.
+/// The rotation by an angle: a product of the known cosines and sines of its terms, and a rotation by the remaining
+/// terms.
 pub(super) fn turned(graph: &mut Graph, turns: &FastMap<u32, Turned>, known: &IdMap<ExprId>, angle: ExprId) -> Turned {
     let mut pair: Option<[ExprId; 2]> = None;
     let mut rest = graph.zero();

@@ -1,4 +1,4 @@
-//! Margins of what is divided by, and the numbers of all margins.
+//! Margins of divisors and iterations, and the numbering of all margins.
 
 use super::build::{Build, Divisor, Stage};
 use super::closures;
@@ -15,21 +15,22 @@ impl Build<'_> {
         self.write(Slot::Margin(place), margin);
     }
 
-    /// The divisor of a single unknown is its coefficient.
+    /// Records the coefficient of a single unknown as a divisor.
     pub(super) fn divide_by_coefficient(&mut self, step: StepId, rows: Vec<usize>, unknown: u32, coefficient: ExprId) {
         match self.graph.literal(coefficient) {
             None => {
                 let square = self.graph.square(coefficient);
                 self.divisors.push(Divisor { step, rows, unknown, square, parts: vec![coefficient] });
             }
-            // A direction that is known and wrong.
+            // A coefficient that is identically 0: the step is always singular.
             Some(0.0) => self.write_margin(step, coefficient),
             Some(_) => {}
         }
     }
 
-    /// The margins of divisions, when all coordinates are known: the divisor's square beside the squared entries that Φ_q
-    /// has for other coordinates of the unknown's kind in its rows, and beside what the divisor is made of.
+    /// Writes the margins of the divisors, when all coordinates are known. The square of a divisor is compared with
+    /// the squared entries of Φ_q for other coordinates of the same kind (lengths or angles) in its rows, and with the
+    /// terms it is made of.
     pub(super) fn divisor_margins(&mut self) {
         let system = self.system;
         let is_length = |k: u32| match system.set.coordinates[k as usize].kind {
@@ -49,7 +50,7 @@ impl Build<'_> {
         }
     }
 
-    /// The margins of iterations: converged, and Φ_q not singular.
+    /// Writes the margins of iterations: 0 unless the iteration has converged and its block of Φ_q is regular.
     pub(super) fn iteration_margins(&mut self, margins: &BTreeMap<usize, ExprId>) {
         for (row, place, converged) in std::mem::take(&mut self.pending) {
             let mut margin = self.graph.symbol(Symbol::Held(converged));
@@ -60,7 +61,7 @@ impl Build<'_> {
         }
     }
 
-    /// Numbers margins by their steps.
+    /// Renumbers the margins in the order of the steps.
     pub(super) fn number_margins(&mut self) {
         let places = self.listed.number_margins();
         for stage in &mut self.stages {

@@ -1,15 +1,15 @@
-//! Which row gives which unknown, and in which order: matching, and the blocks that must be solved together.
+//! Determines which row gives which unknown and in which order: maximum matching and strongly connected components.
 //!
-//! A maximum matching of rows and unknowns (augmenting paths), then the strongly connected components of the graph in
-//! which a row depends on the rows that are matched with its other unknowns (Tarjan 1972). They come in the order in
-//! which they can be solved. The decomposition is that of Dulmage and Mendelsohn (1958); in a linkage its blocks are the
-//! Assur groups.
+//! Augmenting paths give a maximum matching of rows and unknowns. A row then depends on the rows that are matched with
+//! its other unknowns; the strongly connected components of this graph (Tarjan 1972) are the blocks of rows that must
+//! be solved together, listed in an order in which they can be solved. This is the decomposition of Dulmage and
+//! Mendelsohn (1958); in a linkage its blocks are the Assur groups.
 
-/// Rows and unknowns of every block.
+/// The rows and the unknowns of every block.
 pub(super) type Blocks = Vec<(Vec<usize>, Vec<usize>)>;
 
-/// Blocks of (rows, unknowns) in order of solution, for rows given by the unknowns (0 .. count) that they hold; or the
-/// rows that no unknown is left for.
+/// The blocks (rows, unknowns) in order of solution. `rows` lists for each row the unknowns (0 .. `count`) that it
+/// contains. Fails with the rows that cannot be matched with an unknown.
 pub(super) fn blocks(rows: &[Vec<usize>], count: usize) -> Result<Blocks, Vec<usize>> {
     let matched = matching(rows, count)?;
     let mut row_of = vec![usize::MAX; count];
@@ -29,7 +29,7 @@ pub(super) fn blocks(rows: &[Vec<usize>], count: usize) -> Result<Blocks, Vec<us
     Ok(with_unknowns.collect())
 }
 
-/// The unknown of every row, or the rows that get none.
+/// The unknown matched with every row, or the rows that cannot be matched.
 fn matching(rows: &[Vec<usize>], count: usize) -> Result<Vec<usize>, Vec<usize>> {
     let mut row_of: Vec<Option<usize>> = vec![None; count];
     let mut failed = Vec::new();
@@ -50,7 +50,8 @@ fn matching(rows: &[Vec<usize>], count: usize) -> Result<Vec<usize>, Vec<usize>>
     Ok(matched)
 }
 
-/// Breadth first, so that a long chain cannot exhaust the stack.
+/// Searches an augmenting path from row `start` and applies it to the matching. The search is breadth-first and not
+/// recursive, so that a long chain cannot overflow the stack.
 fn augment(rows: &[Vec<usize>], row_of: &mut [Option<usize>], start: usize) -> bool {
     let mut came_from: Vec<Option<usize>> = vec![None; row_of.len()];
     let mut queue = std::collections::VecDeque::from([start]);
@@ -80,7 +81,7 @@ fn augment(rows: &[Vec<usize>], row_of: &mut [Option<usize>], start: usize) -> b
     false
 }
 
-/// Strongly connected components, those that others lead to first.
+/// Strongly connected components; each comes after the components that it leads to.
 fn components(successors: &[Vec<usize>]) -> Vec<Vec<usize>> {
     const NEW: usize = usize::MAX;
     let n = successors.len();
@@ -108,7 +109,7 @@ fn components(successors: &[Vec<usize>]) -> Vec<Vec<usize>> {
                 }
                 continue;
             }
-            // A node without successors comes here at place 0 once; one with successors, at their end.
+            // All successors of the node have been visited.
             open.pop();
             if let Some(&(parent, _)) = open.last() {
                 low[parent] = low[parent].min(low[node]);
@@ -135,7 +136,7 @@ mod tests {
 
     #[test]
     fn blocks_come_in_order_of_solution() {
-        // Row 0: a; rows 1, 2: b, c (and a); row 3: d (and b).
+        // Unknowns a, b, c, d are 0 to 3. Row 0 contains b, c, a; row 1 a; row 2 d, b; row 3 c, b.
         let rows = [vec![1, 2, 0], vec![0], vec![3, 1], vec![2, 1]];
         let blocks = blocks(&rows, 4).unwrap();
         assert_eq!(blocks, [(vec![1], vec![0]), (vec![0, 3], vec![1, 2]), (vec![2], vec![3])]);

@@ -1,19 +1,22 @@
-//! The solution plan: what an expert would do instead of "Newton on all coordinates".
+//! The solution plan: how to solve the constraint equations block by block instead of by Newton's iteration on all
+//! coordinates at once.
 //!
 //! ```text
 //! KinematicSystem → blocks (matching, strongly connected components) → reduction → tree → expressions → programs
 //! ```
 //!
-//! Every block of rows is reduced by eliminations that are exact everywhere (see `reduce`) until what is left closes by
-//! itself (a cos φ + b sin φ = c, a quadratic, a circle and a line, a linear system) or is a small system for Newton's
-//! iteration. In the coordinates of joint-by-joint descriptions this finds the Assur groups: dyads close without
-//! iteration, triads are left with two unknowns. Recognition works on the equations, not on the joints, so that a loop
-//! in free equations, with carried or held coordinates, `distance` and `point_on_line` comes to the same.
+//! The rows of a block are reduced by eliminations that are exact in every configuration (see `reduce`). What remains
+//! is either solvable in closed form (a cos φ + b sin φ = c, a quadratic, a circle and a line, a linear system) or a
+//! small system for Newton's iteration. For mechanisms described joint by joint the blocks are the Assur groups: dyads
+//! are solved without iteration, triads with two unknowns. Recognition works on the equations, not on the kinds of
+//! joints, so it also applies to loops written as free equations, to carried or held coordinates, and to `distance`
+//! and `point_on_line`.
 //!
-//! Where rows are more than coordinates, the plan goes by as many as determine them (see `choice`) and watches the rest: a
-//! margin of each says whether what was solved satisfies it, too (see `watch`).
+//! If there are more rows than coordinates, the plan uses a subset of rows that determines all coordinates (see
+//! `choice`) and checks the redundant rows: each has a margin that says whether the solution satisfies it (see
+//! `redundant_rows`).
 //!
-//! Velocities and accelerations, and every other Φ_q x = b, go along the same tree (see `rates`).
+//! Velocities, accelerations and any other solution of Φ_q x = b follow the same tree (see `rates`).
 
 mod angles;
 mod build;
@@ -32,19 +35,19 @@ mod probe;
 mod rates;
 mod recognise;
 mod reduce;
+mod redundant_rows;
 mod rewrite;
 mod sections;
 mod step;
 mod steps;
 mod tree;
-mod watch;
 
 pub use formulas::{Formulas, Line};
 pub(crate) use probe::Probe;
+pub use redundant_rows::TOLERANCE;
 pub(crate) use rewrite::{Substitution, rewrite};
 pub use sections::Section;
 pub use step::{Mode, Step, StepId};
-pub use watch::TOLERANCE;
 
 use crate::expr::{ExprId, Graph};
 use crate::program::{Program, Slot, lower};
@@ -53,7 +56,7 @@ use crate::vocabulary::Depth;
 use build::Build;
 use choice::Chosen;
 use std::ops::Range;
-use steps::Listed;
+use steps::StepList;
 
 /// How a mechanism is solved, block by block.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -62,45 +65,49 @@ pub struct SolutionPlan {
     pub steps: Vec<Step>,
     /// The assembly modes.
     pub modes: Vec<Mode>,
-    /// The groups that are solved by iteration: neighbouring solutions of each are told apart by the sign of the determinant
-    /// of its own small system.
+    /// The groups that are solved by iteration. Neighbouring solutions of such a group differ in the sign of the
+    /// determinant of its small system.
     pub orientations: Vec<Mode>,
-    /// How many margins a solution has.
+    /// Number of margins of a solution.
     pub margins: usize,
-    /// Why there is no plan.
+    /// Why there is no plan, if there is none.
     pub absent: Option<String>,
-    /// The programs in order, and how far each belongs.
+    /// The programs in order of execution, each with the level (position, velocity, acceleration) it belongs to.
     pub sections: Vec<(Section, Depth)>,
-    /// How many values the sections hold for one another.
+    /// Number of values that sections store for later sections.
     pub held: u32,
-    /// What tells the modes of a configuration: one entry per mode, then one per iteration, which tells its orientation.
+    /// The indicators of a configuration: one entry per mode, whose sign is the mode, then one per iteration, whose
+    /// sign is its orientation.
     pub closures: Program,
-    /// For x with Φ_q x = b at a configuration: what depends on Φ_q alone, `factors` values held; then x from these and b.
+    /// Two programs that solve Φ_q x = b at a configuration: the first computes the `factors` values that depend on
+    /// Φ_q alone, the second computes x from these values and b.
     pub resolve: [Program; 2],
-    /// How many values the first leaves: those that the second reads, then `regular`.
+    /// Number of values that the first program of `resolve` stores: those that the second reads, followed by
+    /// `regular`.
     pub factors: usize,
-    /// Among them what is 0 where Φ_q x = b says nothing of x.
+    /// The range of those values that are 0 where Φ_q is singular, so that Φ_q x = b does not determine x.
     pub regular: Range<usize>,
-    /// The steps as formulas, where they were asked for.
+    /// The steps as formulas, if they were requested.
     pub formulas: Vec<Formulas>,
 }
 
 /// The linear level of a plan as expressions.
 #[derive(Clone, Debug)]
 pub struct Linear {
-    /// Their graph, which begins with that of the system.
+    /// The graph of the expressions; it begins with the nodes of the system's graph.
     pub graph: Graph,
-    /// x of Φ_q x = b, where b are the symbols [`Right`](crate::expr::Symbol::Right).
+    /// x of Φ_q x = b, where the entries of b are the symbols [`Right`](crate::expr::Symbol::Right).
     pub solution: Vec<ExprId>,
 }
 
-/// The plan of a mechanism whose rows determine its coordinates; for others, why there is none.
+/// The plan of a mechanism whose rows determine its coordinates; for any other mechanism, the reason why there is no
+/// plan.
 pub fn plan(system: &KinematicSystem) -> SolutionPlan {
     plan_of_rank(system, system.set.coordinates.len())
 }
 
-/// [`plan`] where the generic rank of Φ_q is known: rows of less rank than coordinates say something twice and leave
-/// something open at every configuration, however many there are.
+/// [`plan`] for a known generic rank of Φ_q. If the rank is less than the number of coordinates, there is no plan,
+/// however many rows there are: some rows are redundant and some coordinates undetermined.
 pub fn plan_of_rank(system: &KinematicSystem, rank: usize) -> SolutionPlan {
     plan_and_linear(system, rank, false).0
 }
@@ -110,7 +117,8 @@ pub fn plan_with_formulas(system: &KinematicSystem, rank: usize) -> SolutionPlan
     plan_and_linear(system, rank, true).0
 }
 
-/// [`plan_of_rank`] with its linear level, and where they are wanted its [`formulas`](SolutionPlan::formulas).
+/// [`plan_of_rank`] with the expressions of the linear level and, if `formulas` is set, with its
+/// [`formulas`](SolutionPlan::formulas).
 pub fn plan_and_linear(system: &KinematicSystem, rank: usize, formulas: bool) -> (SolutionPlan, Option<Linear>) {
     match planned(system, rank, formulas) {
         Ok((plan, linear)) => (plan, Some(linear)),
@@ -122,7 +130,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     let set = &system.set;
     let (n, s) = (set.coordinates.len(), set.rows.len());
     if system.classes.iter().any(|class| !class.holonomic) {
-        return Err("rows of velocity level leave the position to the motion".to_owned());
+        return Err("rows of velocity level do not determine the position".to_owned());
     }
     if s < n {
         return Err(format!("{s} rows leave {} of {n} coordinates undetermined", n - s));
@@ -132,12 +140,12 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     }
     let mut graph = set.graph.clone();
     let chosen = choice::choose(system, &mut graph);
-    let Chosen { tree, made_of, left_out, agreeing, .. } =
+    let Chosen { tree, source_rows, left_out, paired, .. } =
         chosen.ok_or_else(|| "the rows do not determine all coordinates".to_owned())?;
-    let listed = Listed::new(system, &graph, &tree, &made_of);
+    let listed = StepList::new(system, &graph, &tree, &source_rows);
     let before = written.then(|| graph.clone());
     let mut build = Build::new(system, graph, listed);
-    let [velocity, acceleration] = build.all(&tree, &left_out, &agreeing);
+    let [velocity, acceleration] = build.all(&tree, &left_out, &paired);
     let (resolve, regular, orientations) = build.resolve(&tree);
     let solution = resolve.iter().map(|(_, x)| *x).collect();
     let (resolve, factors) = sections::split(&mut build.graph, resolve, &regular);
@@ -155,7 +163,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     let sections = sections.into_iter().enumerate().map(|(place, section)| (section, depth(place))).collect();
     let formulas = before.map_or_else(Vec::new, |graph| formulas::formulas(system, graph, &listed, &tree));
     let orientations = iterated.into_iter().map(|(_, step, margin)| listed.iteration(system, step, margin)).collect();
-    let Listed { steps, modes, margins, .. } = listed;
+    let StepList { steps, modes, margins, .. } = listed;
     let plan = SolutionPlan {
         steps,
         modes,

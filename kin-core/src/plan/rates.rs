@@ -1,10 +1,9 @@
-//! Φ_q x = b along the tree of a plan: the linear level of every block, for velocities, accelerations and whatever else
-//! has Φ_q on its left.
+//! Solves Φ_q x = b along the tree of a plan: velocities, accelerations and any other system with the matrix Φ_q.
 //!
-//! The eliminations are those of the positions, differentiated: a pivot takes its coordinate out of the other rows; a
-//! pair (p x_k + …, q x_k + …) becomes q times the first less p times the second, in which x_k is missing, and gives
-//! x_k = (p b₁ + q b₂)/(p² + q²) at the end; cores are small systems. What depends on Φ_q alone is the same expression
-//! for every b, so that all orders share it.
+//! The eliminations are those of the position level, differentiated. A pivot eliminates its coordinate from the other
+//! rows. A pair of rows (p x_k + …) and (q x_k + …) is combined into q times the first minus p times the second, in
+//! which x_k is missing; back substitution then gives x_k = (p b₁ + q b₂)/(p² + q²). Cores are small dense systems.
+//! Expressions that depend on Φ_q alone are the same for every b, so all levels share them.
 
 use super::closures::{LEAST, squared_size};
 use super::dense;
@@ -15,28 +14,29 @@ use crate::hash::FastMap;
 use crate::mechanism::Function;
 use std::collections::BTreeMap;
 
-/// A half, and a little more, so that nothing over the larger of itself and something else is more than 1.
-const HALF: f64 = 0.5 + 4.0 * f64::EPSILON;
+/// ½ and a little more: after rounding, a/max(a, b) still does not exceed 1.
+const HALF_ROUNDED_UP: f64 = 0.5 + 4.0 * f64::EPSILON;
 
-/// How deep the terms of a divisor are looked for.
+/// Depth to which the terms of a divisor are taken into account.
 const DEPTH: usize = 8;
 
-/// A linear system along a tree.
+/// A linear system that is solved along a tree.
 pub(super) struct Rates<'g> {
     pub(super) graph: &'g mut Graph,
-    /// Φ_q row by row, by column.
+    /// The rows of Φ_q: entries by column.
     entries: Vec<BTreeMap<u32, ExprId>>,
     right: Vec<ExprId>,
     coordinates: &'g [Coordinate],
-    /// x, as far as it is known.
+    /// The entries of x that are already solved.
     pub(super) solution: Vec<Option<ExprId>>,
-    /// The margins of cores, by their first row.
+    /// The margins of cores, by the first row of the core.
     pub(super) margins: BTreeMap<usize, ExprId>,
-    /// The determinants of cores, by their first row: see [`dense::Solved::orientation`].
+    /// The indicators of orientation of cores, by first row; see [`dense::Solved::orientation`].
     pub(super) orientations: BTreeMap<usize, ExprId>,
-    /// For every division by something that moves, what is 0 where that is 0: squares over those of their terms.
+    /// For every division by an expression that varies, a value that is 0 where the divisor is 0: its square divided
+    /// by the squared size of its terms.
     pub(super) regular: Vec<ExprId>,
-    /// What stands for expressions of the tree; those that are missing stand for themselves.
+    /// The values of expressions of the tree; an expression that is missing stands for itself.
     known: FastMap<ExprId, ExprId>,
 }
 
@@ -61,7 +61,7 @@ impl<'g> Rates<'g> {
         }
     }
 
-    /// Solves a block.
+    /// Solves the rows of a block for its unknowns.
     pub(super) fn block(&mut self, block: &Block) {
         let mut left = rows_of(block);
         left.iter().for_each(|&row| self.fold(row));
@@ -85,7 +85,7 @@ impl<'g> Rates<'g> {
         for pivot in block.pivots.iter().rev() {
             let Some(coefficient) = self.entries[pivot.row].remove(&pivot.coordinate) else { continue };
             self.fold(pivot.row);
-            // The inverse is the same for every b.
+            // Dividing by way of the inverse lets every b share it.
             let one = self.graph.number(1.0);
             let inverse = self.graph.div(one, coefficient);
             let inverse = self.graph.whole(inverse);
@@ -95,7 +95,7 @@ impl<'g> Rates<'g> {
         }
     }
 
-    /// Takes what is known to the right side.
+    /// Moves the terms of known unknowns to the right-hand side.
     fn fold(&mut self, row: usize) {
         let (mut right, graph) = (self.right[row], &mut *self.graph);
         self.entries[row].retain(|&k, entry| match self.solution[k as usize] {
@@ -109,7 +109,7 @@ impl<'g> Rates<'g> {
         self.right[row] = right;
     }
 
-    /// Takes `factor` times another row away, but for one column.
+    /// Subtracts `factor` times the row `other` from `row`, leaving out the column `but`.
     fn subtract(&mut self, row: usize, factor: ExprId, other: usize, but: u32) {
         let zero = self.graph.zero();
         for (k, entry) in self.entries[other].clone() {
@@ -124,7 +124,7 @@ impl<'g> Rates<'g> {
         self.right[row] = self.graph.whole(right);
     }
 
-    /// What stands for an expression of the tree.
+    /// The value of an expression of the tree.
     fn value(&self, id: ExprId) -> ExprId {
         self.known.get(&id).copied().unwrap_or(id)
     }
@@ -145,8 +145,9 @@ impl<'g> Rates<'g> {
         if let (Some(mut margin), Some(&row)) = (margin, core.rows.first()) {
             self.regular.push(margin);
             if let (true, Some(orientation)) = (iterates, orientation) {
-                // The determinant beside the rows as they are says nothing of a row that vanishes as a whole.
-                let share = self.share_of_rows(&matrix);
+                // The margin of `dense` is relative to the rows as they stand, so it does not show when a whole row
+                // vanishes.
+                let share = self.row_regularity(&matrix);
                 let root = self.graph.call(Function::Sqrt, share);
                 let orientation = self.graph.mul(orientation, root);
                 self.orientations.insert(row, orientation);
@@ -156,10 +157,10 @@ impl<'g> Rates<'g> {
         }
         if let [row] = matrix.as_slice() {
             let (square, size) = (self.graph.square(row[0]), squared_size(self.graph, row[0], DEPTH));
-            self.hold_against(square, size);
+            self.record_regularity(square, size);
             if let (true, Some(&first)) = (iterates, core.rows.first()) {
-                // A single unknown is told from its neighbours by the sign of its coefficient.
-                let size = self.at_least(size, square);
+                // For a single unknown the sign of its coefficient is the orientation.
+                let size = self.maximum(size, square);
                 let (margin, root) = (self.graph.div(square, size), self.graph.call(Function::Sqrt, size));
                 let orientation = self.graph.div(row[0], root);
                 self.margins.insert(first, margin);
@@ -168,26 +169,26 @@ impl<'g> Rates<'g> {
         }
     }
 
-    /// The larger of two numbers that are not negative, and never 0.
-    fn at_least(&mut self, a: ExprId, b: ExprId) -> ExprId {
+    /// The maximum of two non-negative numbers plus a tiny positive number, without a branch.
+    fn maximum(&mut self, a: ExprId, b: ExprId) -> ExprId {
         let graph = &mut *self.graph;
-        let (difference, half, least) = (graph.sub(a, b), graph.number(HALF), graph.number(LEAST));
+        let (difference, half, least) = (graph.sub(a, b), graph.number(HALF_ROUNDED_UP), graph.number(LEAST));
         let (apart, sum) = (graph.call(Function::Abs, difference), graph.add(a, b));
         let twice = graph.add(sum, apart);
         let larger = graph.mul(half, twice);
         graph.add(larger, least)
     }
 
-    /// How much is left of the rows of a matrix: over all rows the product of the mean of the squares of a row's entries, each
-    /// over what it could be. It has no unit, and is 0 where a row vanishes.
-    fn share_of_rows(&mut self, matrix: &[Vec<ExprId>]) -> ExprId {
+    /// How much of its rows has not cancelled: the product over the rows of the mean of (entry² / squared size of the
+    /// entry's terms). It is dimensionless, and 0 where a row vanishes.
+    fn row_regularity(&mut self, matrix: &[Vec<ExprId>]) -> ExprId {
         let mut product = self.graph.number(1.0);
         for row in matrix {
             let (mut sum, mut count) = (self.graph.zero(), 0.0);
             for &entry in row {
                 if !self.graph.is_zero(entry) {
                     let (square, size) = (self.graph.square(entry), squared_size(self.graph, entry, DEPTH));
-                    let size = self.at_least(size, square);
+                    let size = self.maximum(size, square);
                     let share = self.graph.div(square, size);
                     sum = self.graph.add(sum, share);
                     count += 1.0;
@@ -200,8 +201,8 @@ impl<'g> Rates<'g> {
         product
     }
 
-    /// Notes a divisor, unless it never moves: its square beside `size`.
-    fn hold_against(&mut self, square: ExprId, size: ExprId) {
+    /// Records the regularity of a divisor, its square divided by `size`, unless the divisor is a non-zero constant.
+    fn record_regularity(&mut self, square: ExprId, size: ExprId) {
         if !self.graph.depends(square).is_static() || self.graph.is_zero(square) {
             let margin = self.graph.div(square, size);
             self.regular.push(margin);
@@ -246,7 +247,7 @@ impl<'g> Rates<'g> {
         }
         let [of_p, of_q] = [p, q].map(|part| squared_size(self.graph, part, DEPTH));
         let size = self.graph.add(of_p, of_q);
-        self.hold_against(square, size);
+        self.record_regularity(square, size);
         let top = self.graph.plain_dot([p, q], rights);
         let one = self.graph.number(1.0);
         let inverse = self.graph.div(one, square);
@@ -256,7 +257,7 @@ impl<'g> Rates<'g> {
     }
 }
 
-/// The rows of a block.
+/// All rows of a block.
 pub(super) fn rows_of(block: &Block) -> Vec<usize> {
     let of_part = |part: &Part| match part {
         Part::Core(core) => core.rows.clone(),

@@ -1,11 +1,11 @@
-//! Parts that close without iteration.
+//! Recognises parts that are solvable in closed form.
 
 use super::form::{Form, Key, Reader};
 use super::tree::Way;
 use crate::expr::ExprId;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// How the rows of a part are solved at once, if they are of such a kind.
+/// The closed-form method for the rows of a part, if there is one.
 pub(super) fn recognise(reader: &mut Reader<'_>, rows: &[usize], forms: &BTreeMap<usize, Form>) -> Option<Way> {
     let unknowns: Vec<u32> = reader.unknowns().iter().copied().collect();
     let forms: Vec<&Form> = rows.iter().map(|row| &forms[row]).collect();
@@ -22,13 +22,13 @@ pub(super) fn recognise(reader: &mut Reader<'_>, rows: &[usize], forms: &BTreeMa
     }
 }
 
-/// The coefficient of a key, 0 where it is missing.
+/// The coefficients [C, S] of a key, zero if the key is missing.
 fn coefficient(reader: &mut Reader<'_>, form: &Form, key: &Key) -> [ExprId; 2] {
     let zero = reader.graph.zero();
     form.terms.get(key).copied().unwrap_or([zero; 2])
 }
 
-/// True when a form has no other keys.
+/// True if a form contains no keys but these.
 fn only(form: &Form, keys: &[Key]) -> bool {
     form.terms.keys().all(|key| keys.contains(key))
 }
@@ -50,7 +50,7 @@ fn linear(reader: &mut Reader<'_>, forms: &[&Form], unknowns: &[u32]) -> Option<
 }
 
 fn angle(reader: &mut Reader<'_>, form: &Form) -> Option<Way> {
-    // One multiple of the angle alone; two of them are no closure.
+    // The row contains a single multiple of the angle; an equation in several multiples has no such closed form.
     let mut turning = form.terms.keys().filter(|key| **key != Key::default());
     let (Some(turn), None) = (turning.next(), turning.next()) else { return None };
     let (&[], &[(_, times)]) = (turn.powers.as_slice(), turn.turn.as_slice()) else { return None };
@@ -69,7 +69,7 @@ fn quadratic(reader: &mut Reader<'_>, form: &Form, k: u32) -> Option<Way> {
     Some(Way::Quadratic { a, b, c })
 }
 
-/// Two circles, or a circle and a line.
+/// The intersection of two circles, or of a circle and a line.
 fn circle(reader: &mut Reader<'_>, forms: [&Form; 2], [x, y]: [u32; 2]) -> Option<Way> {
     let squares = [Key::power(x, 2), Key::power(y, 2)];
     let keys = [squares[0].clone(), squares[1].clone(), Key::power(x, 1), Key::power(y, 1), Key::default()];
@@ -86,7 +86,7 @@ fn circle(reader: &mut Reader<'_>, forms: [&Form; 2], [x, y]: [u32; 2]) -> Optio
     if f == zero {
         return Some(Way::Circle { e, l, k, n, m, of_two: false });
     }
-    // The line through both points where two circles meet: e times the second less f times the first.
+    // The common chord of the two circles: e times the second equation minus f times the first.
     let graph = &mut *reader.graph;
     let mut less = |a: ExprId, b: ExprId| {
         let (a, b) = (graph.mul(e, a), graph.mul(f, b));

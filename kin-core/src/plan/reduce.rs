@@ -1,20 +1,21 @@
-//! A block of rows reduced to what must be solved together.
+//! Reduces a block of rows to parts that must be solved together.
 //!
-//! Three eliminations that are exact everywhere, in this order, as long as one applies:
+//! Three eliminations that are exact in every configuration are applied in this order, as long as one applies:
 //!
-//! - *pivot*: a coordinate that is linear in a row, with a coefficient that does not change (origins of pinned bodies,
-//!   angles of sliders and gears): its row gives it, and it disappears from all others;
-//! - *ratio*: an unknown x that is linear in two rows f₁x + f₀ and g₁x + g₀ and in no other: f₁g₀ − g₁f₀ = 0 holds
-//!   without it, and x = −(f₁f₀ + g₁g₀)/(f₁² + g₁²) (a stroke along a turning guide);
-//! - *norm*: an angle θ that turns a known vector in two rows and stands in no other, F + A(θ)s = 0: |F|² = |s|² holds
-//!   without it, and A(θ)s = −F gives it without a choice (a link between two pins is a distance). An angle of several
-//!   loops is first left to one of them: the others are replaced by loops around it (see `angles`).
+//! - *pivot*: a coordinate that is linear in a row with a constant coefficient (origins of pinned bodies, angles of
+//!   sliders and gears). Its row gives it, and it is eliminated from all other rows.
+//! - *ratio*: an unknown x that is linear in two rows, f₁x + f₀ and g₁x + g₀, and appears in no other. The row
+//!   f₁g₀ − g₁f₀ = 0 does not contain it, and x = −(f₁f₀ + g₁g₀)/(f₁² + g₁²) (the stroke along a turning guide).
+//! - *norm*: an angle θ that turns a known vector s in two rows, F + A(θ)s = 0, and appears in no other. The row
+//!   |F|² = |s|² does not contain it, and A(θ)s = −F determines it uniquely (a link between two pins is a distance).
+//!   If the angle occurs in several loops, it is first removed from all but one of them (see `angles`).
 //!
-//! After each the rest falls into blocks again. A block of one row in one angle, a cos φ + b sin φ = c, closes in two
-//! ways, which a sign tells apart; so do a quadratic equation and a circle that meets a line or a circle. What is left
-//! over is for Newton's iteration, on as few unknowns as there are now.
+//! After each elimination the remaining rows are again split into blocks. A block of one row in one angle,
+//! a cos φ + b sin φ = c, has two solutions, which a sign distinguishes; so have a quadratic equation and the
+//! intersection of a circle with a line or a circle. What is left is solved by Newton's iteration on the remaining
+//! unknowns.
 
-use super::form::{Form, Key, Memory, Reader};
+use super::form::{Form, Key, Reader, ReaderCache};
 use super::matching::blocks;
 use super::recognise::recognise;
 use super::rewrite::{Substitution, rewrite};
@@ -22,44 +23,46 @@ use super::tree::{Block, Core, Exchange, Pair, PairValue, Part, Pivot, Way};
 use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Rows while they are being reduced.
+/// The rows during the reduction.
 pub(super) struct Reduction<'a> {
     pub(super) graph: &'a mut Graph,
-    pub(super) memory: &'a mut Memory,
-    /// What stands in every row now.
+    pub(super) memory: &'a mut ReaderCache,
+    /// The current expression of every row.
     pub(super) rows: Vec<ExprId>,
-    /// The rows that every row is made of now.
-    pub(super) made_of: Vec<BTreeSet<usize>>,
-    /// Rows that a pair has replaced.
+    /// For each row, the original rows that it has been combined from.
+    pub(super) source_rows: Vec<BTreeSet<usize>>,
+    /// Rows that have been replaced by the combined row of a pair; they are no longer on the scale of their rows of
+    /// Φ_q.
     pub(super) replaced: BTreeSet<usize>,
-    /// What the last substitution has rewritten.
+    /// Cache of the substitution in progress: the rewritten form of each expression.
     pub(super) rewritten: IdMap<ExprId>,
-    /// What was made of rows and of those beside them.
-    pub(super) agreeing: Vec<Agreeing>,
+    /// Pairs of a kept row and a redundant row.
+    pub(super) paired: Vec<PairedRows>,
 }
 
-/// Two rows that turn one known vector, which give its angle without a choice where they agree on its length.
+/// Two rows, one of them redundant, that turn the same known vector. Together they give the angle uniquely; they are
+/// consistent if both give the vector the same length.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Agreeing {
-    /// The row, and the one that is left out.
+pub(super) struct PairedRows {
+    /// The kept row and the redundant one.
     pub(super) rows: [usize; 2],
-    /// Half the difference of the squared lengths that they see.
+    /// Half the difference of the squared lengths of the vector according to the two rows.
     pub(super) difference: ExprId,
-    /// The squared length.
+    /// The squared length of the vector.
     pub(super) square: ExprId,
 }
 
-/// An unknown that two rows had, what it is, and the row that holds without it.
+/// An unknown that two rows contain, its value, and the combination of the rows that does not contain it.
 pub(super) struct Eliminated {
     pub(super) rows: [usize; 2],
     pub(super) coordinate: u32,
     pub(super) value: PairValue,
     pub(super) row: ExprId,
-    /// What other rows had to give up for it.
+    /// How the unknown is removed from other rows.
     pub(super) exchanges: Vec<Exchange>,
 }
 
-/// A coordinate's value in its place.
+/// Substitutes a value for a coordinate.
 struct Replaced {
     coordinate: u32,
     value: ExprId,
@@ -72,9 +75,9 @@ impl Substitution for Replaced {
 }
 
 impl Reduction<'_> {
-    /// Reduces `rows` over `unknowns`; `None` where the rows do not determine them. Rows of `spare` are left out, but may
-    /// help: of coordinates of other blocks they hold only such as are known.
-    pub(super) fn block(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, spare: &[usize]) -> Option<Block> {
+    /// Reduces `rows` over `unknowns`; `None` if the rows do not determine them. `removable` lists redundant rows that
+    /// may help; the coordinates of other blocks in them are known.
+    pub(super) fn block(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, removable: &[usize]) -> Option<Block> {
         let (mut rows, mut unknowns) = (rows.to_vec(), unknowns.clone());
         let mut out = Block::default();
         let mut forms: BTreeMap<usize, Form> = rows.iter().map(|&row| (row, self.form(row, &unknowns))).collect();
@@ -85,8 +88,8 @@ impl Reduction<'_> {
             rows.retain(|&other| other != row);
             unknowns.remove(&coordinate);
             self.rewritten.clear();
-            for &other in rows.iter().chain(spare) {
-                // What cancels out of a row is no longer written in it.
+            for &other in rows.iter().chain(removable) {
+                // A coordinate that cancels out of a row has already been removed from its expression.
                 let holds = match forms.get(&other) {
                     Some(form) => self.has(form, coordinate),
                     None => !self.written(other, &BTreeSet::from([coordinate])).is_empty(),
@@ -94,8 +97,8 @@ impl Reduction<'_> {
                 if holds {
                     let mut replaced = Replaced { coordinate, value };
                     self.rows[other] = rewrite(self.graph, self.rows[other], &mut self.rewritten, &mut replaced);
-                    let own = self.made_of[row].clone();
-                    self.made_of[other].extend(own);
+                    let own = self.source_rows[row].clone();
+                    self.source_rows[other].extend(own);
                     if rows.contains(&other) {
                         let form = self.form(other, &unknowns);
                         forms.insert(other, form);
@@ -112,26 +115,27 @@ impl Reduction<'_> {
                 found.iter().filter_map(|k| places.binary_search(k).ok()).collect()
             })
             .collect();
-        let mut spare: Vec<(usize, BTreeSet<u32>)> =
-            spare.iter().map(|&row| (row, self.written(row, &unknowns))).collect();
+        let mut removable: Vec<(usize, BTreeSet<u32>)> =
+            removable.iter().map(|&row| (row, self.written(row, &unknowns))).collect();
         for (part_rows, part_unknowns) in blocks(&held, places.len()).ok()? {
             let part_rows: Vec<usize> = part_rows.into_iter().map(|place| rows[place]).collect();
             let part_unknowns: BTreeSet<u32> = part_unknowns.into_iter().map(|place| places[place]).collect();
-            // What a spare row is good for is the part that solves for the last of its coordinates.
-            spare.iter_mut().for_each(|(_, open)| open.retain(|k| !part_unknowns.contains(k)));
-            let known =
-                spare.iter().filter(|(row, open)| open.is_empty() && !self.written(*row, &part_unknowns).is_empty());
+            // A redundant row is used in the part that solves for the last of its unknowns.
+            removable.iter_mut().for_each(|(_, open)| open.retain(|k| !part_unknowns.contains(k)));
+            let known = removable
+                .iter()
+                .filter(|(row, open)| open.is_empty() && !self.written(*row, &part_unknowns).is_empty());
             let known: Vec<usize> = known.map(|(row, _)| *row).collect();
             out.parts.push(self.part(&part_rows, &part_unknowns, &known)?);
         }
         Some(out)
     }
 
-    fn part(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, spare: &[usize]) -> Option<Part> {
-        if let Some(pair) = spare.iter().find_map(|&spare| self.agreeing(rows, spare, unknowns)) {
+    fn part(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, removable: &[usize]) -> Option<Part> {
+        if let Some(pair) = removable.iter().find_map(|&removable| self.paired(rows, removable, unknowns)) {
             return Some(Part::Pair(Box::new(pair)));
         }
-        // Coordinates of other parts are known here.
+        // The unknowns of other parts count as known here.
         let forms: BTreeMap<usize, Form> = rows.iter().map(|&row| (row, self.form(row, unknowns))).collect();
         let way = recognise(&mut Reader::new(self.graph, self.memory, unknowns), rows, &forms);
         let pair = match &way {
@@ -151,12 +155,12 @@ impl Reduction<'_> {
         };
         let [first, second] = pair_rows;
         for exchange in &exchanges {
-            let own: Vec<usize> = pair_rows.iter().flat_map(|&row| self.made_of[row].iter().copied()).collect();
-            self.made_of[exchange.row].extend(own);
+            let own: Vec<usize> = pair_rows.iter().flat_map(|&row| self.source_rows[row].iter().copied()).collect();
+            self.source_rows[exchange.row].extend(own);
         }
         let replaced = pair_rows.iter().any(|row| self.replaced.contains(row));
         let value = match value {
-            // What replaced a row says the same on another scale.
+            // A replaced row has another scale than its row of Φ_q, so `square` cannot be reused for the rates.
             PairValue::Angle { turn, cos, sin, size, vectors, .. } if replaced => {
                 PairValue::Angle { turn, cos, sin, size, square: None, vectors }
             }
@@ -165,18 +169,19 @@ impl Reduction<'_> {
         };
         self.replaced.insert(first);
         self.rows[first] = row;
-        let own = self.made_of[second].clone();
-        self.made_of[first].extend(own);
+        let own = self.source_rows[second].clone();
+        self.source_rows[first].extend(own);
         let rest: Vec<usize> = rows.iter().copied().filter(|&other| other != second).collect();
         let mut unknowns = unknowns.clone();
         unknowns.remove(&coordinate);
         let free = |&row: &usize| self.written(row, &BTreeSet::from([coordinate])).is_empty();
-        let spare: Vec<usize> = spare.iter().copied().filter(free).collect();
-        let inner = self.block(&rest, &unknowns, &spare)?;
+        let removable: Vec<usize> = removable.iter().copied().filter(free).collect();
+        let inner = self.block(&rest, &unknowns, &removable)?;
         Some(Part::Pair(Box::new(Pair { rows: pair_rows, coordinate, value, exchanges, inner })))
     }
 
-    /// The form of a row, and the row without unknowns that cancel out of it: they may be solved for later only.
+    /// The form of a row. Unknowns that cancel out are also removed from the row's expression, because they may not be
+    /// known yet when the row is evaluated.
     pub(super) fn form(&mut self, row: usize, unknowns: &BTreeSet<u32>) -> Form {
         loop {
             let (form, written) = Reader::new(self.graph, self.memory, unknowns).read(self.rows[row]);
@@ -186,13 +191,13 @@ impl Reduction<'_> {
             }
             for &coordinate in written.difference(&left) {
                 let mut replaced = Replaced { coordinate, value: self.graph.zero() };
-                // Not in what a substitution under way has rewritten.
+                // `self.rewritten` belongs to a substitution in progress, so a fresh cache is used.
                 self.rows[row] = rewrite(self.graph, self.rows[row], &mut IdMap::default(), &mut replaced);
             }
         }
     }
 
-    /// True when a coordinate is in a form.
+    /// True if a form contains a coordinate.
     fn has(&self, form: &Form, coordinate: u32) -> bool {
         let in_rest = |rest: ExprId| {
             !self.unknowns(&Form { rest: Some(rest), ..Form::default() }, &BTreeSet::from([coordinate])).is_empty()
@@ -200,7 +205,7 @@ impl Reduction<'_> {
         form.terms.keys().any(|key| key.holds(coordinate)) || form.rest.is_some_and(in_rest)
     }
 
-    /// The unknowns of a form.
+    /// The unknowns that a form contains.
     pub(super) fn unknowns(&self, form: &Form, unknowns: &BTreeSet<u32>) -> BTreeSet<u32> {
         form.unknowns(|rest| {
             let nodes = self.graph.reachable([rest]).into_iter().map(|id| self.graph.node(id));
@@ -212,27 +217,28 @@ impl Reduction<'_> {
         })
     }
 
-    /// The unknowns that stand in a row, also those that would cancel out of it.
+    /// The unknowns that occur in a row's expression, including those that would cancel.
     fn written(&self, row: usize, unknowns: &BTreeSet<u32>) -> BTreeSet<u32> {
         self.unknowns(&Form { rest: Some(self.rows[row]), ..Form::default() }, unknowns)
     }
 
-    /// A row of one angle with a spare one: together they say it without a choice, and never too little.
-    fn agreeing(&mut self, rows: &[usize], spare: usize, unknowns: &BTreeSet<u32>) -> Option<Pair> {
+    /// Combines a single row in one angle with a redundant row that turns the same vector. The two rows always
+    /// determine the angle, and no sign has to be chosen.
+    fn paired(&mut self, rows: &[usize], removable: usize, unknowns: &BTreeSet<u32>) -> Option<Pair> {
         let &[first] = rows else { return None };
-        let rows = [first, spare];
+        let rows = [first, removable];
         if unknowns.len() != 1 || rows.iter().any(|row| self.replaced.contains(row)) {
             return None;
         }
         let forms: BTreeMap<usize, Form> = rows.iter().map(|&row| (row, self.form(row, unknowns))).collect();
         let Eliminated { rows, coordinate, value, row, exchanges } = self.norm(&rows, unknowns, &forms)?;
         let PairValue::Angle { square: Some(square), .. } = value else { return None };
-        self.agreeing.push(Agreeing { rows, difference: row, square });
+        self.paired.push(PairedRows { rows, difference: row, square });
         Some(Pair { rows, coordinate, value, exchanges, inner: Block::default() })
     }
 
-    /// The row and the coordinate that are best taken out next: a coefficient of ±1 before other numbers before
-    /// parameters, in the row with the fewest unknowns, so that loops stay short.
+    /// The next pivot: a coefficient of ±1 is preferred to other numbers, and these to parameters; among equal ones
+    /// the row with the fewest unknowns, which keeps the loops short.
     fn pivot(
         &mut self,
         rows: &[usize],
@@ -266,7 +272,7 @@ impl Reduction<'_> {
         best.map(|(_, _, row, coordinate)| (row, coordinate))
     }
 
-    /// The coordinate by a row in which it is linear.
+    /// The coordinate from a row in which it is linear.
     fn solved_for(&mut self, form: &Form, coordinate: u32) -> ExprId {
         let key = Key::power(coordinate, 1);
         let coefficient = form.terms[&key][0];
@@ -278,7 +284,7 @@ impl Reduction<'_> {
         self.graph.div(minus, coefficient)
     }
 
-    /// The two rows of an unknown that stands in no other.
+    /// The two rows for which `found` holds, if exactly two do.
     pub(super) fn only_two(
         rows: &[usize],
         forms: &BTreeMap<usize, Form>,
@@ -289,7 +295,8 @@ impl Reduction<'_> {
         with.next().is_none().then_some(two)
     }
 
-    /// What an expression is at all q, where that is the same, as a direction has one length however it turns.
+    /// The value of an expression, if it is the same in all configurations (the length of a turning direction, for
+    /// example).
     fn constant(&mut self, id: ExprId) -> Option<ExprId> {
         let nodes = self.graph.reachable([id]).into_iter().map(|id| self.graph.node(id));
         let coordinates = nodes.filter_map(|node| match node {
@@ -303,7 +310,7 @@ impl Reduction<'_> {
         (alone && self.graph.depends(value).is_static()).then_some(value)
     }
 
-    /// An unknown that is linear in two rows and stands in no other.
+    /// The elimination *ratio*: an unknown that is linear in two rows and appears in no other.
     fn ratio(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, forms: &BTreeMap<usize, Form>) -> Option<Eliminated> {
         if forms.values().any(|form| form.rest.is_some()) {
             return None;
@@ -339,7 +346,7 @@ impl Reduction<'_> {
     }
 }
 
-/// f₁ and f₀ of f₁ x + f₀.
+/// The coefficients f₁ and f₀ of f₁ x + f₀.
 fn split(form: &Form, x: u32) -> (Form, Form) {
     let (mut with, mut without) = (Form::default(), Form::default());
     for (key, pair) in &form.terms {
@@ -354,12 +361,12 @@ fn split(form: &Form, x: u32) -> (Form, Form) {
 }
 
 impl Key {
-    /// True when an unknown is in it.
+    /// True if the key contains an unknown.
     pub(super) fn holds(&self, unknown: u32) -> bool {
         self.turns(unknown) || self.powers.iter().any(|&(k, _)| k == unknown)
     }
 
-    /// True when an unknown is one of its angles.
+    /// True if an unknown is one of the key's angles.
     pub(super) fn turns(&self, unknown: u32) -> bool {
         self.turn.iter().any(|&(k, _)| k == unknown)
     }

@@ -1,28 +1,28 @@
-//! Expressions with other things in the place of their symbols.
+//! Substitution in expressions.
 
 use crate::expr::{Algebra, ExprId, Graph, IdMap, Node, Rotation, Symbol, Turning};
 use crate::mechanism::Function;
 
-/// What stands for symbols and for sines and cosines; `None` leaves them as they are.
+/// A substitution for symbols, expressions, sines and cosines; `None` leaves them unchanged.
 pub(crate) trait Substitution {
-    /// What stands for a symbol.
+    /// The replacement of a symbol.
     fn symbol(&mut self, graph: &mut Graph, symbol: Symbol) -> Option<ExprId>;
-    /// What stands for a whole expression.
+    /// The replacement of an expression, taken before its operands are rewritten.
     fn whole(&mut self, _graph: &mut Graph, _id: ExprId) -> Option<ExprId> {
         None
     }
-    /// The cosine and sine of an angle, given as it was before, and what its parts have become.
+    /// The rotation that replaces the cosine and sine of `angle`; `known` has the rewritten operands of the angle.
     fn turn(&mut self, _graph: &mut Graph, _known: &IdMap<ExprId>, _angle: ExprId) -> Option<Turned> {
         None
     }
 }
 
-/// What a rotation is made of.
+/// A rotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Turned {
-    /// The sine and cosine of an angle.
+    /// A rotation by an angle.
     Angle(ExprId),
-    /// A cosine and a sine that were found without their angle.
+    /// A rotation whose cosine and sine were found without the angle.
     Pair([ExprId; 2]),
 }
 
@@ -52,7 +52,7 @@ impl Turned {
     }
 }
 
-/// `root` after a substitution; `known` remembers what was rewritten.
+/// The expression `root` after a substitution; `known` is the cache of rewritten expressions.
 pub(crate) fn rewrite(
     graph: &mut Graph,
     root: ExprId,

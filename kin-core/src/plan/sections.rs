@@ -1,28 +1,29 @@
-//! Stages to programs: what a later stage needs of an earlier one is held, and computed once.
+//! Turns stages into programs. A value that a later stage shares with an earlier one is computed once and stored
+//! ("held").
 
 use super::build::Stage;
 use super::rewrite::{Substitution, rewrite};
 use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
 use crate::program::{Program, Slot, lower};
 
-/// A stretch of a solution.
+/// A section of a solution.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Section {
     /// Straight-line code.
     Closed(Program),
     /// Newton's iteration.
     Newton {
-        /// The unknowns, places in q; the outputs of `correction` are in this order.
+        /// The unknowns, as indices of q; the outputs of `correction` are in this order.
         unknowns: Vec<u32>,
-        /// What is subtracted from the unknowns, for their current values.
+        /// The program for the corrections that are subtracted from the current values of the unknowns.
         correction: Program,
-        /// The place among the values held that says whether it has converged: 1, or 0.
+        /// The index of the held value that says whether the iteration has converged: 1 or 0.
         converged: u32,
     },
 }
 
 impl Section {
-    /// Its code.
+    /// The program of the section.
     pub fn program(&self) -> &Program {
         match self {
             Self::Closed(program) | Self::Newton { correction: program, .. } => program,
@@ -30,18 +31,19 @@ impl Section {
     }
 }
 
-/// Where the value of an expression is found.
+/// Which section computes each expression, and where the held values are stored.
 struct Places {
-    /// The section that computes it.
+    /// The section that computes an expression.
     owner: IdMap<usize>,
     held: IdMap<u32>,
-    /// (section, place, expression) of everything that is held.
+    /// (section, index, expression) of everything that is held.
     wanted: Vec<(usize, u32, ExprId)>,
     next: u32,
 }
 
 impl Places {
-    /// The first section that has it computes it. Whoever turns a vector has sine and cosine, too.
+    /// Assigns an expression to the first section that contains it. A section that rotates a vector also computes the
+    /// sine and cosine of the angle.
     fn own(&mut self, graph: &mut Graph, id: ExprId, section: usize) {
         let turned = match graph.node(id) {
             Node::RotX(r) | Node::RotY(r) => [Some(graph.sin(r.angle)), Some(graph.cos(r.angle))],
@@ -55,19 +57,19 @@ impl Places {
     }
 }
 
-/// Everything that a section finds done.
-struct Done<'p> {
+/// A substitution of held values for expressions that earlier sections have computed.
+struct HeldValues<'p> {
     places: &'p mut Places,
     section: usize,
-    /// Whether symbols are held, too: whoever comes later does not know them.
+    /// Whether symbols are held, too, because later sections do not have the inputs they stand for.
     symbols: bool,
 }
 
-impl Done<'_> {
-    /// Whether an earlier section computes it and holds it.
+impl HeldValues<'_> {
+    /// Whether an earlier section computes the expression, so that it can be held.
     fn is_held(&self, graph: &Graph, id: ExprId) -> bool {
         let known = match graph.node(id) {
-            // The other sign is as good.
+            // A negated value is cheap to form from the held value of the other sign.
             Node::Number(_) | Node::Neg(_) => true,
             Node::Symbol(_) => !self.symbols,
             _ => false,
@@ -76,7 +78,7 @@ impl Done<'_> {
     }
 }
 
-impl Substitution for Done<'_> {
+impl Substitution for HeldValues<'_> {
     fn symbol(&mut self, _graph: &mut Graph, _symbol: Symbol) -> Option<ExprId> {
         None
     }
@@ -100,7 +102,8 @@ impl Substitution for Done<'_> {
     }
 }
 
-/// The sections of `stages`, of which the last may be empty, and how many values they hold; `first` are taken.
+/// The sections of `stages`, the last of which may be empty, and the number of held values. Indices below `first` are
+/// already in use.
 pub(super) fn sections(graph: &mut Graph, stages: Vec<Stage>, first: u32) -> (Vec<Section>, u32) {
     let mut places = Places { owner: IdMap::default(), held: IdMap::default(), wanted: Vec::new(), next: first };
     for (number, stage) in stages.iter().enumerate() {
@@ -111,7 +114,7 @@ pub(super) fn sections(graph: &mut Graph, stages: Vec<Stage>, first: u32) -> (Ve
                 }
             }
             Stage::Newton { unknowns, corrections, .. } => {
-                own_constants(graph, &mut places, number, unknowns, corrections)
+                assign_constants(graph, &mut places, number, unknowns, corrections)
             }
         }
     }
@@ -132,8 +135,8 @@ pub(super) fn sections(graph: &mut Graph, stages: Vec<Stage>, first: u32) -> (Ve
     (sections.collect(), places.next)
 }
 
-/// What an iteration needs and never changes belongs to the section before it.
-fn own_constants(graph: &mut Graph, places: &mut Places, number: usize, unknowns: &[u32], corrections: &[ExprId]) {
+/// Assigns the parts of an iteration that do not depend on its unknowns to the preceding section.
+fn assign_constants(graph: &mut Graph, places: &mut Places, number: usize, unknowns: &[u32], corrections: &[ExprId]) {
     let mut moving: IdMap<()> = IdMap::default();
     for id in graph.reachable(corrections.iter().copied()) {
         let node = graph.node(id);
@@ -147,8 +150,9 @@ fn own_constants(graph: &mut Graph, places: &mut Places, number: usize, unknowns
     }
 }
 
-/// The same outputs in two programs: what does not depend on right sides, held, and the rest, which reads what is held
-/// and right sides alone. The first leaves `more` behind what it holds. Gives how many values it leaves, too.
+/// Splits the computation of `outputs` into two programs: one for everything that does not depend on right-hand sides,
+/// whose results are held, and one that reads only the held values and right-hand sides. The first program also stores
+/// the values `more` after the held ones. Returns the programs and the number of values that the first one stores.
 pub(super) fn split(graph: &mut Graph, outputs: Vec<(Slot, ExprId)>, more: &[ExprId]) -> ([Program; 2], usize) {
     let mut places = Places { owner: IdMap::default(), held: IdMap::default(), wanted: Vec::new(), next: 0 };
     for id in graph.reachable(outputs.iter().map(|(_, id)| *id)) {
@@ -169,7 +173,7 @@ pub(super) fn split(graph: &mut Graph, outputs: Vec<(Slot, ExprId)>, more: &[Exp
     ([(); 2].map(|()| programs.next().unwrap_or_default()), places.next as usize + left)
 }
 
-/// A program for the outputs of every section, and for what later ones want of it.
+/// The program of every section: its outputs and the values that later sections read from it.
 fn programs(
     graph: &mut Graph,
     places: &mut Places,
@@ -177,13 +181,13 @@ fn programs(
     symbols: bool,
 ) -> Vec<Program> {
     let mut rewritten = IdMap::default();
-    // From the last to the first: what is wanted of a section is known when it is written.
+    // From the last section to the first, so that all readers of a section are known when its program is written.
     for section in (0..roots.len()).rev() {
         let wanted = places.wanted.iter().filter(|(owner, ..)| *owner == section);
         let wanted: Vec<_> = wanted.map(|&(_, place, id)| (Slot::Held(place as usize), id)).collect();
         roots[section].extend(wanted);
         rewritten.clear();
-        let mut done = Done { places: &mut *places, section, symbols };
+        let mut done = HeldValues { places: &mut *places, section, symbols };
         hold(graph, &roots[section], &mut done);
         for (_, id) in &mut roots[section] {
             *id = rewrite(graph, *id, &mut rewritten, &mut done);
@@ -192,9 +196,9 @@ fn programs(
     roots.into_iter().map(|outputs| lower(graph, &outputs)).collect()
 }
 
-/// Asks `done` for all that `outputs` need of it, in the order in which it was derived: so equal groups hold theirs in equal
-/// order.
-fn hold(graph: &mut Graph, outputs: &[(Slot, ExprId)], done: &mut Done<'_>) {
+/// Holds everything that `outputs` read from earlier sections. The values are numbered in the order of their
+/// derivation, so that groups of the same structure use the same order.
+fn hold(graph: &mut Graph, outputs: &[(Slot, ExprId)], done: &mut HeldValues<'_>) {
     let (mut seen, mut needed): (IdMap<()>, Vec<ExprId>) = Default::default();
     let mut open: Vec<ExprId> = outputs.iter().map(|(_, id)| *id).collect();
     while let Some(id) = open.pop() {

@@ -1,19 +1,19 @@
-//! The steps of a plan in words: which joint gives which coordinate, and how.
+//! The steps of a plan as they are reported: which joint gives which coordinate, and by which method.
 
 use crate::vocabulary::StepKind;
 use std::collections::BTreeSet;
 
-/// A step by its place in [`SolutionPlan::steps`](super::SolutionPlan::steps).
+/// A step, as an index of [`SolutionPlan::steps`](super::SolutionPlan::steps).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct StepId(pub(super) usize);
 
 impl StepId {
-    /// Its place.
+    /// The index of the step.
     pub const fn index(self) -> usize {
         self.0
     }
 
-    /// Its number, as people count steps.
+    /// The number of the step, counted from 1.
     pub const fn number(self) -> usize {
         self.0 + 1
     }
@@ -22,35 +22,35 @@ impl StepId {
 /// A step of a plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Step {
-    /// What kind.
+    /// The kind of step.
     pub kind: StepKind,
-    /// Its kinematic group where it is a dyad: `RRR`, `RRP`, …; empty otherwise.
+    /// For a dyad, the letters of its joints: `RRR`, `RRP`, …; empty otherwise.
     pub group: String,
-    /// Its joints, along the group where it is a dyad.
+    /// The joints of the step; for a dyad, in order from one end to the other.
     pub joints: Vec<usize>,
-    /// The coordinates that it gives, each with the joint whose row gives it.
+    /// The coordinates that the step gives, each with the joint whose row gives it.
     pub coordinates: Vec<(u32, usize)>,
-    /// Its modes, as places in [`SolutionPlan::modes`](super::SolutionPlan::modes).
+    /// The modes of the step, as indices of [`SolutionPlan::modes`](super::SolutionPlan::modes).
     pub modes: core::ops::Range<usize>,
-    /// Its margins, as places among those of a solution.
+    /// The margins of the step, as indices of the margins of a solution.
     pub margins: core::ops::Range<usize>,
-    /// When it is singular.
+    /// In which position the step is singular.
     pub singular: String,
-    /// The rows of Φ that it is made of.
+    /// The rows of Φ that the step uses.
     pub rows: BTreeSet<usize>,
-    /// The bodies of its group, while it is being named.
+    /// The bodies of the group, needed only until the group is named.
     pub(super) bodies: BTreeSet<usize>,
-    /// What its equations are, whatever they were written as.
+    /// The dyad letters of its closed form, from the equations alone.
     pub(super) closed_as: Option<&'static str>,
 }
 
-/// An assembly mode: a group that closes in two ways, told apart by a sign.
+/// An assembly mode: the sign that selects one of the two solutions of a group.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mode {
-    /// The names of its joints, joined with `-`.
+    /// The names of the group's joints, joined with `-`.
     pub name: String,
-    /// Its step.
+    /// The step that has this mode.
     pub step: StepId,
-    /// Its margin.
+    /// The index of the margin that is 0 where both solutions coincide.
     pub margin: usize,
 }

@@ -1,4 +1,4 @@
-//! The steps of a plan listed in their order, with their modes and margins.
+//! Lists the steps of a plan in order, with their modes and margins.
 
 use super::groups::{letters_of_pair, letters_of_way, name_group};
 use super::step::{Mode, Step, StepId};
@@ -9,39 +9,39 @@ use crate::system::KinematicSystem;
 use crate::vocabulary::StepKind;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The steps, modes and margins of a plan, as they are found.
+/// The steps, modes and margins of a plan, in the order in which they are found.
 #[derive(Debug, Default)]
-pub(super) struct Listed {
+pub(super) struct StepList {
     pub(super) steps: Vec<Step>,
     pub(super) modes: Vec<Mode>,
     pub(super) margins: usize,
     /// The step that gives each coordinate.
     giving: BTreeMap<u32, StepId>,
-    /// The steps of margins.
+    /// The step of each margin.
     of_margins: Vec<StepId>,
-    /// The numbers of margins, once they have been numbered, in the order in which they were found.
+    /// The final index of each margin, by the order in which margins were found; empty until they are numbered.
     places: Vec<usize>,
 }
 
-impl Listed {
-    /// Lists the steps of a tree in the order in which it is solved.
-    pub(super) fn new(system: &KinematicSystem, graph: &Graph, tree: &Block, made_of: &[BTreeSet<usize>]) -> Self {
+impl StepList {
+    /// Lists the steps of a tree in order of solution.
+    pub(super) fn new(system: &KinematicSystem, graph: &Graph, tree: &Block, source_rows: &[BTreeSet<usize>]) -> Self {
         let mut listed = Self::default();
-        listed.block((system, graph), tree, made_of);
+        listed.block((system, graph), tree, source_rows);
         let given = |(place, step): (usize, &Step)| {
             step.coordinates.iter().map(|&(k, _)| (k, StepId(place))).collect::<Vec<_>>()
         };
         listed.giving = listed.steps.iter().enumerate().flat_map(given).collect();
-        listed.take_in_explicit(&system.set);
+        listed.add_explicit_joints(&system.set);
         for step in &mut listed.steps {
             name_group(&system.set, step);
         }
         listed
     }
 
-    /// A joint whose rows are explicit (an origin on a known pin, an axis along a known one) is a joint of the group
-    /// that its body belongs to all the same.
-    fn take_in_explicit(&mut self, set: &ConstraintSet) {
+    /// Adds joints whose rows are explicit (an origin on a known pin, an axis along a known axis) to the group of the
+    /// body that they position.
+    fn add_explicit_joints(&mut self, set: &ConstraintSet) {
         let explicit = self.steps.iter().filter(|step| step.kind == StepKind::Explicit);
         let given: Vec<(usize, usize)> = explicit
             .flat_map(|step| &step.coordinates)
@@ -52,7 +52,8 @@ impl Listed {
             loop {
                 let before = (bodies.len(), step.joints.len());
                 for &(body, joint) in &given {
-                    // A body that one of the group's joints turns belongs to it even where nothing else is left of it.
+                    // A body that a joint of the group rotates belongs to the group even if all its coordinates are
+                    // explicit.
                     match (bodies.contains(&body), step.joints.contains(&joint)) {
                         (true, false) => step.joints.push(joint),
                         (false, true) => _ = bodies.insert(body),
@@ -68,14 +69,14 @@ impl Listed {
         }
     }
 
-    fn block(&mut self, of: (&KinematicSystem, &Graph), block: &Block, made_of: &[BTreeSet<usize>]) {
+    fn block(&mut self, of: (&KinematicSystem, &Graph), block: &Block, source_rows: &[BTreeSet<usize>]) {
         let (system, graph) = of;
         for part in &block.parts {
             match part {
-                Part::Core(core) => self.add(system, core, made_of),
-                Part::Block(block) => self.block(of, block, made_of),
+                Part::Core(core) => self.add(system, core, source_rows),
+                Part::Block(block) => self.block(of, block, source_rows),
                 Part::Pair(pair) => {
-                    self.block(of, &pair.inner, made_of);
+                    self.block(of, &pair.inner, source_rows);
                     if let (Some(letters), Some(step)) = (letters_of_pair(graph, pair), self.steps.last_mut()) {
                         step.closed_as = Some(letters);
                     }
@@ -88,8 +89,8 @@ impl Listed {
         }
     }
 
-    fn add(&mut self, system: &KinematicSystem, core: &Core, made_of: &[BTreeSet<usize>]) {
-        let rows: BTreeSet<usize> = core.rows.iter().flat_map(|&row| made_of[row].iter().copied()).collect();
+    fn add(&mut self, system: &KinematicSystem, core: &Core, source_rows: &[BTreeSet<usize>]) {
+        let rows: BTreeSet<usize> = core.rows.iter().flat_map(|&row| source_rows[row].iter().copied()).collect();
         let kind = match &core.way {
             Way::Linear { matrix, .. } if matrix.len() == 1 => StepKind::Explicit,
             Way::Linear { matrix, .. } => StepKind::Linear(matrix.len()),
@@ -105,7 +106,8 @@ impl Listed {
         self.steps.push(Step { closed_as: letters_of_way(&core.way), ..step });
     }
 
-    /// A coordinate that a row gives once the rest of its group is known.
+    /// Adds a coordinate that `row` gives once the rest of its group is known: to the step that uses the row, or to a
+    /// new explicit step.
     fn attach(&mut self, system: &KinematicSystem, row: usize, coordinate: u32) {
         let joint = system.set.rows[row].joint;
         if let Some(place) = self.steps.iter().rposition(|step| step.rows.contains(&row)) {
@@ -128,24 +130,24 @@ impl Listed {
         self.giving.get(&coordinate).copied().unwrap_or_default()
     }
 
-    /// A step by its id.
+    /// The step with this id.
     pub(super) fn step(&self, id: StepId) -> &Step {
         &self.steps[id.index()]
     }
 
-    /// A new margin of a step, numbered as they are found.
+    /// Adds a margin to a step; its index is provisional until [`number_margins`](Self::number_margins).
     pub(super) fn margin(&mut self, step: StepId) -> usize {
         self.of_margins.push(step);
         self.of_margins.len() - 1
     }
 
-    /// A group that is solved by iteration, by the place that its margin had when it was found.
+    /// The entry for a group that is solved by iteration; `margin` is the provisional index of its margin.
     pub(super) fn iteration(&self, system: &KinematicSystem, step: StepId, margin: usize) -> Mode {
         let name = self.joined(system, step);
         Mode { name, step, margin: self.places.get(margin).copied().unwrap_or(margin) }
     }
 
-    /// Numbers margins in the order of the steps; gives the place of each as they were found.
+    /// Numbers the margins in the order of the steps. Returns the final index for each provisional one.
     pub(super) fn number_margins(&mut self) -> Vec<usize> {
         self.margins = self.of_margins.len();
         let mut order: Vec<usize> = (0..self.margins).collect();
@@ -163,8 +165,8 @@ impl Listed {
         places
     }
 
-    /// The steps of rows that are left out, joint by joint, in the order of `rows`.
-    pub(super) fn watched(&mut self, set: &ConstraintSet, rows: &[usize]) -> Vec<StepId> {
+    /// Adds a step for the redundant rows of each joint. Returns the step of every row, in the order of `rows`.
+    pub(super) fn redundant_steps(&mut self, set: &ConstraintSet, rows: &[usize]) -> Vec<StepId> {
         let mut steps: Vec<StepId> = Vec::new();
         for &row in rows {
             let joint = set.rows[row].joint;
@@ -177,13 +179,13 @@ impl Listed {
         steps
     }
 
-    /// The names of a step's joints, joined with `-`.
+    /// The names of the joints of a step, joined with `-`.
     fn joined(&self, system: &KinematicSystem, step: StepId) -> String {
         let names = self.step(step).joints.iter().map(|&joint| system.set.joints[joint].name.as_str());
         names.collect::<Vec<_>>().join("-")
     }
 
-    /// A new mode of a step.
+    /// Adds a mode to a step and returns its index.
     pub(super) fn mode(&mut self, system: &KinematicSystem, step: StepId, margin: usize) -> usize {
         let plain = self.joined(system, step);
         let place = self.modes.len();
@@ -223,7 +225,7 @@ fn body_of(set: &ConstraintSet, k: u32) -> Option<usize> {
     }
 }
 
-/// The bodies that a step places.
+/// The bodies whose coordinates a step gives.
 fn bodies(set: &ConstraintSet, step: &Step) -> BTreeSet<usize> {
     step.coordinates.iter().filter_map(|&(k, _)| body_of(set, k)).collect()
 }

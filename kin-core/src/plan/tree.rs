@@ -1,71 +1,71 @@
-//! The tree of a plan: blocks with their pivots, and what each part of a block is.
+//! The tree of a plan: blocks with their pivots, and the parts of each block.
 
 use super::form::Key;
 use crate::expr::ExprId;
 
 /// Rows and unknowns that are solved together.
 ///
-/// First the pivots in order: each takes one coordinate out of all other rows. Then the parts, in order; each knows the
-/// coordinates of those before it. Last the pivots' coordinates, in reverse order.
+/// The pivots come first, in order: each eliminates one coordinate from all other rows. Then the parts are solved in
+/// order; the coordinates of earlier parts are known in later ones. Finally back substitution gives the pivots'
+/// coordinates in reverse order.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Block {
     pub(super) pivots: Vec<Pivot>,
     pub(super) parts: Vec<Part>,
 }
 
-/// A coordinate that one row gives: it is linear there with a coefficient that does not change.
+/// A coordinate that is eliminated by one row, in which it is linear with a constant coefficient.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pivot {
-    /// The row.
+    /// The row that gives the coordinate.
     pub(super) row: usize,
-    /// The coordinate, place in q.
+    /// The coordinate, as an index of q.
     pub(super) coordinate: u32,
-    /// Its coefficient there.
+    /// The coefficient of the coordinate in this row.
     pub(super) coefficient: ExprId,
-    /// Its value by the other coordinates.
+    /// The coordinate in terms of the other coordinates.
     pub(super) value: ExprId,
 }
 
 /// A part of a block.
 #[derive(Clone, Debug)]
 pub(super) enum Part {
-    /// Solved at once.
+    /// Rows that are solved at once.
     Core(Core),
-    /// A block of its own.
+    /// A nested block.
     Block(Block),
-    /// Two rows that are one row after an unknown of both has been eliminated.
+    /// Two rows that are combined into one row without one of their unknowns.
     Pair(Box<Pair>),
 }
 
-/// An unknown that appears in two rows only; together they say one thing without it. The first row is replaced by that
-/// one, the second is used up.
+/// Elimination of an unknown that appears in two rows only. The combination of the two rows that does not contain the
+/// unknown replaces the first row; the second row is used to find the unknown.
 #[derive(Clone, Debug)]
 pub(super) struct Pair {
     pub(super) rows: [usize; 2],
     pub(super) coordinate: u32,
     pub(super) value: PairValue,
-    /// Rows that had the unknown, too, before they gave it up.
+    /// Other rows that contained the unknown, and how it was removed from them beforehand.
     pub(super) exchanges: Vec<Exchange>,
-    /// The block without it.
+    /// The block that is left after the elimination.
     pub(super) inner: Block,
 }
 
-/// A row h that becomes h − α f − β g with the rows f and g of a pair.
+/// A row h that is replaced by h − α f − β g, where f and g are the rows of a pair.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Exchange {
     pub(super) row: usize,
-    /// α and β.
+    /// The factors α and β.
     pub(super) factors: [ExprId; 2],
 }
 
-/// How a pair gives its unknown, once the others are known.
+/// How a pair gives its unknown once the other unknowns are known.
 #[derive(Clone, Debug)]
 pub(super) enum PairValue {
-    /// The cosine and sine of a sum of multiples of angles, among which the coordinate is.
-    /// Both are given times `size`, which is positive where `square` is there: the squared length of the vector that is
-    /// turned, where both rows see the same one.
-    /// Where the rows see different vectors, `size` is the square of their cross product, and `vectors` are their
-    /// squared lengths.
+    /// The cosine and sine of `turn`, a sum of integer multiples of angles that includes the unknown, both multiplied
+    /// by `size`. If both rows turn the same vector, `size` is its squared length; `square` is the same where it is
+    /// also the squared norm of the unknown's two entries of Φ_q. If the rows turn different vectors, `size` is the
+    /// square of their cross product, and `vectors` holds their squared lengths.
     Angle {
         turn: Vec<(u32, i32)>,
         cos: ExprId,
@@ -74,37 +74,38 @@ pub(super) enum PairValue {
         square: Option<ExprId>,
         vectors: Option<[ExprId; 2]>,
     },
-    /// The value, f₁ and g₁ by which it is linear in both rows, and f₁² + g₁² where that is the same at all q.
+    /// The value of the unknown; its coefficients f₁ and g₁ in the two rows; f₁² + g₁² if that is constant.
     Linear { value: ExprId, by: [ExprId; 2], square: Option<ExprId> },
 }
 
-/// What closes a part.
+/// A part that is solved at once.
 #[derive(Clone, Debug)]
 pub(super) struct Core {
-    /// Rows as they stand after all eliminations.
+    /// The rows, as they stand after all eliminations.
     pub(super) rows: Vec<usize>,
-    /// The coordinates that it gives.
+    /// The coordinates that the part gives.
     pub(super) coordinates: Vec<u32>,
     pub(super) way: Way,
 }
 
-/// How a core is solved. Expressions hold the coordinates of other parts as symbols.
+/// The method of solution of a core. Its expressions contain the coordinates of other parts as symbols.
 #[derive(Clone, Debug)]
 pub(super) enum Way {
-    /// matrix · x + constant = 0, row by row.
+    /// A linear system matrix · x + constant = 0; the matrix is listed row by row.
     Linear { matrix: Vec<Vec<ExprId>>, constant: Vec<ExprId> },
-    /// a cos nφ + b sin nφ = c, n being `times`.
+    /// a cos nφ + b sin nφ = c, where n is `times`.
     Angle { times: i32, a: ExprId, b: ExprId, c: ExprId },
     /// a x² + b x + c = 0.
     Quadratic { a: ExprId, b: ExprId, c: ExprId },
-    /// A circle e(x² + y²) + l·(x, y) + k = 0 that a line n·(x, y) + m = 0 meets; the line may be that of two circles.
+    /// A circle e(x² + y²) + l·(x, y) + k = 0 and a line n·(x, y) + m = 0. If `of_two` is set, the line is the common
+    /// chord of two circles.
     Circle { e: ExprId, l: [ExprId; 2], k: ExprId, n: [ExprId; 2], m: ExprId, of_two: bool },
-    /// Residuals that an iteration brings to zero.
+    /// Residuals that Newton's iteration brings to zero.
     Newton { residuals: Vec<ExprId> },
 }
 
 impl Key {
-    /// The key of a coordinate to a power.
+    /// The key of a power of a coordinate.
     pub(super) fn power(coordinate: u32, power: u8) -> Self {
         Self { powers: vec![(coordinate, power)], turn: Vec::new() }
     }

@@ -1,10 +1,11 @@
-//! Programs as text: one line for every instruction that does something, literals and loads in place.
+//! Prints programs: one line for every instruction that computes something; literals and loads appear as operands.
 
 use super::{Instruction, Program, Value};
 use crate::expr::{Names, Symbol};
 use core::fmt;
 
-/// An operand as it is read: a literal, a symbol, a part of a pair, or the line that computes it.
+/// An operand as it is printed: a literal, a symbol, a component of a pair, or the number of the line that computes
+/// it.
 struct Operand<'p>(&'p Program, Value);
 
 impl fmt::Display for Operand<'_> {

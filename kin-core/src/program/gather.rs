@@ -1,19 +1,20 @@
-//! Angles of vectors side by side: atan2 of several vectors at once costs little more than of one.
+//! Groups independent atan2 instructions, because several of them evaluated together cost little more than one.
 //!
-//! For straight code alone: in a program with loops it would tear apart what repeats.
+//! This applies to straight-line code only; in a program with loops it would break up the repetition.
 
 use super::{Instruction, Program, Value};
 
-/// How far apart two of them may be.
+/// Maximum distance between two instructions of a group.
 const WINDOW: usize = 96;
 
-/// `program` with atan2s that do not need one another together, as far as no sine stands between them.
+/// Reorders `program` so that independent atan2 instructions follow one another, where no SinCos lies between them.
 pub fn gather(program: &Program) -> Program {
     program.reordered(&order(&program.instructions))
 }
 
 impl Program {
-    /// The instructions in another order, operands first; those that are not in it are dropped.
+    /// The instructions in another order, in which operands still come first; instructions that `order` omits are
+    /// dropped.
     pub(super) fn reordered(&self, order: &[usize]) -> Self {
         let mut renumbered = vec![Value(0); self.instructions.len()];
         for (new, old) in order.iter().enumerate() {
@@ -30,7 +31,7 @@ impl Program {
 fn order(instructions: &[Instruction]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..instructions.len()).collect();
     let is_atan2 = |place: usize| matches!(instructions[place], Instruction::Atan2(..));
-    let mut late = vec![false; instructions.len()];
+    let mut after_atan2 = vec![false; instructions.len()];
     let mut first = 0;
     while first < order.len() {
         if !is_atan2(order[first]) {
@@ -43,16 +44,16 @@ fn order(instructions: &[Instruction]) -> Vec<usize> {
         let (mut free, mut gathered, mut after) = (Vec::new(), Vec::new(), Vec::new());
         for &place in &window {
             let mut needs = false;
-            instructions[place].for_each_operand(|operand| needs |= late[operand.index()]);
+            instructions[place].for_each_operand(|operand| needs |= after_atan2[operand.index()]);
             let group = match needs {
                 true => &mut after,
                 false if is_atan2(place) => &mut gathered,
                 false => &mut free,
             };
             group.push(place);
-            late[place] = needs || is_atan2(place);
+            after_atan2[place] = needs || is_atan2(place);
         }
-        window.iter().for_each(|&place| late[place] = false);
+        window.iter().for_each(|&place| after_atan2[place] = false);
         let next = first + if gathered.len() > 1 { free.len() + gathered.len() } else { 1 };
         if gathered.len() > 1 {
             let gathered = free.into_iter().chain(gathered).chain(after);

@@ -1,44 +1,45 @@
-//! Lowering: expressions to a straight-line program.
+//! Lowers expressions to a straight-line program.
 //!
-//! Values are numbered locally: two equal instructions are one value. Signs travel with the values (see `signs.rs`).
-//! At the end the instructions are ordered so that all sines and cosines that can be taken at once stand together.
+//! Local value numbering merges equal instructions into one value. A sign is carried along with every value (see
+//! `signs.rs`). Finally the instructions are ordered so that sines and cosines that can be computed together are
+//! adjacent.
 
-use super::numbered::Numbered;
+use super::reassociate;
 use super::signs::{self, Signs};
-use super::sums;
+use super::value_numbering::ValueNumbering;
 use super::{Instruction, Program, Slot, Value};
 use crate::expr::{Bits, ExprId, Graph, IdMap, Node, Rotation};
 use crate::mechanism::Function;
 
-/// A value with a sign: the expression is the value, or its opposite.
+/// A value with a sign: the expression equals the value or its negative.
 #[derive(Clone, Copy)]
 struct Signed {
     value: Value,
     negative: bool,
 }
 
-/// Lowers `outputs`.
+/// Lowers the expressions of `outputs`.
 pub fn lower(graph: &Graph, outputs: &[(Slot, ExprId)]) -> Program {
     let signs = signs::choose(graph, outputs.iter().map(|(_, id)| *id));
-    let mut lowering = Lowering { graph, signs, known: IdMap::default(), out: Numbered::default() };
+    let mut lowering = Lowering { graph, signs, known: IdMap::default(), out: ValueNumbering::default() };
     let mut written = Vec::with_capacity(outputs.len());
     for (slot, id) in outputs {
         lowering.reach(*id);
         let value = lowering.positive(*id);
         written.push((*slot, value));
     }
-    sums::early_terms_first(schedule(Program { instructions: lowering.out.instructions, outputs: written }))
+    reassociate::early_terms_first(schedule(Program { instructions: lowering.out.instructions, outputs: written }))
 }
 
 struct Lowering<'g> {
     graph: &'g Graph,
     signs: Signs,
     known: IdMap<Signed>,
-    out: Numbered,
+    out: ValueNumbering,
 }
 
 impl Lowering<'_> {
-    /// Lowers everything that `root` needs, operands first, without recursion.
+    /// Lowers everything that `root` depends on, operands first, without recursion.
     fn reach(&mut self, root: ExprId) {
         let mut stack = vec![(root, false)];
         while let Some((id, ready)) = stack.pop() {
@@ -51,7 +52,7 @@ impl Lowering<'_> {
                 continue;
             }
             stack.push((id, true));
-            // The first operand on top.
+            // The operands are pushed in reverse, so that the first one is on top of the stack.
             let (mut operands, mut count) = ([id; 5], 0);
             self.graph.node(id).for_each_operand(|operand| {
                 operands[count] = operand;
@@ -78,13 +79,13 @@ impl Lowering<'_> {
         self.known.or(id, Signed { value: Value(0), negative: false })
     }
 
-    /// The value of `id` itself.
+    /// The value that equals `id`, negated explicitly if necessary.
     fn positive(&mut self, id: ExprId) -> Value {
         let Signed { value, negative } = self.signed(id);
         if negative { self.negate(value) } else { value }
     }
 
-    /// −value, folded into a literal where there is one; −(a + a) is −2a.
+    /// −value. The sign is absorbed by a literal if there is one; −(a + a) becomes −2a.
     fn negate(&mut self, value: Value) -> Value {
         match self.out.instructions[value.index()] {
             Instruction::Number(number) => self.number(-number.value()),
@@ -185,7 +186,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// sin a and cos a: sin(−a) = −sin a, cos(−a) = cos a.
+    /// sin a and cos a, with sin(−a) = −sin a and cos(−a) = cos a.
     fn sin_cos(&mut self, a: ExprId) -> (Signed, Signed) {
         let Signed { value, negative } = self.signed(a);
         let pair = self.emit(Instruction::SinCos(value));
@@ -194,10 +195,10 @@ impl Lowering<'_> {
         (sin, cos)
     }
 
-    /// A component of A(φ)s; a literal zero component costs nothing, and a literal ±1 is a sign and not a factor.
+    /// A component of A(φ)s. A literal zero component of s costs nothing, and a literal ±1 costs no multiplication.
     ///
-    /// To compute −ρ only one component of s is negated, the first that is not zero: its term then leads, and the
-    /// other is added or subtracted.
+    /// To compute −ρ only the first non-zero component of s is negated: its term comes first, and the other term is
+    /// added or subtracted.
     fn rotation(&mut self, r: Rotation, is_x: bool) -> Signed {
         let (sin, cos) = self.sin_cos(r.angle);
         let negated = self.signs.negated.contains_key(&r);
@@ -232,7 +233,7 @@ impl Lowering<'_> {
         if negated { Self::opposite(sum) } else { sum }
     }
 
-    /// a·b ± c·d, without terms that are literally zero, and without multiplications by a literal one.
+    /// a·b ± c·d without terms that are literally zero and without multiplications by ±1.
     fn products(&mut self, pairs: [(ExprId, ExprId); 2], minus: bool, swap: bool) -> Signed {
         let terms = pairs.map(|(a, b)| {
             if self.graph.is_zero(a) || self.graph.is_zero(b) {
@@ -258,7 +259,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Small powers by squaring, so that they cost multiplications and not a call.
+    /// Small integer powers by repeated squaring, which is cheaper than a function call.
     fn power(&mut self, a: ExprId, n: i32) -> Signed {
         let Signed { value, negative } = self.signed(a);
         let negative = negative && n % 2 != 0;
@@ -286,15 +287,16 @@ impl Lowering<'_> {
 }
 
 impl Program {
-    /// The outputs that `keep` keeps, with what they need: to the last bit what the whole gives.
+    /// The program for the outputs that `keep` accepts. The values are bitwise equal to those of the whole program.
     pub fn only(&self, keep: impl Fn(Slot) -> bool) -> Self {
         let outputs = self.outputs.iter().copied().filter(|(slot, _)| keep(*slot)).collect();
         schedule(Self { instructions: self.instructions.clone(), outputs })
     }
 }
 
-/// Drops what no output needs and orders the rest: angles come first, those of one depth in sines and cosines with what
-/// they need, so that their sines and cosines stand together; everything else follows where it is first used.
+/// Drops unused instructions and orders the rest. The angles come first, grouped by the number of nested sines and
+/// cosines they depend on, so that the sines and cosines of a group are adjacent; every other instruction follows in
+/// its original order.
 fn schedule(program: Program) -> Program {
     let Program { instructions, outputs } = program;
     let is_pair = |place: usize| matches!(instructions[place], Instruction::SinCos(_));
@@ -306,7 +308,7 @@ fn schedule(program: Program) -> Program {
         });
         depth[place] = level;
     }
-    // The depth of the first sine and cosine that needs an instruction; what none needs comes last.
+    // The lowest depth of a SinCos that depends on an instruction; `LAST` if none does.
     const LAST: usize = usize::MAX;
     let mut needed = vec![false; instructions.len()];
     let mut serves = vec![LAST; instructions.len()];

@@ -1,14 +1,14 @@
-//! Straight-line programs: every value once, shared by all outputs.
+//! Straight-line programs in which every value is computed once and shared by all outputs.
 //!
-//! Imports `expr` alone.
+//! This module depends on `expr` only.
 
 mod display;
 mod gather;
 mod lower;
-mod numbered;
+mod reassociate;
 mod roll;
 mod signs;
-mod sums;
+mod value_numbering;
 
 pub use gather::gather;
 pub use lower::lower;
@@ -19,23 +19,23 @@ use crate::hash::mixed;
 use crate::mechanism::Function;
 use crate::vocabulary::OperationCount;
 
-/// A value of a program: the place of its instruction.
+/// A value of a program: the index of the instruction that computes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Value(pub u32);
 
 impl Value {
-    /// Place of its instruction.
+    /// The index of the instruction.
     pub const fn index(self) -> usize {
         self.0 as usize
     }
 }
 
-/// One instruction.
+/// An instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Instruction {
     /// A literal.
     Number(Bits),
-    /// Something the caller supplies.
+    /// An input of the program.
     Load(Symbol),
     /// −a.
     Neg(Value),
@@ -55,7 +55,7 @@ pub enum Instruction {
     CosOf(Value),
     /// A function other than sine and cosine.
     Call(Function, Value),
-    /// ±1.
+    /// The sign of a, ±1.
     Sign(Value),
     /// atan2(y, x).
     Atan2(Value, Value),
@@ -98,7 +98,7 @@ impl Instruction {
         }
     }
 
-    /// A hash in few steps.
+    /// A fast hash of the instruction.
     fn hashed(&self) -> u64 {
         let one = |kind: u64, a: Value, rest: u64| mixed(mixed(kind, u64::from(a.0)), rest);
         let two = |kind: u64, a: Value, b: Value| mixed(kind, u64::from(a.0) << 32 | u64::from(b.0));
@@ -124,7 +124,7 @@ impl Instruction {
         }
     }
 
-    /// The same instruction of other operands.
+    /// The same instruction with other operands.
     pub fn map_operands(self, f: impl Fn(Value) -> Value) -> Self {
         match self {
             Self::Number(_) | Self::Load(_) => self,
@@ -148,24 +148,24 @@ impl Instruction {
     }
 }
 
-/// The arrays that outputs go to, with what they are called.
+/// Defines the arrays that outputs are written to, with their printed names.
 macro_rules! slots {
     ($($(#[$doc:meta])* $array:ident $name:literal,)+) => {
-        /// Where an output goes.
+        /// Where an output is written: an array and an index.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         pub enum Slot {
             $($(#[$doc])* $array(usize),)+
         }
 
         impl Slot {
-            /// Its place in the array that it is of.
+            /// The index in the array.
             pub const fn index(self) -> usize {
                 match self {
                     $(Self::$array(k))|+ => k,
                 }
             }
 
-            /// The slot at another place of the same array.
+            /// The slot of the same array at index `k`.
             pub const fn at(self, k: usize) -> Self {
                 match self {
                     $(Self::$array(_) => Self::$array(k),)+
@@ -184,30 +184,30 @@ macro_rules! slots {
 }
 
 slots! {
-    /// Entry of Φ.
+    /// An entry of Φ.
     Phi "Φ",
-    /// Non-zero of Φ_q, by its place in the pattern.
+    /// A non-zero entry of Φ_q, by its index in the sparsity pattern.
     PhiQ "Φ_q",
-    /// Entry of Φ_t.
+    /// An entry of Φ_t.
     PhiT "Φ_t",
-    /// Entry of γ.
+    /// An entry of γ.
     Gamma "γ",
-    /// Entry of a plain list (geometry, guesses).
+    /// An entry of a plain list (geometry, guesses).
     Entry "",
-    /// Entry of q, of a solution.
+    /// An entry of q of a solution.
     Position "q",
-    /// Entry of q̇, of a solution.
+    /// An entry of q̇ of a solution.
     Velocity "q_dot",
-    /// Entry of q̈, of a solution.
+    /// An entry of q̈ of a solution.
     Acceleration "q_ddot",
     /// A margin of a solution.
     Margin "margin",
-    /// A value for later parts of a solution.
+    /// A value that is held for later parts of a solution.
     Held "held",
 }
 
 impl Instruction {
-    /// Counts it as done `times` times.
+    /// Adds this instruction, executed `times` times, to the operation count.
     fn count(&self, count: &mut OperationCount, times: usize) {
         match self {
             Instruction::Number(_)
@@ -235,15 +235,15 @@ impl Instruction {
 /// A straight-line program.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Program {
-    /// The instructions, operands first. Sines and cosines that do not depend on one another
-    /// stand side by side, and after [`gather`] so do the angles of vectors.
+    /// The instructions, operands first. Sines and cosines that do not depend on one another are adjacent, and after
+    /// [`gather`] so are atan2 instructions.
     pub instructions: Vec<Instruction>,
-    /// What is written where, in the order given to [`lower`].
+    /// The value of every output, in the order given to [`lower`].
     pub outputs: Vec<(Slot, Value)>,
 }
 
 impl Program {
-    /// The operations of one run.
+    /// The operation count of one run.
     pub fn operations(&self) -> OperationCount {
         let mut count = OperationCount::default();
         self.instructions.iter().for_each(|instruction| instruction.count(&mut count, 1));

@@ -1,23 +1,23 @@
-//! Signs: which atoms to compute negated, so that the fewest negations are needed.
+//! Chooses which vectors and differences to compute with the opposite sign, so that few explicit negations are needed.
 //!
-//! During lowering a sign travels with every value for free; it costs a negation only where an output needs the
-//! opposite of what was computed. The sign of a rotated body vector is free to choose when its components hold a
-//! literal factor (−l/2 costs no more than l/2), and the sign of a difference by swapping its operands. Each output
-//! votes for the signs of the atoms and differences that decide its own.
+//! During lowering every value carries a sign at no cost; a negation is emitted only if an output needs the opposite
+//! of the computed value. A rotated body vector can be computed negated for free if its components contain a literal
+//! factor (−l/2 costs no more than l/2), a difference by swapping its operands. Each output votes for the signs of the
+//! vectors and differences that determine its own sign.
 
 use crate::expr::{ExprId, Graph, IdMap, Node, Rotation};
 use crate::hash::FastMap;
 
-/// Choices of sign.
+/// The chosen signs.
 #[derive(Debug, Default)]
 pub(super) struct Signs {
-    /// Rotated vectors that are computed as −ρ.
+    /// Rotated vectors ρ that are computed as −ρ.
     pub(super) negated: FastMap<Rotation, ()>,
-    /// Differences that are computed the other way round.
+    /// Differences a − b that are computed as b − a.
     pub(super) swapped: IdMap<()>,
 }
 
-/// Chooses signs for these outputs.
+/// Chooses the signs for the given outputs.
 pub(super) fn choose(graph: &Graph, outputs: impl Iterator<Item = ExprId>) -> Signs {
     let outputs: Vec<ExprId> = outputs.collect();
     let votes = Votes::count(graph, &outputs);
@@ -36,7 +36,7 @@ pub(super) fn choose(graph: &Graph, outputs: impl Iterator<Item = ExprId>) -> Si
     signs
 }
 
-/// True when −id costs no more than id.
+/// True if −id costs no more than id.
 pub(super) fn is_free(graph: &Graph, id: ExprId) -> bool {
     match graph.node(id) {
         Node::Number(_) | Node::Neg(_) => true,
@@ -45,7 +45,7 @@ pub(super) fn is_free(graph: &Graph, id: ExprId) -> bool {
     }
 }
 
-/// Votes on the signs of vectors and of differences.
+/// The sums of the votes on the signs of vectors and differences.
 #[derive(Debug, Default)]
 struct Votes {
     vectors: FastMap<Rotation, i32>,
@@ -53,8 +53,9 @@ struct Votes {
 }
 
 impl Votes {
-    /// Every output votes once, for its own sign. A vote goes down to the operands that decide it: to both parts of a
-    /// sum, to one factor of a product. Users come after their operands in the arena, so one pass downwards suffices.
+    /// Every output casts one vote for its own sign. The vote is passed to the operands that determine the sign: to
+    /// both terms of a sum, to one factor of a product. Operands have smaller ids than their users, so one pass in
+    /// descending order suffices.
     fn count(graph: &Graph, outputs: &[ExprId]) -> Self {
         let order = graph.reachable(outputs.iter().copied());
         let decides = deciding(graph, &order);
@@ -70,7 +71,7 @@ impl Votes {
                 _ if vote == 0 => {}
                 Node::Neg(a) => pass(a, vote.saturating_neg()),
                 Node::RotX(rotation) | Node::RotY(rotation) => {
-                    // Of a vector (0, y) the first component is −sin φ y: it has the other sign to start with.
+                    // The x component of a vector (0, y) is −y sin φ, whose sign is already the opposite.
                     let turned_round = matches!(graph.node(id), Node::RotX(_)) && graph.is_zero(rotation.x);
                     let total = votes.vectors.entry(rotation).or_default();
                     *total = total.saturating_add(if turned_round { vote.saturating_neg() } else { vote });
@@ -87,7 +88,7 @@ impl Votes {
                         pass(factor, vote);
                     }
                 }
-                // u·d turns round when both components of d do.
+                // u·d changes its sign if both components of d do.
                 Node::Dot(t) if decides[id.index()] => t.d.into_iter().for_each(|d| pass(d, vote)),
                 Node::Div(a, _) => pass(a, vote),
                 _ => {}
@@ -97,7 +98,7 @@ impl Votes {
     }
 }
 
-/// For every expression whether its sign can be chosen.
+/// For every expression, whether its sign can be chosen at no cost.
 fn deciding(graph: &Graph, order: &[ExprId]) -> Vec<bool> {
     let mut decides = vec![false; graph.len()];
     for &id in order {

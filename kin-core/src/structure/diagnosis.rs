@@ -1,4 +1,4 @@
-//! The generic rank of Φ_q, and the rows that do not raise it.
+//! The generic rank of Φ_q, and the rows that do not increase it.
 
 use super::field::Draw;
 use super::partials;
@@ -9,43 +9,43 @@ use super::turn::Turns;
 use crate::system::KinematicSystem;
 use core::fmt;
 
-/// Draws that a redundant row has to survive.
+/// Seeds of the random poses; a row counts as redundant only if it is so at all of them.
 pub(super) const DRAWS: [u64; 3] = [0x6b69_6e31, 0x6b69_6e32, 0x6b69_6e33];
 
-/// A row that repeats, or contradicts, what other rows say: together they depend on one another at every pose and for
-/// all dimensions.
+/// A redundant row and its circuit: a minimal set of linearly dependent rows of Φ_q, dependent at every pose and for
+/// all dimensions. The row repeats or contradicts the others.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Redundancy {
-    /// The row; of a circuit, the one declared last, where driving rows count as later than all others.
+    /// The row of the circuit that is declared last; driving rows count as later than all others.
     pub row: usize,
-    /// The other rows of the circuit, in order of declaration: without any of them the row would not be redundant.
+    /// The other rows of the circuit, in order of declaration; without any one of them the row would not be redundant.
     pub circuit: Vec<usize>,
 }
 
-/// What a mechanism can do, from its symbols alone.
+/// The structural analysis of a mechanism, which depends on symbols and not on numbers.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Structure {
-    /// n.
+    /// The number n of coordinates.
     pub coordinates: usize,
-    /// Rows.
+    /// The number of rows.
     pub rows: usize,
-    /// Rank of all rows.
+    /// The generic rank of all rows.
     pub rank: usize,
-    /// Rank of the rows that do not drive.
+    /// The generic rank of the rows that are not driving.
     pub rank_without_driving: usize,
-    /// Rank of the rows of position level that do not drive.
+    /// The generic rank of the holonomic rows that are not driving.
     pub rank_of_position: usize,
-    /// Redundant rows: those that do not drive first, each in order of declaration.
+    /// The redundant rows: first those that are not driving, each group in order of declaration.
     pub redundant: Vec<Redundancy>,
 }
 
 impl Structure {
-    /// δ = n − rank of the rows that do not drive.
+    /// The degrees of freedom δ = n − rank of the rows that are not driving.
     pub fn degrees_of_freedom(&self) -> usize {
         self.coordinates - self.rank_without_driving
     }
 
-    /// n − rank of all rows.
+    /// The degrees of freedom left by all rows, n − rank.
     pub fn degrees_of_freedom_left(&self) -> usize {
         self.coordinates - self.rank
     }
@@ -65,26 +65,27 @@ impl fmt::Display for Structure {
     }
 }
 
-/// The structure of a system.
+/// Analyses the structure of a system.
 pub fn diagnose(system: &KinematicSystem) -> Structure {
     let first = at(system, Draw(DRAWS[0]));
     if first.redundant.is_empty() {
         return first;
     }
-    // A draw can be unlucky, with a probability of about 1e-15; the best of some is not.
+    // A single random pose may have a smaller rank than the generic one, with a probability of about 1e-15; the
+    // largest rank of several poses is taken.
     let others = DRAWS[1..].iter().map(|seed| at(system, Draw(*seed)));
     others.fold(first, |best, other| if other.rank > best.rank { other } else { best })
 }
 
-/// Φ_q at a drawn pose, row by row.
-pub(super) struct Drawn<'a> {
+/// Φ_q at a random pose, row by row.
+pub(super) struct RandomJacobian<'a> {
     system: &'a KinematicSystem,
     rows: Vec<Row>,
-    /// Entries per column.
+    /// The number of entries per column.
     weights: Vec<usize>,
 }
 
-impl<'a> Drawn<'a> {
+impl<'a> RandomJacobian<'a> {
     pub(super) fn new(system: &'a KinematicSystem, draw: Draw) -> Self {
         let set = &system.set;
         let turns = Turns::new(system, draw);
@@ -96,8 +97,8 @@ impl<'a> Drawn<'a> {
         Self { system, rows, weights }
     }
 
-    /// Goes through the rows by ascending key, those of one key in order of declaration; `seen` is told every row with
-    /// the rank so far. Gives the rows that add no rank.
+    /// Eliminates the rows in order of ascending key, rows of equal key in order of declaration. After each row,
+    /// `seen` is called with the row and the rank so far. Returns the rows that do not increase the rank.
     pub(super) fn redundant<K: Ord>(
         &self,
         key: impl Fn(usize) -> K,
@@ -118,25 +119,25 @@ impl<'a> Drawn<'a> {
         redundant
     }
 
-    /// The rank of some rows.
+    /// The rank of some of the rows.
     pub(super) fn rank_of(&self, rows: &[usize]) -> usize {
         let columns = self.weights.len();
         let mut elimination = Elimination::new(self.weights.clone());
         rows.iter().filter(|&&row| elimination.push(row, &self.rows[row], columns).is_ok()).count()
     }
 
-    /// Driving rows come last here, so that it is they that are superfluous.
+    /// A key by which driving rows come last, so that they are reported as redundant.
     pub(super) fn drivers_last(&self) -> impl Fn(usize) -> (bool, bool) + use<'_> {
         |row| (self.system.classes[row].driving, !self.system.classes[row].holonomic)
     }
 }
 
-/// The structure as one draw shows it.
+/// The structure according to one random pose.
 fn at(system: &KinematicSystem, draw: Draw) -> Structure {
-    let drawn = Drawn::new(system, draw);
-    let (coordinates, rows) = (drawn.weights.len(), drawn.rows.len());
+    let jacobian = RandomJacobian::new(system, draw);
+    let (coordinates, rows) = (jacobian.weights.len(), jacobian.rows.len());
     let mut structure = Structure { coordinates, rows, ..Structure::default() };
-    let redundant = drawn.redundant(drawn.drivers_last(), |row, rank| {
+    let redundant = jacobian.redundant(jacobian.drivers_last(), |row, rank| {
         structure.rank = rank;
         let class = system.classes[row];
         if !class.driving {

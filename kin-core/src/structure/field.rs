@@ -1,14 +1,15 @@
-//! Arithmetic modulo the prime p = 2⁶¹ − 1: exact, and with no rounding that could pass for a rank.
+//! Arithmetic modulo the prime p = 2⁶¹ − 1, which is exact, so that no rounding error affects a rank.
 //!
-//! A rational expression that is not identically zero has a non-zero residue at all but a fraction (degree / p) of the
-//! points of F_p, so that one random draw shows the generic rank of a matrix of such expressions (Schwartz 1980,
-//! Zippel 1979). p ≡ 3 (mod 4): no square is −1, and the rational parametrisation of the circle meets no pole.
+//! A rational expression that is not identically zero has a non-zero residue at all points of F_p but for a fraction
+//! (degree / p) of them. Therefore one random point gives the generic rank of a matrix of such expressions almost
+//! certainly (Schwartz 1980, Zippel 1979). Since p ≡ 3 (mod 4), −1 is no square, and the rational parametrisation of
+//! the circle has no pole.
 
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// p = 2⁶¹ − 1.
 const P: u64 = (1 << 61) - 1;
-/// The largest denominator that a decimal or a fraction in the source is taken to have.
+/// The largest denominator of a fraction that a decimal number is interpreted as.
 const DENOMINATOR: i64 = 1 << 20;
 
 /// A residue modulo p.
@@ -25,8 +26,8 @@ impl Residue {
         if value < 0 { -magnitude } else { magnitude }
     }
 
-    /// The residue of the number that the source means by `value`: the fraction with the smallest denominator that
-    /// rounds to it (1/3, 0.1), or else its binary fraction.
+    /// The residue of the number that `value` stands for: the fraction with the smallest denominator that rounds to it
+    /// (1/3, 0.1), or else its exact binary value.
     pub(crate) fn number(value: f64) -> Self {
         if let Some((p, q)) = fraction(value, 0.0) {
             return Self::integer(p) * Self::integer(q).inverse();
@@ -37,7 +38,7 @@ impl Residue {
             0 => (mantissa, -1074),
             e => (mantissa | (1 << 52), i64::try_from(e).unwrap_or(0) - 1075),
         };
-        // 2 has the order 61, so that its powers repeat with that period.
+        // 2 has the multiplicative order 61, so its powers repeat with that period.
         let power = Self(1 << exponent.rem_euclid(61));
         let magnitude = Self(mantissa % P) * power;
         if value < 0.0 { -magnitude } else { magnitude }
@@ -47,7 +48,7 @@ impl Residue {
         self.0 == 0
     }
 
-    /// 1/x by Fermat's theorem; 0 for 0.
+    /// 1/x by Fermat's little theorem; 0 for 0.
     pub(crate) fn inverse(self) -> Self {
         self.power(P - 2)
     }
@@ -90,14 +91,15 @@ impl Neg for Residue {
 impl Mul for Residue {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        // 2⁶¹ ≡ 1: the high part is added to the low part.
+        // Since 2⁶¹ ≡ 1, the high part is added to the low part.
         let product = u128::from(self.0) * u128::from(other.0);
         let folded = (product as u64 & P) + (product >> 61) as u64;
         Self(if folded >= P { folded - P } else { folded })
     }
 }
 
-/// The fraction p/q with the smallest q that is `value`, or within `tolerance` of it (relative), by continued fractions.
+/// The fraction p/q with the smallest q that equals `value`, or is within the relative `tolerance`, by continued
+/// fractions.
 pub(crate) fn fraction(value: f64, tolerance: f64) -> Option<(i64, i64)> {
     if !value.is_finite() || value.abs() > 1e9 {
         return None;
@@ -123,12 +125,12 @@ pub(crate) fn fraction(value: f64, tolerance: f64) -> Option<(i64, i64)> {
     None
 }
 
-/// Values that are random and yet always the same: that of a thing depends on the draw, its sort and its number alone.
+/// Reproducible random values: each depends only on the seed, on the sort of object and on its number.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Draw(pub(crate) u64);
 
 impl Draw {
-    /// A residue for thing `key` of a sort.
+    /// A random residue for object `key` of a sort.
     pub(crate) fn residue(self, sort: u64, key: u64) -> Residue {
         let mut state = self.0 ^ mixed(sort.wrapping_mul(0x9e37_79b9_7f4a_7c15)) ^ mixed(key);
         loop {

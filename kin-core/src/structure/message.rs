@@ -1,4 +1,4 @@
-//! Redundant rows as errors: what is said twice, by which joints, and what would be right.
+//! Errors for redundant rows: which joints repeat the same constraint, and how to correct it.
 
 use super::diagnosis::{Redundancy, Structure};
 use crate::check::meets_held;
@@ -8,7 +8,7 @@ use crate::mechanism::Mechanism;
 use crate::system::KinematicSystem;
 use std::collections::BTreeMap;
 
-/// Most names that a message lists.
+/// Maximum number of names that a message lists.
 const SHOWN: usize = 8;
 
 /// An error for every declaration with redundant rows, in order of declaration.
@@ -27,7 +27,7 @@ pub fn explain(mechanism: &Mechanism, system: &KinematicSystem, structure: &Stru
         .collect()
 }
 
-/// What is said of one declaration, which may meet a held coordinate.
+/// The message for one declaration; `meets_held` says whether its joint involves a held coordinate.
 fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redundancy], meets_held: bool) -> String {
     let set = &system.set;
     let joint_of = |row: usize| set.rows[row].joint;
@@ -42,7 +42,7 @@ fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redund
     let advice = advice(set, &own, redundant, driving);
     let plural = own.len() > 1;
     if redundant.iter().all(|r| r.circuit.is_empty()) {
-        return says_nothing(set, &own, redundant, &advice, meets_held);
+        return redundant_by_itself(set, &own, redundant, &advice, meets_held);
     }
     if driving {
         let (freedom, drivers) = (structure.degrees_of_freedom(), drivers(system));
@@ -58,14 +58,15 @@ fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redund
             format!("what {with} already {}", if others.len() > 1 { "determine" } else { "determines" })
         };
         let rows = if drivers == 1 { "1 driving row".to_owned() } else { format!("{drivers} driving rows") };
-        // Joints that are redundant at special lengths leave more to be driven.
+        // If joints are redundant for special lengths, the mechanism has more degrees of freedom than the generic rank
+        // shows.
         let has_lengths = |joint: &usize| {
             let joint = &set.joints[*joint];
             let is_angle = set.meanings(joint).iter().all(|meaning| *meaning == RowMeaning::Angle);
             !is_angle && !system.classes[joint.first_row].driving
         };
         let by_lengths = others.iter().any(has_lengths);
-        let unless = if by_lengths { ", where lengths leave more to move," } else { "" };
+        let unless = if by_lengths { ", if special lengths leave more degrees of freedom," } else { "" };
         return format!(
             "the mechanism has {freedom} and {rows}: {names} {said} {already}; {advice}, or{unless} write \
              `#[mechanism(allow_redundant)]`"
@@ -84,8 +85,8 @@ fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redund
     )
 }
 
-/// What is said of rows that are redundant all by themselves: no coordinate changes their residuals.
-fn says_nothing(
+/// The message for rows that are redundant by themselves: their residuals depend on no coordinate.
+fn redundant_by_itself(
     set: &ConstraintSet,
     own: &[usize],
     redundant: &[&Redundancy],
@@ -98,15 +99,20 @@ fn says_nothing(
     let is_equation = |joint: &usize| set.joints[*joint].kind.is_free_equation();
     let same_sides = redundant.iter().all(|r| set.graph.is_zero(residual(r.row)));
     if same_sides && own.iter().all(is_equation) {
-        let (says, each, it) = if plural { ("say", "of each", "them") } else { ("says", "of it", "it") };
+        let (constrains, each, it) =
+            if plural { ("constrain", "of each", "them") } else { ("constrains", "of it", "it") };
         return format!(
-            "{names} {says} nothing: both sides {each} are the same; write on the right what the left side is to be, or \
-             remove {it}"
+            "{names} {constrains} nothing: both sides {each} are the same; write the value of the left side on \
+             the right, or remove {it}"
         );
     }
-    let (holds, it) = if plural { ("hold", "their") } else { ("holds", "its") };
+    let (constrains, residual) = if plural {
+        ("constrain", "their residuals do not depend")
+    } else {
+        ("constrains", "its residual does not depend")
+    };
     let said = format!(
-        "{rows}{names} {holds} nothing: at no pose {it} residual changes with a coordinate; {advice}, or write \
+        "{rows}{names} {constrains} nothing: {residual} on any coordinate; {advice}, or write \
          `#[mechanism(allow_redundant)]`"
     );
     if !meets_held {
@@ -116,7 +122,7 @@ fn says_nothing(
     format!("{said}; a held coordinate already satisfies {it}, or never can: leave that coordinate free instead")
 }
 
-/// `row `N.angle` of ` where not all rows of the joint are redundant.
+/// `row `N.angle` of `, or nothing if all rows of the joint are redundant.
 fn rows(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy]) -> String {
     let [joint] = own else { return String::new() };
     let joint = &set.joints[*joint];
@@ -127,13 +133,13 @@ fn rows(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy]) -> String
     format!("{} {} of ", if names.len() == 1 { "row" } else { "rows" }, names.join(" and "))
 }
 
-/// What would be right, by the kind of each joint and by which of its rows are redundant.
+/// The correction to suggest, which depends on the kinds of the joints and on which of their rows are redundant.
 fn advice(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy], driving: bool) -> String {
     let it = if own.len() > 1 { "them" } else { "it" };
     if driving {
         return format!("remove {it}");
     }
-    // Members of a family may differ in what of them is redundant.
+    // Members of a family may differ in which of their rows are redundant.
     let mut kinds: Vec<(Option<&str>, Vec<usize>)> = Vec::new();
     for &joint in own {
         let instead = instead_of(set, joint, redundant);
@@ -145,7 +151,7 @@ fn advice(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy], driving
     if let [(None, _)] = kinds[..] {
         return format!("remove {it}");
     }
-    // What is shorter stands first.
+    // The shorter part, a removal, comes first.
     kinds.sort_by_key(|(instead, _)| instead.is_some());
     let parts = kinds.iter().map(|(instead, joints)| {
         let names = list(joints.iter().map(|joint| set.joints[*joint].name.as_str()));
@@ -157,7 +163,7 @@ fn advice(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy], driving
     parts.collect::<Vec<_>>().join(", and ")
 }
 
-/// What holds only as much as the rows of a joint do that are not redundant, if that has a name.
+/// A joint that has only the non-redundant rows of this joint, if there is one.
 fn instead_of(set: &ConstraintSet, place: usize, redundant: &[&Redundancy]) -> Option<&'static str> {
     let joint = &set.joints[place];
     let is_redundant = |row: usize| redundant.iter().any(|r| r.row == row);
@@ -178,12 +184,12 @@ fn instead_of(set: &ConstraintSet, place: usize, redundant: &[&Redundancy]) -> O
     }
 }
 
-/// Number of driving rows.
+/// The number of driving rows.
 fn drivers(system: &KinematicSystem) -> usize {
     system.classes.iter().filter(|class| class.driving).count()
 }
 
-/// Each once, in order.
+/// Each joint once, in order of first occurrence.
 fn distinct(joints: impl Iterator<Item = usize>) -> Vec<usize> {
     let mut all = Vec::new();
     joints.for_each(|joint| {

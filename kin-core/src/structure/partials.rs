@@ -1,8 +1,8 @@
-//! Rows of Φ_q at a draw.
+//! The rows of Φ_q at a random pose.
 //!
-//! Rows of joints whose points have places come from their formulas, with ∂r/∂φ = perp(r − r_i); what they are multiplied
-//! with is left out where it scales the whole row. All other rows are the symbolic partials, evaluated where that is
-//! possible and drawn where it is not: the support is right in any case, and literal coefficients are what they are.
+//! For joints whose points have drawn positions the rows are computed from ∂r/∂φ = perp(r − r_i); factors that scale a
+//! whole row are omitted. All other rows are the symbolic partial derivatives, whose residues are computed where
+//! possible and random elsewhere. In both cases the sparsity pattern is correct and literal coefficients are exact.
 
 use super::field::Residue;
 use super::place::local;
@@ -13,10 +13,10 @@ use crate::expr::Depends;
 use crate::system::KinematicSystem;
 use crate::vocabulary::Role;
 
-/// ∂r of a point for the coordinates that move it.
+/// ∂r of a point with respect to each coordinate that moves it.
 type Motion = Vec<(usize, [Residue; 2])>;
 
-/// A row of Φ_q at the draw.
+/// A row of Φ_q at the random pose.
 pub(super) fn row(system: &KinematicSystem, residues: &mut Residues<'_>, row: usize) -> Row {
     of_joint(system, residues, row).unwrap_or_else(|| {
         let mut entries = Row::new();
@@ -27,7 +27,7 @@ pub(super) fn row(system: &KinematicSystem, residues: &mut Residues<'_>, row: us
     })
 }
 
-/// The row, when its joint is one whose points have places.
+/// The row, if its joint is one whose points have drawn positions.
 fn of_joint(system: &KinematicSystem, residues: &mut Residues<'_>, row: usize) -> Option<Row> {
     let set = &system.set;
     let joint = &set.joints[set.rows[row].joint];
@@ -58,13 +58,13 @@ fn of_joint(system: &KinematicSystem, residues: &mut Residues<'_>, row: usize) -
             let normal = [-u[1], u[0]];
             let mut entries = combined(&[(&motion_q, normal), (&motion_p, minus(normal))]);
             if let Some(k) = angle {
-                // The line turns with its body: ∂perp(u)·d/∂φ_i = −u·d.
+                // The line rotates with its body: ∂(perp(u)·d)/∂φ_i = −u·d.
                 let d = [r_q[0] - r_p[0], r_q[1] - r_p[1]];
                 add_to(&mut entries, k as usize, -(u[0] * d[0] + u[1] * d[1]));
             }
             Some(entries)
         }
-        // A driver's right side may hold coordinates, which have partials of their own.
+        // The right-hand side of a driver may contain coordinates, whose partial derivatives belong to the row.
         RowMeaning::SquaredDistance if !follows_coordinates(set, joint) => {
             let d = [r_q[0] - r_p[0], r_q[1] - r_p[1]];
             Some(combined(&[(&motion_q, d), (&motion_p, minus(d))]))
@@ -73,7 +73,7 @@ fn of_joint(system: &KinematicSystem, residues: &mut Residues<'_>, row: usize) -
     }
 }
 
-/// The length of a joint depends on coordinates.
+/// True if the length of a joint depends on coordinates.
 fn follows_coordinates(set: &ConstraintSet, joint: &JointInstance) -> bool {
     let values = joint.geometry.iter().filter(|geometry| geometry.role == Role::Value);
     values.map(|geometry| set.geometry[geometry.offset]).any(|e| set.graph.depends(e).on(Depends::COORDINATE))
@@ -94,11 +94,11 @@ fn combined(terms: &[(&Motion, [Residue; 2])]) -> Row {
     row
 }
 
-/// How a point at `r` moves with the coordinates of its body and of those that carry it.
+/// ∂r of a point at `r`, with respect to the coordinates of its body and of the bodies that carry it.
 fn motion(residues: &Residues<'_>, frame: Frame, r: [Residue; 2]) -> Motion {
     let set: &ConstraintSet = residues.set;
     let (mut moved, mut r, mut frame) = (Motion::new(), r, frame);
-    // A chain of carriers is no longer than the number of bodies.
+    // A chain of carriers has at most as many members as there are bodies.
     for _ in 0..=set.bodies.len() {
         let Frame::Body(place) = frame else { break };
         let body = &set.bodies[place];

@@ -1,14 +1,14 @@
-//! Places in the plane that satisfy the joints, given the rotations.
+//! Random positions in the plane that satisfy the joints for given rotations.
 //!
-//! Unknown are the origins of the bodies and every distinct point of a body; equal expressions on one body are one
-//! point. With the rotations known everything that is imposed here is linear with constant coefficients: points joined
-//! by revolute and fixed joints coincide, literal x and y hold, equal held expressions are equal, and a point stays on
-//! a line whose direction is literal. What is left open is drawn. The body points are not solved for their
-//! body-fixed coordinates: the vector from the origin to the place is all that the equations need.
+//! The unknowns are the origins of the bodies and every distinct point of a body; equal expressions on one body are
+//! one point. For known rotations all conditions imposed here are linear with constant coefficients: points joined by
+//! revolute and fixed joints coincide, literal x and y hold, equal held expressions have equal values, and a point
+//! lies on a line of literal direction. Undetermined unknowns are random. The body-fixed coordinates of the points are
+//! not needed: Φ_q depends only on the vector from the origin to the point.
 //!
-//! Lines that turn with the mechanism are not imposed. Whether a point is on such a line does not change the rank of
-//! the line's own row, and imposing it could force points together that need not meet: a draw without it is more
-//! general, so that nothing is proved that does not hold for every pose.
+//! A point is not forced onto a line that rotates. Its distance from the line does not affect the rank of the line's
+//! own row, and forcing it could make points coincide that are distinct in general. Without the condition the pose is
+//! more general, so a dependency that is found still holds at every pose.
 
 use super::field::{Draw, Residue, fraction};
 use super::rank::{Elimination, Row, add_to};
@@ -21,10 +21,10 @@ use std::collections::HashMap;
 
 const SORT_PLACE: u64 = 20;
 
-/// A point of a frame, by its expressions.
+/// A point of a frame, given by its expressions.
 type Key = (Frame, ExprId, ExprId);
 
-/// The unknowns: each point has a place in the list of x and y.
+/// The unknowns: x of each point has an index, y the following one.
 #[derive(Default)]
 struct Unknowns {
     points: HashMap<Key, usize>,
@@ -32,16 +32,16 @@ struct Unknowns {
     count: usize,
 }
 
-/// A linear expression in the unknowns, with its constant.
+/// A linear expression in the unknowns: coefficients and constant.
 type Linear = (Vec<(usize, Residue)>, Residue);
 
 impl Unknowns {
-    /// x and y of a body's origin.
+    /// The index of x of a body's origin; y follows.
     fn origin(body: usize) -> usize {
         2 * body
     }
 
-    /// x and y of a point; the ground's origin is known.
+    /// x and y of a point; the origin of the ground is known.
     fn point(&mut self, graph: &Graph, key: Key) -> [Linear; 2] {
         let is_origin = graph.is_zero(key.1) && graph.is_zero(key.2);
         let first = match key.0 {
@@ -55,7 +55,7 @@ impl Unknowns {
         [first, first + 1].map(|k| (vec![(k, Residue::ONE)], Residue::ZERO))
     }
 
-    /// A held value: a literal, or an unknown that all places with the same expression share.
+    /// A held value: a literal, or one unknown for all uses of the same expression.
     fn value(&mut self, graph: &Graph, id: ExprId) -> Linear {
         if let Some(value) = graph.literal(id) {
             return (Vec::new(), Residue::number(value));
@@ -68,17 +68,17 @@ impl Unknowns {
     }
 }
 
-/// The places of a draw.
+/// The positions of a random pose.
 pub(super) struct Places {
     origins: Vec<[Residue; 2]>,
     points: HashMap<Key, [Residue; 2]>,
-    /// Points by body, for vectors that are met in expressions.
+    /// The points of each body, to recognise rotated vectors in expressions.
     of_body: Vec<Vec<(ExprId, ExprId)>>,
-    /// The body that turns with an angle, where it is one.
+    /// The body whose angle an expression is; `None` if several bodies have it.
     turning: HashMap<ExprId, Option<usize>>,
 }
 
-/// The ratio of a literal direction as small integers, where it has one.
+/// A literal direction as a ratio of small integers if possible, of any length.
 pub(super) fn literal_direction(graph: &Graph, [x, y]: [ExprId; 2]) -> Option<[Residue; 2]> {
     const ROUNDING: f64 = 8.0 * f64::EPSILON;
     let (x, y) = (graph.literal(x)?, graph.literal(y)?);
@@ -87,7 +87,7 @@ pub(super) fn literal_direction(graph: &Graph, [x, y]: [ExprId; 2]) -> Option<[R
         Some((p, q)) => [Residue::integer(q), Residue::integer(p)],
         None => [Residue::number(big), Residue::number(small)],
     };
-    // Which way it points is the same for both forms only up to a sign, which no rank depends on.
+    // Both forms agree up to sign, which does not affect the rank.
     Some(if x.abs() >= y.abs() { ratio } else { [ratio[1], ratio[0]] })
 }
 
@@ -97,23 +97,23 @@ pub(super) fn local(set: &ConstraintSet, joint: &JointInstance, role: Role) -> O
     Some((geometry.frame, *set.geometry.get(geometry.offset)?, *set.geometry.get(geometry.offset + 1)?))
 }
 
-/// The value of a joint: length, offset, right-hand side.
+/// The value of a joint: its length, offset or right-hand side.
 fn value(set: &ConstraintSet, joint: &JointInstance) -> Option<ExprId> {
     let geometry = joint.geometry.iter().find(|geometry| geometry.role == Role::Value)?;
     set.geometry.get(geometry.offset).copied()
 }
 
 impl Places {
-    /// Draws places that satisfy the joints.
+    /// Draws positions that satisfy the joints.
     pub(super) fn new(system: &KinematicSystem, turns: &Turns, draw: Draw) -> Self {
         let set = &system.set;
         let mut unknowns = Unknowns { count: 2 * set.bodies.len(), ..Unknowns::default() };
         let equations = equations(system, turns, &mut unknowns);
-        // The last column is the constant.
+        // The last column is that of the constants.
         let one = unknowns.count;
         let mut elimination = Elimination::new(vec![1; one + 1]);
         for (k, row) in equations.iter().enumerate() {
-            // What cannot hold together with the rest is left out: the mechanism cannot be assembled then.
+            // An equation that contradicts earlier ones is ignored; such a mechanism cannot be assembled.
             let _ = elimination.push(k, row, one);
         }
         let x = elimination.solve(|k| draw.residue(SORT_PLACE, k as u64));
@@ -148,7 +148,7 @@ impl Places {
         }
     }
 
-    /// The turned vector of a point that has a place, or of its opposite.
+    /// The rotated vector to a point with a drawn position, or the negative of such a vector.
     pub(super) fn vector(&self, set: &ConstraintSet, r: Rotation) -> Option<[Residue; 2]> {
         let body = (*self.turning.get(&r.angle)?)?;
         let graph = &set.graph;
@@ -170,7 +170,7 @@ impl Places {
     }
 }
 
-/// left − right as a row, with the constant in the last column.
+/// Σ factor · linear expression as a row, with the constant in the last column.
 fn difference(terms: &[(Residue, &Linear)], one: usize) -> Row {
     let mut row = Row::new();
     for (factor, (unknowns, constant)) in terms {
@@ -219,7 +219,7 @@ fn equations(system: &KinematicSystem, turns: &Turns, unknowns: &mut Unknowns) -
                 (RowMeaning::AcrossAxis(offset), Some([px, py]), Some([qx, qy])) => {
                     let through = offset.is_none_or(|offset| graph.is_zero(offset));
                     if let Some([ux, uy]) = fixed_direction(set, turns, joint).filter(|_| through) {
-                        // perp(u)·(r_Q − r_P) = 0.
+                        // The row perp(u)·(r_Q − r_P) = 0.
                         let terms = [(-uy, qx), (uy, px), (ux, qy), (-ux, py)];
                         pairs.push(terms.map(|(factor, of)| (factor, of.clone())).to_vec());
                     }
@@ -238,7 +238,7 @@ fn equations(system: &KinematicSystem, turns: &Turns, unknowns: &mut Unknowns) -
         .collect()
 }
 
-/// The direction of a line that does not turn and is literal.
+/// The direction of a line that is literal and does not rotate.
 fn fixed_direction(set: &ConstraintSet, turns: &Turns, joint: &JointInstance) -> Option<[Residue; 2]> {
     let (frame, x, y) = local(set, joint, Role::Axis)?;
     let direction = literal_direction(&set.graph, [x, y])?;

@@ -1,12 +1,12 @@
-//! Sparse elimination in F_p, row by row: which rows depend on rows before them, and how.
+//! Sparse elimination in F_p, row by row: which rows depend on earlier ones, and with which coefficients.
 
 use super::field::Residue;
 use std::collections::BTreeSet;
 
-/// A sparse row: columns ascending, no zero.
+/// A sparse row: entries in ascending order of columns, without zeros.
 pub(super) type Row = Vec<(usize, Residue)>;
 
-/// Adds `value` at `column`.
+/// Adds `value` to the entry in `column`.
 pub(super) fn add_to(row: &mut Row, column: usize, value: Residue) {
     match row.binary_search_by_key(&column, |(c, _)| *c) {
         Ok(place) => {
@@ -20,42 +20,42 @@ pub(super) fn add_to(row: &mut Row, column: usize, value: Residue) {
     }
 }
 
-/// A row after elimination: 1 at its pivot, nothing at the pivots before it.
+/// A row after elimination: its pivot entry is 1, its entries in earlier pivots' columns are 0.
 #[derive(Clone, Debug)]
 struct Pivot {
     column: usize,
-    /// What it was made of: the row `source`, less Σ factor · earlier pivot rows, times `scale`.
+    /// How the row was formed: (row `source` − Σ factor · earlier pivot row) · `scale`.
     source: usize,
     factors: Vec<(usize, Residue)>,
     scale: Residue,
     entries: Row,
 }
 
-/// The rows that were found independent so far.
+/// The independent rows found so far.
 #[derive(Clone, Debug)]
 pub(super) struct Elimination {
     pivots: Vec<Pivot>,
     pivot_of: Vec<Option<usize>>,
-    /// Entries per column, which say how much a pivot there would fill in.
+    /// The number of entries per column, an estimate of the fill-in of a pivot there.
     weights: Vec<usize>,
-    /// Dense row that is being reduced.
+    /// The row that is being reduced, in dense form.
     work: Vec<Residue>,
 }
 
 impl Elimination {
-    /// No rows yet, and columns with the given numbers of entries.
+    /// An elimination without rows; `weights` gives the number of entries of each column.
     pub(super) fn new(weights: Vec<usize>) -> Self {
         let columns = weights.len();
         Self { pivots: Vec::new(), pivot_of: vec![None; columns], weights, work: vec![Residue::ZERO; columns] }
     }
 
-    /// Number of independent rows.
+    /// The number of independent rows.
     pub(super) fn rank(&self) -> usize {
         self.pivots.len()
     }
 
-    /// Takes the next row, called `source`. A row that depends on earlier ones is refused, with the factors by which
-    /// they make it up: row = Σ factor · earlier row. Only columns below `last` can be pivots.
+    /// Adds the next row, identified by `source`. If it depends on earlier rows, fails with the coefficients of
+    /// row = Σ factor · earlier row. Only columns below `last` can be pivots.
     pub(super) fn push(&mut self, source: usize, row: &Row, last: usize) -> Result<(), Vec<(usize, Residue)>> {
         let mut touched: BTreeSet<usize> = BTreeSet::new();
         let mut waiting: BTreeSet<usize> = BTreeSet::new();
@@ -65,7 +65,7 @@ impl Elimination {
             waiting.extend(self.pivot_of[column]);
         }
         let mut factors = Vec::new();
-        // A pivot row holds only pivots that came after it, so going up meets each once.
+        // A pivot row has entries only in columns of later pivots, so ascending order visits each pivot once.
         while let Some(next) = waiting.pop_first() {
             let pivot = &self.pivots[next];
             let factor = self.work[pivot.column];
@@ -95,7 +95,7 @@ impl Elimination {
         Ok(())
     }
 
-    /// Σ factor · pivot row in terms of the rows that were pushed.
+    /// Expresses Σ factor · pivot row in terms of the rows that were added.
     fn sources(&self, factors: Vec<(usize, Residue)>) -> Vec<(usize, Residue)> {
         let mut of_pivot: Row = Vec::new();
         factors.into_iter().for_each(|(pivot, factor)| add_to(&mut of_pivot, pivot, factor));
@@ -112,8 +112,8 @@ impl Elimination {
         found
     }
 
-    /// A solution of the pushed equations `row · (x, 1) = 0`, where the last column is that of the 1, and `free` gives
-    /// the values of unknowns that the equations leave open.
+    /// A solution of the equations `row · (x, 1) = 0`, whose last column is that of the constants; `free` gives the
+    /// values of undetermined unknowns.
     pub(super) fn solve(&self, free: impl Fn(usize) -> Residue) -> Vec<Residue> {
         let columns = self.pivot_of.len();
         let mut x: Vec<Residue> = (0..columns).map(free).collect();
@@ -149,7 +149,8 @@ mod tests {
         assert_eq!(elimination.rank(), 3);
     }
 
-    /// Random products of thin matrices have the rank of the thin side, and every dependency holds.
+    /// A random product of thin matrices has the rank of the inner dimension, and the coefficients of dependent rows
+    /// are right.
     #[test]
     fn ranks_of_products_are_found() {
         let draw = Draw(3);
@@ -178,11 +179,11 @@ mod tests {
 
     #[test]
     fn linear_equations_are_solved() {
-        // x + y = 5, x − z = 1; z is free.
+        // The equations x + y = 5 and x − z = 1, where z is free.
         let mut elimination = Elimination::new(vec![0, 1, 2, 0]);
         assert!(elimination.push(0, &row(&[(0, 1), (1, 1), (3, -5)]), 3).is_ok());
         assert!(elimination.push(1, &row(&[(0, 1), (2, -1), (3, -1)]), 3).is_ok());
-        // What cannot hold is refused.
+        // An inconsistent equation is rejected.
         assert!(elimination.push(2, &row(&[(1, 1), (2, 1), (3, -7)]), 3).is_err());
         let x = elimination.solve(|k| Residue::integer(10 + k as i64));
         assert_eq!(x[0] + x[1], Residue::integer(5));

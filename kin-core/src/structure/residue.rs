@@ -1,8 +1,8 @@
-//! Expressions at a draw.
+//! Residues of expressions at a random pose.
 //!
-//! Sums, products, quotients and integer powers are exact; sines and cosines come from the drawn rotations; roots and
-//! other functions, which have no residue, are drawn, the same expression always the same. Parameters, t and inputs
-//! are drawn; coordinates stand at the drawn pose.
+//! Sums, products, quotients and integer powers are exact; sines and cosines come from the random rotations; roots and
+//! other functions, which have no residue, get random values, the same for equal expressions. Parameters, t and inputs
+//! are random; coordinates have the values of the random pose.
 
 use super::field::{Draw, Residue};
 use super::place::Places;
@@ -14,38 +14,38 @@ use crate::mechanism::{Component, Function};
 const SORT_SYMBOL: u64 = 10;
 const SORT_FUNCTION: u64 = 11;
 
-/// Where a draw has put what expressions refer to; `None` for what it has not.
+/// The values that a random pose gives to coordinates and vectors; `None` for those that it does not determine.
 pub(crate) trait Pose {
-    /// A coordinate.
+    /// The value of a coordinate.
     fn coordinate(&self, _k: u32) -> Option<Residue> {
         None
     }
-    /// A turned vector.
+    /// The value of a rotated vector.
     fn vector(&self, _rotation: Rotation) -> Option<[Residue; 2]> {
         None
     }
 }
 
-/// Nothing has a place.
+/// A pose that determines nothing.
 impl Pose for () {}
 
-/// Expressions of a graph at a draw.
-pub(crate) struct Drawn<'a, P> {
+/// The fold that computes residues of a graph's expressions.
+pub(crate) struct ResidueFold<'a, P> {
     pub(crate) graph: &'a Graph,
     pub(crate) turns: &'a Turns,
     pub(crate) pose: P,
     pub(crate) draw: Draw,
-    /// Residues, as far as they were asked for.
+    /// Residues that have been computed.
     pub(crate) known: &'a mut IdMap<Residue>,
 }
 
-impl<P> Drawn<'_, P> {
+impl<P> ResidueFold<'_, P> {
     fn drawn(&self, id: ExprId) -> Residue {
         self.draw.residue(SORT_FUNCTION, id.index() as u64)
     }
 }
 
-impl<P: Pose> Algebra for Drawn<'_, P> {
+impl<P: Pose> Algebra for ResidueFold<'_, P> {
     type Value = Residue;
 
     fn graph(&self) -> &Graph {
@@ -73,7 +73,7 @@ impl<P: Pose> Algebra for Drawn<'_, P> {
     fn mul(&mut self, a: Residue, b: Residue) -> Residue {
         a * b
     }
-    /// 0 in F_p where the pose is special: nothing is known about the quotient then.
+    /// A random value where the divisor is 0 in F_p, because the quotient is unknown there.
     fn div(&mut self, id: ExprId, a: Residue, b: Residue) -> Residue {
         if b.is_zero() { self.drawn(id) } else { a * b.inverse() }
     }
@@ -84,7 +84,7 @@ impl<P: Pose> Algebra for Drawn<'_, P> {
             _ => a.inverse().power(u64::from(n.unsigned_abs())),
         }
     }
-    /// Where the draw has put the point, or else the turned vector.
+    /// The drawn vector of a point, or else the rotated vector.
     fn rotate(&mut self, r: Rotation) -> [Residue; 2] {
         match self.pose.vector(r) {
             Some(rho) => rho,
@@ -104,7 +104,7 @@ impl<P: Pose> Algebra for Drawn<'_, P> {
     }
 }
 
-/// The pose of a mechanism.
+/// The random pose of a mechanism.
 struct Placed<'a> {
     set: &'a ConstraintSet,
     places: &'a Places,
@@ -124,7 +124,7 @@ impl Pose for Placed<'_> {
     }
 }
 
-/// The expressions of a mechanism and their residues, as far as they were asked for.
+/// The expressions of a mechanism with a cache of their residues.
 pub(super) struct Residues<'a> {
     pub(super) set: &'a ConstraintSet,
     pub(super) turns: &'a Turns,
@@ -141,10 +141,10 @@ impl<'a> Residues<'a> {
     /// The residue of an expression.
     pub(super) fn of(&mut self, id: ExprId) -> Residue {
         let Self { set, turns, places, draw, ref mut known } = *self;
-        Drawn { graph: &set.graph, turns, pose: Placed { set, places }, draw, known }.fold(id)
+        ResidueFold { graph: &set.graph, turns, pose: Placed { set, places }, draw, known }.fold(id)
     }
 
-    /// The direction of an axis in its frame, of any length: the literal ratio, or what was divided by the norm.
+    /// The direction of an axis in its frame, of any length: a literal ratio, or the vector before normalisation.
     pub(super) fn direction(&mut self, local: [ExprId; 2]) -> [Residue; 2] {
         match super::place::literal_direction(&self.set.graph, local) {
             Some(direction) => direction,
@@ -152,7 +152,7 @@ impl<'a> Residues<'a> {
         }
     }
 
-    /// ±a of ±a/n.
+    /// The residue of ±a for an expression ±a/n.
     fn numerator(&mut self, component: ExprId) -> Residue {
         match self.set.graph.node(component) {
             Node::Neg(inner) => -self.numerator(inner),
@@ -168,7 +168,7 @@ mod tests {
     use crate::mechanism::Mechanism;
     use crate::{assemble, differentiate};
 
-    /// Negative powers, tangents and signs are what they are called.
+    /// Negative powers, tangents and signs obey their rules.
     #[test]
     fn residues_obey_the_rules_of_numbers() {
         let mut system = differentiate(assemble(&Mechanism::default()).unwrap()).unwrap();

@@ -1,10 +1,10 @@
-//! Rotations that satisfy the angle rows.
+//! Random rotations that satisfy the angle rows.
 //!
-//! Every angle is a point (cos, sin) of the unit circle over F_p. Rows that only say how two angles differ, or add up,
-//! tie their rotations together; angles that nothing ties are drawn. Constant angles are rotations too: literal
-//! multiples of π/2 are exact, everything else is drawn, the same expression always the same, and sums, differences
-//! and integer multiples turn as they should. Around a circle of angle rows the last one is taken to be consistent:
-//! whether its constant is, depends on values.
+//! Every angle is a point (cos, sin) of the unit circle over F_p. Rows that prescribe the difference or the sum of two
+//! angles relate their rotations; angles without such a row are random. Constant angles are rotations, too: literal
+//! multiples of π/2 are exact, all others random, the same for equal expressions, and sums, differences and integer
+//! multiples of angles compose correctly. The last angle row of a closed circuit is assumed to be consistent, because
+//! that depends on numerical values.
 
 use super::field::{Draw, Residue};
 use crate::constraint::{ConstraintSet, CoordinateKind};
@@ -19,14 +19,14 @@ use std::collections::BTreeMap;
 pub(crate) struct Turn {
     pub(crate) cos: Residue,
     pub(crate) sin: Residue,
-    /// Nothing about it was drawn.
+    /// True if no random value contributed.
     pub(crate) exact: bool,
 }
 
 impl Turn {
     const NONE: Self = Self { cos: Residue::ONE, sin: Residue::ZERO, exact: true };
 
-    /// ((1 − t²)/(1 + t²), 2t/(1 + t²)).
+    /// The rational parametrisation ((1 − t²)/(1 + t²), 2t/(1 + t²)).
     fn drawn(t: Residue) -> Self {
         let square = t * t;
         let norm = (Residue::ONE + square).inverse();
@@ -45,7 +45,7 @@ impl Turn {
         Self { sin: -self.sin, ..self }
     }
 
-    /// The rotation by `times` the angle, by doubling.
+    /// The rotation by `times` the angle, by repeated doubling.
     fn times(self, times: i64) -> Self {
         let (mut power, mut all, mut left) =
             (if times < 0 { self.back() } else { self }, Self::NONE, times.unsigned_abs());
@@ -59,25 +59,25 @@ impl Turn {
         all
     }
 
-    /// A·v.
+    /// The rotated vector A·v.
     pub(crate) fn apply(self, [x, y]: [Residue; 2]) -> [Residue; 2] {
         [self.cos * x - self.sin * y, self.sin * x + self.cos * y]
     }
 }
 
-/// Multiples above this are not followed: their angle is drawn.
+/// The largest multiple of an angle that is composed exactly; for larger multiples the rotation is random.
 const MULTIPLE: i64 = 12;
 
-/// The integer n of a product n·a.
+/// The integer n and the factor a of a product n·a.
 fn multiple(graph: &Graph, a: ExprId, b: ExprId) -> Option<(i64, ExprId)> {
     let whole = |id| graph.literal(id).filter(|v| v.fract() == 0.0 && v.abs() <= MULTIPLE as f64);
     whole(a).map(|n| (n as i64, b)).or_else(|| whole(b).map(|n| (n as i64, a)))
 }
 
-/// An angle as a sum of integer multiples of other expressions, each once.
+/// Writes an angle as a sum of integer multiples of distinct expressions.
 ///
-/// Operands stand before what is made of them, so that from the last node on every coefficient is complete when its
-/// node is opened: shared parts are opened once. Coefficients may wrap, since 2⁶¹ turns of any angle are none modulo p.
+/// Operands have smaller ids than their users, so processing in descending order visits each node once, when its
+/// coefficient is complete. Overflow of a coefficient is harmless: 2⁶¹ times any angle is the zero rotation modulo p.
 pub(crate) fn terms(graph: &Graph, angle: ExprId) -> Vec<(i64, ExprId)> {
     let (mut open, mut sum) = (BTreeMap::from([(angle, 1_i64)]), Vec::new());
     while let Some((id, times)) = open.pop_last() {
@@ -105,16 +105,16 @@ pub(crate) fn terms(graph: &Graph, angle: ExprId) -> Vec<(i64, ExprId)> {
     sum
 }
 
-/// A row ±φ_a ± φ_b + rest = 0; without b the ground is meant.
+/// A row ±φ_a ± φ_b + rest = 0; a row of one angle has the ground for b.
 struct Relation {
     ends: [(usize, i64); 2],
     rest: Turn,
 }
 
-/// The rotations of a draw.
+/// The rotations of a random pose.
 pub(crate) struct Turns {
     draw: Draw,
-    /// By coordinate.
+    /// The rotation of each coordinate.
     of: Vec<Turn>,
 }
 
@@ -123,13 +123,13 @@ const SORT_LITERAL: u64 = 2;
 const SORT_EXPRESSION: u64 = 3;
 
 impl Turns {
-    /// Draws the rotations of `coordinates` angles, none tied to another.
+    /// Random, independent rotations for `coordinates` angles.
     pub(crate) fn free(coordinates: usize, draw: Draw) -> Self {
         let of = (0..coordinates).map(|k| Turn::drawn(draw.residue(SORT_COORDINATE, k as u64))).collect();
         Self { draw, of }
     }
 
-    /// Draws rotations that satisfy the angle rows.
+    /// Random rotations that satisfy the angle rows.
     pub(crate) fn new(system: &KinematicSystem, draw: Draw) -> Self {
         let set = &system.set;
         let ground = set.coordinates.len();
@@ -156,7 +156,7 @@ impl Turns {
                 let Some(here) = of[place] else { continue };
                 for (next, Relation { ends: [(_, sign), (_, next_sign)], rest }) in &relations[place] {
                     if of[*next].is_none() {
-                        // φ_next = −next_sign (sign φ + rest).
+                        // Solves for φ_next = −next_sign (sign φ + rest).
                         of[*next] = Some(here.times(*sign).then(*rest).times(-next_sign));
                         open.push(*next);
                     }
@@ -167,7 +167,7 @@ impl Turns {
         turns
     }
 
-    /// The angles that a row ties together, with their signs. Driving rows do not count: what moves is generic.
+    /// The angles that a row relates, with their signs. Driving rows are ignored, because a driven angle is generic.
     fn ends(&self, system: &KinematicSystem, row: usize) -> Option<[(usize, i64); 2]> {
         let class = system.classes[row];
         if class.driving || !class.holonomic {
@@ -185,7 +185,7 @@ impl Turns {
             [a, b] => [end(a)?, end(b)?],
             _ => return None,
         };
-        // What is left of the sum without the two angles must not move.
+        // The rest of the sum must not depend on coordinates.
         let still = |&(_, id): &(i64, ExprId)| match set.graph.node(id) {
             Node::Symbol(Symbol::Coordinate(_)) => true,
             _ => !set.graph.depends(id).on(Depends::COORDINATE),
@@ -193,14 +193,14 @@ impl Turns {
         terms(&set.graph, set.rows[row].phi).iter().all(still).then_some(ends)
     }
 
-    /// The constant part of an angle row.
+    /// The rotation by the constant part of an angle row.
     fn rest(&self, set: &ConstraintSet, phi: ExprId) -> Turn {
         let terms = terms(&set.graph, phi);
         let constants = terms.into_iter().filter(|(_, id)| !set.graph.depends(*id).on(Depends::COORDINATE));
         constants.fold(Turn::NONE, |all, (times, id)| all.then(self.term(&set.graph, id).times(times)))
     }
 
-    /// The rotation of an angle.
+    /// The rotation by an angle.
     pub(crate) fn of(&self, graph: &Graph, angle: ExprId) -> Turn {
         let terms = terms(graph, angle);
         terms.into_iter().fold(Turn::NONE, |all, (times, id)| all.then(self.term(graph, id).times(times)))

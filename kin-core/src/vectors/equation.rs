@@ -1,24 +1,24 @@
-//! Equations in vectors: r + A s′ of both bodies, before anything is written out in coordinates.
+//! Vector equations of joints: in terms of r + A s′ of both bodies, not of coordinates.
 
 use crate::vocabulary::JointKind;
 
-/// An equation, piece by piece.
+/// An equation as a sequence of pieces.
 pub(crate) type Equation = Vec<Piece>;
 
-/// A joint with what its equations are about. A body is its name, `None` the ground.
+/// A joint with the names that its equations contain; a body is given by its name, the ground by `None`.
 #[derive(Clone, Copy, Debug)]
 pub struct NamedJoint<'a> {
-    /// Kind.
+    /// The kind of joint.
     pub kind: JointKind,
-    /// Name.
+    /// The name of the joint.
     pub name: &'a str,
-    /// Frames of the operands, as far as there are any.
+    /// The frames of the operands, if there are any.
     pub frames: [Option<Option<&'a str>>; 2],
-    /// Frames that carry the points P and Q.
+    /// The frames of the points P and Q, if there are any.
     pub points: [Option<Option<&'a str>>; 2],
 }
 
-/// A letter with what stands at it.
+/// A letter with its decorations.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Symbol {
     pub(super) letter: &'static str,
@@ -37,12 +37,12 @@ impl Symbol {
         Self { bold: true, ..Self::plain(letter) }
     }
 
-    /// With an index below.
+    /// The symbol with a subscript.
     pub(crate) fn of(self, index: &str) -> Self {
         Self { index: Some(index.to_owned()), ..self }
     }
 
-    /// With an index above.
+    /// The symbol with a superscript.
     pub(crate) fn at(self, above: &str) -> Self {
         Self { above: Some(above.to_owned()), ..self }
     }
@@ -52,19 +52,19 @@ impl Symbol {
     }
 }
 
-/// A part of an equation.
+/// A piece of an equation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Piece {
     /// A vector or a matrix.
     Vector(Symbol),
-    /// A row vector.
+    /// A transposed vector.
     Transposed(Symbol),
-    /// A number.
+    /// A scalar.
     Scalar(Symbol),
-    /// Its square.
+    /// A squared scalar.
     Squared(Symbol),
-    /// A product in brackets with a mark: ⊥ᵀ or ᵀ.
+    /// A bracketed product with a superscript: ⊥ᵀ or ᵀ.
     Marked(Vec<Piece>, &'static str),
-    /// Anything else: signs, brackets, numbers.
+    /// Any other text: signs, brackets, numbers.
     Op(&'static str),
 }

@@ -1,5 +1,5 @@
-//! Vector notation, as the lecture and textbooks write the equation of a joint: what it is made of, and how it is printed
-//! as text, LaTeX and MathML.
+//! Vector notation for the equations of joints, as in textbooks: their terms, and their output as text, LaTeX and
+//! MathML.
 
 mod equation;
 mod terms;

@@ -1,15 +1,15 @@
-//! The terms that the equations of joints are made of.
+//! The terms of the vector equations of joints.
 
 use super::equation::{Equation, NamedJoint, Piece, Symbol};
 
-/// A frame with its symbols: a body's name, `None` for the ground.
+/// A frame: the name of a body, or `None` for the ground.
 #[derive(Clone, Copy)]
 pub(crate) struct Frame<'a>(Option<&'a str>);
 
 /// The symbols of a joint between two frames.
 #[derive(Clone, Copy)]
 pub(crate) struct Terms<'a> {
-    /// The joint's name.
+    /// The name of the joint.
     name: &'a str,
     /// The frame of P, or of the first operand.
     pub(crate) i: Frame<'a>,
@@ -18,70 +18,70 @@ pub(crate) struct Terms<'a> {
 }
 
 impl<'a> Terms<'a> {
-    /// The symbols of a joint; none where it has fewer than two frames.
+    /// The symbols of a joint; `None` if it has fewer than two frames.
     pub(crate) fn of(joint: &NamedJoint<'a>) -> Option<Self> {
         let frame = |place: usize| joint.points[place].or(joint.frames[place]).map(Frame);
         Some(Self { name: joint.name, i: frame(0)?, j: frame(1)? })
     }
 
-    /// The symbols of a joint that has one frame, which stands for both.
+    /// The symbols of a joint with a single frame, which is used for both.
     pub(crate) fn of_first(joint: &NamedJoint<'a>) -> Option<Self> {
         let i = joint.points[0].or(joint.frames[0]).map(Frame)?;
         Some(Self { name: joint.name, i, j: i })
     }
 
-    /// A letter with the joint's name at it.
+    /// A scalar with the joint's name as index.
     pub(crate) fn scalar(&self, letter: &'static str) -> Equation {
         vec![Piece::Scalar(Symbol::plain(letter).of(self.name))]
     }
 
-    /// A bold letter with the joint's name at it.
+    /// A vector with the joint's name as index.
     pub(crate) fn vector(&self, letter: &'static str) -> Piece {
         Piece::Vector(Symbol::bold(letter).of(self.name))
     }
 
-    /// dᵀd.
+    /// The square dᵀd.
     pub(crate) fn square_of_d(&self) -> Equation {
         vec![Piece::Transposed(Symbol::bold("d").of(self.name)), self.vector("d")]
     }
 
-    /// A letter's square.
+    /// The square of a scalar.
     pub(crate) fn squared(&self, letter: &'static str) -> Equation {
         vec![Piece::Squared(Symbol::plain(letter).of(self.name))]
     }
 
-    /// r_Q − r_P.
+    /// The difference r_Q − r_P.
     pub(crate) fn difference(&self) -> Equation {
         let (q, p) = (self.point(self.j, " + "), self.point(self.i, " − "));
         q.into_iter().chain([Piece::Op(" − ")]).chain(p).collect()
     }
 
-    /// d = r_Q − r_P.
+    /// The definition d = r_Q − r_P.
     pub(crate) fn d_is_difference(&self) -> Equation {
         equals(vec![self.vector("d")], self.difference())
     }
 
-    /// (A v̂)⊥ᵀ d.
+    /// The component across the axis, (A v̂)⊥ᵀ d.
     pub(crate) fn across(&self) -> Equation {
         vec![self.axis("⊥ᵀ"), self.vector("d")]
     }
 
-    /// (A v̂)ᵀ d.
+    /// The component along the axis, (A v̂)ᵀ d.
     pub(crate) fn along(&self) -> Equation {
         vec![self.axis("ᵀ"), self.vector("d")]
     }
 
-    /// (A v̂)⊥ᵀ ṙ.
+    /// The velocity across the direction, (A v̂)⊥ᵀ ṙ.
     pub(crate) fn rate_across(&self) -> Equation {
         vec![self.axis("⊥ᵀ"), self.vector("ṙ")]
     }
 
-    /// φ_j − φ_i = what.
+    /// The equation φ_j − φ_i = `what`.
     pub(crate) fn turned_by(&self, what: Equation) -> Equation {
         equals(vec![Piece::Scalar(self.j.phi()), Piece::Op(" − "), Piece::Scalar(self.i.phi())], what)
     }
 
-    /// r + A s′, of the ground s alone.
+    /// The position r + A s′ of a point; for a point of the ground s.
     fn point(&self, frame: Frame<'_>, sign: &'static str) -> Equation {
         let local = Symbol::bold("s").of(frame.index()).at(self.name);
         match frame.0 {
@@ -109,23 +109,23 @@ impl Frame<'_> {
         self.0.unwrap_or("0")
     }
 
-    /// φ.
+    /// The symbol of the frame's angle φ.
     pub(crate) fn phi(&self) -> Symbol {
         Symbol::plain("φ").of(self.index())
     }
 
-    /// A.
+    /// The symbol of the frame's rotation matrix A.
     pub(crate) fn matrix(&self) -> Piece {
         Piece::Vector(Symbol::bold("A").of(self.index()))
     }
 }
 
-/// 0.
+/// The number 0.
 pub(crate) fn zero() -> Equation {
     vec![Piece::Op("0")]
 }
 
-/// left = right.
+/// The equation left = right.
 pub(crate) fn equals(left: Equation, right: Equation) -> Equation {
     left.into_iter().chain([Piece::Op(" = ")]).chain(right).collect()
 }

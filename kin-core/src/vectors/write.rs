@@ -1,15 +1,15 @@
-//! Equations in vectors, in every notation.
+//! Writes vector equations in every notation.
 
 use super::equation::{Piece, Symbol};
 use crate::notation::{Notation, escaped};
 
-/// An equation in a notation.
+/// Writes an equation in a notation.
 pub(crate) fn write(pieces: &[Piece], notation: Notation) -> String {
     let texts: Vec<(bool, String)> =
         pieces.iter().map(|piece| (!matches!(piece, Piece::Op(_)), one(piece, notation))).collect();
     let mut out = String::new();
     for (place, (symbol, text)) in texts.iter().enumerate() {
-        // Factors stand a little apart.
+        // Adjacent factors are separated by a small space.
         if *symbol && place > 0 && texts[place - 1].0 {
             out.push_str(match notation {
                 Notation::Unicode => " ",
@@ -110,7 +110,7 @@ fn symbol(own: &Symbol, mark: &str, notation: Notation) -> String {
     }
 }
 
-/// A letter of vectors and matrices: browsers know no other way to write one bold.
+/// A bold letter for vectors and matrices; in MathML Core bold letters are separate Unicode characters.
 fn bold(letter: char) -> char {
     let (first, start) = if letter.is_ascii_uppercase() { ('A', 0x1d400) } else { ('a', 0x1d41a) };
     let place = u32::from(letter).wrapping_sub(u32::from(first));

@@ -75,8 +75,7 @@ impl Lowerer<'_> {
             let names: Vec<String> = circle.iter().map(|&k| text(&named[k].name().ident)).collect();
             let names: Vec<&str> = names.iter().map(String::as_str).collect();
             if let Some(&first) = circle.first() {
-                let message =
-                    format!("{}; a define is made of what does not need it", chain(&names, "uses", "uses itself"));
+                let message = format!("{}; a define must not depend on itself", chain(&names, "uses", "uses itself"));
                 self.report.error(named[first].name().ident.span(), message);
             }
         }

@@ -110,7 +110,7 @@ fn range(content: ParseStream, span: Span) -> Result<RangeDecl> {
     if start >= end {
         return Err(Error::new(
             end_span,
-            format!("the range {start}..{end} is empty; it ends before its second bound"),
+            format!("the range {start}..{end} is empty; its second bound is not included"),
         ));
     }
     if end > MAX_MEMBERS as i64 {

@@ -203,7 +203,8 @@ pub(super) fn facts(findings: &Findings) -> Facts {
             .add("  acceleration Φ_q q̈ = γ", size(&closure.acceleration), row(&closure.acceleration));
     }
     if let Some(certified) = &findings.certificate {
-        facts.add("  certificate", "", [certificate::words(certified)]);
+        let words = certificate::words(certified);
+        facts.add("  certificate", "", words.split(", "));
     }
     if let Some(power) = findings.power {
         facts.add("forces", "", [""]).add("  power balance", magnitude(power), ["of the rate of all energy"]);

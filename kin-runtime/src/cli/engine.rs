@@ -18,6 +18,7 @@ use crate::modes::Mode;
 use crate::motion::Motion;
 use crate::observer::Observer;
 use crate::planned::{OutOfRange, Sign};
+use crate::ranges::Ranges;
 use crate::ratios::VelocityRatios;
 use crate::sensitivities::Sensitivities;
 use crate::solver::Solver;
@@ -107,6 +108,7 @@ pub(super) trait Engine {
     /// The modes of a configuration; none where there is no plan.
     fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Vec<Mode>;
     fn assemblies(&self, setup: &Setup, t: f64) -> Result<Assemblies, SolveError>;
+    fn ranges(&self, setup: &Setup, from: f64, to: f64) -> Result<Ranges, SolveError>;
     /// Local points, axes, values and radii at an instant.
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError>;
     /// A point of the curve of a joint.
@@ -239,6 +241,10 @@ impl<M: Mechanism> Engine for Bound<M> {
 
     fn assemblies(&self, setup: &Setup, t: f64) -> Result<Assemblies, SolveError> {
         self.solver(setup).assemblies(&Instant { t, inputs: &setup.inputs })
+    }
+
+    fn ranges(&self, setup: &Setup, from: f64, to: f64) -> Result<Ranges, SolveError> {
+        self.solver(setup).ranges(&Instant { t: from, inputs: &setup.inputs }, to)
     }
 
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError> {

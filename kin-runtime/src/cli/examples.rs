@@ -52,6 +52,8 @@ pub(super) struct Names {
     pub(super) conditions: bool,
     /// Whether there are masses or loads.
     pub(super) loads: bool,
+    /// Whether there are proofs of a configuration, of all closures, and of all limits.
+    pub(super) proven: [bool; 3],
 }
 
 impl Names {
@@ -74,6 +76,7 @@ impl Names {
         let (mode, vary) = (trial.mode.map(quoted), trial.vary.map(quoted));
         Self {
             program,
+            proven: trial.proven,
             set: set(1),
             set_two: set(2),
             vary,

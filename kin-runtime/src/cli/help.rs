@@ -5,7 +5,9 @@ use super::examples::{Help, Names};
 use super::names::listing;
 use super::output::{either, forms};
 use super::trial::Trial;
-use super::{animate, check, completions, extremes, forces, info, modes, paint, report, sensitivities, solve, sweep};
+use super::{
+    animate, check, completions, extremes, forces, info, limits, modes, paint, report, sensitivities, solve, sweep,
+};
 use crate::model::Model;
 
 /// The whole command line of a mechanism, of the options that all mechanisms have.
@@ -47,6 +49,7 @@ const COMMANDS: &[(&str, Help)] = &[
     ("forces", forces::HELP),
     ("sensitivities", sensitivities::HELP),
     ("modes", modes::HELP),
+    ("limits", limits::HELP),
     ("check", check::HELP),
     #[cfg(feature = "equations")]
     ("equations", super::equations::HELP),

@@ -7,8 +7,9 @@
 //! # }
 //! ```
 //!
-//! The commands are `info`, `solve`, `sweep`, `extremes`, `forces`, `sensitivities`, `modes`, `animate`, `plot` and `equations`
-//! (with the features of their names), `check` and `completions`, one per file; without a command a report at t = 0 is printed.
+//! The commands are `info`, `solve`, `sweep`, `extremes`, `forces`, `sensitivities`, `modes`, `limits`, `animate`, `plot` and
+//! `equations` (with the features of their names), `check` and `completions`, one per file; without a command a report at t = 0
+//! is printed.
 //! Results go to stdout or to the file of `--out`, whose ending chooses the format; everything else goes to stderr. The exit
 //! status is 0 only when the answer is good, 2 when the options make no sense, 1 when the mechanism has no good answer,
 //! 130 after Ctrl-C, which leaves all that a sweep, a plot or an animation has finished in the result, and 141 when a reader
@@ -49,6 +50,7 @@ mod help;
 mod info;
 mod instants;
 mod interrupt;
+mod limits;
 #[cfg(not(all(feature = "plot", feature = "equations")))]
 mod missing;
 mod modes;
@@ -112,6 +114,7 @@ enum Command {
     Forces(forces::ForcesArgs),
     Sensitivities(sensitivities::SensitivitiesArgs),
     Modes(modes::ModesArgs),
+    Limits(limits::LimitsArgs),
     Check(check::CheckArgs),
     #[cfg(feature = "equations")]
     Equations(equations::EquationsArgs),
@@ -160,6 +163,7 @@ fn run(
         Some(Command::Forces(args)) => forces::run(args, engine, &mut session),
         Some(Command::Sensitivities(args)) => sensitivities::run(args, engine, &mut session),
         Some(Command::Modes(args)) => modes::run(args, engine, &mut session),
+        Some(Command::Limits(args)) => limits::run(args, engine, &mut session),
         Some(Command::Check(args)) => check::run(args, engine, &mut session),
         #[cfg(feature = "equations")]
         Some(Command::Equations(args)) => equations::run(args, engine, &mut session),

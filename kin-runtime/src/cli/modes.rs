@@ -25,11 +25,13 @@ pub(super) struct ModesArgs {
 
 pub(super) const HELP: Help = Help {
     examples: |names: &Names| {
-        vec![
-            names.analysis(&format!("modes --at {}", names.at), ""),
+        let all = vec![
+            names.analysis("modes", ""),
             names.with("modes --set", &names.set, "with another dimension"),
             names.analysis("modes --format json", "for another program"),
-        ]
+        ];
+        let [_, closures, _] = names.proven;
+        if closures { all } else { Vec::new() }
     },
     details: "\
 Every closure has a certificate: a proof by interval arithmetic that it is one, and alone around

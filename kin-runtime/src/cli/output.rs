@@ -85,6 +85,7 @@ const WRITERS: &[(&str, &[Form])] = &[
     ("sweep", &[Form::Text, Form::Json, Form::Csv]),
     ("extremes", &[Form::Text, Form::Json, Form::Csv]),
     ("modes", &[Form::Text, Form::Json]),
+    ("limits", &[Form::Text, Form::Json]),
     ("check", &[Form::Text, Form::Json]),
     #[cfg(feature = "equations")]
     ("equations", &[Form::Text, Form::Latex, Form::Html]),

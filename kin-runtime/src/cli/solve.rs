@@ -43,13 +43,14 @@ pub(super) struct SolveArgs {
 
 pub(super) const HELP: Help = Help {
     examples: |names: &Names| {
+        let [certified, ..] = names.proven;
         vec![
             names.analysis(&format!("solve --at {}", names.at), ""),
             names.with("solve --set", &names.set_two.clone().or(names.set.clone()), "with other dimensions"),
             names.with("solve --guess", &names.guess, "another start of the assembly"),
             names.with("solve --mode", &names.mode, "in an assembly mode, whatever the guess"),
             names.analysis(&format!("solve --at {} --format json", names.at), "for another program"),
-            names.analysis("solve --certify", "with a proof"),
+            names.analysis("solve --certify", "with a proof").filter(|_| certified),
             names.analysis("solve --out state.csv", "one row with a header"),
         ]
     },

@@ -6,7 +6,9 @@ use std::time::{Duration, Instant};
 use super::engine::{Engine, Setup};
 use super::instants::natural_end;
 use crate::model::Model;
+use crate::plan::StepKind;
 use crate::present::number::rounded;
+use crate::state::State;
 use crate::workspace::Signal;
 
 /// Coordinates that a mechanism may have for its help to try it out.
@@ -15,6 +17,8 @@ const MOST: usize = 400;
 const INSTANTS: usize = 24;
 /// What takes longer is left out of the help.
 const PATIENCE: Duration = Duration::from_millis(200);
+/// Modes whose combinations are tried.
+const SHORT: usize = 3;
 /// Values of inputs that are tried.
 const TRIES: usize = 200;
 
@@ -30,11 +34,20 @@ pub(super) struct Trial {
     pub(super) vary: Option<String>,
     /// `A-B-D=-`, as it is assembled.
     pub(super) mode: Option<String>,
+    /// Whether the configuration at t = 0 has a certificate, whether all closures there are known, and all limits of a turn.
+    pub(super) proven: [bool; 3],
 }
 
 impl Default for Trial {
     fn default() -> Self {
-        Self { needed: String::new(), at: "0.5".to_owned(), to: "1".to_owned(), vary: None, mode: None }
+        Self {
+            needed: String::new(),
+            at: "0.5".to_owned(),
+            to: "1".to_owned(),
+            vary: None,
+            mode: None,
+            proven: [false; 3],
+        }
     }
 }
 
@@ -76,9 +89,20 @@ impl Trial {
         let state = engine.state(&setup, 0.0).ok()?;
         let modes = engine.modes(&state.instant(), &state.q);
         trial.mode = modes.iter().find_map(|mode| Some(format!("{}={}", mode.name, mode.sign?)));
+        trial.proven = proven(engine, &setup, &state, natural_end(engine, &setup, 0.0));
         trial.vary = varied(engine, &setup);
         Some(trial)
     }
+}
+
+/// What has a proof: a configuration; and, where that does not take long, all closures and all limits up to `end`.
+fn proven(engine: &dyn Engine, setup: &Setup, state: &State, end: f64) -> [bool; 3] {
+    let plan = &engine.model().plan;
+    let iterates = plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)));
+    let short = plan.exists() && !iterates && plan.modes.len() <= SHORT;
+    let closures = short && engine.assemblies(setup, 0.0).is_ok_and(|all| all.is_complete());
+    let limits = closures && engine.ranges(setup, 0.0, end).is_ok_and(|all| all.is_complete());
+    [engine.certify(setup, state).is_ok(), closures, limits]
 }
 
 /// How far a motion comes.

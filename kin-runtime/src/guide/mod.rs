@@ -17,7 +17,7 @@
 //! 13. [How the derivation works](chapter_13_derivation): from tokens to straight-line code;
 //! 14. [Adding a constraint](chapter_14_constraint): for contributors;
 //! 15. [What is not there](chapter_15_limits): space, contact, friction, synthesis;
-//! 16. [Proofs](chapter_16_proofs): certificates, and all ways in which a mechanism closes.
+//! 16. [Proofs](chapter_16_proofs): certificates, all ways in which a mechanism closes, and how far it moves.
 //!
 //! The language itself, attribute by attribute, is in [`vocabulary`](crate::vocabulary). These modules hold documentation only;
 //! their numbers keep them in order beside the text.

@@ -17,6 +17,7 @@ pub(crate) mod output;
 pub(crate) mod plan;
 #[cfg(feature = "plot")]
 pub(crate) mod plot;
+pub(crate) mod ranges;
 pub(crate) mod record;
 pub(crate) mod sensitivities;
 pub(crate) mod structure;

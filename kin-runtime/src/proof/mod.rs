@@ -16,10 +16,14 @@ mod contraction;
 mod enclosures;
 mod krawczyk;
 mod reduced;
+mod scan;
 mod search;
 mod signs;
+mod winding;
 
 pub(crate) use enclosures::OverBoxes;
 pub(crate) use krawczyk::{Square, certify};
+pub(crate) use scan::{Seen, Stretch, refined, stretches};
 pub(crate) use search::{Outcome, search};
 pub(crate) use signs::{Closing, combinations};
+pub(crate) use winding::Winding;

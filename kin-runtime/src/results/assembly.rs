@@ -86,3 +86,27 @@ impl fmt::Display for Undecided {
         }
     }
 }
+
+/// `A-B-D=+: one solution, known within 1.2e-16, no other within 1e-6`.
+impl fmt::Display for Assembly {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: ", self.name())?;
+        match &self.certificate {
+            Ok(certificate) => certificate.fmt(f),
+            Err(why) => write!(f, "not certified: {why}"),
+        }
+    }
+}
+
+/// One closure in a line, and what is undecided.
+impl fmt::Display for Assemblies {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.found.len() {
+            1 => f.write_str("1 closure")?,
+            count => write!(f, "{count} closures")?,
+        }
+        f.write_str(if self.is_complete() { ", all there are" } else { ", not proven to be all" })?;
+        self.found.iter().try_for_each(|assembly| write!(f, "\n  {assembly}"))?;
+        self.undecided.iter().try_for_each(|left| write!(f, "\n  undecided: {left}"))
+    }
+}

@@ -90,6 +90,9 @@ pub enum Uncertified {
         /// By how much, in its unit.
         by: f64,
     },
+    /// The plan has no closed form for all groups, or too many modes, or coordinates are prescribed: its groups cannot be
+    /// enclosed.
+    NoClosedForm,
     /// NaN or infinity in the state, or lists of other lengths than the mechanism has.
     Malformed,
 }
@@ -103,7 +106,7 @@ impl fmt::Display for Uncertified {
             Self::Open { degrees_of_freedom } => {
                 write!(f, "{degrees_of_freedom} degrees of freedom are open, so that no solution is alone")
             }
-            Self::VelocityLevel => f.write_str("rows of velocity level leave the position to the motion"),
+            Self::VelocityLevel => f.write_str("rows of velocity level do not determine the position"),
             Self::Unbounded { row } => write!(
                 f,
                 "row {row} has no enclosure: it uses a supplied function, or is not continuous around the configuration"
@@ -116,7 +119,8 @@ impl fmt::Display for Uncertified {
                 write!(f, "{what} is no solution: {coordinate} is off by ")?;
                 number(f, by)
             }
-            Self::Malformed => f.write_str("the state has numbers that are not finite, or too few or too many of them"),
+            Self::NoClosedForm => f.write_str("the plan has no closed form for all groups"),
+            Self::Malformed => f.write_str("numbers of the state are not finite, or too few or too many"),
         }
     }
 }

@@ -8,6 +8,7 @@ pub mod forces;
 pub mod motion;
 pub mod observer;
 pub mod options;
+pub mod ranges;
 pub mod sensitivities;
 pub mod state;
 pub mod trajectory;

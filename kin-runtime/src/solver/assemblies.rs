@@ -9,9 +9,9 @@ use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind};
 use crate::plan::{Depth, Plan, Solved, StepKind};
-use crate::proof::{Closing, Outcome, OverBoxes, certify, combinations, search};
+use crate::proof::{Closing, Outcome, OverBoxes, Seen, certify, combinations, search};
 use crate::scalar::Interval;
-use crate::workspace::{Array, Instant, Signal};
+use crate::workspace::{Array, Instant};
 
 /// How far coordinates are searched that are lengths and that no row gives, relative to the size of the mechanism.
 const REACH: f64 = 16.0;
@@ -109,27 +109,10 @@ impl<M: Mechanism> Solver<'_, M> {
             None if done.is_ok() => Closing::Closed([q, q_dot, q_ddot].map(|list| list.as_ref().to_vec())),
             None => Closing::Open { margin: 0, excluded: false },
             Some(margin) => {
-                let enclosed = self.enclosed_margins(at, signs, start);
-                Closing::Open { margin, excluded: enclosed.is_some_and(|margins| margins[margin].upper() < 0.0) }
+                let seen = self.look([at.t, at.t], at.inputs, signs, start);
+                Closing::Open { margin, excluded: matches!(seen, Seen::Open(_)) }
             }
         }
-    }
-
-    /// The margins of the plan with these signs, as intervals.
-    fn enclosed_margins(&self, at: &Instant<'_>, signs: &[f64], start: &[f64]) -> Option<Vec<Interval>> {
-        let interval = |list: &[f64]| list.iter().map(|&x| Interval::from(x)).collect::<Vec<_>>();
-        let inputs: Vec<Signal<Interval>> = at.inputs.iter().map(|u| u.map(Interval::from)).collect();
-        let instant = Instant { t: Interval::from(at.t), inputs: &inputs };
-        let mut lists = [const { Interval::ENTIRE }; 3].map(|all| vec![all; M::COORDINATES]);
-        let mut margins = vec![Interval::ENTIRE; M::model().plan.margins];
-        let [q, q_dot, q_ddot] = &mut lists;
-        let solved = Solved { q, q_dot, q_ddot, margins: &mut margins };
-        let parameters = self.mechanism.parameters::<Interval>();
-        let (signs, start) = (interval(signs), interval(start));
-        self.mechanism
-            .solve_with(parameters.as_ref(), &instant, &signs, &start, Depth::Position, solved)
-            .ok()
-            .map(|()| margins)
     }
 
     /// q near a configuration, with its q̇ and q̈.

@@ -48,7 +48,7 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// The rows that certificates are about.
     pub(super) fn square(&self, at: &Instant<'_>, q: &[f64]) -> Result<Square, Uncertified> {
-        if at.inputs.len() != M::INPUTS || self.given.iter().any(|&(k, _)| k >= M::COORDINATES) {
+        if at.inputs.len() != M::model().inputs.len() || self.given.iter().any(|&(k, _)| k >= M::COORDINATES) {
             return Err(Uncertified::Malformed);
         }
         Square::new(M::model(), &self.redundant(at, q), &self.given)

@@ -32,6 +32,7 @@ use nalgebra::DMatrix;
 mod assemblies;
 mod by_plan;
 mod certify;
+mod ranges;
 mod settings;
 mod sweep;
 

@@ -11,11 +11,11 @@
 //!               ●───▶ θ = 0, x axis of i            lies to the right of it.
 //!               P
 //! ```
-//! The tangent with the normal n has the distance h from P whatever its contact point is, so that one row says both
-//! contact and tangency. θ is linear in φ_j − φ_i and never wrapped. A circle around P has h = r, one whose centre is at
-//! (e, 0) has h = r + e cos θ; the contact is at h n + h′ perp(n) from P, and h + h″ > 0 is the cam's radius of
-//! curvature. After Santaló, *Integral Geometry and Geometric Probability*, chapter 1 (support functions), and Norton,
-//! *Cam Design and Manufacturing Handbook* (flat-faced followers).
+//! The tangent with the normal n has the distance h from P for any contact point, so a single row expresses both
+//! contact and tangency. θ is linear in φ_j − φ_i and not reduced modulo 2π. A circle around P has h = r; a circle
+//! with its centre at (e, 0) has h = r + e cos θ. The contact point is at h n + h′ perp(n) from P, and h + h″ > 0 is
+//! the cam's radius of curvature. After Santaló, *Integral Geometry and Geometric Probability*, chapter 1 (support
+//! functions), and Norton, *Cam Design and Manufacturing Handbook* (flat-faced followers).
 
 use super::relative::{draw, in_theta};
 use crate::constraint::{Assembly, PlacedAxis, RowMeaning, Rows};
@@ -27,13 +27,13 @@ use crate::vocabulary::Role;
 joint! {
     /// Operands of a flat-faced follower on a cam.
     FlatFollower {
-        /// P of body i, the centre of the support function.
+        /// The point P of body i, the centre of the support function.
         p: Place = Slot::frame("p"),
-        /// Q of body j, on its face.
+        /// The point Q of body j, on its face.
         q: Place = Slot::frame("q"),
-        /// v along the face, in body j.
+        /// The direction v of the face in body j.
         axis: Axis = Slot::required("axis", Takes::Axis),
-        /// h.
+        /// The support function h.
         support: Formula = Slot::required("support", Takes::Support),
     }
     example: "#[flat_follower(A: cam @ (0, 0), follower @ (0, 0), axis = (1, 0), support(theta) = r + e*cos(theta))]"
@@ -52,7 +52,7 @@ impl JointType for FlatFollower {
         let turn = a.graph.sub(q.angle, p.angle);
         let direction = direction(a, &axis);
         let theta = a.graph.add(turn, direction);
-        // The contact: h n + h′ perp(n).
+        // The contact point h n + h′ perp(n).
         let s = a.graph.symbol(Symbol::ARGUMENT);
         let h = in_theta(a, &self.support, s);
         let [slope] = partial(&mut a.graph, [h], Symbol::ARGUMENT);
@@ -72,7 +72,7 @@ fn direction(a: &mut Assembly<'_>, axis: &PlacedAxis) -> ExprId {
     let [x, y] = axis.local;
     let minus_y = a.graph.neg(y);
     match (a.graph.literal(x), a.graph.literal(minus_y)) {
-        // Literals have no −0, which would turn π into −π.
+        // The literal pair never contains −0, which would turn π into −π.
         (Some(x), Some(minus_y)) => a.graph.number(x.atan2(minus_y)),
         _ => a.graph.atan2(x, minus_y),
     }

@@ -1,4 +1,4 @@
-//! A point on a curve in implicit form: Q of body j where e(X, Y) of body i vanishes.
+//! A point on a curve in implicit form: Q of body j is where e(X, Y) of body i vanishes.
 //!
 //! Row (1), in the unit of e:
 //! ```text

@@ -1,8 +1,10 @@
-//! Contacts with curves: a curve is fixed in body i with its centre at P. Where Q stands as seen from it is
+//! Contacts with curves. A curve is fixed in body i, with its centre at P. The position of Q in the frame of the curve
+//! is
 //! ```text
 //! w = A_iᵀ(r_Q − r_P)
 //! ```
-//! w_x = u·d and w_y = u×d for u = A_i(1, 0), d = r_Q − r_P: two atoms that are each other's derivative.
+//! With u = A_i(1, 0) and d = r_Q − r_P, its components w_x = u·d and w_y = u×d are two nodes that are derivatives of
+//! each other.
 
 mod flat_follower;
 mod implicit;

@@ -1,4 +1,4 @@
-//! A point on a curve: Q of body j on a curve of body i that is written in polar, implicit or parametric form.
+//! A point on a curve: Q of body j lies on a curve of body i, given in polar, implicit or parametric form.
 
 use super::{implicit, parametric, polar};
 use crate::constraint::{Assembly, Rows};
@@ -10,9 +10,9 @@ use crate::vocabulary::JointKind;
 joint! {
     /// Operands of a point on a curve.
     OnCurve as OnPolarCurve {
-        /// P of body i, the centre of the curve.
+        /// The point P of body i, the centre of the curve.
         p: Place = Slot::frame("p"),
-        /// Q of body j.
+        /// The point Q of body j.
         q: Place = Slot::point("q"),
         /// The curve.
         curve: Curve = Slot::required("curve", Takes::Curve),
@@ -32,7 +32,7 @@ impl JointType for OnCurve {
         }
     }
 
-    /// Of a parametric curve r_Q − r_P − A_i c(u) = 0; the others are the user's own formulas.
+    /// For a parametric curve r_Q − r_P − A_i c(u) = 0; rows of the other forms are the user's own formulas.
     fn vector_equations(joint: &NamedJoint<'_>) -> Vec<Equation> {
         let (Some(terms), JointKind::OnParametricCurve) = (Terms::of(joint), joint.kind) else { return Vec::new() };
         let c = Piece::Vector(Symbol::bold("c").of(joint.name));

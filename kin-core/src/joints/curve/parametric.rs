@@ -1,10 +1,10 @@
-//! A point on a curve in parametric form: Q of body j at c(u) of body i, u a scalar coordinate of its own.
+//! A point on a curve in parametric form: Q of body j is at c(u) of body i, where u is a scalar coordinate.
 //!
 //! Rows (2), lengths:
 //! ```text
 //! r_Q − r_P − A_i c(u) = 0
 //! ```
-//! Where a roller of signed radius R runs on the curve, its centre Q runs on the parallel curve
+//! If a roller of signed radius R runs on the curve, its centre Q is on the parallel curve
 //! ```text
 //! c + R perp(c′)/|c′|,   c′ = dc/du,   perp(v) = (−v_y, v_x)
 //!
@@ -14,8 +14,9 @@
 //!                  ┊
 //!          R < 0   ○ Q
 //! ```
-//! Singular where c′ = 0 with a roller, and where R is the signed radius of curvature (an undercut). After Haug (1989),
-//! section 3.4; parallel curves after do Carmo, *Differential Geometry of Curves and Surfaces*, section 1-7.
+//! Singular where c′ = 0 if there is a roller, and where R equals the signed radius of curvature (undercut). After
+//! Haug (1989), section 3.4; parallel curves after do Carmo, *Differential Geometry of Curves and Surfaces*, section
+//! 1-7.
 
 use super::relative::{between, draw, in_parameter};
 use crate::constraint::{Assembly, PlacedPoint, RowMeaning, Rows};
@@ -52,7 +53,7 @@ pub(super) fn rows(
     rows
 }
 
-/// c + R perp(c′)/|c′|.
+/// The parallel curve c + R perp(c′)/|c′|.
 fn parallel(a: &mut Assembly<'_>, c: [ExprId; 2], u: u32, radius: ExprId) -> [ExprId; 2] {
     if a.graph.is_zero(radius) {
         return c;

@@ -1,12 +1,13 @@
-//! A point on a curve in polar form: Q of body j at the distance ρ(θ) from P of body i, in the direction θ of body i.
+//! A point on a curve in polar form: Q of body j is at the distance ρ(θ) from P of body i, in the direction θ of body
+//! i.
 //!
 //! Row (1), a length:
 //! ```text
 //! |w| − ρ(θ) = 0,   w = A_iᵀ(r_Q − r_P),   θ = atan2(w_y, w_x)
 //! ```
-//! |w| is |r_Q − r_P|, which does not feel the rotation. θ stands in (−π, π] and jumps by 2π where Q passes the
-//! negative x axis of body i; ρ is 2π-periodic, so that the row does not. Singular at w = 0, where θ has no value, and
-//! where ρ is not positive there is no contact. After Haug (1989), section 3.4 (cam with a point follower).
+//! |w| equals |r_Q − r_P|, which does not depend on the rotation. θ is in (−π, π] and jumps by 2π when Q crosses the
+//! negative x axis of body i; since ρ is 2π-periodic, the row is continuous. Singular at w = 0, where θ is undefined;
+//! there is no contact where ρ is not positive. After Haug (1989), section 3.4 (cam with a point follower).
 
 use super::relative::{draw, in_theta, seen};
 use crate::constraint::{Assembly, PlacedPoint, RowMeaning, Rows};
@@ -21,7 +22,7 @@ pub(super) fn rows(a: &mut Assembly<'_>, p: &PlacedPoint, q: &PlacedPoint, radiu
     let theta = a.graph.atan2(y, x);
     let s = a.graph.symbol(Symbol::ARGUMENT);
     let (rho, cos, sin) = (in_theta(a, radius, s), a.graph.cos(s), a.graph.sin(s));
-    // A plain number has its own rule.
+    // Literal radii have been checked by a rule before; here the radius may become a number by constant folding.
     if let Some(value) = a.graph.literal(rho).filter(|value| *value <= 0.0) {
         a.degenerate(origin, "this polar radius", format_args!("is {value} everywhere; it is positive"));
     }

@@ -1,42 +1,42 @@
-//! The parts of a tree in the order in which they are solved, and every expression that needs derivatives.
+//! Lists the parts of a tree in order of solution, and collects the expressions whose derivatives are needed.
 
 use crate::expr::{ExprId, Graph, Symbol};
 use crate::plan::step::StepId;
-use crate::plan::steps::Listed;
+use crate::plan::steps::StepList;
 use crate::plan::tree::{Block, Core, PairValue, Part, Way};
 
-/// What is solved at once. Expressions are places among the roots.
+/// A part that is solved at once. Its expressions are given as indices of the list of roots.
 pub(super) struct Item {
     pub(super) step: StepId,
     pub(super) way: Solved,
 }
 
-/// How.
+/// The method of solution of a part.
 pub(super) enum Solved {
-    /// A coordinate is an expression.
+    /// A coordinate is given by an expression.
     Explicit { k: u32, value: usize },
-    /// Residuals that are linear in the unknowns.
+    /// A linear system; its residuals are differentiated.
     Linear { unknowns: Vec<u32>, residuals: Vec<usize>, matrix: Vec<Vec<ExprId>>, right: Vec<ExprId> },
-    /// Residuals for an iteration.
+    /// Residuals that Newton's iteration brings to zero.
     Newton { unknowns: Vec<u32>, residuals: Vec<usize> },
-    /// a cos nφ + b sin nφ = c.
+    /// The equation a cos nφ + b sin nφ = c.
     Angle { k: u32, times: i32, coefficients: [usize; 3] },
-    /// a x² + b x + c = 0.
+    /// The equation a x² + b x + c = 0.
     Quadratic { k: u32, coefficients: [usize; 3] },
-    /// A circle e(x² + y²) + l·(x, y) + k = 0 and a line n·(x, y) + m = 0, with both residuals.
+    /// A circle e(x² + y²) + l·(x, y) + k = 0 and a line n·(x, y) + m = 0, with their residuals.
     Circle { at: [u32; 2], coefficients: [usize; 7], residuals: [usize; 2] },
-    /// The cosine and sine of a sum of multiples of angles, times something positive.
+    /// The cosine and sine of a sum of multiples of angles, both multiplied by a positive number.
     Turn { k: u32, turn: Vec<(u32, i32)>, cos: usize, sin: usize },
 }
 
 struct Gather<'a> {
     graph: &'a mut Graph,
-    listed: &'a Listed,
+    listed: &'a StepList,
     items: Vec<Item>,
     roots: Vec<ExprId>,
 }
 
-pub(super) fn gather(graph: &mut Graph, listed: &Listed, tree: &Block) -> (Vec<Item>, Vec<ExprId>) {
+pub(super) fn gather(graph: &mut Graph, listed: &StepList, tree: &Block) -> (Vec<Item>, Vec<ExprId>) {
     let mut gather = Gather { graph, listed, items: Vec::new(), roots: Vec::new() };
     gather.block(tree);
     (gather.items, gather.roots)
@@ -111,7 +111,7 @@ impl Gather<'_> {
         self.items.push(Item { step, way });
     }
 
-    /// row · unknowns + constant.
+    /// Adds the expression row · unknowns + constant to the roots.
     fn affine(&mut self, row: &[ExprId], unknowns: &[u32], constant: ExprId) -> usize {
         let mut sum = constant;
         for (&k, &entry) in unknowns.iter().zip(row) {

@@ -1,42 +1,43 @@
-//! What is written of a plan for people: lines for every step.
+//! The formulas of a plan as lines of text.
 
 use crate::plan::step::StepId;
 
-/// What a step computes, in the user's names; a step whose coordinates come at several places is there several times.
+/// The formulas of a step, in the user's names. A step whose coordinates are found at several places of the order of
+/// solution has an entry for each place.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Formulas {
     /// The step.
     pub step: StepId,
-    /// What it is, in words.
+    /// A description in words.
     pub what: String,
-    /// Lines for q, q̇ and q̈.
+    /// The lines for q, q̇ and q̈.
     pub lines: [Vec<Line>; 3],
 }
 
-/// A line; expressions are written as [`ConstraintSet::show`](crate::ConstraintSet::show) writes them.
+/// A line; its expressions are written as by [`ConstraintSet::show`](crate::ConstraintSet::show).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Line {
-    /// What a name is.
+    /// The definition of a name.
     Equation {
-        /// A coordinate, a rate or acceleration of one (`_dot`, `_ddot`), or a name that later lines use.
+        /// A coordinate, its rate or acceleration (`_dot`, `_ddot`), or a name that later lines use.
         left: String,
-        /// Its value.
+        /// The expression.
         right: String,
     },
-    /// What an iteration brings to zero.
+    /// A residual that an iteration brings to zero.
     Zero {
-        /// Its name.
+        /// The name of the residual.
         left: String,
-        /// Its value.
+        /// The expression of the residual.
         right: String,
     },
-    /// matrix · unknowns = right.
+    /// The linear system matrix · unknowns = right.
     System {
-        /// Row by row.
+        /// The matrix, row by row.
         matrix: Vec<Vec<String>>,
-        /// Coordinates, or their rates or accelerations.
+        /// The unknowns: coordinates, rates or accelerations.
         unknowns: Vec<String>,
-        /// As many as rows.
+        /// The right-hand side, one entry per row.
         right: Vec<String>,
     },
 }

@@ -1,31 +1,32 @@
-//! Names for parts of long expressions.
+//! Names for shared and long parts of expressions.
 //!
-//! A graph of a hundred nodes may be a text of a million: what occurs several times is written once. A line that a person
-//! can read has some dozens of symbols; what is longer is taken apart as well.
+//! A graph of a hundred nodes may be a million characters when written out, so parts that occur several times are
+//! written once. A readable line has some dozens of symbols; longer expressions are split, too.
 
 use crate::constraint::ConstraintSet;
 use crate::expr::{ExprId, Graph, Names, Node, Symbol};
 use crate::notation::{Name, Notation};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
-/// Symbols of an expression that is written as it is.
+/// Maximum number of symbols of an expression that is written in one line.
 const SHORT: usize = 64;
 
-/// Symbols that a part with a name has at least.
+/// Minimum number of symbols of a shared part that gets a name.
 const WORTH: usize = 8;
 
-/// The user's names, and those of what the lines of a plan define.
+/// The user's names, and the names that the lines of a plan define.
 pub(super) struct Naming<'a> {
     set: &'a ConstraintSet,
-    /// Of [`Symbol::Right`], which stands for what a line has defined.
+    /// Names of the symbols [`Symbol::Right`], which stand for names that a line has defined.
     pub(super) own: Vec<String>,
-    /// Of modes.
+    /// Names of the modes.
     pub(super) modes: BTreeMap<u32, String>,
-    /// Of parts, with the order of the lines that define them.
+    /// Names of parts, each with the order of derivative of the line that defines it.
     parts: BTreeMap<ExprId, (usize, String)>,
-    /// The order of the lines that are being written: positions stand before rates, and do not know their parts.
+    /// The order of derivative of the lines being written. Lines for positions precede those for rates and cannot use
+    /// names that are defined there.
     pub(super) order: usize,
-    /// All of them as they are typeset: two names of one symbol would be one to a reader.
+    /// All names as they are typeset; names that look alike would confuse the reader.
     taken: HashSet<String>,
 }
 
@@ -34,7 +35,7 @@ impl Names for Naming<'_> {
         match symbol {
             Symbol::Right(k) => self.own.get(k as usize).cloned().unwrap_or_default(),
             Symbol::Mode(k) => self.modes.get(&k).cloned().unwrap_or_default(),
-            // Accelerations have no symbol in the graph; no plan has held anything where lines are written.
+            // Lines are written before values are held, so this symbol is free to stand for an acceleration.
             Symbol::Held(k) => format!("{}_ddot", self.set.coordinate_name(k)),
             other => self.set.symbol(other),
         }
@@ -57,7 +58,7 @@ impl<'a> Naming<'a> {
         Self { set, own: Vec::new(), modes: BTreeMap::new(), parts: BTreeMap::new(), order: 0, taken }
     }
 
-    /// `letter_5`, or with a second index where that is taken.
+    /// The name `letter_number`, with a second index if it is taken.
     pub(super) fn fresh(&mut self, letter: &str, number: usize) -> String {
         let mut name = format!("{letter}_{number}");
         let mut place = 1;
@@ -68,7 +69,8 @@ impl<'a> Naming<'a> {
         name
     }
 
-    /// Parts of expressions that are too long, in the order in which they can be written, with their new names.
+    /// Splits expressions that are too long: the parts that get a name, in the order in which their lines can be
+    /// written.
     pub(super) fn parts(&mut self, graph: &Graph, ids: &[ExprId], number: usize) -> Vec<(String, ExprId)> {
         if ids.iter().all(|&id| self.is_short(graph, id)) {
             return Vec::new();
@@ -95,7 +97,8 @@ impl<'a> Naming<'a> {
         found
     }
 
-    /// Whether an expression is written as it is. Most are, and seen to be without a table of what they are made of.
+    /// Whether an expression is short enough for one line. This is decided without a table, because most expressions
+    /// are.
     fn is_short(&self, graph: &Graph, id: ExprId) -> bool {
         let (mut open, mut size) = (vec![id], 0);
         while let Some(id) = open.pop() {
@@ -110,7 +113,7 @@ impl<'a> Naming<'a> {
         true
     }
 
-    /// What expressions are made of down to parts that have names, operands first, and how often each is used.
+    /// All subexpressions down to named parts, operands first, and the number of uses of each.
     fn reached(&self, graph: &Graph, ids: &[ExprId]) -> (Vec<ExprId>, BTreeMap<ExprId, usize>) {
         let (mut seen, mut uses) = (BTreeSet::new(), BTreeMap::new());
         let mut open: Vec<ExprId> = ids.to_vec();
@@ -123,7 +126,7 @@ impl<'a> Naming<'a> {
                 open.push(operand);
             });
         }
-        // Operands are older than what they are operands of.
+        // Operands have smaller ids than the expressions that use them.
         (seen.into_iter().collect(), uses)
     }
 }

@@ -1,5 +1,5 @@
-//! Lines for what `gather` has found: q, q̇ and q̈ of each item. All of it is built in the graph, so that what is 0 or 1
-//! is not written.
+//! Writes the lines for q, q̇ and q̈ of each item that `gather` has found. They are built as expressions of the graph,
+//! which simplifies factors of 0 and 1.
 
 use super::gather::{Item, Solved};
 use super::line::{Formulas, Line};
@@ -7,14 +7,14 @@ use super::share::Naming;
 use crate::expr::{ExprId, Graph, Jet, Shown, Symbol, total_derivatives};
 use crate::mechanism::Function;
 use crate::plan::step::{Step, StepId};
-use crate::plan::steps::Listed;
+use crate::plan::steps::StepList;
 use crate::system::KinematicSystem;
 use crate::vocabulary::StepKind;
 
 struct Writer<'a> {
     system: &'a KinematicSystem,
     graph: Graph,
-    listed: &'a Listed,
+    listed: &'a StepList,
     roots: &'a [ExprId],
     jets: Vec<Jet>,
     naming: Naming<'a>,
@@ -25,7 +25,7 @@ struct Writer<'a> {
 pub(super) fn write(
     system: &KinematicSystem,
     mut graph: Graph,
-    listed: &Listed,
+    listed: &StepList,
     items: &[Item],
     roots: &[ExprId],
 ) -> Vec<Formulas> {
@@ -77,7 +77,7 @@ impl Writer<'_> {
         }
     }
 
-    /// What a step is, in words.
+    /// The description of a step in words.
     fn what(&self, step: StepId) -> String {
         let Step { kind, group, joints, modes, singular, .. } = self.listed.step(step);
         let names: Vec<&str> = joints.iter().map(|&joint| self.system.set.joints[joint].name.as_str()).collect();
@@ -105,7 +105,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The text of an expression, after lines for its parts.
+    /// The text of an expression, after writing lines for its named parts.
     fn shown(&mut self, order: usize, id: ExprId) -> String {
         let number = self.out.last().map_or(0, |last| last.step.number());
         self.naming.order = order;
@@ -121,7 +121,7 @@ impl Writer<'_> {
         self.push(order, Line::Equation { left, right });
     }
 
-    /// The name of q_k, its rate or its acceleration.
+    /// The name of coordinate k, its rate or its acceleration.
     fn coordinate(&self, k: u32, order: usize) -> String {
         format!("{}{}", self.system.set.coordinate_name(k), ["", "_dot", "_ddot"][order])
     }
@@ -130,7 +130,7 @@ impl Writer<'_> {
         self.graph.symbol([Symbol::Coordinate(k), Symbol::Rate(k), Symbol::Held(k)][order])
     }
 
-    /// ė or ë of a root, without the terms of some coordinates.
+    /// The first or second time derivative of a root, without the terms of the coordinates `without`.
     fn derivative(&mut self, root: usize, order: usize, without: &[u32]) -> ExprId {
         let jet = &self.jets[root];
         let (mut sum, gradient) = (if order == 1 { jet.partial_t } else { jet.rest }, jet.gradient.clone());
@@ -157,7 +157,8 @@ impl Writer<'_> {
         self.push(order, Line::System { matrix, unknowns, right });
     }
 
-    /// Rates and accelerations of the unknowns of residuals: their Jacobian times these is minus the rest.
+    /// Writes the linear systems for the rates and accelerations of the unknowns of `residuals`: Jacobian · rates
+    /// equals the negative of the remaining terms.
     fn implicit(&mut self, unknowns: &[u32], residuals: &[usize]) {
         let zero = self.graph.zero();
         let entry = |jet: &Jet, k: u32| jet.gradient.iter().find(|(other, _)| *other == k).map_or(zero, |(_, e)| *e);
@@ -177,7 +178,7 @@ impl Writer<'_> {
         }
     }
 
-    /// A name for an expression with its derivatives; numbers stand as they are.
+    /// Defines a name for an expression and for its derivatives; numbers get no name, zero derivatives no line.
     fn named(&mut self, letter: &str, root: usize, number: usize) -> [ExprId; 3] {
         let value = self.roots[root];
         let zero = self.graph.zero();
@@ -195,14 +196,14 @@ impl Writer<'_> {
         symbols
     }
 
-    /// A line that gives an expression a name, and the name.
+    /// Writes a line that defines a name, and returns the symbol of the name.
     fn define(&mut self, order: usize, name: String, value: ExprId) -> ExprId {
         self.equation(order, name.clone(), value);
         self.naming.own.push(name);
         self.graph.symbol(Symbol::Right(self.naming.own.len() as u32 - 1))
     }
 
-    /// σ √inside.
+    /// Defines w = σ √inside.
     fn root(&mut self, inside: ExprId, number: usize) -> ExprId {
         let place = self.listed.modes.iter().position(|mode| mode.step.number() == number).unwrap_or(0);
         let mode = self.graph.symbol(Symbol::Mode(place as u32));
@@ -212,7 +213,7 @@ impl Writer<'_> {
         self.define(0, name, value)
     }
 
-    /// With ψ = nφ: w = σ √(a² + b² − c²), ψ = atan2(b c + a w, a c − b w), ψ̇ w = ȧ cos ψ + ḃ sin ψ − ċ.
+    /// Lines for ψ = nφ: w = σ √(a² + b² − c²), ψ = atan2(b c + a w, a c − b w), ψ̇ w = ȧ cos ψ + ḃ sin ψ − ċ.
     fn angle(&mut self, k: u32, times: i32, coefficients: [usize; 3], number: usize) {
         let [a, b, c] = self.three(coefficients, number);
         let graph = &mut self.graph;
@@ -248,7 +249,7 @@ impl Writer<'_> {
         self.equation(2, self.coordinate(k, 2), second);
     }
 
-    /// w = σ √(b²/4 − a c), x = (w − b/2)/a, 2 w ẋ = −(ȧ x² + ḃ x + ċ).
+    /// Lines for w = σ √(b²/4 − a c), x = (w − b/2)/a, 2 w ẋ = −(ȧ x² + ḃ x + ċ).
     fn quadratic(&mut self, k: u32, coefficients: [usize; 3], number: usize) {
         let [a, b, c] = self.three(coefficients, number);
         let graph = &mut self.graph;
@@ -272,7 +273,7 @@ impl Writer<'_> {
         };
         let first = level(graph, [a[1], b[1], c[1]]);
         let second = level(graph, [a[2], b[2], c[2]]);
-        // 2 ẋ (2 ȧ x + ḃ) + 2 a ẋ²
+        // Adds 2 ẋ (2 ȧ x + ḃ) + 2 a ẋ² to the second derivative.
         let inner = graph.mul(a[1], x);
         let inner = graph.double(inner);
         let inner = graph.add(inner, b[1]);
@@ -288,8 +289,8 @@ impl Writer<'_> {
         }
     }
 
-    /// With the centre (u, v), d = n·(u, v) + m and w = σ √((u² + v² − k/e) |n|² − d²):
-    /// (x, y) = (u, v) − (d n + w perp⁻¹(n))/|n|².
+    /// Lines for the centre (u, v), d = n·(u, v) + m, w = σ √((u² + v² − k/e) |n|² − d²) and (x, y) = (u, v) − (d
+    /// n + w perp⁻¹(n))/|n|².
     fn circle(&mut self, at: [u32; 2], coefficients: [usize; 7], number: usize) {
         let letters = ["e", "l", "l", "k", "n", "n", "m"];
         let mut values = [self.graph.zero(); 7];
@@ -331,7 +332,7 @@ impl Writer<'_> {
         self.equation(0, self.coordinate(at[1], 0), y);
     }
 
-    /// θ = Σ nᵢ φᵢ = atan2(S, C), θ̇ (C² + S²) = C Ṡ − S Ċ.
+    /// Lines for θ = Σ nᵢ φᵢ = atan2(S, C), θ̇ (C² + S²) = C Ṡ − S Ċ.
     fn turn(&mut self, k: u32, turn: &[(u32, i32)], [cos, sin]: [usize; 2], number: usize) {
         let [c, s] = [("C", cos), ("S", sin)].map(|(letter, root)| self.named(letter, root, number));
         let graph = &mut self.graph;

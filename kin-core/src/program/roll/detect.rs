@@ -1,12 +1,12 @@
-//! Finding loops: stretches of a stream that repeat with a fixed period, all addresses advancing by fixed steps.
+//! Detects loops: parts of a stream that repeat with a fixed period while all addresses advance by fixed steps.
 //!
-//! From the first item on, every distance to a later item of the same surroundings is a candidate for a period. The
-//! candidate that covers the most is taken, and the search goes on behind it.
+//! At every item, the distances to later items of the same kind (and followed by the same kinds) are candidates for
+//! the period. The candidate that covers the most items is taken, and the search continues behind it.
 
 use super::stream::{Operand, Stream};
 use crate::hash::{Table, mixed};
 
-/// A loop: `count` iterations of `period` items each, from item `start` on.
+/// A loop: `count` iterations of `period` items each, starting at item `start`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Span {
     pub(super) start: usize,
@@ -19,16 +19,16 @@ impl Span {
         self.start + self.period * self.count
     }
 
-    /// Items that need not be written.
+    /// Number of items that the loop saves.
     pub(super) const fn saved(self) -> usize {
         self.period * (self.count - 1)
     }
 }
 
-/// Periods that are tried at every item.
+/// Maximum number of periods that are tried at each item.
 const CANDIDATES: usize = 40;
 
-/// The loops of a stream, in order.
+/// The loops of a stream, in order, with at least `fewest` iterations each.
 pub(super) fn loops(stream: &Stream, fewest: usize) -> Vec<Span> {
     let mut search =
         Search { stream, fewest, next: next_alike(stream), loops: Vec::new(), loop_of: vec![None; stream.len()] };
@@ -47,7 +47,7 @@ pub(super) fn loops(stream: &Stream, fewest: usize) -> Vec<Span> {
     search.loops
 }
 
-/// For every item the next one that is of the same kind and is followed by two of the same kinds.
+/// For every item, the next item of the same kind that is followed by two items of the same kinds as well.
 fn next_alike(stream: &Stream) -> Vec<Option<usize>> {
     let kind = |item: usize| stream.kinds.get(item).copied();
     let alike = |a: usize, b: usize| (0..3).all(|k| kind(a + k) == kind(b + k));
@@ -71,12 +71,12 @@ struct Search<'s> {
     fewest: usize,
     next: Vec<Option<usize>>,
     loops: Vec<Span>,
-    /// The loop that each item is in.
+    /// The loop that contains each item.
     loop_of: Vec<Option<usize>>,
 }
 
 impl Search<'_> {
-    /// The loop from `start` on that covers the most.
+    /// The loop starting at `start` that saves the most items.
     fn best(&self, start: usize) -> Option<Span> {
         let mut found: Vec<Span> = Vec::new();
         let mut other = self.next[start];
@@ -86,7 +86,7 @@ impl Search<'_> {
         {
             other = self.next[at];
             let period = at - start;
-            // A multiple of a period breaks off where that one did.
+            // A multiple of a period that has been tried ends at the same item.
             if found.iter().any(|span| period.is_multiple_of(span.period) && at < span.end()) {
                 continue;
             }
@@ -99,12 +99,14 @@ impl Search<'_> {
                 found.push(Span { start, period, count });
             }
         }
-        // Of those that cover the same, the shortest period.
+        // Among loops that save the same number of items, the shortest period is preferred.
         found.sort_by_key(|span| (core::cmp::Reverse(span.saved()), span.period));
-        found.into_iter().find_map(|span| self.valid(self.well_cut(span)).or_else(|| self.valid(span)))
+        found
+            .into_iter()
+            .find_map(|span| self.addressable(self.with_fewest_crossings(span)).or_else(|| self.addressable(span)))
     }
 
-    /// How many items from `start` on are repeated `period` later with the steps of the iteration before.
+    /// Number of items from `start` on that are repeated `period` items later with constant steps of their addresses.
     fn run(&self, start: usize, period: usize) -> usize {
         let Stream { kinds, starts, addresses, .. } = self.stream;
         let mut at = start;
@@ -122,8 +124,9 @@ impl Search<'_> {
         at - start
     }
 
-    /// The same loop begun at another item of its first iteration, so that iterations pass on the fewest values.
-    fn well_cut(&self, span: Span) -> Span {
+    /// Shifts the start of a loop within its first iteration such that the fewest values cross from one iteration to
+    /// the next.
+    fn with_fewest_crossings(&self, span: Span) -> Span {
         let Span { start, period, count } = span;
         let mut crossing = vec![0_i64; period + 1];
         for (place, item) in (start + period..start + 2 * period).enumerate() {
@@ -132,7 +135,7 @@ impl Search<'_> {
                     && at >= start
                     && at < item
                 {
-                    // A cut in front of every item behind `at` up to this one passes it on.
+                    // A cut between item `at` and this item makes the value cross an iteration boundary.
                     let length = (item - at).min(period);
                     let first = (place + period + 1 - length) % period;
                     for k in 0..length {
@@ -145,14 +148,14 @@ impl Search<'_> {
         if cut == 0 { span } else { Span { start: start + cut, period, count: count - 1 } }
     }
 
-    /// The loop, or as many of its iterations as a loop can do; none if they are too few.
-    fn valid(&self, mut span: Span) -> Option<Span> {
-        // What the first iterations are passed by another loop they read by themselves, in straight code.
+    /// The loop, shortened to the iterations whose operands can be addressed; `None` if too few remain.
+    fn addressable(&self, mut span: Span) -> Option<Span> {
+        // The first iterations may read values of another loop at irregular places; they are left to straight code.
         for _ in 0..3 {
             if span.count < self.fewest {
                 return None;
             }
-            match self.shortened(span) {
+            match self.addressable_iterations(span) {
                 Some(count) if count >= self.fewest => return Some(Span { count, ..span }),
                 _ => span = Span { start: span.start + span.period, count: span.count - 1, ..span },
             }
@@ -160,8 +163,8 @@ impl Search<'_> {
         None
     }
 
-    /// How many iterations read values that stand at places a loop can know.
-    fn shortened(&self, span: Span) -> Option<usize> {
+    /// Number of iterations whose operands are at addresses that a loop can express.
+    fn addressable_iterations(&self, span: Span) -> Option<usize> {
         let mut count = span.count;
         for item in span.start..span.start + span.period {
             let (first, second) = (self.stream.addresses(item), self.stream.addresses(item + span.period));
@@ -170,22 +173,22 @@ impl Search<'_> {
                     continue;
                 }
                 let step = second[k] - first[k];
-                count = self.readable(span, first[k], step, count)?;
+                count = self.readable_iterations(span, first[k], step, count)?;
             }
         }
         Some(count)
     }
 
-    /// How many of the items `first`, `first + step`, … are members of one loop or, in straight code, stand where
-    /// members of it would.
-    fn readable(&self, span: Span, first: i64, step: i64, count: usize) -> Option<usize> {
+    /// How many of the items `first`, `first + step`, … belong to one loop, or are straight code at the addresses that
+    /// iterations of this loop would have.
+    fn readable_iterations(&self, span: Span, first: i64, step: i64, count: usize) -> Option<usize> {
         let start = span.start as i64;
         if step == 0 {
             return (first < start).then_some(count);
         }
         let at = |k: usize| first + k as i64 * step;
         if at(count - 1) >= start {
-            // Values of this loop, of an earlier iteration at first perhaps.
+            // The values are computed by this loop; those of the first iterations may be computed before it.
             let before = (0..count).take_while(|k| at(*k) < start);
             let straight = |place: i64| place >= 0 && self.loop_of[place as usize].is_none();
             return (step == span.period as i64 && before.map(at).all(straight)).then_some(count);

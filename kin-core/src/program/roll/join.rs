@@ -1,22 +1,23 @@
-//! Arrays of sines and of cosines that stand beside one another, so that one call takes those of several loops.
+//! Joins the arrays of sines and of cosines of consecutive loops, so that one call computes the values of several
+//! loops.
 //!
-//! Members of several kinds have angles of several kinds, a loop and an array for each. A call takes eight angles at a
-//! time and fills up what is missing: one call of thirty angles is less work than three calls of ten.
+//! A mechanism with members of several kinds has one loop and one array per kind of angle. A call processes eight
+//! angles at a time and pads the last group, so one call for thirty angles is cheaper than three calls for ten.
 
 use super::rolled::{Keep, Part, Piece, Rolled, Source, Step};
 use crate::program::{Instruction, Value};
 
-/// A step that takes sines and cosines.
+/// A step that computes a sine and a cosine.
 pub struct Angles<'r> {
-    /// The angle: a place in [`Rolled::sources`].
+    /// The angle, as an index of [`Rolled::sources`].
     pub angle: Value,
-    /// The arrays that remember them.
+    /// The arrays that store the sine and cosine.
     pub keeps: &'r [Keep],
 }
 
 impl Rolled {
-    /// The iterations and the steps of a loop that takes sines and cosines and nothing else, of angles that it does not
-    /// compute itself.
+    /// The number of iterations and the steps of a loop that only computes sines and cosines of angles that are known
+    /// before the loop.
     pub fn angles<'r>(&self, piece: &'r Piece) -> Option<(usize, Vec<Angles<'r>>)> {
         let Piece::Loop { count, body } = piece else { return None };
         let steps: Option<Vec<Angles<'r>>> = (body.iter())
@@ -32,7 +33,8 @@ impl Rolled {
         steps.iter().all(|step| self.is_known_before(step.angle, &own)).then_some((*count, steps))
     }
 
-    /// True for an angle that neither stands in one of the arrays `own` nor is a sine or cosine of the same iteration.
+    /// True if the angle is neither an element of the arrays `own` nor a sine or cosine computed in the same
+    /// iteration.
     fn is_known_before(&self, angle: Value, own: &[usize]) -> bool {
         match self.sources[angle.index()] {
             Source::Element { array, .. } => !own.contains(&array),
@@ -41,8 +43,8 @@ impl Rolled {
         }
     }
 
-    /// The arrays of sines and of cosines that a loop fills from end to end, step by step; nothing when it does anything
-    /// else.
+    /// The arrays of sines and cosines, [sin, cos] for each step, that a loop fills from the first element to the
+    /// last; `None` if the loop does anything else.
     fn filled(&self, piece: &Piece, known: &[[usize; 2]]) -> Option<Vec<[usize; 2]>> {
         let (count, steps) = self.angles(piece)?;
         let array = |step: &Angles<'_>, part: Part| {
@@ -57,9 +59,9 @@ impl Rolled {
     }
 }
 
-/// Joins the arrays of loops that follow one another.
+/// Joins the arrays of consecutive loops.
 pub(super) fn join(rolled: &mut Rolled) {
-    // For every array, the one that it becomes a part of, and its first element there.
+    // For every array, the array that it becomes a part of and the index of its first element there.
     let mut places: Vec<(usize, usize)> = (0..rolled.arrays.len()).map(|array| (array, 0)).collect();
     let mut run: Vec<[usize; 2]> = Vec::new();
     for piece in &rolled.pieces {
@@ -82,7 +84,7 @@ pub(super) fn join(rolled: &mut Rolled) {
     for (&(whole, first), length) in places.iter().zip(&rolled.arrays) {
         lengths[whole] = lengths[whole].max(first + length);
     }
-    // Numbers without gaps.
+    // The arrays that are left are numbered without gaps.
     let mut numbers = Vec::new();
     let mut left = 0..;
     for length in &lengths {

@@ -1,16 +1,17 @@
-//! Rolling: regular repetition in a program becomes loops.
+//! Replaces regular repetition in a program by loops.
 //!
 //! ```text
 //! Program → stream of items → loops of the stream → Rolled
 //!          stream            detect              resolve, join
 //! ```
 //!
-//! Nothing is asked of whoever wrote the program: a chain that is written out rolls as one that is written with a
-//! range. A loop is a stretch of the program that repeats with a fixed period, its loads, outputs and operands advancing
-//! by fixed steps; literals that differ go to a table. Values that are read outside of their own iteration – by the next
-//! one, by another loop, by straight code – stand in arrays. What does not fit stays straight.
+//! The input needs no annotation: a chain of bodies written out one by one is rolled up like one written as a family.
+//! A loop replaces a part of the program that repeats with a fixed period, while the indices of its loads, outputs and
+//! operands advance by fixed steps; literals that differ between iterations become a table. Values that are read
+//! outside their own iteration (in the next iteration, in another loop or in straight code) are stored in arrays. Code
+//! without repetition remains straight.
 //!
-//! Results are the same to the last bit: the same operations in the same order, for every value.
+//! The results are bitwise unchanged, because every value is computed by the same operations in the same order.
 
 mod detect;
 mod join;
@@ -24,33 +25,33 @@ pub use rolled::{Keep, Part, Piece, Rolled, Source, Step};
 
 use super::Program;
 
-/// What repetition is worth a loop.
+/// The thresholds for replacing repetition by loops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Worth {
-    /// The fewest members of a loop.
+    /// Minimum number of iterations of a loop.
     pub members: usize,
-    /// The fewest steps that need not be written, over all loops of a program.
+    /// Minimum number of steps that the loops of a program must save in total.
     pub saved: usize,
 }
 
 impl Worth {
-    /// Everything that repeats at all.
+    /// Thresholds that accept any repetition.
     pub const ANYTHING: Self = Self { members: 2, saved: 1 };
 }
 
 impl Default for Worth {
-    /// Below, straight code is as quick to compile, and quicker to run.
+    /// Below these thresholds straight code compiles as fast and runs faster.
     fn default() -> Self {
         Self { members: 6, saved: 96 }
     }
 }
 
-/// `program` as it is written down: with loops where they are worth it, and otherwise as one straight piece.
+/// The final form of `program`: with loops if they are worthwhile, otherwise as one straight piece.
 pub fn finished(program: &Program) -> Rolled {
     roll(program, Worth::default()).unwrap_or_else(|| straight::straight(program))
 }
 
-/// `program` with its repetition rolled up; nothing when there is none worth a loop.
+/// `program` with loops; `None` if it has no repetition that reaches the thresholds.
 pub fn roll(program: &Program, worth: Worth) -> Option<Rolled> {
     let stream = stream::Stream::of(program);
     let loops = detect::loops(&stream, worth.members.max(2));

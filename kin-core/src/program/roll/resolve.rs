@@ -1,4 +1,4 @@
-//! From loops of a stream to a rolled program: names, arrays and tables.
+//! Turns the loops of a stream into a rolled program by assigning arrays, tables and sources of operands.
 
 use super::detect::Span;
 use super::rolled::{Keep, Part, Piece, Rolled, Source, Step};
@@ -6,18 +6,19 @@ use super::stream::{Action, Operand, Stream};
 use crate::program::{Program, Value};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The item of a loop's first iteration that an item repeats, and by how many iterations.
+/// The loop that an item belongs to: the corresponding item of the first iteration (the template) and the loop's
+/// period.
 #[derive(Clone, Copy)]
 struct Member {
     template: usize,
     period: usize,
 }
 
-/// Items `template + k·period` as they are read from outside of their iteration: the array of one part of them.
+/// The array for one part of the items `template + k·period`, as far as it is read outside their iteration.
 #[derive(Clone, Copy, Debug)]
 struct Range {
     number: usize,
-    /// The iterations, also those that straight code does before and behind the loop.
+    /// The range of iterations, including items that straight code computes before and behind the loop.
     first: i64,
     last: i64,
 }
@@ -47,18 +48,18 @@ pub(super) fn resolve(program: &Program, stream: &Stream, loops: &[Span]) -> Rol
 struct Resolver<'a> {
     program: &'a Program,
     stream: &'a Stream,
-    /// Of items in loops, what they repeat.
+    /// For items in loops, their template and period.
     members: Vec<Option<Member>>,
-    /// Arrays by template and part.
+    /// The arrays by template and part.
     ranges: BTreeMap<(usize, Part), Range>,
-    /// Straight items that are read as if a loop had computed them: (item, template, part, iteration).
+    /// Items of straight code that are stored as elements of a loop's array: (item, template, part, iteration).
     outside: BTreeSet<(usize, usize, Part, i64)>,
-    /// The arrays that keep parts of an item: (part, array, element).
+    /// The arrays in which parts of an item are stored.
     kept: BTreeMap<usize, Vec<Keep>>,
     rolled: Rolled,
 }
 
-/// Straight code is a loop of one iteration.
+/// All pieces of a program; straight code is represented as a loop of one iteration.
 fn pieces(stream: &Stream, loops: &[Span]) -> Vec<Span> {
     let mut out = Vec::new();
     let mut at = 0;
@@ -77,7 +78,7 @@ fn pieces(stream: &Stream, loops: &[Span]) -> Vec<Span> {
 }
 
 impl Resolver<'_> {
-    /// The step of an operand's address from iteration to iteration.
+    /// The step of an operand's address from one iteration to the next.
     fn step(&self, span: Span, item: usize, operand: usize) -> i64 {
         if span.count < 2 {
             return 0;
@@ -85,8 +86,8 @@ impl Resolver<'_> {
         self.stream.addresses(item + span.period)[operand] - self.stream.addresses(item)[operand]
     }
 
-    /// The template that the items `first`, `first + step`, … belong to, unless each is computed in its own iteration
-    /// or by straight code.
+    /// The template of the items `first`, `first + step`, …; `None` if each value is computed in the iteration that
+    /// reads it, or all of them by straight code.
     fn array(&self, span: Span, first: usize, step: i64) -> Option<Member> {
         if step == 0 {
             return self.members[first];
@@ -129,7 +130,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// Lengths of the arrays, and the straight items that are members of them.
+    /// Sets the lengths of the arrays and the elements that each item is stored in.
     fn lay_out(&mut self) {
         self.rolled.arrays = vec![0; self.ranges.len()];
         let keep = |(template, part), iteration: i64| {
@@ -171,7 +172,7 @@ impl Resolver<'_> {
                 });
                 Step::Compute { value, instruction, keeps: self.kept.get(&item).cloned().unwrap_or_default() }
             }
-            // The first operand is the slot itself.
+            // The first operand of a written output is its slot.
             Action::Write(slot, _) => Step::Write { slot, step: self.step(span, item, 0), source: operands[1] },
         }
     }

@@ -4,49 +4,49 @@ use crate::expr::{Bits, Symbol};
 use crate::program::{Instruction, Slot, Value};
 use crate::vocabulary::OperationCount;
 
-/// A part of what an instruction computes.
+/// A part of the result of an instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Part {
-    /// Its only value.
+    /// The only value of the instruction.
     Whole,
-    /// The sine of a pair.
+    /// The sine of a sine–cosine pair.
     Sin,
-    /// The cosine of a pair.
+    /// The cosine of a sine–cosine pair.
     Cos,
     /// The value (0), first (1) or second (2) derivative of a supplied function.
     Derivative(u8),
 }
 
-/// Where an operand comes from, in iteration k of its loop; k = 0 in straight code.
+/// The source of an operand in iteration k of its loop (k = 0 in straight code).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
     /// A literal.
     Number(Bits),
-    /// The literal k of a table.
+    /// Entry k of a table of literals.
     Table(usize),
-    /// A symbol, its index `step`·k further on.
+    /// A symbol whose index is advanced by `step`·k.
     Load(Symbol, i64),
-    /// What this iteration has computed under this name, or straight code before.
+    /// A part of a value that this iteration or earlier straight code has computed.
     Local(Value, Part),
     /// Element `first + step·k` of an array.
     Element {
-        /// Place in [`Rolled::arrays`].
+        /// The array, as an index of [`Rolled::arrays`].
         array: usize,
-        /// Element of iteration 0.
+        /// The index of the element for iteration 0.
         first: usize,
-        /// Elements per iteration.
+        /// The step of the index per iteration.
         step: i64,
     },
 }
 
-/// A part of a value that is kept in an array.
+/// The storage of a part of a value in an array.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Keep {
-    /// What is kept.
+    /// The part that is stored.
     pub part: Part,
-    /// Place in [`Rolled::arrays`].
+    /// The array, as an index of [`Rolled::arrays`].
     pub array: usize,
-    /// Its element of iteration 0; iteration k writes element `first + k`.
+    /// The index of the element for iteration 0; iteration k writes element `first + k`.
     pub first: usize,
 }
 
@@ -55,20 +55,20 @@ pub struct Keep {
 pub enum Step {
     /// Computes a value.
     Compute {
-        /// Its name: the value of the program that straight code or iteration 0 computes.
+        /// The name of the value: the value of the original program that straight code or iteration 0 computes.
         value: Value,
-        /// What to do; its operands are places in [`Rolled::sources`].
+        /// The instruction; its operands are indices of [`Rolled::sources`].
         instruction: Instruction,
-        /// The arrays that remember it.
+        /// The arrays that store the value.
         keeps: Vec<Keep>,
     },
     /// Writes an output.
     Write {
-        /// The output of iteration 0.
+        /// The slot that iteration 0 writes.
         slot: Slot,
-        /// Slots per iteration.
+        /// The step of the slot's index per iteration.
         step: i64,
-        /// Place in [`Rolled::sources`].
+        /// The value, as an index of [`Rolled::sources`].
         source: Value,
     },
 }
@@ -76,13 +76,13 @@ pub enum Step {
 /// A piece of a rolled program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Piece {
-    /// Steps that are done once.
+    /// Steps that are executed once.
     Straight(Vec<Step>),
-    /// Steps that are done `count` times.
+    /// Steps that are executed `count` times.
     Loop {
-        /// Number of iterations.
+        /// The number of iterations.
         count: usize,
-        /// The steps of one.
+        /// The steps of an iteration.
         body: Vec<Step>,
     },
 }
@@ -90,18 +90,18 @@ pub enum Piece {
 /// A program with loops.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Rolled {
-    /// What is done, in order.
+    /// The pieces in order of execution.
     pub pieces: Vec<Piece>,
-    /// Where the operands of all steps come from.
+    /// The sources of the operands of all steps.
     pub sources: Vec<Source>,
     /// The length of every array.
     pub arrays: Vec<usize>,
-    /// Literals that differ from iteration to iteration.
+    /// The tables of literals that differ between iterations.
     pub tables: Vec<Vec<Bits>>,
 }
 
 impl Rolled {
-    /// The operations of one run: those of every iteration.
+    /// The operation count of one run, over all iterations.
     pub fn operations(&self) -> OperationCount {
         let mut count = OperationCount::default();
         for piece in &self.pieces {

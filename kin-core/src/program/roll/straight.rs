@@ -1,4 +1,4 @@
-//! Programs in which nothing repeats: one straight piece, with the angles of vectors side by side.
+//! Programs without repetition: one straight piece in which atan2 instructions are grouped.
 
 use super::rolled::{Part, Piece, Rolled, Source, Step};
 use super::stream::{Action, actions};

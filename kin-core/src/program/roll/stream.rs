@@ -1,15 +1,15 @@
-//! A program as a stream of items, in which repetition can be seen.
+//! A program as a stream of items in which repetition can be detected.
 //!
-//! An item is an instruction that computes something, or an output that is written. What an operand refers to is an
-//! address: the item that computes it, the index of a symbol, the index of a slot. Everything else about an item is its
-//! kind; so two items are the same code exactly if they are of one kind, and addresses say how far they are apart.
+//! An item is an instruction that computes a value, or the writing of an output. An operand refers to an address: the
+//! item that computes it, the index of a symbol, or the index of a slot. All other properties of an item form its
+//! kind. So items of the same kind are the same code, and the differences of their addresses are the steps of a loop.
 
 use super::rolled::Part;
 use crate::expr::{Bits, Symbol};
 use crate::hash::{Table, mixed};
 use crate::program::{Instruction, Program, Slot, Value};
 
-/// What an item does.
+/// The action of an item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Action {
     /// Computes a value of the program.
@@ -18,8 +18,9 @@ pub(super) enum Action {
     Write(Slot, Value),
 }
 
-/// What a program does, in order: every output right after what computes it, outputs that need no computation first.
-/// Instructions that are `taken_together` and follow one another stay so; what is written of them follows.
+/// The actions of a program in order. Every output is written directly after the instruction that computes it; outputs
+/// that are literals or inputs come first. Consecutive instructions for which `taken_together` holds are kept
+/// together, and their outputs follow the group.
 pub(super) fn actions(program: &Program, taken_together: impl Fn(&Instruction) -> bool) -> Vec<Action> {
     let (mut actions, mut after) = (Vec::new(), vec![Vec::new(); program.instructions.len()]);
     for &(slot, value) in &program.outputs {
@@ -45,25 +46,25 @@ pub(super) fn actions(program: &Program, taken_together: impl Fn(&Instruction) -
     actions
 }
 
-/// What an operand is.
+/// An operand of an item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Operand {
     Number(Bits),
     Load(Symbol),
-    /// A part of what another item computes.
+    /// A part of the result of another item.
     Item(usize, Part),
     /// The index of the slot that is written.
     Slot(usize),
 }
 
-/// What two items must share to be one piece of code.
+/// The properties that items must share to be the same code.
 #[derive(PartialEq, Eq)]
 struct Kind {
     head: Head,
     operands: [OperandKind; MOST],
 }
 
-/// An item without its operands.
+/// The operation of an item without its operands.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Head {
     Compute(Instruction),
@@ -78,7 +79,7 @@ enum OperandKind {
     Item(Part),
 }
 
-/// The most operands of an item.
+/// Maximum number of operands of an item.
 const MOST: usize = 2;
 
 impl Kind {
@@ -108,16 +109,16 @@ impl Kind {
 
 pub(super) struct Stream {
     pub(super) actions: Vec<Action>,
-    /// Equal numbers: items of one kind.
+    /// The kind of each item; items of the same kind have equal numbers.
     pub(super) kinds: Vec<u32>,
-    /// The operands of item k are those from `starts[k]` to `starts[k + 1]`.
+    /// The operands of item k are `operands[starts[k]..starts[k + 1]]`.
     pub(super) starts: Vec<usize>,
     operands: Vec<Operand>,
     pub(super) addresses: Vec<i64>,
 }
 
 impl Stream {
-    /// The items of a program.
+    /// The stream of a program.
     pub(super) fn of(program: &Program) -> Self {
         let mut builder = Builder {
             program,
@@ -141,23 +142,23 @@ impl Stream {
         builder.stream
     }
 
-    /// Number of items.
+    /// The number of items.
     pub(super) fn len(&self) -> usize {
         self.actions.len()
     }
 
-    /// The operands of an item; the first of a written output is its slot.
+    /// The operands of an item; the first operand of a written output is its slot.
     pub(super) fn operands(&self, item: usize) -> &[Operand] {
         &self.operands[self.starts[item]..self.starts[item + 1]]
     }
 
-    /// Their addresses; literals have none and stand as 0.
+    /// The addresses of an item's operands; the address of a literal is 0.
     pub(super) fn addresses(&self, item: usize) -> &[i64] {
         &self.addresses[self.starts[item]..self.starts[item + 1]]
     }
 }
 
-/// True for instructions that are no step of their own: they are written where they are used.
+/// True for instructions that are no items: they are written as operands where they are used.
 fn is_operand(instruction: &Instruction) -> bool {
     matches!(
         instruction,
@@ -169,7 +170,7 @@ fn is_operand(instruction: &Instruction) -> bool {
     )
 }
 
-/// The value that is computed: itself, or the pair or triple that it is part of.
+/// The value that an item computes: the value itself, or the pair or triple that it is a component of.
 fn holder(program: &Program, value: Value) -> Value {
     match program.instructions[value.index()] {
         Instruction::SinOf(whole) | Instruction::CosOf(whole) | Instruction::SuppliedOf(whole, _) => whole,
@@ -182,7 +183,7 @@ struct Builder<'p> {
     /// The item that computes each value.
     positions: Vec<usize>,
     kinds: Vec<Kind>,
-    /// Where they stand.
+    /// Finds a kind by its hash.
     places: Table,
     stream: Stream,
 }

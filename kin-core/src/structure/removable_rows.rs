@@ -1,64 +1,65 @@
-//! Which rows a solution of all coordinates can leave out.
+//! Determines redundant rows that a solution for all coordinates can leave out.
 //!
-//! Any rows that depend on the others would do for the rank. But what is redundant at all may be so for special dimensions
-//! only, as parallel cranks are: three of them hold a platform, in general, and say nothing of it where they are parallel.
-//! So the rows that are kept have to lead from what drives to everything else, and a circuit is left at the joint that
-//! closes it.
+//! For the rank, any row of a circuit could be left out. But rows may be redundant only for special dimensions: three
+//! cranks hold a platform in general, and one of them is redundant if they are parallel. Therefore the rows that are
+//! kept have to lead from the drivers to all other bodies, and the row that is left out belongs to the joint that
+//! closes the circuit.
 
-use super::diagnosis::{DRAWS, Drawn, Redundancy};
+use super::diagnosis::{DRAWS, RandomJacobian, Redundancy};
 use super::field::Draw;
 use crate::constraint::{CoordinateKind, Frame, RowMeaning};
 use crate::system::{KinematicSystem, RowClass};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
-/// Φ_q at a drawn pose, for one choice after another.
-pub(crate) struct Spare<'a> {
+/// Φ_q at a random pose, from which several sets of rows can be chosen.
+pub(crate) struct RemovableRows<'a> {
     system: &'a KinematicSystem,
-    drawn: Drawn<'a>,
-    /// Driving rows that the geometry leaves no room for.
+    jacobian: RandomJacobian<'a>,
+    /// Driving rows that are redundant because the other rows alone are rigid for general dimensions.
     driving: Vec<usize>,
-    /// Rows of joints between bodies that other joints connect already, so that nothing would be free between them.
+    /// Rows of joints between bodies that other joints already connect, such that together they would be rigidly
+    /// locked.
     doubled: BTreeSet<usize>,
 }
 
-impl<'a> Spare<'a> {
+impl<'a> RemovableRows<'a> {
     pub(crate) fn new(system: &'a KinematicSystem) -> Self {
-        // One draw will do: should it be unlucky, the rows that are kept are singular, and a margin says so.
-        let drawn = Drawn::new(system, Draw(DRAWS[0]));
-        // Geometry that is rigid but for special dimensions makes a driving row redundant all by itself: somebody who
-        // drives such a mechanism has those dimensions, and it is the geometry that says something twice.
+        // One random pose suffices: should it be a special one, the kept rows are singular, which a margin reports.
+        let jacobian = RandomJacobian::new(system, Draw(DRAWS[0]));
+        // If the geometry is rigid for general dimensions, a driving row is redundant to it. A mechanism that is
+        // driven nevertheless has special dimensions, so a row of the geometry has to be left out and not the driver.
         let classes = &system.classes;
         let rigid = |found: &Redundancy| {
             classes[found.row].driving && !found.circuit.iter().any(|&other| classes[other].driving)
         };
-        let redundant = drawn.redundant(drawn.drivers_last(), |_, _| {});
+        let redundant = jacobian.redundant(jacobian.drivers_last(), |_, _| {});
         let driving = redundant.iter().filter(|found| rigid(found)).map(|found| found.row).collect();
-        let doubled = doubled(system, &drawn);
-        Self { system, drawn, driving, doubled }
+        let doubled = doubled(system, &jacobian);
+        Self { system, jacobian, driving, doubled }
     }
 
-    /// The rows to leave out: the last of every circuit by `places`, `rather` before all others, then joints that are there
-    /// twice. Driving rows are left out only where other driving rows leave no room for them, and joints of bodies that a
-    /// held coordinate moves only before these.
-    pub(crate) fn rows(&self, places: &[usize], rather: &[usize]) -> Vec<Redundancy> {
+    /// The rows to leave out: the last row of every circuit. The order is: driving rows that the geometry alone makes
+    /// redundant, other rows, rows that a moving held coordinate drives, other driving rows, and within each of these
+    /// groups by `places`. Doubled joints come after all of them, and the rows `preferred` last.
+    pub(crate) fn rows(&self, places: &[usize], preferred: &[usize]) -> Vec<Redundancy> {
         let key = |row: usize| {
             let class = self.system.classes[row];
             let level = match self.driving.contains(&row) {
                 true => 0,
                 false => 1 + u8::from(class.leads()) + u8::from(class.driving),
             };
-            (rather.contains(&row), self.doubled.contains(&row), level, places[row])
+            (preferred.contains(&row), self.doubled.contains(&row), level, places[row])
         };
-        self.drawn.redundant(key, |_, _| {})
+        self.jacobian.redundant(key, |_, _| {})
     }
 
-    /// The places of the rows in the order of declaration.
+    /// The positions of the rows in the order of declaration.
     pub(crate) fn declared(&self) -> Vec<usize> {
         (0..self.system.equations.len()).collect()
     }
 
-    /// The places of the rows on a walk from the bodies that are driven to all others, breadth first: each row comes as
-    /// soon as all its bodies have been reached.
+    /// The positions of the rows on a breadth-first walk from the driven bodies to all others: a row is listed as soon
+    /// as all its bodies have been reached.
     pub(crate) fn walked(&self) -> Vec<usize> {
         let nodes = self.nodes();
         let all = self.system.classes.iter().zip(&nodes);
@@ -67,16 +68,16 @@ impl<'a> Spare<'a> {
             rows.flat_map(|(_, nodes)| nodes.iter().copied())
         };
         let mut queue: VecDeque<usize> = nodes_of(|class| class.driving).collect();
-        // Bodies that are fastened to something that moves come next.
+        // Bodies that are joined to something that moves come next.
         queue.extend(nodes_of(|class| class.leads()));
-        // Whatever nothing leads to but the ground comes after that.
+        // Bodies that are connected to the ground only come last.
         queue.extend(all.flat_map(|(_, nodes)| nodes.iter().copied()));
         let mut rows_of: Vec<Vec<usize>> = vec![Vec::new(); self.system.set.coordinates.len()];
         nodes.iter().enumerate().for_each(|(row, nodes)| nodes.iter().for_each(|&node| rows_of[node].push(row)));
         let mut missing: Vec<usize> = nodes.iter().map(BTreeSet::len).collect();
         let mut places = vec![0; nodes.len()];
         let (mut reached, mut next) = (BTreeSet::new(), 0);
-        // Neighbours go before the seeds that are left.
+        // Neighbours of reached bodies come before the remaining start bodies.
         let mut near = VecDeque::new();
         while let Some(node) = near.pop_front().or_else(|| queue.pop_front()) {
             if !reached.insert(node) {
@@ -94,7 +95,7 @@ impl<'a> Spare<'a> {
         places
     }
 
-    /// The bodies of every row, each by the first of its coordinates; scalars stand for themselves.
+    /// The bodies of every row, each identified by the first of its coordinates; scalars stand for themselves.
     fn nodes(&self) -> Vec<BTreeSet<usize>> {
         let coordinates = &self.system.set.coordinates;
         let node = |k: u32| match coordinates[k as usize].kind {
@@ -110,9 +111,10 @@ impl<'a> Spare<'a> {
     }
 }
 
-/// The rows of joints that would lock two bodies together which another joint of as many rows or more connects: it is
-/// meant to say the same, as two pins on one axis or two guides along one line do. Rows of angles alone may be meant to lock.
-fn doubled(system: &KinematicSystem, drawn: &Drawn<'_>) -> BTreeSet<usize> {
+/// The rows of joints that would lock two bodies which another joint with at least as many rows connects already. Such
+/// a joint is meant to be redundant (two pins on one axis, two guides along one line). Rows of angles alone are not
+/// included, since they may be meant to lock the bodies.
+fn doubled(system: &KinematicSystem, jacobian: &RandomJacobian<'_>) -> BTreeSet<usize> {
     let set = &system.set;
     let number = |frame: Frame| match frame {
         Frame::Ground => 0,
@@ -136,7 +138,7 @@ fn doubled(system: &KinematicSystem, drawn: &Drawn<'_>) -> BTreeSet<usize> {
         let mut own: Vec<usize> = Vec::new();
         for (k, joint) in joints.into_iter().enumerate() {
             own.extend(rows(joint));
-            if k > 0 && drawn.rank_of(&own) == 3 {
+            if k > 0 && jacobian.rank_of(&own) == 3 {
                 out.extend(rows(joint));
             }
         }

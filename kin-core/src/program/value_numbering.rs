@@ -1,18 +1,18 @@
-//! Local value numbering: of two equal instructions there is one.
+//! Local value numbering: equal instructions share one value.
 
 use super::{Instruction, Value};
 use crate::hash::Table;
 
-/// Instructions, every one of them once.
+/// A list of instructions without duplicates.
 #[derive(Default)]
-pub(super) struct Numbered {
+pub(super) struct ValueNumbering {
     pub(super) instructions: Vec<Instruction>,
     values: Table,
 }
 
-impl Numbered {
-    /// The value of an instruction, computed where it is new; the operands of sums and products stand in their order, behind
-    /// literals, which only who is first computes.
+impl ValueNumbering {
+    /// The value of an instruction, which is appended if it is new. The operands of sums and products are brought into
+    /// a fixed order, literals last, so that a + b and b + a are equal.
     pub(super) fn emit(&mut self, instruction: Instruction) -> Value {
         let in_order = |a: Value, b: Value| {
             let is_literal = |value: Value| matches!(self.instructions[value.index()], Instruction::Number(_));

@@ -1,80 +1,83 @@
-//! Rows that a plan does without, and whether what it gives satisfies them all the same.
+//! Checks the redundant rows, which a plan does not use: a margin says whether the solution satisfies each of them.
 //!
 //! ```text
 //! margin = 1 − (ρ/τ)² − (ρ̇/τ̇)² − (ρ̈/τ̈)²
 //! ρ² = Φᵣ²/Σ Φᵣₖ² wₖ,  ρ̇² = (Σ Φᵣₖ q̇ₖ + Φᵣₜ)²/(Σ Φᵣₖ² wₖ · V²),  ρ̈² = (Σ Φᵣₖ q̈ₖ − γᵣ)²/(Σ Φᵣₖ² wₖ · A²),
-//! all of them with a little of the squared terms of Φᵣ, Φᵣₜ and γᵣ beside the sums,
+//! each denominator also has a small multiple of the squared terms of Φᵣ, Φᵣₜ or γᵣ,
 //! V² = Σ q̇ₖ²/wₖ,  A² = Σ q̈ₖ²/wₖ + V⁴
 //! ```
 //!
-//! √wₖ is what counts as a coordinate of size one: a radian; for x and y the length that the rows hold between lengths and
-//! angles; for a scalar 1 or more. So ρ has no unit, and is about by how much the row's joint is apart beside the size of
-//! the mechanism. τ is [`TOLERANCE`], and more beside limits, where what is solved is known less well.
+//! √wₖ is the characteristic size of coordinate k: one radian for an angle; for x and y a length taken from the rows
+//! that contain both lengths and angles; √(1 + q²) for a scalar. So ρ is dimensionless, and is roughly the misfit of
+//! the joint relative to the size of the mechanism. The tolerance τ is [`TOLERANCE`], enlarged near limits, where the
+//! solution is less accurate.
 
-use super::build::{Build, Sizes, Watched};
-use super::closures::{SHARE, squared_terms};
-use super::reduce::Agreeing;
+use super::build::{Build, RedundantRow, Sizes};
+use super::closures::{TERM_WEIGHT, sum_of_squared_terms};
+use super::reduce::PairedRows;
 use crate::constraint::CoordinateKind;
 use crate::expr::{ExprId, Symbol};
 use crate::mechanism::Function;
 use crate::program::Slot;
 
-/// Misses below this are no contradiction.
+/// Residuals ρ below this count as satisfied.
 pub const TOLERANCE: f64 = 3e-11;
 
-/// What rounding makes of a solution far from limits; 1/√margin times that beside one, and once more for every order.
+/// Rounding error of a solution far from limits. It grows by a factor 1/√margin near a limit, and by another for each
+/// derivative.
 const ROUNDING: f64 = 1e-13;
 
-/// What no size is smaller than, so that 0 of 0 is 0.
+/// Added to denominators, so that 0/0 becomes 0.
 const LEAST: f64 = f32::MIN_POSITIVE as f64;
 
 impl Build<'_> {
-    /// The rows to watch, with a margin each.
-    pub(super) fn watch(&mut self, left_out: &[usize], agreeing: &[Agreeing]) {
-        let steps = self.listed.watched(&self.system.set, left_out);
+    /// Adds a margin for every redundant row.
+    pub(super) fn add_redundant_rows(&mut self, left_out: &[usize], paired: &[PairedRows]) {
+        let steps = self.listed.redundant_steps(&self.system.set, left_out);
         for (&row, step) in left_out.iter().zip(steps) {
             let place = self.listed.margin(step);
-            let agreeing = agreeing.iter().find(|agreeing| agreeing.rows[1] == row).copied();
+            let paired = paired.iter().find(|paired| paired.rows[1] == row).copied();
             let margin = self.graph.number(1.0);
-            self.watched.push(Watched { row, agreeing, place, margin, sizes: Vec::new() });
+            self.redundant.push(RedundantRow { row, paired, place, margin, sizes: Vec::new() });
         }
     }
 
-    /// The margins as far as they belong to q, once it is known with the margins of all steps.
-    pub(super) fn watch_positions(&mut self) {
-        if self.watched.is_empty() {
+    /// Subtracts the position residual from the margins, once q and the margins of all steps are known.
+    pub(super) fn check_positions(&mut self) {
+        if self.redundant.is_empty() {
             return;
         }
         let sizes = self.sizes();
         let tolerance = self.tolerance(sizes.nearness, 1);
-        for mut watched in std::mem::take(&mut self.watched) {
-            let rows = watched.agreeing.map_or(vec![watched.row], |agreeing| agreeing.rows.to_vec());
-            watched.sizes = rows.iter().map(|&row| self.size(row, &sizes.weights)).collect();
-            let (miss, size) = match watched.agreeing {
-                // The angle that both give makes the most of them: it is the length that says whether they agree.
-                Some(Agreeing { difference, square, .. }) => {
+        for mut redundant in std::mem::take(&mut self.redundant) {
+            let rows = redundant.paired.map_or(vec![redundant.row], |paired| paired.rows.to_vec());
+            redundant.sizes = rows.iter().map(|&row| self.size(row, &sizes.weights)).collect();
+            let (miss, size) = match redundant.paired {
+                // The angle is the one that fits both rows best, so only the lengths that they see tell whether they
+                // are consistent.
+                Some(PairedRows { difference, square, .. }) => {
                     let [difference, square] = [difference, square].map(|e| self.known_value(e));
                     (difference, self.graph.square(square))
                 }
                 None => {
-                    let phi = self.system.equations[watched.row].phi;
-                    let terms = squared_terms(&mut self.graph, phi, 6);
+                    let phi = self.system.equations[redundant.row].phi;
+                    let terms = sum_of_squared_terms(&mut self.graph, phi, 6);
                     let [phi, terms] = [phi, terms].map(|e| self.known_value(e));
-                    let share = self.graph.number(SHARE);
+                    let share = self.graph.number(TERM_WEIGHT);
                     let terms = self.graph.mul(share, terms);
-                    (phi, self.graph.add(watched.sizes[0], terms))
+                    (phi, self.graph.add(redundant.sizes[0], terms))
                 }
             };
             let square = self.graph.square(miss);
-            self.take_away(&mut watched, square, size, tolerance);
-            self.watched.push(watched);
+            self.subtract_residual(&mut redundant, square, size, tolerance);
+            self.redundant.push(redundant);
         }
-        self.sizes_of_watched = Some(sizes);
+        self.redundant_sizes = Some(sizes);
     }
 
-    /// The margins with what belongs to q̇ (`order` 0) or q̈ (`order` 1): `solution` of Φ_q x = `right`.
-    pub(super) fn watch_rates(&mut self, order: usize, right: &[ExprId], solution: &[ExprId]) {
-        let Some(mut sizes) = self.sizes_of_watched.take() else { return };
+    /// Subtracts the residual of q̇ (`order` 0) or q̈ (`order` 1) from the margins; `solution` solves Φ_q x = `right`.
+    pub(super) fn check_rates(&mut self, order: usize, right: &[ExprId], solution: &[ExprId]) {
+        let Some(mut sizes) = self.redundant_sizes.take() else { return };
         let mut all = self.graph.zero();
         for (&x, &weight) in solution.iter().zip(&sizes.weights) {
             let square = self.graph.square(x);
@@ -89,8 +92,8 @@ impl Build<'_> {
         }
         let all = self.graph.whole(all);
         let tolerance = self.tolerance(sizes.nearness, 2 + order as i32);
-        for mut watched in std::mem::take(&mut self.watched) {
-            let rows = watched.agreeing.map_or(vec![watched.row], |agreeing| agreeing.rows.to_vec());
+        for mut redundant in std::mem::take(&mut self.redundant) {
+            let rows = redundant.paired.map_or(vec![redundant.row], |paired| paired.rows.to_vec());
             for (place, row) in rows.into_iter().enumerate() {
                 let mut rest = self.graph.neg(right[row]);
                 for (k, entry) in self.system.equations[row].phi_q.clone() {
@@ -98,29 +101,31 @@ impl Build<'_> {
                     let term = self.graph.mul(entry, solution[k as usize]);
                     rest = self.graph.add(rest, term);
                 }
-                // Where Φₜ is a small difference of large terms, as a motion turns round, rounding is that of the terms.
-                let (terms, share) = (squared_terms(&mut self.graph, right[row], 6), self.graph.number(SHARE));
-                let (terms, size) = (self.graph.mul(share, terms), self.graph.mul(watched.sizes[place], all));
+                // Where Φₜ is a small difference of large terms (a drive that reverses), its rounding error is that of
+                // the terms.
+                let (terms, share) =
+                    (sum_of_squared_terms(&mut self.graph, right[row], 6), self.graph.number(TERM_WEIGHT));
+                let (terms, size) = (self.graph.mul(share, terms), self.graph.mul(redundant.sizes[place], all));
                 let (square, size) = (self.graph.square(rest), self.graph.add(size, terms));
-                self.take_away(&mut watched, square, size, tolerance);
+                self.subtract_residual(&mut redundant, square, size, tolerance);
             }
-            self.watched.push(watched);
+            self.redundant.push(redundant);
         }
-        self.sizes_of_watched = Some(sizes);
+        self.redundant_sizes = Some(sizes);
     }
 
-    /// Takes `square`/`size` over `tolerance` from the margin, and writes it.
-    fn take_away(&mut self, watched: &mut Watched, square: ExprId, size: ExprId, tolerance: ExprId) {
+    /// Subtracts (`square`/`size`)/`tolerance` from the margin and writes it.
+    fn subtract_residual(&mut self, redundant: &mut RedundantRow, square: ExprId, size: ExprId, tolerance: ExprId) {
         let least = self.graph.number(LEAST);
         let size = self.graph.add(size, least);
         let share = self.graph.div(square, size);
         let share = self.graph.div(share, tolerance);
-        let margin = self.graph.sub(watched.margin, share);
-        watched.margin = self.graph.whole(margin);
-        self.write(Slot::Margin(watched.place), watched.margin);
+        let margin = self.graph.sub(redundant.margin, share);
+        redundant.margin = self.graph.whole(margin);
+        self.write(Slot::Margin(redundant.place), redundant.margin);
     }
 
-    /// τ² at a level, for the scalar at hand: TOLERANCE² + ROUNDING² · nearness^level of an `f64`.
+    /// τ² at a level, (TOLERANCE² + ROUNDING² · nearness^level) for `f64`, scaled to the precision of the scalar type.
     fn tolerance(&mut self, nearness: ExprId, level: i32) -> ExprId {
         let graph = &mut self.graph;
         let (tolerance, rounding) = (graph.number(TOLERANCE * TOLERANCE), graph.number(ROUNDING * ROUNDING));
@@ -157,7 +162,8 @@ impl Build<'_> {
         Sizes { weights, nearness, velocity: one }
     }
 
-    /// The square of the length that rows hold between lengths and angles; where none holds both, that of all lengths.
+    /// The square of the length taken from rows that contain both lengths and angles; if there are none, the sum of
+    /// all squared lengths.
     fn squared_length(&mut self) -> ExprId {
         let coordinates = &self.system.set.coordinates;
         let mut sums = [self.graph.zero(); 2];
@@ -195,7 +201,7 @@ impl Build<'_> {
         self.graph.whole(square)
     }
 
-    /// Σ Φᵣₖ² wₖ.
+    /// Σ Φᵣₖ² wₖ of a row r.
     fn size(&mut self, row: usize, weights: &[ExprId]) -> ExprId {
         let mut size = self.graph.zero();
         for (k, entry) in self.system.equations[row].phi_q.clone() {

@@ -1,0 +1,70 @@
+//! `limits`: where the mechanism closes between two instants, mode by mode, and what ends that.
+
+use super::engine::Engine;
+use super::examples::{Help, Names};
+use super::failure::{Failure, Ledger, zip3};
+use super::instants::{Asked, End};
+use super::options::SetupArgs;
+use super::output::{Form, OutputArgs};
+use super::session::Session;
+use super::solved::analysis;
+use super::values;
+use crate::present::json::to_json;
+use crate::present::ranges;
+
+/// How far it moves in every assembly mode, and the dead centres that end it
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct LimitsArgs {
+    /// The first instant [default: 0]
+    #[arg(long, value_name = "A")]
+    from: Option<String>,
+    /// The last instant [default: one driven turn, or 1]
+    #[arg(long, value_name = "B")]
+    to: Option<String>,
+    #[command(flatten)]
+    setup: SetupArgs,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+pub(super) const HELP: Help = Help {
+    examples: |names: &Names| {
+        let all = vec![
+            names.analysis("limits", ""),
+            names.with("limits --set", &names.set, "with another dimension"),
+            names.analysis("limits --format json", "for another program"),
+        ];
+        let [.., limits] = names.proven;
+        if limits { all } else { Vec::new() }
+    },
+    details: "\
+Ranges are proven: the plan is evaluated over intervals of t, and where all of its margins are
+positive the mechanism closes on all of it. Ranges that meet at a dead centre are one circuit:
+there the motion can go from one mode into the other. json has the limits, one per driver that can
+go no further. The status is 1 where a limit is not proven. Groups that close by iteration have no
+ranges.",
+};
+
+pub(super) fn run(args: &LimitsArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
+    let mut ledger = Ledger::default();
+    let model = engine.model();
+    let moment =
+        |option: &str, text: &Option<String>| text.as_deref().map(|t| values::moment(option, t, model)).transpose();
+    let ends = ledger.take(moment("--from", &args.from)).zip(ledger.take(moment("--to", &args.to)));
+    let output = ledger.take(session.destination(&args.output, "limits"));
+    let setup = ledger.take(args.setup.apply_complete(engine));
+    let ((from, to), output, setup) = ledger.close(zip3(ends, output, setup))?;
+    let from = End::At(from.unwrap_or(values::Moment::At(0.0)));
+    let times = Asked::Grid { from, to: to.map(End::At), steps: 1 }.instants(&*engine, &setup)?.times;
+    let (Some(&from), Some(&to)) = (times.first(), times.last()) else { return Ok(()) };
+    let all = engine.ranges(&setup, from, to).map_err(|error| analysis(engine, &error))?;
+    let text = match output.form {
+        Form::Json => to_json(&ranges::records(&all)).map_err(Failure::Output)?,
+        _ => ranges::text(model, [from, to], &all),
+    };
+    session.deliver(&output, &text)?;
+    match all.limits.iter().find(|limit| !limit.proven) {
+        None => Ok(()),
+        Some(limit) => Err(Failure::Analysis(format!("{}: {limit}", model.name))),
+    }
+}

@@ -1,0 +1,83 @@
+//! How far a mechanism moves: tables for people, and records for JSON.
+
+use serde::Serialize;
+
+use super::number::{plain, rounded};
+use super::table::Table;
+use super::text::section;
+use crate::model::Model;
+use crate::planned::LimitKind;
+use crate::ranges::{Range, RangeLimit, Ranges};
+use crate::scalar::Interval;
+
+/// One driver at one limit.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct LimitRecord<'a> {
+    /// None where no single driver is at its end.
+    driver: Option<&'static str>,
+    /// The value of the coordinate that it drives.
+    value: Option<f64>,
+    t: f64,
+    /// Between these.
+    interval: Interval,
+    mode: String,
+    joints: &'a [&'static str],
+    kind: &'static str,
+    q: Option<&'a [f64]>,
+    certified: bool,
+}
+
+/// All limits, for JSON.
+pub(crate) fn records(all: &Ranges) -> Vec<LimitRecord<'_>> {
+    all.limits.iter().flat_map(of_drivers).collect()
+}
+
+/// One record for every driver that can go no further, and one where that is none of them.
+fn of_drivers(limit: &RangeLimit) -> Vec<LimitRecord<'_>> {
+    let record = |(driver, value)| LimitRecord {
+        driver,
+        value,
+        t: limit.t.midpoint(),
+        interval: limit.t,
+        mode: limit.name(),
+        joints: &limit.joints,
+        kind: kind(limit.kind),
+        q: (!limit.q.is_empty()).then_some(limit.q.as_slice()),
+        certified: limit.proven,
+    };
+    match limit.drivers.as_slice() {
+        [] => vec![record((None, None))],
+        drivers => drivers.iter().map(|&(name, value)| record((Some(name), value))).collect(),
+    }
+}
+
+fn kind(kind: Option<LimitKind>) -> &'static str {
+    match kind {
+        Some(LimitKind::DeadCentre) => "dead centre",
+        Some(LimitKind::BranchPoint) => "branch point",
+        None => "end of curve",
+    }
+}
+
+/// Ranges and limits.
+pub(crate) fn text(model: &Model, [from, to]: [f64; 2], all: &Ranges) -> String {
+    let ranges = Table::new()
+        .right("circuit", all.ranges.iter().map(|range| (range.circuit + 1).to_string()))
+        .words("modes", all.ranges.iter().map(Range::name))
+        .numbers("from", all.ranges.iter().map(|range| range.from))
+        .numbers("to", all.ranges.iter().map(|range| range.to));
+    let drivers = |limit: &RangeLimit| {
+        let value = |value: Option<f64>| value.map_or_else(String::new, |x| format!(" = {}", rounded(x)));
+        limit.drivers.iter().map(|&(name, x)| format!("{name}{}", value(x))).collect::<Vec<_>>().join(", ")
+    };
+    let limits = Table::new()
+        .numbers("t", all.limits.iter().map(|limit| limit.t.midpoint()))
+        .words("kind", all.limits.iter().map(|limit| kind(limit.kind)))
+        .words("joints in line", all.limits.iter().map(|limit| limit.joints.join(", ")))
+        .words("drivers", all.limits.iter().map(drivers))
+        .words("modes", all.limits.iter().map(RangeLimit::name))
+        .words("proven", all.limits.iter().map(|limit| if limit.proven { "yes" } else { "no" }));
+    let nothing = if all.ranges.is_empty() { "\nIt closes nowhere.\n" } else { "" };
+    let heading = format!("{} from t = {} to t = {}\n{nothing}", model.name, plain(from), plain(to));
+    [heading, section("Ranges", &ranges), section("Limits", &limits)].concat()
+}

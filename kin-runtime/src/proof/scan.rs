@@ -1,0 +1,126 @@
+//! Where along t a plan closes.
+
+/// What is known of a stretch of t.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Seen {
+    /// All margins are positive on all of it.
+    Closed,
+    /// This margin is negative on all of it.
+    Open(usize),
+    /// This is the first margin of which neither is known.
+    Unknown(usize),
+}
+
+/// A stretch of t.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Stretch {
+    pub(crate) from: f64,
+    pub(crate) to: f64,
+    pub(crate) seen: Seen,
+}
+
+/// The stretches from `from` to `to`, in order, neighbours of one kind put together. What is not known is halved until it is
+/// narrower than `narrowest`, or until `most` stretches were looked at, behind which all is unknown.
+pub(crate) fn stretches(
+    [from, to]: [f64; 2],
+    narrowest: f64,
+    most: usize,
+    look: &mut dyn FnMut(f64, f64) -> Seen,
+) -> Vec<Stretch> {
+    let (mut waiting, mut known): (Vec<(f64, f64)>, Vec<Stretch>) = (vec![(from, to)], Vec::new());
+    let mut looked = 0;
+    while let Some((from, to)) = waiting.pop() {
+        looked += 1;
+        let seen = look(from, to);
+        let middle = 0.5 * from + 0.5 * to;
+        let wide = to - from > narrowest && from < middle && middle < to;
+        if matches!(seen, Seen::Unknown(_)) && wide && looked < most {
+            waiting.extend([(middle, to), (from, middle)]);
+            continue;
+        }
+        push(&mut known, Stretch { from, to, seen });
+    }
+    known
+}
+
+/// The same stretches, those that are unknown between one in which it closes and one in which it does not halved further. A
+/// stretch that is known and hardly wider than `narrowest` between unknown ones is unknown: there rounding decides.
+pub(crate) fn refined(
+    stretches_found: &[Stretch],
+    narrowest: [f64; 2],
+    most: usize,
+    look: &mut dyn FnMut(f64, f64) -> Seen,
+) -> Vec<Stretch> {
+    let [coarse, fine] = narrowest;
+    let mut smooth: Vec<Stretch> = Vec::new();
+    for (place, stretch) in stretches_found.iter().enumerate() {
+        let beside = [place.checked_sub(1), Some(place + 1)].map(|k| stretches_found.get(k?).map(|beside| beside.seen));
+        match beside {
+            [Some(unknown @ Seen::Unknown(_)), Some(Seen::Unknown(_))]
+                if stretch.to - stretch.from < 100.0 * coarse =>
+            {
+                push(&mut smooth, Stretch { seen: unknown, ..*stretch });
+            }
+            _ => push(&mut smooth, *stretch),
+        }
+    }
+    let mut known = Vec::new();
+    for (place, stretch) in smooth.iter().enumerate() {
+        let beside = [place.checked_sub(1), Some(place + 1)].map(|k| smooth.get(k?).map(|beside| beside.seen));
+        let is_limit = matches!(stretch.seen, Seen::Unknown(_))
+            && matches!(beside, [Some(Seen::Closed), Some(Seen::Open(_))] | [Some(Seen::Open(_)), Some(Seen::Closed)]);
+        if is_limit {
+            let inside = stretches([stretch.from, stretch.to], fine, most, look);
+            inside.into_iter().for_each(|stretch| push(&mut known, stretch));
+        } else {
+            push(&mut known, *stretch);
+        }
+    }
+    known
+}
+
+/// Adds a stretch behind the others, put together with the last where it is of the same kind. Which margin is negative is of
+/// no interest beyond the first.
+fn push(known: &mut Vec<Stretch>, next: Stretch) {
+    let kind = |seen: Seen| match seen {
+        Seen::Closed => 0,
+        Seen::Open(_) => 1,
+        Seen::Unknown(_) => 2,
+    };
+    match known.last_mut() {
+        Some(last) if kind(last.seen) == kind(next.seen) => last.to = next.to,
+        _ => known.push(next),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Seen, Stretch, refined, stretches};
+
+    #[test]
+    fn signs_of_a_parabola_are_told_apart() {
+        // 1/4 − t², with an enclosure that is too wide.
+        let mut look = |from: f64, to: f64| {
+            let (least, most) = if from < 0.0 && to > 0.0 {
+                (0.0, from.abs().max(to))
+            } else {
+                (from.abs().min(to.abs()), from.abs().max(to.abs()))
+            };
+            let slack = 0.1 * (to - from);
+            match (0.25 - most * most - slack > 0.0, 0.25 - least * least + slack < 0.0) {
+                (true, _) => Seen::Closed,
+                (_, true) => Seen::Open(3),
+                _ => Seen::Unknown(3),
+            }
+        };
+        let found = stretches([-1.0, 1.0], 1e-9, 10_000, &mut look);
+        let kinds: Vec<Seen> = found.iter().map(|stretch| stretch.seen).collect();
+        assert_eq!(kinds, [Seen::Open(3), Seen::Unknown(3), Seen::Closed, Seen::Unknown(3), Seen::Open(3)]);
+        let Stretch { from, to, .. } = found[3];
+        assert!(from <= 0.5 && 0.5 <= to && to - from < 1e-8, "{from} {to}");
+        let found = refined(&found, [1e-9, 1e-13], 1000, &mut look);
+        let Stretch { from, to, .. } = found[3];
+        assert!(found.len() == 5 && from <= 0.5 && 0.5 <= to && to - from < 1e-12, "{from} {to}");
+        assert_eq!((found[0].from, found[4].to), (-1.0, 1.0));
+    }
+}

@@ -1,0 +1,107 @@
+//! How far a mechanism moves: where along t it closes, and where that ends.
+
+use crate::planned::{LimitKind, Sign};
+use crate::scalar::Interval;
+use crate::text::{rounded, separated};
+use core::fmt;
+
+/// A stretch of t on which the mechanism closes in one combination of its modes, proven for every t in it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Range {
+    /// The signs of its assembly modes, with their names.
+    pub modes: Vec<(&'static str, Sign)>,
+    /// The first t.
+    pub from: f64,
+    /// The last t.
+    pub to: f64,
+    /// Which motion it is a part of: ranges that meet at a dead centre have the same number, counted from 0. There the
+    /// mechanism comes from one mode into the other without being taken apart.
+    pub circuit: usize,
+}
+
+/// Where ranges end.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RangeLimit {
+    /// In this interval of t.
+    pub t: Interval,
+    /// The modes of the range that ends there, and their signs.
+    pub modes: Vec<(&'static str, Sign)>,
+    /// The joints of the group that is at its limit.
+    pub joints: Vec<&'static str>,
+    /// The drivers that can go no further, each with the value of the coordinate that it drives; none where it drives
+    /// something else.
+    pub drivers: Vec<(&'static str, Option<f64>)>,
+    /// What kind of limit it is, where that is known.
+    pub kind: Option<LimitKind>,
+    /// q at the limit, n numbers to about nine digits; empty where it was not found.
+    pub q: Vec<f64>,
+    /// True where it is proven that the mechanism closes on one side and not on the other, so that a limit is in `t`.
+    pub proven: bool,
+}
+
+/// Where a mechanism closes between two instants, in every combination of its modes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ranges {
+    /// Where it closes, mode by mode.
+    pub ranges: Vec<Range>,
+    /// Where that begins and ends between the two instants.
+    pub limits: Vec<RangeLimit>,
+    /// How many circuits there are.
+    pub circuits: usize,
+}
+
+impl Ranges {
+    /// True where every limit is proven; then the mechanism closes in the ranges and nowhere else, the intervals of the limits
+    /// left out.
+    pub fn is_complete(&self) -> bool {
+        self.limits.iter().all(|limit| limit.proven)
+    }
+}
+
+impl Range {
+    /// Its modes as the option `--mode` takes them.
+    pub fn name(&self) -> String {
+        named(&self.modes)
+    }
+}
+
+impl RangeLimit {
+    /// The modes of the range that ends there, as the option `--mode` takes them.
+    pub fn name(&self) -> String {
+        named(&self.modes)
+    }
+}
+
+fn named(modes: &[(&'static str, Sign)]) -> String {
+    modes.iter().map(|(mode, sign)| format!("{mode}={sign}")).collect::<Vec<_>>().join(",")
+}
+
+/// `A-B-C=+ from t = -1.0948 to t = 1.0948, circuit 0`.
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { from, to, circuit, .. } = self;
+        write!(f, "{} from t = {} to t = {}, circuit {circuit}", self.name(), rounded(*from), rounded(*to))
+    }
+}
+
+/// `dead centre of A, B, C at t = 1.0948, A-B-C=+`.
+impl fmt::Display for RangeLimit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.kind {
+            Some(kind) => write!(f, "{kind} of ")?,
+            None => f.write_str("limit of ")?,
+        }
+        separated(f, &self.joints, |f, joint| f.write_str(joint))?;
+        write!(f, " at t = {}, {}", rounded(self.t.midpoint()), self.name())?;
+        f.write_str(if self.proven { "" } else { ", not proven" })
+    }
+}
+
+/// Ranges, then limits, one in a line.
+impl fmt::Display for Ranges {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "ranges: {}, limits: {}, circuits: {}", self.ranges.len(), self.limits.len(), self.circuits)?;
+        self.ranges.iter().try_for_each(|range| write!(f, "\n  {range}"))?;
+        self.limits.iter().try_for_each(|limit| write!(f, "\n  {limit}"))
+    }
+}
