@@ -1,4 +1,4 @@
-//! The reference cases of `tests/data`, as `CONVENTIONS.md` there describes them.
+//! The reference cases in `tests/data`; their format is described in `CONVENTIONS.md` there.
 
 use serde::Deserialize;
 use serde::de::Deserializer;
@@ -6,36 +6,36 @@ use serde::de::Deserializer;
 /// One mechanism with its exact solutions.
 #[derive(Debug, Deserialize)]
 pub struct Case {
-    /// Name of the file, without its ending.
+    /// The name of the file without its extension.
     pub name: String,
-    /// `regular`, `redundant`, `singular`, `infeasible`, `underdriven` or `nonholonomic`.
+    /// The expected kind: `regular`, `redundant`, `singular`, `infeasible`, `underdriven` or `nonholonomic`.
     pub expect: String,
-    /// Names of the entries of q, `phi_crank` style.
+    /// The names of the entries of q, such as `phi_crank`.
     pub coordinates: Vec<String>,
-    /// Number of coordinates.
+    /// The number of coordinates.
     pub n: usize,
-    /// Number of rows.
+    /// The number of rows.
     pub s: usize,
-    /// Number of rows in which time appears.
+    /// The number of rows in which time appears.
     pub s_drivers: usize,
-    /// Rank of all rows at the first instant of the first mode.
+    /// The rank of all rows at the first instant of the first mode.
     pub rank: Option<usize>,
-    /// Rank without the driving rows.
+    /// The rank without the driving rows.
     pub rank_without_drivers: Option<usize>,
     /// n − rank without the driving rows.
     pub dof_without_drivers: Option<usize>,
     /// n − rank.
     pub dof_remaining: Option<usize>,
-    /// The first instant.
+    /// The time of the first instant.
     #[serde(deserialize_with = "number")]
     pub t0: f64,
     /// The assembly modes.
     pub modes: Vec<Mode>,
     /// The linear equations at the first instant of the first mode.
     pub linearization: Option<Linearization>,
-    /// The equations at an arbitrary configuration.
+    /// The equations at a configuration that does not satisfy Φ = 0.
     pub offmanifold: OffManifold,
-    /// What the file says about its singular configuration.
+    /// A singular configuration, if the file contains one.
     pub singular: Option<Singular>,
     /// Unit vectors y with yᵀ Φ_q = 0.
     #[serde(default, deserialize_with = "vectors")]
@@ -45,7 +45,7 @@ pub struct Case {
     pub null_space: Vec<Vec<f64>>,
     /// The least-norm solutions of an under-driven mechanism.
     pub minimum_norm: Option<MinimumNorm>,
-    /// Rows that are not part of the system, only of its samples.
+    /// Rows that are not part of the system, but determine the sampled states.
     #[serde(default)]
     pub completion_constraint: Vec<Completion>,
     constraints: Vec<Constraint>,
@@ -54,9 +54,9 @@ pub struct Case {
 /// An assembly mode.
 #[derive(Debug, Deserialize)]
 pub struct Mode {
-    /// Its name.
+    /// The name of the mode.
     pub name: String,
-    /// A configuration near the first instant's; empty where it is not determined by equations of position.
+    /// A configuration near that of the first instant; empty where the position is not determined by equations.
     #[serde(default, deserialize_with = "numbers")]
     pub initial_guess: Vec<f64>,
     /// The exact states.
@@ -64,7 +64,7 @@ pub struct Mode {
 }
 
 impl Mode {
-    /// Where a sweep starts: near the first instant, or at its exact position where only that is a start.
+    /// The start of a sweep: the guess near the first instant, or its exact position where there is no guess.
     #[must_use]
     pub fn start(&self) -> &[f64] {
         match self.instants.first() {
@@ -73,7 +73,7 @@ impl Mode {
         }
     }
 
-    /// The instants' times.
+    /// The times of the instants.
     #[must_use]
     pub fn times(&self) -> Vec<f64> {
         self.instants.iter().map(|instant| instant.t).collect()
@@ -83,7 +83,7 @@ impl Mode {
 /// An exact state.
 #[derive(Debug, Deserialize)]
 pub struct Instant {
-    /// Time.
+    /// The time.
     #[serde(deserialize_with = "number")]
     pub t: f64,
     /// q.
@@ -95,7 +95,7 @@ pub struct Instant {
     /// q̈.
     #[serde(rename = "qdd", deserialize_with = "numbers")]
     pub q_ddot: Vec<f64>,
-    /// The motion of points.
+    /// The motions of points.
     #[serde(default)]
     pub points: Vec<PointMotion>,
 }
@@ -103,7 +103,7 @@ pub struct Instant {
 /// The motion of a point.
 #[derive(Debug, Deserialize)]
 pub struct PointMotion {
-    /// `body.point`.
+    /// The name `body.point`.
     pub point: String,
     /// Position.
     #[serde(deserialize_with = "numbers")]
@@ -116,7 +116,7 @@ pub struct PointMotion {
     pub a: Vec<f64>,
 }
 
-/// The equations of the first instant.
+/// The linear equations at one configuration.
 #[derive(Debug, Deserialize)]
 pub struct Linearization {
     /// Φ_q.
@@ -130,10 +130,10 @@ pub struct Linearization {
     pub gamma: Vec<f64>,
 }
 
-/// The equations at an arbitrary configuration.
+/// The equations at a configuration that does not satisfy Φ = 0.
 #[derive(Debug, Deserialize)]
 pub struct OffManifold {
-    /// Time.
+    /// The time.
     #[serde(deserialize_with = "number")]
     pub t: f64,
     /// q.
@@ -142,7 +142,7 @@ pub struct OffManifold {
     /// q̇.
     #[serde(rename = "qd", deserialize_with = "numbers")]
     pub q_dot: Vec<f64>,
-    /// Φ; 0 for a row of velocity level, which has none.
+    /// Φ; 0 for a row of velocity level.
     #[serde(rename = "Phi", deserialize_with = "numbers_or_zero")]
     pub phi: Vec<f64>,
     /// Φ_q, Φ_t and γ.
@@ -153,15 +153,15 @@ pub struct OffManifold {
 /// A singular configuration.
 #[derive(Debug, Deserialize)]
 pub struct Singular {
-    /// When.
+    /// The time.
     #[serde(deserialize_with = "number")]
     pub t: f64,
-    /// Where.
+    /// The configuration q.
     #[serde(deserialize_with = "numbers")]
     pub q: Vec<f64>,
     /// Rank of Φ_q there.
     pub rank: usize,
-    /// Whether any velocity satisfies the equations there.
+    /// Whether the velocity equations have a solution there.
     pub velocity_consistent: bool,
     /// Unit vectors z with Φ_q z = 0.
     #[serde(deserialize_with = "vectors")]
@@ -182,10 +182,10 @@ pub struct MinimumNorm {
     pub q_ddot: Vec<f64>,
 }
 
-/// The angle that pins the samples of an under-driven mechanism.
+/// The prescribed angle that determines the sampled states of an under-driven mechanism.
 #[derive(Debug, Deserialize)]
 pub struct Completion {
-    /// The body whose angle is given.
+    /// The body whose angle is prescribed.
     pub body_i: String,
     /// (t, value, rate, acceleration) at the instants.
     #[serde(deserialize_with = "vectors")]
@@ -207,10 +207,10 @@ struct Axis {
 }
 
 impl Case {
-    /// Reads the case `name`.
+    /// Reads the case with this name.
     ///
     /// # Panics
-    /// When there is no such file or it is not a case.
+    /// If the file does not exist or is not a case.
     #[must_use]
     pub fn read(name: &str) -> Self {
         let path = format!("{}/data/{name}.json", env!("CARGO_MANIFEST_DIR"));
@@ -218,7 +218,7 @@ impl Case {
         serde_json::from_str(&text).unwrap_or_else(|error| panic!("{path}: {error}"))
     }
 
-    /// Names of the entries of q in the language of kin: `crank.phi` for the file's `phi_crank`.
+    /// The names of the entries of q in kin's notation: `crank.phi` for the file's `phi_crank`.
     #[must_use]
     pub fn coordinate_names(&self) -> Vec<String> {
         let in_kin = |name: &String| match name.split_once('_') {
@@ -228,7 +228,7 @@ impl Case {
         self.coordinates.iter().map(in_kin).collect()
     }
 
-    /// What a row of the file must be multiplied with where its axis is not a unit vector; 1 elsewhere.
+    /// The factors by which rows of the file must be multiplied where their axis is not a unit vector; 1 elsewhere.
     #[must_use]
     pub fn row_scales(&self) -> Vec<f64> {
         let mut scales = vec![1.0; self.s];
@@ -241,7 +241,7 @@ impl Case {
     }
 }
 
-/// Numbers are written as strings of 34 digits, some as JSON numbers.
+/// A number in a file: a string of 34 digits or a JSON number.
 #[derive(Deserialize)]
 #[serde(untagged)]
 enum Digits {

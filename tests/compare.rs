@@ -1,4 +1,4 @@
-//! Comparing numbers so that a failure says what differs, where, and by how much.
+//! Comparison of numbers with failure messages that say what differs, where, and by how much.
 
 use kin_runtime::{Motion, State};
 use std::fmt::Display;
@@ -9,7 +9,7 @@ pub fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most: f64, value| most.max(value.abs()))
 }
 
-/// Collects differences, and fails with all of them at once.
+/// Collects differences, and reports all of them together.
 #[derive(Debug, Default)]
 pub struct Differences {
     place: String,
@@ -18,23 +18,23 @@ pub struct Differences {
 }
 
 impl Differences {
-    /// None so far.
+    /// A collection without differences.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Sets the place that the next differences are reported with: case, mode, instant.
+    /// Sets the description (case, mode, instant) with which the next differences are reported.
     pub fn at(&mut self, place: impl Display) {
         self.place = place.to_string();
     }
 
-    /// Reports something that is not a comparison of numbers.
+    /// Reports a failure that is not a difference of numbers.
     pub fn report(&mut self, what: impl Display) {
         self.found.push(format!("{}: {what}", self.place));
     }
 
-    /// Reports unless `found` is `expected`.
+    /// Reports a difference unless `found` equals `expected`.
     pub fn equal<T: PartialEq + std::fmt::Debug>(&mut self, what: impl Display, expected: T, found: T) {
         self.compared += 1;
         if expected != found {
@@ -42,7 +42,7 @@ impl Differences {
         }
     }
 
-    /// Reports unless |found − expected| ≤ `tolerance`. NaN always differs.
+    /// Reports a difference unless |found − expected| ≤ `tolerance`; NaN always differs.
     pub fn number(&mut self, what: impl Display, expected: f64, found: f64, tolerance: f64) {
         self.compared += 1;
         let difference = (found - expected).abs();
@@ -53,7 +53,7 @@ impl Differences {
         }
     }
 
-    /// Compares entry by entry, each to `tolerance`; `name` names an entry by its place.
+    /// Compares two vectors entry by entry with the same tolerance; `name` gives the name of an entry from its index.
     pub fn vector<N: Display>(
         &mut self,
         what: &str,
@@ -68,10 +68,10 @@ impl Differences {
         }
     }
 
-    /// Fails when there were differences, or nothing was compared.
+    /// Fails if there were differences, or if nothing was compared.
     ///
     /// # Panics
-    /// That is its purpose.
+    /// If there were differences.
     pub fn finish(self) {
         let shown = 40;
         assert!(
@@ -85,9 +85,10 @@ impl Differences {
     }
 }
 
-/// Asserts that the bodies and points that a state carries are those of its motion.
+/// Asserts that the bodies and points in a state agree with its motion.
 ///
-/// They agree to rounding: the rate of an observable is a sum of products, that of a coordinate stands in the state.
+/// They agree up to rounding: the rate of an observable is computed as a sum of products, while that of a coordinate is
+/// read from the state.
 #[track_caller]
 pub fn assert_shows(state: &State, motion: &Motion) {
     let same = |what: &dyn Display, shown: [f64; 3], expected: [f64; 3]| {

@@ -1,4 +1,4 @@
-//! Mechanisms with known answers, and what the tests need to read and compare them.
+//! Mechanisms with known solutions, and helpers of the tests that read and compare them.
 #![deny(missing_docs, warnings)]
 
 pub mod case;
@@ -9,7 +9,8 @@ pub mod stencil;
 
 use kin_runtime::{Instant, Kinematics, Signal};
 
-/// Fails unless the mechanism assembles at t = 0 with all inputs at 0, nothing is left open, and its closed forms are right.
+/// Fails unless the mechanism assembles at t = 0 with all inputs at 0, has no degrees of freedom left, and passes the
+/// cross-check of its closed forms.
 pub fn works<M: Kinematics>(mechanism: &M) {
     let inputs = vec![Signal::default(); M::INPUTS];
     let state = mechanism.state_at(&Instant { t: 0.0, inputs: &inputs }).unwrap();
@@ -18,7 +19,7 @@ pub fn works<M: Kinematics>(mechanism: &M) {
     assert!(check.passes(1e-12), "{check}");
 }
 
-/// The README, whose code compiles.
+/// The README, whose code is compiled as a documentation test.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;

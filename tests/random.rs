@@ -1,11 +1,11 @@
-//! Repeatable pseudo-random numbers.
+//! Reproducible pseudo-random numbers.
 
-/// A small generator (splitmix64): the same seed gives the same numbers on every machine.
+/// A small generator (splitmix64), which gives the same numbers for a seed on every machine.
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 
 impl Random {
-    /// The sequence of `seed`.
+    /// The generator with this seed.
     #[must_use]
     pub fn new(seed: u64) -> Self {
         Self(seed)

@@ -1,4 +1,4 @@
-//! Derivatives by central differences.
+//! Comparison of derivatives with central differences.
 
 use crate::compare::Differences;
 
@@ -11,34 +11,35 @@ pub struct Stencil {
 }
 
 impl Stencil {
-    /// Instants on either side of the middle one.
+    /// The number of instants on either side of the middle one.
     pub const REACH: usize = 3;
 
-    /// A few stencils between two instants.
+    /// Three stencils between two instants.
     #[must_use]
     pub fn several(from: f64, to: f64) -> [Self; 3] {
         let span = to - from;
         [0.21, 0.5, 0.83].map(|share| Self { middle: from + share * span, step: 2e-3 * span, span })
     }
 
-    /// The same with half the step, for functions that bend more.
+    /// The stencil with half the step, for functions with larger higher derivatives.
     #[must_use]
     pub fn halved(self) -> Self {
         Self { step: 0.5 * self.step, ..self }
     }
 
-    /// `first`, from where the motion is followed, and the seven instants.
+    /// `first`, where the sweep starts, followed by the seven instants.
     #[must_use]
     pub fn times(&self, first: f64) -> Vec<f64> {
         let around = (-3..=3).map(|k| self.middle + f64::from(k) * self.step);
         std::iter::once(first).chain(around).collect()
     }
 
-    /// Holds rate and acceleration against those of the seven `samples`. `scales` are the sizes of rate and
-    /// acceleration in this motion; the differences are good to 1e-9 and 1e-7 of them, or of one unit in the span.
+    /// Compares rate and acceleration with differences of the seven `samples`. `scales` are the sizes of rate and
+    /// acceleration in this motion; the differences are accurate to 1e-9 and 1e-7 of these sizes, or of one unit per
+    /// span.
     ///
     /// # Panics
-    /// When there are not seven samples.
+    /// If there are not seven samples.
     pub fn compare(
         &self,
         differences: &mut Differences,

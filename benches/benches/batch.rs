@@ -1,6 +1,7 @@
 //! Φ, Φ_q, Φ_t, γ of the lecture's 9×9 four-bar in batches: `cargo bench -p kin-benches --bench batch`, as in
-//! `benches/table.sh` for other instruction sets. Angles are random, over several turns, and others in every pass: a
-//! processor learns the branches of the standard library's sines by heart where they return, and no batch does that.
+//! `benches/table.sh` for other instruction sets. Angles are random, over several turns, and differ in every pass: with
+//! repeated angles the branch predictor would learn the branches in the sines of the standard library, which does not
+//! happen in a real batch.
 
 use kin_benches::four_bar::{ByHand, FourBar, by_hand};
 use kin_benches::library;
@@ -11,12 +12,12 @@ use kin_runtime::batch::{Column, Configurations, Evaluations, always, evaluate};
 use kin_runtime::{Instant, Lanes, Mechanism, Subset};
 use std::hint::black_box;
 
-/// So many that their results stay in the cache of the second level.
+/// The number of configurations in a batch, whose results fit into the second-level cache.
 const CONFIGURATIONS: usize = 512;
-/// Sets of them, another one for every pass: also that before the timed one.
+/// The number of batches; every pass uses another one, including the untimed pass before each timed pass.
 const SETS: u64 = 8;
 
-/// A batch in the shapes that the contenders take.
+/// One batch in the data layouts that the contenders need.
 struct Set {
     t: Vec<f64>,
     q: [Vec<f64>; 9],
@@ -50,7 +51,8 @@ fn main() {
     let [by_hand_sets, kept_sets, single_sets, lane_sets, column_sets, elsewhere_sets] = &mut in_turn;
     let mut hand = Placed::new(ByHand::default);
     let (mut workspace, mut lanes) = (Placed::new(FourBar::workspace::<f64>), Placed::new(FourBar::workspace::<Lanes>));
-    // Results of a whole batch span all places of a page wherever they begin; one list of them stays in the cache.
+    // The results of a batch span all offsets within a page, wherever they begin; a single list of them stays in the
+    // cache.
     let [mut evaluations, mut more_evaluations] = [(); 2].map(|()| Evaluations::<FourBar>::new(CONFIGURATIONS));
     let mut kept: Vec<ByHand> = (0..CONFIGURATIONS).map(|_| ByHand::default()).collect();
     let parameters = four_bar.parameters::<Lanes>();
@@ -82,7 +84,8 @@ fn main() {
                 let workspace = workspace.here();
                 for (t, q, w) in single_sets.next().into_iter().flat_map(|set| &set.one_by_one) {
                     let at = Instant::at(black_box(*t));
-                    // References to arrays: a slice through `black_box` is two words that come back as one.
+                    // References to arrays are passed, because `black_box` of a slice would hide the slice's length
+                    // from the compiler.
                     let (q, w): (&[f64; 9], &[f64; 9]) = (black_box(q), black_box(w));
                     black_box(&four_bar).evaluate(Subset::ALL, &at, q, w, workspace).expect("nine coordinates");
                     black_box(&*workspace);

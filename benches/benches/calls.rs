@@ -1,7 +1,7 @@
-//! What an ordinary program calls, on the lecture's four-bar: states from a guess and from the last one, a tracker, sweeps
-//! whose states are kept or lent, position analysis alone, the follower of the plan. They are compared with a step by hand,
-//! Newton's iteration with a dense LU from the last solution; it, the tracker and the follower turn on and on.
-//! `cargo bench -p kin-benches --bench calls`.
+//! Calls of typical programs, on the lecture's four-bar: states from a guess and from the last state, a tracker, sweeps
+//! that store their states or only pass them on, position analysis alone, and the follower of the plan. They are
+//! compared with a hand-written step: Newton's iteration with a dense LU from the last solution. The hand-written step,
+//! the tracker and the follower keep turning in one direction. `cargo bench -p kin-benches --bench calls`.
 
 use kin_benches::four_bar::{ByHand, FourBar, by_hand};
 use kin_benches::paired::{Contender, compare};
@@ -16,7 +16,7 @@ const STEPS: usize = 360;
 type Matrix = SMatrix<f64, 9, 9>;
 type Vector = SVector<f64, 9>;
 
-/// q, q̇, q̈ by hand, from the last solution.
+/// A hand-written solver of q, q̇, q̈ from the last solution.
 struct Step {
     q: [f64; 9],
     q_dot: [f64; 9],

@@ -1,5 +1,5 @@
-//! Φ, Φ_q, Φ_t, γ of ten and of a hundred four-bar loops geared in series, per loop, against one loop:
-//! `cargo bench -p kin-benches --bench chain`, as in `benches/table.sh` for other instruction sets.
+//! Φ, Φ_q, Φ_t, γ of ten and of a hundred four-bar loops geared in series, per loop, compared with one loop: `cargo
+//! bench -p kin-benches --bench chain`, as in `benches/table.sh` for other instruction sets.
 
 use kin_benches::chain::{self, Chain};
 use kin_benches::four_bar::FourBar;
@@ -10,10 +10,10 @@ use kin_benches::ten::{self, Ranged, WrittenOut};
 use kin_runtime::{Instant, LengthError, Mechanism, Subset, Workspace};
 use std::hint::black_box;
 
-/// Loops that are evaluated in a round.
+/// The number of loops that are evaluated in a round.
 const LOOPS: usize = 800;
 
-/// t, q, q̇ of a mechanism, as numbers over several turns.
+/// Configurations t, q, q̇ of a mechanism, with angles over several turns.
 fn configurations<const N: usize>(count: usize) -> Vec<(f64, [f64; N], [f64; N])> {
     let some = |i: usize, k: usize| ((i * 31 + k * 17) as f64 * 0.7).sin() * 6.0;
     (0..count)
@@ -21,7 +21,7 @@ fn configurations<const N: usize>(count: usize) -> Vec<(f64, [f64; N], [f64; N])
         .collect()
 }
 
-/// A mechanism of `loops` loops with `N` coordinates, evaluated by `evaluate`.
+/// A contender that evaluates a mechanism of `loops` loops with `N` coordinates by `evaluate`.
 fn contender<'a, M: Mechanism + 'a, const N: usize>(
     name: &'static str,
     loops: usize,
@@ -39,7 +39,7 @@ fn contender<'a, M: Mechanism + 'a, const N: usize>(
     Contender { name, work: Box::new(work) }
 }
 
-/// The same with the mechanism in the bench's own crate.
+/// A contender whose mechanism is compiled in the crate of the bench itself.
 fn here<'a, M: Mechanism + Default + 'a, const N: usize>(
     name: &'static str,
     loops: usize,

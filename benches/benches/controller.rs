@@ -1,15 +1,15 @@
-//! One tick of a controller: the lecture's excavator, its three cylinders measured, with the tip and its Jacobian to them:
-//! `cargo bench -p kin-benches --bench controller`.
+//! One tick of a controller: the lecture's excavator with the measured lengths of its three cylinders, including the
+//! tip and its Jacobian with respect to them: `cargo bench -p kin-benches --bench controller`.
 
 use kin_benches::paired::{Contender, compare};
 use kin_benches::placed::Placed;
 use kin_runtime::{Instant, Kinematics, Mechanism, Planned, Signal, mechanism};
 use std::hint::black_box;
 
-/// Ticks in a row.
+/// The number of ticks in a round.
 const TICKS: usize = 1000;
 
-/// Excavator arm whose three cylinder lengths are measured.
+/// An excavator arm with inputs for the lengths of its three cylinders.
 #[mechanism]
 #[bodies(boom, stick, lever, bucket)]
 #[input(boom_length, stick_length, bucket_length)]
@@ -44,7 +44,7 @@ fn main() {
         move || {
             let planned = planned.carried();
             for _ in 0..TICKS {
-                // To and fro over one second.
+                // The motion goes back and forth over one second.
                 tick = (tick + 1) % 2000;
                 let t = 0.001 * f64::from(if tick < 1000 { tick } else { 2000 - tick });
                 let inputs = inputs(t);

@@ -1,9 +1,10 @@
-//! Φ, Φ_q, Φ_t, γ of the lecture's 9×9 four-bar, one configuration at a time: kin, by hand and by dual numbers.
-//! `cargo bench -p kin-benches --bench evaluation`, as in `benches/table.sh` for other instruction sets.
+//! Φ, Φ_q, Φ_t, γ of the lecture's 9×9 four-bar, one configuration at a time: by kin, by hand-written code and by dual
+//! numbers. `cargo bench -p kin-benches --bench evaluation`, as in `benches/table.sh` for other instruction sets.
 //!
-//! Twice: at angles in steps of a degree, as a motion has them, and at random angles over several turns. The sines and
-//! cosines of the standard library choose their polynomials by branches, which are foreseen in a motion and not at
-//! random angles. A processor learns a few hundred of them by heart, so there are more, some of them in every round.
+//! Measured twice: at angles in steps of a degree, as in a motion, and at random angles over several turns. The sines
+//! and cosines of the standard library choose their polynomials by branches, which are predictable in a motion and not
+//! at random angles. A branch predictor can learn a few hundred random angles, so there are more of them, and every
+//! round uses a part.
 
 use kin_benches::dual::{ByDuals, by_duals, by_few_duals};
 use kin_benches::four_bar::{ByHand, FourBar, by_hand, by_hand_in_lanes};
@@ -15,10 +16,11 @@ use kin_runtime::{Instant, Mechanism, Subset};
 use std::hint::black_box;
 
 const CONFIGURATIONS: usize = 4096;
-/// So many in a round: short enough to be over before the scheduler looks, on a machine that others use, too.
+/// The number of configurations in a round, few enough for the round to end before the scheduler switches to other
+/// programs.
 const IN_A_ROUND: usize = 256;
 
-/// t, q, q̇.
+/// A configuration t, q, q̇.
 type Configuration = (f64, [f64; 9], [f64; 9]);
 
 fn against_one_another(title: &str, configurations: &[Configuration]) {
@@ -75,7 +77,8 @@ fn against_one_another(title: &str, configurations: &[Configuration]) {
                 let workspace = workspace.here();
                 for (t, q, w) in kin_sets.next().into_iter().flatten() {
                     let at = Instant::at(black_box(*t));
-                    // References to arrays: a slice through `black_box` is two words that come back as one.
+                    // References to arrays are passed, because `black_box` of a slice would hide the slice's length
+                    // from the compiler.
                     let (q, w): (&[f64; 9], &[f64; 9]) = (black_box(q), black_box(w));
                     black_box(&four_bar).evaluate(Subset::ALL, &at, q, w, workspace).expect("nine coordinates");
                     black_box(&*workspace);
@@ -114,7 +117,7 @@ fn main() {
     let motion: Vec<Configuration> = (0..CONFIGURATIONS)
         .map(|degree| {
             let angle = (degree as f64).to_radians();
-            // The crank turns, coupler and rocker swing; places and speeds are of no consequence for how long it takes.
+            // The crank turns, coupler and rocker swing; the positions and velocities do not affect the time.
             let mut q: [f64; 9] = draws.several_turns();
             (q[2], q[5], q[8]) = (angle, 0.9 + 0.3 * angle.cos(), 5.0 + 0.4 * angle.sin());
             (angle, q, draws.several_turns())

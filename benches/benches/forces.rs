@@ -1,8 +1,9 @@
-//! Forces of the lecture's four-bar with masses, gravity and a spring, against its motion alone and against a peer's way:
-//! `cargo bench -p kin-benches --bench forces`, as in `benches/table.sh` for other instruction sets.
+//! Forces of the lecture's four-bar with masses, gravity and a spring, compared with its motion alone and with the
+//! usual method: `cargo bench -p kin-benches --bench forces`, as in `benches/table.sh` for other instruction sets.
 //!
-//! The peer knows q, q̇ and solves the 18×18 system of M q̈ + Φ_qᵀ λ = Q and Φ_q q̈ = γ for q̈ and λ with nalgebra's dense LU,
-//! its size known to the compiler, M and Q written by hand; efforts and reactions follow from λ.
+//! The usual method knows q, q̇ and solves the 18×18 system of M q̈ + Φ_qᵀ λ = Q and Φ_q q̈ = γ for q̈ and λ with
+//! nalgebra's dense LU of a size known at compile time; M and Q are written by hand; efforts and reactions follow from
+//! λ.
 
 use kin_benches::loaded::LoadedFourBar;
 use kin_benches::paired::{Contender, compare};
@@ -12,10 +13,10 @@ use kin_runtime::plan::{Depth, Solved};
 use kin_runtime::{Instant, Kinematics, Mechanism, Subset, Workspace};
 use std::hint::black_box;
 
-/// One revolution.
+/// The steps of one revolution.
 const STEPS: usize = 360;
 
-/// A motion by the plan.
+/// A motion solved by the plan.
 struct Motion {
     parameters: [f64; 7],
     modes: [f64; 1],
@@ -56,7 +57,7 @@ impl Motion {
         four_bar.forces_with(&self.parameters, &at, q, q_dot, q_ddot, &[], &mut self.forces).expect("nine coordinates");
     }
 
-    /// q̈ and λ at once.
+    /// q̈ and λ from one linear system.
     fn peer(&mut self, four_bar: &LoadedFourBar, t: f64) -> SVector<f64, 18> {
         let at = Instant::at(t);
         let subset = Subset { phi_q: true, gamma: true, ..Subset::GAMMA };

@@ -1,5 +1,5 @@
-//! q, q̇, q̈ at small steps where nothing closes by itself: the plan's few unknowns against Newton's iteration on all
-//! coordinates. `cargo bench -p kin-benches --bench groups`.
+//! q, q̇, q̈ in small steps for a group without a closed form: Newton's iteration on the few unknowns of the plan
+//! compared with Newton's iteration on all coordinates. `cargo bench -p kin-benches --bench groups`.
 
 use kin_benches::paired::{Contender, compare};
 use kin_benches::placed::Placed;
@@ -16,7 +16,7 @@ const N: usize = 21;
 
 type Vector = [f64; N];
 
-/// q, q̇, q̈ and when.
+/// A state: q, q̇, q̈ and the time.
 #[derive(Clone)]
 struct Place {
     q: Vector,
@@ -32,7 +32,7 @@ impl Place {
     }
 }
 
-/// Newton from the prediction, dense LU 21×21, with generated Φ, Φ_q and γ.
+/// Newton's iteration from the prediction, with a dense 21×21 LU and generated Φ, Φ_q and γ.
 fn newton(robot: &Robot, place: &mut Place, workspace: &mut Workspace<Robot>, t: f64) {
     let entries = Robot::model().constraint_pattern.entries;
     let at = Instant::at(t);

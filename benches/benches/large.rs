@@ -1,5 +1,5 @@
-//! q, q̇, q̈ of a chain of a hundred four-bar loops, 900 coordinates, from one instant to the next: by trackers with dense
-//! factorisations, with the elimination in the fixed pattern of Φ_q, and with the plan; by `Planned`.
+//! q, q̇, q̈ of a chain of a hundred four-bar loops, 900 coordinates, from one instant to the next: by trackers with
+//! dense factorisations, with sparse factorisations in the fixed pattern of Φ_q, and with the plan; and by `Planned`.
 //! `cargo bench -p kin-benches --bench large`.
 
 use kin_benches::chain::{Chain, LOOPS};
@@ -10,17 +10,17 @@ use kin_runtime::{Instant, Kinematics, Mechanism, Options, Planned, Tracker};
 use std::hint::black_box;
 
 const N: usize = 9 * LOOPS;
-/// Rounds; a dense step takes about a second.
+/// The number of rounds; a dense step takes about a second.
 const ROUNDS: usize = 3;
-/// Steps in a round.
+/// The number of steps in a round.
 const STEPS: usize = 2;
-/// Time of a step: the first crank turns by a twentieth of a degree.
+/// The time of a step, in which the first crank turns by a twentieth of a degree.
 const STEP: f64 = 1e-3;
 
 fn main() {
     let chain = Chain::default();
     let at = Instant::at(0.0);
-    // The closed forms need no guesses, and the tracker starts at what they give.
+    // The closed forms need no guesses, and the trackers start at their solution.
     let plan = &Chain::model().plan;
     let (mut q, mut q_dot, mut q_ddot) = (vec![0.0; N], vec![0.0; N], vec![0.0; N]);
     let (mut margins, modes) = (vec![0.0; plan.margins], vec![1.0; plan.modes.len()]);
@@ -37,7 +37,7 @@ fn main() {
     let mut others = [false, true].map(|use_plan| Placed::new(move || tracker(use_plan, true)));
     let [newton, by_plan] = &mut others;
     let mut planned = Placed::new(|| Planned::new(&chain, &Instant::at(0.0), &q).expect("there is a plan"));
-    // To and fro, so that every round is as the one before.
+    // The steps go back and forth, so that all rounds are the same.
     let follow = |tracker: &mut Tracker<'_>| {
         for k in 1..=STEPS {
             black_box(tracker.update(&Instant::at(black_box(STEP * (k % 2) as f64))).expect("the crank turns"));

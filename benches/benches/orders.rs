@@ -1,8 +1,9 @@
-//! Derivatives of higher order of the lecture's four-bar, joint by joint, against q, q̇, q̈ by the same linear algebra:
-//! `cargo bench -p kin-benches --bench orders`, as in `benches/table.sh` for other instruction sets.
+//! Derivatives of higher order of the lecture's four-bar, joint by joint, compared with q, q̇, q̈ by the same linear
+//! algebra: `cargo bench -p kin-benches --bench orders`, as in `benches/table.sh` for other instruction sets.
 //!
-//! q, q̇, q̈ at 1° steps: predicted from the last instant, corrected by Newton's method on all nine coordinates, LU by
-//! nalgebra with sizes known to the compiler, the last factorisation used for q̇, q̈ and every higher order.
+//! q, q̇, q̈ in steps of 1°: predicted from the last instant and corrected by Newton's method on all nine coordinates,
+//! with nalgebra's LU of a size known at compile time; the last factorisation is used for q̇, q̈ and every higher
+//! order.
 
 use kin_benches::four_bar::FourBar;
 use kin_benches::paired::{Contender, compare};
@@ -13,14 +14,14 @@ use kin_runtime::series::HigherOrders;
 use kin_runtime::{Instant, Kinematics, Mechanism, Subset, Workspace};
 use std::hint::black_box;
 
-/// One revolution.
+/// The steps of one revolution.
 const STEPS: usize = 360;
 
 type Matrix = SMatrix<f64, 9, 9>;
 type Vector = SVector<f64, 9>;
 type Factors = LU<f64, Const<9>, Const<9>>;
 
-/// The motion so far, and room for the next instant.
+/// The current state of the motion, and buffers for the next instant.
 struct Sweep<'m> {
     four_bar: &'m FourBar,
     workspace: Workspace<FourBar>,
@@ -60,7 +61,7 @@ impl<'m> Sweep<'m> {
         Vector::from_column_slice(of)
     }
 
-    /// q, q̇, q̈ at t, `dt` after the last instant.
+    /// Computes q, q̇, q̈ at t, `dt` after the last instant.
     fn second(&mut self, t: f64, dt: f64) -> Factors {
         let at = Instant::at(t);
         self.q += dt * (self.q_dot + 0.5 * dt * self.q_ddot);
@@ -80,7 +81,7 @@ impl<'m> Sweep<'m> {
         factors
     }
 
-    /// All orders from the third to the highest.
+    /// Computes all orders from the third to the highest.
     fn higher(&mut self, t: f64, factors: &Factors, highest: usize) {
         let known = [&self.q, &self.q_dot, &self.q_ddot].map(|v| v.as_slice());
         self.orders.begin(&Instant::at(t), known[0], known[1], known[2]).expect("nine coordinates");
@@ -94,7 +95,7 @@ impl<'m> Sweep<'m> {
     }
 }
 
-/// The same by the plan: closed forms, and its blocks for every linear system.
+/// The same motion by the plan: closed forms for q, q̇, q̈, and the blocks of the plan for every linear system.
 struct Planned<'m> {
     parameters: [f64; 7],
     modes: [f64; 1],

@@ -1,5 +1,5 @@
-//! Derivatives of q, q̇ and q̈ of the lecture's four-bar by all seven parameters, against q, q̇ and q̈ alone by the same plan:
-//! `cargo bench -p kin-benches --bench sensitivities`.
+//! The derivatives of q, q̇ and q̈ of the lecture's four-bar by all seven parameters, against q, q̇ and q̈ alone by the
+//! same plan: `cargo bench -p kin-benches --bench sensitivities`.
 
 use kin_benches::four_bar::FourBar;
 use kin_benches::paired::{Contender, compare};
@@ -12,7 +12,7 @@ use std::hint::black_box;
 /// One revolution.
 const STEPS: usize = 360;
 
-/// The plan over a scalar, from instant to instant.
+/// The plan evaluated over a scalar type, from instant to instant.
 struct Steps<'m, T> {
     four_bar: &'m FourBar,
     parameters: [T; 7],

@@ -1,5 +1,5 @@
-//! q, q̇, q̈ of the lecture's four-bar at steps of one degree: the plan against Newton's iteration on all coordinates
-//! with an evaluation by hand. `cargo bench -p kin-benches --bench solution`.
+//! q, q̇, q̈ of the lecture's four-bar in steps of one degree: the plan compared with Newton's iteration on all
+//! coordinates with a hand-written evaluation. `cargo bench -p kin-benches --bench solution`.
 
 use kin_benches::four_bar::{ByHand, FourBar, by_hand};
 use kin_benches::paired::{Contender, compare};
@@ -12,7 +12,8 @@ use std::hint::black_box;
 
 const STEPS: usize = 360;
 
-/// q, q̇, q̈ by hand: Newton with dense LU, from the prediction q + h q̇ + ½ h² q̈ or from the last solution.
+/// A hand-written solver of q, q̇, q̈: Newton with dense LU, from the prediction q + h q̇ + ½ h² q̈ or from the last
+/// solution.
 struct Newton {
     predicts: bool,
     q: [f64; 9],
@@ -50,7 +51,7 @@ impl Newton {
     }
 }
 
-/// What an expert derives for this very four-bar: the dyad A B D in closed form, all nine coordinates and their rates, with
+/// The closed form that an expert derives for this four-bar: the dyad A B D, all nine coordinates and their rates, with
 /// the functions of the standard library.
 #[inline(never)]
 fn dyad_by_hand(m: &FourBar, t: f64, q: &mut [f64; 9], v: &mut [f64; 9], a: &mut [f64; 9], start: &[f64; 9]) {
@@ -58,7 +59,7 @@ fn dyad_by_hand(m: &FourBar, t: f64, q: &mut [f64; 9], v: &mut [f64; 9], a: &mut
     dyad(m, t, [q, v, a], start, f64::sin_cos, |vectors| vectors.map(|(y, x)| y.atan2(x)), near);
 }
 
-/// The same with kin's functions: what there is to be had beside them.
+/// The same closed form with the sines and angles of kin, to separate their effect.
 #[inline(never)]
 fn dyad_in_lanes(m: &FourBar, t: f64, q: &mut [f64; 9], v: &mut [f64; 9], a: &mut [f64; 9], start: &[f64; 9]) {
     dyad(m, t, [q, v, a], start, Scalar::sin_cos, Scalar::atan2_all, Scalar::nearest);
@@ -79,7 +80,7 @@ fn dyad(
     let (ax, ay) = (m.l1 * c1, m.l1 * s1);
     let (kx, ky) = (m.d1 - ax, m.d2 - ay);
     let k2 = kx * kx + ky * ky;
-    // l2 (cos, sin) + l3 (cos, sin) = k.
+    // Solves l2 (cos, sin) + l3 (cos, sin) = k.
     let c = (k2 + m.l2 * m.l2 - m.l3 * m.l3) / (2.0 * m.l2);
     let w = (k2 - c * c).sqrt();
     let inverse = 1.0 / k2;
@@ -134,13 +135,14 @@ fn in_lanes<'a>(four_bar: &'a FourBar, q: &[f64], mode: f64) -> Contender<'a> {
     Contender { name: "kin, the plan in four lanes", work: Box::new(work) }
 }
 
-/// Random crank angles and random lengths, as many as steps, by `solve`; and a part of a turn of 24 sets, by `sweep`.
+/// Batches: by `solve`, random crank angles and random lengths, as many as there are steps; by `sweep`, a part of a
+/// turn for 24 parameter sets.
 #[cfg(feature = "simd")]
 fn in_batches<'a>(four_bar: &'a FourBar, q: &[f64], mode: f64) -> Vec<Contender<'a>> {
     use kin_benches::random::Draws;
     use kin_runtime::Lanes;
     use kin_runtime::batch::{Column, Modes, Motions, Problems, Solutions, Sweeps, always, solve, sweep};
-    /// As many as the steps of the others.
+    /// The same number as the steps of the other contenders.
     const CONFIGURATIONS: usize = STEPS;
     const SETS: usize = 24;
     let mut draws = Draws::new(1);
@@ -164,7 +166,7 @@ fn in_batches<'a>(four_bar: &'a FourBar, q: &[f64], mode: f64) -> Vec<Contender<
         }
     };
     let parameters: Vec<Vec<f64>> = own.iter().map(|p| drawn(*p, 0.01 * p.abs(), SETS)).collect();
-    // Fifteen steps for each set: as many solutions as the others have.
+    // Fifteen steps for each set give as many solutions as the other contenders compute.
     let times: Vec<f64> = (0..STEPS / SETS).map(|k| (k as f64).to_radians() / four_bar.omega).collect();
     let sweep_all = move || {
         let parameters: Vec<_> = parameters.iter().map(|p| Column::Each(p)).collect();

@@ -1,11 +1,11 @@
-//! Four-bar loops geared in series: every crank turns with the rocker before it.
+//! Four-bar loops geared in series: every crank is geared to the rocker of the loop before it.
 
 use kin_runtime::mechanism;
 
-/// Loops of the chain.
+/// The number of loops.
 pub const LOOPS: usize = 100;
 
-/// A hundred loops.
+/// A chain of a hundred loops.
 #[mechanism]
 #[bodies(crank[100], coupler[100], rocker[100])]
 #[revolute(C[i in 0..100]: ground @ (0, 0), crank[i] @ (-l1[i]/2, 0))]
@@ -15,19 +15,19 @@ pub const LOOPS: usize = 100;
 #[gear(mesh[i in 1..100]: rocker[i - 1], crank[i], radii = (r[i - 1], r[i]))]
 #[driver(drive: crank[0].phi = phi0 + omega * t)]
 pub struct Chain {
-    /// Cranks.
+    /// Lengths of the cranks.
     #[param(0.1, unit = "m")]
     pub l1: [f64; 100],
-    /// Couplers.
+    /// Lengths of the couplers.
     #[param(0.4, unit = "m")]
     pub l2: [f64; 100],
-    /// Rockers.
+    /// Lengths of the rockers.
     #[param(0.3, unit = "m")]
     pub l3: [f64; 100],
-    /// Ground pins, x.
+    /// x of the ground pins.
     #[param(0.4, unit = "m")]
     pub d1: [f64; 100],
-    /// Ground pins, y.
+    /// y of the ground pins.
     #[param(0.1, unit = "m")]
     pub d2: [f64; 100],
     /// Pitch radii of the gears: the one on a rocker meshes with the one on the next crank.
@@ -36,7 +36,7 @@ pub struct Chain {
     /// Angle of the first crank at t = 0.
     #[param(0.7, unit = "rad")]
     pub phi0: f64,
-    /// Its speed.
+    /// Angular velocity of the first crank.
     #[param(1.0, unit = "rad/s")]
     pub omega: f64,
 }

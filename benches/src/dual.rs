@@ -1,10 +1,11 @@
-//! The lecture's four-bar by dual numbers: Φ is written once for any kind of number, everything else is its derivative.
+//! The lecture's four-bar by dual numbers: Φ is written once for any scalar type, and everything else is a derivative
+//! of it.
 
 use crate::four_bar::{ByHand, FourBar};
 use kin_runtime::nalgebra::{SMatrix, SVector};
 use num_dual::{Dual2_64, DualNum, jacobian};
 
-/// Φ, with one sine and cosine an angle.
+/// Φ, with one sine and cosine per angle.
 fn phi<D: DualNum<Primitive = f64> + Copy>(four_bar: &FourBar, t: D, q: [D; 9]) -> SVector<D, 9> {
     let half = |phi: D, length: f64| {
         let (sin, cos) = phi.sin_cos();
@@ -30,7 +31,7 @@ fn gamma(four_bar: &FourBar, t: f64, q: &[f64; 9], w: &[f64; 9]) -> [f64; 9] {
     phi(four_bar, s + t, core::array::from_fn(|k| s * w[k] + q[k])).map(|row| -row.v2).into()
 }
 
-/// Φ, its derivatives by q and t side by side, and γ.
+/// The results: Φ, its derivatives with respect to q and t in one matrix, and γ.
 pub struct ByDuals {
     /// Φ.
     pub phi: SVector<f64, 9>,
@@ -46,7 +47,7 @@ impl Default for ByDuals {
     }
 }
 
-/// As one writes it who knows nothing of Φ: dual vectors over q and t.
+/// The straightforward use of dual numbers, without knowledge about Φ: dual vectors over q and t.
 #[inline(never)]
 pub fn by_duals(four_bar: &FourBar, t: f64, q: &[f64; 9], w: &[f64; 9], out: &mut ByDuals) {
     let at = SVector::<f64, 10>::from_fn(|k, _| if k < 9 { q[k] } else { t });
@@ -54,8 +55,8 @@ pub fn by_duals(four_bar: &FourBar, t: f64, q: &[f64; 9], w: &[f64; 9], out: &mu
     out.gamma = gamma(four_bar, t, q, w);
 }
 
-/// As one writes it who knows that Φ is linear in all but the angles: dual vectors over the three of them and t; the
-/// other columns of Φ_q stand in `out` from the start.
+/// The use of dual numbers with the knowledge that Φ is linear in everything but the angles: dual vectors over the
+/// three angles and t; the other columns of Φ_q are constant and have been written to `out` before.
 #[inline(never)]
 pub fn by_few_duals(four_bar: &FourBar, t: f64, q: &[f64; 9], w: &[f64; 9], out: &mut ByHand) {
     let turning = SVector::from([q[2], q[5], q[8], t]);

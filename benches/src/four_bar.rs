@@ -1,4 +1,4 @@
-//! The lecture's four-bar as kin derives it, and by hand.
+//! The lecture's four-bar as kin derives it, and with hand-written equations.
 
 use kin_runtime::{Scalar, mechanism};
 
@@ -12,30 +12,30 @@ use kin_runtime::{Scalar, mechanism};
 #[driver(drive: crank.phi = phi0 + omega * t)]
 #[guess(coupler.phi = 0.9, rocker.phi = 5.0)]
 pub struct FourBar {
-    /// Crank.
+    /// Length of the crank.
     #[param(0.1, unit = "m")]
     pub l1: f64,
-    /// Coupler.
+    /// Length of the coupler.
     #[param(0.4, unit = "m")]
     pub l2: f64,
-    /// Rocker.
+    /// Length of the rocker.
     #[param(0.3, unit = "m")]
     pub l3: f64,
-    /// Ground pin, x.
+    /// x of the ground pin.
     #[param(0.4, unit = "m")]
     pub d1: f64,
-    /// Ground pin, y.
+    /// y of the ground pin.
     #[param(0.1, unit = "m")]
     pub d2: f64,
     /// Crank angle at t = 0.
     #[param(0.7, unit = "rad")]
     pub phi0: f64,
-    /// Crank speed.
+    /// Angular velocity of the crank.
     #[param(1.0, unit = "rad/s")]
     pub omega: f64,
 }
 
-/// Room for the evaluation by hand: Φ, Φ_q row by row with its constant entries, Φ_t, γ.
+/// Results of the hand-written evaluation: Φ, Φ_q by rows with its constant entries, Φ_t, γ.
 pub struct ByHand {
     /// Φ.
     pub phi: [f64; 9],
@@ -71,14 +71,15 @@ impl Default for ByHand {
     }
 }
 
-/// What an engineer writes after the lecture: straight-line, with the sines and cosines of the standard library.
+/// The evaluation that an engineer writes after the lecture: straight-line code with the sines and cosines of the
+/// standard library.
 #[inline(never)]
 pub fn by_hand(four_bar: &FourBar, t: f64, q: &[f64; 9], w: &[f64; 9], out: &mut ByHand) {
     let turns = [q[2], q[5], q[8]].map(|angle| (angle.sin(), angle.cos()));
     straight(four_bar, t, q, w, turns, out);
 }
 
-/// The same with kin's sines and cosines: what there is to be had beside them.
+/// The same evaluation with the sines and cosines of kin, to separate their effect.
 #[inline(never)]
 pub fn by_hand_in_lanes(four_bar: &FourBar, t: f64, q: &[f64; 9], w: &[f64; 9], out: &mut ByHand) {
     straight(four_bar, t, q, w, f64::sin_cos_all([q[2], q[5], q[8]]), out);

@@ -1,4 +1,5 @@
-//! Speed as ratios against a baseline of the same run: machines are shared and noisy, times alone say little.
+//! Benchmarks that report ratios to a baseline of the same run, because absolute times on a shared, noisy machine say
+//! little.
 
 pub mod chain;
 pub mod dual;

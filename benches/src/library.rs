@@ -1,6 +1,6 @@
-//! Evaluations behind plain functions, as a library has them: compiled with this crate, and called from another one.
+//! Evaluations as functions of a library: compiled with this crate, and called from another one.
 //!
-//! A bench has the same evaluation in its own crate, where a compiler sees its surroundings.
+//! In comparison, a bench that contains the evaluation in its own crate lets the compiler optimise across the call.
 
 use crate::chain::Chain;
 use crate::four_bar::FourBar;
@@ -9,7 +9,7 @@ use crate::ten::{Ranged, WrittenOut};
 use kin_runtime::batch::{BatchError, Configurations, Evaluations, always, evaluate};
 use kin_runtime::{Instant, LengthError, Mechanism, Subset, Workspace};
 
-/// Φ, Φ_q, Φ_t, γ of the four-bar.
+/// Evaluates Φ, Φ_q, Φ_t, γ of the four-bar.
 ///
 /// # Errors
 /// As [`Mechanism::evaluate`].
@@ -23,7 +23,7 @@ pub fn four_bar(
     four_bar.evaluate(Subset::ALL, &Instant::at(t), q, q_dot, workspace)
 }
 
-/// Φ, Φ_q, Φ_t, γ of a hundred loops.
+/// Evaluates Φ, Φ_q, Φ_t, γ of a hundred loops.
 ///
 /// # Errors
 /// As [`Mechanism::evaluate`].
@@ -37,7 +37,7 @@ pub fn chain(
     chain.evaluate(Subset::ALL, &Instant::at(t), q, q_dot, workspace)
 }
 
-/// Φ, Φ_q, Φ_t, γ of ten loops, written with ranges.
+/// Evaluates Φ, Φ_q, Φ_t, γ of ten loops written with ranges.
 ///
 /// # Errors
 /// As [`Mechanism::evaluate`].
@@ -51,7 +51,7 @@ pub fn ranged(
     chain.evaluate(Subset::ALL, &Instant::at(t), q, q_dot, workspace)
 }
 
-/// Φ, Φ_q, Φ_t, γ of ten loops, written out.
+/// Evaluates Φ, Φ_q, Φ_t, γ of ten loops written out.
 ///
 /// # Errors
 /// As [`Mechanism::evaluate`].
@@ -65,7 +65,7 @@ pub fn written_out(
     chain.evaluate(Subset::ALL, &Instant::at(t), q, q_dot, workspace)
 }
 
-/// Φ, Φ_q, Φ_t, γ of a batch of four-bars.
+/// Evaluates Φ, Φ_q, Φ_t, γ of a batch of four-bars.
 ///
 /// # Errors
 /// As [`evaluate`].

@@ -17,25 +17,25 @@ use kin_runtime::mechanism;
 #[mass(rocker @ (0, 0), mass = 1.5, inertia = 0.011)]
 #[spring(S: ground @ (0, 0.4), rocker @ (0, 0), stiffness = 120, free_length = 0.25, damping = 2)]
 pub struct LoadedFourBar {
-    /// Crank.
+    /// Length of the crank.
     #[param(0.1)]
     pub l1: f64,
-    /// Coupler.
+    /// Length of the coupler.
     #[param(0.4)]
     pub l2: f64,
-    /// Rocker.
+    /// Length of the rocker.
     #[param(0.3)]
     pub l3: f64,
-    /// Ground pin, x.
+    /// x of the ground pin.
     #[param(0.4)]
     pub d1: f64,
-    /// Ground pin, y.
+    /// y of the ground pin.
     #[param(0.1)]
     pub d2: f64,
     /// Crank angle at t = 0.
     #[param(0.7)]
     pub phi0: f64,
-    /// Crank speed.
+    /// Angular velocity of the crank.
     #[param(1.0)]
     pub omega: f64,
 }

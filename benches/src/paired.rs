@@ -1,35 +1,35 @@
-//! Contenders timed in turns, round after round, so that whatever slows the machine slows all of them.
+//! Contenders are timed in turns, round after round, so that disturbances of the machine affect all of them.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-/// Rounds; the median over them is what is reported.
+/// The number of rounds; the reported numbers are medians over them.
 const ROUNDS: usize = 300;
 
-/// The round that is under way: [`Placed`](crate::placed::Placed) results stand elsewhere in the next one.
+/// The current round; results in [`Placed`](crate::placed::Placed) have another address in every round.
 static ROUND: AtomicUsize = AtomicUsize::new(0);
 
-/// The number of the round that is under way.
+/// The number of the current round.
 pub fn round() -> usize {
     ROUND.load(Ordering::Relaxed)
 }
 
-/// A piece of work with its name; it does everything once for each of its configurations.
+/// A named piece of work, which processes each of its configurations once.
 pub struct Contender<'a> {
-    /// What it is.
+    /// The name of the work.
     pub name: &'static str,
-    /// The work. What it writes belongs into [`Placed`](crate::placed::Placed).
+    /// The work, which should write its results to a [`Placed`](crate::placed::Placed).
     pub work: Box<dyn FnMut() + 'a>,
 }
 
-/// Prints, for every contender, the median of its ratios to the first, the ratio of their best times, which is less
-/// disturbed where others use the machine, and its best time per configuration. In every round each of them works twice:
-/// untimed, which brings its results to where they stand in this round, then timed.
+/// Prints, for every contender, the median of its time ratios to the first contender, the ratio of their best times,
+/// which is less disturbed by other programs, and its best time per configuration. In every round each contender works
+/// twice: untimed, which loads the addresses of this round into the cache, and then timed.
 pub fn compare(title: &str, configurations: usize, contenders: &mut [Contender<'_>]) {
     compare_rounds(title, ROUNDS, configurations, contenders);
 }
 
-/// [`compare`] with fewer rounds, for what takes long.
+/// As [`compare`] with fewer rounds, for slow contenders.
 pub fn compare_rounds(title: &str, rounds: usize, configurations: usize, contenders: &mut [Contender<'_>]) {
     let mut times = vec![Vec::with_capacity(rounds); contenders.len()];
     for _ in 0..rounds {

@@ -1,22 +1,22 @@
-//! Results at addresses that are chosen at random in every round.
+//! Results at memory addresses that are chosen at random in every round.
 //!
-//! A store and a later load whose addresses agree in their last twelve bits wait for one another, and two arrays that
-//! share the sets of a cache drive one another out. Which contender has that luck is decided where the allocator
-//! happened to put its results; over many places it averages out.
+//! A load after a store to an address with the same last twelve bits is delayed, and two arrays in the same sets of a
+//! cache evict one another. Whether a contender suffers from this depends on the addresses that the allocator happens
+//! to choose; over many addresses the effect averages out.
 
 use crate::paired::round;
 use crate::random::Draws;
 use std::hint::black_box;
 
-/// Places for each of a contender's results.
+/// The number of addresses for each result.
 const PLACES: usize = 48;
-/// Room between two places, at most: a page, so that the last twelve bits of their addresses are anyone's.
+/// Largest gap between two addresses: one page, so that the last twelve bits are random.
 const GAP: usize = 4096;
 
-/// A result of a contender, in another place in every round of [`compare`](crate::paired::compare).
+/// A result of a contender, at another address in every round of [`compare`](crate::paired::compare).
 pub struct Placed<T> {
     places: Vec<Box<T>>,
-    /// What keeps the places apart.
+    /// Allocations that separate the places.
     _gaps: Vec<Vec<u8>>,
     draws: Draws,
     round: usize,
@@ -24,9 +24,10 @@ pub struct Placed<T> {
 }
 
 impl<T> Placed<T> {
-    /// As many of them as there are places.
+    /// Creates one result per place.
     pub fn new(mut make: impl FnMut() -> T) -> Self {
-        // What the allocator takes from the system directly starts on a page; freed once, that size comes from its heap.
+        // The allocator maps the first large allocation directly, at the start of a page; after freeing one, later
+        // allocations of this size come from the heap.
         drop(black_box(make()));
         let mut draws = Draws::new(round() as u64 + 1);
         let mut gaps = Vec::with_capacity(PLACES);
@@ -39,7 +40,7 @@ impl<T> Placed<T> {
         Self { places, _gaps: gaps, draws, round: round(), here: 0 }
     }
 
-    /// The place of this round, with whatever an earlier round left there.
+    /// The place of the current round, with arbitrary contents from an earlier round.
     pub fn here(&mut self) -> &mut T {
         if self.round != round() {
             self.round = round();
@@ -48,8 +49,8 @@ impl<T> Placed<T> {
         &mut self.places[self.here]
     }
 
-    /// The place of this round, with what stood in the place of the last one: a state goes on from there. What it holds
-    /// behind pointers does not move.
+    /// The place of the current round, with the contents moved from the place of the last round, so that a state
+    /// continues. Contents behind pointers do not move.
     pub fn carried(&mut self) -> &mut T {
         let before = self.here;
         self.here();
@@ -66,7 +67,7 @@ mod tests {
     use crate::paired::{Contender, compare};
     use std::collections::HashSet;
 
-    /// Runs through all rounds, in each of which a result stands in one place, and a state goes on.
+    /// In every round a result has a single address, and a state continues.
     #[test]
     fn places_change_with_the_rounds_and_states_go_with_them() {
         let (mut out, mut state) = (Placed::new(|| [0_u64; 9]), Placed::new(|| [0_u64; 9]));

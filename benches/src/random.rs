@@ -1,10 +1,10 @@
-//! Numbers that look random and are the same in every run.
+//! Pseudo-random numbers, which are the same in every run.
 
-/// A linear congruence of 64 bits, of which the upper ones are used.
+/// A 64-bit linear congruential generator, whose upper bits are used.
 pub struct Draws(u64);
 
 impl Draws {
-    /// Other numbers for every seed.
+    /// A generator with this seed.
     pub fn new(seed: u64) -> Self {
         Self(seed)
     }
@@ -14,7 +14,7 @@ impl Draws {
         self.0 >> 11
     }
 
-    /// A number in middle − size … middle + size.
+    /// A number between middle − size and middle + size.
     pub fn about(&mut self, middle: f64, size: f64) -> f64 {
         middle + 2.0 * size * (self.next() as f64 / (1_u64 << 53) as f64 - 0.5)
     }
@@ -24,7 +24,7 @@ impl Draws {
         (self.next() >> 20) as usize % count
     }
 
-    /// Angles over several turns, and lengths of their size.
+    /// Random numbers, used as angles over several turns and as lengths.
     pub fn several_turns<const N: usize>(&mut self) -> [f64; N] {
         core::array::from_fn(|_| self.about(0.0, 6.0))
     }

@@ -2,10 +2,10 @@
 
 use kin_runtime::mechanism;
 
-/// Loops of either chain.
+/// The number of loops of either chain.
 pub const LOOPS: usize = 10;
 
-/// With ranges.
+/// The chain written with ranges.
 #[mechanism]
 #[bodies(crank[10], coupler[10], rocker[10])]
 #[revolute(C[i in 0..10]: ground @ (0, 0), crank[i] @ (-l1[i]/2, 0))]
@@ -15,19 +15,19 @@ pub const LOOPS: usize = 10;
 #[gear(mesh[i in 1..10]: rocker[i - 1], crank[i], radii = (r, r))]
 #[driver(drive: crank[0].phi = phi0 + omega * t)]
 pub struct Ranged {
-    /// Cranks.
+    /// Lengths of the cranks.
     #[param(0.1, unit = "m")]
     pub l1: [f64; 10],
-    /// Couplers.
+    /// Lengths of the couplers.
     #[param(0.4, unit = "m")]
     pub l2: [f64; 10],
-    /// Rockers.
+    /// Lengths of the rockers.
     #[param(0.3, unit = "m")]
     pub l3: [f64; 10],
-    /// Ground pins, x.
+    /// x of the ground pins.
     #[param(0.4, unit = "m")]
     pub d1: [f64; 10],
-    /// Ground pins, y.
+    /// y of the ground pins.
     #[param(0.1, unit = "m")]
     pub d2: [f64; 10],
     /// Pitch radius of all gears.
@@ -36,12 +36,12 @@ pub struct Ranged {
     /// Angle of the first crank at t = 0.
     #[param(0.7, unit = "rad")]
     pub phi0: f64,
-    /// Its speed.
+    /// Angular velocity of the first crank.
     #[param(1.0, unit = "rad/s")]
     pub omega: f64,
 }
 
-/// Written out.
+/// The chain written out loop by loop.
 #[mechanism]
 #[bodies(crank0, coupler0, rocker0)]
 #[bodies(crank1, coupler1, rocker1)]
@@ -104,19 +104,19 @@ pub struct Ranged {
 #[revolute(D9: rocker9 @ (l3[9]/2, 0), ground @ (d1[9], d2[9]))]
 #[gear(mesh9: rocker8, crank9, radii = (r, r))]
 pub struct WrittenOut {
-    /// Cranks.
+    /// Lengths of the cranks.
     #[param(0.1, unit = "m")]
     pub l1: [f64; 10],
-    /// Couplers.
+    /// Lengths of the couplers.
     #[param(0.4, unit = "m")]
     pub l2: [f64; 10],
-    /// Rockers.
+    /// Lengths of the rockers.
     #[param(0.3, unit = "m")]
     pub l3: [f64; 10],
-    /// Ground pins, x.
+    /// x of the ground pins.
     #[param(0.4, unit = "m")]
     pub d1: [f64; 10],
-    /// Ground pins, y.
+    /// y of the ground pins.
     #[param(0.1, unit = "m")]
     pub d2: [f64; 10],
     /// Pitch radius of all gears.
@@ -125,7 +125,7 @@ pub struct WrittenOut {
     /// Angle of the first crank at t = 0.
     #[param(0.7, unit = "rad")]
     pub phi0: f64,
-    /// Its speed.
+    /// Angular velocity of the first crank.
     #[param(1.0, unit = "rad/s")]
     pub omega: f64,
 }

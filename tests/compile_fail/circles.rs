@@ -1,4 +1,4 @@
-//! Chains that do not end.
+//! Cyclic definitions.
 
 use kin_runtime::mechanism;
 

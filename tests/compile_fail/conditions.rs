@@ -1,4 +1,4 @@
-//! Unilateral conditions that are not written as they should be, or that nothing can change.
+//! Unilateral conditions with syntax errors, or that depend on nothing that can change.
 
 use kin_runtime::mechanism;
 
@@ -75,7 +75,7 @@ struct Families {
     l: [f64; 3],
 }
 
-/// A condition does not make a body take part.
+/// A unilateral condition does not count as a row that holds a body.
 #[mechanism]
 #[bodies(slider, ghost)]
 #[translational(guide: ground @ (0, 0), slider @ (0, 0), axis = (1, 0))]

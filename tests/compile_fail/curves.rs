@@ -1,4 +1,4 @@
-//! Contacts with curves: what a curve is made of, and what its variables are called.
+//! Contacts with curves: wrong options, and wrong names of the variables of a curve.
 
 use kin_runtime::mechanism;
 
@@ -70,7 +70,7 @@ struct Meant {
     r: f64,
 }
 
-/// The direction of a roller's curve is its derivative, so that accelerations hold the third one.
+/// The normal of a roller's curve depends on its derivative, so that accelerations would need the third derivative.
 #[mechanism]
 #[bodies(cam, arm, rod)]
 #[coordinates(u, v)]
@@ -85,7 +85,7 @@ struct Third<F> {
     r: f64,
 }
 
-/// Variables of curves where they have no meaning; one that is declared has the one it was given.
+/// Variables of curves outside of their curve; a declared coordinate of the same name is used instead.
 #[mechanism]
 #[bodies(cam, arm)]
 #[coordinates(u)]

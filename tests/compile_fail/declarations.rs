@@ -1,4 +1,4 @@
-//! Bodies, coordinates, points, defines and guesses that are not written as they should be.
+//! Bodies, coordinates, points, defines and guesses with syntax errors.
 
 use kin_runtime::mechanism;
 

@@ -1,4 +1,4 @@
-//! Geometry that is degenerate only after names have been followed and numbers folded.
+//! Geometry whose degeneracy shows only after names have been resolved and constants folded.
 
 use kin_runtime::mechanism;
 
@@ -47,7 +47,7 @@ struct Radii {
     l: f64,
 }
 
-/// Conditions that nothing moves once numbers are folded.
+/// Conditions that are constant after constants have been folded.
 #[mechanism]
 #[bodies(c)]
 #[revolute(O: ground @ (0, 0), c @ (0, 0))]
@@ -61,7 +61,7 @@ struct Still {
     l: f64,
 }
 
-/// A driven distance is wrong at its value.
+/// For a driven distance, the error is at its value.
 #[mechanism]
 #[bodies(p, q, r[2])]
 #[driver(D: distance(p @ (0, 0), q @ (0, 0)) = 0 * l)]

@@ -1,4 +1,4 @@
-//! What other languages write otherwise.
+//! Operators and notations of other languages.
 
 use kin_runtime::mechanism;
 

@@ -1,4 +1,4 @@
-//! Lengths, ranges and indices.
+//! Wrong lengths, ranges and indices of families.
 
 use kin_runtime::mechanism;
 

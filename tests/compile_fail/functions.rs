@@ -1,4 +1,4 @@
-//! Functions that do not exist, and those that do with the wrong arguments.
+//! Unknown functions, and functions with wrong arguments.
 
 use kin_runtime::mechanism;
 
@@ -42,7 +42,7 @@ struct Functions {
     n: f64,
 }
 
-/// Arguments without brackets.
+/// Function arguments without parentheses.
 #[mechanism]
 #[bodies(crank)]
 #[constraint(sine: crank.phi = sin t)]

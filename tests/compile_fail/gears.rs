@@ -1,4 +1,4 @@
-//! Gears, belts, racks and rolling discs that are not written as they should be, or couple what cannot be coupled.
+//! Gears, belts, racks and rolling discs with syntax errors, or between bodies that they cannot couple.
 
 use kin_runtime::mechanism;
 

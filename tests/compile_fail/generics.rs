@@ -42,7 +42,7 @@ struct Right<T> {
 }
 
 fn main() {
-    // What is no number is no parameter, and cannot be solved.
+    // A field whose type is not a number is no parameter, and such a mechanism cannot be solved.
     let _ = Right { a: 1.0 }.solver();
     let _ = Right { a: 1_u8 }.solver();
     let _ = Right::<u8>::default();

@@ -1,4 +1,4 @@
-//! Geometry that cannot be, and rows that nothing can satisfy.
+//! Impossible geometry, and rows that cannot be satisfied.
 
 use kin_runtime::mechanism;
 

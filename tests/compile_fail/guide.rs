@@ -1,4 +1,4 @@
-//! The mistakes that the guide shows, as they stand there.
+//! The errors that the guide shows, with the same descriptions.
 
 use kin_runtime::mechanism;
 

@@ -1,8 +1,8 @@
-//! Inputs: how they are declared, and where they stand.
+//! Inputs: errors in their declarations and uses.
 
 use kin_runtime::mechanism;
 
-/// Geometry is made of parameters.
+/// Geometry may depend on parameters only.
 #[mechanism]
 #[bodies(arm, slider)]
 #[input(u, w[2])]
@@ -14,7 +14,7 @@ use kin_runtime::mechanism;
 #[guess(arm.phi = u)]
 struct Places;
 
-/// A define carries what it is made of.
+/// A define may only be used where everything in it may be used.
 #[mechanism]
 #[bodies(arm)]
 #[input(u)]
@@ -23,7 +23,7 @@ struct Places;
 #[driver(C: arm.phi = s)]
 struct Defined;
 
-/// Members of a family have an index, others have none.
+/// Members of a family need an index, other inputs take none.
 #[mechanism]
 #[bodies(arm)]
 #[input(u, w[2])]
@@ -36,7 +36,7 @@ struct Defined;
 #[driver(G[i in 0..3]: arm.phi = w[i])]
 struct Indices;
 
-/// A signal is a name, one of its own.
+/// An input is declared by a name that is not in use.
 #[mechanism]
 #[bodies(arm)]
 #[input(arm, l, t)]
@@ -50,7 +50,7 @@ struct Names {
     l: f64,
 }
 
-/// Someone else meant it.
+/// A misspelt input, with a suggestion.
 #[mechanism]
 #[bodies(arm)]
 #[input(boom_length, bucket_length)]
@@ -58,7 +58,7 @@ struct Names {
 #[driver(B: arm.phi = boom_lenght)]
 struct Misspelt;
 
-/// A signal alone moves nothing.
+/// A row with inputs alone moves nothing.
 #[mechanism]
 #[bodies(arm)]
 #[input(u)]

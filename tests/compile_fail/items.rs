@@ -1,4 +1,4 @@
-//! What cannot be a mechanism; it stays in the program, so that nothing else turns red.
+//! Items that cannot be a mechanism; they stay in the program, so that no further errors follow.
 
 use kin_runtime::mechanism;
 

@@ -1,4 +1,4 @@
-//! Joints and equations that are not written as they should be.
+//! Joints and equations with syntax errors.
 
 use kin_runtime::mechanism;
 

@@ -1,4 +1,4 @@
-//! Sizes that have a bound, and what cannot be counted.
+//! Sizes that exceed a limit, and lengths that are not numbers.
 
 use kin_runtime::mechanism;
 

@@ -1,4 +1,4 @@
-//! Masses and loads: every mistake on its own token.
+//! Masses and loads: every error is at its own token.
 
 use kin_runtime::mechanism;
 

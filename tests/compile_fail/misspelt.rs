@@ -1,4 +1,4 @@
-//! A slip of the keyboard in every position where a name can stand.
+//! Misspelt names in every position in which a name can occur.
 
 use kin_runtime::mechanism;
 

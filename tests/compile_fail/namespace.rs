@@ -1,4 +1,4 @@
-//! One name for two things, and the words of the language.
+//! Names that are declared twice, and reserved words as names.
 
 use kin_runtime::mechanism;
 

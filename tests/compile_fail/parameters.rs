@@ -1,4 +1,4 @@
-//! Fields and their defaults.
+//! Errors in fields and their defaults.
 
 use kin_runtime::mechanism;
 

@@ -1,4 +1,4 @@
-//! Mechanisms that say something twice, whatever their dimensions: the joint is named with those that said it.
+//! Mechanisms that are redundant for all dimensions: the error names the joint and the joints that make it redundant.
 
 use kin_runtime::mechanism;
 
@@ -11,7 +11,7 @@ use kin_runtime::mechanism;
 #[revolute(D: ground @ (0.5, 0), rocker @ (0, 0))]
 struct Twice;
 
-/// Every joint is right; together they say the angle of the last wedge twice.
+/// No single joint is wrong; together they determine the angle of the last wedge twice.
 #[mechanism]
 #[bodies(lower, upper)]
 #[translational(floor: ground @ (0, 0), lower @ (0, 0), axis = (1, 0))]
@@ -29,7 +29,7 @@ struct Guides {
     depth: f64,
 }
 
-/// As many rows as a frame needs, but two of them are in a frame that is rigid without one.
+/// The number of rows is right for a frame, but two of them belong to a part that is rigid without one of them.
 #[mechanism]
 #[bodies(p, q, r, s, swing[2])]
 #[revolute(O: ground @ (0, 0), p @ (0, 0))]
@@ -61,7 +61,7 @@ struct Overdriven;
 #[fixed(weld: chain[0] @ (0.5, 0), chain[1] @ (0.5, 0))]
 struct Family;
 
-/// What moves only because of its lengths says so.
+/// With `allow_redundant`, a mechanism that moves only because of special lengths is accepted.
 #[mechanism(allow_redundant)]
 #[bodies(p, q)]
 #[revolute(A: ground @ (0, 0), p @ (0, 0))]
@@ -69,13 +69,13 @@ struct Family;
 #[revolute(C: p @ (1, 0), q @ (0, 0))]
 struct Allowed;
 
-/// The height that the line prescribes is held already.
+/// The height that rolling on the line prescribes is held already.
 #[mechanism]
 #[body(wheel, y = 0.3)]
 #[rolling(R: ground @ (0, 0), wheel @ (0, 0), axis = (1, 0), radius = 0.3)]
 struct Rests;
 
-/// Of some sliders one row is said twice, of another all is.
+/// For some sliders one row is redundant, for one slider all rows are.
 #[mechanism]
 #[bodies(slider[3])]
 #[angle(level[i in 0..3]: slider[i] = 0)]

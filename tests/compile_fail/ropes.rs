@@ -1,4 +1,4 @@
-//! Ropes and screws: operands that are missing, too few, or in one place.
+//! Ropes and screws: operands that are missing, too few, or at the same place.
 
 use kin_runtime::mechanism;
 

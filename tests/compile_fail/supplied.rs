@@ -1,4 +1,4 @@
-//! Supplied functions: declared, called, and what stands in their place.
+//! Supplied functions: errors in their declarations and calls, and other things in their places.
 
 use kin_runtime::function::CubicSpline;
 use kin_runtime::mechanism;
@@ -34,7 +34,7 @@ struct Declared {
 
 const N: usize = 2;
 
-/// Names that are nearly right, inside and outside of the brackets.
+/// Misspelt names, as functions and in their arguments.
 #[mechanism]
 #[function(lift)]
 #[coordinates(u)]
@@ -46,7 +46,7 @@ struct Misspelt {
     l: f64,
 }
 
-/// Fields that hold functions and are not declared.
+/// Fields with functions that are not declared as functions.
 #[mechanism]
 #[coordinates(u)]
 #[driver(drive: u = profile(t))]
@@ -56,7 +56,7 @@ struct Undeclared<'a> {
     borrowed: &'a CubicSpline,
 }
 
-/// Declared where it does not belong.
+/// A function that is declared at the field instead of the struct.
 #[mechanism]
 #[coordinates(u)]
 #[driver(drive: u = profile(t))]
@@ -67,7 +67,7 @@ struct OnField {
     other: CubicSpline,
 }
 
-/// A type that is no function.
+/// A type that does not implement `ScalarFunction`.
 #[mechanism(cross_check)]
 #[function(profile)]
 #[coordinates(u)]
@@ -93,7 +93,7 @@ struct Numbers {
     g: [f64; 2],
 }
 
-/// A parameter that is used in many rows: one error all the same.
+/// A parameter of a wrong type that is used in many rows causes a single error.
 #[mechanism]
 #[coordinates(u, v)]
 #[constraint(first: v = l * u)]
@@ -105,7 +105,7 @@ struct Words {
 
 pub struct Length(pub f64);
 
-/// A field that is not declared, of a type that only the compiler knows.
+/// An undeclared field whose type is known to the compiler only.
 #[mechanism]
 #[coordinates(u)]
 #[driver(drive: u = t)]

@@ -1,4 +1,4 @@
-//! Bodies and coordinates that nothing holds, and mechanisms that cannot move.
+//! Bodies and coordinates without constraints, and mechanisms that cannot move.
 
 use kin_runtime::mechanism;
 
@@ -27,7 +27,7 @@ struct Held;
 #[point(corner = table @ (1, 0))]
 struct AllHeld;
 
-/// A row that is wrong was to hold the body: that is told once.
+/// The only row that would constrain the body has an error, which is the only error reported.
 #[mechanism]
 #[bodies(crank)]
 #[body(c, phi = 0)]

@@ -1,4 +1,4 @@
-//! Units that do not agree: whoever writes one has it checked.
+//! Units that do not agree: units are checked as soon as one is written.
 
 use kin_runtime::mechanism;
 
@@ -17,7 +17,7 @@ struct Unknown {
     d: f64,
 }
 
-/// Sums, differences, arguments and scales.
+/// Units of sums, differences, arguments of functions, and scale factors.
 #[mechanism(check_units)]
 #[coordinates(u[9])]
 #[constraint(sum: u[0] = l + omega)]
@@ -40,7 +40,7 @@ struct Sums {
     slope: f64,
 }
 
-/// Every part of every joint wants its unit.
+/// The required unit of every part of every joint.
 #[mechanism]
 #[bodies(a, b, c, d, e, f, g, h)]
 #[body(held, x = omega, y = 0, phi = l)]
@@ -85,7 +85,7 @@ struct Parts {
     slope: f64,
 }
 
-/// A place that carries an origin.
+/// A point that is the origin of a body.
 #[mechanism(check_units)]
 #[bodies(horse)]
 #[body(rider, origin = horse @ (0, turn))]
@@ -98,7 +98,7 @@ struct Carried {
     turn: f64,
 }
 
-/// Units of one kind and different scales: what it is, what is meant, and what makes one the other.
+/// Units of the same kind with different scales: the error names both and the conversion factor.
 #[mechanism]
 #[bodies(crank, rod, disc)]
 #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
@@ -120,7 +120,7 @@ struct Scales {
     turns: f64,
 }
 
-/// Radii are lengths or numbers of teeth.
+/// Radii are lengths or numbers of teeth, but not both.
 #[mechanism]
 #[bodies(a, b, c, d)]
 #[gear(J: a, b, radii = (z1, 2*z1))]
@@ -152,7 +152,7 @@ struct Options {
     l: f64,
 }
 
-/// Written units of coordinates, inputs and defines hold.
+/// The given units of coordinates, inputs and defines are checked where these are used.
 #[mechanism]
 #[bodies(a)]
 #[coordinates(u, unit = "mm")]

@@ -1,4 +1,4 @@
-//! A description with a mistake leaves everything else usable: the only errors are kin's.
+//! After an error in a description everything else remains usable: the only errors are those of kin.
 
 use kin_runtime::{Instant, Kinematics, Mechanism, Solver, cli, mechanism};
 use std::process::ExitCode;

@@ -1,4 +1,4 @@
-//! Rows of velocity level: linear in every `dot`, and `dot` nowhere else.
+//! Rows of velocity level must be linear in every `dot`, and `dot` is not allowed elsewhere.
 
 use kin_runtime::mechanism;
 
@@ -24,7 +24,7 @@ use kin_runtime::mechanism;
 #[define(rate = dot(s))]
 pub struct Sleigh;
 
-/// Rates as other languages write them.
+/// Notations for rates in other languages.
 #[mechanism]
 #[coordinates(u, v)]
 #[nonholonomic(a: der(u) = 1)]
@@ -34,7 +34,7 @@ pub struct Sleigh;
 #[constraint(f: der(u) = 1)]
 struct Rates;
 
-/// What does not change has no rate; t and what is held by it change.
+/// A constant has no rate; t and components that depend on it have one.
 #[mechanism]
 #[bodies(sleigh)]
 #[body(table, x = 0, y = 0, phi = r)]

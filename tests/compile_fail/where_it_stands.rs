@@ -1,4 +1,4 @@
-//! Time and coordinates where only parameters can stand, and coordinates where only time can.
+//! Time and coordinates where only parameters are allowed, and coordinates where only time is allowed.
 
 use kin_runtime::mechanism;
 

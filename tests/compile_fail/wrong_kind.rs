@@ -1,4 +1,4 @@
-//! A name of one kind where another one belongs.
+//! Names of one kind where another kind is required.
 
 use kin_runtime::mechanism;
 

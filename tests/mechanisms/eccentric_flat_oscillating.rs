@@ -1,4 +1,4 @@
-//! The same cam under the face of a lever, with its frame anywhere and its face at an angle.
+//! The eccentric cam under the face of a lever, with frames that are not at special places and a face at an angle.
 
 use kin_runtime::mechanism;
 

@@ -1,4 +1,4 @@
-//! A roller on an ellipse, once with `roller` and once with its parallel curve written out.
+//! A roller on an ellipse, once with the option `roller` and once with an explicit formula of its parallel curve.
 
 use kin_runtime::mechanism;
 

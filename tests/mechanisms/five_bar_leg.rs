@@ -1,4 +1,4 @@
-//! A closed-loop leg: two motors at the hip, two shanks that meet in the foot.
+//! A closed-loop leg: two motors at the hip and two shanks that meet in the foot.
 
 use kin_runtime::{Signal, mechanism};
 
@@ -39,7 +39,7 @@ pub struct FiveBarLeg {
 #[guess(shank[0].phi = -2.2, shank[1].phi = -0.9)]
 pub struct DrivenLeg;
 
-/// The motors' angles while the foot runs around.
+/// The angles of the motors during a closed motion of the foot.
 pub(super) fn signals(t: f64) -> [Signal; 2] {
     let ((s2, c2), (s3, c3)) = ((2.0 * t).sin_cos(), (3.0 * t).sin_cos());
     [Signal::new(-0.5 + 0.4 * s2, 0.8 * c2, -1.6 * s2), Signal::new(-2.6 + 0.3 * c3, -0.9 * s3, -2.7 * c3)]

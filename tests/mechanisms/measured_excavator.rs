@@ -1,4 +1,4 @@
-//! The excavator of `tests/data/excavator.json`, its cylinders measured instead of prescribed.
+//! The excavator of `tests/data/excavator.json` with measured cylinder lengths as inputs instead of prescribed ones.
 
 use kin_runtime::{Signal, mechanism};
 
@@ -23,7 +23,7 @@ use kin_runtime::{Signal, mechanism};
 #[guess(boom.phi = 0.6, stick.phi = -1.3, lever.phi = -0.1, bucket.phi = -0.7)]
 pub struct MeasuredExcavator;
 
-/// The lengths that the excavator with prescribed cylinders has at time t.
+/// The lengths of the excavator with prescribed cylinders at time t.
 pub(super) fn signals(t: f64) -> [Signal; 3] {
     let (a, b) = ((0.8 * t).sin_cos(), (1.1 * t).sin_cos());
     [

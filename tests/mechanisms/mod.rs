@@ -1,5 +1,5 @@
-//! The test mechanisms, one per file. A new one needs its line here and one in [`every_mechanism`](crate::every_mechanism);
-//! it then passes through every law.
+//! The test mechanisms, one per file. A new mechanism needs a line here and one in
+//! [`every_mechanism`](crate::every_mechanism); every law then tests it.
 
 mod andrews_cartesian;
 mod andrews_pins;
@@ -116,7 +116,7 @@ pub use wheel_by_rates::WheelByRates;
 
 use kin_runtime::{Mechanism, Signal};
 
-/// The inputs of a test mechanism at time t, smooth over its interval; none where it has none.
+/// The inputs of a test mechanism at time t, which are smooth over its interval; empty for a mechanism without inputs.
 #[must_use]
 pub fn signals<M: Mechanism>(t: f64) -> Vec<Signal> {
     match M::model().name {
@@ -128,19 +128,19 @@ pub fn signals<M: Mechanism>(t: f64) -> Vec<Signal> {
     }
 }
 
-/// The input at a place of a mechanism that does not say what its inputs are.
+/// An input, given its index, for a mechanism that does not define its own.
 fn wave(place: usize, t: f64) -> Signal {
     let (base, (sin, cos)) = (1.0 + 0.2 * place as f64, (1.3 * t).sin_cos());
     Signal::new(base + 0.1 * sin, 0.13 * cos, -0.169 * sin)
 }
 
-/// [`signals`] for `Solver::with_inputs`.
+/// [`signals`] in the form that `Solver::with_inputs` takes.
 pub fn write_signals<M: Mechanism>(t: f64, inputs: &mut [Signal]) {
     inputs.copy_from_slice(&signals::<M>(t));
 }
 
 /// Calls the macro `$law` with every test mechanism: a name for its tests, its type, and an interval of time in which
-/// it moves; mechanisms without an interval never assemble.
+/// it moves. Mechanisms without an interval never assemble.
 #[macro_export]
 macro_rules! every_mechanism {
     ($law:ident) => {

@@ -3,7 +3,7 @@
 use kin_runtime::function::FromFn;
 use kin_runtime::{ScalarFunction, mechanism};
 
-/// (e^(−x²/4), with derivatives).
+/// The function e^(−x²/4) with its derivatives.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Bell;
 

@@ -1,4 +1,4 @@
-//! Everything of which `dot` can be taken, and every operand of a row of velocity level, in one mechanism.
+//! A mechanism with all arguments of `dot` and all operands of rows of velocity level.
 
 use kin_runtime::function::{MotionLaw, Sequence};
 use kin_runtime::{Signal, mechanism};
@@ -33,7 +33,7 @@ impl Default for RateTable {
     }
 }
 
-/// Two signals that have nothing in common.
+/// Two independent signals.
 pub(super) fn signals(t: f64) -> [Signal; 2] {
     let (sway, pace) = ((1.7 * t + 0.3).sin_cos(), (0.9 * t).sin_cos());
     [

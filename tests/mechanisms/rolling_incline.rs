@@ -1,4 +1,4 @@
-//! A disc on an inclined line of a body that moves.
+//! A disc that rolls on an inclined line of a moving body.
 
 use kin_runtime::mechanism;
 

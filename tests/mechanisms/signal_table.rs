@@ -1,4 +1,4 @@
-//! Every place of the language in which an input may stand, in one mechanism.
+//! A mechanism with inputs at every place of the language where they are allowed.
 
 use kin_runtime::{Signal, mechanism};
 
@@ -23,7 +23,7 @@ use kin_runtime::{Signal, mechanism};
 #[guess(slider.x = 1.2, slider.y = 0.7)]
 pub struct SignalTable;
 
-/// Five signals that have nothing in common.
+/// Five independent signals.
 pub(super) fn signals(t: f64) -> [Signal; 5] {
     let wave = |middle: f64, size: f64, pace: f64| {
         let (sin, cos) = (pace * t + size).sin_cos();

@@ -1,4 +1,4 @@
-//! A car by its two axles.
+//! A car described by its two axles.
 
 use kin_runtime::mechanism;
 

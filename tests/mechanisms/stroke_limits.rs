@@ -59,7 +59,7 @@ pub struct StrokeLimits {
 }
 
 impl StrokeLimits {
-    /// The crank angle between 0 and π at which the slider stands at x.
+    /// The crank angle between 0 and π at which the slider is at x.
     pub fn crank_at(&self, x: f64) -> f64 {
         let (r, l) = (self.r, self.l);
         ((x * x + r * r - l * l) / (2.0 * r * x)).acos()

@@ -1,4 +1,4 @@
-//! Source: made for the laws; no published numbers.
+//! Source: constructed for the laws; there are no published numbers.
 
 use kin_runtime::mechanism;
 

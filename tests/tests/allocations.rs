@@ -1,5 +1,5 @@
-//! Evaluation takes no memory: neither the equations nor the observables, in `f64` and `f32`; nor does a loop by the plan,
-//! a tracker, or a sweep that lends its states, where the plan solves the mechanism.
+//! Evaluations do not allocate: neither those of the equations nor those of the observables, in `f64` and `f32`. Where
+//! the plan solves the mechanism, neither do a loop by the plan, a tracker, and a sweep that does not store its states.
 
 use allocation_counter::measure;
 use kin_runtime::{Instant, Kinematics, Mechanism, Planned, Scalar, Signal, Subset};
@@ -52,7 +52,7 @@ fn allocates_nothing<M: Mechanism + Default, T: Scalar>() {
     assert_eq!(0, counted.count_total, "{}", M::model().name);
 }
 
-/// Making a `Planned`, its loop, its errors and another mode.
+/// The construction of a `Planned`, its loop, its errors and a change of mode do not allocate.
 fn loops_without_memory<M: Kinematics + Default>(from: f64, to: f64) {
     if !M::model().plan.exists() {
         return;
@@ -76,7 +76,7 @@ fn loops_without_memory<M: Kinematics + Default>(from: f64, to: f64) {
     assert_eq!((0, 21), (counted.count_total, found.len()), "{}", M::model().name);
 }
 
-/// The updates of a tracker, back and forth.
+/// The updates of a tracker do not allocate, forwards and backwards in time.
 fn tracks_without_memory<M: Kinematics + Default>(from: f64, to: f64) {
     if !M::model().plan.exists() {
         return;
@@ -85,12 +85,12 @@ fn tracks_without_memory<M: Kinematics + Default>(from: f64, to: f64) {
     let inputs: Vec<Vec<_>> = (0..=200).map(|k| signals::<M>(from + (to - from) * f64::from(k) / 200.0)).collect();
     let at = |k: usize| Instant { t: from + (to - from) * k as f64 / 200.0, inputs: &inputs[k] };
     let mut tracker = mechanism.solver().tracker(&at(0)).unwrap();
-    // The first update makes room.
+    // The first update allocates buffers.
     tracker.update(&at(1)).unwrap();
     let mut by_plan = 0;
     for k in (2..=200).chain((0..200).rev()) {
         let counted = measure(|| assert!(tracker.update(&at(k)).is_ok()));
-        // Full Newton allocates, where the plan has no answer.
+        // Where the plan has no solution, full Newton allocates.
         let is_by_plan = tracker.fallbacks().is_empty() && tracker.state().condition.is_none();
         by_plan += usize::from(is_by_plan);
         assert!(!is_by_plan || counted.count_total == 0, "{} at {k}: {}", M::model().name, counted.count_total);
@@ -98,7 +98,7 @@ fn tracks_without_memory<M: Kinematics + Default>(from: f64, to: f64) {
     assert!(by_plan > 300, "{}: {by_plan}", M::model().name);
 }
 
-/// A sweep of many instants takes no more memory than one of few.
+/// A sweep over many instants allocates as often as one over few.
 fn sweeps_without_memory<M: Kinematics + Default>(from: f64, to: f64) {
     if !M::model().plan.exists() || !M::model().conditions.is_empty() {
         return;
@@ -116,7 +116,7 @@ fn sweeps_without_memory<M: Kinematics + Default>(from: f64, to: f64) {
         });
         found.unwrap().fallbacks.len()
     };
-    // Full Newton allocates, and so do these functions of the inputs.
+    // Full Newton allocates, and so do these functions for the inputs.
     let mut fallbacks = M::INPUTS;
     let few = measure(|| fallbacks += sweep(&times[..201], &mut seen));
     let many = measure(|| fallbacks += sweep(&times, &mut seen));
@@ -126,7 +126,7 @@ fn sweeps_without_memory<M: Kinematics + Default>(from: f64, to: f64) {
     }
 }
 
-/// A point, its Jacobian to the inputs and forces, at every tick.
+/// A point, its Jacobian with respect to the inputs, and forces do not allocate.
 #[test]
 fn a_controller_asks_without_memory() {
     use kin_tests::mechanisms::loaded;

@@ -1,9 +1,9 @@
-//! All closures of a mechanism, against eliminations by hand.
+//! All closures of a mechanism, against those found by elimination in closed form.
 
 use kin_runtime::{Assemblies, Instant, Kinematics, SolveError, Uncertified, mechanism};
 use std::f64::consts::{PI, TAU};
 
-/// A crank and two dyads one behind the other, the second on the rocker of the first.
+/// A crank and two dyads in series, the second one on the rocker of the first.
 #[mechanism]
 #[bodies(crank, coupler, rocker, rod, lever)]
 #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
@@ -32,7 +32,7 @@ fn dyads_close_in_all_combinations_of_their_signs() {
     assert!(is_proven(&all));
     assert_eq!(all.found.len(), 4);
     for assembly in &all.found {
-        // The same closure, asked for by its modes.
+        // Position analysis with the modes of the closure finds the same closure.
         let asked =
             assembly.modes.iter().fold(mechanism.solver(), |solver, &(name, sign)| solver.with_mode(name, sign));
         let state = asked.state(&Instant::at(0.0)).unwrap();
@@ -46,11 +46,11 @@ fn dyads_close_in_all_combinations_of_their_signs() {
     let names: Vec<String> = all.found.iter().map(|assembly| assembly.name()).collect();
     assert!(names.iter().enumerate().all(|(k, name)| !names[..k].contains(name)), "{names:?}");
 
-    // A rod that reaches the lever from one position of the rocker alone, and from none.
+    // A rod that reaches the lever from both positions of the rocker, from one and from none.
     let counts = [0.35, 0.18, 0.02].map(|reach| {
         let all = TwoDyads { reach }.solver().assemblies(&Instant::at(0.0)).unwrap();
         assert!(is_proven(&all), "{reach}");
-        // By hand: where D may be, and whether F is within reach.
+        // In closed form: the positions of D, and whether F can be reached from each.
         let (ax, ay) = (0.1 * 1.0_f64.cos(), 0.1 * 1.0_f64.sin());
         let (dx, dy) = (0.4 - ax, -ay);
         let distance = dx.hypot(dy);
@@ -68,7 +68,8 @@ fn dyads_close_in_all_combinations_of_their_signs() {
     assert_eq!((counts[0], counts[2]), (4, 0));
 }
 
-/// The forward problem of a 3-RRR robot: the cranks are given, and the platform closes three loops at once.
+/// The forward position problem of a 3-RRR robot: the crank angles are given, and the platform closes three loops at
+/// once.
 #[mechanism]
 #[bodies(platform, crank[3], rod[3])]
 #[revolute(motor[i in 0..3]: ground @ (base*cos(2*pi*i/3 - 5*pi/6), base*sin(2*pi*i/3 - 5*pi/6)), crank[i] @ (0, 0))]
@@ -89,9 +90,10 @@ struct Forward {
 }
 
 impl Forward {
-    /// The angles of the platform at which it closes. With the elbows E and the corners s, turned by φ, the platform's place
-    /// p satisfies |p + s_i(φ) − E_i|² = l². Differences of two are linear in p; what they give, put into one of them, is a
-    /// function of φ alone, whose changes of sign are counted and bisected.
+    /// The angles at which the platform closes. With the elbows E and the platform's corners s, turned by φ, the
+    /// platform's position p satisfies |p + s_i(φ) − E_i|² = l². The differences of two of these equations are linear
+    /// in p; their solution, inserted in one equation, leaves a function of φ alone, whose sign changes are counted and
+    /// bisected.
     fn platform_angles(&self) -> Vec<f64> {
         let direction = |i: usize| 2.0 * PI * i as f64 / 3.0 - 5.0 * PI / 6.0;
         let miss = |phi: f64| {
@@ -100,7 +102,7 @@ impl Forward {
                 let elbow = [self.base * d.cos() + self.l * a.cos(), self.base * d.sin() + self.l * a.sin()];
                 [self.size * (d + phi).cos() - elbow[0], self.size * (d + phi).sin() - elbow[1]]
             });
-            // |p|² + 2 p·w_i + |w_i|² = l², minus that of i = 0.
+            // |p|² + 2 p·w_i + |w_i|² = l², minus the equation of i = 0.
             let square = |w: [f64; 2]| w[0] * w[0] + w[1] * w[1];
             let row = |i: usize| {
                 let w = [away[i][0] - away[0][0], away[i][1] - away[0][1]];
@@ -148,7 +150,7 @@ fn all_closures_of_a_3rrr_robot_are_those_of_an_elimination() {
     assert!(most >= 2, "{most}");
 }
 
-/// A dyad that is stretched to the last digit: its two closures are one, which cannot be proven.
+/// A dyad that is exactly stretched: its two closures coincide, so that none can be certified.
 #[mechanism]
 #[bodies(left, right)]
 #[revolute(A: ground @ (0, 0), left @ (0, 0))]
@@ -170,7 +172,7 @@ fn what_is_at_its_limit_is_undecided_and_beyond_it_is_proven() {
     assert!(before.is_complete() && before.found.len() == 2, "{before:?}");
 }
 
-/// Nothing drives it.
+/// A mechanism without a driver.
 #[mechanism]
 #[bodies(arm)]
 #[revolute(A: ground @ (0, 0), arm @ (0, 0))]

@@ -1,4 +1,4 @@
-//! Batches and lanes against one evaluation after another, for every mechanism.
+//! Batches and lanes agree with single evaluations, for every mechanism.
 #![cfg(feature = "simd")]
 
 use allocation_counter::measure;
@@ -8,7 +8,7 @@ use kin_tests::every_mechanism;
 use kin_tests::mechanisms::*;
 use kin_tests::random::Random;
 
-/// So many that a tile of blocks and a ragged end are among them.
+/// The number of configurations: more than a tile of blocks, and not a multiple of the block size.
 const COUNT: usize = 42;
 
 macro_rules! batch_tests {
@@ -29,7 +29,7 @@ macro_rules! batch_tests {
 
 every_mechanism!(batch_tests);
 
-/// The arguments of `COUNT` configurations, a list for every column: parameters, t, inputs, q, q̇.
+/// The arguments of `COUNT` configurations, one list per column: parameters, t, inputs, q, q̇.
 struct Drawn {
     parameters: Vec<Vec<f64>>,
     t: Vec<f64>,
@@ -44,7 +44,7 @@ impl Drawn {
         let mut list = |middle: f64, size: f64| (0..COUNT).map(|_| middle + size * random.between(-1.0, 1.0)).collect();
         let own = mechanism.parameters::<f64>();
         Self {
-            // Every other parameter differs from configuration to configuration.
+            // Every second parameter is different in every configuration.
             parameters: own.as_ref().iter().map(|p| list(*p, 0.01 * p.abs())).collect(),
             t: list(0.3, 0.3),
             inputs: (0..M::INPUTS).map(|_| Signal::new(list(0.2, 0.2), list(0.0, 1.0), list(0.0, 1.0))).collect(),
@@ -53,7 +53,7 @@ impl Drawn {
         }
     }
 
-    /// The configurations in `range`.
+    /// Evaluates the configurations in `range` as a batch.
     fn batch<M>(&self, mechanism: &M, range: core::ops::Range<usize>) -> Evaluations<M>
     where
         M: Mechanism + Sync,
@@ -82,7 +82,7 @@ impl Drawn {
         out
     }
 
-    /// One configuration, as it is evaluated without lanes.
+    /// Evaluates one configuration without lanes.
     fn one<M: Mechanism>(&self, mechanism: &M, place: usize) -> Vec<f64> {
         let of = |lists: &[Vec<f64>]| lists.iter().map(|list| list[place]).collect::<Vec<_>>();
         let own = mechanism.parameters::<f64>();
@@ -133,13 +133,14 @@ where
         let (found, expected) = (results(&whole, place), drawn.one(&mechanism, place));
         assert_eq!(expected.len(), found.len());
         for (found, expected) in found.into_iter().zip(expected) {
-            // Within some ulp of the largest number on the way to it.
+            // The tolerance is a few ulp of the largest intermediate result.
             let same =
                 (found - expected).abs() <= 2e-13 * (1.0 + expected.abs()) || found.is_nan() && expected.is_nan();
             assert!(same, "{} {place}: {found:e} and {expected:e}", M::model().name);
         }
     }
-    // Wherever a configuration stands, and however many there are, its results are the same to the last bit.
+    // The results of a configuration do not depend on its position in the batch or on the size of the batch, to the
+    // last bit.
     for count in 0..=9 {
         let part = drawn.batch(&mechanism, COUNT - count..COUNT);
         assert_eq!(count, part.count());
@@ -151,7 +152,7 @@ where
     allocates_nothing_inside(&mechanism);
 }
 
-/// A batch of thousands takes memory as often as one of eight.
+/// A batch of thousands of configurations allocates as often as one of eight.
 fn allocates_nothing_inside<M>(mechanism: &M)
 where
     M: Mechanism + Sync,

@@ -1,7 +1,8 @@
-//! Pages in a real browser, where there is one: Chromium without a window, called `chromium` or as `CHROMIUM` says.
+//! Tests of the pages in a real browser, where one is installed: headless Chromium, started as `chromium` or by the
+//! name in `CHROMIUM`.
 //!
-//! A copy of the page gets a script of the test's, which does what a person would and leaves what it sees in the document;
-//! the browser prints the document.
+//! The test appends a script to a copy of the page, which simulates a user and stores its observations in the document;
+//! the browser then prints the document.
 
 use kin_runtime::{Kinematics, cli};
 use kin_tests::mechanisms::FourbarLectureMid;
@@ -10,7 +11,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// A directory of a test's own.
+/// A temporary directory for one test.
 struct Scratch(PathBuf);
 
 impl Scratch {
@@ -28,7 +29,7 @@ impl Drop for Scratch {
     }
 }
 
-/// The browser's program; none where there is none.
+/// The name of the browser's program; `None` if it does not run.
 fn chromium() -> Option<String> {
     let name = std::env::var("CHROMIUM").unwrap_or_else(|_| "chromium".to_owned());
     let runs = Command::new(&name).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
@@ -54,7 +55,7 @@ fn browse(chromium: &str, scratch: &Scratch, page: &Path, what: &[&str]) -> Vec<
     output.stdout
 }
 
-/// The page of the lecture's four-bar, 37 instants of one turn.
+/// Writes the page of the lecture's four-bar, with 37 instants of one turn.
 fn written(scratch: &Scratch) -> PathBuf {
     let file = scratch.0.join("motion.html");
     let _ = cli::run_from::<FourbarLectureMid>([
@@ -71,12 +72,12 @@ fn written(scratch: &Scratch) -> PathBuf {
     file
 }
 
-/// What the script of a test, at the end of the page, leaves behind.
+/// Runs a script at the end of the page and returns the values that it stores.
 fn tried(chromium: &str, scratch: &Scratch, script: &str) -> Value {
     tried_on(chromium, scratch, "1200,800", script)
 }
 
-/// The same on a screen of some size.
+/// As [`tried`], for a screen of the given size.
 fn tried_on(chromium: &str, scratch: &Scratch, size: &str, script: &str) -> Value {
     let page = fs::read_to_string(written(scratch)).expect("the page");
     let listen = "<script>window.faults = []; window.onerror = (m) => { faults.push(String(m)); };</script>";
@@ -155,7 +156,7 @@ fn keys_plots_and_modes_work() {
     assert_eq!((&seen["names"], &seen["labelled"]), (&true.into(), &true.into()));
 }
 
-/// A browser without a window may be wider than a phone, so the page is shown in a frame.
+/// A headless browser may be wider than a phone, so the page is shown in a frame.
 #[test]
 fn the_page_fits_a_phone_and_says_what_is_driven() {
     let Some(chromium) = chromium() else { return };
@@ -194,7 +195,7 @@ fn a_screenshot_shows_the_mechanism_on_a_desk_and_on_a_phone() {
         let mut pixels = vec![0; reader.output_buffer_size().expect("its size")];
         let info = reader.next_frame(&mut pixels).expect("its pixels");
         let step = info.color_type.samples();
-        // The colours of crank, coupler and rocker, a few pixels of each where bars are drawn.
+        // A few pixels must have the colours of crank, coupler and rocker.
         for (name, of) in
             [("crank", [0x33, 0x8e, 0xc1]), ("coupler", [0xdd, 0x7e, 0x33]), ("rocker", [0x33, 0xb2, 0x8f])]
         {

@@ -1,10 +1,10 @@
-//! Cams: one motion however the contact is written, and the textbook's closed forms.
+//! Cams: the same motion in every formulation of the contact, and closed forms from textbooks.
 
 use kin_runtime::{CurvePoint, Instant, Kinematics, Mechanism, Trajectory, mechanism};
 use kin_tests::compare::Differences;
 use kin_tests::mechanisms::*;
 
-/// One turn of the shaft.
+/// The times of one turn of the shaft.
 fn turn() -> Vec<f64> {
     (0..=60).map(|k| 0.05 * f64::from(k)).collect()
 }
@@ -65,7 +65,7 @@ fn the_lift_of_an_eccentric_circle_under_a_flat_face() {
     differences.finish();
 }
 
-/// The face of the lever is tangent to the circle: its distance from the circle's centre is r, on the outer side.
+/// The face of the lever is tangent to the circle: it is at the distance r from the circle's centre, on the outer side.
 #[test]
 fn the_face_of_an_oscillating_follower_touches_the_circle() {
     let cam = EccentricFlatOscillating::default();
@@ -80,8 +80,8 @@ fn the_face_of_an_oscillating_follower_touches_the_circle() {
     }
 }
 
-/// Every contact of the carriage's cams, from the poses alone: the roller's centre is r + R from the circle's centre,
-/// the plate's face r.
+/// The contacts of the carriage's cams, checked from the poses alone: the roller's centre is at the distance r + R from
+/// the circle's centre, the plate's face at the distance r.
 #[test]
 fn cams_on_a_moving_carriage_touch_their_followers() {
     let cams = CamsOnCarriage::default();
@@ -102,7 +102,7 @@ fn cams_on_a_moving_carriage_touch_their_followers() {
     }
 }
 
-/// `theta` and `X` mean the curve's variables inside of curves only.
+/// `theta` and `X` are the variables of a curve inside of curves only.
 #[mechanism(cross_check)]
 #[bodies(cam, arm, X)]
 #[coordinates(Y)]
@@ -144,12 +144,12 @@ fn the_direction_of_a_face_is_never_wrapped() {
     }
 }
 
-/// The place of the joint called `name`.
+/// The index of the joint called `name`.
 fn joint<M: Mechanism>(name: &str) -> usize {
     M::model().joints.iter().position(|joint| joint.name == name).unwrap_or_else(|| panic!("no joint {name}"))
 }
 
-/// A point of a joint's curve with its tangent.
+/// A point of a joint's curve; its tangent is compared with differences.
 fn point<M: Mechanism>(mechanism: &M, name: &str, t: f64, s: f64) -> CurvePoint {
     let at = |s: f64| mechanism.curve_point(&Instant::at(t), joint::<M>(name), s).expect("no inputs").expect("a curve");
     let (found, h) = (at(s), 1e-4);
@@ -161,7 +161,7 @@ fn point<M: Mechanism>(mechanism: &M, name: &str, t: f64, s: f64) -> CurvePoint 
     found
 }
 
-/// A point of the inertial frame as a body sees it.
+/// A point of the inertial frame in coordinates of a body.
 fn seen(trajectory: &Trajectory, body: &str, k: usize, r: [f64; 2]) -> [f64; 2] {
     let [x, y, phi] = ["x", "y", "phi"].map(|c| column(trajectory, &format!("{body}.{c}"))[k]);
     let (sin, cos) = phi.sin_cos();
@@ -189,7 +189,7 @@ fn drawn_curves_go_through_the_contacts() {
         let centre = seen(&parametric, "cam", k, follower(&parametric));
         close([r[0] + outwards[0], r[1] + outwards[1]], centre);
 
-        // The curve's centre counts, and so does the instant.
+        // The curve depends on its centre and on time.
         let u = column(&ellipse, "u")[k];
         let cam = EllipticRoller::default();
         let expected = [0.002 + (cam.a + 0.004 * t) * u.cos(), -0.004 + cam.b * u.sin()];
@@ -197,7 +197,7 @@ fn drawn_curves_go_through_the_contacts() {
     }
 }
 
-/// The face touches the drawn cam in one point and has all of it on one side.
+/// The face touches the drawn cam in one point, and the whole cam is on one side of it.
 #[test]
 fn a_flat_face_is_tangent_to_the_drawn_cam() {
     let (cam, trajectory) = (EccentricFlatTranslating::default(), swept::<EccentricFlatTranslating>());

@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 use kin_runtime::function::CubicSpline;
 use kin_runtime::{Instant, Kinematics, Mechanism, Signal, mechanism};
 
-/// A cam that is known by its pitch radius and by its support function at some angles, with a follower for each.
+/// A cam given by tables of its pitch radius and of its support function, with a follower for each.
 #[mechanism]
 #[bodies(cam, roller, face, pin)]
 #[coordinates(u)]
@@ -24,7 +24,7 @@ struct FromTable {
     h: CubicSpline,
 }
 
-/// A spline through an eccentric circle's support r + e cos θ.
+/// A spline through the support function r + e cos θ of an eccentric circle.
 fn table(r: f64, e: f64) -> CubicSpline {
     let angles: Vec<f64> = (0..=72).map(|k| TAU * f64::from(k) / 72.0).collect();
     let mut values: Vec<f64> = angles.iter().map(|theta| r + e * theta.cos()).collect();
@@ -46,7 +46,7 @@ fn supplied_profiles_give_the_closed_form_up_to_interpolation() {
     let (roller, pin) = (of("roller.y"), of("pin.x"));
     for (k, t) in times.iter().enumerate() {
         let phi = 0.3 + 2.0 * t;
-        // The face under the cam: n = (0, −1), θ = −π/2 − φ.
+        // For the face under the cam n = (0, −1) and θ = −π/2 − φ.
         assert!((face[k] + 0.04 - 0.012 * phi.sin()).abs() < 1e-8);
         assert!((v[k] - 0.024 * phi.cos()).abs() < 1e-6 && (a[k] + 0.048 * phi.sin()).abs() < 1e-4);
         assert!((roller[k] - 0.05 - 0.012 * phi.sin()).abs() < 1e-8);
@@ -70,7 +70,7 @@ fn supplied_profiles_can_be_drawn() {
     }
 }
 
-/// A cam whose eccentricity is adjusted while it runs.
+/// A cam whose eccentricity is an input.
 #[mechanism]
 #[bodies(cam, face, pin)]
 #[coordinates(u)]
@@ -98,7 +98,7 @@ fn a_profile_that_changes_with_an_input_moves_its_followers() {
     assert!((state.q_dot[face] - e.rate * sin - 2.0 * e.value * cos).abs() < 1e-13);
     let acceleration = e.acceleration * sin + 4.0 * e.rate * cos - 4.0 * e.value * sin;
     assert!((state.q_ddot[face] - acceleration).abs() < 1e-12);
-    // The roller's centre is 0.05 from the circle's.
+    // The distance between the roller's centre and the circle's centre is 0.05.
     let pin = state.q[of("pin.x")];
     assert!(((pin - e.value * cos).hypot(e.value * sin) - 0.05).abs() < 1e-13);
 }

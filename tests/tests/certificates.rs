@@ -1,4 +1,4 @@
-//! Certificates are proofs: right ones exist for good solutions, and never one for what is no solution, or not alone.
+//! Certificates are proofs: good solutions get correct ones; points that are no solution, or none isolated, get none.
 
 use kin_runtime::{Certificate, Instant, Kinematics, Solver, State, Uncertified, mechanism};
 
@@ -15,7 +15,7 @@ struct Circles {
 }
 
 impl Circles {
-    /// The upper of the two points, to rounding: x = 1 − gap/2, y² = 1 − x² = gap − gap²/4.
+    /// The upper intersection, up to rounding: x = 1 − gap/2, y² = 1 − x² = gap − gap²/4.
     fn upper(self) -> Option<[f64; 2]> {
         (self.gap > 0.0).then(|| [1.0 - 0.5 * self.gap, (self.gap * (1.0 - 0.25 * self.gap)).sqrt()])
     }
@@ -44,7 +44,7 @@ fn state<M: Kinematics>(q: Vec<f64>) -> State {
     }
 }
 
-/// Deterministic numbers in [0, 1).
+/// A generator of deterministic numbers in [0, 1).
 struct Draw(u64);
 
 impl Draw {
@@ -53,15 +53,15 @@ impl Draw {
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// ± ten to a power between −17 and −1.
+    /// ±10ⁿ with n between −17 and −1.
     fn small(&mut self) -> f64 {
         let size = 10_f64.powf(-17.0 + 16.0 * self.unit());
         if self.unit() < 0.5 { -size } else { size }
     }
 }
 
-/// Wrong, nearly right and double solutions: a certificate is only given where the point of intersection is in it and the
-/// other one is not.
+/// Wrong, nearly right and double solutions: a certificate is issued only if its box contains one intersection and not
+/// the other.
 #[test]
 fn there_is_never_one_certificate_too_many() {
     let tries = if cfg!(debug_assertions) { 20_000 } else { 1_000_000 };
@@ -73,7 +73,7 @@ fn there_is_never_one_certificate_too_many() {
             2 => 2.0 * draw.unit(),
             _ => draw.small().abs(),
         };
-        // The gap as the rows have it: 2 − gap is rounded.
+        // The gap as the rows evaluate it: 2 − gap is rounded.
         let gap = 2.0 - (2.0 - gap);
         let circles = Circles { gap };
         let [x, y] = circles.upper().unwrap_or([1.0, 0.0]);
@@ -92,14 +92,15 @@ fn there_is_never_one_certificate_too_many() {
             let box_ = &certificate.q;
             holds(box_[0], x) && holds(box_[1], sign * y)
         };
-        // One of the two, and the other is not in the box of which the certificate says that it has one.
+        // The certified point is one of the two intersections, and the box that is proven to contain it does not
+        // contain the other.
         assert!(near(1.0) || near(-1.0), "gap {gap:e}, off {off:?}: {:?}", certificate.q);
         assert!(!(certificate.covers(&[x, y]) && certificate.covers(&[x, -y])), "gap {gap:e}: two solutions");
     }
     assert!(given > tries / 4 && refused > tries / 4, "{given} {refused}");
 }
 
-/// The lecture's four-bar.
+/// The four-bar of the lecture.
 #[mechanism]
 #[bodies(crank, coupler, rocker)]
 #[revolute(C: ground @ (0, 0), crank @ (-l1/2, 0))]
@@ -121,7 +122,8 @@ struct FourBar {
     omega: f64,
 }
 
-/// Angles of coupler and rocker from the cosine theorem, with rates by differences: a solution that nothing of kin has found.
+/// The angles of coupler and rocker by the law of cosines, with rates by finite differences: a solution that is
+/// independent of kin.
 fn diagonal(bar: &FourBar, t: f64) -> [f64; 2] {
     let (x, y) = (bar.d1 - bar.l1 * (bar.omega * t).cos(), -bar.l1 * (bar.omega * t).sin());
     let square = x * x + y * y;
@@ -158,7 +160,7 @@ fn certificates_hold_position_velocity_and_acceleration() {
             assert!((acceleration.midpoint() - (after - 2.0 * here + before) / step).abs() < 1e-5);
             assert!(acceleration.radius() < 1e-11, "{acceleration}");
         }
-        // What the solver gave is within a few roundings.
+        // The intervals contain the solver's numbers up to a few roundings.
         for (list, intervals) in
             [(&state.q, &certificate.q), (&state.q_dot, &certificate.q_dot), (&state.q_ddot, &certificate.q_ddot)]
         {
@@ -192,14 +194,14 @@ fn what_cannot_be_certified_says_why() {
     off.q.pop();
     assert_eq!(solver.certify(&off), Err(Uncertified::Malformed));
 
-    // Coupler and rocker in line: two solutions in one.
+    // Coupler and rocker are collinear: a double solution.
     let folded = FourBar { l1: 0.25, l2: 0.2, l3: 0.05, d1: 0.4, ..FourBar::default() };
     let q = vec![0.125, 0.0, 0.0, 0.35, 0.0, 0.0, 0.425, 0.0, std::f64::consts::PI];
     let error = folded.solver().certify(&self::state::<FourBar>(q)).unwrap_err();
     assert!(matches!(error, Uncertified::Singular { nearness } if nearness < 1e-10), "{error}");
 }
 
-/// A parallel crank whose third link is redundant.
+/// A parallelogram whose third link is redundant.
 #[mechanism(allow_redundant)]
 #[bodies(crank, coupler, rocker, third)]
 #[revolute(A: ground @ (0, 0), crank @ (0, 0))]
@@ -222,7 +224,7 @@ fn redundant_rows_are_left_out_and_named() {
     assert!(certificate.to_string().contains("redundant and left out: "), "{certificate}");
 }
 
-/// Two arms in a row, the second one open.
+/// Two arms in series, the second one undriven.
 #[mechanism]
 #[bodies(first, second)]
 #[revolute(A: ground @ (0, 0), first @ (0, 0))]

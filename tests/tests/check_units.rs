@@ -1,10 +1,10 @@
-//! Units that agree, however they are written: each mechanism here compiles with `check_units`.
+//! Consistent units in various notations: each mechanism here compiles with `check_units`.
 #![deny(missing_docs, warnings)]
 
 use kin_runtime::{Kinematics, Signal, mechanism};
 use kin_tests::works;
 
-/// The lecture's four-bar, with numbers among the lengths.
+/// The lecture's four-bar, with literal numbers among the lengths.
 #[mechanism(check_units)]
 #[bodies(crank, coupler, rocker)]
 #[revolute(C: ground @ (0, 0), crank @ (-l1/2, 0))]
@@ -31,7 +31,7 @@ struct FourBar {
     alpha: f64,
 }
 
-/// Millimetres, speeds in revolutions per minute, degrees and teeth; numbers that stand for quantities.
+/// Millimetres, revolutions per minute, degrees and numbers of teeth; literal numbers as quantities.
 #[mechanism(check_units)]
 #[bodies(motor, wheel, rack)]
 #[revolute(O: ground @ (0, 0), motor @ (0, 0))]
@@ -60,7 +60,7 @@ struct Machine {
     travel: f64,
 }
 
-/// Velocities, inputs and coordinates without a unit of their own.
+/// Velocities, inputs and coordinates without units of their own.
 #[mechanism(check_units)]
 #[bodies(skate)]
 #[coordinates(u)]
@@ -78,7 +78,7 @@ struct Skate {
     r: f64,
 }
 
-/// Feet and inches, and what they are in metres.
+/// Feet and inches, converted into one another and into metres.
 #[mechanism(check_units)]
 #[coordinates(u[3])]
 #[constraint(inches: u[0] = wide - 12 * high)]

@@ -1,6 +1,6 @@
-//! What is said about wrong descriptions, and on which token; what is right compiles.
+//! The compiler errors for wrong descriptions, with the tokens at which they are shown; valid parts must compile.
 //!
-//! `TRYBUILD=overwrite cargo test -p kin-tests --test compile_fail` writes the expected output anew.
+//! `TRYBUILD=overwrite cargo test -p kin-tests --test compile_fail` writes the expected output.
 
 #[test]
 fn descriptions() {

@@ -1,4 +1,5 @@
-//! What a controller asks of `Planned`: a point with its Jacobian to the inputs, and forces, against the solver.
+//! The results of `Planned` for controllers, a point with its Jacobian with respect to the inputs and forces, agree
+//! with the solver.
 
 use kin_runtime::{Instant, Kinematics, Mechanism, Planned, Signal};
 use kin_tests::mechanisms::{MeasuredExcavator, loaded, signals};
@@ -41,7 +42,7 @@ fn a_point_and_its_jacobian_are_those_of_the_solver() {
             assert!((column[c] - difference).abs() < 1e-6, "input {k}: {column:?} instead of {difference}");
         }
     }
-    // The velocity is what the columns make of the rates.
+    // The velocity is the sum of the columns times the rates of the inputs.
     for (c, speed) in found[1].iter().enumerate() {
         let sum: f64 = jacobian.iter().zip(&inputs).map(|(column, input)| column[c] * input.rate).sum();
         assert!((sum - speed).abs() < 1e-11, "{sum} instead of {speed}");

@@ -1,4 +1,4 @@
-//! Where a curve says nothing, the analyses say so, by the name of the joint.
+//! Degenerate points of curves: every analysis reports them with the name of the joint.
 
 use kin_runtime::{Degeneracy, Instant, Kinematics, SolveError, mechanism};
 
@@ -34,7 +34,7 @@ struct Lemniscate {
     a: f64,
 }
 
-/// A polar curve whose formula has no value on one side.
+/// A polar curve whose formula has no value on one half.
 #[mechanism]
 #[bodies(pin)]
 #[angle(upright: pin = 0)]
@@ -42,7 +42,7 @@ struct Lemniscate {
 #[driver(feed: pin.x = -1 + t)]
 struct Half;
 
-/// The degenerate contact that an analysis ends at, with what is wrong there.
+/// The degenerate contact at which an analysis ends, and its message.
 fn contact<T: std::fmt::Debug>(result: Result<T, SolveError>) -> (&'static str, f64, Degeneracy, String) {
     match result {
         Err(error @ SolveError::DegenerateContact { joint, t, what, .. }) => (joint, t, what, error.to_string()),
@@ -57,19 +57,19 @@ fn a_polar_curve_at_its_centre() {
     let (joint, t, what, message) = contact(mechanism.velocity_analysis(&at, &centre));
     assert_eq!((joint, t, what), ("track", 0.0, Degeneracy::Centre { distance: 0.0 }));
     assert!(message.contains("`track`") && message.contains("t = 0") && message.contains("centre"), "{message}");
-    // Nor does rounding lead away from the centre.
+    // Rounding errors near the centre do not hide the degeneracy.
     for off in [1e-14, 1e-20, 7.7e-34, 1e-160] {
         let (_, _, what, _) = contact(mechanism.velocity_analysis(&at, &[0.1 + off, -0.2 - off, 0.0]));
         assert!(matches!(what, Degeneracy::Centre { distance } if distance < 1e-13), "{what:?}");
     }
     _ = contact(mechanism.position_analysis(&at, &centre));
     _ = contact(mechanism.acceleration_analysis(&at, &centre, &[0.0; 3]));
-    // Assembly does not depend on where it happens to start.
+    // Assembly does not depend on whether its start is degenerate.
     let state = mechanism.state_at(&at).unwrap_or_else(|error| panic!("{error}"));
     assert!((state.q[1] + 0.2).abs() > 0.1);
 }
 
-/// The same pin off its body's origin, and the body turned.
+/// The same curve with a point that is not at the origin of its body, and a rotated body.
 #[mechanism]
 #[bodies(pin)]
 #[angle(turned: pin = 0.7)]
@@ -108,7 +108,7 @@ fn an_implicit_curve_at_a_double_point() {
     assert!(matches!(what, Degeneracy::Gradient { largest } if largest < 1e-6), "{what:?}");
     assert!(message.contains("gradient"), "{message}");
     assert!(lemniscate.state_at(&Instant::at(0.3)).is_ok());
-    // A sweep into it ends by name and does not choose a branch there.
+    // A sweep to the double point ends with an error that names the joint, and does not choose a branch there.
     let error = lemniscate.kinematic_analysis(&[0.3, 0.1, 0.0]).expect_err("no tangent at the double point");
     assert!(matches!(error.source, SolveError::DegenerateContact { joint: "loops", .. }), "{error}");
 }
@@ -137,7 +137,7 @@ fn a_formula_without_a_value_is_no_degenerate_contact() {
     assert!(matches!(error, SolveError::NonFinite { name: "half", .. }), "{error}");
 }
 
-/// Rollers around cusps of two kinds, the parameter driven.
+/// Rollers around cusps of two kinds, where the parameter of the curve is driven.
 #[mechanism]
 #[bodies(roller)]
 #[coordinates(u)]
@@ -149,7 +149,7 @@ struct Beak {
     r: f64,
 }
 
-/// At a cusp the normal flips: whatever the grid, no sweep leads a roller from one side to the other.
+/// At a cusp the normal reverses: with no grid does a sweep move a roller to the other side.
 #[test]
 fn no_sweep_steps_over_a_cusp() {
     for steps in [1, 2, 3, 7, 13, 15, 33, 101] {
@@ -159,7 +159,7 @@ fn no_sweep_steps_over_a_cusp() {
         assert!(error.to_string().contains("cusp"), "{steps}: {error}");
         let sweep = Cusp.kinematic_analysis(&times(2.0).iter().map(|t| t - 1.0).collect::<Vec<_>>());
         assert!(sweep.unwrap_err().trajectory.iter().all(|state| state.t < 0.0), "{steps}");
-        // Up to the cusp there is nothing in the way.
+        // Sweeps that end before the cusp succeed.
         assert_eq!(Beak::default().kinematic_analysis(&times(0.9)).unwrap().len(), times(0.9).len());
     }
 }

@@ -1,4 +1,4 @@
-//! Configurations at the edge of what has an answer: far guesses, late instants, rows that vanish altogether.
+//! Limits of solvability: far guesses, late instants, rows that vanish completely.
 
 use kin_runtime::{Instant, Kinematics, Mechanism, Planned, Refusal, Signal, SolveError, mechanism};
 
@@ -23,7 +23,7 @@ struct Square;
 #[constraint(sine: sin(u) = t)]
 struct Sine;
 
-/// A guess of a driven angle belongs to one instant; the driver knows the angle at all of them.
+/// The guess of a driven angle is for one instant, but the driver determines the angle at every instant.
 #[test]
 fn a_guess_does_not_hold_back_a_driven_angle() {
     for t in [0.0, 10.0, 100.0, -200.0, 1e6] {
@@ -35,7 +35,7 @@ fn a_guess_does_not_hold_back_a_driven_angle() {
     }
 }
 
-/// Rounding of a coordinate far away is no excuse for joints that stay open.
+/// Joints must close even if rounding in a far coordinate prevents it: this is an error.
 #[test]
 fn a_coordinate_that_rounds_to_turns_closes_nothing() {
     let solver = SliderCrank.solver().with_guess(5, 1e18);
@@ -48,7 +48,7 @@ fn a_coordinate_that_rounds_to_turns_closes_nothing() {
     }
 }
 
-/// One row that vanishes is as singular as one among many.
+/// A single vanishing row is reported as singular.
 #[test]
 fn a_single_row_can_be_singular() {
     let at = |result: Result<kin_runtime::State, SolveError>| match result {
@@ -63,7 +63,7 @@ fn a_single_row_can_be_singular() {
     }
 }
 
-/// A distance has no rate where its points meet, and the error says which one that is.
+/// A distance has no rate where its points coincide; the error names the quantity.
 #[test]
 fn what_has_no_rate_is_named() {
     #[mechanism]
@@ -79,7 +79,7 @@ fn what_has_no_rate_is_named() {
     }
 }
 
-/// A cylinder's length by the law of cosines, without a guess, in metres as in millimetres.
+/// The length of a cylinder by the law of cosines, without a guess, in metres and in millimetres.
 #[test]
 fn scalar_coordinates_have_no_unit() {
     #[mechanism]
@@ -97,7 +97,7 @@ fn scalar_coordinates_have_no_unit() {
     }
 }
 
-/// A slider at the end of its stroke, where the guess does not say which way the crank goes on.
+/// A slider at the end of its stroke, where the guess does not determine in which direction the crank continues.
 #[mechanism]
 #[body(crank, x = 0, y = 0)]
 #[coordinates(s)]
@@ -109,7 +109,7 @@ struct EndOfStroke {
     r: f64,
 }
 
-/// A measured lift.
+/// A lift whose height is an input.
 #[mechanism]
 #[body(table, x = 0, phi = 0)]
 #[input(u)]
@@ -139,13 +139,13 @@ fn a_sweep_without_inputs_names_where_they_come_from() {
         error.contains("inputs has 0 entries and must have 1") && error.contains("`Solver::with_inputs`"),
         "{error}"
     );
-    // The state of the first instant is good; there is none at 1.
+    // The state of the first instant is valid; there is none at t = 1.
     let ends = |t: f64, u: &mut [Signal]| u[0] = Signal::constant(if t > 0.5 { f64::NAN } else { 1.0 });
     let error = Measured.solver().with_inputs(&ends).sweep(&[0.0, 1.0]).unwrap_err().to_string();
     assert!(error.ends_with("(after 1 good instant)"), "{error}");
 }
 
-/// A plate on three links: an iteration over two lengths and an angle.
+/// A plate on three links, which is solved by an iteration over two lengths and an angle.
 #[mechanism]
 #[bodies(crank, plate)]
 #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
@@ -158,7 +158,7 @@ struct Plate {
     u: f64,
 }
 
-/// A follower that the iteration finds by its height alone; it passes through 0.
+/// A follower that an iteration solves for its height, which passes through 0.
 #[mechanism]
 #[body(cam, x = 0, y = -u)]
 #[body(follower, x = 0, phi = 0)]
@@ -169,7 +169,7 @@ struct Follower {
     u: f64,
 }
 
-/// The plan knows no unit: margins are the same in all, and so are the digits of what iterations give.
+/// The plan does not depend on units: margins and the number of correct digits of iterations are the same.
 #[test]
 fn iterations_of_a_plan_are_the_same_in_all_units() {
     let steps = |q: &[f64], k: usize, unit: f64| q[k] / unit;
@@ -207,8 +207,8 @@ fn assert_near(found: &[f64], expected: &[f64], bound: f64) {
     assert!(found.len() == expected.len() && worst < bound, "{worst:e}");
 }
 
-/// Where the numbers of t are farther apart than a step of the motion, that is what is said, and nothing of the branch or
-/// of velocities.
+/// Where the spacing of floating-point numbers near t exceeds a step of the motion, the error says so, and mentions
+/// neither branches nor velocities.
 #[test]
 fn a_time_too_large_for_the_motion_is_told_so() {
     for (from, to) in [(1e17, 1e18), (1e17, 1e17 + 16.0), (1e15, 1e15 + 10.0), (-1e16, -1e15)] {
@@ -222,7 +222,7 @@ fn a_time_too_large_for_the_motion_is_told_so() {
         assert!(refused.to_string().contains("the next number is"), "{refused}");
         assert_eq!(refused.trajectory.len(), 1);
     }
-    // A branch that ends is told to end, also late.
+    // The end of a branch is reported as such even at late times.
     let refused = Square.solver().sweep(&[1e9, -1.0]).unwrap_err();
     assert!(!refused.to_string().contains("the next number is"), "{refused}");
 }

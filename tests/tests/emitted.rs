@@ -1,5 +1,5 @@
-//! The emitted code against its oracles: the same mechanism built in kin-core, its program interpreted and its
-//! expressions evaluated.
+//! The emitted code compared with the same mechanism built in kin-core: its interpreted program and its evaluated
+//! expressions.
 
 #[path = "../../kin-core/tests/oracle/mod.rs"]
 mod oracle;
@@ -16,7 +16,7 @@ use kin_runtime::{Instant, Mechanism, Subset, mechanism};
 use kin_tests::random::Random;
 use oracle::interpret;
 
-/// A slider on a turning arm, a rod to a carried disc, a strut, and a free equation.
+/// A slider on a turning arm, a rod to a disc whose origin is held, a strut, and a free equation.
 #[mechanism]
 #[body(arm, x = 0, y = h)]
 #[bodies(slider)]
@@ -64,7 +64,7 @@ fn call(f: Function, a: Formula) -> Formula {
     Formula::Call(f, Box::new(a))
 }
 
-/// What `Mixed` says, by hand.
+/// The model of `Mixed`, built by hand.
 fn mixed() -> Model {
     let (l, h) = (|| parameter(0), || parameter(1));
     let neg = |a: Formula| Formula::Neg(Box::new(a));
@@ -139,7 +139,7 @@ fn mixed() -> Model {
     }
 }
 
-/// All outputs in the order of expansion: row by row Φ, the entries of Φ_q that are not literal, Φ_t and γ.
+/// All outputs in the order of expansion: row by row Φ, the entries of Φ_q that are not literals, Φ_t and γ.
 fn outputs(system: &KinematicSystem) -> Vec<(Slot, kin_core::expr::ExprId)> {
     let graph = &system.set.graph;
     let (mut outputs, mut place) = (Vec::new(), 0);
@@ -200,7 +200,7 @@ fn emitted_code_equals_interpreter_and_evaluator() {
     }
 }
 
-/// Each subset gives the same numbers as all four at once.
+/// Each subset gives the same numbers as the evaluation of all parts.
 #[test]
 fn subsets_agree_with_the_whole() {
     let mixed = Mixed::default();
@@ -221,7 +221,7 @@ fn subsets_agree_with_the_whole() {
     }
 }
 
-/// The derivation travels with the code when it is asked for.
+/// With the feature `equations`, the tables contain the derivation.
 #[test]
 fn equations_are_in_the_tables() {
     let equations = Mixed::model().equations;

@@ -1,12 +1,12 @@
-//! Every role with every name that generated code, the prelude or the language uses: all of it compiles, and handles
-//! have their places.
+//! Every role combined with every name that generated code, the prelude or the language uses: everything compiles, and
+//! the handles have the right indices.
 #![deny(missing_docs, warnings)]
 
 use kin_runtime::model::{Body, Coordinate, Input, Point, Quantity};
 use kin_runtime::{Mechanism, ScalarFunction, mechanism};
 use kin_tests::works;
 
-/// f(x) = x.
+/// The function f(x) = x.
 pub struct Identity;
 
 impl ScalarFunction for Identity {
@@ -15,7 +15,7 @@ impl ScalarFunction for Identity {
     }
 }
 
-/// A mechanism for every role of a name; rows, too, are called so.
+/// One mechanism for every role of a name; rows have the same names.
 macro_rules! roles {
     ($($name:ident)*) => { $({
         #[mechanism]
@@ -109,7 +109,7 @@ fn words_of_rust() {
         r#unsized r#virtual r#yield r#gen union auto raw macro_rules safe);
 }
 
-/// Handles that collide with `default`, and with one another.
+/// Handles whose names collide with `default` and with one another.
 #[mechanism]
 #[bodies(default, default_)]
 #[coordinates(first)]
@@ -131,7 +131,7 @@ fn handles_have_types_and_places() {
     compiles(&Handles::default(), 7);
 }
 
-/// Mechanisms where items can stand: in traits' functions, closures, constants, and beside one another.
+/// Mechanisms wherever items are allowed: in functions of traits, in closures, in constants, and next to one another.
 trait Length {
     fn length(&self) -> f64;
 }
@@ -167,7 +167,7 @@ const COUNT: usize = {
     Inner::COORDINATES
 };
 
-/// One module below another, each with a mechanism of the same name; the inner one is made of the outer one's words.
+/// Nested modules, each with a mechanism of the same name.
 mod outer {
     #[kin_runtime::mechanism]
     #[coordinates(u)]
@@ -197,7 +197,7 @@ fn mechanisms_stand_wherever_items_do() {
     works(&outer::inner::outer());
 }
 
-/// A whole mechanism from fragments of every kind.
+/// A mechanism composed of macro fragments of every kind.
 macro_rules! pendulum {
     ($(#[$attribute:meta])* $visibility:vis $name:ident, $body:ident, $length:expr, $default:literal, $unit:literal,
         $speed:ident : $number:ty, $($joint:tt)*) => {

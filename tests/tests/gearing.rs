@@ -1,4 +1,4 @@
-//! Gears, belts, racks and rolling discs against closed forms of the textbooks.
+//! Gears, belts, racks and rolling discs compared with closed forms from textbooks.
 
 use kin_runtime::error::Degeneracy;
 use kin_runtime::model::{Body, Model, Role};
@@ -9,7 +9,7 @@ use kin_tests::mechanisms::{
 
 const TIMES: [f64; 5] = [0.0, 0.4, 0.9, 1.3, 1.9];
 
-/// The motion at `TIMES`.
+/// The states and motions at `TIMES`.
 fn motions<M: Kinematics>(mechanism: &M) -> Vec<(State, Motion)> {
     let swept = mechanism.kinematic_analysis(&TIMES).unwrap();
     let solver = mechanism.solver();
@@ -21,7 +21,7 @@ fn close(found: f64, expected: f64) {
     assert!((found - expected).abs() <= 1e-12 * expected.abs().max(1.0), "{found} instead of {expected}");
 }
 
-/// r and v of a point of a body that stands at `at` just now.
+/// The velocity of the point of a body that is currently at the position `at`.
 fn velocity(motion: &Motion, body: Body, at: [f64; 2]) -> [f64; 2] {
     let body = motion[body];
     let arm = [at[0] - body.x, at[1] - body.y];
@@ -34,7 +34,7 @@ fn same(a: [f64; 2], b: [f64; 2]) {
     close(a[1], b[1]);
 }
 
-/// (ω_sun − ω_arm) z_sun = −(ω_ring − ω_arm) z_ring in each stage, and the planet between them.
+/// (ω_sun − ω_arm) z_sun = −(ω_ring − ω_arm) z_ring in each stage, and the corresponding equation for the planet.
 #[test]
 fn planetary_stages_obey_willis() {
     let train = PlanetaryTwoStage::default();
@@ -57,7 +57,7 @@ fn planetary_stages_obey_willis() {
     assert_eq!((mobility.degrees_of_freedom, mobility.degrees_of_freedom_left), (2, 0));
 }
 
-/// Sun and planet have one velocity at their pitch point, planet and ring at theirs.
+/// Sun and planet have the same velocity at their pitch point, and so have planet and ring.
 #[test]
 fn gears_in_mesh_do_not_slip() {
     type M = PlanetaryBasic;
@@ -71,7 +71,7 @@ fn gears_in_mesh_do_not_slip() {
     }
 }
 
-/// Four meshes: the last wheel turns like the first, with the ratio of their teeth alone.
+/// In a train of four meshes, the ratio of the last wheel to the first depends only on their own teeth.
 #[test]
 fn wheels_between_do_not_matter() {
     for (State { t, .. }, motion) in motions(&GearTrain::default()) {
@@ -82,7 +82,8 @@ fn wheels_between_do_not_matter() {
     }
 }
 
-/// The belt turns the arm by the ratio of the pulleys, and the belt along the arm keeps the gripper's direction.
+/// The first belt turns the arm by the ratio of the pulleys, and the belt along the arm keeps the direction of the
+/// gripper.
 #[test]
 fn a_belt_along_an_arm_keeps_the_direction() {
     let drive = BeltDrive::default();
@@ -95,7 +96,7 @@ fn a_belt_along_an_arm_keeps_the_direction() {
     }
 }
 
-/// Where the pinion turns counter-clockwise, the point of its rim to the right of the axis moves with the rack.
+/// If the pinion turns counter-clockwise, the point of its rim to the right of the axis moves with the rack.
 #[test]
 fn a_rack_moves_with_the_rim_of_its_pinion() {
     type M = RackPinionSlider;
@@ -112,7 +113,7 @@ fn a_rack_moves_with_the_rim_of_its_pinion() {
     }
 }
 
-/// Centre and angle of the disc on the beam, and no slip at the contact.
+/// The centre and the angle of the disc on the beam, and no slip at the contact.
 #[test]
 fn a_disc_on_an_incline_stands_where_it_rolled_to() {
     type M = RollingIncline;
@@ -135,7 +136,7 @@ fn a_disc_on_an_incline_stands_where_it_rolled_to() {
     }
 }
 
-/// Cardan's circles: the rim point of a disc in a ring of twice its radius keeps to a diameter of the ring.
+/// Cardan's circles: a rim point of a disc in a ring of twice its radius moves on a diameter of the ring.
 #[test]
 fn rim_points_of_cardan_circles_move_on_diameters() {
     type M = CardanCircles;
@@ -154,7 +155,7 @@ fn rim_points_of_cardan_circles_move_on_diameters() {
     }
 }
 
-/// A coin around an equal one: it turns twice while it goes round once.
+/// A coin around an equal coin turns twice on one way around.
 #[mechanism]
 #[bodies(table, coin)]
 #[coordinates(psi)]
@@ -174,7 +175,7 @@ fn a_coin_around_a_coin_turns_twice() {
     close(last.q[phi] - first.q[phi], 2.0 * std::f64::consts::TAU);
 }
 
-/// Radii that couple nothing, or leave no line of centres, are errors by name and not answers of some kind.
+/// Radii that couple nothing, or leave no line of centres, cause errors that name the joint.
 #[test]
 fn degenerate_radii_are_errors() {
     let at = Instant::at(0.0);
@@ -202,7 +203,7 @@ struct InRing {
     disc_radius: f64,
 }
 
-/// A drawing knows the radii, with the bodies they belong to.
+/// The radii are part of the geometry for drawings, with the bodies to which they belong.
 #[test]
 fn radii_are_geometry() {
     let radii = |model: &Model, joint: &str| {

@@ -1,4 +1,5 @@
-//! Mechanisms that are generic over their numbers: `f64`, `f32`, and scalars that are evaluated only.
+//! Mechanisms that are generic over their scalar type: `f64`, `f32`, and scalar types that are only used for
+//! evaluation.
 #![deny(missing_docs, warnings)]
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -24,7 +25,7 @@ pub struct FourBar<T> {
     /// The fixed pivot of the rocker.
     #[param(0.4)]
     pub d1: T,
-    /// Its height.
+    /// The height of that pivot.
     #[param(0.1)]
     pub d2: T,
     /// Speed of the crank.
@@ -46,7 +47,7 @@ fn numbers_of_both_widths_are_mechanisms() {
     for (a, b) in wide.q.iter().zip(&narrow.q) {
         assert!((a - b).abs() < 1e-6, "{a} {b}");
     }
-    // The dimensions of the narrow one are those of its f32, and solved for in f64.
+    // The dimensions of the `f32` mechanism are rounded to `f32`, but the mechanism is solved in `f64`.
     assert_ne!(wide.q, narrow.q);
     assert_eq!(FourBar::<f64>::COORDINATES, FourBar::<f32>::model().coordinates.len());
     assert_eq!(FourBar::<f64>::crank, FourBar::<f32>::crank);
@@ -65,7 +66,7 @@ fn the_command_line_takes_both() {
     assert_eq!(0.41_f32, narrow.l[1]);
 }
 
-/// The four parts of an evaluation at own parameters.
+/// The four parts of an evaluation at the mechanism's own parameters.
 fn own<T: Scalar>(four_bar: &FourBar<T>) -> [Vec<T>; 4] {
     let number = |values: [f64; 9]| values.map(T::from_f64);
     let mut workspace = FourBar::<T>::own_workspace();
@@ -87,7 +88,7 @@ fn f32_stays_f32() {
         (phi.as_slice(), phi_q.as_slice(), gamma.as_slice()),
         (workspace.phi(), workspace.phi_q(), workspace.gamma())
     );
-    // By hand, in f32 from the first operation: Φ of joint C.
+    // Φ of joint C by hand, entirely in `f32`.
     let (s, c) = q[2].sin_cos();
     let half = 0.1_f32 / 2.0;
     assert!((phi[0] - (q[0] - half * c)).abs() <= f32::EPSILON, "{phi:?}");
@@ -95,7 +96,7 @@ fn f32_stays_f32() {
     assert_eq!(narrow.own_parameters(), narrow.parameters::<f32>());
 }
 
-/// ∂/∂l of everything, by a dual length, against central differences.
+/// Derivatives with respect to a length, by a dual number, compared with central differences.
 #[test]
 fn derivatives_by_a_length() {
     let mut dual = FourBar::<Dual64>::default();
@@ -111,12 +112,12 @@ fn derivatives_by_a_length() {
             largest = largest.max(found.eps.abs());
         }
     }
-    // Φ of joint A by hand: x_2 - l₂/2 cos φ₂ − (x_1 + …), so ∂Φ/∂l₂ = −cos φ₂ / 2.
+    // Φ of joint A by hand: x_2 − l₂/2 cos φ₂ − (x_1 + …), so that ∂Φ/∂l₂ = −cos φ₂ / 2.
     assert!((found[0][2].eps.abs() - Q[5].cos() / 2.0).abs() < 1e-15, "{}", found[0][2]);
     assert!(largest > 0.1);
 }
 
-/// Two lanes: two mechanisms of different dimensions at once.
+/// A scalar type with two lanes, for two mechanisms of different dimensions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Lanes([f64; 2]);
 
@@ -187,7 +188,8 @@ fn wrong_lengths_are_refused() {
     assert_eq!(LengthError { what: "q", expected: 9, found: 8 }, error);
 }
 
-/// Bounds, defaults, a where clause, a lifetime, a constant and a second type parameter; fields of fixed types beside.
+/// A struct with bounds, defaults, a where clause, a lifetime, a constant and a second type parameter; other fields
+/// have fixed types.
 #[mechanism(cross_check)]
 #[bodies(link[3])]
 #[revolute(root: ground @ (0, 0), link[0] @ (0, 0))]
@@ -206,7 +208,7 @@ where
     phase: f64,
 }
 
-/// A number of one type parameter beside one of a fixed type; the constant is for nobody.
+/// A field of a type parameter and one of a fixed type; the constant parameter is unused.
 #[mechanism]
 #[coordinates(u)]
 #[driver(drive: u = speed * t + offset)]
@@ -217,7 +219,7 @@ struct Drive<const N: usize, Number> {
     offset: f32,
 }
 
-/// A constant may have any name.
+/// A constant parameter may have any name.
 #[mechanism]
 #[coordinates(u)]
 #[driver(drive: u = t)]
@@ -232,7 +234,7 @@ fn parameters_of_all_kinds() {
     assert_eq!([2.0_f32, 0.5], Drive::<7, f32>::default().own_parameters());
 }
 
-/// Type parameters called like what generated code knows.
+/// Type parameters with names that occur in generated code.
 #[test]
 fn names_of_type_parameters() {
     macro_rules! named {
@@ -265,12 +267,12 @@ fn generic_callers() {
     assert!((wide - f64::from(narrow)).abs() < 1e-5 && wide > 1e-3, "{wide} {narrow}");
 }
 
-/// A supplied function beside numbers of a type parameter, with and without a bound on the struct.
+/// Supplied functions in structs with a type parameter, with and without a bound on the struct.
 mod functions {
     use super::works;
     use kin_runtime::{GenericMechanism, Instant, ScalarFunction, Subset, mechanism};
 
-    /// f(x) = x².
+    /// The function f(x) = x².
     #[derive(Clone, Copy)]
     struct Square;
 

@@ -1,9 +1,9 @@
-//! Inputs beside time, in mechanisms that both of them move: as functions of time, and jumping while time stands still. A
-//! jump is walked along the inputs alone; what time contributes to rates has no part in it.
+//! Mechanisms that depend on time and on inputs; the inputs are functions of time, or jump at a fixed time. A jump is
+//! followed along the inputs alone, without the contribution of time to the rates.
 
 use kin_runtime::{Instant, Kinematics, Mechanism, Options, PlanError, Refusal, Signal, SolveError, mechanism};
 
-/// A double crank whose crank turns with time, and as it is told.
+/// A double crank whose crank angle is a function of time plus an input.
 #[mechanism]
 #[input(ahead)]
 #[bodies(crank, coupler, rocker)]
@@ -20,7 +20,7 @@ struct DoubleCrank {
     quick: f64,
 }
 
-/// A four-bar that does not turn all the way round, driven likewise.
+/// A four-bar that cannot make full turns, driven in the same way.
 #[mechanism]
 #[input(ahead)]
 #[bodies(crank, coupler, rocker)]
@@ -39,7 +39,7 @@ fn signal(value: f64) -> [Signal; 1] {
     [Signal::new(value, 0.4, -0.3)]
 }
 
-/// Told in one jump or in many, a motion leads to the same state: by the plan, by a tracker, and without a plan.
+/// A jump in one step or in many leads to the same state: by the plan, by a tracker, and without a plan.
 #[test]
 fn a_jump_of_an_input_is_walked_along_the_input_alone() {
     for (pace, quick) in [(7.0, 3.0), (-20.0, 0.0), (0.0, 50.0), (300.0, -10.0), (0.1, 0.0)] {
@@ -79,7 +79,8 @@ fn a_jump_of_an_input_is_walked_along_the_input_alone() {
     }
 }
 
-/// An input that jumps beyond the range of the mechanism is refused where the range ends, and the last state stays.
+/// An input that jumps beyond the range of the mechanism is refused at the end of the range, and the last state
+/// remains.
 #[test]
 fn a_jump_beyond_the_range_is_refused() {
     for pace in [7.0, -20.0, 0.0, 300.0] {
@@ -98,8 +99,8 @@ fn a_jump_beyond_the_range_is_refused() {
     }
 }
 
-/// An input that is a function of time is as good as time itself: the plan answers everywhere, at once where instants are
-/// near one another, and with the same numbers.
+/// An input that is a function of time is treated like time itself: the plan solves every instant, near instants in one
+/// step, with the same results.
 #[test]
 fn an_input_that_is_a_function_of_time_is_followed_by_the_plan() {
     let by_time = DoubleCrank { pace: 1.0, quick: 0.2 };
@@ -123,7 +124,7 @@ fn an_input_that_is_a_function_of_time_is_followed_by_the_plan() {
     }
 }
 
-/// A boom on a cylinder whose length jumps at t = 1: to one that it can have, and to one that it cannot.
+/// A boom on a cylinder whose length jumps at t = 1, to a possible length and to impossible ones.
 #[test]
 fn a_jump_of_an_input_is_no_limit_of_the_mechanism() {
     for to in [1.2, 9.0, 1e6] {

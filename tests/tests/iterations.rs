@@ -1,4 +1,4 @@
-//! How often iterations inside plans correct: once, at small steps; and how far, by the rounding of their scalar.
+//! The number of corrections in the iterations of plans, which is one for small steps; and their accuracy in `f32`.
 
 use kin_runtime::plan::{Depth, Plan, Solved};
 use kin_runtime::{Instant, Kinematics, ScalarFunction, mechanism};
@@ -8,7 +8,7 @@ use kin_tests::mechanisms::{
 };
 use std::cell::Cell;
 
-/// A sine that counts how often it is asked.
+/// A sine that counts its evaluations.
 #[derive(Default)]
 struct Counted {
     calls: Cell<usize>,
@@ -22,7 +22,7 @@ impl ScalarFunction for Counted {
     }
 }
 
-/// Kepler's equation, and what a point on the orbit sees.
+/// Kepler's equation, and a point that depends on its solution.
 #[mechanism]
 #[coordinates(mean, eccentric)]
 #[function(f)]
@@ -32,7 +32,7 @@ struct Orbit {
     f: Counted,
 }
 
-/// Calls at `steps` instants `h` apart.
+/// The number of evaluations per instant for `steps` instants at the distance `h`, after `early` others.
 fn calls(steps: usize, h: f64, early: usize) -> f64 {
     let orbit = Orbit { f: Counted::default() };
     let mut planned = orbit.solver().planned(&Instant::at(0.0)).unwrap();
@@ -50,16 +50,17 @@ fn calls(steps: usize, h: f64, early: usize) -> f64 {
 
 #[test]
 fn one_correction_is_enough_at_one_degree() {
-    // So small a step that nothing is left to correct.
+    // The steps are so small that nothing remains to be corrected.
     let once = calls(10, 1e-7, 3);
     let found = calls(360, 1_f64.to_radians(), 3);
     assert!(found <= once + 0.02, "{found} calls where {once} are one correction");
-    // Half a radian, for comparison: it does count corrections.
+    // With steps of half a radian, there are more corrections, which shows that the count works.
     let far = calls(100, 0.5, 3);
     assert!(far > once + 0.9, "{far} calls where {once} are one correction");
 }
 
-/// q, q̇ and q̈ in `f32`, started a little beside, against those in `f64`; margins are the same and good.
+/// Compares q, q̇ and q̈ in `f32`, from a start slightly beside the solution, with those in `f64`; the margins agree
+/// and are positive.
 fn single<M: Kinematics + Default>() {
     let (mechanism, plan) = (M::default(), &M::model().plan);
     let name = M::model().name;

@@ -1,5 +1,5 @@
-//! Beside, at and beyond the limits of dyads of every kind: rounding grows as conditioning says, the mode is kept, and what
-//! cannot close is named.
+//! Dyads of every kind near, at and beyond their limits: rounding errors grow as the conditioning predicts, the mode is
+//! kept, and a group that cannot close is named.
 
 use kin_runtime::{Instant, Kinematics, Options, PlanError, Planned, Sign, SolveError, mechanism};
 use kin_tests::compare::largest;
@@ -40,7 +40,7 @@ struct Slider;
 #[derive(Default)]
 struct Guide;
 
-/// A cylinder that is longer than both arms together.
+/// A cylinder that gets longer than the sum of both arms.
 #[mechanism]
 #[bodies(boom)]
 #[revolute(pin: ground @ (0, 0), boom @ (0, 0))]
@@ -49,8 +49,8 @@ struct Guide;
 #[derive(Default)]
 struct Crane;
 
-/// A parallelogram, which is flat at t = 0.3 where another branch crosses, beside a wheel that turns so fast that no jump of
-/// the other velocities shows.
+/// A parallelogram, which is flat at t = 0.3 where another branch crosses, with a wheel that turns so fast that it
+/// hides jumps of the other velocities.
 #[mechanism]
 #[bodies(crank, coupler, rocker, wheel)]
 #[revolute(O: ground @ (0, 0), crank @ (-0.1, 0))]
@@ -64,12 +64,12 @@ struct Crane;
 #[derive(Default)]
 struct Flat;
 
-/// At which t the limit is.
+/// The times of the limits.
 fn limits() -> [f64; 4] {
     [(0.1375 / 0.3_f64).acos(), (2.0 / 3.0_f64).asin(), 1.5 - (0.2775 / 0.3_f64).acos(), 1.3]
 }
 
-/// Instants ever nearer to the limit, then at it and beyond.
+/// Instants that approach the limit, followed by the limit itself and instants beyond it.
 fn approaches<M: Kinematics + Default>(limit: f64, joints: &[&str]) {
     let mechanism = M::default();
     let mut planned = mechanism.solver().planned(&Instant::at(0.0)).unwrap();
@@ -81,7 +81,7 @@ fn approaches<M: Kinematics + Default>(limit: f64, joints: &[&str]) {
         assert!(largest(phi.as_ref()) < 1e-14, "2^-{k}: {:e}", largest(phi.as_ref()));
         let modes = mechanism.solver().modes(&Instant::at(t), found.q()).unwrap();
         assert_eq!(modes[0].sign, sign, "2^-{k}");
-        // Both say how far the limit is: the margin goes with w².
+        // Margin and closure agree: the margin is proportional to w².
         let (margin, closure) = (found.margins()[0], modes[0].closure);
         assert!((closure * closure / margin - 1.0).abs() < 1e-3 + 1e-14 / margin, "2^-{k}: {margin} {closure}");
     }
@@ -94,7 +94,7 @@ fn approaches<M: Kinematics + Default>(limit: f64, joints: &[&str]) {
         assert!(error.to_string().contains(&format!("of {}", joints.join(", "))), "{error}");
         assert_eq!((planned.t(), planned.q()), (last.0, &last.1[..]));
     }
-    // In whatever order: the mode is the same, or there is no answer.
+    // In random order, the mode is the same, or there is no solution.
     let mut random = Random::new(11);
     for _ in 0..2000 {
         let t = limit + random.between(-1.0, 0.01) * random.between(0.0, 1.0).powi(8);
@@ -120,7 +120,7 @@ fn modes_are_kept_up_to_the_limit_and_beyond_it_is_an_error() {
     approaches::<Crane>(crane, &["pin", "ram"]);
 }
 
-/// x = r cos φ ± √((l − r sin φ)(l + r sin φ)), as far as rounding of t lets it be known.
+/// x = r cos φ ± √((l − r sin φ)(l + r sin φ)), as accurate as the rounding of t allows.
 #[test]
 fn errors_grow_as_conditioning_says() {
     let limit = limits()[1];
@@ -160,7 +160,7 @@ fn sweeps_and_states_name_the_dyad() {
     sweep_ends::<Crane>(crane, &["pin", "ram"]);
 }
 
-/// Either sign is a configuration of its own, and a sweep stays in it.
+/// Each sign gives a different configuration, and a sweep stays in its mode.
 fn both_modes<M: Kinematics + Default>(name: &str, until: f64) {
     let mechanism = M::default();
     let at = Instant::at(0.0);

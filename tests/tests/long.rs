@@ -3,7 +3,7 @@
 use kin_runtime::{Instant, Kinematics, Mechanism, Planned, Subset, mechanism};
 use kin_tests::works;
 
-/// A chain of forty links, every one driven against the one before, its end tied to a slider.
+/// A chain of forty links, each driven relative to the previous one, with a slider at its end.
 #[mechanism]
 #[bodies(link[40], slider)]
 #[revolute(root: ground @ (0, 0), link[0] @ (-l[0]/2, 0.01))]
@@ -27,7 +27,7 @@ fn a_long_chain_closes_and_agrees_with_dual_numbers() {
     let state = chain.state_at(&Instant::at(0.7)).unwrap();
     assert!(state.residual < 1e-12, "{}", state.residual);
     let motion = chain.solver().motion(&state).unwrap();
-    // The same chain by summing links.
+    // The same chain by adding up its links.
     let (mut x, mut y, mut phi) = (0.0, 0.0, 0.2 * 0.7_f64.sin());
     for k in 0..40 {
         (x, y) = (x + 0.1 * phi.cos(), y + 0.1 * phi.sin());
@@ -56,7 +56,8 @@ fn every_subset_of_a_long_kernel_agrees_with_the_whole() {
     assert!(close(evaluate(Subset::GAMMA).gamma(), whole.gamma()));
 }
 
-/// Long tables are packed while the macro runs and unpacked when the model is first asked for; nothing of that is seen.
+/// Long tables are packed by the macro and unpacked when the model is first used; their contents are the same as those
+/// of short tables.
 #[test]
 fn long_tables_say_what_short_ones_would() {
     use kin_runtime::model::{
@@ -124,13 +125,13 @@ fn long_tables_say_what_short_ones_would() {
         }
     }
     assert_eq!(row, model.rows.len());
-    // Points stand in the geometry one after another, with their bodies.
+    // Points are consecutive in the geometry, with their bodies.
     let pin = &model.joints[7];
     let places: Vec<_> = pin.geometry.iter().map(|entry| (entry.role, entry.frame)).collect();
     assert_eq!(places, [(Role::P, Frame::Body(6)), (Role::Q, Frame::Body(7))]);
     let offsets: Vec<usize> = model.joints.iter().flat_map(|joint| joint.geometry).map(|entry| entry.offset).collect();
     assert!(offsets.windows(2).all(|two| two[0] < two[1]), "{offsets:?}");
-    // Entries of Φ_q: ordered, with the constants that an evaluation leaves as they are.
+    // The entries of Φ_q are sorted, and evaluations do not write constant entries.
     let pattern = model.constraint_pattern;
     assert!(pattern.entries.windows(2).all(|two| two[0] < two[1]) && pattern.entries.len() > 400);
     let workspace = Chain::workspace::<f64>();
@@ -144,7 +145,7 @@ fn long_tables_say_what_short_ones_would() {
     assert!(pattern.constants.contains(&(revolute, -1.0)));
 }
 
-/// Third derivatives of links of different lengths, which loops read from their arrays, against differences of q̈.
+/// The third derivatives of a chain with different lengths, which loops read from arrays, agree with differences of q̈.
 #[test]
 fn the_jerk_of_a_long_chain_is_the_slope_of_its_acceleration() {
     let mut chain = Chain::default();
@@ -161,7 +162,7 @@ fn the_jerk_of_a_long_chain_is_the_slope_of_its_acceleration() {
     assert!(derivatives.q[3].iter().any(|jerk| jerk.abs() > 1e-2));
 }
 
-/// A regular linear system whose coefficients move, its condition number 5 however long it is.
+/// A regular linear system with variable coefficients, whose condition number is 5 for any length.
 #[mechanism]
 #[coordinates(x[40])]
 #[constraint(first: (3 + 0.1*sin(t))*x[0] + (1 + 0.1*cos(t))*x[1] = 1)]

@@ -1,8 +1,8 @@
-//! Mechanisms on a frame whose held coordinates move: they are counted and driven as on a frame that stands still.
+//! Mechanisms on a frame with moving held coordinates: mobility and driving rows are the same as on a fixed frame.
 
 use kin_runtime::{Instant, Kinematics, Mechanism, Mobility, Signal, VelocityRatios, mechanism};
 
-/// A parallel-arm leg on a chassis whose pitch is measured; two motors.
+/// A parallel-arm leg with two motors, on a chassis whose pitch is an input.
 #[mechanism(cross_check)]
 #[input(pitch)]
 #[body(chassis, x = 0.2, y = 0.5, phi = pitch)]
@@ -15,7 +15,7 @@ use kin_runtime::{Instant, Kinematics, Mechanism, Mobility, Signal, VelocityRati
 #[guess(shank[0].phi = -2.2, shank[1].phi = -0.9)]
 struct Leg;
 
-/// The same leg on a chassis that stands still.
+/// The same leg on a fixed chassis.
 #[mechanism]
 #[body(chassis, x = 0.2, y = 0.5, phi = 0)]
 #[bodies(thigh[2], shank[2])]
@@ -50,7 +50,7 @@ fn joints_of_a_body_that_an_input_moves_drive_nothing() {
             assert!((found - expected).abs() < 1e-12, "{found} and {expected}");
         }
     }
-    // The chassis turns the whole leg; the thighs keep the angles that their motors hold.
+    // The chassis turns the whole leg; the thighs keep the angles prescribed by their motors.
     assert!(ratios[Leg::pitch].first.iter().any(|&k| k != 0.0));
     assert_eq!(found.len(), angles.len());
     assert!(found.iter().zip(&angles).all(|(found, expected)| (found - expected).abs() < 1e-12));
@@ -69,7 +69,7 @@ fn the_joints_stay_rheonomic() {
     assert_eq!(class("right"), (false, true));
 }
 
-/// All kinds of rows on a table that moves, once with operands that stand still and once with operands that move.
+/// All kinds of rows on a moving table, once with constant operands and once with moving ones.
 #[mechanism(allow_redundant)]
 #[input(sway)]
 #[body(table, x = sway, y = 0.1 * t, phi = 0.2 * sway)]
@@ -100,7 +100,7 @@ fn a_row_drives_by_its_own_operands() {
     assert_eq!(still.collect::<Vec<_>>(), ["steered"]);
 }
 
-/// Three equal cranks carry a platform on a frame that sways: one of them is too many, and the driver is not.
+/// Three equal cranks carry a platform on a swaying frame: one crank is redundant, and the driver is not.
 #[mechanism(allow_redundant)]
 #[input(sway)]
 #[body(frame, x = sway, y = 0, phi = 0.1 * sway)]

@@ -1,10 +1,10 @@
-//! Of several groups the one at its limit is named, wherever it stands among the others.
+//! When one of several groups reaches its limit, the error names that group, whatever its index among the groups.
 
 use kin_runtime::planned::{LimitKind, Located};
 use kin_runtime::{Instant, Kinematics, Mechanism, PlanError, Planned, mechanism};
 
-/// Three four-bars on the ends of one crank each, all driven alike: of any dimensions, so that any of them may be the one
-/// that ends.
+/// Three four-bars with a driven crank each, all cranks driven alike. The rocker lengths are parameters, so that any of
+/// the three four-bars can be the one that reaches its limit.
 #[mechanism]
 #[bodies(crank[3], coupler[3], rocker[3])]
 #[revolute(O[i in 0..3]: ground @ (i, 0), crank[i] @ (0, 0))]
@@ -29,13 +29,15 @@ struct Bars {
     pace: f64,
 }
 
-/// The bars, of which one has a rocker of this length; the others pass wherever their cranks are.
+/// Three four-bars of which `odd` has a rocker of the length `rocker`; the other two can make full turns of their
+/// cranks.
 fn bars(odd: usize, rocker: f64, begun: f64, pace: f64) -> Bars {
     let r = |k: usize| if k == odd { rocker } else { 0.3 };
     Bars { r0: r(0), r1: r(1), r2: r(2), begun, pace }
 }
 
-/// Coupler and rocker angles of the four-bar at a crank angle, rocker below the line from its pivot to the coupler.
+/// A start vector with the coupler and rocker angles of the closed four-bars at the initial crank angle, each rocker
+/// pin on the same side of the line from its pivot to the coupler.
 fn start(bars: &Bars) -> Vec<f64> {
     let model = Bars::model();
     let (crank, mut q) = (bars.begun, vec![0.0; Bars::COORDINATES]);
@@ -64,7 +66,7 @@ fn start(bars: &Bars) -> Vec<f64> {
     q
 }
 
-/// What a motion says of its end, and whether it names the group of the four-bar `odd`.
+/// The time and the kind of the limit in the error; asserts that the error names the joints of the four-bar `odd`.
 fn end(error: &PlanError, odd: usize) -> (f64, LimitKind) {
     let PlanError::Limit { limit, .. } = error else { panic!("{error}") };
     let expected = [format!("A{odd}"), format!("B{odd}"), format!("D[{odd}]")];
@@ -86,7 +88,7 @@ fn the_group_at_a_crossing_is_named() {
                 let (at, kind) = end(&error, odd);
                 assert!((at - place).abs() < 1e-9 && kind == LimitKind::BranchPoint, "{error}: {at} for {place}");
             }
-            // Nothing begins there, either.
+            // A solver cannot be started there, either.
             let beside = Bars { begun: 1e-5 * begun, ..bars };
             let error = Planned::new(&beside, &Instant::at(0.0), &start(&beside)).map(|_| ()).unwrap_err();
             let (at, kind) = end(&error, odd);
@@ -99,7 +101,8 @@ fn the_group_at_a_crossing_is_named() {
 fn the_group_at_a_dead_centre_is_named() {
     for odd in 0..3 {
         for (begun, pace) in [(-0.5, 1.0), (0.4, -2.0)] {
-            // Too short to close where the others lie flat.
+            // A rocker of 0.19 is too short: the loop opens at a crank angle where those of the other two four-bars
+            // stay closed.
             let bars = bars(odd, 0.19, begun, pace);
             let fold = ((0.29 - 0.31 * 0.31) / 0.2_f64).acos();
             let place = (f64::copysign(fold, begun) - begun) / pace;

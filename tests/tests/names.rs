@@ -1,4 +1,5 @@
-//! Names and shapes that generated code could trip over: each mechanism here compiles without a warning and works.
+//! Identifiers and struct shapes that could collide with generated code: each mechanism here compiles without a warning
+//! and is solved.
 #![deny(missing_docs, warnings)]
 
 use kin_runtime::model::{Body, Coordinate, Input, Point};
@@ -147,7 +148,7 @@ fn awkward_names() {
 
 #[test]
 fn handles_have_their_types() {
-    // A handle called `default` would hide `Default::default`, so it carries an underscore.
+    // A constant called `default` would hide `Default::default`, so the generated name gets an underscore.
     let bodies: [Body; 3] = [Bodies::gamma, Bodies::default_, Bodies::model];
     assert_eq!([Body(0), Body(5), Body(10)], bodies);
     let coordinate: Coordinate = Coordinates::jacobian;
@@ -176,7 +177,7 @@ fn methods_and_handles_of_one_name_live_together() {
     assert_eq!(11, <Bodies as Mechanism>::model().bodies.len());
 }
 
-/// Types named like those that generated code uses.
+/// Types with the names of types that generated code uses.
 mod types {
     use kin_runtime::mechanism;
 
@@ -206,7 +207,7 @@ mod visibility {
     #[coordinates(u)]
     #[driver(drive: u = speed * t)]
     pub(crate) struct Crate {
-        /// Private, with a default: still built with `Default`.
+        /// Private, with a default value: the struct can still be built with `Default`.
         #[param(2)]
         speed: f64,
     }
@@ -318,7 +319,8 @@ fn mechanisms_inside_functions() {
     assert_eq!((1, 2), (Local::COORDINATES, inner()));
 }
 
-/// A parameter without a default has to be written; the literal still can be completed from another mechanism.
+/// A parameter without a default value has to be given; the rest of the struct literal can still be taken from another
+/// value with `..`.
 #[test]
 fn parameters_without_defaults() {
     #[mechanism]

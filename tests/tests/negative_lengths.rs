@@ -1,8 +1,9 @@
-//! A distance below 0 does not exist: it is an error by name, wherever the length comes from.
+//! A negative length of a distance constraint is an error that names the joint, whether the length is a parameter, an
+//! input or a function of time.
 
 use kin_runtime::{GeometryFault, Instant, Kinematics, PlanError, Planned, Signal, SolveError, Solver, mechanism};
 
-/// A four-bar whose coupler is a massless link, on a crank given by its local points.
+/// A four-bar whose coupler is a distance constraint; the crank is given by the local coordinates of its points.
 #[mechanism]
 #[bodies(crank, rocker)]
 #[revolute(O: ground @ (0, 0), crank @ (-l1 / 2, 0))]
@@ -18,7 +19,7 @@ struct Linked {
     l2: f64,
 }
 
-/// A boom on a cylinder that is measured.
+/// A boom on a hydraulic cylinder whose length is an input.
 #[mechanism]
 #[bodies(boom)]
 #[input(cylinder)]
@@ -27,7 +28,7 @@ struct Linked {
 #[guess(boom.phi = 0.7)]
 struct Boom;
 
-/// The same boom, its cylinder driven.
+/// The same boom with the length of its cylinder driven as a function of time.
 #[mechanism]
 #[bodies(boom)]
 #[point(eye = boom @ (1.0, 0.1))]
@@ -64,7 +65,7 @@ fn a_negative_parameter_is_an_error_in_every_analysis() {
     assert_eq!(fault(wrong.mobility(&at, &q).unwrap_err()), (0.25, "link", -0.4));
     assert_eq!(fault(wrong.solver().sweep(&[0.25, 1.0]).unwrap_err().source), (0.25, "link", -0.4));
     assert!(wrong.solver().tracker(&at).is_err());
-    // A local point on the other side is a point like any other.
+    // A negative local coordinate of a point is valid.
     let turned = Linked { l1: -0.1, ..sound }.state_at(&at).unwrap();
     assert!(turned.residual < 1e-12);
 }
@@ -80,11 +81,11 @@ fn a_measured_length_is_looked_at_in_every_instant() {
     let at = Instant { t: 0.5, inputs: &wrong };
     assert_eq!(fault(tracker.update(&at).map(|_| ()).unwrap_err()), (0.5, "lift", -0.9));
     assert_eq!(fault(tracker.restart(&at).map(|_| ()).unwrap_err()), (0.5, "lift", -0.9));
-    // The last good instant stays, and the tracker goes on from there.
+    // The tracker keeps its last valid state and can be updated from it.
     assert_eq!(tracker.state().t, 0.0);
     assert!(tracker.update(&Instant { t: 1.0, inputs: &cylinder(0.95) }).is_ok());
     assert_eq!(fault(Boom.state_at(&at).unwrap_err()), (0.5, "lift", -0.9));
-    // As a function of time, in one jump from one positive length over the negative ones to another.
+    // The input as a function of time jumps from a positive to a negative length in one step.
     let jump = |t: f64, u: &mut [Signal]| u[0] = Signal::constant(if t == 0.0 { 0.9 } else { -0.9 });
     let error = Boom.solver().with_inputs(&jump).sweep(&[0.0, 1.0]).unwrap_err();
     assert_eq!(error.trajectory.states.len(), 1);
@@ -101,7 +102,8 @@ fn a_driven_length_is_looked_at_in_every_instant() {
     let (t, joint, length) = fault(shrinking.state_at(&Instant::at(2.0)).unwrap_err());
     assert_eq!((t, joint), (2.0, "lift"));
     assert!((length + 1.1).abs() < 1e-15);
-    // The sweep ends before that, where the boom cannot reach its foot any more.
+    // The sweep ends earlier than at a negative length: at some length the loop of boom and cylinder cannot be closed
+    // any more.
     let solver: Solver<'_, Driven> = shrinking.solver();
     assert!(solver.sweep(&[0.0, 0.2, 2.0]).unwrap_err().trajectory.states.len() == 2);
 }
@@ -128,7 +130,7 @@ fn the_plan_alone_takes_no_negative_length_either() {
     let error = Planned::new(&wrong, &at, &q).map(|_| ()).unwrap_err();
     assert_eq!(error, PlanError::NegativeLength { t: 0.25, joint: "link", length: -0.4 });
     assert_eq!(error.to_string(), "at t = 0.25, the length of `link` is -0.4: a length is not negative");
-    // The last good state stays.
+    // The last valid state is kept.
     let mut boom = Boom.solver().planned(&Instant { t: 0.0, inputs: &cylinder(0.9) }).unwrap();
     let error = boom.at(&Instant { t: 0.5, inputs: &cylinder(-0.9) }).map(|_| ()).unwrap_err();
     assert_eq!(error, PlanError::NegativeLength { t: 0.5, joint: "lift", length: -0.9 });
@@ -136,7 +138,8 @@ fn the_plan_alone_takes_no_negative_length_either() {
     assert!(boom.at(&Instant { t: 1.0, inputs: &cylinder(0.95) }).is_ok());
 }
 
-/// Sets with a negative length have no answer, and those beside them are what they are alone.
+/// In a batch, parameter sets with a negative length have no solution, and those in the other lanes are the same as
+/// when solved alone.
 #[cfg(feature = "simd")]
 #[test]
 fn nor_does_a_batch() {
@@ -160,7 +163,7 @@ fn nor_does_a_batch() {
     assert!(out.ends().map(|end| end.is_none()).eq(sound));
     assert!(out.ends().flatten().all(|end| end.instant == 0 && end.limit.is_none()));
     assert!(out.scores(|seen| *seen).zip(sound).all(|(seen, sound)| seen == if sound { 3.0 } else { 0.0 }));
-    // A cylinder that is measured: the second instant is wrong for all.
+    // The length of the cylinder is an input: at the second instant it is negative for every problem of the batch.
     let start = Boom.state_at(&Instant { t: 0.0, inputs: &cylinder(0.9) }).unwrap().q;
     let start: Vec<Column<'_>> = start.iter().map(|q| Column::Shared(*q)).collect();
     let (still, measured) = (Column::Shared(0.0), [0.9, -0.9, 0.9]);

@@ -1,5 +1,5 @@
-//! Groups that are solved by iteration, from starts that are far from where the iteration ends: what it has found counts
-//! from there on, whatever the start was like.
+//! Groups solved by iteration from starts that are far from the solution: branch and orientation are taken from the
+//! solution, not from the start.
 
 use kin_runtime::batch::{Column, Modes, Motions, Sweeps, always, sweep};
 use kin_runtime::{Instant, Kinematics, Mechanism, Planned, mechanism};
@@ -20,10 +20,10 @@ use kin_runtime::{Instant, Kinematics, Mechanism, Planned, mechanism};
 #[guess(platform.x = 0.5, platform.y = 0.33, platform.phi = 0)]
 struct Platform;
 
-/// The first instants of a motion, short of any limit.
+/// The first instants of a motion, before any limit.
 const TIMES: [f64; 4] = [0.0, 0.001, 0.002, 0.003];
 
-/// Where a batch ends that begins at q, and its last state.
+/// The instant at which a motion in a batch ends, if it does, and its last state, if it begins at q.
 fn in_a_batch(q: &[f64]) -> (Option<usize>, Vec<f64>) {
     let start: Vec<_> = q.iter().map(|q| Column::Shared(*q)).collect();
     let sweeps = Sweeps { parameters: &[], times: &TIMES, inputs: &[], modes: Modes::OfStart, start: &start };
@@ -48,7 +48,7 @@ fn a_motion_goes_on_from_wherever_its_iteration_has_ended() {
         start[y] += 0.05 * f64::from(k % 13 - 6);
         let at = |t: f64| Instant::at(t);
         let Ok(mut planned) = Planned::new(&Platform, &at(0.0), &start) else { continue };
-        // Nothing is asked of those that begin beside a limit.
+        // Configurations close to a limit are skipped.
         if planned.margins().iter().any(|margin| *margin < 0.05) {
             continue;
         }

@@ -1,10 +1,11 @@
-//! Whether there is a plan, and what a check says of it: neither false alarms nor false praise.
+//! Whether a plan exists, and what the check of a plan reports: neither false alarms nor agreement where nothing was
+//! compared.
 
 use kin_runtime::cross_check::{Configuration, CrossCheckOptions};
 use kin_runtime::{Kinematics, Mechanism, cli, mechanism};
 
-/// A crank whose pin runs in a slot of an arm, pivoted as far from the crank's pivot as the pin is: the arm turns half as
-/// fast as the crank, and nothing accelerates.
+/// A crank whose pin runs in a slot of an arm; the distance of the pivots is that of pin and crank pivot, so the arm
+/// turns at half the crank's rate and all accelerations are 0.
 #[mechanism]
 #[bodies(crank, arm)]
 #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
@@ -19,7 +20,7 @@ struct SlottedArm {
     d: f64,
 }
 
-/// Two links stretched out between two pins: there is one configuration, and it is at the limit.
+/// Two links stretched out between two fixed pins: the only configuration is singular.
 #[mechanism]
 #[bodies(left, right)]
 #[revolute(A: ground @ (0, 0), left @ (0, 0))]
@@ -27,7 +28,7 @@ struct SlottedArm {
 #[revolute(C: right @ (1, 0), ground @ (2, 0))]
 struct Stretched;
 
-/// As many rows as coordinates, one of which says again what two others say.
+/// As many rows as coordinates; one row is redundant with two others.
 #[mechanism(allow_redundant)]
 #[bodies(lower, upper)]
 #[translational(floor: ground @ (0, 0), lower @ (0, 0), axis = (1, 0))]
@@ -49,7 +50,7 @@ fn rounding_of_accelerations_that_cancel_is_no_error() {
     let options = CrossCheckOptions { given: given.collect(), ..CrossCheckOptions::default() };
     let check = solver.plan_check(&options).unwrap();
     assert!(check.configurations > 30 && check.max_error < 1e-12, "{check}");
-    // What is compared is rounding of nothing.
+    // All accelerations are 0 but for rounding, so that a relative error would compare rounding errors.
     assert!(states.iter().all(|s| s.q_ddot.iter().all(|a| a.abs() < 1e-12)));
 }
 
@@ -63,7 +64,7 @@ fn a_check_that_compares_nothing_says_so() {
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let line = "compared with full Newton no numbers: the plan has no answer away from limits here";
     assert!(words.contains(line) && words.contains("and full Newton takes over"), "{text}");
-    // Only the closed forms have an error to tell.
+    // Only the report on the closed forms has an error.
     assert_eq!(words.matches("worst error").count(), 1, "{text}");
 }
 

@@ -1,4 +1,4 @@
-//! A mechanism solved by its plan at one instant after the other: what is named in an error, what stays after one.
+//! A mechanism solved by its plan at successive instants: what an error names, and which state is kept after an error.
 
 use kin_runtime::batch::{Column, End, Modes, Motions, Problems, Solutions, Sweeps, always, solve, sweep};
 use kin_runtime::plan::Depth;
@@ -6,7 +6,8 @@ use kin_runtime::planned::{PlanError, Planned, Sign};
 use kin_runtime::{Instant, Kinematics, Lanes, Mechanism, Signal, mechanism};
 use std::f64::consts::TAU;
 
-/// A boom on a cylinder, both of a length that is told, and a stick; time is nowhere in it.
+/// A boom on a cylinder, and a stick; the cylinder's length and the angle between stick and boom are inputs, and time
+/// is not used.
 #[mechanism]
 #[input(ram, tilt)]
 #[bodies(boom, stick)]
@@ -64,7 +65,7 @@ fn a_restart_that_fails_leaves_the_modes_as_they_were() {
     let mut planned = crane.solver().planned(&good).unwrap();
     let (q, sign) = (planned.q().to_vec(), planned.mode(0).unwrap());
     let other = crane.solver().with_mode(0, sign.flipped()).assemble(&good).unwrap();
-    // Longer than foot and arm together.
+    // Longer than `foot` and `arm` together.
     let long = [Signal::new(3.0, 0.0, 0.0), TOLD[1]];
     let error = planned.restart(&Instant { t: 0.1, inputs: &long }, &other).unwrap_err();
     assert!(matches!(error, PlanError::Limit { t: 0.1, limit } if limit.margin < 0.0), "{error}");
@@ -74,7 +75,8 @@ fn a_restart_that_fails_leaves_the_modes_as_they_were() {
     assert_eq!(None, Sign::of(0.0));
 }
 
-/// A pin that runs in a slot about almost the same pivot: the slot turns as the crank does, faster and faster.
+/// A pin that runs in a slot whose pivot almost coincides with the crank's: the slot turns as fast as the crank, at
+/// increasing speed.
 #[mechanism]
 #[bodies(crank, slot)]
 #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
@@ -90,7 +92,7 @@ fn fast_bodies_go_on_counting_over_many_turns() {
     let mut planned = Spinning.solver().planned(&Instant::at(0.0)).unwrap();
     let begun = planned.q()[slot];
     for k in 1..=20 {
-        // Several turns from one instant to the next, and more than a radian of it by acceleration alone.
+        // Several turns per step, and a contribution of the acceleration of more than a radian.
         let t = 0.2 * f64::from(k);
         let turned = planned.at(&Instant::at(t)).unwrap().q()[slot] - begun;
         assert!((turned - (100.0 + 50.0 * t) * t).abs() < 0.1, "{t}: {turned}, {} turns", turned / TAU);
@@ -130,11 +132,11 @@ struct Platform {
     s: f64,
 }
 
-/// Every angle at every instant.
+/// The angles at every instant.
 struct Angles {
-    /// By [`Planned`], or none where there is no answer.
+    /// By [`Planned`]; `None` where it returns an error.
     one: Vec<Option<Vec<f64>>>,
-    /// In a batch, and the instant at which that ends.
+    /// In a batch, and the instant at which the motion ends.
     batch: Vec<Vec<f64>>,
     end: Option<usize>,
 }
@@ -163,7 +165,7 @@ fn no_unit_of_length_changes_predictions() {
     let near = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-6);
     let mut compared = 0;
     for k in 1..=40 {
-        // Steps of which many are far too long: what is found must not depend on the unit even so.
+        // Many of these steps are far too long; even then the result must not depend on the unit of length.
         let (far, near_by) = (0.2 + 0.0075 * f64::from(k), TAU / f64::from(4 + k));
         let times = |step: f64| (0..=20).map(|i| step * f64::from(i)).collect::<Vec<_>>();
         let cranks = [1e-3, 1.0, 1e3].map(|s| angles(&DoubleCrank { s }, &times(TAU * far)));
@@ -217,7 +219,7 @@ fn a_start_that_does_not_decide_a_mode_has_no_answer() {
         let (one, batch) = at(start);
         assert!((one.unwrap() - batch.unwrap()).abs() < 1e-12, "{start}");
     }
-    // Signs that are given must be signs.
+    // A mode given as 0 or NaN is an error.
     let columns = [Column::Shared(0.5); 9];
     for (sign, good) in [(1.0, true), (-3.0, true), (0.0, false), (-0.0, false), (f64::NAN, false)] {
         let (parameters, signs) = (&[Column::Shared(1.0)], [Column::Shared(sign)]);

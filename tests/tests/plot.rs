@@ -1,4 +1,4 @@
-//! Diagrams from the command line: what is in them, and what is said about options that make no sense.
+//! Diagrams from the command line: their contents, and the errors for options that contradict one another.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -25,7 +25,7 @@ fn refused(line: &str, expected: &[&str]) {
     }
 }
 
-/// The points of the curves with a colour, in pixels.
+/// The points of the curves of a colour, in pixels.
 fn curve(svg: &str, colour: &str) -> Vec<Vec<[f64; 2]>> {
     let tags = svg.split("<path ").filter_map(|text| text.split('>').next());
     let paths = tags.filter(|path| path.contains(&format!("stroke=\"{colour}\"")));
@@ -42,7 +42,7 @@ fn a_curve_has_every_instant_where_the_numbers_are() {
     let picture = svg("fourbar plot crank.phi --to 2 --steps 40");
     let [points] = &curve(&picture, "#0072b2")[..] else { panic!("one curve") };
     assert_eq!(points.len(), 41);
-    // The crank turns evenly, so that its curve is a line.
+    // The crank turns at constant speed, so that its curve is a straight line.
     let (first, last) = (points[0], points[40]);
     for (k, point) in points.iter().enumerate() {
         for axis in 0..2 {
@@ -71,7 +71,7 @@ fn without_a_question_a_path_stands_beside_what_moves_most() {
     }
     let [first, second] = &curve(&picture, "#0072b2")[..] else { panic!("two curves") };
     assert!(first.len() > 100 && second.len() > 100);
-    // One below the other they would be higher than wide.
+    // If the two plots were one below the other, the picture would be higher than wide.
     let number = |name: &str| picture.split(&format!("{name}=\"")).nth(1)?.split('"').next()?.parse::<f64>().ok();
     let [width, height] = ["width", "height"].map(|name| number(name).expect("a size"));
     assert!(width > 1.5 * height, "{width} by {height}");
@@ -102,7 +102,7 @@ fn many_curves_have_many_colours_and_a_whole_legend() {
 
 #[test]
 fn a_path_has_equal_axes() {
-    // The origin of the crank's frame runs on a circle around the origin.
+    // The origin of the crank's frame moves on a circle around the origin.
     let picture = svg("fourbar plot crank --steps 72");
     let [points] = &curve(&picture, "#0072b2")[..] else { panic!("one curve") };
     let extent = |axis: usize| {

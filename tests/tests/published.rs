@@ -1,4 +1,4 @@
-//! Numbers that other people printed; `tests/data/PUBLISHED.md` has their sources.
+//! Published numbers; `tests/data/PUBLISHED.md` gives the sources.
 
 use kin_runtime::model::{Body, Point};
 use kin_runtime::{Instant, Kinematics, Mechanism, State};
@@ -16,12 +16,12 @@ fn coordinate<M: Mechanism>(name: &str) -> usize {
     M::model().coordinates.iter().position(|c| c.name == name).unwrap_or_else(|| panic!("no coordinate {name}"))
 }
 
-/// |found − printed| is at most half a unit of the last of `digits` decimals (and its rounding).
+/// |found − printed| is at most half a unit in the last of `digits` decimals (plus rounding).
 fn printed(differences: &mut Differences, what: &str, printed: f64, found: f64, digits: i32) {
     differences.number(what, printed, found, 0.500_001 * 10_f64.powi(-digits));
 }
 
-/// The lecture (slides 9–14), frames at the link midpoints.
+/// The lecture (slides 9–14), with frames at the midpoints of the links.
 #[test]
 fn lecture_four_bar_in_every_printed_digit() {
     let q = state::<FourbarLectureMid>(0.0).q;
@@ -35,7 +35,7 @@ fn lecture_four_bar_in_every_printed_digit() {
     differences.finish();
 }
 
-/// The lecture's γ of the global method (slide 63), written out by hand.
+/// The lecture's γ of the global method (slide 63), written as an explicit formula.
 #[test]
 fn lecture_gamma_of_the_global_method() {
     let four_bar = FourbarLectureAngles::default();
@@ -49,8 +49,8 @@ fn lecture_gamma_of_the_global_method() {
     differences.finish();
 }
 
-/// OndselSolver, testapp/fourbar.asmt: positions to 4e-12, velocities to 2e-11, accelerations to 3e-10 relative to
-/// the largest entry, the agreement stated with the table.
+/// OndselSolver, testapp/fourbar.asmt: positions agree to 4e-12, velocities to 2e-11, accelerations to 3e-10 relative
+/// to the largest entry, as stated with the table.
 #[test]
 fn ondsel_four_bar_over_a_full_cycle() {
     let table = ondsel_table();
@@ -76,7 +76,7 @@ struct OndselRow {
     levels: [[f64; 3]; 3],
 }
 
-/// The table of `PUBLISHED.md`: `t=0.2  coupler  x y φ | ẋ ẏ φ̇ | ẍ ÿ φ̈`.
+/// The rows of the table in `PUBLISHED.md`: `t=0.2  coupler  x y φ | ẋ ẏ φ̇ | ẍ ÿ φ̈`.
 fn ondsel_table() -> Vec<OndselRow> {
     let parse = |line: &'static str| {
         let (t, rest) = line.strip_prefix("t=")?.split_once(' ')?;
@@ -90,7 +90,7 @@ fn ondsel_table() -> Vec<OndselRow> {
     PUBLISHED.lines().filter_map(parse).collect()
 }
 
-/// Marghitu and Dupac, Advanced Dynamics, examples 5.5 and 5.6: every printed digit.
+/// Marghitu and Dupac, Advanced Dynamics, examples 5.5 and 5.6, to every printed digit.
 #[test]
 fn marghitu_and_dupac_six_link() {
     type M = MarghituSixLink;
@@ -127,7 +127,8 @@ fn marghitu_and_dupac_six_link() {
     printed(&mut differences, "vE", 8.383, e.v[1], 3);
     printed(&mut differences, "aE", -1660.866, e.a[1], 3);
 
-    // The book's sliding velocity is that of the link relative to the slider, kin's stroke that of the slider.
+    // The book's sliding velocity is that of the link relative to the slider, kin's stroke that of the slider relative
+    // to the link.
     let joint = M::model().joints.iter().position(|joint| joint.name == "slide").unwrap();
     let stroke = M::model().joints[joint].quantities.iter().position(|q| q.name == "stroke").unwrap();
     let stroke = motion.joints[joint][stroke];
@@ -140,13 +141,13 @@ fn marghitu_and_dupac_six_link() {
     differences.finish();
 }
 
-/// The test set's angles and rates in the order (β, Θ, γ, Φ, δ, Ω, ε), from the absolute angles of K1 … K7.
+/// The test set's angles and rates in the order (β, Θ, γ, Φ, δ, Ω, ε), from the absolute angles of the bodies K1 … K7.
 fn andrews_angles(level: &[f64]) -> [f64; 7] {
     let k: Vec<f64> = (1..=7).map(|n| level[coordinate::<AndrewsPins>(&format!("K{n}.phi"))]).collect();
     [k[0], k[1] - k[0], k[2], k[3] - k[4], k[4], k[5] - k[6], k[6]]
 }
 
-/// The consistent initial values of the IVP test set, 30 digits: agreement to the last digit of `f64`.
+/// The consistent initial values of the IVP test set, given with 30 digits: equal to the last digit of `f64`.
 #[test]
 fn andrews_squeezer_at_the_start() {
     let found = andrews_angles(&state::<AndrewsPins>(0.0).q);
@@ -165,8 +166,8 @@ fn andrews_squeezer_at_the_start() {
     differences.finish();
 }
 
-/// The reference solution of the IVP test set at t = 0.03: given β and β̇ the rest agrees to 2e-15 and 2e-11, relative
-/// to the largest entry; half a unit of that one digit is allowed.
+/// The reference solution of the IVP test set at t = 0.03: given β and β̇, the rest agrees to 2e-15 and 2e-11 relative
+/// to the largest entry; the tolerance is half a unit in the last digit of these bounds.
 #[test]
 fn andrews_squeezer_at_the_end() {
     let q = [
@@ -191,7 +192,7 @@ fn andrews_squeezer_at_the_end() {
     let angles = [q[0], q[0] + q[1], q[2], q[3] + q[4], q[4], q[5] + q[6], q[6]];
     let mut solver = mechanism.solver();
     for (n, angle) in angles.into_iter().enumerate() {
-        // Two decimals: the solver has to find the rest.
+        // The guess is rounded to two decimals, so that the solver has to find the rest.
         let rough = (angle * 100.0).round() / 100.0;
         solver = solver.with_guess(coordinate::<AndrewsPins>(&format!("K{}.phi", n + 1)), rough);
     }
@@ -203,7 +204,7 @@ fn andrews_squeezer_at_the_end() {
     differences.finish();
 }
 
-/// A lecture by Nikravesh, 4 digits.
+/// A lecture by Nikravesh, to its 4 printed digits.
 #[test]
 fn nikravesh_four_bar_in_every_printed_digit() {
     let state = state::<NikraveshFourbar>(0.0);
@@ -217,7 +218,8 @@ fn nikravesh_four_bar_in_every_printed_digit() {
     differences.finish();
 }
 
-/// Solutions 2 and 3 of the lecture are the same four-bar: the angles of solution 1, fewer coordinates.
+/// Solutions 2 and 3 of the lecture describe the same four-bar with fewer coordinates: the angles are those of solution
+/// 1.
 #[test]
 fn lecture_solutions_differ_in_their_coordinates_only() {
     assert_eq!([9, 7, 3], [FourbarLectureMid::COORDINATES, FourbarEnds::COORDINATES, FourbarRelative::COORDINATES]);

@@ -1,4 +1,4 @@
-//! What a registry asks of the three crates, and the oldest Rust that their dependencies allow.
+//! The metadata that a registry requires of the three crates, and the minimum Rust version of their dependencies.
 
 use serde_json::Value;
 use std::path::Path;
@@ -18,7 +18,7 @@ fn text<'a>(package: &'a Value, key: &str) -> &'a str {
     package[key].as_str().unwrap_or_default()
 }
 
-/// `1.89.0` as numbers; none said is none asked.
+/// `1.89.0` as numbers; empty if a package states no minimum version.
 fn version(package: &Value) -> Vec<u32> {
     text(package, "rust_version").split('.').filter_map(|part| part.parse().ok()).collect()
 }
@@ -53,7 +53,7 @@ fn the_three_crates_can_be_published_and_no_other() {
             "{name}"
         );
         assert!(!package["categories"].as_array().expect("categories").is_empty(), "{name}");
-        // What is not on the registry yet is found there by its version.
+        // A dependency given by a path needs a version as well, by which the registry resolves it.
         for dependency in package["dependencies"].as_array().expect("dependencies") {
             let local = dependency["path"].is_string() && dependency["kind"].is_null();
             assert!(!local || text(dependency, "req").starts_with("^0."), "{name}: {}", dependency["name"]);
@@ -62,7 +62,7 @@ fn the_three_crates_can_be_published_and_no_other() {
     assert_eq!(["kin-core", "kin-derive", "kin-runtime"], published[..]);
 }
 
-/// Clippy holds the code against the stated version; this holds what it builds on.
+/// Clippy checks the code against the stated version; this test checks the dependencies.
 #[test]
 fn no_dependency_needs_a_newer_rust_than_is_stated() {
     let metadata = metadata();

@@ -1,5 +1,5 @@
-//! Linkages of random dimensions: they assemble exactly when geometry lets them, and a sweep does not depend on how
-//! far apart its instants are.
+//! Linkages with random dimensions: they are assembled exactly if their geometry allows it, and the result of a sweep
+//! does not depend on the spacing of its instants.
 
 use kin_runtime::{Instant, Kinematics, SolveError, mechanism};
 use kin_tests::random::Random;
@@ -25,7 +25,8 @@ impl FourBar {
         Self { a: length(), b: length(), c: length(), d: length(), start: random.between(-3.0, 3.0) }
     }
 
-    /// How far the two-link chain from the crank's end to the ground pin is from its limits; negative beyond them.
+    /// How far the two-link chain between the end of the crank and the fixed pin is from its limits; negative beyond
+    /// them.
     fn margin(&self) -> f64 {
         let (x, y) = (self.a * self.start.cos() - self.d, self.a * self.start.sin());
         let distance = x.hypot(y);
@@ -59,14 +60,14 @@ impl SlottedRocker {
         }
     }
 
-    /// How much farther the crank's end is from the rocker's pin than the line of the slot.
+    /// How much farther the end of the crank is from the rocker's pivot than the slot's line is.
     fn margin(&self) -> f64 {
         let (x, y) = (self.a * self.start.cos() - self.d, self.a * self.start.sin());
         x.hypot(y) - self.offset.abs() / self.lean.hypot(1.0)
     }
 }
 
-/// Assembles, without any guess and from a start anywhere, exactly when `margin` is positive.
+/// Position analysis without a guess and from a random start succeeds exactly if `margin` is positive.
 fn assembles_when_it_can<M: Kinematics>(mechanism: &M, margin: f64, random: &mut Random) {
     if margin.abs() < 1e-3 {
         return;
@@ -92,7 +93,8 @@ fn linkages_assemble_exactly_when_they_can() {
     }
 }
 
-/// One step over the whole time, or a hundred of them: the same end, or both refuse to go where the branch ends.
+/// A sweep in one step and one in a hundred steps end in the same state, or both end with an error where the branch
+/// ends.
 fn ends_alike<M: Kinematics>(mechanism: &M, random: &mut Random) -> Option<bool> {
     let solver = mechanism.solver();
     let start = solver.assemble(&Instant::at(0.0)).ok()?;
@@ -127,7 +129,8 @@ fn sweeps_of_linkages_follow_one_branch() {
     assert!(arrived >= 10 && endings.len() - arrived >= 3, "{arrived} of {} arrived", endings.len());
 }
 
-/// A double rocker cannot turn fully: the next instant that assembles again is on the other side of the gap.
+/// The crank of a double rocker cannot turn fully: a sweep to an instant beyond the gap, where the linkage could be
+/// assembled again, is an error.
 #[test]
 fn no_sweep_jumps_a_gap() {
     let rocker = FourBar { a: 1.0, b: 0.6, c: 0.8, d: 1.2, start: 0.6 };
@@ -140,7 +143,8 @@ fn no_sweep_jumps_a_gap() {
     }
 }
 
-/// Where a parallelogram is stretched, its motion and that of the crossed four-bar meet: none is chosen silently.
+/// In its stretched configuration, the motions of a parallelogram and of the crossed four-bar branch: a sweep ends
+/// there with an error instead of choosing one.
 #[test]
 fn no_sweep_chooses_at_a_change_point() {
     let parallelogram = FourBar { a: 0.3, b: 0.7, c: 0.3, d: 0.7, start: 0.6 };

@@ -1,8 +1,9 @@
-//! Velocity ratios of distances are per length, not per its square; those of an input hold its acceleration.
+//! Velocity ratios of driven distances are per length, although the row is in squares; those of an input include its
+//! acceleration.
 
 use kin_runtime::{Instant, Kinematics, Signal, mechanism};
 
-/// A carriage at height h whose distance from the origin is driven: x = √(f² − h²).
+/// A carriage at the height h whose distance from the origin is driven: x = √(f² − h²).
 #[mechanism]
 #[body(carriage, y = h, phi = 0)]
 #[driver(drive: distance(ground @ (0, 0), carriage @ (0, 0)) = f0 + rate * t + 0.5 * t * t)]
@@ -33,7 +34,7 @@ fn ratios_of_a_driven_distance() {
     near(state.q_ddot[0], first + second * 0.04);
 }
 
-/// The same carriage on a rod whose length is an input of time: the row is in squares, its ratios are not.
+/// The same carriage on a rod whose length is a function of time: the row is in squares, its ratios are not.
 #[mechanism]
 #[body(carriage, y = 0.6, phi = 0)]
 #[distance(rod: ground @ (0, 0), carriage @ (0, 0), length = 1 + 0.5 * t)]
@@ -45,7 +46,7 @@ fn ratios_of_a_distance_that_drives() {
     let state = Rod.state_at(&Instant::at(0.0)).unwrap();
     let ratios = Rod.solver().velocity_ratios(&state).unwrap();
     let near = |found: f64, expected: f64| assert!((found - expected).abs() < 1e-13, "{found} {expected}");
-    // x² = f² − 0.36: k = f/x, l = (1 − k²)/x.
+    // x² = f² − 0.36, hence k = f/x and l = (1 − k²)/x.
     let (first, second) = (1.25, -0.703125);
     near(state.q[0], 0.8);
     near(ratios.drivers[0].first[0], first);
@@ -54,14 +55,14 @@ fn ratios_of_a_distance_that_drives() {
     near(ratios.drivers[0].q_ddot[0], 0.25 * second);
 }
 
-/// s follows an input by its square.
+/// s is the square of an input.
 #[mechanism]
 #[input(u)]
 #[coordinates(s)]
 #[constraint(square: s = u * u)]
 struct Square;
 
-/// s̈ = 2 u̇² + 2 u ü, of which the input has everything.
+/// s̈ = 2 u̇² + 2 u ü; both terms belong to the ratios of the input.
 #[test]
 fn an_input_has_its_share_of_the_acceleration() {
     let inputs = [Signal::new(1.5, 2.0, 3.0)];

@@ -1,11 +1,12 @@
-//! Mechanisms with redundant rows, solved by their plans: closed forms, and no answer where the rows contradict.
+//! Mechanisms with redundant rows, solved by their plans: closed forms, and an error where the rows contradict one
+//! another.
 
 use kin_runtime::plan::{Plan, StepKind};
 use kin_runtime::series::{HigherOrders, PowerSeries};
 use kin_runtime::{Instant, Kinematics, Options, PlanError, Planned, Trajectory, cli, mechanism};
 use kin_tests::mechanisms::RedundantParallelogram;
 
-/// A platform on three parallel cranks whose pins are not on one line.
+/// A platform on three parallel cranks whose fixed pins are not collinear.
 #[mechanism(allow_redundant)]
 #[bodies(first, second, third, platform)]
 #[revolute(A: ground @ (0, 0), first @ (0, 0))]
@@ -66,7 +67,7 @@ struct TwoDrivers {
     sooner: f64,
 }
 
-/// A platform on two parallel cranks, one of them there twice as a distance, that does not turn.
+/// A platform on two parallel cranks and a third one that is a redundant distance: the platform does not turn.
 #[mechanism(allow_redundant)]
 #[bodies(crank, platform)]
 #[revolute(A: ground @ (0, 0), crank @ (0, 0))]
@@ -92,13 +93,13 @@ fn same(a: &Trajectory, b: &Trajectory) {
     }
 }
 
-/// max |a − b|, relative to the largest of b, or to 1.
+/// max |a − b|, relative to the largest |b|, at least to 1.
 fn off(a: &[f64], b: &[f64]) -> f64 {
     let size = b.iter().fold(1.0_f64, |most, x| most.max(x.abs()));
     a.iter().zip(b).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs())) / size
 }
 
-/// By the plan alone, without an iteration, what full Newton finds.
+/// The plan, which has no iteration, finds the same as Newton's method on all rows; `watched` are the rows it watches.
 fn agrees<M: Kinematics + PowerSeries + Default>(watched: &[&str]) {
     let (mechanism, plan) = (M::default(), &M::model().plan);
     let name = M::model().name;
@@ -118,7 +119,7 @@ fn agrees<M: Kinematics + PowerSeries + Default>(watched: &[&str]) {
         planned.at(&at).unwrap();
         assert!(planned.margins().iter().rev().take(watched.len()).all(|margin| (margin - 1.0).abs() < 1e-6));
         assert!(off(planned.q_ddot(), &state.q_ddot) <= 1e-12, "{name} at t = {}", state.t);
-        // Further orders by the factors of the rows that are kept.
+        // Higher orders by the factors of the rows that are kept.
         let all = mechanism.solver().derivatives(state, 5).unwrap().q;
         orders.begin(&at, &state.q, &state.q_dot, &state.q_ddot).unwrap();
         assert!(orders.factorise(&at).unwrap());
@@ -141,7 +142,8 @@ fn plans_of_redundant_mechanisms_are_full_newton() {
     agrees::<Links>(&["again", "level"]);
 }
 
-/// What the plan says of a mechanism in the configuration of another; by how much rows contradict, if they do.
+/// The residual that the plan reports for `bad` in the configuration of `good` if the redundant rows contradict; `None`
+/// if they do not.
 fn contradiction<M: Kinematics>(good: &M, bad: &M, joint: &str) -> Option<f64> {
     let at = Instant::at(0.0);
     let q = good.solver().assemble(&at).unwrap();
@@ -172,7 +174,7 @@ fn rows_that_contradict_are_an_error_with_its_size() {
     seen(&|e| contradiction(&guides, &TwoGuides { gap: 0.1 + e, ..TwoGuides::default() }, "upper"));
     let links = Links::default();
     seen(&|e| contradiction(&links, &Links { length: 0.3 * (1.0 + e) }, "again"));
-    // At this instant only q̇ is wrong, or q̈.
+    // At this instant only q̇ or q̈ is inconsistent.
     let drivers = TwoDrivers::default();
     seen(&|e| contradiction(&drivers, &TwoDrivers { ahead: e, ..TwoDrivers::default() }, "other"));
     seen(&|e| contradiction(&drivers, &TwoDrivers { faster: 1.4 + e, ..TwoDrivers::default() }, "other"));
@@ -201,7 +203,7 @@ fn limits_that_only_the_kept_rows_have_are_passed() {
     let platform = Platform::default();
     let times: Vec<f64> = (0..=240).map(|k| 0.02 * f64::from(k)).collect();
     let by_plan = platform.solver().sweep(&times).unwrap();
-    // Both cranks of the dyad lie along the line through their pins twice in a turn: the plan goes on behind it.
+    // The two links of the dyad are collinear twice per turn: the plan is used again after each of these instants.
     assert!(by_plan.fallbacks.len() < 30, "{:?}", by_plan.fallbacks);
     let options = Options { use_plan: false, ..Options::default() };
     let by_newton = platform.solver().with_options(options).sweep(&times).unwrap();
@@ -245,7 +247,7 @@ fn info_and_check_speak_of_rows_that_are_not_used() {
     assert!(check.contains("of the plan's q, q̇, q̈ at") && check.contains("passed"), "{check}");
 }
 
-/// Two motors that say the same in different words, and turn round.
+/// Two equivalent drivers in different expressions, which reverse their direction.
 #[mechanism(allow_redundant)]
 #[bodies(left, right, bar)]
 #[revolute(A: ground @ (0, 0), left @ (0, 0))]
@@ -271,13 +273,13 @@ fn a_motion_that_turns_round_is_no_contradiction() {
             assert!(found.q_dot()[2].abs() <= 2.0 * f64::abs(off) + 1e-15);
         }
     }
-    // There, too, one that is faster is seen.
+    // A slightly faster second driver is detected there, too.
     let turn = Instant::at(0.5 * std::f64::consts::PI);
     let found = Planned::new(&Motors { faster: 1e-12 }, &turn, planned.at(&turn).unwrap().q());
     assert!(matches!(found, Err(PlanError::Contradiction { .. })), "{found:?}");
 }
 
-/// Platforms side by side, the third crank of some of them of another length.
+/// A batch of platforms of which some have a third crank of a different length.
 #[cfg(feature = "simd")]
 #[test]
 fn contradictions_are_seen_lane_by_lane() {

@@ -6,9 +6,9 @@ use kin_tests::case::{self, Case, Linearization, Mode};
 use kin_tests::compare::{Differences, largest};
 use kin_tests::mechanisms::*;
 
-/// Of q, q̇, q̈ and the points, relative to the largest entry.
+/// The tolerance of q, q̇, q̈ and the points, relative to the largest entry.
 const SOLUTION: f64 = 1e-10;
-/// Of Φ, Φ_q, Φ_t, γ, relative to the largest entry where that is larger than 1.
+/// The tolerance of Φ, Φ_q, Φ_t, γ, relative to the largest entry, at least to 1.
 const EQUATIONS: f64 = 1e-12;
 
 macro_rules! cases {
@@ -73,7 +73,7 @@ cases! {
     watt_sixbar: WattSixbar,
 }
 
-/// Counts and names: the mechanism of the tests is the mechanism of the file.
+/// Counts and names: the mechanism of the tests matches that of the file.
 fn description<M: Mechanism>(name: &str) {
     let case = Case::read(name);
     let model = M::model();
@@ -88,7 +88,7 @@ fn description<M: Mechanism>(name: &str) {
     differences.finish();
 }
 
-/// Φ, Φ_q, Φ_t, γ off the manifold, and at the first instant.
+/// Φ, Φ_q, Φ_t, γ off the constraint manifold, and at the first instant.
 fn equations<M: Mechanism + Default>(name: &str) {
     let case = Case::read(name);
     let mut differences = Differences::new();
@@ -162,7 +162,7 @@ fn ranks<M: Kinematics + Default>(name: &str) {
     differences.finish();
 }
 
-/// From every mode's initial guess along its instants. What is left open is answered in `special_cases.rs`.
+/// The motion of every mode from its initial guess. The under-driven cases are tested in `special_cases.rs`.
 fn motion<M: Kinematics + Default>(name: &str) {
     let case = Case::read(name);
     if case.expect == "underdriven" || case.modes.is_empty() {
@@ -224,20 +224,22 @@ fn compare_state<M: Kinematics>(
     }
 }
 
-/// The named point of the file's `body.point`: `point`, or `body_point` where bodies share its name.
+/// The named point for the file's `body.point`: `point`, or `body_point` where several bodies have a point of that
+/// name.
 fn place_of<M: Mechanism>(name: &str) -> Option<Point> {
     let (_, short) = name.split_once('.')?;
     let long = name.replace('.', "_");
     M::model().points.iter().position(|point| point.name == short || point.name == long).map(Point)
 }
 
-/// The largest x or y entry of a vector of coordinates.
+/// The largest absolute x or y entry of a vector of coordinates.
 fn largest_displacement<M: Mechanism>(level: &[f64]) -> f64 {
     let entries = M::model().coordinates.iter().zip(level);
     largest(&entries.filter(|(c, _)| !c.name.ends_with(".phi")).map(|(_, &value)| value).collect::<Vec<_>>())
 }
 
-/// The rough guess of the mechanism itself, some angles to one decimal, assembles the file's first mode.
+/// From the mechanism's own rough guess, with some angles to one decimal, position analysis finds the file's first
+/// mode.
 fn own_guess<M: Kinematics + Default>(name: &str) {
     let case = Case::read(name);
     if case.expect == "underdriven" {

@@ -1,4 +1,4 @@
-//! Repeated parts: a scissor lift with twenty stages and a chain of thirty links, each in a dozen lines.
+//! Families of parts: a scissor lift with twenty stages and a chain of thirty links, each in a dozen lines.
 
 use kin_runtime::{Instant, Kinematics, Mechanism, mechanism};
 
@@ -36,7 +36,7 @@ fn the_lift_is_as_high_as_its_bars_make_it() {
     assert_eq!((mobility.coordinates, mobility.degrees_of_freedom), (120, 1));
 }
 
-/// A chain of thirty links, each bent against the one before.
+/// A chain of thirty links; the angle of each relative to the one before is driven.
 #[mechanism]
 #[bodies(link[30])]
 #[revolute(root: ground @ (0, 0), link[0] @ (0, 0))]
@@ -75,7 +75,7 @@ fn the_chain_ends_where_its_links_lead() {
     assert!((end.r[0] - r[0]).hypot(end.r[1] - r[1]) < 1e-12);
 }
 
-/// Pendulums along a wall, each longer than the one before: indices as values, also through a family of points.
+/// Pendulums along a wall, each longer than the one before: indices used as values, also through a family of points.
 #[mechanism]
 #[bodies(bob[6])]
 #[point(hook[i in 0..6] = ground @ (spacing * i, 0.1 * (i - 2)))]

@@ -1,4 +1,4 @@
-//! Redundant, singular, infeasible and under-driven reference cases, answered as their files say.
+//! Redundant, singular, infeasible and under-driven reference cases: the results are those of their files.
 
 use kin_runtime::{Instant, Kinematics, Mechanism, Signal, SolveError, mechanism};
 use kin_tests::case::Case;
@@ -16,7 +16,7 @@ fn coordinate_name<M: Mechanism>(place: usize) -> &'static str {
     M::model().coordinates[place].name
 }
 
-/// The one redundant row is consistent, and its circuit is the support of the file's left null vector.
+/// The redundant row is consistent, and its circuit is the support of the file's left null vector.
 #[test]
 fn redundant_row_is_named_with_its_circuit() {
     type M = RedundantParallelogram;
@@ -33,7 +33,7 @@ fn redundant_row_is_named_with_its_circuit() {
     }
 }
 
-/// A parallelogram whose third link has a length of its own.
+/// A parallelogram whose third link has a length parameter.
 #[mechanism(allow_redundant)]
 #[bodies(crank, coupler, rocker, middle)]
 #[revolute(O1: ground @ (0, 0), crank @ (0, 0))]
@@ -49,7 +49,7 @@ struct ThirdLink {
     length: f64,
 }
 
-/// Redundant rows that contradict one another are an error, not a compromise.
+/// Contradicting redundant rows are an error, not a least-squares solution.
 #[test]
 fn contradicting_redundant_rows_do_not_assemble() {
     let at = Instant::at(0.0);
@@ -58,7 +58,7 @@ fn contradicting_redundant_rows_do_not_assemble() {
     assert!(matches!(error, SolveError::NotAssembled { .. }), "{error}");
 }
 
-/// At t* the rank drops, no velocity exists, and every analysis that would need one says so.
+/// At t* the rank drops and no velocity exists; every analysis that needs a velocity returns an error.
 #[test]
 fn singular_configuration_is_an_error() {
     type M = SingularSliderCrank;
@@ -82,7 +82,7 @@ fn singular_configuration_is_an_error() {
     }
 }
 
-/// A sweep that runs into t* keeps its good states and refuses to go on.
+/// A sweep that runs into t* ends with an error and keeps the states before.
 #[test]
 fn sweep_stops_before_the_singular_configuration() {
     let case = Case::read("singular_slider_crank");
@@ -128,7 +128,7 @@ fn infeasible_mechanism_never_assembles() {
     assert!(mechanism.kinematic_analysis(&[0.0, 0.1]).is_err());
 }
 
-/// What an under-driven mechanism leaves open, and its least-norm velocity and acceleration.
+/// The degrees of freedom that an under-driven mechanism leaves open, and its velocity and acceleration of least norm.
 #[test]
 fn under_driven_mechanism_has_least_norm_answers() {
     type M = UnderdrivenFivebar;
@@ -154,7 +154,7 @@ fn under_driven_mechanism_has_least_norm_answers() {
     differences.finish();
 }
 
-/// The samples of the under-driven case: the second crank's angle prescribed at every instant.
+/// The samples of the under-driven case: the second crank's angle is prescribed at every instant.
 #[test]
 fn under_driven_mechanism_is_completed_by_a_given_coordinate() {
     type M = UnderdrivenFivebar;
@@ -184,7 +184,7 @@ fn under_driven_mechanism_is_completed_by_a_given_coordinate() {
     differences.finish();
 }
 
-/// A coordinate that nothing leaves open cannot be given.
+/// Prescribing a coordinate of a mechanism without a degree of freedom left is an error.
 #[test]
 fn given_coordinate_of_a_driven_mechanism_conflicts() {
     let mechanism = SliderCrankInline::default();

@@ -1,9 +1,9 @@
-//! What a mechanism says by its symbols, and what it does at its dimensions: generic and actual rank are told apart.
+//! The generic rank, from the structure of a mechanism, and the actual rank, at its dimensions, are told apart.
 
 use kin_runtime::{Cause, GeometryFault, Instant, Kinematics, Mechanism, SolveError, mechanism};
 use kin_tests::random::Random;
 
-/// A four-bar of free lengths.
+/// A four-bar whose lengths are parameters.
 #[mechanism]
 #[bodies(crank, coupler, rocker)]
 #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
@@ -42,7 +42,7 @@ struct Table {
     last: f64,
 }
 
-/// Three sliders in a loop, whose last angle is said a second time.
+/// Three prismatic joints in a loop; the angle of the last one is redundant.
 #[mechanism(allow_redundant)]
 #[bodies(lower, upper)]
 #[translational(floor: ground @ (0, 0), lower @ (0, 0), axis = (1, 0))]
@@ -65,7 +65,7 @@ fn the_model_knows_its_generic_ranks() {
     assert_eq!(redundant.circuit, ["floor", "slope"]);
 }
 
-/// Redundant by structure: consistent where the angles of the wedges agree, and not elsewhere.
+/// Redundant by structure: consistent if the angles of the wedges agree, inconsistent otherwise.
 #[test]
 fn a_loop_of_wedges_is_redundant_whatever_its_dimensions() {
     for (tilt, consistent) in [(0.0, true), (0.1, false)] {
@@ -86,7 +86,8 @@ fn a_loop_of_wedges_is_redundant_whatever_its_dimensions() {
     assert!(matches!(error, SolveError::NotAssembled { .. }), "{error}");
 }
 
-/// Redundant by its lengths: the joints are named, and the last link decides whether it closes.
+/// Redundant because of its lengths: the joints of the circuit are named, and the length of the last link decides
+/// whether the rows are consistent.
 #[test]
 fn a_parallelogram_with_a_fifth_bar_moves_because_of_its_lengths() {
     let (at, phi) = (Instant::at(0.0), 0.6_f64);
@@ -102,17 +103,17 @@ fn a_parallelogram_with_a_fifth_bar_moves_because_of_its_lengths() {
         assert_ne!(row.cause, Some(Cause::Structure), "{mobility}");
         assert_eq!(row.circuit, ["A", "B", "C", "D", "E"]);
         assert!(mobility.to_string().contains("1 left; 0 in general; row `F.y`"), "{mobility}");
-        // Around a place that does not close there is nothing to compare with.
+        // Near a configuration that does not close there is no generic rank to compare with.
         assert!(!consistent || row.cause == Some(Cause::Dimensions), "{mobility}");
     }
-    // With links of their own lengths it assembles elsewhere, and stands.
+    // With links of different lengths it can be assembled in another configuration, where it is rigid.
     let other = Table { last: 0.34, a: 0.31, ..Table::default() };
     let q = other.state_at(&at).unwrap().q;
     let mobility = other.mobility(&at, &q).unwrap();
     assert_eq!((mobility.degrees_of_freedom, mobility.redundant.len()), (0, 0), "{mobility}");
 }
 
-/// The same at an instant alone: where a parallelogram is stretched, it could go on in two ways.
+/// Redundant in one configuration: where a parallelogram is stretched, two branches of its motion meet.
 #[test]
 fn a_stretched_parallelogram_is_singular_in_this_configuration() {
     let flat = FourBar::default();
@@ -124,7 +125,7 @@ fn a_stretched_parallelogram_is_singular_in_this_configuration() {
     assert!(mobility.to_string().ends_with("in this singular configuration"), "{mobility}");
 }
 
-/// Where lengths are free, random ones have the generic rank; and no dimensions have more.
+/// With random lengths the actual rank is the generic one; no lengths give a larger rank.
 #[test]
 fn random_dimensions_have_the_generic_rank() {
     let mut random = Random::new(11);
@@ -141,7 +142,7 @@ fn random_dimensions_have_the_generic_rank() {
     assert!(assembled >= 10, "{assembled}");
 }
 
-/// Directions and lengths that only the parameters know.
+/// A direction and a length that are parameters.
 #[mechanism]
 #[bodies(crank, slider)]
 #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
@@ -167,7 +168,7 @@ fn parameters_without_direction_or_length_are_errors_by_name() {
         "{error}"
     );
     assert!(error.to_string().contains("no direction"), "{error}");
-    // |v|² is no number, or one with few digits, long before v itself is none.
+    // |v|² overflows, or loses digits by underflow, long before v itself does.
     for a in [1e155, 1e-162, 1e-160] {
         let error = Guided { u: a, v: a, ..Guided::default() }.state_at(&at).unwrap_err();
         let fault = GeometryFault::Axis;
@@ -181,7 +182,7 @@ fn parameters_without_direction_or_length_are_errors_by_name() {
     assert!(error.to_string().contains("`revolute`"), "{error}");
 }
 
-/// A slider whose distance from the origin is driven, from nothing on.
+/// A slider whose distance from the origin is driven, beginning with 0.
 #[mechanism]
 #[body(slider, y = 0, phi = 0)]
 #[driver(push: distance(ground @ (0, 0), slider @ (0, 0)) = 0.3 * t)]
@@ -196,7 +197,7 @@ fn a_driven_distance_of_nothing_is_an_error_by_name() {
     assert!((Pushed.state_at(&Instant::at(1.0)).unwrap().q_dot[0] - 0.3).abs() < 1e-14);
 }
 
-/// A blade along its guide says nothing new, wherever it is declared.
+/// A knife edge along a prismatic joint's axis is redundant, wherever it is declared.
 #[mechanism(allow_redundant)]
 #[bodies(sledge)]
 #[knife_edge(blade: sledge @ (0, 0))]
@@ -215,14 +216,15 @@ fn rows_of_velocity_level_yield_to_those_of_position() {
     assert_eq!((found.name, &found.circuit[..], found.consistent), ("blade", &["guide"][..], true), "{mobility}");
 }
 
-/// A blade keeps the height of what does not turn; a driver says it once more.
+/// For a body that does not turn, a knife edge keeps y constant; a driver of y is redundant with it.
 #[mechanism(allow_redundant)]
 #[body(sledge, phi = 0)]
 #[knife_edge(blade: sledge @ (0, 0))]
 #[driver(lift: sledge.y = 1)]
 struct Level;
 
-/// A row of position level that rows of velocity level imply: no position contradicts them.
+/// A row of position level whose derivative follows from rows of velocity level: it is redundant, but no position
+/// contradicts it.
 #[test]
 fn velocities_imply_no_position() {
     let mobility = Level.mobility(&Instant::at(0.0), &[0.0, 0.3]).unwrap();
@@ -230,7 +232,7 @@ fn velocities_imply_no_position() {
     assert_eq!((row.name, &row.circuit[..], row.consistent), ("lift", &["blade"][..], true), "{mobility}");
 }
 
-/// The table on three links, beside two arms that turn against one another.
+/// The table on three links, and two arms that turn in opposite directions.
 #[mechanism(allow_redundant)]
 #[bodies(p, q, r, table)]
 #[body(arm, x = 0, y = 0)]
@@ -252,7 +254,8 @@ struct Beside {
     c: f64,
 }
 
-/// Where the arms lie flat the driver says the same as what ties them; the third link says nothing anywhere.
+/// Where the arms are collinear, the driver is redundant with the row that ties them; the third link is redundant
+/// everywhere.
 #[test]
 fn passive_and_driving_rows_are_redundant_for_reasons_of_their_own() {
     let (sin, cos) = 0.6_f64.sin_cos();
@@ -264,7 +267,7 @@ fn passive_and_driving_rows_are_redundant_for_reasons_of_their_own() {
     assert_eq!(found, expected, "{mobility}");
 }
 
-/// Two wheels that turn one another; `a` is driven.
+/// Two meshing wheels; `a` is driven.
 #[mechanism]
 #[body(a, x = 0, y = 0)]
 #[body(b, x = 1, y = 0)]
@@ -272,7 +275,7 @@ fn passive_and_driving_rows_are_redundant_for_reasons_of_their_own() {
 #[driver(drive: a.phi = t)]
 struct ByFirst;
 
-/// The same; `b` is driven.
+/// The same wheels; `b` is driven.
 #[mechanism]
 #[body(a, x = 0, y = 0)]
 #[body(b, x = 1, y = 0)]

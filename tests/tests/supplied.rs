@@ -1,11 +1,11 @@
-//! Supplied functions: every type that a field can have.
+//! Supplied functions: every type that the field of a function can have.
 
 use kin_runtime::function::{CubicSpline, FromFn, MotionLaw, Polynomial, Sequence};
 use kin_runtime::{Instant, Kinematics, Mechanism, ScalarFunction, SolveError, mechanism};
 use std::rc::Rc;
 use std::sync::Arc;
 
-/// x is lift(t) + ½ lift(x)², whatever lift is.
+/// x = lift(t) + ½ lift(x)² for any function `lift`.
 #[mechanism]
 #[function(lift)]
 #[coordinates(x)]
@@ -15,7 +15,7 @@ struct Cam<F> {
     lift: F,
 }
 
-/// sin(x)/3 in as many ways as there are.
+/// sin(x)/3 and its derivatives, supplied as a closure, a struct, behind pointers and so on.
 fn sine(x: f64) -> [f64; 3] {
     [x.sin() / 3.0, x.cos() / 3.0, -x.sin() / 3.0]
 }
@@ -61,7 +61,7 @@ fn a_function_can_have_any_type() {
     acceleration(Polynomial(vec![0.1, 0.2, -0.1]));
 }
 
-/// Lifetimes, generic numbers beside generic functions, arrays of open types, raw names.
+/// Lifetimes, const generics beside generic functions, arrays of a generic type, raw identifiers.
 #[mechanism]
 #[function(lift, stroke, r#fn)]
 #[coordinates(x, y, z)]
@@ -96,7 +96,8 @@ fn generics_of_all_kinds_go_together() {
     assert_eq!(model.parameters.len(), 2);
 }
 
-/// A default for the type of a function, so that the test of the flag knows what it tests.
+/// A default for the type parameter of the function, which the test that `cross_check` generates needs to name the
+/// type.
 #[mechanism(cross_check)]
 #[function(lift)]
 #[coordinates(x)]
@@ -113,7 +114,7 @@ impl Default for WithDefault {
     }
 }
 
-/// A cam's textbook case: a cycloidal rise of 30 mm over 120° at 10 rad/s has the peaks 2hω/β and 2πhω²/β².
+/// The textbook case of a cam: a cycloidal rise of 30 mm over 120° at 10 rad/s has the peaks 2hω/β and 2πhω²/β².
 #[test]
 fn peaks_of_a_cycloidal_cam() {
     use std::f64::consts::{PI, TAU};
@@ -126,14 +127,15 @@ fn peaks_of_a_cycloidal_cam() {
     assert!((middle.q_dot[0] - 2.0 * h * omega / beta).abs() < 1e-13);
     let quarter = at(beta / 4.0).q_ddot[0];
     assert!((quarter - TAU * h * (omega / beta).powi(2)).abs() < 1e-12);
-    // The same cam, harmonic: π/2 and π²/2.
+    // The same cam with a harmonic rise: the factors are π/2 and π²/2.
     let cam = WithDefault { lift: law(MotionLaw::Harmonic), omega };
     let at = |angle: f64| cam.state_at(&Instant::at(angle / omega)).unwrap();
     assert!((at(beta / 2.0).q_dot[0] - PI / 2.0 * h * omega / beta).abs() < 1e-13);
     assert!((at(0.0).q_ddot[0] - PI * PI / 2.0 * h * (omega / beta).powi(2)).abs() < 1e-12);
 }
 
-/// A wrong derivative is right for both sides of the comparison with dual numbers; its own differences tell.
+/// A wrong supplied derivative enters both sides of the comparison with dual numbers; the finite differences of the
+/// function itself show it.
 #[test]
 fn wrong_derivatives_fail_the_cross_check_by_name() {
     #[mechanism]
@@ -154,7 +156,7 @@ fn wrong_derivatives_fail_the_cross_check_by_name() {
         assert_eq!((worst.function, worst.derivative), ("bad", derivative), "{check}");
         assert!(worst.error > 5e-4 && worst.arguments > 0);
         assert!(check.functions.iter().any(|f| f.function == "good" && f.error < 1e-9 && f.arguments > 0));
-        // What the test of `#[mechanism(cross_check)]` says.
+        // The message of the test that `#[mechanism(cross_check)]` generates.
         let said = kin_runtime::private::cross_check(&two).unwrap_err();
         assert!(said.contains(&format!("function `bad`: {derivative} is")), "{said}");
     }
@@ -162,7 +164,7 @@ fn wrong_derivatives_fail_the_cross_check_by_name() {
     assert!(!nan.cross_check().unwrap().passes(1e300));
 }
 
-/// A function without a value somewhere: typed errors and skipped configurations, never a number.
+/// Where a function has no value, analyses return typed errors and cross-checks skip the configuration.
 #[test]
 fn where_a_function_has_no_value_there_is_no_answer() {
     let root = |x: f64| [x.sqrt(), 0.5 / x.sqrt(), -0.25 / (x * x.sqrt())];
@@ -170,19 +172,19 @@ fn where_a_function_has_no_value_there_is_no_answer() {
     assert!((cam.state_at(&Instant::at(0.25)).unwrap().q[0] - 0.5).abs() < 1e-15);
     let error = cam.state_at(&Instant::at(-0.25)).unwrap_err();
     assert!(matches!(error, SolveError::NonFinite { .. }), "{error:?}");
-    // A value without derivatives is not enough for a velocity.
+    // A value without derivatives does not suffice for a velocity.
     let error = cam.state_at(&Instant::at(0.0)).unwrap_err();
     assert!(matches!(error, SolveError::NonFinite { .. }), "{error:?}");
     let check = cam.cross_check().unwrap();
     assert!(check.skipped > 0 && check.configurations > 0 && check.passes(1e-12), "{check}");
-    // Beside a large constant rounding hides how a function varies: nothing is said of it, and that is counted.
+    // Beside a large constant, rounding hides the function's variation: the argument is counted as skipped.
     let hidden = FromFn(|x: f64| [1e12 + 1e-3 * x, 1e-3 + 1e-18 * x, 1e-18]);
     let check = WithDefault { lift: hidden, omega: 1.0 }.cross_check().unwrap();
     let [of_lift] = &check.functions[..] else { panic!("{check}") };
     assert!(of_lift.skipped > 0 && of_lift.arguments == 0, "{of_lift:?}");
 }
 
-/// Functions that stand where no row of position level has them: in a rate, in a point, in a guess.
+/// Functions in places other than rows of position level: in a row of velocity level, in a point, in a guess.
 #[mechanism]
 #[function(speed, reach, first)]
 #[coordinates(s)]

@@ -1,10 +1,10 @@
-//! Surroundings that generated code could trip over: no prelude, modules and macros of common names, constants with the
-//! names of generated locals.
+//! Scopes that could collide with generated code: no prelude, modules and macros of common names, constants with the
+//! names of generated local variables.
 
 use kin_tests::works;
 
-/// Without the prelude, with modules and macros of the names that generated code reaches for, and with names that the
-/// language uses in other places.
+/// Without the prelude, with modules and macros that have names which generated code uses, and with keywords of other
+/// contexts as identifiers.
 mod bare {
     #![no_implicit_prelude]
     use ::kin_runtime::mechanism;
@@ -39,7 +39,7 @@ fn bare_surroundings() {
     works(&bare::Bare);
 }
 
-/// Constants and statics with the names that generated code gives to its locals: a `let` cannot shadow them.
+/// Constants and statics with the names of generated local variables: a `let` cannot shadow them.
 mod constants {
     #![expect(non_upper_case_globals, dead_code, reason = "collisions are wanted")]
 

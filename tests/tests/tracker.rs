@@ -1,4 +1,4 @@
-//! The tracker against sweeps, on its branch to the end of the range and back.
+//! The tracker against sweeps, along its branch to the end of the range and back.
 
 use kin_runtime::{
     GeometryFault, Instant, Kinematics, LengthError, Mechanism, Options, Refusal, Signal, SolveError, State, Tracker,
@@ -9,7 +9,7 @@ use kin_tests::mechanisms::{
     DrivenLeg, Excavator, FiveBarLeg, MeasuredExcavator, RateTable, SignalTable, signals, write_signals,
 };
 
-/// Instants from `from` to `to`, not evenly spaced.
+/// Instants from `from` to `to`, unevenly spaced.
 fn uneven(from: f64, to: f64, count: u32) -> Vec<f64> {
     (0..=count).map(|k| f64::from(k) / f64::from(count)).map(|x| from + (to - from) * x * (0.4 + 0.6 * x)).collect()
 }
@@ -24,13 +24,13 @@ fn name<M: Mechanism>(place: usize) -> &'static str {
     M::model().coordinates[place].name
 }
 
-/// The poses that the state of a tracker carries are those of its own q, q̇ and q̈, whichever way it was reached.
+/// The poses in the tracker's state are consistent with its q, q̇ and q̈, however the state was reached.
 fn shows_its_motion(tracker: &mut Tracker<'_>) {
     let motion = tracker.motion().unwrap();
     assert_shows(tracker.state(), &motion);
 }
 
-/// Tracked instants are those of a sweep with the inputs as functions.
+/// The states of the tracker are those of a sweep with the inputs as functions of time.
 fn follows_the_sweep<M: Kinematics + Default>(count: u32) {
     let mechanism = M::default();
     let times = uneven(0.0, 1.9, count);
@@ -44,7 +44,7 @@ fn follows_the_sweep<M: Kinematics + Default>(count: u32) {
         assert!(tracked.residual <= 1e-12);
         same(&mut differences, name::<M>, state, tracked, 1e-10);
         shows_its_motion(&mut tracker);
-        // At the same values time stands still: other rates, the same place.
+        // The same input values at the same time with other rates: the configuration is unchanged.
         let rested: Vec<Signal> = state.inputs.iter().map(|input| Signal::constant(input.value)).collect();
         tracker.update(&Instant { t: state.t, inputs: &rested }).unwrap();
         shows_its_motion(&mut tracker);
@@ -63,7 +63,7 @@ fn tracked_instants_are_those_of_a_sweep() {
     }
 }
 
-/// Rows of velocity level are integrated from tick to tick, with the inputs in between as they must have been.
+/// Rows of velocity level are integrated from update to update along interpolated inputs.
 #[test]
 fn rows_of_velocity_level_are_integrated() {
     let table = RateTable::default();
@@ -77,7 +77,7 @@ fn rows_of_velocity_level_are_integrated() {
     }
     differences.finish();
 
-    // There and back along straight lines with time standing still: a knife edge that comes back as it went.
+    // Forth and back along straight lines in the inputs at constant time: a knife edge retraces its path.
     let at = |share: f64| {
         signals::<RateTable>(0.0)
             .into_iter()
@@ -93,7 +93,7 @@ fn rows_of_velocity_level_are_integrated() {
     }
 }
 
-/// An input-driven mechanism moves as the same one driven by functions of time.
+/// An input-driven mechanism moves as the same mechanism driven by functions of time.
 fn twins<A: Kinematics + Default, B: Kinematics + Default>() {
     assert_eq!(0, B::INPUTS);
     let times = uneven(0.0, 1.9, 30);
@@ -114,7 +114,7 @@ fn inputs_drive_like_functions_of_time() {
     twins::<FiveBarLeg, DrivenLeg>();
 }
 
-/// Without rates, backwards, and without time the tracker comes to the same configurations.
+/// Without rates, backwards, and at constant time the tracker reaches the same configurations.
 #[test]
 fn only_the_values_decide_where_it_goes() {
     fn goes<M: Kinematics + Default>() {
@@ -141,12 +141,12 @@ fn only_the_values_decide_where_it_goes() {
     goes::<SignalTable>();
 }
 
-/// True for a mechanism that moves by time itself.
+/// True for a mechanism with rows that depend on time.
 fn moves<M: Mechanism>() -> bool {
     M::model().name == "SignalTable"
 }
 
-/// Time stands still, and the values go far.
+/// At constant time, with large changes of the inputs.
 #[test]
 fn inputs_change_while_time_stands_still() {
     let leg = FiveBarLeg::default();
@@ -157,12 +157,12 @@ fn inputs_change_while_time_stands_still() {
         differences.at(place);
         let tracked = tracker.update(&Instant { t: 0.0, inputs: &state.inputs }).unwrap();
         assert_eq!(0.0, tracked.t);
-        // Time has no part in this mechanism, so that rates are those of the sweep too.
+        // Time is not used in this mechanism, so that the rates are those of the sweep, too.
         same(&mut differences, name::<FiveBarLeg>, state, tracked, 1e-10);
     }
     differences.finish();
 
-    // Here it has, and stands still at 0.7.
+    // This one depends on time, which stays at 0.7.
     let table = SignalTable;
     let inputs = |t| signals::<SignalTable>(t);
     let mut tracker = table.solver().tracker(&Instant { t: 0.7, inputs: &inputs(0.0) }).unwrap();
@@ -177,7 +177,8 @@ fn inputs_change_while_time_stands_still() {
     differences.finish();
 }
 
-/// A rocker on a cylinder: it turns from where the cylinder is shortest to where it is longest, in two modes.
+/// A rocker on a hydraulic cylinder: it turns between the shortest and the longest length of the cylinder, in two
+/// modes.
 #[mechanism]
 #[bodies(rocker)]
 #[input(cylinder)]
@@ -199,7 +200,7 @@ fn at(tracker: &mut Tracker<'_>, t: f64, cylinder: Signal) -> Result<f64, SolveE
     tracker.update(&Instant { t, inputs: &[cylinder] }).map(|state| state.q[2])
 }
 
-/// Up to the dead centre at 1.5 and back, again and again: never into the other mode.
+/// Repeatedly to the dead centre at 1.5 and back: the mode never changes.
 #[test]
 fn the_branch_is_never_left() {
     let rocker = Rocker::default();
@@ -209,7 +210,7 @@ fn the_branch_is_never_left() {
         let mut refused = 0;
         for k in 1..=400 {
             let t = 0.01 * f64::from(k);
-            // Between 0.9 and a little beyond the dead centre.
+            // Between 0.9 and slightly beyond the dead centre.
             let (sin, cos) = (3.0 * t).sin_cos();
             let reach = 0.3 + 0.5 * overshoot;
             let u = Signal::new(1.2 + reach * sin, 3.0 * reach * cos, -9.0 * reach * sin);
@@ -229,7 +230,8 @@ fn the_branch_is_never_left() {
     }
 }
 
-/// A quintic that swings beyond the dead centre is given up for the straight way, with what it met.
+/// Where the quintic interpolation of the input overshoots the dead centre, the tracker takes the straight line, and
+/// its fallbacks are those on the line.
 #[test]
 fn fallbacks_are_those_of_the_way_that_was_taken() {
     let rocker = Rocker::default();
@@ -237,7 +239,7 @@ fn fallbacks_are_those_of_the_way_that_was_taken() {
     for (short, k) in (1..=12).flat_map(|k| [(1e-3, k), (1e-2, k)]) {
         let (end, change) = (1.5 - short, 0.04 * f64::from(k));
         let first = Instant { t: 0.0, inputs: &[Signal::new(end - change, 1.2 * change, 0.0)] };
-        // Back from behind its end, as much as is believed.
+        // Returning from beyond the end value, with the largest rates and accelerations that the interpolation accepts.
         let swinging = Signal::new(end, -change, -3.6 * change);
         let still = Instant { t: 0.0, inputs: &[Signal::constant(end - change)] };
         let mut one = rocker.solver().tracker(&first).unwrap();
@@ -252,7 +254,7 @@ fn fallbacks_are_those_of_the_way_that_was_taken() {
     assert!(straight > 12, "{straight}");
 }
 
-/// Beyond the range: what is said, and that it goes on afterwards.
+/// Input values out of range are an error, after which the tracker can be updated again.
 #[test]
 fn beyond_the_range_is_an_error_and_no_end() {
     let rocker = Rocker::default();
@@ -284,7 +286,7 @@ fn beyond_the_range_is_an_error_and_no_end() {
     assert!((at(&mut tracker, 1.0, Signal::constant(1.4)).unwrap() - angle(1.4)).abs() < 1e-12);
 }
 
-/// Wrong inputs are named, and change nothing.
+/// Invalid inputs are named in the error and do not change the state.
 #[test]
 fn wrong_inputs_change_nothing() {
     let excavator = MeasuredExcavator;
@@ -307,7 +309,7 @@ fn wrong_inputs_change_nothing() {
     assert_eq!(&before, tracker.state());
 }
 
-/// Another mode is another start.
+/// A restart can choose another mode.
 #[test]
 fn starting_anew_chooses_the_branch() {
     let rocker = Rocker::default();
@@ -325,7 +327,7 @@ fn starting_anew_chooses_the_branch() {
     assert!(at(&mut other, 0.1, Signal::constant(1.3)).unwrap() < 0.0);
 }
 
-/// A controller keeps its tracker.
+/// A tracker can be stored in a struct without borrowing the mechanism.
 #[test]
 fn a_tracker_can_own_its_mechanism() {
     struct Controller(Tracker<'static>);
@@ -335,7 +337,7 @@ fn a_tracker_can_own_its_mechanism() {
     assert!(format!("{:?}", controller.0).contains("state"));
 }
 
-/// What a tracker reports is what the solver reports of its state.
+/// The reports of a tracker are those of the solver for its state.
 #[test]
 fn reports_are_those_of_the_solver() {
     let arm = MeasuredExcavator;
@@ -355,7 +357,7 @@ fn reports_are_those_of_the_solver() {
     differences.finish();
 }
 
-/// An arm that an input turns, and another that is prescribed.
+/// An arm driven by an input, and one whose coordinate is prescribed.
 #[mechanism]
 #[input(turn)]
 #[body(arm, x = 0, y = 0)]
@@ -365,7 +367,7 @@ fn reports_are_those_of_the_solver() {
 #[coordinates(free)]
 struct Arms;
 
-/// Time stamps of a large clock, or jitter, leave no step in time between two updates; the inputs still lead on.
+/// Time stamps that are large or jitter may leave a step in time too short to divide; the inputs are still followed.
 #[test]
 fn instants_may_be_neighbouring_numbers() {
     for start in [1.0_f64, 1.7e9] {
@@ -386,7 +388,7 @@ fn a_restart_begins_prescribed_coordinates_anew() {
     let inputs = [Signal::constant(0.0)];
     let mut tracker = solver.tracker(&Instant { t: 0.0, inputs: &inputs }).unwrap();
     assert!((tracker.update(&Instant { t: 0.5, inputs: &inputs }).unwrap().q[free] - 0.6).abs() < 1e-12);
-    // What does not start leaves everything as it was.
+    // A restart that fails leaves the state unchanged.
     assert!(tracker.restart(&Instant { t: f64::NAN, inputs: &inputs }).is_err());
     assert!((tracker.update(&Instant { t: 0.7, inputs: &inputs }).unwrap().q[free] - 0.8).abs() < 1e-12);
     assert!((tracker.restart(&Instant { t: 5.0, inputs: &inputs }).unwrap().q[free] - 0.1).abs() < 1e-12);

@@ -3,7 +3,7 @@
 use kin_runtime::{Instant, Kinematics, mechanism};
 use kin_tests::mechanisms::*;
 
-/// cos μ = (l2² + l3² − d²)/(2 l2 l3), d the distance from the crank's end to the rocker's pivot.
+/// cos μ = (l2² + l3² − d²)/(2 l2 l3), d the distance from the end of the crank to the rocker's pivot.
 #[test]
 fn the_four_bar_has_one_at_the_joint_of_coupler_and_rocker() {
     let four_bar = FourbarLectureMid::default();
@@ -21,7 +21,7 @@ fn the_four_bar_has_one_at_the_joint_of_coupler_and_rocker() {
     }
 }
 
-/// The pins of a driven crank transmit from the drive, not to an output.
+/// The joints of a driven crank have no transmission angle.
 #[test]
 fn driven_bodies_have_none() {
     let squeezer = AndrewsPins::default();
@@ -34,8 +34,8 @@ fn driven_bodies_have_none() {
     assert!(!angles.is_empty());
 }
 
-/// Two four-bars one after the other on a bell crank: each has the angle at its coupler's end, and the joints of the other are
-/// nothing to it.
+/// Two four-bars in series on a bell crank: each has the angle at the end of its coupler, and the joints of the other
+/// do not enter.
 #[mechanism]
 #[bodies(crank, coupler, bell, rod, rocker)]
 #[revolute(O: ground @ (0, 0), crank @ (0, 0))]

@@ -1,4 +1,4 @@
-//! The same mechanism in metres, millimetres and other units is solved alike.
+//! Results do not depend on the unit of length, be it metres, millimetres or another.
 
 use kin_runtime::{Instant, Kinematics, mechanism};
 
@@ -39,7 +39,7 @@ fn no_unit_matters() {
     }
 }
 
-/// A cam without any point off the bodies' origins: its size is that of its curves.
+/// A cam whose points are all at the bodies' origins: the characteristic length is that of its curves.
 #[mechanism]
 #[bodies(cam, face, roller)]
 #[coordinates(u)]
@@ -67,14 +67,15 @@ fn no_unit_matters_to_a_cam() {
                 let unit = if k % 3 == 2 || k == 9 { 1.0 } else { scale };
                 assert!((x / unit - y).abs() < 1e-11, "coordinate {k} at t = {}, scale {scale}", a.t);
             }
-            // Entries that vanish but for rounding count for the scales in some units and not in others.
+            // Entries that are 0 but for rounding enter the scale factors in some units and not in others.
             let [a, b] = [cam.solver().condition(a), Cam { scale: 1.0 }.solver().condition(b)].map(Result::unwrap);
             assert!((a / b - 1.0).abs() < 0.2, "{a} {b}");
         }
     }
 }
 
-/// A wheel around a wheel with a slider on it, and nothing off the bodies' origins: its size is that of its radii.
+/// A wheel rolling around a wheel, with a slider, and all points at the bodies' origins: the characteristic length is
+/// that of the radii.
 #[mechanism]
 #[body(sun, x = 0, y = 0)]
 #[bodies(planet)]

@@ -1,9 +1,9 @@
-//! Descriptions that are right, though few people write them: all of the grammar, in every order.
+//! Valid descriptions in unusual forms: all of the grammar, in every order.
 #![deny(missing_docs, warnings)]
 
 use kin_runtime::{Instant, Kinematics, mechanism};
 
-/// The coordinates at time `t`, with closed forms that agree with the dual numbers.
+/// The coordinates at time `t`; asserts that the closed-form derivatives agree with those by dual numbers.
 fn solved<M: Kinematics>(mechanism: &M, t: f64) -> Vec<f64> {
     let state = mechanism.state_at(&Instant::at(t)).unwrap();
     assert_eq!(0, state.degrees_of_freedom_left);
@@ -19,7 +19,7 @@ fn assert_near(found: &[f64], expected: &[f64]) {
     assert!(near, "{found:?} is not {expected:?}");
 }
 
-/// Every function and form of number, as a call and as a method.
+/// Every function, as a call and as a method, and every form of number.
 #[mechanism]
 #[coordinates(a, b, c, d, e, f, g)]
 #[constraint(numbers: a = 40 + 0.5 + 1. + 1e-3 + 1_000 + 0x10 + 2f64 + 5e0.abs())]
@@ -51,7 +51,7 @@ fn arithmetic() {
     assert_near(&solved(&Arithmetic { l }, 0.7), &expected);
 }
 
-/// Uses before declarations, defines of defines, points of the ground, and attributes in the least natural order.
+/// Uses before declarations, defines of defines, points of the ground, and attributes in an unusual order.
 #[mechanism]
 #[guess(rod.phi = 0.5*start, slider.x = pin.x + size + distance(origin, pin),)]
 #[driver(drive: turn = start + t,)]
@@ -86,13 +86,13 @@ fn order() {
     let t = 0.3_f64;
     let (crank, rod) = (0.25 + t, 2.0 * t);
     let x = 0.3_f64.cos() + 0.5_f64.sqrt();
-    // The slider slides along its own x axis through the pin.
+    // The slider moves along its own x axis, through the pin.
     let slider = [x, -0.5 + (x - 0.5) * (-0.1 * t).tan(), -0.1 * t];
     let expected = [0.0, 0.0, crank, crank.cos(), crank.sin(), rod, slider[0], slider[1], slider[2]];
     assert_near(&solved(&Order::default(), t), &expected);
 }
 
-/// Time in every place that takes it.
+/// Time in every place where an expression may contain it.
 #[mechanism]
 #[body(cart, x = 0.1*t, phi = 0)]
 #[body(arm, origin = pivot, phi = w*t)]
@@ -150,7 +150,7 @@ fn fragments_of_macros() {
     assert_near(&solved(&lever, 0.1), &[2.0 + 0.5 * phi.cos(), 4.0 + 0.5 * phi.sin(), phi]);
 }
 
-/// Attributes of others stay, whatever stands between ours, and `cfg_attr` comes before all.
+/// Other attributes are kept wherever they are, and `cfg_attr` is expanded first.
 #[mechanism]
 #[must_use]
 #[cfg_attr(all(), bodies(wheel))]
@@ -176,7 +176,7 @@ fn attributes_of_others() {
     assert_near(&solved(&wheel, 0.5), &[0.0, 0.0, 1.0]);
 }
 
-/// Const generics stand beside the description.
+/// Const generics together with a description.
 #[mechanism]
 #[coordinates(u)]
 #[driver(drive: u = scale[1] * t)]
@@ -194,7 +194,7 @@ fn generics() {
 }
 
 mod several {
-    //! One module with several mechanisms of the same names.
+    //! One module with several mechanisms that use the same names.
 
     use kin_runtime::mechanism;
 
@@ -226,7 +226,7 @@ fn several_in_a_module() {
     assert_near(&solved(&several::Third {}, 0.5), &[0.5]);
 }
 
-/// Families with everything that can carry an index.
+/// Families of everything that can have an index.
 #[mechanism]
 #[bodies(link[4])]
 #[body(pad[i in 0..4], origin = link[i] @ (l[i], 0), phi = l[i])]

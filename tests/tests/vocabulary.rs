@@ -1,5 +1,5 @@
-//! Every word of the vocabulary against a closed form, with operands where a user may put them: held and carried bodies,
-//! families, named points, moving frames, defines as dimensions.
+//! Every joint and driver of the vocabulary against a closed form, with all kinds of operands: bodies with given or
+//! carried coordinates, families, named points, moving frames, defines as dimensions.
 
 use kin_runtime::{Kinematics, Mechanism, State, mechanism};
 
@@ -9,7 +9,7 @@ fn of<M: Mechanism>(state: &State, name: &str) -> [f64; 3] {
     [state.q[k], state.q_dot[k], state.q_ddot[k]]
 }
 
-/// f and its first two derivatives by sixth-order differences, for the closed forms.
+/// f and its first two derivatives by sixth-order finite differences, for the closed forms.
 fn differences(f: impl Fn(f64) -> f64, t: f64) -> [f64; 3] {
     let h = 2e-3;
     let at = |k: f64| f(t + k * h);
@@ -27,7 +27,7 @@ fn agree(found: [f64; 3], expected: [f64; 3], what: &str) {
     }
 }
 
-/// Solves over a sweep and compares one coordinate with its closed form.
+/// Solves a sweep and compares one coordinate with its closed form.
 fn follows<M: Mechanism + Kinematics>(mechanism: &M, times: &[f64], name: &str, closed_form: impl Fn(f64) -> f64) {
     let sweep = mechanism.kinematic_analysis(times).unwrap_or_else(|error| panic!("{name}: {error}"));
     assert_eq!(sweep.len(), times.len());
@@ -40,7 +40,7 @@ fn follows<M: Mechanism + Kinematics>(mechanism: &M, times: &[f64], name: &str, 
 
 const TIMES: [f64; 6] = [0.0, 0.3, 0.9, 1.7, 2.6, 4.0];
 
-/// Three planets on carried origins, a held ring with internal teeth.
+/// Three planets whose origins are carried by the arm, and a fixed internal ring gear.
 #[mechanism]
 #[body(sun, x = 0, y = 0)]
 #[body(arm, x = 0, y = 0)]
@@ -67,7 +67,7 @@ fn planetary_gear() {
     });
 }
 
-/// A pinion on a guide that turns, and a belt from the pinion to a pulley of the guide.
+/// A pinion on a guide that turns, and a belt from the pinion to a pulley on the guide.
 #[mechanism]
 #[bodies(guide, rack, pinion, pulley)]
 #[revolute(O: ground @ (0, 0), guide @ (0, 0))]
@@ -93,7 +93,7 @@ fn rack_and_belt_on_a_moving_guide() {
 const R: f64 = 0.04;
 const E: f64 = 0.015;
 
-/// One eccentric cam, four ways to write the contact.
+/// One eccentric cam, with its contact described in four ways.
 #[mechanism]
 #[coordinates(u)]
 #[body(cam, x = 0, y = 0)]
@@ -127,7 +127,7 @@ fn cams() {
     follows(&Cam::default(), &TIMES, "flat.y", |t| R + E * (0.3 + t).sin());
 }
 
-/// A disc that rolls on a table which rises and tilts, and one that rolls inside a fixed ring of twice its size.
+/// A disc that rolls on a table which rises and tilts, and one that rolls inside a fixed ring of twice its radius.
 #[mechanism]
 #[coordinates(psi)]
 #[bodies(table, wheel, disc)]
@@ -147,7 +147,7 @@ fn rolling_discs() {
     let along = move |t: f64| 0.5 - 0.2 * (-1.5 * t - tilt(t));
     follows(&Rolling, &TIMES, "wheel.x", move |t| along(t) * tilt(t).cos() - 0.3 * tilt(t).sin());
     follows(&Rolling, &TIMES, "wheel.y", move |t| along(t) * tilt(t).sin() + 0.3 * tilt(t).cos());
-    // Cardan: a rim point of a disc that rolls in a ring of twice its size moves on a diameter.
+    // Cardan: a rim point of a disc that rolls in a ring of twice its radius moves on a diameter.
     follows(&Rolling, &TIMES, "disc.phi", |t| -0.8 * t);
     for t in TIMES {
         let state = Rolling.solver().sweep(&[0.0, t]).expect("it rolls").states.pop().expect("two states");
@@ -181,7 +181,8 @@ fn a_car_drives_in_a_circle() {
     follows(&Car::default(), &TIMES, "car.y", |t| 2.0 - radius * ((0.5 + rate * t).cos() - 0.5_f64.cos()));
 }
 
-/// A wheel that rolls along a wire of its own shape: v_x = R φ̇ written with `dot`, and a follower of the same speed.
+/// A wheel that rolls along a straight line: v_x = −R φ̇ written with `dot`, and a coordinate whose rate is tied to the
+/// wheel's.
 #[mechanism]
 #[coordinates(s)]
 #[body(wheel, y = 0.2)]
@@ -207,8 +208,8 @@ fn rolling_by_its_velocities() {
     }
 }
 
-/// A block and tackle: a load on a guide, on three parts of a rope that is wound up; and two sledges of a family, each pulled by a
-/// rope over a pin of the other's rail, with the ends on named points.
+/// A block and tackle: a load on a guide, hung on three parts of a rope that is wound up; and a family of two sledges
+/// on rails, each tied by a rope of given length to a fixed point between the rails.
 #[mechanism]
 #[bodies(load)]
 #[body(sledge[2], phi = 0.1)]
@@ -229,12 +230,13 @@ fn a_load_hangs_on_as_many_parts_as_the_rope_has() {
     follows(&ropes, &TIMES, "load.y", |t| -0.2 - (2.0 - 0.1 * t.sin()));
     follows(&ropes, &TIMES, "sledge[0].x", |t| 1.0 + 0.1 * t);
     follows(&ropes, &TIMES, "sledge[1].x", |t| 1.0 + 0.2 * t);
-    // A rope of negative length is an error as that of a link is.
+    // A rope of negative length is an error, as for a distance.
     let error = Ropes { h: -1.0 }.state_at(&kin_runtime::Instant::at(0.0)).unwrap_err();
     assert!(error.to_string().contains("tackle"), "{error}");
 }
 
-/// A scissor jack's spindle on a frame that turns: the stroke counts the turns against the guide, not against the ground.
+/// A scissor jack's spindle on a frame that turns: the stroke depends on the turns relative to the guide, not to the
+/// ground.
 #[mechanism]
 #[body(frame, x = 0.3, y = 0.1, phi = 0.4*t)]
 #[body(handle, origin = frame @ (0, 0))]

@@ -95,11 +95,11 @@ impl Lowerer<'_> {
         }
         let whose = match name.as_str() {
             "theta" => {
-                "`theta` is the variable of a polar curve or a support function, and stands behind `polar(theta) =` or \
+                "`theta` is the variable of a polar curve or a support function, and is used after `polar(theta) =` or \
                  `support(theta) =` only"
             }
             "X" | "Y" => {
-                &format!("`{name}` is a variable of an implicit curve, and stands behind `implicit(X, Y) =` only")
+                &format!("`{name}` is a variable of an implicit curve, and is used after `implicit(X, Y) =` only")
             }
             _ => return false,
         };

@@ -85,7 +85,7 @@ impl Lowerer<'_> {
         match &decl.name.bracket {
             None | Some(Bracket::Hole) => {}
             Some(Bracket::Len(_, span) | Bracket::Range(RangeDecl { span, .. })) => {
-                let message = format!("how many functions `{name}` holds is said by its field: `#[function({name})]`");
+                let message = format!("how many functions `{name}` has is given by its field: `#[function({name})]`");
                 self.report.error(*span, message);
             }
         }
@@ -160,7 +160,7 @@ impl Lowerer<'_> {
             None => (Shape::Single, IndexRange::None),
             Some(Bracket::Range(range)) => (Shape::Family(range.start..range.end), IndexRange::Over(range.clone())),
             Some(Bracket::Len(_, span)) => {
-                self.report.error(*span, format!("what is repeated names its index: `{form}`"));
+                self.report.error(*span, format!("a family needs an index variable with its range: `{form}`"));
                 (Shape::Unknown, IndexRange::Unknown)
             }
             Some(Bracket::Hole) => (Shape::Unknown, IndexRange::Unknown),

@@ -25,7 +25,7 @@ pub(super) fn bodies(input: ParseStream, keyword: &Ident, report: &Report, items
         if input.peek(Token![=]) {
             return Err(here(
                 input,
-                "what is given of a body stands in an attribute of its own: `#[body(crank, x = 0, y = 0)]`",
+                "coordinates given for a body are written in an attribute of its own: `#[body(crank, x = 0, y = 0)]`",
             ));
         }
         Ok(())

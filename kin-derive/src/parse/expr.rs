@@ -147,7 +147,7 @@ fn parentheses(input: ParseStream, depth: usize) -> Result<Expr> {
     let parens = parenthesized!(content in input);
     let mut inner = sum(&content, depth)?;
     if content.peek(Token![,]) {
-        return Err(here(&content, "a pair stands behind `@` and in `axis` only: `crank @ (l1/2, 0)`"));
+        return Err(here(&content, "a pair is written after `@` and in `axis` only: `crank @ (l1/2, 0)`"));
     }
     if !content.is_empty() {
         return Err(reject::after_expr(&content));

@@ -77,7 +77,7 @@ pub(super) fn field(
                 report.error(word.span(), message);
             }
             None if name == "cfg" => {
-                let message = "a parameter does not come and go; `cfg` stands above the mechanism";
+                let message = "a parameter cannot depend on `cfg`; the whole mechanism can";
                 report.error(word.span(), message);
             }
             None if name == "cfg_attr" && holds_param(&attribute) => {

@@ -131,7 +131,7 @@ fn linear(content: ParseStream, span: Span) -> Result<IndexExpr> {
         return Err(Error::new(span, "an index is missing: `link[3]`, `link[i + 1]`"));
     }
     if is_range(content) {
-        let message = "a range stands behind the name of the row: `N[i in 0..10]: link[i] @ (0, 0), …`";
+        let message = "a range is written after the name of the row: `N[i in 0..10]: link[i] @ (0, 0), …`";
         return Err(Error::new(span, message));
     }
     let sum = sum(content)?;

@@ -34,7 +34,7 @@ impl<'k> Options<'k> {
         let Some(key) = key.filter(|key| is_text || text(key) != "unit" && self.allowed.contains(&text(key).as_str()))
         else {
             return match self.any && !input.is_empty() {
-                true => Err(here(input, "options stand behind all names, and hold for all of them")),
+                true => Err(here(input, "options are written after all names, and apply to all of them")),
                 false => Ok(false),
             };
         };

@@ -20,10 +20,10 @@ pub(super) fn body(input: ParseStream) -> Result<NameUse> {
     }
     let name = name_use(input)?;
     if input.peek(Token![@]) {
-        return Err(here(input, "here stands a body, not a point: the name alone"));
+        return Err(here(input, "a body is needed here, not a point: its name alone"));
     }
     if input.peek(Token![.]) {
-        return Err(here(input, "here stands a body, not its coordinate: the name alone"));
+        return Err(here(input, "a body is needed here, not its coordinate: its name alone"));
     }
     Ok(name)
 }
@@ -48,7 +48,7 @@ pub(super) fn radii(input: ParseStream) -> Result<RadiiExpr> {
 
 /// Parses the name of a scalar coordinate.
 pub(super) fn scalar(input: ParseStream) -> Result<NameUse> {
-    const FORM: &str = "here stands the name of a scalar coordinate, declared with `#[coordinates(psi)]`";
+    const FORM: &str = "the name of a scalar coordinate is needed here, declared with `#[coordinates(psi)]`";
     if !input.peek(Ident::peek_any) {
         return Err(here(input, FORM));
     }

@@ -102,7 +102,7 @@ fn operator(input: ParseStream) -> Option<&'static str> {
     if input.peek(Token![^]) {
         Some("powers are written `pow(a, n)` or `a.powi(n)`")
     } else if input.peek(Token![%]) {
-        Some("there is no remainder: angles are continuous, periods are the business of sin and cos")
+        Some("there is no remainder operator: angles are continuous, and sin and cos are periodic")
     } else if input.peek(Token![==]) || input.peek(Token![=>]) || input.peek(Token![!=]) {
         Some("an equation has a single `=`")
     } else if input.peek(Token![<]) || input.peek(Token![>]) {
@@ -112,7 +112,7 @@ fn operator(input: ParseStream) -> Option<&'static str> {
     } else if input.peek(Token![as]) {
         Some("every number is a real number; no cast is needed")
     } else if input.peek(Token![..]) {
-        Some("a range stands behind the name of a row only: `N[i in 0..10]: …`")
+        Some("a range is written after the name of a row only: `N[i in 0..10]: …`")
     } else {
         None
     }

@@ -7,7 +7,7 @@
 //! factorisation.
 
 use crate::equations::Equations;
-use crate::linear::{Elimination, Factorization, Ordered};
+use crate::linear::{Factorization, NumericLu, Ordered};
 
 /// What the caller needs of a factorisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,18 +41,18 @@ impl Equations<'_> {
         if !self.options.use_sparse || self.rows() != self.coordinates() || self.rows() == 0 {
             return None;
         }
-        let (mut elimination, mut sizes) = memory.map_or_else(Default::default, Factorization::into_memory);
+        let (mut lu, mut sizes) = memory.map_or_else(Default::default, Factorization::into_buffers);
         let (rows, columns) = (&self.scale.rows, &self.scale.columns);
         sizes.clone_from(columns);
         let entries = self.ordered.entries().iter().zip(&self.phi_q);
-        elimination.values.clear();
-        elimination.values.extend(entries.map(|(&(row, column), value)| value * rows[row] * columns[column]));
-        if !self.ordered.factorise(&mut elimination) {
+        lu.values.clear();
+        lu.values.extend(entries.map(|(&(row, column), value)| value * rows[row] * columns[column]));
+        if !self.ordered.factorise(&mut lu) {
             return None;
         }
         match wanted {
-            Wanted::Solutions => Factorization::sparse_quick(elimination, sizes),
-            _ => Factorization::sparse_of_full_rank(elimination, sizes, self.options.rank_tolerance),
+            Wanted::Solutions => Factorization::sparse_quick(lu, sizes),
+            _ => Factorization::sparse_of_full_rank(lu, sizes, self.options.rank_tolerance),
         }
     }
 
@@ -69,12 +69,12 @@ impl Equations<'_> {
         if !self.options.use_sparse || rows.is_empty() {
             return None;
         }
-        let mut elimination = Box::<Elimination>::default();
+        let mut lu = Box::<NumericLu>::default();
         let entries = places.iter().zip(ordered.entries());
         let value =
             |(&place, &(i, j)): (&usize, &(usize, usize))| self.phi_q[place] * self.scale.rows[rows[i]] * sizes[j];
-        elimination.values.extend(entries.map(value));
-        ordered.factorise(&mut elimination).then(|| Factorization::sparse_quick(elimination, sizes.to_vec()))?
+        lu.values.extend(entries.map(value));
+        ordered.factorise(&mut lu).then(|| Factorization::sparse_quick(lu, sizes.to_vec()))?
     }
 
     /// The product Φ_q x, with Φ_q as evaluated last.

@@ -14,7 +14,7 @@
 //! the QR factorisation Tᵀ = Z U gives x = Z U⁻ᵀ (Qᵀ b)₁…ᵣ.
 
 use super::inverse_norm::{Inverse, inverse_norm};
-use super::sparse::Elimination;
+use super::sparse::NumericLu;
 use nalgebra::{ColPivQR, DMatrix, DVector, Dyn, LU};
 
 /// Smallest ratio of LU pivots at which the LU factorisation is used.
@@ -39,7 +39,7 @@ pub(crate) struct Factorization {
 
 #[derive(Clone, Debug)]
 enum Kind {
-    Sparse(Box<Elimination>),
+    Sparse(Box<NumericLu>),
     Lu(LU<f64, Dyn, Dyn>),
     /// Rank equal to the number of columns: the QR factorisation and R.
     Tall(ColPivQR<f64, Dyn, Dyn>, DMatrix<f64>),
@@ -49,36 +49,32 @@ enum Kind {
 
 impl Factorization {
     /// From the sparse LU of A D, without determining the rank; `None` where the ratio of its pivots is too small.
-    pub(crate) fn sparse_quick(elimination: Box<Elimination>, columns: Vec<f64>) -> Option<Self> {
-        let (smallest, largest) = elimination.extremes();
-        (smallest > LU_TRUST * largest).then(|| Self::sparse(elimination, columns, largest / smallest))
+    pub(crate) fn sparse_quick(lu: Box<NumericLu>, columns: Vec<f64>) -> Option<Self> {
+        let (smallest, largest) = lu.pivot_range();
+        (smallest > LU_TRUST * largest).then(|| Self::sparse(lu, columns, largest / smallest))
     }
 
     /// From the sparse LU of A D, if its estimated condition number proves full rank, also in the sense of
     /// [`absolute`](Self::absolute); `None` otherwise.
-    pub(crate) fn sparse_of_full_rank(
-        mut elimination: Box<Elimination>,
-        columns: Vec<f64>,
-        tolerance: f64,
-    ) -> Option<Self> {
-        let (norm, inverse) = elimination.norms();
+    pub(crate) fn sparse_of_full_rank(mut lu: Box<NumericLu>, columns: Vec<f64>, tolerance: f64) -> Option<Self> {
+        let (norm, inverse) = lu.norms();
         let doubt = RANK_TRUST * (columns.len() as f64).sqrt() * norm.max(1.0) * inverse * tolerance;
         let no_doubt = doubt < 1.0 || {
-            let (column, row) = elimination.extents();
+            let (column, row) = lu.largest_norms();
             RANK_TRUST * column.max(1.0) * row * tolerance < 1.0
         };
-        no_doubt.then(|| Self::sparse(elimination, columns, norm * inverse))
+        no_doubt.then(|| Self::sparse(lu, columns, norm * inverse))
     }
 
-    fn sparse(elimination: Box<Elimination>, columns: Vec<f64>, condition: f64) -> Self {
+    fn sparse(lu: Box<NumericLu>, columns: Vec<f64>, condition: f64) -> Self {
         let rank = columns.len();
-        Self { kind: Kind::Sparse(elimination), columns, rank, condition, full_condition: condition }
+        Self { kind: Kind::Sparse(lu), columns, rank, condition, full_condition: condition }
     }
 
     /// Returns the buffers of the sparse LU and of the columns for reuse.
-    pub(crate) fn into_memory(self) -> (Box<Elimination>, Vec<f64>) {
+    pub(crate) fn into_buffers(self) -> (Box<NumericLu>, Vec<f64>) {
         match self.kind {
-            Kind::Sparse(elimination) => (elimination, self.columns),
+            Kind::Sparse(lu) => (lu, self.columns),
             _ => (Box::default(), self.columns),
         }
     }
@@ -86,7 +82,7 @@ impl Factorization {
     /// Whether the determinant of a square matrix is positive; `None` where the factorisation does not give its sign.
     pub(crate) fn is_positive(&self) -> Option<bool> {
         match &self.kind {
-            Kind::Sparse(elimination) => Some(elimination.is_positive()),
+            Kind::Sparse(lu) => Some(lu.is_positive()),
             _ => None,
         }
     }
@@ -97,7 +93,7 @@ impl Factorization {
     pub(crate) fn quick(a: &DMatrix<f64>, columns: &[f64], tolerance: f64) -> Self {
         if a.is_square() && !a.is_empty() {
             let lu = LU::new(scaled(a, columns));
-            let (smallest, largest) = extremes(lu.u().diagonal().as_slice());
+            let (smallest, largest) = smallest_and_largest(lu.u().diagonal().as_slice());
             if smallest > LU_TRUST * largest {
                 let condition = largest / smallest;
                 let kind = Kind::Lu(lu);
@@ -124,7 +120,7 @@ impl Factorization {
         let qr = ColPivQR::new(scaled(a, columns));
         let r = qr.r();
         let pivots: Vec<f64> = (0..r.nrows().min(r.ncols())).map(|k| r[(k, k)].abs()).collect();
-        let (_, largest) = extremes(&pivots);
+        let (_, largest) = smallest_and_largest(&pivots);
         let counts = |p: f64| p > tolerance * largest.max(unit);
         let rank = pivots.iter().filter(|&&p| counts(p)).count();
         let counted = pivots.iter().copied().filter(|&p| counts(p)).fold(f64::INFINITY, f64::min);
@@ -153,7 +149,7 @@ impl Factorization {
     /// The x of least norm among those that minimise |A x − b|.
     pub(crate) fn solve(&self, b: &DVector<f64>) -> DVector<f64> {
         match &self.kind {
-            Kind::Sparse(elimination) => self.unscaled(DVector::from_vec(elimination.solve(b.as_slice()))),
+            Kind::Sparse(lu) => self.unscaled(DVector::from_vec(lu.solve(b.as_slice()))),
             Kind::Lu(lu) => {
                 let mut y = b.clone();
                 lu.solve_mut(&mut y);
@@ -228,7 +224,7 @@ impl Inverse for Orthogonal<'_> {
 }
 
 /// The smallest and the largest absolute value.
-fn extremes(values: &[f64]) -> (f64, f64) {
+fn smallest_and_largest(values: &[f64]) -> (f64, f64) {
     values.iter().fold((f64::INFINITY, 0.0), |(low, high), v| (f64::min(low, v.abs()), f64::max(high, v.abs())))
 }
 

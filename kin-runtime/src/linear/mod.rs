@@ -11,4 +11,4 @@ pub(crate) use factor::Factorization;
 pub(crate) use null_space::null_space;
 pub(crate) use rows::{Dependency, dependencies, independent_rows};
 pub(crate) use sign::positive_determinant;
-pub(crate) use sparse::{Elimination, Ordered};
+pub(crate) use sparse::{NumericLu, Ordered};

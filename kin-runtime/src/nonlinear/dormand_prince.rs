@@ -30,19 +30,19 @@ const E: [f64; STAGES] =
 
 /// The result of a step and its error estimate.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Taken {
+pub(crate) struct StepResult {
     pub(crate) y: Vec<f64>,
     pub(crate) error: Vec<f64>,
 }
 
 /// One step of length `h` from y at the time `t`; `first` is ẏ there.
-pub(crate) fn take<E>(
+pub(crate) fn runge_kutta_step<E>(
     t: f64,
     h: f64,
     y: &[f64],
     first: &[f64],
     mut f: impl FnMut(f64, &[f64]) -> Result<Vec<f64>, E>,
-) -> Result<Taken, E> {
+) -> Result<StepResult, E> {
     let mut stages = vec![first.to_vec()];
     let mut end = y.to_vec();
     for (row, c) in A.iter().zip(C).skip(1) {
@@ -50,7 +50,7 @@ pub(crate) fn take<E>(
         stages.push(f(t + c * h, &end)?);
     }
     let zero = vec![0.0; y.len()];
-    Ok(Taken { y: end, error: advanced(&zero, h, &E, &stages) })
+    Ok(StepResult { y: end, error: advanced(&zero, h, &E, &stages) })
 }
 
 /// y + h Σ w_i k_i.
@@ -88,7 +88,7 @@ mod tests {
             let mut y = vec![1.0, 0.0];
             for k in 0..steps {
                 let first = f(0.0, &y).unwrap();
-                y = take(f64::from(k) * h, h, &y, &first, f).unwrap().y;
+                y = runge_kutta_step(f64::from(k) * h, h, &y, &first, f).unwrap().y;
             }
             (y[0] - 2.0_f64.cos()).hypot(y[1] + 2.0_f64.sin())
         };
@@ -100,9 +100,9 @@ mod tests {
     #[test]
     fn time_is_taken_at_the_nodes() {
         let f = |t: f64, y: &[f64]| Ok::<_, ()>(vec![t * y[0]]);
-        let taken = take(0.5, 0.05, &[1.0], &[0.5], f).unwrap();
+        let result = runge_kutta_step(0.5, 0.05, &[1.0], &[0.5], f).unwrap();
         let exact = ((0.55_f64.powi(2) - 0.25) / 2.0).exp();
-        assert!((taken.y[0] - exact).abs() < 1e-11, "{} {exact}", taken.y[0]);
-        assert!((taken.y[0] - exact).abs() < taken.error[0].abs() && taken.error[0].abs() < 1e-8);
+        assert!((result.y[0] - exact).abs() < 1e-11, "{} {exact}", result.y[0]);
+        assert!((result.y[0] - exact).abs() < result.error[0].abs() && result.error[0].abs() < 1e-8);
     }
 }

@@ -151,7 +151,7 @@ impl<M: Mechanism> Follower<M> {
 
     /// Accepts the trial state; `nearest` is the distance of its nearest group from the limit, and `in_one_step` says
     /// whether it was reached from the accepted state in one step.
-    pub(super) fn keep(&mut self, at: &Instant<'_>, nearest: f64, in_one_step: bool) {
+    pub(super) fn accept(&mut self, at: &Instant<'_>, nearest: f64, in_one_step: bool) {
         self.before = if in_one_step { self.t } else { f64::NAN };
         self.branch.distances = self.distances;
         self.nearest = nearest;

@@ -11,7 +11,7 @@ use crate::signal::Instant;
 impl<M: Mechanism> Follower<M> {
     /// Solves by the plan in the current modes; true where the solution is valid.
     #[inline]
-    pub(super) fn ask(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<bool, LengthError> {
+    pub(super) fn solve_in_modes(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<bool, LengthError> {
         let Self { parameters, branch, states, good, predicted, .. } = self;
         let Poses { q, q_dot, q_ddot, margins } = &mut states[1 - *good];
         let solved =
@@ -30,7 +30,7 @@ impl<M: Mechanism> Follower<M> {
     /// uses; true where a valid solution is found. Modes that the caller requested do not change.
     #[cold]
     #[inline(never)]
-    pub(super) fn pass(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<bool, LengthError> {
+    pub(super) fn retry_in_other_modes(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<bool, LengthError> {
         let plan = &M::model().plan;
         let margins = self.states[1 - self.good].margins;
         if !passed::is_missed(plan, |place| margins.as_ref()[place]) {
@@ -41,13 +41,13 @@ impl<M: Mechanism> Follower<M> {
         let passed = Passed::new(kept.of_closures(), closures.as_ref(), self.asked.as_ref());
         for attempt in passed.attempts() {
             passed.signs(attempt, self.branch.modes.of_closures_mut());
-            if self.ask(mechanism, at)? {
+            if self.solve_in_modes(mechanism, at)? {
                 return Ok(true);
             }
         }
         // The solution in the current modes is computed again, because error messages refer to it.
         self.branch.modes = kept;
-        self.ask(mechanism, at)
+        self.solve_in_modes(mechanism, at)
     }
 
     /// Writes |w| of the groups of the trial state; returns the smallest.

@@ -4,13 +4,13 @@
 //! the processors, which other programs on the machine hardly change.
 
 // Its `main` is not called here.
-#[allow(dead_code)]
+#[allow(dead_code, unreachable_pub)]
 #[path = "../four_bar.rs"]
 mod four_bar;
 
 use four_bar::FourBar;
 use kin_runtime::batch::{Column, Modes, Motions, Sweeps, always, sweep};
-use kin_runtime::{Kinematics, Lanes, Mechanism};
+use kin_runtime::{Instant, Kinematics, Lanes, Mechanism};
 use kin_study::{Limits, Range, Score, Study, Watch, run};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::TAU;
@@ -29,9 +29,9 @@ fn main() {
         .parameter("l2", Range::Uniform { from: 0.35, to: 0.5 })
         .parameter("l3", Range::Uniform { from: 0.28, to: 0.4 })
         .turn(0.0, TAU, 199)
-        .score("fastest", Score::Greatest("rocker.phi_dot".to_owned()))
-        .keep_best(100, "fastest");
-    let everything = Study::clone(&study).keep_best(usize::MAX >> 1, "row");
+        .score("fastest", Score::Greatest("rocker.phi_dot".to_owned()));
+    let everything = study.clone();
+    let study = study.keep_best(100, "fastest");
     let threads = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
     let limits = Limits { threads: Some(threads), resume: false };
     let mut figures = Vec::new();
@@ -63,10 +63,11 @@ fn measured(study: &Study, limits: Limits) {
 fn by_hand(rows: u64) -> f64 {
     let four_bar = FourBar::default();
     let times: Vec<f64> = (0..200).map(|k| TAU * f64::from(k) / 199.0).collect();
-    let state = four_bar.state_at(0.0).expect("it closes");
+    let at = Instant::at(0.0);
+    let state = four_bar.state_at(&at).expect("it closes");
     let start: Vec<Column<'_>> = state.q.iter().map(|number| Column::Shared(*number)).collect();
     let mut closures = [0.0];
-    let (parameters, at) = (four_bar.parameters::<f64>(), kin_runtime::Instant::at(0.0));
+    let parameters = four_bar.parameters::<f64>();
     four_bar.closures_with(&parameters, &at, &state.q, &mut closures).expect("the lists fit");
     let piece = |piece: u64| {
         let sets = PIECE.min(rows - piece * PIECE) as usize;

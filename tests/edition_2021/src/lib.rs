@@ -1,4 +1,5 @@
-//! Mechanisms of a crate in edition 2021, documented in full: what `#[mechanism]` adds must be documented too.
+//! Mechanisms in a crate of edition 2021 with `missing_docs` denied: the items that `#[mechanism]` adds must have
+//! documentation.
 #![deny(missing_docs, warnings)]
 #![deny(rust_2018_idioms, unreachable_pub, unused, clippy::all, clippy::pedantic)]
 #![deny(missing_debug_implementations, missing_copy_implementations, unsafe_code, single_use_lifetimes)]

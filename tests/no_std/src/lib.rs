@@ -1,5 +1,5 @@
-//! A controller without std and without an allocator evaluates a mechanism. It brings its own panic handler; a std
-//! that crept in would bring a second one, and the build would fail with a duplicate lang item.
+//! A controller without std and without an allocator that evaluates a mechanism. It has its own panic handler: if a
+//! dependency used std, there would be a second one, and the build would fail with a duplicate lang item.
 #![no_std]
 
 use kin_runtime::function::{FromFn, MotionLaw, Polynomial};
@@ -24,7 +24,7 @@ pub struct FourBar {
     l3: f64,
 }
 
-/// One step of the controller: the sum of all that was evaluated, so that nothing of it is optimised away.
+/// One step of the controller. It returns the sum of all results, so that nothing is optimised away.
 #[unsafe(no_mangle)]
 pub extern "C" fn step(t: f64) -> f64 {
     sum(t) + f64::from(sum(t as f32))
@@ -54,7 +54,7 @@ fn sum<T: kin_runtime::Scalar>(t: T) -> T {
     parts.into_iter().flatten().fold(T::from_f64(0.0), |sum, &value| sum + value)
 }
 
-/// A pendulum whose numbers are as wide as the controller's.
+/// A pendulum whose scalar type is chosen by the controller.
 #[mechanism]
 #[bodies(arm)]
 #[revolute(O: ground @ (0, 0), arm @ (-l, 0))]
@@ -68,7 +68,7 @@ pub struct Pendulum<T> {
     omega: T,
 }
 
-/// One step in `f32` from the parameters on.
+/// One step entirely in `f32`, including the parameters.
 #[unsafe(no_mangle)]
 pub extern "C" fn swing(t: f32) -> f32 {
     let mut workspace = Pendulum::<f32>::own_workspace();
@@ -78,7 +78,7 @@ pub extern "C" fn swing(t: f32) -> f32 {
     }
 }
 
-/// A follower that is driven by functions which need no allocator.
+/// A follower driven by functions that need no allocator.
 #[mechanism]
 #[function(lift, law)]
 #[coordinates(y)]
@@ -105,7 +105,7 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     loop {}
 }
 
-/// A chain so long that its tables are packed; here the compiler unpacks them.
+/// A chain so long that its tables are packed; here the compiler unpacks them at compile time.
 #[mechanism]
 #[bodies(link[24])]
 #[revolute(root: ground @ (0, 0), link[0] @ (0, 0))]
@@ -116,7 +116,7 @@ pub struct Chain {
     l: f64,
 }
 
-/// How many names the chain has, and where it ends.
+/// The total length of the chain's names, and the position of its end.
 #[unsafe(no_mangle)]
 pub extern "C" fn reach(t: f64) -> f64 {
     let (chain, model) = (Chain::default(), Chain::model());

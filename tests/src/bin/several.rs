@@ -1,4 +1,5 @@
-//! A program that hosts several mechanisms: the first argument says which, the rest is that mechanism's command line.
+//! A program with several mechanisms: the first argument selects one, the others are the command line of that
+//! mechanism.
 //!
 //! ```text
 //! cargo run -p kin-tests --bin several -- fourbar solve --at 0.5
@@ -15,7 +16,7 @@ use kin_tests::mechanisms::{
     SingularSliderCrank, StrokeLimits, UnderdrivenFivebar,
 };
 
-/// A follower whose lift claims a second derivative that it does not have.
+/// A follower whose lift returns a wrong second derivative.
 #[mechanism]
 #[function(lift)]
 #[coordinates(y)]
@@ -30,7 +31,7 @@ impl Default for WrongCam {
     }
 }
 
-/// A condition that may be faster than any sweep.
+/// A condition that may oscillate faster than a sweep can follow.
 #[mechanism]
 #[coordinates(u)]
 #[driver(drive: u = t)]
@@ -40,7 +41,7 @@ struct Teeth {
     k: f64,
 }
 
-/// A beam on three equal arms, of which two would do: nothing determines what each pin carries.
+/// A beam on three equal arms, of which two would suffice, so that the pin forces are not determined.
 #[mechanism(allow_redundant)]
 #[bodies(a, b, c, beam)]
 #[revolute(O1: ground @ (0, 0), a @ (0, 0))]

@@ -1,4 +1,4 @@
-//! Columns are counted, and a batch of solutions takes no memory inside.
+//! Tests that the lengths of columns are checked, and that a batch of solutions does not allocate inside.
 
 use super::Drawn;
 use allocation_counter::measure;
@@ -28,7 +28,7 @@ fn a_batch_of_solutions_takes_no_memory_inside_and_counts_its_columns() {
         let counted =
             measure(|| solve(&mechanism, Depth::Acceleration, &problems, &mut out, &always).expect("good columns"));
         assert!(out.solved().all(|good| good));
-        // What is not asked for is 0, whatever was there.
+        // Results that are not requested are set to 0.
         solve(&mechanism, Depth::Position, &problems, &mut out, &always).expect("good columns");
         assert!(out.solved().all(|good| good) && out.q_ddot(8).chain(out.q_dot(8)).all(|x| x == 0.0));
         for (bad, text) in [
@@ -45,7 +45,7 @@ fn a_batch_of_solutions_takes_no_memory_inside_and_counts_its_columns() {
     assert_eq!(small, large);
 }
 
-/// A boom on a cylinder, both of a length that is told, and a stick.
+/// A boom on a cylinder, and a stick; the length of the cylinder and an angle are inputs.
 #[mechanism]
 #[input(ram, tilt)]
 #[bodies(boom, stick)]
@@ -61,7 +61,7 @@ pub(super) struct Crane {
     arm: f64,
 }
 
-/// Every list and every column, one too short and one too long, of an evaluation, a solution and a sweep.
+/// Every list and every column of an evaluation, a solution and a sweep, one element too short and one too long.
 #[test]
 fn columns_that_are_too_short_or_too_long_are_refused() {
     const COUNT: usize = 6;
@@ -83,7 +83,7 @@ fn columns_that_are_too_short_or_too_long_are_refused() {
     let solved = |of: Problems<'_>| {
         solve(&crane, Depth::Position, &of, &mut Solutions::new(COUNT), &always).map_err(|e| e.to_string())
     };
-    // The times of a sweep are what its inputs must fit.
+    // In a sweep, the columns of the inputs must have the length of the times.
     let swept = |of: Problems<'_>| {
         let Problems { parameters, inputs, modes, start, .. } = of;
         let sweeps = Sweeps { parameters, times: &right, inputs, modes, start };

@@ -1,4 +1,4 @@
-//! What counts as solved, lane by lane: numbers that are none, limits, neighbours that stand in the way.
+//! Tests of the lanes that count as solved: NaN, limits, and failing neighbours in a block.
 
 use super::{close, columns::Crane, results};
 use kin_runtime::batch::{Column, Modes, Problems, Solutions, always, solve};
@@ -30,7 +30,7 @@ fn what_is_not_a_number_is_not_solved_whatever_its_margin() {
             let out = solutions(&crane, wrong.len(), &problems);
             assert!(out.solved().eq([true, true, false, true, true]), "{bad} {tilt:?}");
             assert_eq!([0.0; 3].map(|zero| vec![zero; 6]), results(&out, 2));
-            // The cylinder closes, whatever the stick does.
+            // The margin of the cylinder does not depend on the stick.
             let margins: Vec<f64> = out.margin().collect();
             assert!(margins[0] > 0.1 && margins.iter().all(|margin| *margin == margins[0]), "{margins:?}");
         }
@@ -39,7 +39,8 @@ fn what_is_not_a_number_is_not_solved_whatever_its_margin() {
 
 #[test]
 fn solved_is_what_has_a_margin() {
-    // The boom stretches away from the cylinder's foot: cylinder = foot + arm, less a little and a little more.
+    // The boom is stretched away from the foot of the cylinder: cylinder = foot + arm, slightly shorter and slightly
+    // longer.
     let crane = Crane::default();
     let parameters = crane.parameters::<f64>().map(Column::Shared);
     let lengths: Vec<f64> = (-2000..200).map(|k| 2.2 + 5e-16 * f64::from(k)).collect();
@@ -57,7 +58,7 @@ fn solved_is_what_has_a_margin() {
     assert!(below > 100 && above > 100, "{below} {above}");
 }
 
-/// A 3-RRR robot with told cranks, and a dyad on its platform: a Newton iteration, then a mode.
+/// A 3-RRR robot with cranks that follow inputs, and a dyad on its platform: a Newton iteration followed by a mode.
 #[mechanism]
 #[input(a1, a2, a3)]
 #[bodies(crank1, rod1, crank2, rod2, crank3, rod3, platform, left, right)]

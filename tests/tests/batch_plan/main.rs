@@ -1,4 +1,4 @@
-//! Batches of solutions by the plan, and of whole motions, against one after another, for every mechanism with a plan.
+//! Batches of solutions by the plan, and of whole motions, agree with single ones, for every mechanism with a plan.
 #![cfg(feature = "simd")]
 
 mod columns;
@@ -16,11 +16,11 @@ use kin_tests::mechanisms::{signals, *};
 use kin_tests::random::Random;
 use std::ops::Range;
 
-/// Several tiles of blocks and a ragged end.
+/// The number of configurations: several tiles of blocks, and not a multiple of the block size.
 const COUNT: usize = 42;
-/// Instants of a motion.
+/// The number of instants of a motion.
 const INSTANTS: usize = 61;
-/// Sets of parameters that move: a block and a ragged end.
+/// The number of parameter sets in a motion: more than one block, and not a multiple of the block size.
 const SETS: usize = 6;
 
 macro_rules! plan_tests {
@@ -42,10 +42,10 @@ macro_rules! plan_tests {
 
 every_mechanism!(plan_tests);
 
-/// A state with the smallest margin, or none.
+/// q, q̇ and q̈, or `None` where the plan has no solution.
 type State = Option<[Vec<f64>; 3]>;
 
-/// Parameters near those of the mechanism, a list for every set.
+/// Random parameters near those of the mechanism, a list for every parameter.
 fn drawn_parameters<M: Mechanism>(mechanism: &M, count: usize) -> Vec<Vec<f64>> {
     let mut random = Random::new(23);
     let own = mechanism.parameters::<f64>();
@@ -53,7 +53,7 @@ fn drawn_parameters<M: Mechanism>(mechanism: &M, count: usize) -> Vec<Vec<f64>> 
     lists.collect()
 }
 
-/// `COUNT` configurations along the motion, with parameters of their own.
+/// `COUNT` configurations along the motion, each with its own parameters.
 struct Drawn {
     parameters: Vec<Vec<f64>>,
     t: Vec<f64>,
@@ -114,7 +114,7 @@ impl Drawn {
         out
     }
 
-    /// One configuration in `f64`.
+    /// The solution of one configuration in `f64`.
     fn one<M: Mechanism + Default>(&self, place: usize) -> State {
         let of = |lists: &[Vec<f64>]| lists.iter().map(|list| list[place]).collect::<Vec<_>>();
         let inputs: Vec<_> =
@@ -164,17 +164,17 @@ fn solves<M: Kinematics + Default + Sync>(from: f64, to: f64) {
         };
         assert!(good, "{name} {place}: {}", margins[place]);
         solved += 1;
-        // Each derivative loses what the margin says.
+        // The error grows with each derivative, depending on the margin.
         for (order, (found, expected)) in found.iter().zip(&expected).enumerate() {
             close(name, found, expected, 1e-12 / margins[place].powi(order as i32 + 1));
         }
     }
     assert!(2 * solved > COUNT, "{name}: {solved} of {COUNT} are solved");
-    // The modes that the start has are those that it was given.
+    // The modes that are taken from the start are those that were given.
     let of_start = drawn.batch::<M>(0..COUNT, true);
     assert!(of_start.solved().eq(whole.solved()), "{name}");
     assert!(of_start.q(M::COORDINATES - 1).eq(whole.q(M::COORDINATES - 1)), "{name}");
-    // Wherever a configuration stands, and however many there are.
+    // The position of a configuration in the batch and the size of the batch do not matter.
     for count in 0..=9 {
         let part = drawn.batch::<M>(COUNT - count..COUNT, false);
         assert_eq!(count, part.count());
@@ -183,7 +183,7 @@ fn solves<M: Kinematics + Default + Sync>(from: f64, to: f64) {
             same::<M>(results(&part, place), results(&whole, COUNT - count + place));
         }
     }
-    // One that has no answer leaves the others alone, and has no number that is not one.
+    // A configuration without a solution does not affect the others, and its results are 0 instead of NaN.
     drawn.t[2] = f64::NAN;
     let with_one = drawn.batch::<M>(0..COUNT, false);
     assert!(!with_one.solved().nth(2).unwrap());
@@ -196,7 +196,7 @@ fn solves<M: Kinematics + Default + Sync>(from: f64, to: f64) {
     }
 }
 
-/// The same to the last bit, or within the tolerance of an iteration.
+/// Asserts that results are equal to the last bit, or within the tolerance of an iteration.
 fn same<M: Mechanism>(found: [Vec<f64>; 3], expected: [Vec<f64>; 3]) {
     if iterates::<M>() {
         found.iter().zip(&expected).for_each(|(a, b)| close(M::model().name, a, b, 1e-10));
@@ -206,7 +206,7 @@ fn same<M: Mechanism>(found: [Vec<f64>; 3], expected: [Vec<f64>; 3]) {
     }
 }
 
-/// What a batch of motions has seen, state by state: for four sets, a list of the three for every instant.
+/// The states that a batch of motions visits, for a block of four sets: q, q̇, q̈ and margin for every instant.
 type Seen = Vec<[Vec<Lanes>; 4]>;
 
 fn moves<M: Kinematics + Default + Sync>(from: f64, to: f64) {
@@ -230,7 +230,7 @@ fn moves<M: Kinematics + Default + Sync>(from: f64, to: f64) {
     let mut out = Motions::new(SETS, Seen::new());
     let see = |seen: &mut Seen, moment: &Moment<'_>| {
         assert_eq!(seen.len(), moment.instant);
-        // It is of the sets that it says.
+        // The parameters passed to the visitor are those of its sets.
         for lane in (0..Lanes::COUNT).filter(|lane| moment.first + lane < SETS && moment.moves(*lane)) {
             let own = parameters.iter().map(|list| list[moment.first + lane]);
             assert!(moment.parameters.iter().map(|x| x.to_array()[lane]).eq(own), "{name}");
@@ -247,7 +247,7 @@ fn moves<M: Kinematics + Default + Sync>(from: f64, to: f64) {
             let state = &blocks[set / Lanes::COUNT][instant];
             state.each_ref().map(|list| list.iter().map(|x| x.to_array()[set % Lanes::COUNT]).collect::<Vec<_>>())
         };
-        // A motion ends where one alone does, at the same step of the plan.
+        // A motion in a batch ends at the same instant and step of the plan as a single one.
         let ended = |instant: usize, error: PlanError| {
             assert_eq!(Some(instant), ends[set].map(|end| end.instant), "{name} {set}: {error}");
             let step = ends[set].and_then(|end| end.limit).map(|limit| limit.step);

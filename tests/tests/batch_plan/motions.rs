@@ -1,4 +1,4 @@
-//! Motions of many sets: masks, ends, cancellation, and no memory inside.
+//! Motions of many parameter sets: masks, ends, cancellation, and no allocation inside.
 
 use allocation_counter::measure;
 use kin_runtime::batch::{BatchError, Column, Modes, Moment, Motions, Progress, Sweeps, always, sweep};
@@ -7,7 +7,7 @@ use kin_runtime::{Instant, Kinematics, Lanes, Mechanism, Planned, mechanism};
 use kin_tests::mechanisms::FourbarLectureMid;
 use std::ops::ControlFlow;
 
-/// The lecture's four-bar with its coupler as long as `lengths` say, a turn in steps of three degrees.
+/// A turn of the lecture's four-bar in steps of three degrees, for couplers of the given lengths.
 fn couplers<S: Clone + Send>(
     lengths: &[f64],
     score: S,
@@ -30,9 +30,9 @@ fn couplers<S: Clone + Send>(
     (result, out)
 }
 
-/// How often a set is seen, and the sum of the angles of its last body.
+/// Counts how often a set is visited, and adds up the angles of its last body.
 fn count(seen: &mut [Lanes; 2], moment: &Moment<'_>) {
-    // Lanes that do not move repeat one that does.
+    // Lanes of sets that do not move repeat the values of one that does.
     let lane = |lane: usize| {
         let lists = [moment.parameters, moment.q, moment.q_dot, moment.q_ddot, &[moment.margin]];
         lists.map(|list| list.iter().map(|x| x.to_array()[lane]).collect::<Vec<_>>())
@@ -58,7 +58,7 @@ fn sets_at_their_limits_are_masked_and_leave_the_others_alone() {
     };
     let (all, sums, ends) = run(&[good; 5]);
     assert_eq!((vec![121.0; 5], vec![None; 5]), (all, ends));
-    // One that never closes, one that is no number, and those that close for a while.
+    // One set never assembles, one has NaN, and some assemble for a part of the turn.
     let lengths: Vec<f64> = (0..40).map(|k| good * (0.3 + 0.05 * f64::from(k))).collect();
     let (seen, _, ends) = run(&lengths);
     assert!(ends.iter().any(|end| end.is_some_and(|end| end.instant == 0)), "{ends:?}");
@@ -81,13 +81,13 @@ fn sets_at_their_limits_are_masked_and_leave_the_others_alone() {
         }
         assert!(ends[1].is_some_and(|end| end.margin.is_finite() && end.instant as f64 == seen[1]), "{bad}: {ends:?}");
     }
-    // In the second of two groups that go together, and all but the last of both.
+    // Failing sets in the second of two interleaved groups, and all sets but the last of both groups.
     for closes in [[1, 1, 1, 1, 0, 1, 0, 1, 1], [0, 0, 0, 0, 0, 0, 0, 1, 1], [0, 1, 0, 0, 0, 0, 0, 0, 0]] {
         let length = |k: usize| if closes[k] == 1 { good + 1e-3 * k as f64 } else { 100.0 };
         let lengths: [f64; 9] = core::array::from_fn(length);
         assert_eq!(closes.map(|closes| 121.0 * f64::from(closes)).to_vec(), run(&lengths).0);
     }
-    // All of a block.
+    // All sets of a block fail.
     let (seen, sums, ends) = run(&[100.0; 4]);
     assert_eq!((vec![0.0; 4], vec![0.0; 4]), (seen, sums));
     assert!(ends.iter().all(|end| end.is_some_and(|end| end.instant == 0 && end.margin < 0.0)), "{ends:?}");
@@ -122,7 +122,7 @@ fn lanes_to_spare_repeat_the_last_set() {
     assert!(ragged.iter().all(|lanes| *lanes == [lanes[0]; 4]), "{ragged:?}");
 }
 
-/// What an earlier batch has found is gone.
+/// Results of an earlier batch do not remain.
 #[test]
 fn room_is_used_again() {
     let mechanism = FourbarLectureMid::default();
@@ -143,7 +143,7 @@ fn room_is_used_again() {
     assert_eq!([5, 0], [100.0, 1.0].map(|factor| run(factor, &mut out)));
 }
 
-/// Stretched, with φ̈ beyond all bounds, where the cylinder is as long as the foot and the boom together.
+/// In the stretched position, where the cylinder is as long as the foot and the boom together, φ̈ is unbounded.
 #[mechanism]
 #[bodies(boom)]
 #[revolute(pin: ground @ (0, 0), boom @ (0, 0))]
@@ -154,7 +154,7 @@ struct Boom {
     reach: f64,
 }
 
-/// A pin in a slot about almost the same pivot: the slot turns as the crank does, faster and faster.
+/// A pin in a slot with nearly the same pivot: the slot turns with the crank, faster and faster.
 #[mechanism]
 #[bodies(crank, slot)]
 #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
@@ -167,7 +167,7 @@ struct Spinning {
     speed: f64,
 }
 
-/// Every set goes where it goes alone, angles and their turns included.
+/// Asserts that every set moves as a single mechanism does, including the number of turns of its angles.
 fn go_as_alone<M: Kinematics + Default + Sync>(values: &[f64], times: &[f64]) {
     let q = M::default().solver().assemble(&Instant::at(times[0])).unwrap();
     let start: Vec<_> = q.iter().map(|q| Column::Shared(*q)).collect();

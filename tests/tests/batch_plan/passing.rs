@@ -1,4 +1,4 @@
-//! Limits that only the kept rows of a redundant mechanism have: the motion passes them.
+//! Limits that a redundant mechanism passes, because only the rows that the plan uses have them.
 
 use kin_runtime::batch::{Column, Modes, Moment, Motions, Sweeps, always, sweep};
 use kin_runtime::{Instant, Kinematics, Lanes, Mechanism, PlanError, Planned, mechanism};
@@ -23,7 +23,7 @@ struct Platform {
     last: f64,
 }
 
-/// Such a platform on another one, both flat at the same instants.
+/// Two such platforms on top of one another, which lie flat at the same instants.
 #[mechanism(allow_redundant)]
 #[bodies(first, second, third, platform, upper[3], top)]
 #[revolute(A: ground @ (0, 0), first @ (0, 0))]
@@ -49,7 +49,7 @@ struct Tower {
     last: f64,
 }
 
-/// A parallelogram with a rod between its cranks, beside their lines; what hangs on its coupler is a dyad of its own.
+/// A parallelogram with a rod between its cranks, beside their lines; a separate dyad is attached to its coupler.
 #[mechanism(allow_redundant)]
 #[bodies(left, coupler, right, arm, rocker)]
 #[revolute(A: ground @ (0, 0), left @ (0, 0))]
@@ -70,8 +70,8 @@ struct Locomotive {
     last: f64,
 }
 
-/// The same, where the dyad is all but stretched as the cranks lie flat, and the prediction has it on the other side: the
-/// rows that see the parallelogram say nothing of it.
+/// The same mechanism with a dyad that is nearly stretched when the cranks lie flat, so that its prediction is on the
+/// other branch: the redundant rows of the parallelogram do not depend on the dyad.
 #[mechanism(allow_redundant)]
 #[bodies(left, coupler, right, arm, rocker)]
 #[revolute(A: ground @ (0, 0), left @ (0, 0))]
@@ -92,8 +92,8 @@ struct Stretched {
     last: f64,
 }
 
-/// Two turns and more in steps of `step`, by plan and in a batch, against what holds every answer against Φ; the angles
-/// `turned` are those of the crank.
+/// Compares more than two turns in steps of `step`, by the plan and in a batch, with a sweep that checks every state
+/// with Φ; the angles `turned` are equal to that of the crank.
 fn passes<M: Kinematics + Clone + Sync>(mechanism: &M, turned: &[usize], step: f64) {
     let name = M::model().name;
     let count = (2.2 * TAU / step.abs()) as i32;
@@ -115,10 +115,10 @@ fn passes<M: Kinematics + Clone + Sync>(mechanism: &M, turned: &[usize], step: f
             assert!((found.q()[k] - state.t).abs() < 1e-11 / margin, "{name} at t = {}: {}", state.t, found.q()[k]);
         }
     }
-    // The cranks lie along the line through their pins twice in a turn.
+    // The cranks lie along the line through their pins twice per turn.
     let halves = |t: f64| (t / PI).floor();
     assert_eq!(f64::from(flips), (halves(times[times.len() - 1]) - halves(0.6)).abs(), "{name}, steps of {step}");
-    // Sets beside one another, of which one contradicts behind the first limit as before it.
+    // Neighbouring sets, one of which contradicts the redundant rows before and after the first limit.
     let sizes = [0.3, 0.2, 0.25, 0.3, 0.31];
     let lasts = [0.3, 0.2, 0.25, 0.3 + 1e-6, 0.31];
     let start: Vec<Column<'_>> = first.iter().map(|q| Column::Shared(*q)).collect();
@@ -196,10 +196,10 @@ fn asking_for_one_closure_does_not_hold_the_others() {
     let sign = |planned: &Planned<'_, Locomotive>| planned.modes().nth(dyad).unwrap();
     let before = sign(&planned);
     planned.flip(dyad).unwrap();
-    // The cranks pass their line at π, the dyad is on its other side from here on.
+    // The cranks pass their line at π; the dyad continues on its other branch.
     assert!((planned.at(&Instant::at(3.3)).unwrap().q()[8] - 3.3).abs() < 1e-11);
     assert_ne!(before, sign(&planned));
-    // Asking for what is there asks for nothing.
+    // Requesting the current mode changes nothing.
     let other = (0..Locomotive::model().plan.modes.len()).find(|mode| *mode != dyad).unwrap();
     planned.at(&Instant::at(6.2)).unwrap();
     let present = planned.modes().nth(other).unwrap();

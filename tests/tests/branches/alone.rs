@@ -1,11 +1,12 @@
-//! Single states, each for itself.
+//! Tests of single states.
 
 use crate::case::{Answer, Expected, Group, Refusal};
 use crate::jet::Jet;
 use crate::ways::told;
 use kin_runtime::{Instant, Kinematics, SolveError};
 
-/// A state alone knows nothing of the way on which a crossing is none: beside one, errors of its dimensions grow.
+/// The expected states for single states. The direction of a motion at a crossing is not known for a single state, so
+/// that the allowed errors grow near a crossing.
 pub(crate) fn alone(
     (jets, mut allowed): (Vec<Jet>, Vec<[f64; 3]>),
     t: f64,
@@ -18,7 +19,7 @@ pub(crate) fn alone(
     (jets, allowed)
 }
 
-/// Single states from what they should be: at the start, and at the instants that are nearest to a fold or a crossing.
+/// Solves single states from the expected ones: at the start, and at the instants nearest to a fold or a crossing.
 pub(crate) fn states<M: Kinematics>(
     group: &Group<M>,
     mechanism: &M,
@@ -29,7 +30,7 @@ pub(crate) fn states<M: Kinematics>(
     let mut near: Vec<usize> = (1..group.times.len()).filter(|k| known[*k].is_some()).collect();
     near.sort_by(|a, b| distance(*a).total_cmp(&distance(*b)));
     near.truncate(if known.len() < 12 { 9 } else { 2 });
-    // What is nearest comes last: there an answer may be refused.
+    // The nearest instant comes last, because the solver may refuse it.
     near.push(0);
     near.reverse();
     let mut answer = Answer { states: Vec::new(), refusal: None };

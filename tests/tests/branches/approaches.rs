@@ -1,5 +1,5 @@
-//! Instants just before a fold or a crossing, 0.1 to 10⁻⁹ before it, and at times just behind: every number that is given is
-//! right. At a fold they grow without bound, and so may errors; at a crossing they are smooth.
+//! Instants just before a fold or a crossing, from 0.1 to 10⁻⁹ before it, and some just behind it: every result must be
+//! right. At a fold q̇ and q̈ grow without bound, and so may their errors; at a crossing they are smooth.
 
 use crate::bars::{Angles, Bar, Ends, Middles, Slider, slider};
 use crate::case::{Case, Group};
@@ -11,25 +11,25 @@ use crate::ways::follow;
 use kin_tests::random::Random;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// From a start at 0.4 before the place, ever nearer to it, each instant a power of ten before it; or two instants, of which
-/// the second is near.
+/// Times that start at 0.4 before the place, followed by instants at decreasing powers of ten before it, or by a single
+/// near one.
 fn nearer(random: &mut Random, way: f64) -> Vec<f64> {
     let exact = random.chance(0.5);
     let mut before = |k: i32| way * 10_f64.powi(-k) * if exact { 1.0 } else { random.between(0.5, 1.0) };
     let mut times: Vec<f64> = (1..=9).map(&mut before).collect();
     times.insert(0, 0.4 * way);
     match random.whole(0, 3) {
-        // Straight to one that is near.
+        // Directly to one near instant.
         0 => times = vec![times[0], times[random.whole(2, 9)]],
-        // Through and out again.
+        // Past the place and away from it.
         1 => times.extend([-0.01 * way, -0.3 * way]),
         _ => {}
     }
-    // The place is at 0.4 from the start.
+    // The place is at a distance of 0.4 from the start.
     times.into_iter().map(|t| 0.4 * way - t).collect()
 }
 
-/// Four-bars with a place at t = 0.4.
+/// Four-bars with a fold or a crossing at t = 0.4.
 fn bars<M: Bar>(random: &mut Random, times: &[f64], way: f64, fold: bool) -> Group<M> {
     let mut cases: Vec<Case<M>> = Vec::new();
     while cases.len() < 4 {
@@ -42,7 +42,8 @@ fn bars<M: Bar>(random: &mut Random, times: &[f64], way: f64, fold: bool) -> Gro
     Group::new(times.to_vec(), cases)
 }
 
-/// A four-bar that is stretched or folded at an angle where its branch ends when the crank comes from the side of −`way`.
+/// A four-bar that is stretched or folded at an angle where its branch ends for a crank that comes from the side of
+/// −`way`.
 pub(crate) fn folding(random: &mut Random, way: f64) -> (FourBar, f64) {
     loop {
         let outer = random.chance(0.5);
@@ -50,7 +51,7 @@ pub(crate) fn folding(random: &mut Random, way: f64) -> (FourBar, f64) {
         bar.d += random.between(-0.3, 0.3);
         let at = if outer { PI } else { TAU };
         let [folds, _] = bar.places(at - 2.0, at + 2.0);
-        // The first one that the crank meets.
+        // The first fold that the crank meets.
         let met = folds
             .into_iter()
             .filter(|place| bar.is_free(place - 0.4 * way, 0.0))

@@ -1,6 +1,6 @@
 //! Small vectors and matrices.
 
-/// Gaussian elimination with partial pivoting; None where a pivot vanishes.
+/// Gaussian elimination with partial pivoting; `None` where a pivot vanishes.
 pub(crate) fn solve<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> Option<[f64; N]> {
     for k in 0..N {
         let pivot = (k..N).max_by(|i, j| a[*i][k].abs().total_cmp(&a[*j][k].abs()))?;

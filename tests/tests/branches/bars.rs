@@ -1,4 +1,4 @@
-//! Mechanisms that are one loop: a four-bar, written in three ways, and a slider-crank.
+//! Mechanisms with a single loop: a four-bar in three formulations, and a slider-crank.
 
 use crate::case::Case;
 use crate::closure::FourBar;
@@ -23,7 +23,7 @@ pub(crate) struct Ends {
     start: f64,
 }
 
-/// The same with frames in the middle of the links, and the coupler a distance.
+/// The four-bar with frames in the middle of the links, and a massless coupler as a distance.
 #[mechanism]
 #[bodies(crank, rocker)]
 #[revolute(O: ground @ (0, 0), crank @ (-a/2, 0))]
@@ -39,7 +39,7 @@ pub(crate) struct Middles {
     start: f64,
 }
 
-/// The same by two equations for three angles.
+/// The four-bar by two equations for three angles.
 #[mechanism]
 #[coordinates(phi1, phi2, phi3)]
 #[constraint(close_x: a*cos(phi1) + b*cos(phi2) - c*cos(phi3) = d)]
@@ -69,7 +69,7 @@ pub(crate) struct Slider {
     start: f64,
 }
 
-/// Mechanisms that are one four-bar, with the coordinates that its three angles give.
+/// Mechanisms that are a single four-bar, whose coordinates follow from its three angles.
 pub(crate) trait Bar: Sized {
     fn new(bar: FourBar, start: f64) -> Self;
     fn coordinates(bar: FourBar, angles: [Jet; 3]) -> Vec<Jet>;

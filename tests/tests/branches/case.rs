@@ -1,37 +1,38 @@
-//! What is known of a motion without kin, and how an answer is judged by it.
+//! Motions that are known independently of kin, and the comparison of results with them.
 
 use crate::jet::Jet;
 use kin_runtime::Signal;
 use std::f64::consts::TAU;
 
-/// How far from a fold or a crossing, in time, an answer may say that it is: all motions here have speeds of about one.
+/// Largest distance in time between a refusal and a fold or a crossing; all motions here have speeds of about one.
 pub(crate) const NEAR: f64 = 2e-3;
-/// Largest errors of q, q̇ and q̈ that need no excuse, relative to the largest number of the kind.
+/// Errors of q, q̇ and q̈ that are always allowed, relative to the largest number of the kind.
 const FLOORS: [f64; 3] = [1e-8, 1e-6, 1e-4];
-/// Relative change of dimensions and time of which answers may be the exact ones.
+/// Relative change of dimensions and time within which a result may be the exact one (backward error).
 const BACKWARD: f64 = 1e-13;
-/// A position that is farther away is on another branch, however near a place is.
+/// A position with a larger error is on another branch, however near a fold or a crossing is.
 const FAR: f64 = 1e-3;
 
-/// Coordinates over time, in the order of q: the analytic branch through the start, with all dimensions and the time
-/// changed by a relative `off`. None where the mechanism does not close.
+/// The exact coordinates over time, in the order of q: the analytic branch through the start, with all dimensions and
+/// the time changed by the relative amount `off`. `None` where the mechanism does not close.
 pub(crate) type Branch = Box<dyn Fn(f64, f64) -> Option<Vec<Jet>>>;
 
 /// Writes value, rate and acceleration of every input at a time.
 pub(crate) type Inputs = Box<dyn Fn(f64, &mut [Signal])>;
 
-/// A mechanism, and what is known of its motion.
+/// A mechanism with its known motion.
 pub(crate) struct Case<M> {
     pub(crate) mechanism: M,
     pub(crate) branch: Branch,
-    /// Where the branch ends.
+    /// The times at which the branch ends.
     pub(crate) folds: Vec<f64>,
-    /// Where it crosses another one.
+    /// The times at which it crosses another branch.
     pub(crate) crossings: Vec<f64>,
-    /// What the description of the mechanism does not say.
+    /// Additional information for failure messages.
     pub(crate) note: String,
     pub(crate) sampled: Sampled,
-    /// Where the rows that the plan goes by are singular and the mechanism is not: a follower of the plan alone may end.
+    /// Times at which the rows that the plan uses are singular although the mechanism is not: a follower of the plan
+    /// alone may end there.
     pub(crate) plan_ends: Vec<f64>,
 }
 
@@ -47,13 +48,13 @@ impl<M> Case<M> {
     }
 }
 
-/// What is right for those who are told the inputs instant by instant.
+/// The expected motion for solvers that get the inputs instant by instant instead of as functions.
 pub(crate) enum Sampled {
-    /// The same: there are no inputs.
+    /// The same motion, because there are no inputs.
     AsWell,
-    /// Another branch, on which an answer may end at other places.
+    /// Another branch, which may end at other places.
     As { branch: Branch, places: Vec<f64> },
-    /// That cannot be said.
+    /// Unknown.
     Unknown,
 }
 
@@ -70,40 +71,40 @@ impl<M> Group<M> {
     }
 }
 
-/// What is right at an instant: numbers with what they may be off by, or no answer.
+/// The expected state at an instant with the allowed errors; `None` where no state is expected.
 pub(crate) type Expected = Option<(Vec<Jet>, Vec<[f64; 3]>)>;
 
-/// What an answer gives: q, q̇ and q̈ at the first instants, and why not at the others.
+/// A result: q, q̇ and q̈ at the first instants, and the reason why there are no more.
 pub(crate) struct Answer {
     pub(crate) states: Vec<[Vec<f64>; 3]>,
     pub(crate) refusal: Option<Refusal>,
 }
 
-/// Why an answer ends.
+/// The reason why a motion ends.
 pub(crate) struct Refusal {
-    /// Where it says that the limit is; none where it does not say more than which instant it does not reach.
+    /// The location of the limit; `None` if only the instant that cannot be reached is known.
     pub(crate) t: Option<f64>,
-    /// Whether it is of a kind that speaks of limits and crossings.
+    /// Whether the error is of a type that describes limits and crossings.
     pub(crate) typed: bool,
     pub(crate) words: String,
 }
 
-/// What becomes of an answer.
+/// The verdict about a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Verdict {
-    /// All instants, and all numbers right.
+    /// All instants are solved, and all numbers are right.
     Right,
-    /// Right up to a fold or a crossing, and refused there.
+    /// The result is right up to a fold or a crossing, and refused there.
     Refused,
-    /// Refused where nothing is in the way.
+    /// The motion is refused although there is neither a fold nor a crossing.
     Early,
-    /// A state as good whose numbers are off by more than conditioning allows.
+    /// A state is accepted although its errors are larger than the conditioning explains.
     Inexact,
-    /// A state as good on another branch, or where there is none.
+    /// A state is accepted on another branch, or where no state exists.
     Flip,
 }
 
-/// What is right at every instant: nothing any more behind the first fold.
+/// The expected states at all instants; there are none behind the first fold.
 pub(crate) fn expected(branch: &Branch, folds: &[f64], times: &[f64]) -> Vec<Expected> {
     let mut ended = false;
     let mut last = times[0];
@@ -119,7 +120,7 @@ pub(crate) fn expected(branch: &Branch, folds: &[f64], times: &[f64]) -> Vec<Exp
         for off in [BACKWARD, -BACKWARD] {
             let beside = branch(t, off);
             for (place, allowed) in allowed.iter_mut().enumerate() {
-                // So near to a fold that nothing is certain.
+                // The instant is so near to a fold that nothing is determined.
                 let Some(beside) = &beside else {
                     *allowed = [FAR, f64::INFINITY, f64::INFINITY];
                     continue;
@@ -135,12 +136,12 @@ pub(crate) fn expected(branch: &Branch, folds: &[f64], times: &[f64]) -> Vec<Exp
     times.iter().copied().map(at).collect()
 }
 
-/// A difference of angles, without full turns; smaller differences of lengths stay as they are.
+/// A difference of angles modulo full turns; smaller differences of lengths are unchanged.
 fn turn(difference: f64) -> f64 {
     difference - TAU * (difference / TAU).round()
 }
 
-/// Judges an answer; says what is wrong with it.
+/// Judges a result; the text says what is wrong.
 pub(crate) fn judge(places: &[f64], times: &[f64], expected: &[Expected], answer: &Answer) -> (Verdict, String) {
     let mut found = (Verdict::Right, String::new());
     let distance = |t: f64| places.iter().map(|place| (place - t).abs()).fold(f64::INFINITY, f64::min);
@@ -157,11 +158,11 @@ pub(crate) fn judge(places: &[f64], times: &[f64], expected: &[Expected], answer
         let [q, q_dot, q_ddot] = state;
         for (place, (jet, allowed)) in jets.iter().zip(allowed).enumerate() {
             let off = [turn(q[place] - jet.x), q_dot[place] - jet.v, q_ddot[place] - jet.a].map(f64::abs);
-            // Also where it is not a number.
+            // NaN counts as an error as well.
             let bad = (0..3).find(|order| off[*order].is_nan() || off[*order] > allowed[*order]);
             let Some(order) = bad else { continue };
             let near = distance(*t);
-            // Beside a place, errors of the position may be those of rounding.
+            // Near a fold or a crossing, the error of the position may be due to rounding.
             let elsewhere = off[0] > allowed[0].max(if near < NEAR { FAR } else { 0.0 });
             let verdict = if elsewhere { Verdict::Flip } else { Verdict::Inexact };
             let (what, off, allowed) = (["q", "q̇", "q̈"][order], off[order], allowed[order]);

@@ -1,5 +1,5 @@
-//! Parallelograms that drive one another, two to four of them: change points at once, or one after the other. The last one
-//! may be any four-bar that is near to a crossing.
+//! Two to four parallelograms that drive one another, with change points at the same time or one after the other. The
+//! last parallelogram may be replaced by a four-bar that is near a crossing.
 
 use crate::case::{Case, Group};
 use crate::closure::FourBar;
@@ -11,8 +11,8 @@ use kin_runtime::mechanism;
 use kin_tests::random::Random;
 use std::f64::consts::PI;
 
-/// What is common to chains of any length: crank radii, couplers, ground links, directions of the pins on the cranks and of
-/// the ground links, the start.
+/// The dimensions of a chain of any length: crank radii, couplers, ground links, directions of the pins on the cranks
+/// and of the ground links, and the start.
 #[derive(Clone, Debug)]
 struct Dimensions {
     radii: Vec<f64>,
@@ -24,7 +24,7 @@ struct Dimensions {
     start: f64,
 }
 
-/// A mechanism of so many four-bars.
+/// A mechanism of `COUNT` four-bars.
 trait Chain: Sized {
     const COUNT: usize;
     fn new(dimensions: &Dimensions) -> Self;
@@ -32,7 +32,8 @@ trait Chain: Sized {
 
 macro_rules! chain {
     ($Name:ident, $count:tt, $less:tt) => {
-        /// The crank of one four-bar is the rocker of the one before; pins stand at the angle `ahead` on both.
+        /// The crank of a four-bar is the rocker of the previous one; its pin for the next coupler is at the angle
+        /// `ahead`.
         #[mechanism]
         #[bodies(crank, coupler[$count], rocker[$count])]
         #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
@@ -81,18 +82,18 @@ chain!(Three, 3, 2);
 chain!(Four, 4, 3);
 
 impl Dimensions {
-    /// Ground pins of the rockers.
+    /// The ground pins of the rockers.
     fn pivots(&self) -> Vec<[f64; 2]> {
         let mut at = [0.0; 2];
         let step = |(d, angle): (&f64, &f64)| {
-            // Along the axis nothing is rounded.
+            // Along the axis there is no rounding error.
             at = if *angle == 0.0 { [at[0] + d, at[1]] } else { [at[0] + d * angle.cos(), at[1] + d * angle.sin()] };
             at
         };
         self.grounds.iter().zip(&self.turned).map(step).collect()
     }
 
-    /// The crank's angle in the last four-bar, less that of the first crank.
+    /// The angle of the crank in the last four-bar minus that of the first crank.
     fn offset(&self) -> f64 {
         let last = self.ahead.len() - 1;
         self.ahead[last] - self.turned[last]
@@ -117,7 +118,7 @@ impl Dimensions {
                 last.d += random.small(-9.0, -3.0);
                 grounds[count - 1] = last.d;
             } else if random.chance(0.5) {
-                // An antiparallelogram whose branch crosses where the parallelograms do.
+                // An antiparallelogram, whose branches cross where those of the parallelograms do.
                 last.sign = -1.0;
             }
             let start = -random.meeting(times, 0.05, 0.9) + if at_once { 0.0 } else { turned[0] - ahead[0] };
@@ -129,7 +130,7 @@ impl Dimensions {
         }
     }
 
-    /// Parallelograms up to the last one, whose couplers keep the direction of their ground links.
+    /// A case of parallelograms, except for the last four-bar; their couplers keep the direction of their ground links.
     fn case<M: Chain>(self, end: f64) -> Case<M> {
         let count = M::COUNT;
         let mechanism = M::new(&self);

@@ -1,9 +1,9 @@
-//! The closed form of a four-bar with any of its limits near or at a crossing.
+//! The closed form of a four-bar that is accurate near its folds and at its crossings.
 
 use crate::jet::Jet;
 use std::f64::consts::{PI, TAU};
 
-/// A four-bar in a frame of its own: crank a about the origin, ground pin at (d, 0), coupler b, rocker c.
+/// A four-bar in its own frame: crank a about the origin, ground pin at (d, 0), coupler b, rocker c.
 ///
 /// With D the distance from the crank's pin to the ground pin, the dyad closes where
 ///
@@ -12,7 +12,7 @@ use std::f64::consts::{PI, TAU};
 /// V = D² − (b − c)² = (|a − d| − |b − c|)(|a − d| + |b − c|) + 4ad sin²(θ/2)
 /// ```
 ///
-/// are positive. Where U or V is a square, its root goes through 0 and changes its sign there: a crossing.
+/// are positive. Where U or V is a square, its root passes through 0 and changes its sign there: a crossing.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FourBar {
     pub(crate) a: f64,
@@ -24,7 +24,7 @@ pub(crate) struct FourBar {
 }
 
 impl FourBar {
-    /// b + c − a − d and |a − d| − |b − c|: 0 where stretched or folded links cross.
+    /// b + c − a − d and |a − d| − |b − c|, which are 0 if branches cross where the links are stretched or folded.
     fn spare(&self) -> [f64; 2] {
         let Self { a, b, c, d, .. } = *self;
         [(b + c) - (a + d), (a - d).abs() - (b - c).abs()]
@@ -35,13 +35,13 @@ impl FourBar {
         let Self { a, b, c, d, .. } = *self;
         let [outer, inner] = self.spare();
         let size = b + c + a + d;
-        // A crossing is one whatever rounding says.
+        // An exact crossing remains a crossing for every `off`.
         let beside = |spare: f64| if spare == 0.0 { 0.0 } else { spare + off * size };
         [(beside(outer) * size, 4.0 * a * d), (beside(inner) * ((a - d).abs() + (b - c).abs()), 4.0 * a * d)]
     }
 
-    /// Angles of coupler (from the crank's pin) and rocker (from the ground pin), against the line of the ground pins, at the
-    /// crank's angle θ.
+    /// The angles of the coupler (about the crank's pin) and of the rocker (about the ground pin), relative to the line
+    /// of the ground pins, for the crank angle θ.
     pub(crate) fn close(&self, theta: Jet, off: f64) -> Option<[Jet; 2]> {
         let Self { a, b, c, d, sign } = *self;
         let theta = theta * (1.0 + off);
@@ -59,18 +59,18 @@ impl FourBar {
         let (x, y) = (-theta.cos() * a + d, -theta.sin() * a);
         let square = x * x + y * y;
         let along = square + (b - c) * (b + c);
-        // Both vectors are twice D² times what they should be.
+        // Both vectors have 2 D² times their length.
         let (bx, by) = (along * x - area * y, along * y + area * x);
         let (cx, cy) = (bx - square * x * 2.0, by - square * y * 2.0);
         Some([by.atan2(bx), cy.atan2(cx)])
     }
 
-    /// Crank angles between `from` and `to` at which the four-bar folds, and at which branches cross.
+    /// The crank angles between `from` and `to` at which the four-bar folds, and those at which branches cross.
     pub(crate) fn places(&self, from: f64, to: f64) -> [Vec<f64>; 2] {
         let [outer, inner] = self.margins(0.0);
         let (mut folds, mut crossings) = (Vec::new(), Vec::new());
-        // Where the crank's pin comes so near to the ground pin, the dyad turns at 10⁶ times the crank's speed and more, and
-        // the rank of Φ_q is lost as far as it can be told.
+        // Where the crank's pin comes so near to the ground pin, the dyad turns at least 10⁶ times as fast as the
+        // crank, and Φ_q is singular within rounding.
         let meets = (self.a - self.d).abs() < 1e-6;
         for ((constant, square), at) in [(outer, PI), (inner, 0.0)] {
             let half = -constant / square;
@@ -92,7 +92,7 @@ impl FourBar {
         [folds, crossings]
     }
 
-    /// Whether the crank can be at θ, and is farther than `distance` from all limits and crossings.
+    /// Whether the four-bar closes at θ and is farther than `distance` from all folds and crossings.
     pub(crate) fn is_free(&self, theta: f64, distance: f64) -> bool {
         let [folds, crossings] = self.places(theta - TAU, theta + TAU);
         let far = |place: &f64| (theta - place).abs() > distance;
@@ -100,7 +100,7 @@ impl FourBar {
     }
 }
 
-/// The number with 20 binary places that is nearest: sums of such numbers are exact.
+/// The nearest number with 20 binary places; sums of such numbers are exact.
 pub(crate) fn dyadic(x: f64) -> f64 {
     (x * 1_048_576.0).round() / 1_048_576.0
 }

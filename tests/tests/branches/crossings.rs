@@ -1,5 +1,5 @@
-//! One loop whose branches cross exactly, or come near to it: parallelograms, their crossed counterparts, kites, other
-//! four-bars with a change point, slider-cranks with a rod as long as the crank.
+//! Single loops whose branches cross exactly or nearly: parallelograms, antiparallelograms, kites, other four-bars with
+//! a change point, and slider-cranks with a rod as long as the crank.
 
 use crate::bars::{Angles, Bar, Ends, Middles, Slider, slider};
 use crate::case::Group;
@@ -10,13 +10,14 @@ use crate::ways::follow;
 use kin_tests::random::Random;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// A four-bar that crosses exactly: a parallelogram, a kite of either kind, or any other.
+/// A four-bar with an exact crossing: a parallelogram, a kite of either kind, or another four-bar; and its crank angle
+/// there.
 pub(crate) fn crossing(random: &mut Random) -> (FourBar, f64) {
     let (a, b, sign) = (random.length(), random.length(), random.sign());
     match random.whole(0, 3) {
         0 if (a - b).abs() > 0.02 => (FourBar { a, b, c: a, d: b, sign }, PI * f64::from(random.whole(1, 2) as u8)),
         1 if (a - b).abs() > 0.02 => (FourBar { a, b: a, c: b, d: b, sign }, PI * f64::from(random.whole(1, 2) as u8)),
-        // The longer pair of a kite about the moving pin: the crank's pin never meets the ground pin on the way.
+        // The moving pin is between the longer sides of the kite, so that the crank's pin never meets the ground pin.
         2 if b > a + 0.02 => (FourBar { a, b, c: b, d: a, sign }, TAU),
         _ => {
             let outer = random.chance(0.5);
@@ -25,7 +26,8 @@ pub(crate) fn crossing(random: &mut Random) -> (FourBar, f64) {
     }
 }
 
-/// Four of them over one grid that leads each past its crossing; `off` is what the ground link is too long by.
+/// Four of them over one grid of times that leads each past its crossing; unless `exact`, the ground link is slightly
+/// too long or too short.
 fn four_bars<M: Bar>(random: &mut Random, exact: bool) -> Group<M> {
     let end = random.sign() * random.between(1.5, 6.5);
     let times = random.grid(end);
@@ -33,7 +35,7 @@ fn four_bars<M: Bar>(random: &mut Random, exact: bool) -> Group<M> {
     while cases.len() < 4 {
         let (mut bar, limit) = crossing(random);
         if !exact {
-            // Of a four-bar with two crossings, both are near now.
+            // In a four-bar with two crossings, both are now inexact.
             bar.d += random.small(-9.0, -3.0);
         }
         let start = limit - random.meeting(&times, 0.05, 0.9);
@@ -90,7 +92,7 @@ fn slider_cranks_of_equal_lengths() {
     tally.obeys("slider-cranks");
 }
 
-/// At a crossing, the branch that is called the same one goes on with the velocity that it came with.
+/// At a crossing, the branch with the same closed form continues with the same velocity.
 #[test]
 fn closed_forms_are_smooth_at_crossings() {
     let mut random = Random::new(214);

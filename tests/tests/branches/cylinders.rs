@@ -1,5 +1,5 @@
-//! Booms on cylinders that run to their ends and back: the length is a function of time that a sweep knows, or comes one
-//! instant at a time.
+//! Booms on cylinders that extend to their ends and retract; the cylinder's length is given as a function of time, or
+//! one instant at a time.
 
 use crate::case::{Case, Group, Sampled};
 use crate::closure::dyadic;
@@ -11,7 +11,7 @@ use kin_runtime::{Signal, mechanism};
 use kin_tests::random::Random;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
-/// Two booms side by side on cylinders of one length.
+/// Two booms side by side, whose cylinders have the same length.
 #[mechanism]
 #[input(ram)]
 #[bodies(boom, other)]
@@ -27,14 +27,15 @@ struct Booms {
     arm2: f64,
 }
 
-/// The length is middle + stroke sin t.
+/// The length of the cylinders, middle + stroke sin t.
 #[derive(Clone, Copy, Debug)]
 struct Ram {
     middle: f64,
     stroke: f64,
 }
 
-/// One boom: ground pin to foot, ground pin to the cylinder's pin.
+/// One boom: the distances from the ground pin to the cylinder's foot and to the cylinder's pin on the boom, and the
+/// sign of its branch.
 #[derive(Clone, Copy, Debug)]
 struct Boom {
     foot: f64,
@@ -43,14 +44,15 @@ struct Boom {
 }
 
 impl Boom {
-    /// How much longer than the longest and shorter than the shortest cylinder the boom allows one to be.
+    /// The differences between the longest length that the boom allows and the longest of the cylinder, and between the
+    /// shortest of the cylinder and the shortest allowed.
     fn spare(self, Ram { middle, stroke }: Ram) -> [f64; 2] {
         [self.foot + self.arm - (middle + stroke), (middle - stroke) - (self.foot - self.arm).abs()]
     }
 
-    /// The angle β: with U = (f + a)² − e² and V = e² − (f − a)², tan ½β is √V / √U. A cylinder that just reaches its end
-    /// makes one of them a square, whose root changes its sign; told only now and then how long the cylinder is, nobody
-    /// sees that, and the sign stays.
+    /// The angle β: with U = (f + a)² − e² and V = e² − (f − a)², tan ½β is √V / √U. Where the cylinder just reaches
+    /// its end, U or V is a square, and its root changes sign. If the length is only known at single instants
+    /// (`sampled`), this cannot be seen, and the sign remains.
     fn angle(self, ram: Ram, t: Jet, off: f64, sampled: bool) -> Option<Jet> {
         let Self { foot, arm, sign } = self;
         let t = t * (1.0 + off);
@@ -69,7 +71,7 @@ impl Boom {
         Some((v * sign).atan2(u) * 2.0)
     }
 
-    /// Times at which the branch ends or crosses, and at which the cylinder comes near to its end.
+    /// The times at which the branch ends, at which it crosses another one, and at which the cylinder is near its end.
     fn places(self, ram: Ram, end: f64) -> [Vec<f64>; 3] {
         let [mut folds, mut crossings, mut near] = [const { Vec::new() }; 3];
         for (spare, at) in self.spare(ram).into_iter().zip([FRAC_PI_2, -FRAC_PI_2]) {
@@ -92,7 +94,7 @@ impl Boom {
         [folds, crossings, near]
     }
 
-    /// A boom one of whose ends is beside an end of the cylinder, by `off`.
+    /// A boom with one of its ends at the distance `off` from an end of the cylinder.
     fn drawn(random: &mut Random, ram: Ram, off: f64) -> Self {
         loop {
             let (long, short) = (ram.middle + ram.stroke, ram.middle - ram.stroke);
@@ -101,7 +103,7 @@ impl Boom {
             let arm = if stretched { long - foot } else { foot + random.sign() * short };
             let arm = arm + if stretched { off } else { off * (foot - arm).signum() };
             let boom = Self { foot, arm, sign: random.sign() };
-            // The other end is far away, or never reached.
+            // The other end of the boom is far away, or is never reached.
             let spare = boom.spare(ram)[usize::from(stretched)];
             if arm > 0.1 && (spare > 0.02 || spare < -0.02 && -spare < ram.stroke) {
                 return boom;
@@ -126,7 +128,7 @@ fn booms([one, other]: [Boom; 2], ram: Ram, end: f64) -> Case<Booms> {
     let sampled = if crossings.is_empty() {
         Sampled::As { branch: Box::new(branch(true)), places: near }
     } else {
-        // Whether a cylinder that is told just reached its end in between nobody knows.
+        // Whether a cylinder with sampled lengths has just reached its end between two samples is unknown.
         Sampled::Unknown
     };
     let mechanism = Booms { foot: one.foot, arm: one.arm, foot2: other.foot, arm2: other.arm };

@@ -1,26 +1,26 @@
-//! Drawing dimensions, grids and distances from a limit.
+//! Random dimensions, time grids and distances from limits.
 
 use crate::closure::{FourBar, dyadic};
 use kin_tests::random::Random;
 
-/// What the families draw.
+/// Random quantities for the families of mechanisms.
 pub(crate) trait Draw {
-    /// True with this probability.
+    /// True with the given probability.
     fn chance(&mut self, probability: f64) -> bool;
     /// +1 or −1.
     fn sign(&mut self) -> f64;
-    /// A power of ten with an exponent between these, of either sign.
+    /// A power of ten with an exponent between `low` and `high`, with a random sign.
     fn small(&mut self, low: f64, high: f64) -> f64;
-    /// A length with few binary places.
+    /// A length with few binary places, so that sums are exact.
     fn length(&mut self) -> f64;
-    /// A whole number from `low` to `high`.
+    /// An integer from `low` to `high`.
     fn whole(&mut self, low: usize, high: usize) -> usize;
-    /// When a place on the way is met, between these shares of it: as a rule in between two instants, at times at one of them
-    /// or just beside.
+    /// A time between these fractions of the grid at which a place is met: usually between two instants, sometimes at
+    /// an instant or just beside one.
     fn meeting(&mut self, times: &[f64], low: f64, high: f64) -> f64;
-    /// Moves the instant that is nearest to `place` there, or just beside, at times.
+    /// Sometimes moves the instant nearest to `place` to it, or just beside it.
     fn hit(&mut self, times: &mut [f64], place: f64);
-    /// Instants from 0 to `end`, in even or uneven steps of a length drawn for all of them.
+    /// Times from 0 to `end`, in equal or random steps of a random size.
     fn grid(&mut self, end: f64) -> Vec<f64>;
 }
 
@@ -84,12 +84,12 @@ impl Draw for Random {
     }
 }
 
-/// A four-bar with a crossing, or with a limit that is near to one by `off`.
+/// A four-bar with a crossing if `off` is 0, and with a limit that is near a crossing otherwise.
 pub(crate) fn near_a_crossing(random: &mut Random, outer: bool, off: f64) -> FourBar {
     loop {
         let (a, b, c) = (random.length(), random.length(), random.length());
         let d = if outer { b + c - a } else { a + random.sign() * (b - c).abs() };
-        // A crank as long as the ground link goes through the ground pin.
+        // If the crank is as long as the ground link, its pin passes through the ground pin.
         if d > 0.1 && (a - d).abs() > 0.02 {
             return FourBar { a, b, c, d: d + off, sign: random.sign() };
         }

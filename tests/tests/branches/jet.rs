@@ -1,5 +1,5 @@
-//! Numbers with their first two derivatives with respect to time, so that a closed form of a position is one of the
-//! velocity and the acceleration, too. They owe nothing to kin.
+//! Numbers with their first two derivatives with respect to time, so that a closed form of the position also gives
+//! velocity and acceleration. They are independent of kin.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -16,12 +16,12 @@ impl Jet {
         Self { x, v, a }
     }
 
-    /// Time itself.
+    /// The time as a variable.
     pub(crate) const fn time(t: f64) -> Self {
         Self::new(t, 1.0, 0.0)
     }
 
-    /// f of this number, from f and its first two derivatives here.
+    /// f of this number by the chain rule, from f and its first two derivatives.
     fn chain(self, f: f64, d: f64, dd: f64) -> Self {
         Self::new(f, d * self.v, dd * self.v * self.v + d * self.a)
     }
@@ -41,7 +41,7 @@ impl Jet {
         self.chain(root, 0.5 / root, -0.25 / (root * self.x))
     }
 
-    /// The direction of the vector (`other`, `self`); where both are 0 at once it has none.
+    /// The angle of the vector (`other`, `self`); NaN where both are 0.
     pub(crate) fn atan2(self, other: Self) -> Self {
         let (y, x) = (self, other);
         let square = x.x * x.x + y.x * y.x;

@@ -1,4 +1,4 @@
-//! Scissor lifts that are pulled flat, a little less than flat, or a little more than they can be.
+//! Scissor lifts that are pulled nearly flat, exactly flat, or farther than is possible.
 
 use crate::case::{Case, Group};
 use crate::draw::Draw;
@@ -11,7 +11,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 macro_rules! lift {
     ($Name:ident, $stages:tt, $less:tt) => {
-        /// A lift with arms of length 1, whose sliding foot is pulled along the floor.
+        /// A scissor lift with arms of length 1, whose sliding foot is pulled along the floor.
         #[mechanism]
         #[bodies(left[$stages], right[$stages])]
         #[revolute(foot: ground @ (0, 0), left[0] @ (-0.5, 0))]
@@ -35,13 +35,13 @@ macro_rules! lift {
     };
 }
 
-/// A lift of so many stages.
+/// A lift of `STAGES` stages.
 trait Lift: Sized {
     const STAGES: usize;
     fn new(amplitude: f64) -> Self;
 }
 
-/// A lift of one stage has no joints between stages.
+/// A lift of one stage, which has no joints between stages.
 #[mechanism]
 #[bodies(left, right)]
 #[revolute(foot: ground @ (0, 0), left @ (-0.5, 0))]
@@ -64,8 +64,8 @@ impl Lift for One {
 lift!(Two, 2, 1);
 lift!(Three, 3, 2);
 
-/// The pull is cos α: 1 − cos α = 0.05 − A sin t = (0.05 − A) + 2A sin²(¼π − ½t), and sin²(½α) is half of that. Where A is
-/// 0.05, sin ½α = √A sin(¼π − ½t) goes through 0.
+/// The pull is cos α: 1 − cos α = 0.05 − A sin t = (0.05 − A) + 2A sin²(¼π − ½t), and sin²(½α) is half of that. For A =
+/// 0.05, sin ½α = √A sin(¼π − ½t) passes through 0.
 fn lift<M: Lift>(amplitude: f64, sign: f64, end: f64) -> Case<M> {
     let spare = if (amplitude - 0.05).abs() < 1e-15 { 0.0 } else { 0.05 - amplitude };
     let branch = move |t: f64, off: f64| {
@@ -85,17 +85,18 @@ fn lift<M: Lift>(amplitude: f64, sign: f64, end: f64) -> Case<M> {
         };
         Some(arms(alpha).chain(arms(-alpha + PI)).collect())
     };
-    // The first time at which it locks.
+    // The first time at which the lift locks.
     let width = if spare < 0.0 { 2.0 * (-0.5 * spare / amplitude).sqrt().asin() } else { 0.0 };
     let first = if end > 0.0 { FRAC_PI_2 } else { -3.0 * FRAC_PI_2 };
     let places = vec![first - width, first + width];
     let (folds, crossings) = if spare < 0.0 { (places, vec![]) } else { (vec![], places) };
-    // Short of flat, nothing crosses.
+    // If the lift does not become flat, no branches cross.
     let crossings = if spare > 0.0 { vec![] } else { crossings };
     Case::new(M::new(amplitude), branch, [folds, crossings], format!("sign {sign}"))
 }
 
-/// Four lifts over one grid: far beyond flat, by 10^-2 to 10^-10 of the stroke, and exactly.
+/// Four lifts over one grid, which are pulled beyond flat or short of flat by 10^-2 to 10^-10 of the stroke, or exactly
+/// flat.
 fn drawn<M: Lift>(random: &mut Random) -> Group<M> {
     let end = if random.chance(0.5) { random.between(2.0, 4.5) } else { -random.between(5.0, 7.5) };
     let mut times = random.grid(end);
@@ -119,7 +120,7 @@ fn scissor_lifts_near_the_floor() {
     tally.obeys("scissor lifts");
 }
 
-/// A sweep over 0 to 3 in 30 steps that locks at t = 1.5645.
+/// Sweeps from 0 to 3 in 30 and in 100 steps; the lift locks at t = 1.5645.
 #[test]
 fn a_lift_of_two_stages_locks() {
     let mut tally = Tally::default();

@@ -1,4 +1,5 @@
-//! Where a motion ends at a limit, the limit's t and the configuration there are known to 1e-9, in every way of calling.
+//! Where a motion ends at a limit, the time of the limit and the configuration there are accurate to 1e-9, for every
+//! method.
 
 use crate::approaches::folding;
 use crate::bars::{Angles, Bar, Ends, Middles, slider};
@@ -14,7 +15,7 @@ use kin_tests::random::Random;
 use std::f64::consts::FRAC_PI_2;
 use std::fmt::Debug;
 
-/// How often a limit was located, and how often not.
+/// The number of limits that were located, that were not located, and that were refused.
 #[derive(Default)]
 struct Count {
     located: usize,
@@ -22,13 +23,13 @@ struct Count {
     refused: usize,
 }
 
-/// Goes past the nearest fold or crossing in steps of `step`, by a sweep, a tracker and the plan alone.
+/// Moves past the nearest fold or crossing in steps of `step`, by a sweep, by a tracker and by the plan alone.
 fn past_its_limit<M: Kinematics + Debug>(case: &Case<M>, step: f64, count: &mut Count) {
     let nearest = |places: &[f64]| places.iter().copied().filter(|t| *t > 0.0).fold(f64::INFINITY, f64::min);
     let (fold, crossing) = (nearest(&case.folds), nearest(&case.crossings));
     let limit = fold.min(crossing);
     let all = case.folds.iter().chain(&case.crossings);
-    // Others near it would make another matter of it.
+    // Cases with a second limit nearby are excluded.
     if limit.is_infinite() || limit < 0.2 || all.into_iter().any(|t| *t != limit && (t - limit).abs() < 0.1) {
         return;
     }
@@ -60,7 +61,7 @@ fn past_its_limit<M: Kinematics + Debug>(case: &Case<M>, step: f64, count: &mut 
         assert!(values.min() < 3e-9 * values.max(), "{mechanism:?} at {limit}: {:.1e}", values.min() / values.max());
         count.located += 1;
     };
-    // Where the motion goes on along its branch, there is no limit.
+    // A motion that continues along its branch has no limit.
     if let Err(error) = solver.sweep_from(&start, &times) {
         let limit = error.source.limit();
         judge(limit.and_then(|limit| Some((limit.at()?, limit.kind()))), error.q_at_limit());
@@ -76,7 +77,7 @@ fn past_its_limit<M: Kinematics + Debug>(case: &Case<M>, step: f64, count: &mut 
 }
 
 impl Count {
-    /// All but one limit of so many are located.
+    /// Asserts that at most one of `many` limits is not located.
     #[track_caller]
     fn obeys(&self, family: &str, many: usize) {
         let Self { located, missed, refused } = self;

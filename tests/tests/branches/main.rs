@@ -1,8 +1,8 @@
-//! Motions through folds and crossings of branches, against closed forms: a motion ends there with a typed error, or goes on
-//! along the branch that is analytically the same one. Nothing else is ever given as good.
+//! Motions through folds and crossings of branches, compared with closed forms: a motion ends there with a typed error,
+//! or continues along its analytic branch. No other state is ever accepted.
 //!
-//! Every motion is followed in all ways that there are: a sweep by the plan and one without it, a tracker, a follower of the
-//! plan, a batch. `KIN_SWEEPS` asks for more sweeps than a usual run has.
+//! Every motion is followed by all methods: a sweep with the plan and one without, a tracker, a follower of the plan,
+//! and a batch. `KIN_SWEEPS` sets the number of sweeps.
 #![cfg(feature = "simd")]
 
 mod alone;

@@ -1,5 +1,5 @@
-//! Platforms on three driven cranks that are driven to a singular pose and back: a little less far, or a little farther
-//! than it. There is no closed form; the truth is a continuation of the test's own, along the arc.
+//! Platforms with three driven cranks that are moved to a singular pose and back: slightly less far, or slightly
+//! farther. There is no closed form, so the reference is an arc-length continuation in this test.
 
 use crate::case::{Case, Group};
 use crate::draw::Draw;
@@ -10,7 +10,7 @@ use crate::ways::follow;
 use kin_runtime::mechanism;
 use kin_tests::random::Random;
 
-/// 3-RRR.
+/// A 3-RRR platform.
 #[mechanism]
 #[bodies(crank[3], link[3], platform)]
 #[revolute(O[i in 0..3]: ground @ (x[i], y[i]), crank[i] @ (0, 0))]
@@ -35,7 +35,7 @@ pub(crate) fn case(random: &mut Random) -> Case<Platform> {
         let rig = Rig::drawn(random);
         let Some(arc) = rig.arc(2.5) else { continue };
         let reach = match arc.fold {
-            // A fold at the very start is none to drive to.
+            // A fold at the start is excluded.
             Some(fold) if fold < 0.1 => continue,
             Some(fold) if random.chance(0.7) => fold * (1.0 + random.small(-10.0, -2.0)),
             Some(fold) => fold * random.between(0.9, 1.6),

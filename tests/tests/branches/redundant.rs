@@ -1,5 +1,5 @@
-//! A platform on three parallel cranks: where two of them lie along the line of their pins, the third one says how they go on.
-//! Branches do not cross there, and the motion must pass.
+//! A platform on three parallel cranks: where two cranks lie along the line of their pins, the third one determines how
+//! they continue. The branches of the whole mechanism do not cross there, and the motion must pass.
 
 use crate::case::{Case, Group};
 use crate::draw::Draw;
@@ -10,7 +10,7 @@ use kin_runtime::mechanism;
 use kin_tests::random::Random;
 use std::f64::consts::PI;
 
-/// Ground pins at (0, 0), (b, 0) and (x, y); all cranks as long, all angles alike.
+/// Ground pins at (0, 0), (b, 0) and (x, y); all cranks have the same length and angle.
 #[mechanism(allow_redundant)]
 #[bodies(first, second, third, platform)]
 #[revolute(A: ground @ (0, 0), first @ (0, 0))]
@@ -29,7 +29,7 @@ struct Platform {
     start: f64,
 }
 
-/// A parallelogram whose coupler a second one holds parallel to the ground.
+/// A parallelogram whose coupler is kept parallel to the ground by a redundant row.
 #[mechanism(allow_redundant)]
 #[bodies(crank, coupler, rocker)]
 #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
@@ -55,7 +55,7 @@ fn case<M>(mechanism: M, bodies: Vec<([f64; 2], f64, f64)>, start: f64) -> Case<
         };
         Some(bodies.iter().flat_map(body).collect())
     };
-    // Where the first two cranks are in line.
+    // The times at which the first two cranks are in line.
     let plan_ends = (-5..=5).map(|half| PI * f64::from(half) - start).collect();
     Case { plan_ends, ..Case::new(mechanism, branch, [vec![], vec![]], String::new()) }
 }
@@ -66,7 +66,7 @@ fn drawn<M>(random: &mut Random, new: impl Fn(f64, f64, [f64; 2], f64) -> Case<M
     let mut one = || {
         let aside = random.sign() * random.between(0.1, 0.8);
         let (r, b, x) = (random.length(), random.length(), random.between(-0.5, 1.0));
-        // In a quarter of them the grid meets the place where two cranks are in line.
+        // In a quarter of the cases an instant of the grid is the one at which two cranks are in line.
         let turn = random.between(0.2, 2.9);
         let start = if random.chance(0.25) { -times[times.len() / 2] } else { turn };
         new(r, b, [x, aside], if start.sin().abs() < 1e-2 { turn } else { start })

@@ -1,14 +1,15 @@
-//! A platform on three driven cranks, followed along the arc by a small continuation that owes nothing to kin.
+//! A platform with three driven cranks, followed by an arc-length continuation that is independent of kin.
 
 use crate::arithmetic::{along, determinant, dot, solve};
 use crate::jet::Jet;
 use kin_tests::random::Random;
 
-/// Largest step along the arc, and largest turn of its direction in one.
+/// The largest step along the arc, and the largest change of its direction in one step.
 const STEP: f64 = 0.03;
 const TURN: f64 = 0.03;
 
-/// Ground pins, cranks, links, pins on the platform; cranks turn by `rate` s.
+/// The positions of ground pins, the lengths of cranks and links, and the pins on the platform; the angles of the
+/// cranks are `start` + `rate` s.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rig {
     pub(crate) x: [f64; 3],
@@ -19,20 +20,20 @@ pub(crate) struct Rig {
     pub(crate) py: [f64; 3],
     pub(crate) start: [f64; 3],
     pub(crate) rate: [f64; 3],
-    /// The platform's pose at s = 0.
+    /// The pose of the platform at s = 0.
     pub(crate) pose: [f64; 3],
 }
 
-/// The arc from s = 0 on: places (x, y, φ, s) and directions.
+/// The solution curve from s = 0 on: points (x, y, φ, s) and directions.
 #[derive(Clone, Debug)]
 pub(crate) struct Arc {
     nodes: Vec<([f64; 4], [f64; 4])>,
-    /// Where s turns back.
+    /// The s at which the curve turns back.
     pub(crate) fold: Option<f64>,
 }
 
 impl Rig {
-    /// One that closes, well away from singular poses.
+    /// A random platform that assembles, far from singular poses.
     pub(crate) fn drawn(random: &mut Random) -> Self {
         loop {
             let mut three = |low: f64, high: f64| -> [f64; 3] { std::array::from_fn(|_| random.between(low, high)) };
@@ -66,12 +67,12 @@ impl Rig {
         }
     }
 
-    /// Cranks' angles.
+    /// The angles of the cranks.
     pub(crate) fn cranks(&self, s: Jet) -> [Jet; 3] {
         std::array::from_fn(|i| s * self.rate[i] + self.start[i])
     }
 
-    /// Pins of the platform.
+    /// The positions of the pins on the platform.
     fn pins(&self, [x, y, phi]: [Jet; 3]) -> [[Jet; 2]; 3] {
         let (sin, cos) = (phi.sin(), phi.cos());
         std::array::from_fn(|i| {
@@ -80,19 +81,20 @@ impl Rig {
         })
     }
 
-    /// Ends of the cranks.
+    /// The positions of the ends of the cranks.
     pub(crate) fn ends(&self, s: Jet) -> [[Jet; 2]; 3] {
         let cranks = self.cranks(s);
         std::array::from_fn(|i| [cranks[i].cos() * self.r[i] + self.x[i], cranks[i].sin() * self.r[i] + self.y[i]])
     }
 
-    /// Vectors of the links.
+    /// The vectors along the links.
     pub(crate) fn links(&self, [x, y, phi, s]: [Jet; 4]) -> [[Jet; 2]; 3] {
         let (pins, ends) = (self.pins([x, y, phi]), self.ends(s));
         std::array::from_fn(|i| [pins[i][0] - ends[i][0], pins[i][1] - ends[i][1]])
     }
 
-    /// ½ (|link|² − l²), with links that are longer by a relative `off` times 1, 2, 3.
+    /// The residuals ½ (|link|² − l²), where the lengths of the links are increased by the relative amounts `off` times
+    /// 1, 2, 3.
     fn gaps(&self, z: [Jet; 4], off: f64) -> [Jet; 3] {
         let links = self.links(z);
         std::array::from_fn(|i| {
@@ -101,7 +103,7 @@ impl Rig {
         })
     }
 
-    /// Derivatives of the gaps by x, y, φ and s.
+    /// The derivatives of the residuals with respect to x, y, φ and s.
     fn rows(&self, z: &[f64; 4]) -> [[f64; 4]; 3] {
         let mut rows = [[0.0; 4]; 3];
         for k in 0..4 {
@@ -112,7 +114,7 @@ impl Rig {
         rows
     }
 
-    /// Closes z at right angles to `across`, and gives how far it had to go.
+    /// Corrects z to a root of the residuals, perpendicularly to `across`. Returns also the length of the correction.
     fn close(&self, mut z: [f64; 4], across: &[f64; 4], off: f64) -> Option<([f64; 4], f64)> {
         let (mut way, mut before) = (0.0, f64::INFINITY);
         for _ in 0..20 {
@@ -122,7 +124,7 @@ impl Rig {
             z = along(&z, 1.0, &step);
             let length = dot(&step, &step).sqrt();
             way += length;
-            // Until rounding is all that is left, which near a singular pose is more.
+            // The iteration ends at the level of rounding, which is higher near a singular pose.
             if length < 1e-15 || length > 0.1 * before && length < 1e-8 {
                 return Some((z, way));
             }
@@ -131,7 +133,7 @@ impl Rig {
         None
     }
 
-    /// The direction of the arc, on the side of `before`.
+    /// The direction of the curve, on the side of `before`.
     fn direction(&self, z: &[f64; 4], before: &[f64; 4]) -> [f64; 4] {
         let rows = self.rows(z);
         let minor = |k: usize| -> f64 {
@@ -142,7 +144,7 @@ impl Rig {
         direction.map(|x| x / size)
     }
 
-    /// Follows the arc until s is `until` or turns back.
+    /// Follows the curve until s is `until` or turns back.
     pub(crate) fn arc(&self, until: f64) -> Option<Arc> {
         let z = [self.pose[0], self.pose[1], self.pose[2], 0.0];
         let mut node = (z, self.direction(&z, &[0.0, 0.0, 0.0, 1.0]));
@@ -172,7 +174,7 @@ impl Rig {
         Some(Arc { nodes, fold: None })
     }
 
-    /// The place within `h` of a node at which s turns back.
+    /// The point within the distance `h` of a node at which s turns back.
     fn turning(&self, node: &([f64; 4], [f64; 4]), h: f64) -> Option<([f64; 4], [f64; 4])> {
         let (mut low, mut high) = (0.0, h);
         let mut found = *node;
@@ -190,7 +192,7 @@ impl Rig {
         Some(found)
     }
 
-    /// The platform's pose with its rates, for s and its rates.
+    /// The pose of the platform with its rates, for s with its rates.
     pub(crate) fn pose(&self, arc: &Arc, s: Jet, off: f64) -> Option<[Jet; 3]> {
         if arc.fold.is_some_and(|fold| s.x >= fold) {
             return None;
@@ -199,7 +201,7 @@ impl Rig {
         let z = between(&arc.nodes[next - 1], &arc.nodes[next], s.x);
         let still = [0.0, 0.0, 0.0, 1.0];
         let (z, way) = self.close(z, &still, 0.0)?;
-        // The Hermite polynomial is so near that nothing else is.
+        // The Hermite interpolation is accurate, so that a larger correction would lead to another solution.
         if way > 1e-3 {
             return None;
         }
@@ -218,14 +220,14 @@ impl Rig {
         Some(std::array::from_fn(|k| Jet::new(z[k], v[k], a[k])))
     }
 
-    /// Positive or negative: on which side of the singular poses it is.
+    /// The sign of a determinant that changes at singular poses.
     fn side(&self, z: &[f64; 4]) -> f64 {
         let rows = self.rows(z);
         determinant(std::array::from_fn(|i| std::array::from_fn(|k| rows[i][k])))
     }
 }
 
-/// The place with this s on the cubic between two nodes.
+/// The point with this s on the Hermite cubic between two nodes.
 fn between((from, out): &([f64; 4], [f64; 4]), (to, into): &([f64; 4], [f64; 4]), s: f64) -> [f64; 4] {
     let gap: [f64; 4] = std::array::from_fn(|k| to[k] - from[k]);
     let h = dot(&gap, &gap).sqrt();

@@ -1,4 +1,4 @@
-//! The motions of a group in one batch.
+//! Follows the motions of a group in one batch.
 
 use crate::case::{Answer, Group, Refusal};
 use crate::ways::told;

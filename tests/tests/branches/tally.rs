@@ -1,19 +1,19 @@
-//! Counting what becomes of many motions, and the law that they must obey.
+//! Counts of verdicts over many motions, and the law that they must obey.
 
 use crate::case::Verdict;
 use crate::ways::WAYS;
 use std::fmt::Write;
 
-/// Sweeps in a usual run, all families together; `KIN_SWEEPS` asks for more.
+/// The number of sweeps in a usual run, for all families together; `KIN_SWEEPS` sets another number.
 const USUAL: f64 = 1500.0;
 
-/// How many motions a family with this share of all sweeps has: each is followed in all ways.
+/// The number of motions for a family with this share of all sweeps; each motion is followed by all methods.
 pub(crate) fn motions(share: f64) -> usize {
     let asked = std::env::var("KIN_SWEEPS").ok().and_then(|number| number.parse().ok());
     (share * asked.unwrap_or(USUAL) / WAYS.len() as f64).ceil() as usize
 }
 
-/// Counts by way and verdict, with the first case of everything that should not be.
+/// The counts by method and verdict, with the first case of every undesired verdict.
 #[derive(Default)]
 pub(crate) struct Tally {
     counts: [[usize; 5]; WAYS.len()],
@@ -29,7 +29,7 @@ impl Tally {
         }
     }
 
-    /// No state is ever wrong, and less than one motion in a hundred is refused without need.
+    /// Asserts that no state is wrong, and that less than one motion in a hundred is refused unnecessarily.
     #[track_caller]
     pub(crate) fn obeys(&self, family: &str) {
         let mut table = format!("{family}: right, refused in place, refused early, inexact, on another branch\n");

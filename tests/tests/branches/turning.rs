@@ -1,4 +1,5 @@
-//! Cranks that swing to a fold or a crossing and turn round there: a little before it, a little behind it, or at it.
+//! Cranks that swing to a fold or a crossing and reverse there: slightly before it, slightly behind it, or exactly at
+//! it.
 
 use crate::case::{Case, Group, NEAR};
 use crate::closure::FourBar;
@@ -39,13 +40,14 @@ fn swinging(bar: FourBar, middle: f64, swing: f64, grid: &[f64]) -> Case<Swingin
         Some(vec![zero, zero, phi, phi.cos() * a, phi.sin() * a, coupler, Jet::from(d), zero, rocker])
     };
     let width = swing.abs();
-    // When the crank is at these angles; and where it turns so near to one that nothing more is certain.
+    // The times at which the crank is at these angles, and the instants at which it reverses so near to one that
+    // nothing is determined.
     let in_time = |places: Vec<f64>| -> Vec<f64> {
         let mut times = Vec::new();
         for place in places {
             let sine = (place - middle) / swing;
             if (sine.abs() - 1.0).abs() * width < NEAR {
-                // The crank is slow there, and near for a while.
+                // The crank is slow there, and remains near for some time.
                 times.extend(grid.iter().filter(|t| (t.sin() - sine).abs() * width < NEAR));
                 let steps = ((3.0 * NEAR / width).sqrt() / NEAR) as i32;
                 for turn in -3..3 {
@@ -68,7 +70,7 @@ fn swinging(bar: FourBar, middle: f64, swing: f64, grid: &[f64]) -> Case<Swingin
     Case::new(mechanism, branch, [folds, crossings], format!("sign {sign}"))
 }
 
-/// When the crank passes a fold: not where it turns before it.
+/// The times at which the crank passes a fold; none if it reverses before the fold.
 fn fold_times(folds: &[f64], middle: f64, swing: f64) -> Vec<f64> {
     let sines = folds.iter().map(|place| (place - middle) / swing).filter(|sine| sine.abs() < 1.0);
     sines
@@ -79,7 +81,7 @@ fn fold_times(folds: &[f64], middle: f64, swing: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Four cranks that swing to within 10^-2 to 10^-10 of their places, on either side.
+/// Four cranks that swing to within 10^-2 to 10^-10 of the fold or crossing, on either side.
 fn drawn(random: &mut Random, fold: bool) -> Group<Swinging> {
     let end = random.sign() * random.between(2.0, 5.0);
     let mut times = random.grid(end);
@@ -97,7 +99,7 @@ fn drawn(random: &mut Random, fold: bool) -> Group<Swinging> {
         } else {
             crossing(random)
         };
-        // The crank turns at the place, coming from the side on which it can be.
+        // The crank reverses at this place, and comes from the side on which the mechanism closes.
         let from = random.sign() * random.between(0.3, 1.0);
         let off = if !fold && random.chance(0.1) { 0.0 } else { random.small(-10.0, -2.0) };
         let (middle, swing) = (place + from, -from * (1.0 + off));

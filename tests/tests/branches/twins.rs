@@ -1,5 +1,5 @@
-//! Two four-bars on one crank whose limits coincide, or nearly: the sign of the determinant of Φ_q does not change where
-//! both change their closures at once.
+//! Two four-bars on one crank, whose limits coincide or nearly coincide: where both closures change at once, the sign
+//! of the determinant of Φ_q does not change.
 
 use crate::case::{Case, Group};
 use crate::closure::FourBar;
@@ -12,7 +12,8 @@ use kin_runtime::mechanism;
 use kin_tests::random::Random;
 use std::f64::consts::{PI, TAU};
 
-/// The second four-bar is turned by `turned` on the crank, and its ground link by `ahead` more.
+/// The pin of the second four-bar is at the angle `turned` on the crank, and its ground link is rotated by `ahead`
+/// more.
 #[mechanism]
 #[bodies(crank, coupler, rocker, second_coupler, second_rocker)]
 #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
@@ -78,7 +79,7 @@ fn twins([one, other]: [FourBar; 2], turned: f64, ahead: f64, start: f64, span: 
     Case::new(mechanism, branch, [folds, crossings].map(in_time), note)
 }
 
-/// Four pairs of twins over one grid that leads each of them past its limit.
+/// Four pairs over one grid of times that leads each of them past its limit.
 fn drawn(random: &mut Random, equal: bool) -> Group<Twins> {
     let end = random.sign() * random.between(2.5, 6.5);
     let times = random.grid(end);
@@ -87,7 +88,7 @@ fn drawn(random: &mut Random, equal: bool) -> Group<Twins> {
         let outer = random.chance(0.5);
         let bar = |random: &mut Random| {
             let off = if random.chance(0.1) { 0.0 } else { random.small(-9.0, -3.0) };
-            // Parallelograms and kites among them.
+            // Some of them are parallelograms and kites.
             let (bar, limit) = crossing(random);
             if random.chance(0.3) && limit == if outer { PI } else { TAU } {
                 FourBar { d: bar.d + off, ..bar }
@@ -103,7 +104,7 @@ fn drawn(random: &mut Random, equal: bool) -> Group<Twins> {
             (other, if random.chance(0.5) { 0.0 } else { random.small(-9.0, -2.0) })
         };
         let turned = if random.chance(0.3) { 0.0 } else { random.between(-PI, PI) };
-        // The limit is in the first two thirds of the way.
+        // The limit is in the first two thirds of the motion.
         let limit = if outer { PI } else { TAU };
         let start = limit - random.meeting(&times, 0.05, 0.65);
         if one.is_free(start, 0.05) && other.is_free(start - ahead, 0.05) {
@@ -131,7 +132,7 @@ fn different_twins_of_nearly_one_limit() {
     tally.obeys("different twins");
 }
 
-/// Twice 0.1, 0.4 and 0.35, with a ground link beside 0.65, where stretched links cross.
+/// Two four-bars with links 0.1, 0.4 and 0.35, and a ground link near 0.65, where branches cross with stretched links.
 #[test]
 fn two_crank_rockers() {
     let (mut random, mut tally) = (Random::new(203), Tally::default());
@@ -140,7 +141,7 @@ fn two_crank_rockers() {
         for off in offs {
             let times = random.grid(6.0);
             let pairs = [[1.0, 1.0], [1.0, -1.0], [-1.0, -1.0], [-1.0, 1.0]];
-            // 0.1 + 0.65 is 0.4 + 0.35 to the last bit.
+            // 0.1 + 0.65 equals 0.4 + 0.35 to the last bit.
             let bar = |sign: f64| FourBar { a: 0.1, b: 0.4, c: 0.35, d: 0.65 + off, sign };
             let cases = pairs.map(|signs| twins(signs.map(bar), 0.0, 0.0, 0.5 + random.between(0.0, 0.5), [0.0, 6.0]));
             follow(&mut tally, &Group::new(times, cases.into()));

@@ -1,4 +1,4 @@
-//! All ways in which kin follows a motion: they must give the same branch.
+//! All methods by which kin follows a motion; they must give the same branch.
 
 use crate::alone::{alone, states};
 use crate::case::{Answer, Expected, Group, Refusal, Sampled, expected, judge};
@@ -8,10 +8,10 @@ use kin_runtime::{Instant, Kinematics, Options, PlanError, Planned, Signal, Solv
 use kin_tests::compare::largest;
 use std::fmt::Debug;
 
-/// Names of the ways, in the order of their counts.
+/// The names of the methods, in the order of their counts.
 pub(crate) const WAYS: [&str; 6] = ["sweep", "without plan", "tracker", "planned", "batch", "states"];
 
-/// Inputs at an instant.
+/// The inputs at an instant.
 pub(crate) fn told<M: Kinematics>(group: &Group<M>, t: f64) -> Vec<Signal> {
     let mut inputs = vec![Signal::default(); M::INPUTS];
     (group.inputs)(t, &mut inputs);
@@ -27,7 +27,7 @@ fn refusal(error: &SolveError) -> Refusal {
     Refusal { t, typed, words: error.to_string() }
 }
 
-/// Follows the motions of a group in every way, and counts what becomes of it.
+/// Follows the motions of a group by every method, and counts the verdicts.
 pub(crate) fn follow<M: Kinematics + Sync + Debug>(tally: &mut Tally, group: &Group<M>) {
     let Group { times, cases, .. } = group;
     let has_plan = M::model().plan.exists();
@@ -67,7 +67,8 @@ pub(crate) fn follow<M: Kinematics + Sync + Debug>(tally: &mut Tally, group: &Gr
     }
 }
 
-/// What is known fits the mechanism as it is written down: Φ = 0, and Φ_q q̇ + Φ_t = 0 where that can be told.
+/// Asserts that the expected states satisfy the equations of the mechanism: Φ = 0, and Φ_q q̇ + Φ_t = 0 where this can
+/// be checked.
 fn closes<M: Kinematics + Debug>(group: &Group<M>, mechanism: &M, known: &[Expected]) {
     for (t, known) in group.times.iter().zip(known) {
         let Some((jets, allowed)) = known else { continue };
@@ -114,7 +115,8 @@ fn tracked<M: Kinematics>(group: &Group<M>, mechanism: &M, start: &[f64]) -> Ans
             Ok(state) => answer.states.push([&state.q, &state.q_dot, &state.q_ddot].map(Clone::clone)),
             Err(error) => {
                 let found = refusal(&error);
-                // In between, inputs go as the tracker thinks.
+                // Between instants the inputs follow the tracker's own course, so that the time of the limit cannot be
+                // compared.
                 let t = found.t.filter(|_| M::INPUTS == 0);
                 return Answer { refusal: Some(Refusal { t, ..found }), ..answer };
             }
@@ -128,7 +130,7 @@ fn planned<M: Kinematics>(group: &Group<M>, mechanism: &M, start: &[f64]) -> Ans
     let refusal = |error: PlanError| {
         let words = error.to_string();
         let typed = error.limit().is_some() || matches!(error, PlanError::Undecided { .. });
-        // It says no more than which instant it cannot reach.
+        // The error only says which instant cannot be reached.
         Some(Refusal { t: None, typed, words })
     };
     let first = told(group, group.times[0]);

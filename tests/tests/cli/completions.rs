@@ -1,10 +1,10 @@
-//! Scripts that complete the command line, the mechanism's names included.
+//! Completion scripts, which include the names of the mechanism.
 
 use std::process::Command;
 
 use crate::{failed, good};
 
-/// What bash offers for the last of `words`.
+/// The completions that bash offers for the last of `words`.
 fn offered(script: &str, words: &[&str]) -> Vec<String> {
     let quoted: Vec<String> = words.iter().map(|word| format!("'{word}'")).collect();
     let (last, before) = (words[words.len() - 1], words[words.len() - 2]);
@@ -19,7 +19,7 @@ fn offered(script: &str, words: &[&str]) -> Vec<String> {
     output.lines().map(str::to_owned).collect()
 }
 
-/// The output of a program that is given a text.
+/// The output of a program with a text as its input.
 fn run(command: &mut Command, text: &str) -> String {
     let path =
         std::env::temp_dir().join(format!("kin-completions-{}-{:?}", std::process::id(), std::thread::current().id()));

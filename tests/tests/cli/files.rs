@@ -1,4 +1,4 @@
-//! `--out`: the form by the ending, and files that are there whole or not at all.
+//! `--out`: the format is chosen by the extension, and files are written completely or not at all.
 
 use std::fs;
 use std::io::{BufRead, BufReader};
@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 
 use crate::{failed, good, kin};
 
-/// A directory that goes with the test.
+/// A temporary directory, which is removed after the test.
 struct Place(PathBuf);
 
 impl Place {
@@ -107,7 +107,7 @@ fn devices_and_pipes_are_written_to_directly() {
     }
     let err = kin(&format!("{line} --out /dev/stderr"));
     assert_eq!((err.status, err.out.as_str(), err.err), (Some(0), "", expected.clone()));
-    // What a shell has opened for several programs is not replaced below it.
+    // A file that a shell has opened for several programs must not be replaced.
     let log = place.file("log");
     let script = format!("{{ echo first; '{}' {line} --out /dev/stdout; echo last; }} > '{log}'", several());
     assert!(Command::new("sh").args(["-c", &script]).status().expect("a shell").success());
@@ -134,7 +134,8 @@ fn several() -> &'static str {
     env!("CARGO_BIN_EXE_several")
 }
 
-/// `… | head`: no word and no panic, but a status that says that not all was written, for any command.
+/// A closed pipe, as in `… | head`, causes neither a message nor a panic, but an exit status for incomplete output, for
+/// any command.
 #[test]
 fn a_reader_that_leaves_is_told_nothing_and_the_status_says_so() {
     let lines = [
@@ -152,7 +153,7 @@ fn a_reader_that_leaves_is_told_nothing_and_the_status_says_so() {
         "sweep --to 1 --steps 5000 --out -",
     ];
     for line in lines {
-        // The reader has left before anything is written, however little that is.
+        // The reader is closed before anything is written.
         let (reader, writer) = std::io::pipe().expect("a pipe");
         drop(reader);
         let child = Command::new(several())
@@ -168,7 +169,7 @@ fn a_reader_that_leaves_is_told_nothing_and_the_status_says_so() {
     }
 }
 
-/// A reader of the first line, of an answer that no pipe holds whole; and one of all of it.
+/// One reader reads only the first line of an output that does not fit into a pipe, another reads everything.
 #[test]
 fn the_status_is_0_only_when_all_was_written() {
     let sweep = "fourbar sweep --to 1 --steps 5000 --format csv";

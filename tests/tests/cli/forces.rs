@@ -1,4 +1,4 @@
-//! Forces on the command line, where joints share them in a way that nothing determines.
+//! Forces on the command line for joints whose forces are not determined.
 
 use serde_json::Value;
 

@@ -1,4 +1,4 @@
-//! Help that fits the screen, and examples that mean something for the mechanism at hand.
+//! Tests that help texts fit the screen, and that their examples use the names of the mechanism.
 
 use crate::{failed, good, kin};
 
@@ -14,7 +14,8 @@ fn help_fits_the_screen_and_has_examples() {
                 let line = format!("{mechanism} {command} {help}");
                 let text = good(&line);
                 assert!(text.contains("\nExamples:\n  several"), "{line}: {text}");
-                // The first line is the mechanism's own documentation; inputs stand behind everything.
+                // The first line is the documentation of the mechanism; the option for inputs is appended to every
+                // example.
                 let mut lines = text.lines().skip(1);
                 let long = lines.find(|l| l.chars().count() > 100 && !l.contains("--input '"));
                 assert_eq!(long, None, "{line}");
@@ -33,7 +34,7 @@ fn help_fits_the_screen_and_has_examples() {
     assert!(good("underdriven solve -h").contains(" --given "));
 }
 
-/// What a shell makes of a line of an example, without its comment.
+/// The arguments in a line of an example, split as a shell does, without the comment.
 fn words(line: &str) -> Vec<String> {
     let (mut words, mut word, mut quoted) = (Vec::new(), String::new(), false);
     for letter in line.trim().chars() {
@@ -50,7 +51,7 @@ fn words(line: &str) -> Vec<String> {
     words
 }
 
-/// Every example of every help has a good answer.
+/// Every example in every help text runs successfully.
 #[test]
 fn examples_run() {
     let place = std::env::temp_dir().join(format!("kin-examples-{}", std::process::id()));
@@ -59,7 +60,7 @@ fn examples_run() {
     for mechanism in ["fourbar", "leg", "underdriven", "limits", "redundant", "cam", "ends", "teeth"] {
         for command in COMMANDS {
             let help = good(&format!("{mechanism} {command} --help"));
-            // What has nothing to draw has no example for it.
+            // Commands that draw have no example for a mechanism without anything to draw.
             let Some(examples) = help.split("\nExamples:\n").nth(1) else { continue };
             let examples = examples.split("\n\n").next().unwrap_or_default();
             for example in examples.lines().filter(|line| line.starts_with("  several") && !line.contains('>')) {
@@ -102,7 +103,7 @@ fn wrong_options_are_told_all_at_once() {
     let parts = ["no quantity named `crank.fi`; did you mean `crank.phi`?", "`tip`", "`nothing`", "--vary", "x.pdf"];
     assert!(ran.status == Some(2) && parts.iter().all(|part| ran.err.contains(part)), "{}", ran.err);
     assert_eq!(ran.err.matches("  quantities: t, crank.x, crank.y, crank.phi,").count(), 1, "{}", ran.err);
-    // Examples in errors have the mechanism's own names, and what was meant is told.
+    // Examples in errors use the names of the mechanism, and errors suggest corrections.
     failed("fourbar solve --set x --guess y", 2, &["write --set l1=0.12\n", "write --guess crank.x=0.9\n"]);
     failed("fourbar solve --mode D=+", 2, &["no mode named `D`; did you mean `A-B-D`?"]);
     failed("fourbar check --configurations 1e3", 2, &["--configurations: `1e3` is no number of configurations"]);

@@ -1,4 +1,4 @@
-//! Ctrl-C: everything that is finished is written, and the status says so.
+//! Ctrl-C: all finished results are written, and the exit status reports the interruption.
 
 use std::io::Read;
 use std::os::unix::process::ExitStatusExt;
@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
-/// Something that goes on for a long time, from when on it listens.
+/// Starts a command that runs for a long time, and waits until it handles signals.
 fn start(line: &str) -> Child {
     let child = Command::new(env!("CARGO_BIN_EXE_several"))
         .args(line.split_whitespace())
@@ -16,13 +16,13 @@ fn start(line: &str) -> Child {
         .stderr(Stdio::piped())
         .spawn()
         .expect("the program starts");
-    // It catches SIGINT, which is number 2.
+    // SIGINT is signal number 2; its bit is set when the program handles it.
     until(&child, "SigCgt:", |mask| u64::from_str_radix(mask, 16).is_ok_and(|mask| mask & 0b10 != 0));
     std::thread::sleep(Duration::from_millis(100));
     child
 }
 
-/// Waits until a line of what the system knows of the process is as it should be.
+/// Waits until a line of the process status satisfies a condition.
 fn until(child: &Child, key: &str, wanted: impl Fn(&str) -> bool) {
     let began = Instant::now();
     loop {
@@ -41,7 +41,7 @@ fn interrupt(child: &Child) {
     assert!(Command::new("sh").args(["-c", &kill]).status().expect("a shell").success());
 }
 
-/// What an interrupted run leaves: its output and what it says.
+/// The output and the error output of an interrupted command.
 fn interrupted(line: &str) -> (String, String) {
     let child = start(line);
     interrupt(&child);
@@ -52,7 +52,7 @@ fn interrupted(line: &str) -> (String, String) {
     (out, err)
 }
 
-/// `12 of 1000001 instants`: 12.
+/// The number 12 in `12 of 1000001 instants`.
 fn finished(err: &str) -> usize {
     let number = err.strip_prefix("interrupted: ").and_then(|rest| rest.split(' ').next());
     number.and_then(|number| number.parse().ok()).expect("a number")
@@ -104,7 +104,7 @@ fn pages_diagrams_and_checks_end_too() {
 
 #[test]
 fn the_second_ends_the_program_at_once() {
-    // Nobody reads what it has, so that it cannot end by itself.
+    // Nobody reads the output, so that the program blocks and cannot end by itself.
     let mut child = start("fourbar sweep --to 1000 --steps 1000000 --points --format csv");
     std::thread::sleep(Duration::from_millis(300));
     interrupt(&child);
@@ -117,7 +117,7 @@ fn the_second_ends_the_program_at_once() {
     assert_eq!(err, "");
 }
 
-/// Rows are written as they come, so that a long sweep takes no more memory than a short one.
+/// Rows are written as they are computed, so that a long sweep needs no more memory than a short one.
 #[test]
 fn a_long_sweep_takes_little_memory() {
     let file = std::env::temp_dir().join(format!("kin-long-{}", std::process::id()));
@@ -136,7 +136,7 @@ fn a_long_sweep_takes_little_memory() {
         assert!(child.wait().expect("a status").success());
         let size = std::fs::metadata(&path).expect("a file").len();
         std::fs::remove_file(&path).expect("a file");
-        // A megabyte is a thousand kilobytes here; the file alone is larger.
+        // The memory is limited to 50 MB, which is less than the size of the file.
         assert!(most > 0 && most < 50_000 && size > 50_000_000, "{ending}: {most} kB for {size} bytes");
     }
 }

@@ -1,4 +1,4 @@
-//! The command line as its users meet it: a process, its streams and its status.
+//! Tests of the command line as a process with its streams and exit status.
 
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
@@ -15,7 +15,7 @@ mod unwatched;
 
 use serde_json::Value;
 
-/// What one run gave.
+/// The result of one run.
 struct Ran {
     status: Option<i32>,
     out: String,
@@ -35,7 +35,7 @@ fn kin(line: &str) -> Ran {
     }
 }
 
-/// A run whose answer is good and which has nothing to say beside it.
+/// The output of a run that succeeds without messages.
 fn good(line: &str) -> String {
     let ran = kin(line);
     assert_eq!((ran.status, ran.err.as_str()), (Some(0), ""), "{line}");
@@ -85,7 +85,7 @@ fn the_report_names_everything_and_fits_the_screen() {
     for line in text.lines() {
         assert!(line.chars().count() <= 100, "{line}");
     }
-    // Numbers of ordinary size are plain decimals.
+    // Numbers of ordinary size are printed without exponents.
     let tables = text.split("Checks").next().unwrap_or_default();
     assert!(!tables.lines().filter(|l| l.contains("coupler.")).any(|l| l.contains("e-")), "{tables}");
 }
@@ -214,12 +214,12 @@ fn inputs_come_with_value_rate_and_acceleration() {
     let solved = json(&format!("leg solve --format json {inputs}"));
     assert_eq!(numbers(&serde_json::json!([-0.5, 0.8, -0.3])), rates(&solved["inputs"]["motor[0]"]));
     assert_eq!(numbers(&serde_json::json!([-2.6, -0.9, 0.0])), rates(&solved["inputs"]["motor[1]"]));
-    // The second thigh's angle is the second motor's.
+    // The angle of the second thigh is that of the second motor.
     let ratio = &solved["input_ratios"]["motor[1]"];
     let first = numbers(&ratio["first"]);
     assert!(first[2].abs() < 1e-15 && (first[5] - 1.0).abs() < 1e-15, "{first:?}");
 
-    // Over a time grid the accelerations stay what they are.
+    // Over a time grid the inputs continue with constant acceleration.
     let swept = json(&format!("leg sweep --from 1 --to 1.5 --steps 1 --format json {inputs}"));
     let (value, rate) = (-0.5 + 0.5 * (0.8 - 0.25 * 0.3), 0.8 - 0.5 * 0.3);
     let last = rates(&swept["states"][1]["inputs"]["motor[0]"]);

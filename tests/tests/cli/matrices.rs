@@ -2,7 +2,7 @@
 
 use super::good;
 
-/// The rows of a matrix of text, its entries apart.
+/// The entries of a matrix in the text, row by row.
 fn entries(text: &str, name: &str) -> Vec<Vec<String>> {
     let lines = text.lines().skip_while(|line| !line.trim_start().starts_with(&format!("{name} = ⎡")));
     let rows = lines.take_while(|line| line.contains(['⎡', '⎢', '⎣']));
@@ -19,7 +19,7 @@ fn the_lectures_four_bar_has_its_matrices() {
     let text = good("fourbar equations --part rows");
     let phi_q = entries(&text, "Φ_q");
     assert_eq!((phi_q.len(), phi_q[0].len()), (9, 9));
-    // Row A.x, as a lecture has it.
+    // The row A.x in the notation of the lecture.
     let expected = ["−1", "0", "(l₁/2) sin φ_crank", "1", "0", "(l₂/2) sin φ_coupler", "0", "0", "0"];
     assert!(phi_q.iter().any(|row| row == &expected), "{phi_q:?}");
     assert_eq!(["Φ", "Φ_t", "γ"].map(|name| entries(&text, name).len()), [9; 3]);

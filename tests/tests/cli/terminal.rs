@@ -1,6 +1,6 @@
-//! What there is on a terminal alone: colours, and a bar where something takes longer than a second.
+//! Output that appears on terminals only: colours, and a progress bar for commands of more than a second.
 //!
-//! A pseudo-terminal is made by `script` of util-linux; without it these tests say that they are skipped.
+//! The tests create a pseudo-terminal by `script` of util-linux; without it they report that they are skipped.
 
 use std::io::{Read, Write};
 use std::process::{Command, Stdio};
@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 const ESCAPE: char = '\u{1b}';
 
-/// The program on a terminal of its own.
+/// The command that runs the program on a pseudo-terminal.
 fn on_a_terminal(line: &str) -> Option<Command> {
     let version = Command::new("script").arg("--version").output();
     if !version.is_ok_and(|output| String::from_utf8_lossy(&output.stdout).contains("util-linux")) {

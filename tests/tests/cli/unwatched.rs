@@ -1,10 +1,10 @@
-//! Conditions that change too fast for a sweep to watch them.
+//! Conditions that change too fast to be watched by a sweep.
 
 use serde_json::Value;
 
 use crate::kin;
 
-/// What was not watched is said beside the result and stands in it; what was is not mentioned.
+/// Unwatched conditions are reported in a message and in the result; watched ones are not mentioned.
 #[test]
 fn a_condition_too_fast_to_be_watched_is_noted() {
     let line = "teeth sweep --to 20 --steps 1 --format json";

@@ -1,4 +1,5 @@
-//! Conditions that are faster than the motion: each crossing is found, or the trajectory says where it was not watched.
+//! Conditions that change faster than the motion: each crossing is found, or the trajectory reports where the condition
+//! was not watched.
 
 use super::*;
 use core::ops::ControlFlow;
@@ -6,7 +7,7 @@ use core::sync::atomic::{AtomicUsize, Ordering};
 use kin_runtime::Reached;
 use kin_runtime::function::FromFn;
 
-/// A coordinate that goes steadily.
+/// A coordinate that moves uniformly.
 #[mechanism]
 #[coordinates(u)]
 #[driver(drive: u = t)]
@@ -18,7 +19,7 @@ struct Steady {
     c: f64,
 }
 
-/// A coordinate that goes back and forth, and a condition with t beside one of the coordinate.
+/// A coordinate that moves back and forth, with one condition on the coordinate and one on t.
 #[mechanism]
 #[coordinates(u)]
 #[driver(drive: u = 3 * sin(t))]
@@ -31,7 +32,7 @@ struct Swinging {
     c: f64,
 }
 
-/// Nothing moves but the condition: the whole sweep is one step.
+/// Only the condition changes, so that the whole sweep is one step.
 #[mechanism]
 #[coordinates(u)]
 #[driver(drive: u = 1 + 0 * t)]
@@ -43,7 +44,7 @@ struct Resting {
     c: f64,
 }
 
-/// A crank, whose angle turns with the motion's own step, and a scale that it passes.
+/// A crank, whose angle limits the length of steps, and a condition on the position of its tip.
 #[mechanism]
 #[bodies(crank)]
 #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
@@ -58,7 +59,7 @@ struct Scale {
     c: f64,
 }
 
-/// The places in (from, to) where sin(k u) = c, with the direction in which u passes them upwards.
+/// The values of u in (from, to) where sin(k u) = c, with the kind of crossing for increasing u.
 fn crossings(k: f64, c: f64, from: f64, to: f64) -> Vec<(f64, Crossing)> {
     let (rising, falling) = (c.asin(), PI - c.asin());
     let turns = |u: f64| k * u / TAU;
@@ -79,7 +80,7 @@ fn grids(from: f64, to: f64) -> Vec<Vec<f64>> {
     vec![vec![from, to], grid(from, to, 7), grid(from, to, 100), uneven(20), vec![to, from]]
 }
 
-/// What a sweep along `times` meets of crossings that are ordered upwards.
+/// The crossings in the order in which a sweep along `times` meets them; the list is for increasing times.
 fn along(times: &[f64], mut expected: Vec<(f64, Crossing)>) -> Vec<(f64, Crossing)> {
     if times[0] > times[times.len() - 1] {
         expected.reverse();
@@ -92,7 +93,7 @@ fn along(times: &[f64], mut expected: Vec<(f64, Crossing)>) -> Vec<(f64, Crossin
 #[test]
 fn each_wave_of_a_fast_condition_is_seen() {
     for k in 1..=400 {
-        // One short interval for all, and all grids for some.
+        // Most conditions are tested on one short interval, some on all grids.
         let (to, few) = if k % 67 == 0 || k == 37 { (20.0, 5) } else { (3.0, 1) };
         let k = f64::from(k);
         for times in grids(0.0, to).into_iter().take(few) {
@@ -117,7 +118,7 @@ fn so_are_shallow_waves() {
     }
 }
 
-/// The times in (from, to) at which 3 sin t passes the places of `upwards`, with the way.
+/// The times in (from, to) at which 3 sin t passes the values in `upwards`, with the kind of crossing.
 fn times_of(upwards: &[(f64, Crossing)], from: f64, to: f64) -> Vec<(f64, Crossing)> {
     let mut all = Vec::new();
     for &(u, way) in upwards {
@@ -143,7 +144,7 @@ fn a_motion_to_and_fro_passes_a_fast_condition_both_ways() {
             let found = events_of(&trajectory, "n");
             let expected = along(&times, places);
             assert_eq!(found.len(), expected.len(), "k = {k} on {} instants", times.len());
-            // Where u turns near a place, its time is known less well than the place.
+            // Where u reverses near a crossing, the time is less accurate than u.
             for (found, expected) in found.iter().zip(&expected) {
                 assert!((found.0 - expected.0).abs() < 1e-8 && found.1 == expected.1, "{found:?} and {expected:?}");
             }
@@ -174,7 +175,7 @@ fn fast_limits_of_points_are_met_and_crests_are_touched() {
     for k in [2.0, 11.0, 40.0, 150.0] {
         let trajectory = sweep(&Scale { k, ..Scale::default() }, &[0.0, 3.0]);
         watched(&trajectory);
-        // cos(k x) > c with x = cos φ falling from 1 to −1: sin(k x + π/2) > c.
+        // cos(k x) > c with x = cos φ falling from 1 to −1, and cos(k x) = sin(k x + π/2).
         let places = crossings(k, 0.3, -1.0 + FRAC_PI_2 / k, 1.0 + FRAC_PI_2 / k);
         let turned = |way| if way == Restored { Violated } else { Restored };
         let mut expected: Vec<(f64, Crossing)> =
@@ -206,7 +207,8 @@ fn a_sweep_stops_at_the_first_crossing_of_a_fast_condition() {
     }
 }
 
-/// Too fast for any patience: that is said, with the times, and nothing is claimed of what was not seen.
+/// A condition too fast for any number of samples is reported with its times, and no events are reported that were not
+/// found.
 #[test]
 fn what_is_too_fast_to_be_watched_is_told_so() {
     for times in [vec![0.0, 20.0], vec![20.0, 0.0], grid(0.0, 20.0, 50)] {
@@ -221,19 +223,19 @@ fn what_is_too_fast_to_be_watched_is_told_so() {
         let length: f64 = told.iter().map(|unwatched| (unwatched.to - unwatched.from).abs()).sum();
         assert!(length > 19.0, "{length}");
         assert!(trajectory.to_string().contains("n was not watched from t = "), "{trajectory}");
-        // What was seen is right.
+        // The events that were found are right.
         for event in trajectory.events {
             assert!(((3e7 * event.t).sin() - 0.3).abs() < 0.1, "{event}");
         }
     }
-    // A sweep that stops says nothing of what comes after its end.
+    // A sweep that stops at an event reports no unwatched intervals after it.
     let mechanism = Steady { k: 3e7, ..Steady::default() };
     let stopped = mechanism.solver().stop_at_events(true).sweep(&[0.0, 20.0]).unwrap();
     let end = stopped.last().unwrap().t;
     assert!(stopped.unwatched.iter().all(|unwatched| unwatched.from < end));
 }
 
-/// How often the driver of [`Counted`] was asked for.
+/// The number of evaluations of the driver of [`Counted`].
 static ASKED: AtomicUsize = AtomicUsize::new(0);
 
 fn asked(t: f64) -> [f64; 3] {
@@ -241,7 +243,7 @@ fn asked(t: f64) -> [f64; 3] {
     [t, 1.0, 0.0]
 }
 
-/// A slider-crank with limits that are as slow as its motion.
+/// A slider-crank with limits that change as slowly as its motion.
 #[mechanism]
 #[bodies(crank, rod, slider)]
 #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
@@ -262,7 +264,7 @@ struct Counted {
     near: f64,
 }
 
-/// The same without limits.
+/// The slider-crank without limits.
 #[mechanism]
 #[bodies(crank, rod, slider)]
 #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
@@ -276,7 +278,7 @@ struct Unlimited {
     turned: FromFn<fn(f64) -> [f64; 3]>,
 }
 
-/// Limits that the motion does not come near cost a step more at the start of a sweep, and nothing afterwards.
+/// Limits that are far from the motion cost one more step at the start of a sweep, and nothing afterwards.
 #[test]
 fn slow_conditions_cost_next_to_nothing() {
     let count = |run: &dyn Fn() -> Trajectory| {
@@ -286,13 +288,13 @@ fn slow_conditions_cost_next_to_nothing() {
     };
     let turned = FromFn(asked as fn(f64) -> [f64; 3]);
     for times in [vec![0.0, 30.0], grid(0.0, 30.0, 40), grid(0.0, 30.0, 400)] {
-        // Somebody who looks at every step, as limits do.
+        // An observer that sees every step, as limits do.
         let look = |_: Reached<'_>| ControlFlow::Continue(());
         let unlimited = Unlimited { turned };
         let free = count(&|| unlimited.solver().with_observer(&look).sweep(&times).unwrap());
         let slow = count(&|| sweep(&Counted { turned, far: 2.0, near: 0.0 }, &times));
         assert!(slow <= free + 20, "{slow} and {free}");
-        // Ten turns with four crossings each, and what brackets them.
+        // Ten turns with four crossings each, and the evaluations that locate them.
         let met = count(&|| sweep(&Counted { turned, far: 0.85, near: 0.55 }, &times));
         assert!(met <= free + 1500, "{met} and {free}");
     }

@@ -1,4 +1,5 @@
-//! Unilateral conditions: limits are met where closed forms say, in either direction of time, and nothing else changes.
+//! Unilateral conditions: the events agree with closed forms, in either direction of time, and the motion is not
+//! changed.
 
 mod fast;
 mod one_step;
@@ -12,10 +13,10 @@ use kin_tests::random::Random;
 
 use Crossing::{Restored, Touched, Violated};
 
-/// A limit so far away that it is never met.
+/// A limit so far away that it is never reached.
 const NEVER: f64 = 1e3;
 
-/// All limits out of the way.
+/// A mechanism whose limits are never reached.
 fn free() -> StrokeLimits {
     StrokeLimits {
         far: NEVER,
@@ -32,14 +33,14 @@ fn grid(from: f64, to: f64, steps: usize) -> Vec<f64> {
     (0..=steps).map(|k| from + (to - from) * k as f64 / steps as f64).collect()
 }
 
-/// The events of one condition as (t, crossing), all of them certain to 1e-10.
+/// The events of one condition as (t, crossing), all of them accurate to 1e-10.
 fn events_of(trajectory: &Trajectory, name: &str) -> Vec<(f64, Crossing)> {
     let of: Vec<&Event> = trajectory.events.iter().filter(|event| event.name == name).collect();
     for event in &of {
         assert!(event.within <= 1e-10, "{name}: {}", event.within);
         assert_eq!(event.t, event.state.t);
         let [q, q_dot, _] = event.state.columns();
-        // Bodies with coordinates of their own stand where the event is, not where the step began.
+        // The bodies in the event's state have the coordinates of the event, not those at the start of the step.
         for (body, info) in event.state.bodies.iter().zip(trajectory.model.bodies) {
             for (k, (shown, rate)) in
                 [(body.x, body.x_dot), (body.y, body.y_dot), (body.phi, body.phi_dot)].into_iter().enumerate()
@@ -87,10 +88,10 @@ fn points_distances_and_defines_have_limits() {
     let trajectory = sweep(&mechanism, &grid(0.0, PI, 5));
     let high = 0.8_f64.asin();
     agree(&events_of(&trajectory, "height"), &[(high, Violated), (PI - high, Restored)]);
-    // sin of the rod's angle is −r/l sin φ.
+    // The sine of the rod's angle is −r/l sin φ.
     let leaning = (0.7 * 0.2_f64.sin() / 0.2).asin();
     agree(&events_of(&trajectory, "slope"), &[(leaning, Violated), (PI - leaning, Restored)]);
-    // The pin comes as near as 2 r to the eye above it, and no nearer.
+    // The smallest distance between the pin and the eye above it is exactly the limit 2 r.
     agree(&events_of(&trajectory, "reach"), &[(FRAC_PI_2, Touched)]);
     assert_eq!(trajectory.events.len(), 5);
     for event in &trajectory.events {
@@ -163,7 +164,7 @@ fn a_limit_met_at_an_instant_of_the_grid_is_met_once() {
             agree(&events_of(&sweep(&mechanism, &back), "height"), &[(FRAC_PI_6, Restored)]);
         }
     }
-    // The sweep may end or begin there.
+    // The sweep may end or begin at the limit.
     let mechanism = StrokeLimits { high: 0.5, ..free() };
     agree(&events_of(&sweep(&mechanism, &[0.0, FRAC_PI_6]), "height"), &[(FRAC_PI_6, Violated)]);
     let inwards = sweep(&mechanism, &[FRAC_PI_6, 0.0]);

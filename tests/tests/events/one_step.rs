@@ -1,4 +1,5 @@
-//! Several limits within one step, and motions that do not move: order, what stops a sweep, what holds at its start.
+//! Several limits within one step, and motions at rest: the order of events, the stop of a sweep, and the conditions at
+//! its start.
 
 use super::*;
 
@@ -31,13 +32,14 @@ fn a_sweep_that_stops_has_no_later_event() {
     }
 }
 
-/// At its limit and never moved, a condition is violated; where the motion leads away from the limit, it is not.
+/// A condition that starts at its limit and never changes is violated; if the motion leads away from the limit to the
+/// satisfied side, it is not.
 #[test]
 fn what_stays_at_its_limit_is_violated_at_the_start() {
     assert_eq!(sweep(&Hand, &[0.0]).violated_at_start, [3]);
     assert_eq!(sweep(&Hand, &[0.0, 0.0]).violated_at_start, [3]);
     assert_eq!(sweep(&Hand, &[0.0, 0.1]).violated_at_start, [0; 0]);
-    // Also where whoever listens stops the sweep at once.
+    // The same holds if the observer stops the sweep at its first instant.
     let stop = |_: kin_runtime::Reached<'_>| std::ops::ControlFlow::Break(());
     let stopped = Hand.solver().with_observer(&stop).sweep(&[0.0, 0.1, 0.2]).unwrap_err();
     assert_eq!((stopped.trajectory.len(), stopped.trajectory.violated_at_start), (1, vec![3]));

@@ -1,9 +1,9 @@
-//! Conditions beside everything else: integrated motions, inputs, ends of branches, what has no value.
+//! Conditions combined with other features: integrated motions, inputs, ends of branches, and undefined values.
 
 use super::*;
 use kin_runtime::State;
 
-/// The slider-crank of [`StrokeLimits`] with nothing to watch.
+/// The slider-crank of [`StrokeLimits`] without conditions.
 #[mechanism]
 #[bodies(crank, rod, slider)]
 #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
@@ -15,7 +15,7 @@ use kin_runtime::State;
 #[guess(rod.phi = 0, slider.x = 0.9)]
 struct Unlimited;
 
-/// The same with conditions.
+/// The slider-crank with conditions.
 #[mechanism]
 #[bodies(crank, rod, slider)]
 #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
@@ -30,7 +30,7 @@ struct Unlimited;
 #[unilateral(level: slider.y > 0)]
 struct Limited;
 
-/// Holds all of a state but the names: coordinates, bodies, points, inputs, and what is said of the solution.
+/// Asserts that two trajectories agree in everything but the model and the events.
 #[track_caller]
 fn the_same_but_for_events(with: &Trajectory, without: &Trajectory) {
     assert!(!with.events.is_empty() && without.events.is_empty());
@@ -69,7 +69,7 @@ fn what_stands_still_at_its_limit_has_no_events() {
     }
 }
 
-/// The piston drives, up to the dead centre and beyond it.
+/// The slider is driven to its dead centre and beyond.
 #[mechanism]
 #[bodies(crank, rod, slider)]
 #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
@@ -95,7 +95,7 @@ fn events_before_the_end_of_a_branch_are_kept() {
     assert!(stopped.stopped && stopped.len() == 3);
 }
 
-/// A crank and a condition that has no value from t = 1 on.
+/// A crank with a condition that is undefined from t = 1 on.
 #[mechanism]
 #[body(crank, x = 0, y = 0)]
 #[driver(drive: crank.phi = t)]
@@ -127,7 +127,7 @@ struct Sleigh;
 #[test]
 fn integrated_motions_meet_their_limits_too() {
     let trajectory = sweep(&Sleigh, &[0.0, 4.0, 12.0]);
-    // x = 3 sin(t/2), y = 3 − 3 cos(t/2), as exact as the integration is.
+    // x = 3 sin(t/2), y = 3 − 3 cos(t/2), as accurate as the integration.
     let wall = 2.0 * (-1.0_f64 / 3.0).acos();
     let ahead = 2.0 * (PI + (1.0_f64 / 3.0).asin());
     let expected = [
@@ -143,7 +143,7 @@ fn integrated_motions_meet_their_limits_too() {
     }
 }
 
-/// Two waves that pass many levels.
+/// A sum of two waves with several levels.
 #[mechanism]
 #[body(crank, x = 0, y = 0)]
 #[driver(drive: crank.phi = t)]
@@ -182,7 +182,7 @@ fn no_crossing_of_two_waves_is_missed() {
     }
 }
 
-/// A measured cylinder, with limits on what is measured and on where it leads.
+/// A cylinder whose length is an input, with limits on its length and on the resulting angle.
 #[mechanism]
 #[input(length)]
 #[body(boom, x = 0, y = 0)]
@@ -192,7 +192,7 @@ fn no_crossing_of_two_waves_is_missed() {
 #[guess(boom.phi = 0)]
 struct Lifted;
 
-/// The same with nothing to watch.
+/// The cylinder without conditions.
 #[mechanism]
 #[input(length)]
 #[body(boom, x = 0, y = 0)]
@@ -200,7 +200,7 @@ struct Lifted;
 #[guess(boom.phi = 0)]
 struct Unwatched;
 
-/// How the cylinder moves.
+/// The length of the cylinder.
 fn lifting(t: f64, u: &mut [Signal]) {
     u[0] = Signal { value: 1.4 + 0.2 * t.sin(), rate: 0.2 * t.cos(), acceleration: -0.2 * t.sin() };
 }

@@ -1,4 +1,4 @@
-//! Limits that are touched or hardly passed, and motions that stop there.
+//! Limits that are touched or passed by a small amount, and sweeps that stop there.
 
 use super::*;
 
@@ -13,14 +13,15 @@ fn a_limit_that_is_touched_is_no_crossing() {
         agree(&events_of(&trajectory, "back"), &[(PI, Touched)]);
         assert!(trajectory.violated_at_start.is_empty());
     }
-    // Violated all the time but for the instant at which it is touched: x > r + l.
+    // The condition x > r + l is violated at all times, except for the instant at which the limit is touched.
     let mechanism = StrokeLimits { near: 0.2 + 0.7, ..free() };
     let trajectory = sweep(&mechanism, &[-1.0, 1.0]);
     agree(&events_of(&trajectory, "back"), &[(0.0, Touched)]);
     assert_eq!(trajectory.violated_at_start, [1]);
 }
 
-/// Conditions that are exact squares, so that their rounding vanishes with them, beside one that is none.
+/// Conditions that are exact squares, whose rounding errors vanish together with the value, and one that is not a
+/// square.
 #[mechanism]
 #[bodies(a)]
 #[revolute(pin: ground @ (0, 0), a @ (0, 0))]
@@ -47,7 +48,7 @@ fn an_exact_square_is_touched() {
             let back: Vec<f64> = times.iter().rev().copied().collect();
             for times in [times, back] {
                 let trajectory = sweep(&mechanism, &times);
-                // The cosine comes back after a turn.
+                // The cosine touches its limit again after a full turn.
                 let names =
                     if omega.abs() > 1.0 { &["square", "from_above"][..] } else { &["square", "from_above", "cosine"] };
                 for name in names {
@@ -57,7 +58,8 @@ fn an_exact_square_is_touched() {
             }
         }
     }
-    // Where it stays clear of the limit, however little, it is not touched; where it goes beyond, it is crossed twice.
+    // If the square stays clear of the limit by a small amount, it is not touched; if it passes the limit, there are
+    // two crossings.
     let clear = sweep(&Squares { depth: 1e-18, ..Squares::default() }, &[0.0, 1.0]);
     assert_eq!(events_of(&clear, "square"), []);
     let crossed = sweep(&Squares { depth: -1e-14, ..Squares::default() }, &[0.0, 1.0]);
@@ -96,7 +98,7 @@ fn a_sweep_may_stop_at_the_first_event() {
     assert!(times[stopped.len() - 2] < near && near < times[stopped.len() - 1]);
     let motion = mechanism.solver().motion(last).unwrap();
     assert!(motion.conditions[1].value.abs() < 1e-12);
-    // Nothing to stop at.
+    // Without an event the sweep does not stop.
     let quiet = mechanism.solver().stop_at_events(true).sweep(&[1.7, 1.9, 2.2]).unwrap();
     assert!(!quiet.stopped && quiet.len() == 3);
 }

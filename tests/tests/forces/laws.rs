@@ -1,14 +1,14 @@
-//! Laws of forces, for every kind of joint and load: the balance of power, the resultant on the ground, the same machine
-//! written in different ways, what is undetermined, and what nothing holds.
+//! Laws of forces, for every kind of joint and load: the balance of power, the resultant on the ground, the same
+//! machine in several formulations, undetermined forces, and mechanisms with free degrees of freedom.
 
 use crate::machines::*;
 use kin_runtime::model::Frame;
 use kin_runtime::{Forces, Instant, Kinematics, Mechanism, Signal, SolveError, State};
 use kin_tests::mechanisms::loaded;
 
-/// Beside the largest of the powers, or of the forces.
+/// Tolerance relative to the largest of the powers, or of the forces.
 const EXACT: f64 = 1e-10;
-/// Step of the central difference of the energy.
+/// The step of the central difference of the energy.
 const STEP: f64 = 1e-3;
 
 fn at(t: f64, signals: &[Signal]) -> Instant<'_> {
@@ -19,18 +19,18 @@ fn energy(forces: &Forces) -> f64 {
     forces.kinetic + forces.gravity + forces.elastic
 }
 
-/// States around t, on the branch of the state at t.
+/// The forces at the time t, on the branch of the state `centre`.
 fn forces_near<M: Kinematics>(mechanism: &M, centre: &State, t: f64) -> Forces {
     let inputs: Vec<Signal> = centre.inputs.iter().map(|signal| signal.after(t - centre.t)).collect();
     let state = mechanism.solver().state_from(&at(t, &inputs), &centre.q).unwrap();
     mechanism.solver().forces(&state).unwrap()
 }
 
-/// d/dt of all energy is the power of drivers, applied loads and dampers.
+/// The time derivative of the total energy is the power of drivers, applied loads and dampers.
 fn balanced<M: Kinematics>(mechanism: &M, centre: &State) {
     let forces = mechanism.solver().forces(centre).unwrap();
     let at = |k: f64| energy(&forces_near(mechanism, centre, centre.t + k * STEP));
-    // Central differences of the fourth order, of two widths, extrapolated.
+    // Central differences of fourth order with two step sizes, extrapolated.
     let difference = |w: f64| (8.0 * (at(w) - at(-w)) - (at(2.0 * w) - at(-2.0 * w))) / (12.0 * w * STEP);
     let rate = (16.0 * difference(1.0) - difference(2.0)) / 15.0;
     assert!(forces.power_miss() <= EXACT, "{}", forces.power_miss());
@@ -42,7 +42,7 @@ fn balanced<M: Kinematics>(mechanism: &M, centre: &State) {
     assert!((rate - power).abs() <= 1e-9 * size, "{name} at {}: {rate} instead of {power}\n{forces}", centre.t);
 }
 
-/// What joints exert on the ground, with what springs and couples exert there, is the shaking force.
+/// The forces of joints on the ground, together with those of springs and couples there, are the shaking force.
 fn on_ground(forces: &Forces) {
     let mut sum = [0.0; 2];
     for reaction in &forces.reactions {
@@ -98,7 +98,7 @@ mod powers {
     }
 }
 
-/// Efforts, the reaction in D and shaking do not depend on how the machine is written.
+/// Efforts, the reaction in D and the shaking force do not depend on the formulation of the machine.
 #[test]
 fn one_machine_has_one_set_of_forces() {
     for t in [0.0, 0.4, 1.3] {
@@ -124,7 +124,7 @@ fn one_machine_has_one_set_of_forces() {
             let (found, exact) = (carried.reaction(joint).unwrap(), middle.reaction(joint).unwrap());
             (0..2).for_each(|c| near(found.force.unwrap()[c], exact.force.unwrap()[c]));
         }
-        // The pin that carries the coupler, and the one that holds the crank.
+        // The joint that holds the coupler's origin, and the one that holds the crank's.
         for (name, joint) in [("coupler.origin", "A"), ("crank.x", "O")] {
             let (found, exact) = (carried.reaction(name).unwrap(), middle.reaction(joint).unwrap());
             near(found.force.unwrap()[0], exact.force.unwrap()[0]);
@@ -161,7 +161,7 @@ fn a_cylinder_lifts_what_inputs_say() {
     balanced(&lift, &state);
     assert_eq!("cylinder", forces.efforts[0].name);
     assert!((forces.efforts[0].rate - 0.1).abs() < 1e-12, "{forces}");
-    // At rest the cylinder holds the moments of both weights about the pin.
+    // At rest the cylinder balances the moments of both weights about the pin.
     let inputs = [Signal::constant(0.7), Signal::constant(100.0)];
     let state = lift.state_at(&at(0.0, &inputs)).unwrap();
     let forces = lift.solver().forces(&state).unwrap();
@@ -184,7 +184,7 @@ fn what_redundant_joints_share_is_undetermined_and_the_rest_is_not() {
     for joint in ["A", "B", "C", "O1", "O2", "O3"] {
         assert!(!determined(joint), "{forces}");
     }
-    // The flap hangs in one pin alone, and the drive supplies the power whoever carries the load.
+    // The flap hangs in a single pin, and the drive supplies the power however the load is distributed.
     assert!(determined("hinge"), "{forces}");
     assert!(forces.effort("drive").is_some() && forces.effort("turn").is_some(), "{forces}");
     balanced(&mechanism, &state);
@@ -221,7 +221,7 @@ fn a_blade_carries_a_side_force() {
     let sleigh = Sleigh;
     let state = sleigh.state_at(&Instant::at(0.0)).unwrap();
     let forces = sleigh.solver().forces(&state).unwrap();
-    // What blade, pull and heading exert together moves the mass.
+    // The forces of blade, pull and heading accelerate the mass.
     let sum = ["blade", "pull"].map(|joint| forces.reaction(joint).unwrap().force.unwrap());
     for (c, inertia) in forces.inertia.force.into_iter().enumerate() {
         assert!((sum[0][c] + sum[1][c] + inertia).abs() < 1e-12, "{forces}");

@@ -1,4 +1,4 @@
-//! Machines with masses and loads, one for every kind of joint that the reference files do not have.
+//! Machines with masses and loads, for all kinds of joints that the reference files do not contain.
 
 use kin_runtime::mechanism;
 
@@ -22,7 +22,8 @@ use kin_runtime::mechanism;
 #[derive(Default)]
 pub(crate) struct Middle;
 
-/// The same with frames at the ends of the links, carried by one another, angles counted from the same lines.
+/// The four-bar with frames at the ends of the links, origins held by the previous link, and angles from the same
+/// lines.
 #[mechanism]
 #[body(crank, x = 0, y = 0)]
 #[body(coupler, origin = crank @ (0.1, 0))]
@@ -43,7 +44,7 @@ pub(crate) struct Middle;
 #[derive(Default)]
 pub(crate) struct Carried;
 
-/// The same by angles alone, the poses of the bodies held at formulas of them.
+/// The four-bar by its angles alone; the poses of the bodies are held by formulas of them.
 #[mechanism]
 #[coordinates(a, b, c)]
 #[body(crank, x = 0.05*cos(a), y = 0.05*sin(a), phi = a)]
@@ -64,7 +65,7 @@ pub(crate) struct Carried;
 #[derive(Default)]
 pub(crate) struct Angles;
 
-/// A carriage that moves in a prescribed way, with a driven arm on it; a family of links hangs from the arm.
+/// A carriage with a prescribed motion, and a driven arm on it, from which a family of links hangs.
 #[mechanism]
 #[body(base, x = 0.3*sin(2*t), y = 0.1*t, phi = 0.2*cos(t))]
 #[body(arm, origin = base @ (0.2, 0.1))]
@@ -126,7 +127,7 @@ pub(crate) struct Incline;
 #[derive(Default)]
 pub(crate) struct Discs;
 
-/// The same with a carrier of the very length that the discs keep, so that it swings freely.
+/// The discs with a carrier of exactly the length that they keep, so that the carrier is redundant and swings freely.
 #[mechanism]
 #[bodies(sun, carrier, planet)]
 #[coordinates(psi)]
@@ -174,7 +175,7 @@ pub(crate) struct FlatFace;
 #[derive(Default)]
 pub(crate) struct Roller;
 
-/// A block and tackle: the hook hangs in two strands, and slides in a guide.
+/// A block and tackle: the hook hangs on two strands and slides in a guide.
 #[mechanism]
 #[bodies(hook)]
 #[point(eye = hook @ (0, 0.1))]
@@ -186,7 +187,7 @@ pub(crate) struct Roller;
 #[derive(Default)]
 pub(crate) struct Tackle;
 
-/// A press by a screw.
+/// A screw press.
 #[mechanism]
 #[bodies(wheel, ram)]
 #[revolute(W: ground @ (0, 1), wheel @ (0, 0))]
@@ -200,7 +201,7 @@ pub(crate) struct Tackle;
 #[derive(Default)]
 pub(crate) struct Press;
 
-/// An arm on a cylinder, whose length and what it lifts are inputs.
+/// An arm on a cylinder; the length of the cylinder and the payload are inputs.
 #[mechanism]
 #[input(stroke, payload)]
 #[bodies(arm)]
@@ -213,7 +214,7 @@ pub(crate) struct Press;
 #[derive(Default)]
 pub(crate) struct Lift;
 
-/// A parallelogram on three cranks: one more than it needs.
+/// A parallelogram with three cranks, one more than it needs.
 #[mechanism(allow_redundant)]
 #[bodies(crank, coupler, rocker, middle)]
 #[revolute(O1: ground @ (0, 0), crank @ (0, 0))]
@@ -233,7 +234,7 @@ pub(crate) struct Lift;
 #[derive(Default)]
 pub(crate) struct Parallelogram;
 
-/// A pendulum that nothing drives.
+/// A pendulum without a driver.
 #[mechanism]
 #[bodies(rod)]
 #[revolute(O: ground @ (0, 0), rod @ (0, 0))]
@@ -242,7 +243,7 @@ pub(crate) struct Parallelogram;
 #[derive(Default)]
 pub(crate) struct Pendulum;
 
-/// A blade that cannot slip sideways, on a body whose heading and speed are given.
+/// A blade that cannot slip sideways, on a body with prescribed heading and speed.
 #[mechanism]
 #[bodies(sleigh)]
 #[driver(heading: sleigh.phi = 0.3 + 0.8*t)]

@@ -1,4 +1,4 @@
-//! Forces against the reference files of `tests/data/forces`: every mode at every instant.
+//! Forces compared with the reference files in `tests/data/forces`: every mode at every instant.
 
 use kin_runtime::model::Frame;
 use kin_runtime::{Forces, Instant, Kinematics, Reaction};
@@ -6,7 +6,7 @@ use kin_tests::case::Case;
 use kin_tests::mechanisms::loaded::*;
 use serde_json::Value;
 
-/// Beside the largest force or couple of the instant.
+/// Tolerance relative to the largest force or couple of the instant.
 const EXACT: f64 = 1e-9;
 
 macro_rules! cases {
@@ -122,7 +122,7 @@ fn compare(found: &Forces, exact: &Value, at: &str) {
     }
 }
 
-/// True where a joint exerts what a reaction of the file says.
+/// True if a joint has the reaction that the file contains.
 fn is(forces: &Forces, joint: &Reaction, exact: &Value, tolerance: f64) -> bool {
     let name = |frame: Frame| match frame {
         Frame::Ground => "ground",

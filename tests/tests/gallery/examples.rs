@@ -1,4 +1,4 @@
-//! The examples, read as modules.
+//! The examples, included as modules.
 
 #[path = "../../../examples/cam.rs"]
 pub mod cam;

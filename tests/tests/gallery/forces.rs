@@ -1,4 +1,4 @@
-//! Forces: a pump jack, a press, an engine. Their figures are held against laws that need no multipliers.
+//! Forces of a pump jack, a press and an engine, compared with laws that need no multipliers.
 
 use crate::examples::engine::{Engine, largest_shaking};
 use crate::examples::pump_jack::{PumpJack, largest_torque};
@@ -7,7 +7,7 @@ use crate::page::says;
 use crate::{close, moved};
 use std::f64::consts::TAU;
 
-/// The motor supplies what the energy gains and the rods take.
+/// The motor's power is the rate of the energy plus the power delivered to the rods.
 #[test]
 fn the_pump_jack_needs_the_power_that_it_lifts_with() {
     let jack = PumpJack::default();
@@ -28,7 +28,7 @@ fn the_pump_jack_needs_the_power_that_it_lifts_with() {
     close(supplied / lifted, 1.0, 1e-6);
 }
 
-/// Near the dead centre of the toggle the ram's load goes straight through the frame.
+/// Near the dead centre of the toggle, the load of the ram goes directly into the frame.
 #[test]
 fn the_press_carries_its_load_in_the_frame() {
     let largest = largest_pin_forces(&TogglePress::default()).unwrap();
@@ -40,7 +40,7 @@ fn the_press_carries_its_load_in_the_frame() {
     assert!(of("T") > 20.0 && of("R") > 20.0);
 }
 
-/// The shaking force of motion is minus the sum of masses times accelerations.
+/// The shaking force is minus the sum of masses times accelerations.
 #[test]
 fn the_engine_shakes_by_its_masses() {
     let engine = Engine::default();

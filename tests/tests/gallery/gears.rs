@@ -31,7 +31,7 @@ fn the_rack_goes_the_circumference_of_its_pinion() {
     let steering = Steering::default();
     for (t, at) in moved(&steering, 0.0, 1.0, 20) {
         close(at[Steering::rack].x, steering.r * TAU * t, 1e-16);
-        // The tie rods keep their length.
+        // The tie rods have constant length.
         let (rack, left) = (at[Steering::rack], at[Steering::left]);
         let (sin, cos) = left.phi.sin_cos();
         let arm =
@@ -58,7 +58,8 @@ fn the_cam_touches_both_followers_and_cuts_into_neither() {
     for (_, at) in moved(&cam, 0.0, 60.0 / cam.rpm, 36) {
         let (sin, cos) = at[Cam::cam].phi.sin_cos();
         let turned = || outline.iter().map(|[x, y]| [cos * x - sin * y, sin * x + cos * y]);
-        // The highest point of the outline carries the tappet; half a step of the outline beside it is 6·10⁻⁹ m lower.
+        // The tappet rests on the highest point of the outline; half a step of the outline away from it, the outline is
+        // 6·10⁻⁹ m lower.
         let top = turned().map(|r| r[1]).fold(f64::NEG_INFINITY, f64::max);
         close(at[Cam::tappet].y, top, 1e-8);
         let rocker = at[Cam::rocker];
@@ -67,7 +68,7 @@ fn the_cam_touches_both_followers_and_cuts_into_neither() {
         close(nearest, cam.roller, 1e-8);
         lift = (lift.0.min(at[Cam::lift].value), lift.1.max(at[Cam::lift].value));
     }
-    // h goes from r + a + b at the nose to r − a + b at the back.
+    // The support function h ranges from r + a + b at the nose to r − a + b at the back.
     close(lift.1 - lift.0, 2.0 * cam.a, 2e-5);
     says("cam", &format!("the tappet is lifted by 2a = {:.1} mm", 2e3 * cam.a));
 }
@@ -75,7 +76,7 @@ fn the_cam_touches_both_followers_and_cuts_into_neither() {
 #[test]
 fn the_spline_cam_goes_through_its_table_with_continuous_acceleration() {
     let train = CamDrive::default();
-    // A turn takes 0.2 s from t = 0.2 s on, where the camshaft has made half a turn.
+    // A turn takes 0.2 s; at t = 0.2 s the camshaft has made half a turn.
     let time = |angle: f64| 0.2 + 0.2 * (angle / TAU - 0.5);
     let (mut largest_jump, mut largest) = (0.0_f64, 0.0_f64);
     let near = 1e-7;
@@ -86,11 +87,12 @@ fn the_spline_cam_goes_through_its_table_with_continuous_acceleration() {
         close(at.y - train.base, 1e-3 * TABLE[k], 1e-14);
         largest_jump = largest_jump.max((after.y_ddot - before.y_ddot).abs());
         largest = largest.max(at.y_ddot.abs());
-        // The rocker turns the lift into that of the valve.
+        // The rocker converts the tappet's lift into that of the valve.
         let valve = motion[1].1[CamDrive::valve_lift].value;
         close(valve, -(at.y + train.l - train.h) * train.b / train.a, 1e-15);
     }
-    // The third derivative jumps, the second does not: it changes by no more than its slope allows.
+    // The third derivative jumps, but the second does not: over a short time it changes by no more than its slope
+    // allows.
     assert!(largest_jump < 1e-3 * largest, "{largest_jump} {largest}");
     assert!(largest > 1.0);
     says(

@@ -1,4 +1,4 @@
-//! Walking legs against the same legs by circles that meet.
+//! Walking legs compared with constructions by intersecting circles.
 
 use crate::examples::{jansen::Jansen, klann::Klann};
 use crate::page::says;
@@ -7,14 +7,14 @@ use kin_runtime::Motion;
 use kin_runtime::model::Point;
 use std::f64::consts::TAU;
 
-/// What counts as on the ground: this part of the step's height above its lowest place.
+/// The foot counts as on the ground while it is below this fraction of the step's height.
 const GROUND: f64 = 0.05;
 
-/// Stride, height of the step, and the part of the turn with the foot on the ground, in per cent.
+/// The stride, the height of the step, and the percentage of the turn with the foot on the ground.
 fn step(motion: &[(f64, Motion)], foot: Point) -> [f64; 3] {
     let places = || motion.iter().map(|(_, at)| at[foot].r);
     let ((left, right), (low, high)) = (range(places().map(|r| r[0])), range(places().map(|r| r[1])));
-    // The last instant is the first again.
+    // The last instant repeats the first.
     let down = places().skip(1).filter(|r| r[1] <= low + GROUND * (high - low)).count();
     [right - left, high - low, 100.0 * down as f64 / (motion.len() - 1) as f64]
 }
@@ -40,7 +40,8 @@ fn jansens_feet_go_where_circles_meet() {
             close(found[1], expected[1], 1e-11);
         }
     }
-    // pyslvs, its collection's "Jansen's linkage (Single)", whose axle stands 0.01 beside Jansen's: joint 7 at angle 0.
+    // Joint 7 at angle 0 of "Jansen's linkage (Single)" in the collection of pyslvs, whose axle is 0.01 beside
+    // Jansen's.
     let start = motion[0].1[Jansen::foot[0]].r;
     close(start[0], -43.170_055, 0.02);
     close(start[1], -91.753_226, 0.02);

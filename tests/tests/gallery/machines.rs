@@ -14,14 +14,14 @@ fn the_four_bar_swings_between_its_dead_centres() {
     let base = d1.hypot(d2);
     assert!(l1 + base.max(l2).max(l3) < base + l2 + l3 - base.max(l2).max(l3), "Grashof: the crank goes round");
     let solver = linkage.solver();
-    // At the dead centres crank and coupler are on one line, l2 ± l1 long, and the rocker stands still.
+    // At the dead centres crank and coupler are in line, with total length l2 ± l1, and the rocker is at rest.
     let swing = [l2 + l1, l2 - l1].map(|length| {
         let b = meet([0.0; 2], length, [d1, d2], l3);
         let phi = if length > l2 { angle([0.0; 2], b) } else { angle(b, [0.0; 2]) };
         let motion = solver.motion(&solver.state(&((phi - phi0) / omega).into()).unwrap()).unwrap();
         close(motion[FourBar::rocker].phi_dot, 0.0, 1e-13);
         let found = angle([d1, d2], b);
-        // The rocker's frame looks from its coupler pin to the ground.
+        // The x axis of the rocker's frame points from its coupler pin to the ground pin.
         close((motion[FourBar::rocker].phi + TAU / 2.0 - found + 1.0).rem_euclid(TAU), 1.0, 1e-7);
         found
     });
@@ -46,7 +46,7 @@ fn the_scissor_lift_rises_by_its_law() {
     says("scissor_lift", &format!("20 √(l² − w²) within 10⁻¹³ m, from {low:.2} m to {high:.2} m"));
 }
 
-/// The bucket by triangles of which three sides are known, one cylinder after the other.
+/// The bucket by triangles with three known sides, one cylinder after the other.
 #[test]
 fn the_bucket_stands_where_trigonometry_says() {
     let arm = Excavator::default();
@@ -73,7 +73,7 @@ fn the_bucket_stands_where_trigonometry_says() {
         let (reach, bend) = polar([-0.6, 0.15]);
         let stick = angle(stick_pin, meet(at_boom([1.5, 0.8]), stick_length, stick_pin, reach)) - bend;
         let at_stick = |p: [f64; 2]| placed(stick_pin, stick, p);
-        // The lever turns around its end, the cylinder on the other end.
+        // The lever turns about its one end, and the cylinder acts on its other end.
         let lever_pin = at_stick([1.25, 0.1]);
         let lever = angle(lever_pin, meet(at_stick([0.25, 0.3]), bucket_length, lever_pin, 0.42));
         let link_pin = placed(lever_pin, lever, [0.19 + 0.21, 0.05]);
@@ -103,7 +103,7 @@ fn the_wheel_leans_as_the_circles_of_its_arms_say() {
     let apart = f64::hypot(high_ball[0] - low_ball[0], high_ball[1] - low_ball[1]);
     let motion = moved(&suspension, 0.0, TAU, 64);
     for (_, at) in &motion {
-        // Given the lower arm, circles close the rest.
+        // With the angle of the lower arm given, the other positions follow from intersecting circles.
         let (sin, cos) = at[Wishbone::lower].phi.sin_cos();
         let low = [0.30 + suspension.lower_length * cos, 0.20 + suspension.lower_length * sin];
         let high = meet([0.38, 0.42], suspension.upper_length, low, apart);
@@ -121,7 +121,8 @@ fn the_wheel_leans_as_the_circles_of_its_arms_say() {
     text.iter().for_each(|text| says("wishbone", text));
 }
 
-/// The test set for IVP solvers at t = 0.03 s, as `tests/data/PUBLISHED.md` has it: the crank is given, all else follows.
+/// The solution of the test set for IVP solvers at t = 0.03 s, from `tests/data/PUBLISHED.md`: the crank angle is
+/// prescribed, everything else is computed.
 #[test]
 fn the_squeezer_agrees_with_the_test_set() {
     let published = include_str!("../../data/PUBLISHED.md");

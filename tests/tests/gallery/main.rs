@@ -1,5 +1,5 @@
-//! The mechanisms of the gallery, `examples/README.md`, against properties that are known of them. The page shows what is
-//! measured here, word for word.
+//! The mechanisms of the gallery, `examples/README.md`, compared with known properties. The page contains the figures
+//! that are measured here, word for word.
 
 #[allow(dead_code, unreachable_pub, missing_docs, reason = "programs of their own")]
 mod examples;
@@ -15,7 +15,7 @@ mod straight;
 
 use kin_runtime::{Kinematics, Motion};
 
-/// Everything that is reported of a motion, at `steps` + 1 instants with their times.
+/// The reports of a motion, at `steps` + 1 instants with their times.
 fn moved<M: Kinematics>(mechanism: &M, from: f64, to: f64, steps: usize) -> Vec<(f64, Motion)> {
     let times: Vec<f64> = (0..=steps).map(|k| from + (to - from) * k as f64 / steps as f64).collect();
     let trajectory = mechanism.kinematic_analysis(&times).expect("a motion");
@@ -28,7 +28,7 @@ fn close(found: f64, expected: f64, tolerance: f64) {
     assert!((found - expected).abs() <= tolerance, "{found} instead of {expected}, off by {:e}", found - expected);
 }
 
-/// The point at distance r from p and s from q, on the left of the way from p to q.
+/// The intersection of the circles of radius r about p and s about q, on the left of the direction from p to q.
 fn meet(p: [f64; 2], r: f64, q: [f64; 2], s: f64) -> [f64; 2] {
     let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
     let d = dx.hypot(dy);
@@ -37,12 +37,12 @@ fn meet(p: [f64; 2], r: f64, q: [f64; 2], s: f64) -> [f64; 2] {
     [p[0] + (along * dx - aside * dy) / d, p[1] + (along * dy + aside * dx) / d]
 }
 
-/// The direction from p to q.
+/// The angle of the direction from p to q.
 fn angle(p: [f64; 2], q: [f64; 2]) -> f64 {
     (q[1] - p[1]).atan2(q[0] - p[0])
 }
 
-/// The least and the greatest.
+/// The smallest and the largest number.
 fn range(numbers: impl IntoIterator<Item = f64>) -> (f64, f64) {
     numbers.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
 }

@@ -1,4 +1,4 @@
-//! What stands on no second pin: a chain with an open end, and a car.
+//! Open chains: a chain with a free end, and a car.
 
 use crate::examples::{car::Car, chain::Chain};
 use crate::page::says;
@@ -41,7 +41,7 @@ fn the_chains_end_is_the_sum_of_its_links() {
     }
 }
 
-/// ∫ f from `from` to `to` by Simpson's rule.
+/// The integral of f from `from` to `to` by Simpson's rule.
 fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
     let steps = 200;
     let h = (to - from) / f64::from(steps);
@@ -55,7 +55,7 @@ fn the_car_turns_about_a_point_on_its_rear_axle() {
     for car in [slow, Car::default()] {
         let Car { wheelbase, lock, v, duration } = car;
         let steering = |t: f64| lock * (TAU * t / duration).sin();
-        // The yaw rate is the speed over the radius, wheelbase / tan δ; its integral is the heading.
+        // The yaw rate is the speed divided by the radius, wheelbase / tan δ; its integral is the heading.
         let yaw = |t: f64| -v * steering(t).tan() / wheelbase;
         let motion = moved(&car, 0.0, duration, 60);
         let [mut phi, mut x, mut y] = [0.0; 3];
@@ -70,7 +70,7 @@ fn the_car_turns_about_a_point_on_its_rear_axle() {
             let (body, nose) = (at[Car::car], at[Car::nose]);
             close(at[Car::steering].value, steering(*t), 1e-15);
             close(body.phi_dot, yaw(*t), 1e-14);
-            // Rear axle and nose circle about one point: the one on the axle, the other ahead of it.
+            // Rear axle and nose move on circles about the same point: the axle is abeam of it, the nose ahead.
             let (radius, ahead) = (wheelbase / steering(*t).tan(), wheelbase + 0.9);
             close(body.x_dot.hypot(body.y_dot), v, 1e-14);
             close(nose.v[0].hypot(nose.v[1]), v * (1.0 + (ahead / radius).powi(2)).sqrt(), 1e-14);

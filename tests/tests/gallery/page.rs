@@ -1,4 +1,4 @@
-//! The page: every example has its picture on it, and every figure is one that is measured here.
+//! The gallery page: every example has its picture on it, and every figure on it is measured here.
 
 use crate::examples::hart::Hart;
 use crate::examples::jansen::Jansen;
@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What a picture may take, in bytes.
+/// The largest size of a picture in bytes.
 const LARGEST: u64 = 150_000;
 
 fn examples() -> PathBuf {
@@ -19,7 +19,7 @@ fn text() -> String {
     fs::read_to_string(examples().join("README.md")).expect("the page").replace('\n', " ")
 }
 
-/// Fails unless the section with the picture of an example says so.
+/// Fails unless the section with the picture of the example contains the text.
 #[track_caller]
 pub(crate) fn says(example: &str, figure: &str) {
     let page = text();
@@ -38,7 +38,7 @@ fn names(directory: &Path, ending: &str) -> BTreeSet<String> {
 fn every_example_has_a_section_with_a_picture() {
     let page = text();
     let sections: Vec<&str> = page.split(" ## ").filter(|section| section.contains("(pictures/")).collect();
-    // The library is empty, and the template is anybody's mechanism.
+    // `lib` is empty, and `template` is not an example of a particular mechanism.
     let shown = |name: &String| !["lib", "template"].contains(&name.as_str());
     for name in names(&examples(), ".rs").into_iter().filter(shown) {
         let named =
@@ -65,7 +65,7 @@ fn every_picture_is_there_and_small_and_shown() {
     }
 }
 
-/// What `animate` draws with the options given.
+/// The picture that `animate` draws with the given options.
 fn drawn(name: &str, options: &[&str]) -> String {
     let file = std::env::temp_dir().join(format!("kin-gallery-{}-{name}.svg", std::process::id()));
     let path = file.display().to_string();
@@ -86,7 +86,7 @@ fn a_picture_says_only_what_it_needs() {
     assert!(named.contains(">coupler</text>") && named.contains(">q</text>"));
 }
 
-/// The colours of the bodies on a page of a mechanism, by their names.
+/// The colours of the bodies on the page of a mechanism, with their names.
 fn colours<M: Kinematics + Default>(name: &str) -> Vec<(&'static str, String)> {
     let file = std::env::temp_dir().join(format!("kin-gallery-{}-{name}.html", std::process::id()));
     let path = file.display().to_string();
@@ -108,7 +108,7 @@ fn neighbours_have_different_colours() {
     let distinct: BTreeSet<&String> = robot.iter().map(|(_, colour)| colour).collect();
     assert_eq!(distinct.len(), robot.len(), "{robot:?}");
 
-    // Thirteen bodies have eleven colours; within a leg none is there twice.
+    // There are eleven colours for thirteen bodies; within a leg all colours are different.
     let jansen = colours::<Jansen>("jansen");
     for side in ["[0]", "[1]"] {
         let leg: Vec<&String> = jansen
@@ -121,7 +121,7 @@ fn neighbours_have_different_colours() {
     }
 }
 
-/// Paths are smooth curves through few instants.
+/// Paths are drawn as smooth curves through few points.
 #[test]
 fn paths_are_curves() {
     let picture = fs::read_to_string(examples().join("pictures/jansen.svg")).expect("a picture");

@@ -29,7 +29,7 @@ fn the_pantograph_enlarges_by_one_ratio() {
     says("pantograph", &text);
 }
 
-/// The angle of a crank by the law of cosines: elbows on the left, seen from the motor.
+/// The angle of a crank by the law of cosines, with the elbow on the left as seen from the motor.
 #[test]
 fn the_robots_motors_turn_as_its_inverse_kinematics_says() {
     let robot = Robot3rrr { angle: 0.1, ..Robot3rrr::default() };
@@ -44,7 +44,7 @@ fn the_robots_motors_turn_as_its_inverse_kinematics_says() {
             let d = dx.hypot(dy);
             let crank = dy.atan2(dx) + (0.5 * d / robot.l).acos();
             close((at[Robot3rrr::crank[leg]].phi - crank + 1.0).rem_euclid(TAU), 1.0, 1e-14);
-            // Its rate: the wrist's velocity along the rod is that of the elbow.
+            // Its rate: the velocities of wrist and elbow along the rod are equal.
             let elbow = [motor[0] + robot.l * crank.cos(), motor[1] + robot.l * crank.sin()];
             let rod = [wrist[0] - elbow[0], wrist[1] - elbow[1]];
             let along = rod[0] * tool.v[0] + rod[1] * tool.v[1];
@@ -57,7 +57,7 @@ fn the_robots_motors_turn_as_its_inverse_kinematics_says() {
         let (low, high) = range(motion.iter().map(|(_, at)| at[Robot3rrr::crank[leg]].phi));
         (high - low).to_degrees()
     };
-    // The robot is symmetric, and so is the circle.
+    // The robot and the circle are symmetric.
     (1..3).for_each(|leg| close(swing(leg), swing(0), 0.05));
     says("robot_3rrr", &format!("every motor swings by {:.1}°", swing(0)));
 }

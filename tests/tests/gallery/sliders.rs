@@ -1,4 +1,4 @@
-//! Mechanisms with slides: their laws in closed form.
+//! Mechanisms with slides, compared with closed forms.
 
 use crate::examples::{quick_return::QuickReturn, scotch_yoke::ScotchYoke, slider_crank::SliderCrank};
 use crate::page::says;
@@ -33,7 +33,7 @@ fn the_piston_obeys_the_formula_of_the_offset_slider_crank() {
         close(motion[SliderCrank::piston].x, piston(phi), 1e-15);
     }
     let stroke = ((l + r).powi(2) - offset * offset).sqrt() - ((l - r).powi(2) - offset * offset).sqrt();
-    // At the dead centres crank and rod are on one line.
+    // At the dead centres crank and rod are in line.
     for (length, turn) in [(l + r, 0.0), (l - r, PI)] {
         let phi = (offset / length).asin() + turn;
         let t = (phi - 0.5) / (TAU * rpm / 60.0);
@@ -46,7 +46,7 @@ fn the_piston_obeys_the_formula_of_the_offset_slider_crank() {
 #[test]
 fn the_quick_return_has_the_time_ratio_of_its_tangents() {
     let shaper = QuickReturn::default();
-    // The rocker stops where it is tangent to the circle of the crank pin.
+    // The rocker reverses where it is tangent to the circle of the crank pin.
     let alpha = (shaper.r / shaper.a).acos();
     let (begin, end) = (-FRAC_PI_2 + alpha, 1.5 * PI - alpha);
     let motion = moved(&shaper, begin / shaper.omega, (begin + TAU) / shaper.omega, 1000);

@@ -35,8 +35,8 @@ fn harts_point_goes_straight_to_rounding() {
     says("hart", &format!("a line {:.1} mm long, straight within 10⁻¹⁵ m", 1e3 * (high - low)));
 }
 
-/// R. L. Norton, Design of Machinery, "Link ratios for smallest attainable errors in straightness": β, the error in per cent
-/// of the length of the line, and ground, coupler and length of the line as multiples of the crank.
+/// R. L. Norton, Design of Machinery, "Link ratios for smallest attainable errors in straightness": β, the error in per
+/// cent of the length of the line, and the lengths of ground, coupler and line as multiples of the crank.
 const NORTON: [(f64, f64, [f64; 3]); 3] = [
     (120.0, 0.010, [2.625, 3.438, 3.238]),
     (140.0, 0.023, [2.500, 3.250, 3.623]),
@@ -48,7 +48,7 @@ fn hoeckens_point_goes_as_straight_as_published() {
     for (beta, error, [ground, coupler, length]) in NORTON {
         let r = Hoecken::default().r;
         let linkage = Hoecken { d: ground * r, l: coupler * r, ..Hoecken::default() };
-        // The line lies around the crank angle of 180°.
+        // The straight line belongs to crank angles around 180°.
         let half = 0.5 * beta.to_radians();
         let motion = moved(&linkage, PI - half, PI + half, 400);
         let extent = |axis: usize| {
@@ -58,7 +58,7 @@ fn hoeckens_point_goes_as_straight_as_published() {
         close(extent(0) / r, length, 0.000_6);
         close(100.0 * extent(1) / extent(0), error, 0.000_5);
     }
-    // The example has the dimensions of a row, and the page its figures.
+    // The example has the dimensions of one of the rows, and the page has its figures.
     let Hoecken { r, d, l, .. } = Hoecken::default();
     let quoted = |(_, _, [ground, coupler, _]): &(f64, f64, [f64; 3])| {
         (d / r - ground).abs() < 1e-12 && (l / r - coupler).abs() < 1e-12

@@ -1,4 +1,4 @@
-//! Every command that a page shows is one that works.
+//! All commands on the pages run successfully.
 
 use crate::{examples, press::Press};
 use kin_runtime::cli;
@@ -14,7 +14,7 @@ fn read(page: &str) -> String {
     fs::read_to_string(root().join(page)).unwrap_or_else(|error| panic!("{page}: {error}"))
 }
 
-/// The commands of a text, up to the comment or the end of the quotation that follows.
+/// The commands in a text, up to a comment or the end of the quotation.
 fn commands(text: &str) -> impl Iterator<Item = &str> {
     text.lines().filter_map(|line| {
         let rest = &line[line.find("cargo run")?..];
@@ -23,7 +23,7 @@ fn commands(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Starts a program by its name.
+/// Runs the program with this name.
 fn start(program: &str, arguments: &[String]) -> Option<ExitCode> {
     match program {
         "press" => Some(cli::run_from::<Press>(arguments)),
@@ -31,8 +31,8 @@ fn start(program: &str, arguments: &[String]) -> Option<ExitCode> {
     }
 }
 
-/// Runs a command with its result in a file of `scratch`, and tells what is wrong with it. What names no program is run
-/// with `own`.
+/// Runs a command with its result in a file of `scratch`, and returns an error text if it fails. A command without a
+/// program name runs `own`.
 fn run(command: &str, own: &str, scratch: &Path) -> Result<(), String> {
     let words = command.split_whitespace().skip(2);
     if let Some(word) = words.clone().find(|word| word.contains(['[', '*', '?']) && !word.starts_with('\'')) {
@@ -49,14 +49,14 @@ fn run(command: &str, own: &str, scratch: &Path) -> Result<(), String> {
         },
         _ => return Err("it starts no example".to_owned()),
     };
-    // The examples are built without diagrams and equations unless they are asked for.
+    // The examples are built without diagrams and equations unless these features are requested.
     let needs = ["plot", "equations"].into_iter().find(|command| words.clone().next().as_deref() == Some(command));
     if !of_cargo.is_empty() && needs != feature.map(String::as_str) {
         return Err(format!("it needs {needs:?} and asks for the feature {feature:?}"));
     }
     let mut arguments: Vec<String> = ["program".to_owned()].into_iter().chain(words).collect();
     if arguments.len() == 1 && read(&format!("examples/{program}.rs")).contains("std::env::args()") {
-        // It tells a story of its own then.
+        // Without arguments, the example prints its own output.
         return Ok(());
     }
     if !arguments.iter().any(|word| word == "--out") {
@@ -74,7 +74,7 @@ fn run(command: &str, own: &str, scratch: &Path) -> Result<(), String> {
     if written.is_empty() { Err("nothing is written".to_owned()) } else { Ok(()) }
 }
 
-/// Fails with all commands of the pages that do not work; there are `count` of them at least.
+/// Fails with all commands of the pages that do not work, or if there are fewer than `count` commands.
 #[track_caller]
 fn all_work(name: &str, pages: &[String], own: &str, count: usize) {
     let scratch = std::env::temp_dir().join(format!("kin-commands-{}-{name}", std::process::id()));
@@ -113,7 +113,7 @@ fn the_commands_in_the_examples_work() {
     all_work("examples", &pages, "", 50);
 }
 
-/// What names no program is about the one that the page shows.
+/// A command without a program name belongs to the program that the page shows.
 #[test]
 fn the_commands_of_the_readme_and_of_the_first_chapter_work() {
     all_work("readme", &["README.md".to_owned()], "template", 2);

@@ -1,4 +1,4 @@
-//! Laws of drawings: every body of a page stands where the analysis puts it.
+//! Laws of drawings: every body on a page has the pose that the analysis computes.
 
 use crate::motion::grid;
 use kin_runtime::{Kinematics, Mechanism, Signal, cli};
@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The place of each body's group among the groups of the first motion of a page.
+/// The indices of the groups that belong to bodies in the first motion of a page, with the indices of the bodies.
 fn groups_of_bodies(page: &str) -> Vec<(usize, usize)> {
     let start = page.find("<g class=\"run\">").expect("a drawing") + "<g class=\"run\">".len();
     let end = page[start..].find("<g class=\"run\">").map_or(page.len(), |length| start + length);
@@ -22,7 +22,7 @@ fn data(page: &str) -> Value {
     serde_json::from_str(&text[..text.find("</script>").expect("its end")]).expect("JSON")
 }
 
-/// x, y and the angle of a group at an instant; what stands still is there once.
+/// The x, y and angle of a group at an instant; constant numbers occur once.
 fn pose(data: &Value, group: usize, instant: usize) -> [f64; 3] {
     let track = &data["runs"][0]["tracks"][group];
     [0, 1, 2].map(|axis| {
@@ -31,7 +31,7 @@ fn pose(data: &Value, group: usize, instant: usize) -> [f64; 3] {
     })
 }
 
-/// Inputs at the first instant, as options.
+/// The inputs at the first instant, as command-line options.
 fn inputs<M: Mechanism>(from: f64) -> Vec<String> {
     let mut signals = vec![Signal::default(); M::INPUTS];
     write_signals::<M>(from, &mut signals);
@@ -39,13 +39,13 @@ fn inputs<M: Mechanism>(from: f64) -> Vec<String> {
     M::model().inputs.iter().zip(&signals).map(option).collect()
 }
 
-/// The groups of the bodies are those of the analysis, moved, enlarged and reflected as a picture is.
+/// The poses of the groups are those of the bodies, up to the translation, scaling and reflection of the picture.
 pub(crate) fn drawings_show_the_poses<M: Kinematics + Default>(from: f64, to: f64) {
     let model = M::model();
     if model.bodies.is_empty() {
         return;
     }
-    // The inputs of a command go on with their acceleration: a short way suits every mechanism.
+    // Inputs given as options continue with constant acceleration, so the motion is short enough for every mechanism.
     let times = grid(from, from + 0.05 * (to - from), 3);
     let file: PathBuf = std::env::temp_dir().join(format!("kin-drawing-{}-{}.html", std::process::id(), model.name));
     let instants: Vec<String> = times.iter().map(f64::to_string).collect();
@@ -78,7 +78,7 @@ pub(crate) fn drawings_show_the_poses<M: Kinematics + Default>(from: f64, to: f6
             pairs.push(([body.x, body.y], [x, y]));
         }
     }
-    // One scale and one place for all of them.
+    // All bodies have the same scale and translation.
     let far = |axis: usize| {
         let by = |a: &&([f64; 2], [f64; 2]), b: &&([f64; 2], [f64; 2])| a.0[axis].total_cmp(&b.0[axis]);
         (pairs.iter().min_by(by).expect("a body"), pairs.iter().max_by(by).expect("a body"))

@@ -1,4 +1,4 @@
-//! Laws of the equations at configurations that are not assembled.
+//! Laws of the equations at configurations that do not satisfy Φ = 0.
 
 use crate::{When, evaluated, random_configuration};
 use kin_runtime::model::{CoordinateKind, Frame, JointKind};
@@ -7,13 +7,13 @@ use kin_tests::compare::{Differences, largest};
 use kin_tests::random::Random;
 use std::collections::BTreeSet;
 
-/// Φ_q, Φ_t and γ against dual numbers, at configurations that are not assembled.
+/// Φ_q, Φ_t and γ agree with dual numbers, at configurations that do not satisfy Φ = 0.
 pub(crate) fn closed_forms_equal_duals<M: Kinematics + Default>() {
     let check = M::default().cross_check().unwrap();
     assert!(check.configurations > 0 && check.passes(1e-12), "{check}");
 }
 
-/// Each of Φ, Φ_q, Φ_t, γ alone, and each pair that an analysis asks for, is bit by bit the combined evaluation's.
+/// Φ, Φ_q, Φ_t and γ alone, and the pairs that analyses request, agree with the complete evaluation bit by bit.
 pub(crate) fn subsets_equal_the_whole<M: Mechanism + Default>() {
     let mechanism = M::default();
     let (when, q, q_dot) = random_configuration::<M>(&mut Random::new(3));
@@ -37,7 +37,7 @@ pub(crate) fn subsets_equal_the_whole<M: Mechanism + Default>() {
     }
 }
 
-/// The equations in `f32` are those in `f64`, to the precision of `f32`.
+/// The equations in `f32` agree with those in `f64`, up to the precision of `f32`.
 pub(crate) fn single_precision_agrees<M: Mechanism + Default>() {
     let mechanism = M::default();
     let mut random = Random::new(11);
@@ -66,7 +66,8 @@ pub(crate) fn single_precision_agrees<M: Mechanism + Default>() {
     differences.finish();
 }
 
-/// A joint between moving bodies has the same residual norm after all of them were moved as one rigid body.
+/// The norm of the residual of a joint between moving bodies does not change under a common rigid motion of all its
+/// bodies.
 pub(crate) fn joints_do_not_feel_rigid_motion<M: Mechanism + Default>() {
     let mechanism = M::default();
     let model = M::model();
@@ -76,7 +77,7 @@ pub(crate) fn joints_do_not_feel_rigid_motion<M: Mechanism + Default>() {
         if matches!(joint.kind, JointKind::Constraint) {
             continue;
         }
-        // Axles in the ground: such a row holds the angles themselves.
+        // For axles in the ground, the row depends on the angles relative to the ground.
         let frames = joint.geometry.iter().map(|geometry| geometry.frame);
         let coupled = matches!(joint.kind, JointKind::Gear | JointKind::Belt);
         if coupled && frames.clone().any(|frame| frame == Frame::Ground) {
@@ -103,7 +104,7 @@ pub(crate) fn joints_do_not_feel_rigid_motion<M: Mechanism + Default>() {
             moved[phi] = q[phi] + turn;
         }
         if joint.kind == JointKind::RollingOnDisc {
-            // The direction of the line of centres turns along.
+            // The coordinate of the direction of the line of centres is rotated, too.
             let rows = joint.first_row..joint.first_row + joint.rows;
             let entries = model.constraint_pattern.entries.iter().filter(|entry| rows.contains(&entry.0));
             let scalars: BTreeSet<usize> = entries.map(|entry| entry.1).collect();

@@ -1,4 +1,4 @@
-//! Every example, as a program of its own: what it typesets is its code, and its commands are run.
+//! Every example as a program: its typeset equations agree with its code, and its commands are run.
 
 #![allow(dead_code, unreachable_pub, missing_docs, reason = "programs of their own")]
 
@@ -6,7 +6,7 @@ use crate::typeset;
 use kin_runtime::cli;
 use std::process::ExitCode;
 
-/// A module for every example, and a test of its equations.
+/// Defines a module for every example, and a test of its equations.
 macro_rules! examples {
     ($($name:ident = $path:literal: $Mechanism:ident;)+) => {
         $(
@@ -14,10 +14,10 @@ macro_rules! examples {
             mod $name;
         )+
 
-        /// The names of all files are here.
+        /// The names of all files of examples are listed here.
         const NAMES: &[&str] = &[$(stringify!($name)),+];
 
-        /// Runs the program of an example; nothing where there is none of that name.
+        /// Runs the program of an example; `None` for an unknown name.
         pub(crate) fn run(name: &str, arguments: &[String]) -> Option<ExitCode> {
             match name {
                 $(stringify!($name) => Some(cli::run_from::<$name::$Mechanism>(arguments)),)+

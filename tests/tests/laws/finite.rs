@@ -1,4 +1,4 @@
-//! NaN, infinity and wrong lengths in give an error from every analysis, never an answer.
+//! NaN, infinity and wrong lengths in arguments cause an error in every analysis.
 
 use crate::When;
 use kin_runtime::{Instant, Kinematics, LengthError, Signal, SolveError, State};
@@ -66,7 +66,7 @@ fn with_a_bad_coordinate<M: Kinematics>(mechanism: &M, good: &State, place: usiz
     refused("velocity ratios", solver.velocity_ratios(&State { q, ..good.clone() }));
 }
 
-/// Any error will do, as long as it is typed and says something.
+/// Asserts that the result is an error with a message.
 fn refused<T: Debug>(what: &str, answer: Result<T, SolveError>) {
     match answer {
         Ok(answer) => panic!("{what} answered {answer:?}"),
@@ -74,7 +74,7 @@ fn refused<T: Debug>(what: &str, answer: Result<T, SolveError>) {
     }
 }
 
-/// One number too few or too many, or inputs that the mechanism does not have.
+/// Lists that are one element too short or too long, and inputs that the mechanism does not have.
 pub(crate) fn wrong_lengths_are_errors<M: Kinematics + Default>(t: f64) {
     let mechanism = M::default();
     let when = When::of::<M>(t);
@@ -104,7 +104,7 @@ pub(crate) fn wrong_lengths_are_errors<M: Kinematics + Default>(t: f64) {
     }
 }
 
-/// One input too many, one too few, and numbers among them that are not finite.
+/// One input too many, one too few, and inputs that are not finite.
 fn wrong_inputs_are_named<M: Kinematics>(mechanism: &M, when: &When) {
     let mut more = when.inputs.clone();
     more.push(Signal::default());

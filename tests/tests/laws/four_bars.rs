@@ -1,4 +1,4 @@
-//! The lecture's four-bar, written in four ways, moves in one.
+//! The lecture's four-bar in four formulations has the same motion.
 
 use kin_runtime::{Kinematics, Mechanism, Trajectory};
 use kin_tests::compare::{Differences, largest};
@@ -36,7 +36,7 @@ fn global_local_and_reduced_coordinates_move_alike() {
     differences.finish();
 }
 
-/// Poses count held and carried coordinates in: body origins and the joint B agree between solutions 2 and 3.
+/// Poses include held coordinates and origins: body origins and the joint B agree between solutions 2 and 3.
 #[test]
 fn held_and_carried_origins_are_reported() {
     let mut differences = Differences::new();
@@ -77,7 +77,7 @@ fn degrees_of_freedom_are_those_of_the_lecture() {
     check::<FourbarRelative>(3);
 }
 
-/// Metres, millimetres, nanometres: the same angles after the same work.
+/// In metres, millimetres and nanometres the angles are the same, and so is the number of iterations.
 #[test]
 fn no_unit_changes_the_analysis() {
     let in_units = |unit: f64| {

@@ -1,4 +1,4 @@
-//! Laws that every mechanism obeys, over all test mechanisms.
+//! Laws that every mechanism obeys, tested for all test mechanisms.
 
 mod commands;
 mod drawing;
@@ -21,7 +21,7 @@ use kin_tests::every_mechanism;
 use kin_tests::mechanisms::{signals, *};
 use kin_tests::random::Random;
 
-/// Laws of Φ, Φ_q, Φ_t, γ at any configuration.
+/// Laws of Φ, Φ_q, Φ_t and γ at any configuration.
 macro_rules! equation_laws {
     ($Mechanism:ident) => {
         use crate::*;
@@ -187,7 +187,7 @@ macro_rules! law_tests {
 
 every_mechanism!(law_tests);
 
-/// An instant with the inputs that the mechanism has then.
+/// An instant with the inputs of the mechanism at that time.
 struct When {
     t: f64,
     inputs: Vec<Signal>,
@@ -203,7 +203,7 @@ impl When {
     }
 }
 
-/// A configuration that closes nothing: instant, q, q̇.
+/// A random instant, q and q̇, which do not satisfy the equations.
 fn random_configuration<M: Mechanism>(random: &mut Random) -> (When, Vec<f64>, Vec<f64>) {
     let when = When::of::<M>(random.between(0.0, 1.0));
     (when, random.vector(M::COORDINATES, -1.5, 1.5), random.vector(M::COORDINATES, -2.0, 2.0))

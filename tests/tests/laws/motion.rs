@@ -7,7 +7,7 @@ use kin_tests::mechanisms::write_signals;
 use kin_tests::random::Random;
 use kin_tests::stencil::Stencil;
 
-/// `count` + 1 instants from `from` to `to`.
+/// `count` + 1 times from `from` to `to`.
 pub(crate) fn grid(from: f64, to: f64, count: u32) -> Vec<f64> {
     (0..=count).map(|k| from + (to - from) * f64::from(k) / f64::from(count)).collect()
 }
@@ -16,7 +16,7 @@ pub(crate) fn swept<M: Kinematics>(mechanism: &M, times: &[f64]) -> Trajectory {
     mechanism.solver().with_inputs(&write_signals::<M>).sweep(times).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// |Φ| ≤ 1e-12 after solving, and Φ_q q̇ + Φ_t and Φ_q q̈ − γ vanish.
+/// After solving, |Φ| ≤ 1e-12, and Φ_q q̇ + Φ_t and Φ_q q̈ − γ vanish.
 pub(crate) fn solved_configurations_close<M: Kinematics + Default>(from: f64, to: f64) {
     let mechanism = M::default();
     let mut differences = Differences::new();
@@ -61,7 +61,7 @@ pub(crate) fn rates_are_derivatives<M: Kinematics + Default>(from: f64, to: f64)
     differences.finish();
 }
 
-/// A sweep between two far instants ends where one with many instants between ends.
+/// A sweep between two distant instants ends in the same state as one with many instants in between.
 pub(crate) fn far_instants_equal_close_ones<M: Kinematics + Default>(from: f64, to: f64) {
     let mechanism = M::default();
     let close = swept(&mechanism, &grid(from, to, 200));
@@ -81,7 +81,7 @@ pub(crate) fn far_instants_equal_close_ones<M: Kinematics + Default>(from: f64, 
     differences.finish();
 }
 
-/// From any start a position analysis closes the mechanism, or says that it did not.
+/// From any start, a position analysis assembles the mechanism or returns an error.
 pub(crate) fn any_start_closes_or_fails<M: Kinematics + Default>(from: f64) {
     let mechanism = M::default();
     let when = When::of::<M>(from);
@@ -97,7 +97,7 @@ pub(crate) fn any_start_closes_or_fails<M: Kinematics + Default>(from: f64) {
                     assert!(largest(phi.as_ref()) <= 1e-12, "{:e} from {start:?}", largest(phi.as_ref()));
                 }
                 Err(SolveError::NotAssembled { gap, .. }) => assert!(gap.is_finite() && gap > 0.0, "{start:?}"),
-                // The root or logarithm of a free equation may not exist at the start.
+                // A root or a logarithm in a free equation may be undefined at the start.
                 Err(SolveError::Singular { .. } | SolveError::NonFinite { what: "Φ", .. }) => {}
                 Err(error) => panic!("{error} from {start:?}"),
             }

@@ -1,4 +1,4 @@
-//! Laws of what a mechanism reports besides q: poses, points, named expressions, joint quantities, ratios.
+//! Laws of the quantities that a mechanism reports besides q: poses, points, defines, joint quantities and ratios.
 
 use crate::motion::swept;
 use kin_runtime::model::{Level, Observable, Point, RowInfo};
@@ -6,7 +6,7 @@ use kin_runtime::{Instant, Kinematics, Mechanism, Motion, Signal, State};
 use kin_tests::compare::{Differences, largest};
 use kin_tests::stencil::Stencil;
 
-/// Every observable with its name, as (value, rate, acceleration).
+/// The name of every observable with its value, rate and acceleration.
 fn reported<M: Mechanism>(motion: &Motion) -> Vec<(String, [f64; 3])> {
     let model = M::model();
     let mut all = Vec::new();
@@ -36,7 +36,7 @@ fn reported<M: Mechanism>(motion: &Motion) -> Vec<(String, [f64; 3])> {
     all
 }
 
-/// Rates and accelerations of everything reported are the derivatives of its values.
+/// Rates and accelerations of all observables are the derivatives of their values.
 pub(crate) fn observables_are_differentiated<M: Kinematics + Default>(from: f64, to: f64) {
     if M::model().observables.is_empty() {
         return;
@@ -64,7 +64,7 @@ pub(crate) fn observables_are_differentiated<M: Kinematics + Default>(from: f64,
     differences.finish();
 }
 
-/// ∂r/∂q · q̇ is a point's velocity, where the point's pose does not depend on time itself.
+/// ∂r/∂q · q̇ is the velocity of a point, where its position does not depend on time explicitly.
 pub(crate) fn point_jacobians_give_velocities<M: Kinematics + Default>(from: f64, to: f64) {
     let mechanism = M::default();
     let solver = mechanism.solver();
@@ -85,12 +85,12 @@ pub(crate) fn point_jacobians_give_velocities<M: Kinematics + Default>(from: f64
     assert_eq!(2 * M::model().points.len(), named);
 }
 
-/// True for a row of a joint that a held coordinate moves: it is rheonomic and does not drive.
+/// True for a row of a joint that depends on a moving held coordinate: it is rheonomic and not driving.
 fn is_moved(row: &RowInfo) -> bool {
     row.rheonomic && !row.driving
 }
 
-/// Φ_q times a vector.
+/// The product of Φ_q and a vector.
 fn times_phi_q<M: Mechanism>(mechanism: &M, state: &State, vector: &[f64]) -> Vec<f64> {
     let phi_q = mechanism.jacobian(&state.instant(), &state.q).unwrap();
     let mut product = vec![0.0; M::ROWS];
@@ -100,8 +100,8 @@ fn times_phi_q<M: Mechanism>(mechanism: &M, state: &State, vector: &[f64]) -> Ve
     product
 }
 
-/// The driving rows' own shares of q̇ add up to q̇. What is missing where held coordinates move is their share: it is
-/// what the rows of the joints that they move ask for, and changes no other row.
+/// The contributions of the driving rows to q̇ add up to q̇, except for the contribution of moving held coordinates.
+/// That one only appears in the rows of the joints that these coordinates move.
 pub(crate) fn velocity_ratios_add_up<M: Kinematics + Default>(from: f64, to: f64) {
     let mechanism = M::default();
     let driving = M::model().rows.iter().filter(|row| row.driving).count();
@@ -136,8 +136,8 @@ pub(crate) fn velocity_ratios_add_up<M: Kinematics + Default>(from: f64, to: f64
     differences.finish();
 }
 
-/// ∂q/∂u and ∂²q/∂u² of every input are those of the configurations around, and the inputs' shares add up to q̇ where time
-/// itself moves nothing.
+/// ∂q/∂u and ∂²q/∂u² of every input agree with differences of neighbouring configurations. The contributions of the
+/// inputs add up to q̇ where nothing depends on time explicitly.
 pub(crate) fn input_ratios_are_derivatives<M: Kinematics + Default>(from: f64, to: f64) {
     let mechanism = M::default();
     let solver = mechanism.solver();
@@ -146,7 +146,7 @@ pub(crate) fn input_ratios_are_derivatives<M: Kinematics + Default>(from: f64, t
     for state in &swept(&mechanism, &[from, 0.5 * (from + to)]) {
         let ratios = solver.velocity_ratios(state).unwrap().inputs;
         assert_eq!(M::INPUTS, ratios.len());
-        // Rows of velocity level leave no configuration to compare with.
+        // With rows of velocity level, there are no neighbouring configurations to compare with.
         let holonomic = M::model().rows.iter().all(|row| row.level == Level::Position);
         for (k, ratio) in ratios.iter().enumerate().filter(|_| holonomic) {
             let h = 2e-3;

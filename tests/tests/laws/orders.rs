@@ -1,4 +1,4 @@
-//! Laws of derivatives above the second.
+//! Laws of derivatives of orders above the second.
 
 use crate::motion::swept;
 use kin_runtime::model::{Level, Model};
@@ -21,7 +21,8 @@ fn further<M: PowerSeries>(t: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// All derivatives to the fourth; `None` where a supplied function is not known that far, which the error must say.
+/// All derivatives up to the fourth; `None` where those of a supplied function are unknown, which must be the error
+/// reported.
 fn to_the_fourth<M: PowerSeries>(mechanism: &M, state: &State) -> Option<Derivatives> {
     let further = further::<M>(state.t);
     let further: Vec<&[f64]> = further.iter().map(|list| &list[..]).collect();
@@ -35,7 +36,7 @@ fn to_the_fourth<M: PowerSeries>(mechanism: &M, state: &State) -> Option<Derivat
     }
 }
 
-/// The third and fourth derivatives of q are the derivatives of q̈.
+/// The third and fourth derivatives of q are the first and second derivatives of q̈.
 pub(crate) fn third_and_fourth_are_derivatives<M: Kinematics + PowerSeries + Default>(from: f64, to: f64) {
     let mechanism = M::default();
     let mut differences = Differences::new();
@@ -59,12 +60,12 @@ pub(crate) fn third_and_fourth_are_derivatives<M: Kinematics + PowerSeries + Def
     differences.finish();
 }
 
-/// The highest order that is held against the motion.
+/// The highest order that is tested.
 const HIGHEST: usize = 10;
 
-/// Taylor's formula with all orders reaches the positions around, as position analysis finds them; and every order is
-/// what it is with Φ_q factorised as a whole. Time is counted in the step at which the highest orders are as small as 1e-9
-/// of the coordinates.
+/// Taylor's formula with all orders gives the neighbouring positions found by position analysis, and every order agrees
+/// with that from a factorisation of the whole Φ_q. The unit of time is the step at which the highest orders are as
+/// small as 1e-9 of the coordinates.
 pub(crate) fn series_reach_the_motion<M: Kinematics + PowerSeries + Default>(from: f64, to: f64) {
     let model = M::model();
     let known = M::INPUTS == 0 && model.functions.is_empty();
@@ -107,7 +108,7 @@ pub(crate) fn series_reach_the_motion<M: Kinematics + PowerSeries + Default>(fro
     }
 }
 
-/// Every observable with its name, order by order.
+/// The name of every observable with its derivatives.
 fn reported(model: &Model, motion: &MotionDerivatives) -> Vec<(String, Vec<f64>)> {
     let mut all = Vec::new();
     for (info, orders) in model.bodies.iter().zip(&motion.bodies) {
@@ -129,8 +130,8 @@ fn reported(model: &Model, motion: &MotionDerivatives) -> Vec<(String, Vec<f64>)
     all
 }
 
-/// What is reported agrees with the motion to the second order, and its third and fourth derivatives are those of its
-/// second.
+/// The reported quantities agree with the motion up to the second order, and their third and fourth derivatives are the
+/// derivatives of the second.
 pub(crate) fn reported_orders_are_derivatives<M: Kinematics + PowerSeries + Default>(from: f64, to: f64) {
     if M::model().observables.is_empty() {
         return;
@@ -162,7 +163,7 @@ pub(crate) fn reported_orders_are_derivatives<M: Kinematics + PowerSeries + Defa
     differences.finish();
 }
 
-/// To the second order what is reported is the motion.
+/// Up to the second order, the reported quantities are those of the motion.
 pub(crate) fn low_orders_are_the_motion<M: Kinematics + PowerSeries + Default>(from: f64, to: f64) {
     let mechanism = M::default();
     let solver = mechanism.solver();

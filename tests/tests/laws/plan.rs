@@ -1,4 +1,4 @@
-//! Laws of solution plans: generated closed forms against Newton's iteration on all coordinates.
+//! Laws of solution plans: generated closed forms agree with Newton's iteration on all coordinates.
 
 use crate::When;
 use crate::motion::{grid, swept};
@@ -7,7 +7,7 @@ use kin_runtime::{Kinematics, Options, Planned, Solver};
 use kin_tests::compare::{Differences, largest};
 use kin_tests::mechanisms::write_signals;
 
-/// Full Newton, whatever the plan says.
+/// A solver by full Newton, without the plan.
 pub(crate) fn newton<M: Kinematics>(mechanism: &M) -> Solver<'_, M> {
     let options = Options { use_plan: false, ..Options::default() };
     mechanism.solver().with_options(options).with_inputs(&write_signals::<M>)
@@ -37,7 +37,7 @@ pub(crate) fn by_plan<M: Kinematics>(
     out
 }
 
-/// Along a sweep, from a start beside each state: the same q, q̇ and q̈, as well as conditioning allows.
+/// Along a sweep, from a start near each state, the plan gives the same q, q̇ and q̈ up to conditioning.
 pub(crate) fn plans_equal_newton<M: Kinematics + Default>(from: f64, to: f64) {
     let (mechanism, plan) = (M::default(), &M::model().plan);
     if !plan.exists() {
@@ -73,7 +73,7 @@ pub(crate) fn plans_equal_newton<M: Kinematics + Default>(from: f64, to: f64) {
     differences.finish();
 }
 
-/// A sweep corrected by the plan reports what one corrected by full Newton does, and needs no Newton away from limits.
+/// A sweep by the plan gives the same results as one by full Newton, and needs no fallback to Newton away from limits.
 pub(crate) fn sweeps_by_plan_equal_newton<M: Kinematics + Default>(from: f64, to: f64) {
     let mechanism = M::default();
     let times = grid(from, to, 60);
@@ -105,7 +105,7 @@ pub(crate) fn sweeps_by_plan_equal_newton<M: Kinematics + Default>(from: f64, to
     differences.finish();
 }
 
-/// `Planned`, from instant to instant, is a sweep by full Newton; its modes keep their signs and its margins are positive.
+/// `Planned` gives the same states as a sweep by full Newton; its modes keep their signs and its margins are positive.
 pub(crate) fn planned_instants_equal_newton<M: Kinematics + Default>(from: f64, to: f64) {
     let (mechanism, plan) = (M::default(), &M::model().plan);
     let start = When::of::<M>(from);

@@ -1,4 +1,4 @@
-//! The toggle press of the guide, as a program.
+//! The toggle press of the guide as a program.
 
 #![allow(unreachable_pub, reason = "a program of its own")]
 

@@ -1,12 +1,12 @@
-//! Laws of results as data: what a state shows, in columns, in text and as JSON, is what the analyses say.
+//! Laws of results: the numbers in a state, as columns, as text and as JSON, agree with the analyses.
 
 use crate::motion::swept;
 use kin_runtime::model::{Body, Component, Point};
 use kin_runtime::{Kinematics, PointMotion, Rates};
 use kin_tests::compare::assert_shows;
 
-/// The bodies and points that states carry are those of [`Solver::motion`](kin_runtime::Solver::motion), and columns
-/// are their numbers.
+/// The bodies and points in states agree with [`Solver::motion`](kin_runtime::Solver::motion), and columns contain
+/// these numbers.
 pub(crate) fn states_show_the_motion<M: Kinematics + Default>(from: f64, to: f64) {
     let mechanism = M::default();
     let trajectory = swept(&mechanism, &[from, 0.7 * from + 0.3 * to, to]);

@@ -1,17 +1,17 @@
-//! Laws of the sparse elimination of Φ_q: what is reported is what dense factorisations that reveal the rank say.
+//! Laws of the sparse factorisation of Φ_q: results agree with those by dense rank-revealing factorisations.
 
 use crate::motion::grid;
 use kin_runtime::{Kinematics, Options, Solver};
 use kin_tests::compare::{Differences, largest};
 use kin_tests::mechanisms::write_signals;
 
-/// Full Newton, with the sparse elimination or without.
+/// A solver by full Newton, with sparse or dense factorisations.
 fn newton<M: Kinematics>(mechanism: &M, use_sparse: bool) -> Solver<'_, M> {
     let options = Options { use_plan: false, use_sparse, ..Options::default() };
     mechanism.solver().with_options(options).with_inputs(&write_signals::<M>)
 }
 
-/// Sweeps of either kind agree, and so do states that are solved for themselves.
+/// Sweeps by both factorisations agree, and so do single states.
 pub(crate) fn sparse_elimination_changes_nothing<M: Kinematics + Default>(from: f64, to: f64) {
     let mechanism = M::default();
     let times = grid(from, to, 24);
@@ -39,7 +39,7 @@ pub(crate) fn sparse_elimination_changes_nothing<M: Kinematics + Default>(from: 
     differences.finish();
 }
 
-/// κ₁ and κ₂ of an n×n matrix are within a factor of n of one another; the estimate may be too small by three.
+/// κ₁ and κ₂ of an n×n matrix differ at most by a factor of n; the estimate may be too small by a factor of three.
 fn conditions_are_true<M: Kinematics>(
     solver: &Solver<'_, M>,
     state: &kin_runtime::State,

@@ -3,7 +3,7 @@
 use crate::motion::{grid, swept};
 use kin_runtime::Kinematics;
 
-/// No pose has a larger rank than the symbols allow; a smaller one is for mechanisms that say so.
+/// No pose has a rank above the generic one; a smaller rank occurs only in mechanisms that allow redundancy.
 pub(crate) fn ranks_are_generic<M: Kinematics + Default>(from: f64, to: f64) {
     let mechanism = M::default();
     let (name, structure) = (M::model().name, M::model().structure.expect("generated models know their structure"));

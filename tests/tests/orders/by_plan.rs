@@ -1,4 +1,5 @@
-//! All orders at once by plans that iterate, that watch redundant rows, and that take functions and inputs.
+//! Derivatives of all orders by plans that have an iteration, that watch redundant rows, and that use functions and
+//! inputs.
 
 use kin_runtime::function::{FromFn, Polynomial};
 use kin_runtime::plan::Solved;
@@ -6,7 +7,8 @@ use kin_runtime::series::HigherOrders;
 use kin_runtime::{Instant, Mechanism, Options, Signal, Solver, mechanism};
 use kin_tests::mechanisms::RedundantParallelogram;
 
-/// Orders by [`HigherOrders::solve_by_plan`] at a state, from a start beside it, against those of Φ_q as a whole.
+/// Derivatives by [`HigherOrders::solve_by_plan`], started close to a state, against those from the factorisation of
+/// Φ_q as a whole.
 fn agrees<M: Mechanism>(mechanism: &M, at: &Instant<'_>, highest: usize) {
     let options = Options { use_plan: false, ..Options::default() };
     let solver = Solver::new(mechanism).with_options(options);
@@ -25,7 +27,7 @@ fn agrees<M: Mechanism>(mechanism: &M, at: &Instant<'_>, highest: usize) {
     assert!(margins.iter().all(|margin| *margin > 1e-3), "{margins:?}");
     let found = [&q[..], &q_dot, &q_ddot].into_iter().chain((3..=highest).map(|k| orders.derivative(k).unwrap()));
     for (order, (found, expected)) in found.zip(&expected).enumerate() {
-        // A derivative is k! coefficients, and so is its rounding.
+        // A derivative is k! times a Taylor coefficient, and so is its rounding error.
         let factorial: f64 = (1..=order).map(|k| k as f64).product();
         let size = expected.iter().fold(1.0_f64.max(1e-2 * factorial), |size, value| size.max(value.abs()));
         for (found, expected) in found.iter().zip(expected) {
@@ -35,7 +37,7 @@ fn agrees<M: Mechanism>(mechanism: &M, at: &Instant<'_>, highest: usize) {
     }
 }
 
-/// Kepler's equation, and what a point on the orbit sees.
+/// Kepler's equation, and the points of an orbit.
 #[mechanism]
 #[coordinates(mean, eccentric)]
 #[driver(drive: mean = 1.3 * t)]
@@ -58,7 +60,7 @@ fn rows_that_are_watched_change_nothing() {
     }
 }
 
-/// A crank that an input turns, and a follower on a cam that a polynomial describes.
+/// A crank driven by an input, and a follower on a cam that is a polynomial.
 #[mechanism]
 #[function(lift)]
 #[input(turn)]
@@ -84,12 +86,12 @@ fn functions_and_inputs_have_their_orders() {
         let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
         orders.solve_by_plan(&at, &[], &[0.0; 4], solved).unwrap();
         assert!(q_ddot.iter().all(|value| value.is_finite()), "{q_ddot:?}");
-        // The third derivative of the input is not known.
+        // The third derivative of the input is unknown.
         assert!(orders.derivative(3).unwrap().iter().all(|value| value.is_nan()), "{highest}");
     }
 }
 
-/// A cam at the end of a crank that turns uniformly.
+/// A cam at the end of a crank that turns with constant angular acceleration.
 #[mechanism]
 #[function(lift)]
 #[bodies(crank)]

@@ -1,4 +1,4 @@
-//! Motions whose derivatives of every order are known.
+//! Motions whose derivatives of every order have a closed form.
 
 use crate::expands;
 use kin_runtime::{Kinematics, PowerSeries, mechanism};
@@ -6,12 +6,12 @@ use kin_tests::mechanisms::{
     AndrewsCartesian, AndrewsPins, FourbarLectureMid, PlanetaryBasic, SleighKnifeEdge, SliderCrankInline,
 };
 
-/// d^k/dt^k of a sin(w t + p).
+/// The derivative dᵏ/dtᵏ of a sin(w t + p).
 fn sine(a: f64, w: f64, p: f64, order: usize, t: f64) -> f64 {
     a * w.powi(order as i32) * (w * t + p + order as f64 * std::f64::consts::FRAC_PI_2).sin()
 }
 
-/// A point on a wheel that turns uniformly.
+/// A point on a wheel that turns at constant speed.
 #[mechanism]
 #[bodies(wheel)]
 #[revolute(pin: ground @ (0.3, -0.2), wheel @ (0, 0))]
@@ -44,8 +44,8 @@ fn circular_motion() {
     }
 }
 
-/// Slider-crank: x = r cos φ + √(l² − r² sin² φ) with φ = ω t. Written with u = r sin φ, s = √(l² − u²), the derivatives
-/// follow from s s′ = −u u′ by Leibniz's rule, which is worked out here.
+/// Slider-crank: x = r cos φ + √(l² − r² sin² φ) with φ = ω t. With u = r sin φ and s = √(l² − u²), s s′ = −u u′, and
+/// the higher derivatives follow by Leibniz's rule, as computed here.
 #[mechanism]
 #[bodies(crank, rod)]
 #[body(slider, y = 0, phi = 0)]
@@ -82,7 +82,7 @@ fn slider_crank_by_leibniz() {
     }
 }
 
-/// The carrier of a planetary gear turns with the mean of sun and ring, weighted with their radii.
+/// The angle of a planet carrier is the mean of the angles of sun and ring, weighted with their radii.
 #[test]
 fn planetary_gear() {
     let gear = PlanetaryBasic::default();
@@ -108,7 +108,7 @@ fn sleigh_by_rates() {
         let state = solver.state(&t.into()).unwrap();
         let motion = solver.motion_derivatives(&solver.derivatives(&state, 8).unwrap()).unwrap();
         for order in 3..=8 {
-            // The derivative of order − 1 of a product whose first factor is linear.
+            // The derivative of order k = order − 1 of a product whose first factor is linear.
             let k = order - 1;
             for (axis, shift) in [std::f64::consts::FRAC_PI_2, 0.0].into_iter().enumerate() {
                 let part = |k: usize| sine(1.0, 0.8, 0.5 + shift, k, t);
@@ -120,7 +120,7 @@ fn sleigh_by_rates() {
     }
 }
 
-/// Series reach the positions around, by other analyses.
+/// Taylor series reproduce the positions that position analysis finds at neighbouring instants.
 #[test]
 fn series_reach_the_positions_around() {
     fn reach<M: Kinematics + PowerSeries + Default>(t: f64, h: f64, tolerance: f64) {

@@ -1,10 +1,11 @@
-//! Every function of the language: its series at one instant gives its values around.
+//! Every function of the expression language: its Taylor series at one instant gives its values at neighbouring
+//! instants.
 
 use crate::expands;
 use kin_runtime::function::{FromFn, Polynomial};
 use kin_runtime::{Kinematics, ScalarFunction, SolveError, mechanism};
 
-/// u is driven; every other coordinate is a function of u, so that its series is found together with that of u.
+/// u is driven; every other coordinate is a function of u, so that one recursion finds all the series.
 #[mechanism]
 #[coordinates(u, v)]
 #[coordinates(sine, cosine, tangent, arcsine, arccosine, arctangent, angle, second_angle, exponential, logarithm)]
@@ -44,7 +45,8 @@ fn functions_of_the_language_have_their_series() {
     }
 }
 
-/// A power with a whole exponent, whose base is 0 at t = 1: only low orders are there, and all of them vanish.
+/// A power with a whole exponent whose base is 0 at t = 1: for orders below the exponent, its derivatives exist there
+/// and are 0.
 #[mechanism]
 #[coordinates(a, b, c)]
 #[driver(whole: a = pow(t - 1, 40))]
@@ -62,7 +64,7 @@ fn powers_of_nothing_vanish_as_long_as_they_exist() {
     assert_eq!(SolveError::NotSmooth { t: 1.0, order: 5, row_name: "real", joint: "real" }, error);
 }
 
-/// Powers whose base is 0 at t = 1, and derivatives that do not vanish there.
+/// Powers whose base is 0 at t = 1, with derivatives that are not 0 there.
 #[mechanism]
 #[coordinates(a, b, c)]
 #[driver(fifth: a = pow(t - 1, 5))]
@@ -77,14 +79,14 @@ fn whole_powers_of_nothing_have_all_their_derivatives() {
     let factorial = |n: u32| (1..=n).map(f64::from).product::<f64>();
     for (order, q) in derivatives.q.iter().enumerate() {
         let at = |k: u32| if order == k as usize { factorial(k) } else { 0.0 };
-        // sin a³ begins with a³ = (t − 1)¹⁵.
+        // The lowest term of sin³ a is a³ = (t − 1)¹⁵.
         for (found, expected) in q.iter().zip([at(5), at(12), at(15)]) {
             assert!((found - expected).abs() <= 1e-13 * expected, "{order}: {found} {expected}");
         }
     }
 }
 
-/// Absolute values in a row of velocity level, whose derivatives are signs.
+/// Absolute values in a row of velocity level, where their derivatives are signs.
 #[mechanism]
 #[coordinates(u, v, w)]
 #[driver(drive: u = 0.4 + 0.3 * t * t)]
@@ -106,19 +108,19 @@ fn signs_are_constant_where_they_are_there() {
         );
         assert!((found[2] + found[0]).abs() < 1e-13, "{order}: {found:?}");
     }
-    // u is 0.7 at t = 1 and moves.
+    // u passes 0.7 at t = 1 with u̇ ≠ 0.
     let error = solver.derivatives(&solver.state(&1.0.into()).unwrap(), 3).unwrap_err();
     assert_eq!(SolveError::NotSmooth { t: 1.0, order: 3, row_name: "kink", joint: "kink" }, error);
 }
 
-/// The cosine of [`Signs`] by itself.
+/// The cosine of [`Signs`] as a constraint of its own.
 #[mechanism]
 #[coordinates(u, c)]
 #[driver(drive: u = 0.4 + 0.3 * t * t)]
 #[constraint(is: c = cos(u + 2))]
 struct Cosine;
 
-/// e^(0.3 x), known to any order.
+/// e^(0.3 x), whose derivatives of every order are supplied.
 #[derive(Default)]
 struct Growth;
 
@@ -133,7 +135,8 @@ impl ScalarFunction for Growth {
     }
 }
 
-/// Supplied functions, one within the other, a curve, and a rate that needs their slope.
+/// Supplied functions, also composed with one another, a curve, and a row of velocity level that needs their
+/// derivative.
 #[mechanism]
 #[function(growth, cubic)]
 #[coordinates(u, f, g, h, b, k)]
@@ -153,7 +156,7 @@ struct Supplied {
     cubic: Polynomial<[f64; 4]>,
 }
 
-/// The same, the functions written out.
+/// The same mechanism with the functions written as expressions.
 #[mechanism]
 #[coordinates(u, f, g, h, b, k)]
 #[bodies(cam)]
@@ -185,7 +188,8 @@ fn supplied_functions_are_what_they_say() {
     }
 }
 
-/// A closure is known to its second derivative; a cubic one of something that rests to the third order is asked for none.
+/// A closure supplies derivatives up to the second. For the argument t³, whose first two derivatives are 0 at t = 0,
+/// order 8 does not need the third derivative.
 #[mechanism]
 #[function(known)]
 #[coordinates(u)]
@@ -198,7 +202,7 @@ struct Resting<F> {
 fn an_argument_at_rest_asks_for_no_derivative() {
     let resting = Resting { known: FromFn(|x: f64| [x.sin(), x.cos(), -x.sin()]) };
     let solver = resting.solver();
-    // sin t³ = t³ − t⁹/6 + …: order 8 needs (t³)² at most, order 9 the third derivative of the sine.
+    // sin t³ = t³ − t⁹/6 + …: order 8 needs at most the term (t³)², order 9 the third derivative of the sine.
     let state = solver.state(&0.0.into()).unwrap();
     let derivatives = solver.derivatives(&state, 8).unwrap();
     let expected = [0.0, 0.0, 0.0, 6.0, 0.0, 0.0, 0.0, 0.0, 0.0];

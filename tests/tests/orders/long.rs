@@ -1,11 +1,11 @@
-//! Kernels that are laid out in several blocks.
+//! Kernels so long that they are generated as several functions.
 
 use kin_runtime::series::HigherOrders;
 use kin_runtime::{Derivatives, Instant, Kinematics, Mechanism, mechanism};
 
 const LINKS: usize = 270;
 
-/// A chain of equal links that all turn as the first does.
+/// A chain of equal links that all turn with the same angle.
 #[mechanism]
 #[bodies(link[270])]
 #[revolute(pin[i in 0..269]: link[i] @ (0.6 * l[i], cos(l[i])), link[i+1] @ (-0.4 * l[i+1], 0))]
@@ -17,7 +17,7 @@ struct Chain {
     l: [f64; 270],
 }
 
-/// With the same motion of every link all members of a family have the same right-hand sides.
+/// If every link has the same motion, all members of a family have the same right-hand sides.
 #[test]
 fn members_of_a_family_have_equal_right_hand_sides() {
     let chain = Chain::default();
@@ -41,7 +41,7 @@ fn members_of_a_family_have_equal_right_hand_sides() {
     }
 }
 
-/// So have their points.
+/// If every link has the same motion, all tips have the same derivatives.
 #[test]
 fn members_of_a_family_have_equal_points() {
     let of = |link: [f64; 3]| -> Vec<f64> { (0..LINKS).flat_map(|_| link).collect() };

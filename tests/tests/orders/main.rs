@@ -1,4 +1,4 @@
-//! Derivatives above the second: closed forms, functions, what is refused, and that nothing is allocated.
+//! Derivatives above the second order: closed forms, the functions of the language, errors, and absence of allocations.
 
 mod by_plan;
 mod closed_forms;
@@ -9,12 +9,12 @@ mod scaling;
 
 use kin_runtime::{Kinematics, PowerSeries, Solver};
 
-/// q at t + h by Taylor's formula from the derivatives at t.
+/// q at t + h, the Taylor polynomial of the derivatives at t.
 fn expanded(derivatives: &[Vec<f64>], h: f64) -> Vec<f64> {
     let n = derivatives[0].len();
     let mut sum = vec![0.0; n];
     for (order, derivative) in derivatives.iter().enumerate().rev() {
-        // Horner's scheme: the next order is divided by one number more.
+        // Horner's scheme: the remainder is multiplied by h/(order + 1).
         for (sum, value) in sum.iter_mut().zip(derivative) {
             *sum = *sum * h / (order + 1) as f64 + value;
         }
@@ -22,7 +22,7 @@ fn expanded(derivatives: &[Vec<f64>], h: f64) -> Vec<f64> {
     sum
 }
 
-/// The series at `t` gives the positions at t ± h.
+/// The Taylor series at `t` gives the positions at t ± h.
 fn expands<M: Kinematics + PowerSeries>(solver: &Solver<'_, M>, t: f64, h: f64, order: usize, tolerance: f64) {
     let state = solver.state(&t.into()).unwrap();
     let derivatives = solver.derivatives(&state, order).unwrap();

@@ -1,11 +1,11 @@
-//! What has no derivative of an order, or is not known far enough, is refused by name.
+//! If a derivative of some order does not exist or is not known, the error names the function, row or input.
 
 use kin_runtime::function::FromFn;
 use kin_runtime::plan::Solved;
 use kin_runtime::series::HigherOrders;
 use kin_runtime::{Instant, Kinematics, LengthError, Mechanism, Options, PlanError, Signal, SolveError, mechanism};
 
-/// A row whose argument passes 0 at t = 1.
+/// A row with an absolute value whose argument is 0 at t = 1.
 #[mechanism]
 #[coordinates(u, v)]
 #[driver(drive: u = t - 1)]
@@ -24,7 +24,7 @@ struct Branch;
 #[constraint(pole: v = (1 - cos(u)) / u)]
 struct Pole;
 
-/// The error of order 3 at t = 1, where q, q̇, q̈ are made up.
+/// The error of order 3 at t = 1, for a state with arbitrary q, q̇, q̈.
 fn refused<M: Kinematics + kin_runtime::PowerSeries>(mechanism: &M) -> SolveError {
     let mut state = mechanism.state_at(&1.5.into()).unwrap();
     state.t = 1.0;
@@ -39,12 +39,12 @@ fn where_nothing_is_smooth_the_row_is_named() {
     let said = "row `kink` of joint `kink` has no derivative of order 3 at t = 1: a root, a divisor or an absolute \
                 value in it is 0";
     assert_eq!(said, error.to_string());
-    // What velocity analysis cannot compute it says itself.
+    // If velocity analysis fails there too, its own error is returned.
     assert!(matches!(refused(&Branch), SolveError::NonFinite { .. } | SolveError::NotSmooth { .. }));
     assert!(matches!(refused(&Pole), SolveError::NonFinite { .. } | SolveError::NotSmooth { .. }));
 }
 
-/// An input that drives, one that drives a rate, and one of which only a define speaks.
+/// One input drives a coordinate, one drives a rate, and one is used in a define only.
 #[mechanism]
 #[input(lift, pace, note)]
 #[coordinates(u, v, w, z)]
@@ -67,7 +67,7 @@ fn inputs_are_known_as_far_as_they_are_given() {
     let said = "the derivative of order 3 at t = 0.5 needs more of the input `lift` than its value and 2 derivatives";
     assert_eq!(said, error.to_string());
 
-    // With the third derivative of `lift`, and the acceleration of `pace`, v has a third derivative.
+    // Given the third derivative of `lift`, and with the acceleration of `pace`, v has a third derivative.
     let third = solver.derivatives_with(&state, 3, &[&[0.9]]).unwrap();
     let (sin, cos) = 0.3_f64.sin_cos();
     let expected = cos * (0.9 - 0.7_f64.powi(3)) - sin * 3.0 * 0.7 * -0.2;
@@ -78,14 +78,14 @@ fn inputs_are_known_as_far_as_they_are_given() {
     let fourth = solver.derivatives_with(&state, 4, &[&[0.9, 0.1], &[0.25]]).unwrap();
     assert!((fourth.q[4][1] - 0.25).abs() < 1e-15);
 
-    // The define alone needs `note`.
+    // Only the define needs `note`.
     assert_eq!(unknown(3, "note", 2), solver.motion_derivatives(&third).unwrap_err());
     let known = solver.derivatives_with(&state, 3, &[&[0.9], &[], &[4.0]]).unwrap();
     let motion = solver.motion_derivatives(&known).unwrap();
     let leibniz = known.q[3][0] * 1.0 + 3.0 * known.q[2][0] * 2.0 + 3.0 * known.q[1][0] * 3.0 + known.q[0][0] * 4.0;
     assert!((motion.defines[0][3] - leibniz).abs() < 1e-14);
 
-    // To the second order nothing is missing.
+    // Up to the second order no derivative of an input is missing.
     assert_eq!(3, solver.derivatives(&state, 2).unwrap().q.len());
     solver.motion_derivatives(&solver.derivatives(&state, 2).unwrap()).unwrap();
     assert!(matches!(solver.derivatives_with(&state, 3, &[&[], &[], &[], &[]]), Err(SolveError::Length(_))));
@@ -93,7 +93,7 @@ fn inputs_are_known_as_far_as_they_are_given() {
     assert_eq!(SolveError::NonFinite { what: "inputs", index: 0, name: "lift", t: None }, bad);
 }
 
-/// A supplied function that is known to its second derivative.
+/// A supplied function with derivatives up to the second.
 #[mechanism]
 #[function(cam)]
 #[coordinates(u, v)]
@@ -116,7 +116,7 @@ fn functions_are_known_as_far_as_they_say() {
     assert_eq!(said, error.to_string());
 }
 
-/// A link that is free, and one that is prescribed; two rows that say the same until t enters one of them.
+/// Two coordinates tied by one equation: one degree of freedom is left, which `with_given` can prescribe.
 #[mechanism]
 #[coordinates(u, v)]
 #[constraint(sum: u + v = sin(t))]
@@ -131,12 +131,12 @@ fn prescribed_coordinates_go_on_with_constant_acceleration() {
     for (q, sine) in found.q.iter().zip(&sine).skip(3) {
         assert!(q[0].abs() < 1e-15 && (q[1] - sine).abs() < 1e-15, "{found:?}");
     }
-    // Without it the smallest derivatives are the answer, as they are for q̇ and q̈.
+    // Without a prescribed coordinate the derivatives of least norm are returned, as for q̇ and q̈.
     let found = Free.solver().derivatives(&Free.state_at(&0.4.into()).unwrap(), 4).unwrap();
     assert!(found.q[1..].iter().zip(&sine[1..]).all(|(q, s)| q.iter().all(|value| (value - 0.5 * s).abs() < 1e-15)));
 }
 
-/// Two drivers of one coordinate that agree to the second derivative at t = 0 alone.
+/// Two drivers of one coordinate whose derivatives agree up to the second, and only at t = 0.
 #[mechanism(allow_redundant)]
 #[coordinates(u)]
 #[driver(first: u = t)]
@@ -152,7 +152,7 @@ fn redundant_rows_must_agree_in_every_order() {
     assert!(error.to_string().starts_with("no derivative of order 3 satisfies all rows at t = 0: row "), "{error}");
 }
 
-/// A state that is none is refused as in every other analysis.
+/// An invalid state is an error, as in every other analysis.
 #[test]
 fn states_are_checked() {
     let state = Free.state_at(&0.4.into()).unwrap();
@@ -164,7 +164,7 @@ fn states_are_checked() {
     assert!(matches!(Free.solver().derivatives(&bad, 3), Err(SolveError::NonFinite { what: "q_dot", .. })));
 }
 
-/// A four-bar that nothing drives.
+/// A four-bar without a driver.
 #[mechanism]
 #[bodies(crank, coupler, rocker)]
 #[revolute(C: ground @ (0, 0), crank @ (0, 0))]
@@ -214,11 +214,11 @@ fn what_the_plan_solves_leaves_nothing_of_an_earlier_instant() {
     assert_eq!((0, &[][..]), (orders.order(), orders.right()));
     orders.advance(&third).unwrap();
     assert_eq!(0, orders.order());
-    // Nothing is solved with the right-hand side of the earlier one.
+    // The right-hand side of the earlier state is not used any more.
     let mut untouched = vec![7.0; Slider::COORDINATES];
     assert_eq!(Err(LengthError { what: "b", expected: Slider::ROWS, found: 0 }), orders.solve(&mut untouched));
     assert_eq!(vec![7.0; Slider::COORDINATES], untouched);
-    // Factors are those of the new q.
+    // The factors belong to the new q.
     assert!(orders.factorise(&now.instant()).unwrap());
     orders.begin(&now.instant(), &now.q, &now.q_dot, &now.q_ddot).unwrap();
     let mut found = third.clone();
@@ -240,20 +240,20 @@ fn orders_beyond_the_range_of_numbers_are_an_error_of_their_own() {
         refused(order);
         assert_eq!(None, HigherOrders::new(&Slider, order).derivative(order));
     }
-    // About k! (ω/2)ᵏ, which is too much from here on.
+    // The derivatives grow as k! (ω/2)ᵏ, which exceeds the range of `f64` from this order on.
     let error = Slider.solver().derivatives(&state, 150).unwrap_err();
     let SolveError::OutOfRange { order, .. } = error else { panic!("{error}") };
     assert!((70..=85).contains(&order), "{order}");
 }
 
-/// A right-hand side that is a number, and a divisor that makes its solution none.
+/// A finite right-hand side whose solution overflows because of a small pivot.
 #[mechanism]
 #[coordinates(u, v)]
 #[driver(drive: u = t)]
 #[constraint(lever: 0.001 * v = u * u * u)]
 struct Lever;
 
-/// Two terms that leave the range of numbers on either side.
+/// The difference of two terms that both overflow.
 #[mechanism]
 #[coordinates(u, v, w)]
 #[driver(drive: u = t)]
@@ -267,7 +267,7 @@ fn solutions_beyond_the_range_of_numbers_are_an_error_of_their_own_too() {
         let options = Options { use_plan, ..Options::default() };
         let out_of_range = Err(SolveError::OutOfRange { t: 0.0, order: 3 });
 
-        // v⃛ = 6000 u̇³: at first just within what there is.
+        // v⃛ = 6000 u̇³ is just within the range of `f64` first.
         let mut state = Lever.state_at(&0.0.into()).unwrap();
         let solver = Lever.solver().with_options(options);
         state.q_dot[0] = 3e101;

@@ -1,4 +1,4 @@
-//! Exact laws: faster time, agreement with γ, and no memory taken.
+//! Exact identities: scaling of time, agreement with γ; and absence of allocations.
 
 use allocation_counter::measure;
 use kin_runtime::plan::Solved;
@@ -8,7 +8,7 @@ use kin_runtime::{
 };
 use kin_tests::mechanisms::{AndrewsPins, Excavator, PlanetaryBasic, SleighKnifeEdge};
 
-/// Four bars with a crank that turns `omega` per unit of time.
+/// A four-bar whose crank turns at the constant rate `omega`.
 #[mechanism]
 #[bodies(crank, coupler, rocker)]
 #[revolute(A: ground @ (0, 0), crank @ (0, 0))]
@@ -22,7 +22,7 @@ struct FourBar {
     omega: f64,
 }
 
-/// t → 2t multiplies order k by 2^k, to the last bit.
+/// Replacing t by 2t multiplies the derivative of order k by 2^k, bit for bit.
 #[test]
 fn faster_time_multiplies_every_order() {
     let (slow, fast) = (FourBar { omega: 1.0 }, FourBar { omega: 2.0 });
@@ -40,7 +40,8 @@ fn faster_time_multiplies_every_order() {
     assert!(found.q[10].iter().any(|value| *value != 0.0));
 }
 
-/// One right-hand side before, the recursion gives γ: with t³ for time, the third derivative at t = 0 is 6 q̇.
+/// At the lowest order the right-hand side of the recursion is γ: with t³ in place of t, the third derivative at t = 0
+/// is 6 q̇.
 #[mechanism]
 #[bodies(crank, coupler, rocker)]
 #[revolute(A: ground @ (0, 0), crank @ (0, 0))]
@@ -51,7 +52,7 @@ fn faster_time_multiplies_every_order() {
 #[guess(coupler.phi = 0.9, rocker.phi = 2.2)]
 struct Cubed;
 
-/// The same with t instead of t³.
+/// The same four-bar driven by t instead of t³.
 #[mechanism]
 #[bodies(crank, coupler, rocker)]
 #[revolute(A: ground @ (0, 0), crank @ (0, 0))]
@@ -62,7 +63,8 @@ struct Cubed;
 #[guess(coupler.phi = 0.9, rocker.phi = 2.2)]
 struct Uniform;
 
-/// With τ³ for time order 3k of the one is (3k)!/k! times order k of the other: orders 3, 6, 9 are q̇, q̈, q⃛ again.
+/// With τ³ in place of t, the derivative of order 3k is (3k)!/k! times that of order k for the other: the orders 3, 6,
+/// 9 reproduce q̇, q̈, q⃛.
 #[test]
 fn low_orders_come_back_as_high_ones() {
     let uniform = Uniform.solver();
@@ -107,7 +109,7 @@ fn instants_after_the_first_allocate_nothing() {
     allocates_nothing::<SleighKnifeEdge>();
 }
 
-/// All orders with Φ_q factorised as a whole.
+/// All orders from the dense factorisation of Φ_q.
 fn densely<M: PowerSeries>(mechanism: &M, state: &State, order: usize) -> Vec<Vec<f64>> {
     let options = Options { use_plan: false, ..Options::default() };
     let found = Solver::new(mechanism).with_options(options).derivatives(state, order).unwrap();
@@ -115,7 +117,7 @@ fn densely<M: PowerSeries>(mechanism: &M, state: &State, order: usize) -> Vec<Ve
     found.q
 }
 
-/// All orders by the blocks of the plan, against those of the dense factorisation; nothing is allocated for them.
+/// All orders from the factors of the plan's blocks, against those from the dense factorisation; nothing is allocated.
 fn plan_gives_the_same<M: Kinematics + PowerSeries + Default>() {
     let mechanism = M::default();
     let mut orders = HigherOrders::new(&mechanism, 10);
@@ -144,7 +146,7 @@ fn plan_gives_the_same<M: Kinematics + PowerSeries + Default>() {
     assert!(orders.solve(&mut x[1..]).is_err());
 }
 
-/// q, q̇, q̈ and all orders by the plan in one go, against those of the dense factorisation; nothing is allocated.
+/// q, q̇, q̈ and all orders by the plan in one call, against those from the dense factorisation; nothing is allocated.
 fn plan_gives_all_at_once<M: Kinematics + PowerSeries + Default>() {
     let mechanism = M::default();
     let parameters = mechanism.parameters::<f64>();
@@ -193,7 +195,7 @@ fn the_plan_solves_every_order() {
     plan_gives_the_same::<Excavator>();
 }
 
-/// Where coupler and rocker are in line the plan's block is singular, and so is Φ_q: no order is a number then.
+/// Where coupler and rocker are collinear, the plan's block is singular, and so is Φ_q: no derivative is finite.
 #[test]
 fn singular_blocks_are_seen() {
     let four_bar = FourBar::default();
@@ -211,7 +213,7 @@ fn singular_blocks_are_seen() {
     }
 }
 
-/// Where there is no plan nothing is solved.
+/// Without a plan, `factorise` and `solve` return no solution.
 #[test]
 fn without_a_plan_nothing_is_solved() {
     let sleigh = SleighKnifeEdge::default();
@@ -222,7 +224,7 @@ fn without_a_plan_nothing_is_solved() {
     assert!(!orders.factorise(&at).unwrap());
 }
 
-/// Right-hand sides wait for the solution of the order before, and lengths are checked.
+/// A right-hand side exists only after the solution of the order before was given, and lengths of slices are checked.
 #[test]
 fn orders_go_one_by_one() {
     let four_bar = FourBar::default();
@@ -236,7 +238,7 @@ fn orders_go_one_by_one() {
     orders.begin(&at, &state.q, &state.q_dot, &state.q_ddot).unwrap();
     orders.advance(&state.q_dot).unwrap();
     assert_eq!((4, FourBar::ROWS), (orders.order(), orders.right().len()));
-    // Four was the highest: there is no right-hand side of the fifth, and none of the fourth is left for it.
+    // Four was the highest order: there is no right-hand side of order five, and the one of order four is gone.
     assert!(orders.factorise(&at).unwrap());
     let mut untouched = vec![7.0; FourBar::COORDINATES];
     for _ in 0..2 {
@@ -248,7 +250,7 @@ fn orders_go_one_by_one() {
     assert_eq!(vec![7.0; FourBar::COORDINATES], untouched);
 }
 
-/// Where no order beyond the third was asked for, or none at all, the third is the last.
+/// If the highest order given is 3 or less, the third order is the last.
 #[test]
 fn the_third_order_may_be_the_last() {
     let four_bar = FourBar::default();

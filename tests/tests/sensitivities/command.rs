@@ -6,7 +6,7 @@ use kin_tests::mechanisms::{FourbarLectureMid, loaded};
 use serde_json::Value;
 use std::process::ExitCode;
 
-/// What the command writes with these arguments.
+/// The exit code and the output of the command with these arguments.
 fn written<M: kin_runtime::Mechanism + Default>(name: &str, args: &[&str]) -> (ExitCode, String) {
     let file = std::env::temp_dir().join(format!("kin-sensitivities-{}-{name}", std::process::id()));
     let path = file.to_string_lossy().into_owned();

@@ -1,5 +1,5 @@
-//! Laws of sensitivities, over all test mechanisms: they are derivatives of the motion solved again; what parameters do not
-//! determine is refused.
+//! Properties of sensitivities, over all test mechanisms: they equal the finite differences of motions solved with a
+//! changed parameter; parameters on which a solution does not depend differentiably are refused.
 
 use kin_runtime::model::Level;
 use kin_runtime::{Instant, Kinematics, Options, SolveError, State};
@@ -7,12 +7,13 @@ use kin_tests::compare::{Differences, largest};
 use kin_tests::every_mechanism;
 use kin_tests::mechanisms::{loaded, signals, *};
 
-/// Of the derivative, or of the quantity over the parameter's size.
+/// The tolerance, relative to the derivative, or to the quantity divided by the parameter's size.
 const CLOSE: f64 = 1e-6;
-/// Step of the differences beside the parameter's size.
+/// The step of the finite differences relative to the parameter's size.
 const STEP: f64 = 2e-4;
 
-/// Everything that is compared: q, q̇, q̈ and points, each list with the size that it is measured by.
+/// Everything that is compared: q, q̇, q̈ and the points' motions, each list with the size its tolerance is relative
+/// to.
 fn lists(q: [&[f64]; 3], points: &[kin_runtime::PointMotion]) -> Vec<Vec<f64>> {
     let of = |part: fn(&kin_runtime::PointMotion) -> [f64; 2]| points.iter().flat_map(part).collect::<Vec<f64>>();
     let mut all: Vec<Vec<f64>> = q.into_iter().map(<[f64]>::to_vec).collect();
@@ -24,7 +25,7 @@ fn of_state(state: &State) -> Vec<Vec<f64>> {
     lists([&state.q, &state.q_dot, &state.q_ddot], &state.points)
 }
 
-/// Efforts and forces in joints.
+/// The driving efforts and joint forces.
 fn forces_of<M: Kinematics>(mechanism: &M, state: &State) -> Vec<f64> {
     mechanism.solver().forces(state).map_or(Vec::new(), |forces| force_numbers(&forces))
 }
@@ -40,7 +41,7 @@ fn force_numbers(forces: &kin_runtime::Forces) -> Vec<f64> {
     efforts.chain(reactions).chain(total).collect()
 }
 
-/// Derivatives equal differences of what is solved again with the parameter changed.
+/// The derivatives equal the finite differences of solutions with the parameter changed.
 fn are_derivatives<M: Kinematics + Default>(from: f64, to: f64) {
     let mechanism = M::default();
     let parameters = mechanism.parameters::<f64>().as_ref().to_vec();
@@ -89,7 +90,7 @@ fn are_derivatives<M: Kinematics + Default>(from: f64, to: f64) {
     }
 }
 
-/// What has no sensitivities says why.
+/// Where sensitivities do not exist, the error gives the reason.
 fn refused<M: Kinematics + Default>(state: &State, error: &SolveError) {
     match error {
         SolveError::NotDetermined { open: 0, .. } => {
@@ -99,7 +100,7 @@ fn refused<M: Kinematics + Default>(state: &State, error: &SolveError) {
             assert_eq!(*open, state.degrees_of_freedom_left);
             assert!(!could_be_given.is_empty(), "{error}");
         }
-        // Only equal cranks close.
+        // The loop closes for equal cranks only.
         SolveError::NoSensitivity { parameter, row_name: Some(_), .. } => {
             let index = M::model().parameters.iter().position(|info| info.name == *parameter).unwrap();
             let mut changed = M::default();

@@ -1,4 +1,4 @@
-//! Derivatives by parameters: against the reference files, and against the motion solved again.
+//! Derivatives by parameters: against the reference files, and against finite differences of the motion.
 
 mod command;
 mod laws;

@@ -1,5 +1,5 @@
-//! Sensitivities against the reference files of `tests/data/sensitivities`: every mode at every instant, along the plan and
-//! by Φ_q as a whole.
+//! Sensitivities against the reference files of `tests/data/sensitivities`: every mode at every instant, by the plan
+//! and by the factorisation of Φ_q as a whole.
 
 use crate::machines::*;
 use kin_runtime::{Instant, Kinematics, Options, Sensitivity};
@@ -11,7 +11,7 @@ use kin_tests::mechanisms::{
 };
 use serde_json::Value;
 
-/// Beside the largest derivative by the same parameter.
+/// The tolerance, relative to the largest derivative by the same parameter.
 const EXACT: f64 = 1e-9;
 
 macro_rules! cases {
@@ -52,7 +52,7 @@ fn numbers(list: &Value) -> Vec<f64> {
     list.as_array().expect("a list").iter().map(number).collect()
 }
 
-/// `boom_o_y` for the file's `boom.O.y`, and `rp` for the radius `R` of a pinion.
+/// The name in kin of a parameter of the file: `boom_o_y` for `boom.O.y`, and `rp` for the radius `R` of a pinion.
 fn name_in_kin(parameter: &str) -> String {
     if parameter == "R" { "rp".to_owned() } else { parameter.to_lowercase().replace('.', "_") }
 }
@@ -77,7 +77,7 @@ fn agrees<M: Kinematics + Default>(name: &str) {
                 for parameter in exact["dq"].as_object().unwrap().keys() {
                     let of = [parameter.clone(), name_in_kin(parameter)];
                     let Some(by) = of.iter().find_map(|name| found.by(name)) else {
-                        // The file carries it for a spring, which the motion does not feel.
+                        // The file has it for a spring; the motion does not depend on it.
                         assert!(numbers(&exact["dqdd"][parameter]).iter().all(|by| *by == 0.0), "no {parameter}");
                         continue;
                     };

@@ -1,9 +1,9 @@
-//! Where rows of velocity level contradict one another or lose rank, and events on the way.
+//! Where rows of velocity level contradict one another or lose rank, and events during the integration.
 
 use super::*;
 use kin_runtime::function::FromFn;
 
-/// The front wheel turns across: the rear axle cannot go on at its speed.
+/// The front wheel is steered to 90°: there the rear axle cannot keep its speed.
 #[mechanism]
 #[bodies(car)]
 #[knife_edge(rear: car @ (0, 0))]
@@ -11,7 +11,7 @@ use kin_runtime::function::FromFn;
 #[speed(engine: car @ (0, 0), value = 1)]
 struct Turning;
 
-/// ṡ = √(1 − t) has no derivative at 1, and no value beyond.
+/// ṡ = √(1 − t) has no derivative at t = 1 and no value beyond.
 #[mechanism]
 #[coordinates(s)]
 #[nonholonomic(rate: dot(s) = sqrt(1 - t))]
@@ -42,7 +42,7 @@ fn a_tolerance_out_of_reach_is_an_error() {
     assert!(refused.to_string().contains("cannot be integrated"), "{refused}");
 }
 
-/// A looser tolerance takes its own error and no more.
+/// With a looser tolerance the error is of the size of that tolerance.
 #[test]
 fn the_tolerance_is_kept() {
     let car = SteeredCar::default();
@@ -64,7 +64,7 @@ struct Swaying {
     start: f64,
 }
 
-/// The tolerance is relative to what is large, so that it costs fewer steps.
+/// The tolerance is relative for large coordinates, so that their integration takes fewer steps.
 #[test]
 fn large_coordinates_are_known_relative_to_their_size() {
     let [small, large] = [0.0, 1e6].map(|start| {
@@ -77,7 +77,7 @@ fn large_coordinates_are_known_relative_to_their_size() {
     assert!(4 * large < small, "{large} and {small} steps");
 }
 
-/// A driver that jumps at 0.5, and says nothing of it in its derivatives, beside a row of velocity level.
+/// A driver that jumps at 0.5, which its derivatives do not show, together with a row of velocity level.
 #[mechanism]
 #[function(jump)]
 #[coordinates(x, y)]
@@ -87,7 +87,7 @@ struct Jumping<F> {
     jump: F,
 }
 
-/// The correction onto Φ is of the size of the integration's error; a larger one is another branch.
+/// The correction onto Φ = 0 may be as large as the integration error; a larger one would change the branch.
 #[test]
 fn no_correction_bridges_a_jump() {
     let jumping = |by: f64| Jumping { jump: FromFn(move |t: f64| [if t < 0.5 { 0.0 } else { by }, 0.0, 0.0]) };
@@ -99,7 +99,7 @@ fn no_correction_bridges_a_jump() {
     assert!(jumping(0.0).kinematic_analysis(&[0.0, 0.4, 1.0]).is_ok());
 }
 
-/// Two axles that are not steered cannot turn.
+/// Two unsteered axles: the body cannot turn.
 #[mechanism(allow_redundant)]
 #[bodies(cart)]
 #[knife_edge(rear: cart @ (0, 0))]
@@ -118,7 +118,7 @@ fn rows_that_contradict_one_another_are_inconsistent() {
     assert!(!mobility.redundant[0].consistent, "{mobility}");
 }
 
-/// A car whose front wheels are turned by an input.
+/// A car whose front wheels are steered by an input.
 #[mechanism]
 #[bodies(car)]
 #[input(w)]
@@ -127,7 +127,8 @@ fn rows_that_contradict_one_another_are_inconsistent() {
 #[speed(engine: car @ (0, 0), value = 1.5)]
 struct Turned;
 
-/// Wheels across the car have no motion; cos(π/2) is 6e-17 in floating point, and no velocity may come out of that.
+/// With wheels at 90° to the car no velocity exists. cos(π/2) is 6e-17 in floating point and must not be used as a
+/// pivot.
 #[test]
 fn wheels_across_the_car_are_singular() {
     let with = |w: f64| [Signal::constant(w)];
@@ -160,11 +161,11 @@ fn wheels_across_the_car_are_singular() {
         let at = Instant { t: 0.0, inputs: &inputs };
         close("turning", 0.75 * 0.4_f64.tan(), Turned.velocity_analysis(&at, &q).unwrap()[2], 1e-14);
     }
-    // A contradiction that no steering resolves stays one.
+    // An inconsistency that does not depend on the steering is still an error.
     assert!(matches!(Cart.state_at(&Instant::at(0.0)), Err(SolveError::InconsistentVelocity { .. })));
 }
 
-/// The driven wheels of a robot: two sides that roll without slipping.
+/// The driven wheels of a robot: both sides roll without slipping.
 #[mechanism]
 #[bodies(robot)]
 #[coordinates(left, right)]
@@ -196,7 +197,7 @@ fn two_driven_wheels_turn_a_robot() {
     }
 }
 
-/// Crossing of a circle's rightmost quarter, known exactly.
+/// The crossing of a line by a car that drives a circle, with its instant known exactly.
 #[mechanism]
 #[bodies(car)]
 #[knife_edge(rear: car @ (0, 0))]

@@ -1,5 +1,5 @@
 //! Rows of velocity level against exact motions: circles, a trailer that straightens, and the same motions written with
-//! equations of position.
+//! equations of position level.
 
 mod limits;
 
@@ -10,7 +10,7 @@ use kin_tests::compare::{Differences, largest};
 use kin_tests::mechanisms::{RateDrivenSliderCrank, SleighKnifeEdge, SteeredCar, TruckWithTrailers, WheelByRates};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Of integrated positions.
+/// The tolerance of integrated positions.
 const PATH: f64 = 1e-10;
 
 fn grid(from: f64, to: f64, count: u32) -> Vec<f64> {
@@ -39,14 +39,15 @@ fn reference_positions_give_reference_rates() {
     differences.finish();
 }
 
-/// Degrees of freedom of the velocity, and of the position: a car reaches every place.
+/// The degrees of freedom of velocity and of position differ: a car can reach every position.
 #[test]
 fn degrees_of_freedom_are_counted_on_both_levels() {
     let (at, car) = (Instant::at(0.0), SteeredCar::default());
     let levels: Vec<Level> = SteeredCar::model().rows.iter().map(|row| row.level).collect();
     assert_eq!(levels, [Level::Velocity; 3]);
     let mobility = car.mobility(&at, &[0.5, 0.0, 0.3]).unwrap();
-    // The steered wheel depends on time and drives, as the engine does; the rear wheels leave two of three velocities.
+    // The steered wheel depends on time and counts as a driver, as the engine does; the rear wheels leave two of three
+    // velocities.
     assert_eq!((mobility.degrees_of_freedom, mobility.degrees_of_freedom_left), (2, 0));
     assert_eq!((mobility.position_degrees_of_freedom, mobility.position_degrees_of_freedom_left), (3, 3));
     assert_eq!((mobility.velocity_level_rows, mobility.driving_rows), (3, 2));
@@ -64,7 +65,8 @@ fn degrees_of_freedom_are_counted_on_both_levels() {
     assert_eq!((mobility.degrees_of_freedom_left, mobility.position_degrees_of_freedom_left), (0, 1));
 }
 
-/// Constant steering: a circle of radius L/tan δ, once around and home again, also backwards in time.
+/// With constant steering the car drives a circle of radius L/tan δ and returns to its start after one turn, also
+/// backwards in time.
 #[test]
 fn constant_steering_is_a_circle() {
     let car = SteeredCar { swing: 0.0, ..SteeredCar::default() };
@@ -82,7 +84,7 @@ fn constant_steering_is_a_circle() {
     }
 }
 
-/// A trailer hitched at the axle of what goes straight ahead: tan(ψ/2) falls with exp(−v t/L).
+/// A trailer hitched at the axle of a truck that drives straight ahead: tan(ψ/2) decays as exp(−v t/L).
 #[mechanism]
 #[body(truck, y = 0, phi = 0)]
 #[bodies(trailer)]
@@ -110,7 +112,7 @@ fn a_trailer_straightens() {
     assert!(phi[0] < -1.0 && phi[5].abs() < 0.01);
 }
 
-/// The rows of `WheelByRates`, integrated by hand.
+/// The rows of `WheelByRates` integrated analytically.
 #[mechanism]
 #[body(rail, x = 0, y = 0)]
 #[bodies(wheel)]
@@ -154,7 +156,7 @@ fn compare(found: &[State], expected: &[State]) {
     differences.finish();
 }
 
-/// `RateDrivenSliderCrank` with the angle itself driven.
+/// `RateDrivenSliderCrank` with the angle driven instead of its rate.
 #[mechanism]
 #[bodies(crank, rod, slider)]
 #[revolute(A: ground @ (0, 0), crank @ (0, 0))]
@@ -168,7 +170,7 @@ struct DrivenSliderCrank {
     start: f64,
 }
 
-/// Two turns of a closed loop: it stays closed, and on its branch.
+/// Two turns of a closed loop: it stays closed and on its branch.
 #[test]
 fn a_loop_driven_by_a_rate_moves_like_one_driven_by_an_angle() {
     let times = grid(0.0, 6.0, 9);
@@ -180,7 +182,7 @@ fn a_loop_driven_by_a_rate_moves_like_one_driven_by_an_angle() {
     assert!(worst < 1e-14, "{worst}");
 }
 
-/// The steering wheel in somebody's hands.
+/// A car whose steering angle is an input.
 #[mechanism]
 #[input(wheel)]
 #[bodies(car)]
@@ -203,7 +205,7 @@ fn inputs_steer() {
     compare(&found.states, &SteeredCar::default().kinematic_analysis(&times).unwrap().states);
 }
 
-/// From tick to tick, with nothing known of the steering in between; without time nothing moves.
+/// The tracker integrates from update to update by interpolating the steering; at constant time nothing moves.
 #[test]
 fn a_tracker_drives_on() {
     let mut tracker = CarWithInput.solver().tracker(&Instant { t: 0.0, inputs: &[steering(0.0)] }).unwrap();
@@ -220,14 +222,14 @@ fn a_tracker_drives_on() {
     close("phi_dot", 1.5 / 2.5 * (-0.4_f64).tan(), after.q_dot[2], 1e-13);
 }
 
-/// A skate that nobody pushes.
+/// A skate without a driver.
 #[mechanism]
 #[bodies(skate)]
 #[knife_edge(blade: skate @ (0, 0))]
 #[guess(skate.phi = 0.5)]
 struct Skate;
 
-/// Prescribed coordinates stand beside rows of velocity level; without them the smallest velocity is none.
+/// Prescribed coordinates together with rows of velocity level; without them the velocity of least norm is 0.
 #[test]
 fn what_is_left_open_can_be_given() {
     let times = [0.0, 0.4, 2.0];
@@ -249,14 +251,14 @@ fn what_is_left_open_can_be_given() {
     assert!(matches!(conflict.source, SolveError::GivenConflict { .. }), "{conflict}");
 }
 
-/// A wheel that is steered, and its speed, off the middle of what carries it.
+/// A knife edge and a speed constraint at different points of a cart, both at angles to it.
 #[mechanism]
 #[bodies(cart)]
 #[knife_edge(wheel: cart @ (0.5, -0.2), angle = 0.3)]
 #[speed(motor: cart @ (0.1, 0.4), angle = -0.7, value = 1.5)]
 struct Steered;
 
-/// What a drawing needs: the point, the direction in the body's frame, and the speed.
+/// The geometry that a drawing needs: the point, the direction in the body's frame, and the speed.
 #[test]
 fn rows_of_velocity_level_tell_where_they_stand() {
     let model = Steered::model();

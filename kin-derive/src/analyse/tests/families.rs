@@ -111,7 +111,7 @@ fn ranges_are_literals_that_hold_something() {
     one_error(&chain("#[angle(X[i in 3..3]: link[i] = 0)]"), &["the range 3..3 is empty"]);
     one_error(&chain("#[angle(X[i in 0..=3]: link[i] = 0)]"), &["start..end"]);
     one_error(&chain("#[angle(X[i in 0..n]: link[i] = 0)]"), &["integer literals"]);
-    one_error(&chain("#[angle(X[3]: link[0] = 0)]"), &["names its index"]);
+    one_error(&chain("#[angle(X[3]: link[0] = 0)]"), &["needs an index variable"]);
     one_error(&chain("#[angle(X[0..3]: link[0] = 0)]"), &["names its index"]);
     one_error(&chain("#[angle(X[i in -1..3]: link[0] = 0)]"), &["begins at 0 or later"]);
     one_error(&chain("#[bodies(more[-1])]"), &["at least one member"]);

@@ -21,9 +21,9 @@ fn random_matrix(random: &mut Random, n: usize) -> (DMatrix<f64>, Vec<(usize, us
     (dense, entries, values)
 }
 
-fn factorised(ordered: &mut Ordered, values: Vec<f64>) -> Option<Elimination> {
-    let mut elimination = Elimination { values, ..Elimination::default() };
-    ordered.factorise(&mut elimination).then_some(elimination)
+fn factorised(ordered: &mut Ordered, values: Vec<f64>) -> Option<NumericLu> {
+    let mut lu = NumericLu { values, ..NumericLu::default() };
+    ordered.factorise(&mut lu).then_some(lu)
 }
 
 #[test]
@@ -46,7 +46,7 @@ fn solutions_signs_and_norms_are_those_of_the_dense_matrix() {
             let share = a * a_inverse / condition;
             assert!(share > 0.3 && share < 1.0 + 1e-9, "{share}");
             exact += usize::from(share > 1.0 - 1e-9);
-            let (column, row) = found.extents();
+            let (column, row) = found.largest_norms();
             let largest = |norms: &mut dyn Iterator<Item = f64>| norms.fold(0.0, f64::max);
             assert!((column / largest(&mut dense.column_iter().map(|c| c.norm())) - 1.0).abs() < 1e-14);
             let share = row / largest(&mut inverse.row_iter().map(|row| row.norm()));
@@ -137,7 +137,7 @@ fn an_order_is_kept_as_long_as_its_pivots_are_good() {
         assert!((a * x[0] + b * x[1] - 1.0).abs() < 1e-14 && (c * x[0] + d * x[1] - 2.0).abs() < 1e-14);
         assert!((e * x[1] + f * x[2] - 3.0).abs() < 1e-14);
         assert_eq!(found.is_positive(), (a * d - b * c) * f > 0.0);
-        Some(Rc::clone(found.order.as_ref().unwrap()))
+        Some(Rc::clone(found.symbolic.as_ref().unwrap()))
     };
     let first = check([3.0, 1.0, 1.0, 2.0, 0.5, 1.0]).unwrap();
     assert!(Rc::ptr_eq(&first, &check([2.0, -1.0, 1.0, 2.5, 0.1, 0.3]).unwrap()));

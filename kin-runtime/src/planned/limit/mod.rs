@@ -134,7 +134,7 @@ impl<M: Mechanism> Follower<M> {
         let Some((place, step)) = step else {
             // No step of the plan is at its limit where the walk was stopped.
             self.predicted = blocked.here.q;
-            let why = match self.ask(mechanism, at) {
+            let why = match self.solve_in_modes(mechanism, at) {
                 Ok(false) => self.explain(at),
                 Ok(true) => PlanError::Jump { t: reached, t_refused: t },
                 Err(error) => error.into(),

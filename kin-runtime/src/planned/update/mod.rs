@@ -156,7 +156,7 @@ impl<M: Mechanism> Follower<M> {
         match self.walk(mechanism, course, at, control) {
             Ok(()) => {
                 let nearest = self.measure();
-                self.keep(at, nearest, false);
+                self.accept(at, nearest, false);
                 Ok(())
             }
             Err(blocked) => {
@@ -197,7 +197,7 @@ impl<M: Mechanism> Follower<M> {
     fn solve_anew(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<(), PlanError> {
         self.limit = None;
         let kept = self.branch.modes;
-        let good = self.ask(mechanism, at)? || self.pass(mechanism, at)?;
+        let good = self.solve_in_modes(mechanism, at)? || self.retry_in_other_modes(mechanism, at)?;
         if !good {
             self.before = f64::NAN;
             return Err(self.explain(at));
@@ -219,7 +219,7 @@ impl<M: Mechanism> Follower<M> {
         }
         let q = self.states[1 - self.good].q;
         weights(M::model(), q.as_ref(), self.weights.as_mut());
-        self.keep(at, nearest, false);
+        self.accept(at, nearest, false);
         self.anew = false;
         self.asked = Modes::filled(0.0);
         Ok(())
@@ -236,7 +236,7 @@ impl<M: Mechanism> Follower<M> {
     ) -> Result<bool, LengthError> {
         // The comparisons are written so that NaN is rejected.
         let is_short = turn <= most_turn(control, self.nearest);
-        if !self.ask(mechanism, at)? || !is_short {
+        if !self.solve_in_modes(mechanism, at)? || !is_short {
             return Ok(false);
         }
         let tried = &self.states[1 - self.good];
@@ -251,7 +251,7 @@ impl<M: Mechanism> Follower<M> {
         if !far && !self.stays_on_its_branch(mechanism, at, resolves(least, turn))? {
             return Ok(false);
         }
-        self.keep(at, nearest, true);
+        self.accept(at, nearest, true);
         Ok(true)
     }
 }

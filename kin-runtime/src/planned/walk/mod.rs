@@ -106,7 +106,7 @@ impl<M: Mechanism> Follower<M> {
         let blocked = |fault| Blocked { places: [end, end], here, fault: Some(fault) };
         if !course.has_rates_of_end() {
             self.predicted = here.q;
-            if !self.ask(mechanism, at).unwrap_or(false) {
+            if !self.solve_in_modes(mechanism, at).unwrap_or(false) {
                 return Err(blocked(self.fault()));
             }
             self.measure();
@@ -154,7 +154,7 @@ impl<M: Mechanism> Follower<M> {
         let mut good = self.solve_at(mechanism, course, next, inputs).map_err(wrong)?;
         let t = course.at(next, inputs.as_mut());
         if !good && !course.is_frozen() {
-            good = self.pass(mechanism, &Instant { t, inputs: inputs.as_ref() }).map_err(wrong)?;
+            good = self.retry_in_other_modes(mechanism, &Instant { t, inputs: inputs.as_ref() }).map_err(wrong)?;
         }
         if !good {
             return Err(self.fault());
@@ -209,7 +209,7 @@ impl<M: Mechanism> Follower<M> {
         inputs: &mut M::Inputs<f64>,
     ) -> Result<bool, LengthError> {
         let t = course.at(s, inputs.as_mut());
-        let good = self.ask(mechanism, &Instant { t, inputs: inputs.as_ref() })?;
+        let good = self.solve_in_modes(mechanism, &Instant { t, inputs: inputs.as_ref() })?;
         if !good || !course.is_frozen() {
             return Ok(good);
         }
@@ -219,7 +219,7 @@ impl<M: Mechanism> Follower<M> {
         let other = |this: &mut Self, factor: f64| {
             let mut changed = *inputs;
             changed.as_mut().iter_mut().for_each(|u| *u = Signal::new(u.value, factor * u.rate, 0.0));
-            let good = this.ask(mechanism, &Instant { t, inputs: changed.as_ref() })?;
+            let good = this.solve_in_modes(mechanism, &Instant { t, inputs: changed.as_ref() })?;
             Ok::<_, LengthError>((good, this.states[1 - this.good]))
         };
         let ((first, still), (second, back)) = (other(self, 0.0)?, other(self, -1.0)?);

@@ -2,7 +2,7 @@
 
 use super::groups;
 use super::integrate::integrate;
-use super::nodes::{at_instant, basis_with, found_on, natural_step, rates};
+use super::nodes::{at_instant, basis_with, complete_basis, natural_step, rates};
 use super::planned::ByPlan;
 use super::refusal::refusal;
 use super::step::{Fault, Node, Scratch, Start, step};
@@ -100,7 +100,7 @@ impl Follower {
         self.s = s;
         self.proposed = f64::INFINITY;
         let Self { node, q_dot, q_ddot, .. } = self;
-        equations.by_time(|equations| found_on(equations, node))?;
+        equations.by_time(|equations| complete_basis(equations, node))?;
         equations.move_to(s)?;
         equations.evaluate(Subset::VELOCITY, &node.state.q, None)?;
         let Some(basis) = &node.basis else { return Ok(()) };
@@ -181,7 +181,7 @@ impl Follower {
     /// Computes the rates of the instant `at` at the configuration reached, for a change of neither time nor input
     /// values.
     pub(crate) fn stay(&mut self, equations: &mut Equations<'_>, at: &Instant<'_>) -> Result<(), SolveError> {
-        equations.by_time(|equations| found_on(equations, &mut self.node))?;
+        equations.by_time(|equations| complete_basis(equations, &mut self.node))?;
         let spare = &mut self.here.state;
         spare.clone_from(&self.node.state);
         spare.iterations = 0;
@@ -246,13 +246,13 @@ impl Follower {
                 if !by_plan {
                     continue;
                 }
-                self.see(equations, moved, from)?;
+                self.watch_step(equations, moved, from)?;
             } else {
                 let limit = self.plan.as_ref().and_then(ByPlan::limit);
                 let jumps = self.plan.as_ref().is_some_and(ByPlan::found_a_jump);
                 let Self { node, here, next, q_dot, q_ddot, scratch, .. } = self;
                 let node = if moved { here } else { node };
-                found_on(equations, node)?;
+                complete_basis(equations, node)?;
                 let (node, Some(basis)) = (&*node, &node.basis) else { continue };
                 let rates = if moved { [&node.state.q_dot, &node.state.q_ddot] } else { [&*q_dot, &*q_ddot] };
                 let start = Start { node, basis, s: from, q_dot: rates[0], q_ddot: rates[1] };
@@ -267,7 +267,7 @@ impl Follower {
                             plan.stands = false;
                             self.fallbacks.push(Fallback { t: self.next.state.t, limit });
                         }
-                        self.see(equations, moved, from)?;
+                        self.watch_step(equations, moved, from)?;
                         let walked = (s - from).abs();
                         // A step cut short by the target is no reason to reduce the longer step proposed before.
                         self.proposed = if share <= 2.0 { self.proposed.max(growth * walked) } else { growth * walked };
@@ -312,7 +312,7 @@ impl Follower {
     }
 
     /// Passes the accepted step to the watch over the unilateral conditions.
-    fn see(&mut self, equations: &mut Equations<'_>, moved: bool, from: f64) -> Result<(), SolveError> {
+    fn watch_step(&mut self, equations: &mut Equations<'_>, moved: bool, from: f64) -> Result<(), SolveError> {
         let Self { node, here, next, plan, step, scratch, watch, q_dot, q_ddot, .. } = self;
         let Some(watch) = watch else { return Ok(()) };
         let (node, rates): (&Node, [&[f64]; 2]) =

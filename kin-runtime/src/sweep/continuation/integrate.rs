@@ -18,7 +18,7 @@ use super::step::{Fault, Node, Scratch, Start, correct, settle};
 use crate::analysis::velocity::scaled;
 use crate::equations::Equations;
 use crate::equations::factorisation::Wanted;
-use crate::nonlinear::dormand_prince::{Taken, take};
+use crate::nonlinear::dormand_prince::{StepResult, runge_kutta_step};
 use crate::workspace::Subset;
 
 /// Safety factor of the step length that the error estimate allows.
@@ -38,16 +38,16 @@ pub(super) fn integrate(
     let h = s - from.s;
     let q = &from.node.state.q;
     let rank = from.basis.factor.rank;
-    let taken = take(from.s, h, q, from.q_dot, |s, q| velocity(equations, rank, s, q))?;
+    let result = runge_kutta_step(from.s, h, q, from.q_dot, |s, q| velocity(equations, rank, s, q))?;
     let tolerance = equations.options.integration_tolerance;
-    let effort = error(equations, q, &taken) / tolerance;
+    let effort = error(equations, q, &result) / tolerance;
     let factor = SAFETY * effort.powf(-0.2);
     if effort > 1.0 || effort.is_nan() {
         return Err(Fault::Coarse(if factor.is_finite() { factor.clamp(0.1, 0.8) } else { 0.1 }));
     }
     equations.move_to(s)?;
-    let size = 1.0 + equations.scale.size(&taken.y);
-    scratch.predicted = taken.y;
+    let size = 1.0 + equations.scale.size(&result.y);
+    scratch.predicted = result.y;
     let corrected = correct(equations, scratch, &mut to.state.q, DRIFT * tolerance * size, 1e-9)?;
     settle(equations, scratch, from, to, corrected, s, last)?;
     Ok(factor.clamp(0.5, 4.0))
@@ -66,11 +66,11 @@ fn velocity(equations: &mut Equations<'_>, rank: usize, s: f64, q: &[f64]) -> Re
 
 /// Largest estimated error of a coordinate on the common scale, relative to the size of the coordinate where that
 /// exceeds 1.
-fn error(equations: &Equations<'_>, before: &[f64], taken: &Taken) -> f64 {
+fn error(equations: &Equations<'_>, before: &[f64], result: &StepResult) -> f64 {
     let mut largest = 0.0;
     for (k, d) in equations.scale.columns.iter().enumerate() {
-        let size = 1.0 + before[k].abs().max(taken.y[k].abs()) / d;
-        let error = (taken.error[k] / d).abs() / size;
+        let size = 1.0 + before[k].abs().max(result.y[k].abs()) / d;
+        let error = (result.error[k] / d).abs() / size;
         if error.is_nan() {
             return f64::NAN;
         }
@@ -112,7 +112,7 @@ mod tests {
         let of = |before: f64, after: f64, found: [f64; 2]| {
             let (mut start, mut y, mut errors) = (vec![0.0; 9], vec![0.0; 9], vec![0.0; 9]);
             (start[3], y[3], errors[3], errors[8]) = (before, after, found[0], found[1]);
-            error(&equations, &start, &Taken { y, error: errors })
+            error(&equations, &start, &StepResult { y, error: errors })
         };
         let is = |expected: f64, found: f64| assert!((found - expected).abs() < 1e-15, "{found} for {expected}");
         is(0.5, of(0.0, 0.0, [1.0, -0.4]));

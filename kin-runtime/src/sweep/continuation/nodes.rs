@@ -16,7 +16,7 @@ use crate::state::State;
 use crate::workspace::{Instant, Subset};
 
 /// Computes the basis for full Newton at a node that the plan has solved.
-pub(super) fn found_on(equations: &mut Equations<'_>, node: &mut Node) -> Result<(), SolveError> {
+pub(super) fn complete_basis(equations: &mut Equations<'_>, node: &mut Node) -> Result<(), SolveError> {
     if node.basis.is_some() {
         return Ok(());
     }

@@ -245,7 +245,7 @@ impl Search<'_, '_, '_, '_> {
             Shape::Unclear if depth.halved == HALVINGS || depth.known == HALVINGS_OF_KNOWN => self.monotone(a, b),
             Shape::Unclear => match self.middle(a, b) {
                 Some(middle) => self.halve([a, &middle, b], doubt, depth),
-                None => self.lose(a, b),
+                None => self.without_middle(a, b),
             },
             known => self.take(known, a, b),
         }
@@ -282,7 +282,7 @@ impl Search<'_, '_, '_, '_> {
 
     /// Searches without a sample in between: uses the shape that both ends suggest, and records the interval as
     /// unwatched where they suggest none.
-    fn lose(&mut self, a: &Sample, b: &Sample) {
+    fn without_middle(&mut self, a: &Sample, b: &Sample) {
         let alone = if self.patience > 0 { shape(a, b, 0.0) } else { Shape::Unclear };
         if alone == Shape::Unclear {
             match self.lost.last_mut() {

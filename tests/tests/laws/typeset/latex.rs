@@ -1,8 +1,8 @@
-//! Reads the mathematics of LaTeX and computes it, written from LaTeX's own rules and not from the writer.
+//! A reader that evaluates formulas in LaTeX. It follows the rules of LaTeX and is independent of the writer.
 
 use std::collections::HashMap;
 
-/// A value with the size of the terms that it was added up from.
+/// A value with the size of the terms of which it is the sum, for the tolerance.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Value {
     pub(super) value: f64,
@@ -19,7 +19,7 @@ impl Value {
     }
 }
 
-/// A supplied function: its name, how often it is differentiated, and where.
+/// A supplied function: arguments are its name, the order of its derivative, and its argument.
 pub(super) type Function<'a> = dyn Fn(&str, usize, f64) -> Option<f64> + 'a;
 
 pub(super) struct Reader<'a> {
@@ -30,7 +30,7 @@ pub(super) struct Reader<'a> {
 type Read<'t> = Result<(Value, &'t str), String>;
 
 impl Reader<'_> {
-    /// The value of a whole formula.
+    /// The value of a complete formula.
     pub(super) fn read(&mut self, text: &str) -> Result<Value, String> {
         let (value, rest) = self.sum(text)?;
         if rest.trim().is_empty() { Ok(value) } else { Err(format!("`{rest}` is left over")) }
@@ -75,7 +75,7 @@ impl Reader<'_> {
         Ok((Value { value, size: value.abs().max(base.size.powf(n.value)) }, rest))
     }
 
-    /// What stands between a mark and its counterpart.
+    /// The value of the expression before the closing mark `end`.
     fn within<'t>(&mut self, text: &'t str, end: &str) -> Read<'t> {
         let (value, rest) = self.sum(text)?;
         rest.trim_start().strip_prefix(end).map(|rest| (value, rest)).ok_or_else(|| format!("no {end} before `{rest}`"))
@@ -117,7 +117,7 @@ impl Reader<'_> {
             if let Some(rest) = text.strip_prefix(name).filter(|rest| !rest.starts_with(|c: char| c.is_alphabetic())) {
                 let (x, rest) = self.atom(rest.trim_start())?;
                 let value = function(x.value);
-                // An error of the argument counts as it is, whatever the slope.
+                // The error of the argument is not multiplied by the slope of the function.
                 return Ok((Value { value, size: value.abs().max(1.0) * x.size.max(1.0) }, rest));
             }
         }
@@ -143,7 +143,7 @@ impl Reader<'_> {
         Ok((Value { value, size: 1e3 * value.abs().max(1.0) * x.size.max(1.0) }, rest))
     }
 
-    /// The longest name that the text begins with.
+    /// The value of the longest name with which the text begins.
     fn symbol<'t>(&mut self, text: &'t str) -> Read<'t> {
         let known = self.symbols.iter().filter(|(name, _)| text.starts_with(name.as_str()));
         let (name, value) =
@@ -152,7 +152,7 @@ impl Reader<'_> {
     }
 }
 
-/// A command of LaTeX with what it computes.
+/// A command of LaTeX with the function that it denotes.
 type Known = (&'static str, fn(f64) -> f64);
 
 const FUNCTIONS: [Known; 8] = [

@@ -1,4 +1,4 @@
-//! Laws of typeset equations: the LaTeX that is printed, read back and evaluated, is the code.
+//! Laws of typeset equations: the printed LaTeX, read and evaluated, agrees with the code.
 
 mod latex;
 mod plan;
@@ -13,17 +13,17 @@ use latex::{Reader, Value};
 use std::collections::HashMap;
 use std::fs;
 
-/// The lines of all displays of a document.
+/// The lines of all displayed equations in a document.
 fn lines(document: &str) -> Vec<String> {
     let displays = document.split("\\begin{align*}\n").skip(1);
     let inside = displays.filter_map(|text| text.split("\n\\end{align*}").next());
-    // A right side may go on in the next line.
+    // The right-hand side of an equation may continue on the next line.
     let whole = inside.map(|text| text.replace(" \\\\\n&\\quad {} ", " "));
     let whole = whole.map(|text| text.replace(r"\bigl(", r"\left(").replace(r"\bigr)", r"\right)"));
     whole.flat_map(|text| text.split(" \\\\\n").map(str::to_owned).collect::<Vec<_>>()).collect()
 }
 
-/// What the program writes of a part.
+/// The lines that the program writes for a part of the equations.
 fn written<M: Mechanism + Default>(part: &str) -> Vec<String> {
     let name = format!("kin-typeset-{}-{}-{part}.tex", std::process::id(), M::model().name);
     let file = std::env::temp_dir().join(name);
@@ -33,7 +33,7 @@ fn written<M: Mechanism + Default>(part: &str) -> Vec<String> {
     lines(&document)
 }
 
-/// What the symbols are worth: t, parameters, inputs, and coordinates with as many derivatives as there are.
+/// The values of all symbols: t, parameters, inputs, and coordinates with the given derivatives.
 fn symbols<M: Mechanism>(mechanism: &M, when: &When, q: &[&[f64]]) -> HashMap<String, Value> {
     let (mut symbols, model) = (HashMap::new(), M::model());
     let mut put = |name: &str, value: f64| symbols.insert(Name::new(name).write(Notation::Latex), Value::of(value));
@@ -60,7 +60,7 @@ fn close(found: Value, expected: f64) -> bool {
     (found.value - expected).abs() <= 1e-12 * found.size.max(expected.abs()).max(1.0)
 }
 
-/// Φ, every entry of Φ_q, Φ_t and γ of every row, at random configurations.
+/// Compares Φ, every entry of Φ_q, Φ_t and γ of every row, at random configurations.
 pub(crate) fn typeset_equations_are_the_code<M: Mechanism + Default>() {
     let (mechanism, model) = (M::default(), M::model());
     let lines = written::<M>("rows");

@@ -1,4 +1,4 @@
-//! The closed forms of the plan, read back from LaTeX, give what the analysis finds by Newton's iteration.
+//! The closed forms of the plan, read from LaTeX, agree with the solution by Newton's iteration.
 
 use super::latex::{Reader, Value};
 use super::{symbols, written};
@@ -10,7 +10,8 @@ use kin_runtime::{Kinematics, State};
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
-/// Every line of every step at instants of a motion; coordinates of other steps are those of the analysis.
+/// Evaluates every line of every step at instants of a motion; coordinates from other steps have the values of the
+/// analysis.
 pub(crate) fn typeset_solutions_are_the_analysis<M: Kinematics + Default>(from: f64, to: f64) {
     let (mechanism, plan) = (M::default(), &M::model().plan);
     let lines = written::<M>("solution");
@@ -37,11 +38,11 @@ pub(crate) fn typeset_solutions_are_the_analysis<M: Kinematics + Default>(from: 
     assert!(compared > 0, "singular everywhere");
 }
 
-/// What is known while a sheet is read from its beginning.
+/// The state of reading a sheet from its beginning.
 struct Sheet<'m, M> {
     mechanism: &'m M,
     symbols: HashMap<String, Value>,
-    /// What the analysis has found, with orders of differentiation.
+    /// The results of the analysis, with their orders of differentiation.
     expected: HashMap<String, (f64, usize)>,
     margin: f64,
     seen: usize,
@@ -53,7 +54,7 @@ impl<'m, M: Kinematics> Sheet<'m, M> {
         let when = When::of::<M>(state.t);
         let mut symbols = symbols(mechanism, &when, &[&state.q, &state.q_dot, &state.q_ddot]);
         for (mode, sign) in model.plan.modes.iter().zip(modes) {
-            // A name that the user has not taken.
+            // The first name that the user has not used.
             let plain = format!("sigma_{}", mode.step + 1);
             let names = [plain.clone(), format!("{plain}[2]")].map(|name| Name::new(&name).write(Notation::Latex));
             let name = names.into_iter().find(|name| !symbols.contains_key(name)).expect("a free name");
@@ -97,7 +98,8 @@ impl<'m, M: Kinematics> Sheet<'m, M> {
             if !right.contains("atan2") || order > 0 {
                 return self.agree(line, found, expected, order);
             }
-            // The angle nearest to where it was; of an n-fold one, which is divided by n, the nth part of a turn.
+            // Angles are compared modulo full turns; the angle of an n-fold one, which is divided by n, modulo the nth
+            // part of a turn.
             let below = right.strip_suffix('}').and_then(|right| right.rsplit_once("}{"));
             let n = below.filter(|_| right.starts_with(r"\frac{")).and_then(|(_, n)| n.parse().ok()).unwrap_or(1.0);
             let turns: f64 = ((expected.value - found.value) * n / TAU).round() / n;
@@ -111,7 +113,7 @@ impl<'m, M: Kinematics> Sheet<'m, M> {
         }
     }
 
-    /// matrix · unknowns = right.
+    /// An equation matrix · unknowns = right-hand side.
     fn matrices(&mut self, left: &str, right: &str) {
         let both: Vec<Vec<Vec<&str>>> = left.split(r"\begin{pmatrix} ").skip(1).map(entries).collect();
         let [matrix, unknowns] = both.as_slice() else { panic!("{left}") };
@@ -134,7 +136,7 @@ impl<'m, M: Kinematics> Sheet<'m, M> {
     }
 }
 
-/// The rows of the inside of a matrix, as far as it goes.
+/// The rows of a matrix, from the text after its beginning.
 fn entries(inside: &str) -> Vec<Vec<&str>> {
     let inside = inside.split(r" \end{pmatrix}").next().unwrap_or_default();
     inside.split(r" \\ ").map(|row| row.split(" & ").collect()).collect()

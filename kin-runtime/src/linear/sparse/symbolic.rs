@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 /// The entries of L below the diagonal, those of U above it, and the pivots are stored in one array of numbers, in this
 /// order; L and U are stored by rows.
 #[derive(Clone, Debug)]
-pub(super) struct Order {
+pub(super) struct SymbolicLu {
     /// Row and column of every pivot in the original matrix.
     pub(super) pivots: Vec<(usize, usize)>,
     /// True where the permutations of rows and columns together change the sign of the determinant.
@@ -28,7 +28,7 @@ pub(super) struct Order {
     pub(super) updates: Vec<(u32, u32)>,
 }
 
-impl Order {
+impl SymbolicLu {
     /// The elimination of the n×n matrix with these entries (row, column), in the given order of pivots.
     pub(super) fn new(entries: &[(usize, usize)], pivots: Vec<(usize, usize)>) -> Self {
         let n = pivots.len();
@@ -41,18 +41,18 @@ impl Order {
         let odd = is_odd(&of_row) ^ is_odd(&of_column);
         let (lower, upper) = filled(n, &entries);
         let (places, ends, updates) = (Vec::new(), Vec::new(), Vec::new());
-        let mut order = Self { pivots, odd, entries, places, lower, upper, ends, updates };
-        order.places = order.entries.iter().map(|&(row, column)| order.place(row, column)).collect();
-        for k in 0..order.lower.len() {
-            let (row, through) = order.lower[k];
-            let first = order.upper.partition_point(|entry| entry.0 < through);
-            for place in first..order.upper.partition_point(|entry| entry.0 <= through) {
-                let to = order.place(row, order.upper[place].1);
-                order.updates.push((to, (order.lower.len() + place) as u32));
+        let mut symbolic = Self { pivots, odd, entries, places, lower, upper, ends, updates };
+        symbolic.places = symbolic.entries.iter().map(|&(row, column)| symbolic.place(row, column)).collect();
+        for k in 0..symbolic.lower.len() {
+            let (row, through) = symbolic.lower[k];
+            let first = symbolic.upper.partition_point(|entry| entry.0 < through);
+            for place in first..symbolic.upper.partition_point(|entry| entry.0 <= through) {
+                let to = symbolic.place(row, symbolic.upper[place].1);
+                symbolic.updates.push((to, (symbolic.lower.len() + place) as u32));
             }
-            order.ends.push(order.updates.len() as u32);
+            symbolic.ends.push(symbolic.updates.len() as u32);
         }
-        order
+        symbolic
     }
 
     /// Index of the entry (row, column) in the array of numbers.
