@@ -240,7 +240,7 @@ impl<M: Mechanism> Follower<M> {
             match follower.walk(mechanism, &course, &end, &control) {
                 Ok(()) => {
                     let nearest = follower.measure();
-                    follower.keep(&end, nearest, false);
+                    follower.accept(&end, nearest, false);
                 }
                 Err(blocked) => {
                     let (error, place) = follower.refusal_at(mechanism, &course, &end, &blocked);
