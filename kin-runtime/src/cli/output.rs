@@ -292,7 +292,8 @@ mod tests {
         assert!(bad("info", None, Some("x.svg")).starts_with(ends));
         let ends = "--out: `picture` should end in .html or .svg, or --format say what it is";
         assert_eq!(bad("animate", None, Some("picture")), ends);
-        let none = "--format: `info` has no csv form; write text or json; csv is written by `solve`, `forces`, `sweep` and `extremes`";
+        let none = "--format: `info` has no csv form; write text or json; csv is written by `solve`, `forces`, \
+                    `sensitivities`, `sweep` and `extremes`";
         assert_eq!(bad("info", Some("csv"), None), none);
         let none = "--format: `jsno` is no form (did you mean json?); the report writes text or json";
         assert_eq!(bad("", Some("jsno"), None), none);

@@ -231,23 +231,27 @@ impl Measure {
     }
 
     /// What its value is to be multiplied with so that its angles are in degrees.
+    #[cfg(feature = "cli")]
     pub(crate) fn in_degrees(&self) -> f64 {
         let factor = |dimension: Dimension| if dimension == Dimension::Angle { 1_f64.to_degrees() } else { 1.0 };
         factor(self.dimension) / self.per.map_or(1.0, |driver| factor(driver.dimension))
     }
 
     /// Whether it follows from the place alone, so that it has a value where nothing has a rate.
+    #[cfg(feature = "cli")]
     pub(crate) const fn is_place(&self) -> bool {
         self.order == 0 && self.per.is_none() && !matches!(self.of, Of::Force(_))
     }
 
     /// Whether it is a transmission angle.
+    #[cfg(feature = "cli")]
     pub(crate) const fn is_transmission(&self) -> bool {
         matches!(self.of, Of::Transmission(_))
     }
 
     /// What a designer asks first: transmission angles; angles, scalars and points; defines and the strokes of joints; what
     /// drivers must supply. What is driven is left out.
+    #[cfg(feature = "cli")]
     pub(crate) fn telling(model: &'static Model) -> Vec<Self> {
         let driven = Self::driven(model);
         let tells = |measure: &Self| match measure.of {
@@ -266,12 +270,14 @@ impl Measure {
         angles.into_iter().chain(others).collect()
     }
 
+    #[cfg(feature = "cli")]
     fn is_define(&self, model: &Model) -> bool {
         self.order == 0 && model.defines.iter().any(|define| self.of == Of::Observable(define.observable))
     }
 }
 
 /// Whether a coordinate says how its body moves: x and y do only of one that does not turn, or has no angle of its own.
+#[cfg(feature = "cli")]
 fn told(model: &Model, coordinate: usize) -> bool {
     match model.coordinates[coordinate].kind {
         CoordinateKind::Pose { body, component: Component::X | Component::Y } => {
