@@ -86,6 +86,13 @@ pub(super) trait Engine {
     fn motion(&self, setup: &Setup, state: &State) -> Result<Motion, SolveError>;
     fn forces(&self, setup: &Setup, state: &State) -> Result<Forces, SolveError>;
     fn sensitivities(&self, setup: &Setup, state: &State) -> Result<Sensitivities, SolveError>;
+    #[cfg(feature = "design")]
+    fn design(
+        &self,
+        setup: &Setup,
+        wishes: &super::wishes::Wishes,
+        search: &crate::design::Search<'_>,
+    ) -> Result<crate::design::Designed<()>, crate::design::DesignError>;
     fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError>;
     fn velocity_ratios(&self, setup: &Setup, state: &State) -> Result<VelocityRatios, SolveError>;
     fn transmission_angles(&self, state: &State) -> Result<Vec<TransmissionAngle>, SolveError>;
@@ -121,7 +128,7 @@ impl<M: Mechanism> Bound<M> {
     }
 }
 
-impl<M: Mechanism> Engine for Bound<M> {
+impl<M: Mechanism + Default + 'static> Engine for Bound<M> {
     fn model(&self) -> &'static Model {
         M::model()
     }
@@ -173,6 +180,30 @@ impl<M: Mechanism> Engine for Bound<M> {
 
     fn sensitivities(&self, setup: &Setup, state: &State) -> Result<Sensitivities, SolveError> {
         self.solver(setup).sensitivities(state)
+    }
+
+    #[cfg(feature = "design")]
+    fn design(
+        &self,
+        setup: &Setup,
+        wishes: &super::wishes::Wishes,
+        search: &crate::design::Search<'_>,
+    ) -> Result<crate::design::Designed<()>, crate::design::DesignError> {
+        let parameters = self.parameters();
+        let make = move || {
+            let mut mechanism = M::default();
+            for (place, value) in parameters.iter().enumerate() {
+                mechanism.set_parameter(place, *value);
+            }
+            mechanism
+        };
+        let modes = M::model().plan.modes;
+        let begin =
+            setup.modes.iter().try_fold(crate::design::Design::of(Box::new(make)), |design, &(place, sign)| {
+                design.mode(modes[place].name, Some(sign))
+            })?;
+        let begin = setup.guesses.iter().fold(begin, |design, &(place, value)| design.guess(place, value));
+        Ok(wishes.of(begin)?.search(search)?.map(|_| ()))
     }
 
     fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError> {

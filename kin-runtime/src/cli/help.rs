@@ -45,6 +45,8 @@ const COMMANDS: &[(&str, Help)] = &[
     ("sweep", sweep::HELP),
     ("forces", forces::HELP),
     ("sensitivities", sensitivities::HELP),
+    #[cfg(feature = "design")]
+    ("design", super::design::HELP),
     ("check", check::HELP),
     #[cfg(feature = "equations")]
     ("equations", super::equations::HELP),

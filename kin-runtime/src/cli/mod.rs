@@ -38,6 +38,8 @@ mod check;
 mod columns;
 mod completions;
 mod degrees;
+#[cfg(feature = "design")]
+mod design;
 mod engine;
 #[cfg(feature = "equations")]
 mod equations;
@@ -67,6 +69,8 @@ mod sweep;
 mod trial;
 mod values;
 mod watch;
+#[cfg(feature = "design")]
+mod wishes;
 
 #[cfg(test)]
 mod fixture;
@@ -106,6 +110,8 @@ enum Command {
     Sweep(sweep::SweepArgs),
     Forces(forces::ForcesArgs),
     Sensitivities(sensitivities::SensitivitiesArgs),
+    #[cfg(feature = "design")]
+    Design(Box<design::DesignArgs>),
     Check(check::CheckArgs),
     #[cfg(feature = "equations")]
     Equations(equations::EquationsArgs),
@@ -152,6 +158,8 @@ fn run(
         Some(Command::Sweep(args)) => sweep::run(args, engine, &mut session),
         Some(Command::Forces(args)) => forces::run(args, engine, &mut session),
         Some(Command::Sensitivities(args)) => sensitivities::run(args, engine, &mut session),
+        #[cfg(feature = "design")]
+        Some(Command::Design(args)) => design::run(args, engine, &mut session),
         Some(Command::Check(args)) => check::run(args, engine, &mut session),
         #[cfg(feature = "equations")]
         Some(Command::Equations(args)) => equations::run(args, engine, &mut session),

@@ -16,7 +16,7 @@
 //! 12. [How kin solves a mechanism](chapter_12_solving): the steps that an expert would take;
 //! 13. [How the derivation works](chapter_13_derivation): from tokens to straight-line code;
 //! 14. [Adding a constraint](chapter_14_constraint): for contributors;
-//! 15. [What is not there](chapter_15_limits): space, contact, friction, synthesis.
+//! 15. [What is not there](chapter_15_limits): space, contact, friction.
 //!
 //! The language itself, attribute by attribute, is in [`vocabulary`](crate::vocabulary). These modules hold documentation only;
 //! their numbers keep them in order beside the text.

@@ -30,6 +30,9 @@ pub struct Tangents<const W: usize> {
 }
 
 impl<const W: usize> Tangents<W> {
+    /// How many parameters there are.
+    pub const LANES: usize = W;
+
     /// A value with these derivatives.
     #[inline(always)]
     pub const fn new(value: f64, by: [f64; W]) -> Self {
