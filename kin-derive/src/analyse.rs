@@ -1,6 +1,6 @@
-//! Tokens to a checked model, through two gates: what is written is read and its names are resolved, then the
-//! rules of [`kin_core::mechanism::check`] are applied. All errors come at once. The third gate is what the equations of
-//! the model say.
+//! From tokens to a checked model, through two gates: first the description is parsed and its names are resolved, then
+//! the rules of [`kin_core::mechanism::check`] are applied. All errors are reported together. The third gate checks the
+//! structure of the equations of the model.
 
 use crate::lower::{Lowered, Outcome, lower};
 use crate::parse::parse;
@@ -9,16 +9,16 @@ use kin_core::check::{check, check_parts};
 use proc_macro2::{Span, TokenStream};
 use syn::ItemStruct;
 
-/// A description with mistakes: all of them, and what could be read nevertheless.
+/// A description with errors: all of them, and the parts that could be read.
 pub(crate) struct Broken {
-    /// Every mistake.
+    /// All errors.
     pub(crate) error: syn::Error,
-    /// Names and what else was understood; parts with mistakes are missing.
+    /// The names and other parts that could be read; parts with errors are missing.
     pub(crate) lowered: Option<Box<Lowered>>,
 }
 
-/// Reads `#[mechanism(args)] item`: the struct without our attributes, also when there are errors, and what the
-/// description says.
+/// Reads `#[mechanism(args)] item`. Returns the struct without the attributes of kin, even if there are errors, and the
+/// description.
 pub(crate) fn analyse(args: TokenStream, item: TokenStream) -> (Option<ItemStruct>, Result<Lowered, Broken>) {
     let report = Report::new();
     let (item, description) = parse(args, item, &report);
@@ -45,8 +45,7 @@ pub(crate) fn analyse(args: TokenStream, item: TokenStream) -> (Option<ItemStruc
     (item, result)
 }
 
-/// The second gate. Parts that have errors are missing in the model, so that only rules that look at one part
-/// at a time can be trusted then.
+/// The second gate. Parts with errors are missing in the model; then only the rules that examine a single part apply.
 fn check_model(lowered: &Lowered, report: &Report) {
     let rules = if report.count() == 0 { check } else { check_parts };
     for error in rules(&lowered.mechanism) {
@@ -59,7 +58,8 @@ fn check_model(lowered: &Lowered, report: &Report) {
     }
 }
 
-/// The third gate: the differentiated equations and what their structure says; errors where the rules of the model were not enough.
+/// The third gate: differentiates the equations and diagnoses their structure. An equation that cannot be assembled is
+/// an error.
 pub(crate) fn system(lowered: &Lowered) -> syn::Result<(kin_core::KinematicSystem, kin_core::Structure)> {
     let spanned = |errors: Vec<kin_core::ModelError>| {
         let spanned = errors.into_iter().map(|error| syn::Error::new(lowered.span(error.origin), error));

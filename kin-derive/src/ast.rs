@@ -1,43 +1,43 @@
-//! The description as the user wrote it: parsed, spanned, no name resolved yet.
+//! The description as the user wrote it: parsed, with spans, and with names that are not resolved yet.
 //!
-//! What could not be parsed is a hole ([`ExprKind::Hole`], [`PointExpr::Hole`]): its error is already reported,
-//! and the rest of its row is still read for mistakes.
+//! A part that could not be parsed is a hole ([`ExprKind::Hole`], [`PointExpr::Hole`]): its error has been reported,
+//! and the rest of its row is still checked.
 
 use kin_core::mechanism::{Function, Relation, StatementForm};
 use proc_macro2::Span;
 use syn::ext::IdentExt;
 use syn::{Ident, Type};
 
-/// Everything that the attributes and fields of one mechanism say.
+/// The contents of the attributes and fields of one mechanism.
 pub(crate) struct Description {
-    /// The struct's name.
+    /// The name of the struct.
     pub(crate) name: Ident,
-    /// Attributes of the struct, in order.
+    /// The declarations and rows in the attributes of the struct, in order.
     pub(crate) items: Vec<Item>,
-    /// Fields of the struct, in order.
+    /// The fields of the struct, in order.
     pub(crate) fields: Vec<FieldDecl>,
-    /// What `#[mechanism(…)]` asks for.
+    /// The flags of `#[mechanism(…)]`.
     pub(crate) flags: Flags,
-    /// First paragraph of the struct's documentation.
+    /// The first paragraph of the struct's documentation.
     pub(crate) doc: String,
-    /// `Default` stands in a `derive`.
+    /// True if the struct derives `Default`.
     pub(crate) derives_default: bool,
-    /// A declaration could not be read, so that an unknown name may be one that it declares.
+    /// True if a declaration could not be read, so that an unknown name may be one that it declares.
     pub(crate) names_missing: bool,
 }
 
 /// The flags of `#[mechanism(…)]`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Flags {
-    /// Write the comparison with dual numbers into the user's tests.
+    /// Write the comparison with dual numbers as a test in the user's crate.
     pub(crate) cross_check: bool,
-    /// Redundant rows are no error.
+    /// Accept redundant rows.
     pub(crate) allow_redundant: bool,
-    /// Check units for consistency.
+    /// Check that units are consistent.
     pub(crate) check_units: bool,
 }
 
-/// One declaration or row.
+/// One declaration or row of a description.
 #[derive(Debug)]
 pub(crate) enum Item {
     /// A member of `bodies(…)` or a `body(…)`.
@@ -60,25 +60,25 @@ pub(crate) enum Item {
     Guess(GuessDecl),
 }
 
-/// The name of a new thing, with its documentation and what stands in its brackets.
+/// The name in a declaration, with its documentation and the contents of its brackets.
 #[derive(Clone, Debug)]
 pub(crate) struct NewName {
     /// The name.
     pub(crate) ident: Ident,
-    /// `[10]` or `[i in 0..10]`.
+    /// The brackets after the name: `[10]` or `[i in 0..10]`.
     pub(crate) bracket: Option<Bracket>,
-    /// First paragraph of the doc comment before it.
+    /// The first paragraph of the doc comment before the name.
     pub(crate) doc: String,
 }
 
-/// What stands in the brackets of a new name.
+/// The contents of the brackets after a declared name.
 #[derive(Clone, Debug)]
 pub(crate) enum Bracket {
-    /// `[10]`.
+    /// A length: `[10]`.
     Len(usize, Span),
-    /// `[i in 0..10]`.
+    /// An index with its range: `[i in 0..10]`.
     Range(RangeDecl),
-    /// Could not be read; reported.
+    /// Contents that could not be read, which is reported.
     Hole,
 }
 
@@ -87,21 +87,21 @@ pub(crate) enum Bracket {
 pub(crate) struct RangeDecl {
     /// The index variable.
     pub(crate) variable: Ident,
-    /// First index.
+    /// The first index.
     pub(crate) start: i64,
-    /// One past the last index.
+    /// The last index plus one.
     pub(crate) end: i64,
-    /// The range.
+    /// The span of the range.
     pub(crate) span: Span,
 }
 
-/// A body and what is given of its pose.
+/// A body and the prescribed parts of its pose.
 #[derive(Debug)]
 pub(crate) struct BodyDecl {
     pub(crate) name: NewName,
-    /// Held components with their keys: `x`, `y`, `phi`.
+    /// The held components with their keys: `x`, `y`, `phi`.
     pub(crate) held: Vec<(Ident, Expr)>,
-    /// `origin = …` with its key.
+    /// The point of `origin = …`, with its key.
     pub(crate) carried: Option<(Ident, PointExpr)>,
 }
 
@@ -112,7 +112,7 @@ pub(crate) struct ScalarDecl {
     pub(crate) unit: Option<String>,
 }
 
-/// A signal known only at run time.
+/// An input: a signal known only at run time.
 #[derive(Debug)]
 pub(crate) struct InputDecl {
     pub(crate) name: NewName,
@@ -141,14 +141,14 @@ pub(crate) struct FunctionDecl {
     pub(crate) name: NewName,
 }
 
-/// The start of assembly of one coordinate, or of one in every member of a family.
+/// The start value of one coordinate for the assembly, or of that of every member of a family.
 #[derive(Debug)]
 pub(crate) struct GuessDecl {
-    /// Body or scalar coordinate.
+    /// The body or scalar coordinate.
     pub(crate) target: NameUse,
-    /// `[i in 0..10]`, when the target carries one.
+    /// The range `[i in 0..10]`, if the target has one.
     pub(crate) range: Option<RangeDecl>,
-    /// `x`, `y` or `phi` of a body.
+    /// The component `x`, `y` or `phi` of a body.
     pub(crate) component: Option<Ident>,
     pub(crate) value: Expr,
 }
@@ -158,10 +158,10 @@ pub(crate) struct GuessDecl {
 pub(crate) struct ConditionDecl {
     pub(crate) keyword: Ident,
     pub(crate) name: NewName,
-    /// Both sides as they are written.
+    /// The text of both sides as written.
     pub(crate) text: String,
     pub(crate) left: Expr,
-    /// `None` where it could not be read, which is reported.
+    /// The relation; `None` if it could not be read, which is reported.
     pub(crate) relation: Option<Relation>,
     pub(crate) right: Expr,
 }
@@ -171,9 +171,9 @@ pub(crate) struct ConditionDecl {
 pub(crate) struct Row {
     pub(crate) keyword: Ident,
     pub(crate) name: NewName,
-    /// How its kind is written.
+    /// The form of the joint's kind, which defines its slots.
     pub(crate) form: &'static StatementForm,
-    /// What stands in the slots of its form.
+    /// The operands in the slots of the form.
     pub(crate) operands: Vec<OperandExpr>,
 }
 
@@ -183,11 +183,11 @@ pub(crate) enum OperandExpr {
     Point(PointExpr),
     Points(Vec<PointExpr>),
     Body(BodyExpr),
-    /// One body, or two.
+    /// One or two bodies.
     Bodies(Vec<BodyExpr>),
     /// A vector.
     Vector(AxisExpr),
-    /// A scalar coordinate; `None` could not be read, which is reported.
+    /// A scalar coordinate; `None` if it could not be read, which is reported.
     Scalar(Option<NameUse>),
     Axis(AxisExpr),
     Value(Expr),
@@ -201,22 +201,22 @@ pub(crate) enum CurveExpr {
     Polar(Expr),
     Implicit(Expr),
     Parametric(Box<PathExpr>),
-    /// Could not be read; reported.
+    /// A curve that could not be read, which is reported.
     Hole,
 }
 
-/// `parametric(u) = (ex, ey), roller = R`.
+/// A parametric curve: `parametric(u) = (ex, ey), roller = R`.
 #[derive(Debug)]
 pub(crate) struct PathExpr {
     pub(crate) parameter: NameUse,
     pub(crate) x: Expr,
     pub(crate) y: Expr,
-    /// The pair.
+    /// The span of the pair.
     pub(crate) span: Span,
     pub(crate) roller: Option<Expr>,
 }
 
-/// `(vx, vy)`, an axis or a vector.
+/// An axis or a vector: `(vx, vy)`.
 #[derive(Debug)]
 pub(crate) struct AxisExpr {
     pub(crate) x: Expr,
@@ -225,13 +225,13 @@ pub(crate) struct AxisExpr {
 }
 
 impl AxisExpr {
-    /// What stands for a pair that could not be read.
+    /// A placeholder for a pair that could not be read.
     pub(crate) const fn hole(span: Span) -> Self {
         Self { x: Expr::hole(span), y: Expr::hole(span), span }
     }
 }
 
-/// `(ra, rb)`.
+/// The radii `(ra, rb)`.
 #[derive(Debug)]
 pub(crate) struct RadiiExpr {
     pub(crate) i: Expr,
@@ -243,13 +243,13 @@ pub(crate) struct RadiiExpr {
 #[derive(Debug)]
 pub(crate) enum BodyExpr {
     Named(NameUse),
-    /// The ground, where no body is given.
+    /// No body is written, which means the ground.
     NotGiven,
-    /// Could not be read; reported.
+    /// A body that could not be read, which is reported.
     Hole,
 }
 
-/// A use of a name, with an index when it has one.
+/// A use of a name, with its index if it has one.
 #[derive(Clone, Debug)]
 pub(crate) struct NameUse {
     pub(crate) ident: Ident,
@@ -257,18 +257,18 @@ pub(crate) struct NameUse {
 }
 
 impl NameUse {
-    /// The name for people: `r#type` is called `type`.
+    /// The name for messages: `r#type` is called `type`.
     pub(crate) fn text(&self) -> String {
         text(&self.ident)
     }
 }
 
-/// The name of an identifier for people and for comparison.
+/// The name of an identifier for messages and comparisons.
 pub(crate) fn text(ident: &Ident) -> String {
     ident.unraw().to_string()
 }
 
-/// `scale * variable + offset`.
+/// An index: `scale * variable + offset`.
 #[derive(Clone, Debug)]
 pub(crate) struct IndexExpr {
     pub(crate) scale: i64,
@@ -284,11 +284,11 @@ pub(crate) enum PointExpr {
     At { body: NameUse, x: Box<Expr>, y: Box<Expr> },
     /// A named point.
     Named(NameUse),
-    /// Could not be read; reported.
+    /// A point that could not be read, which is reported.
     Hole,
 }
 
-/// An expression; `height` bounds the recursion of whoever walks it.
+/// An expression; `height` bounds the depth of recursions over it.
 #[derive(Debug)]
 pub(crate) struct Expr {
     pub(crate) kind: ExprKind,
@@ -300,9 +300,9 @@ pub(crate) struct Expr {
 #[derive(Debug)]
 pub(crate) enum ExprKind {
     Number(f64),
-    /// `t`, `pi`, a parameter, a scalar coordinate, an input, a define.
+    /// `t`, `pi`, a parameter, a scalar coordinate, an input, or a define.
     Name(NameUse),
-    /// `crank.phi`, `tip.x`.
+    /// A component of a body or a point: `crank.phi`, `tip.x`.
     Component(NameUse, Ident),
     Distance(PointExpr, PointExpr),
     Neg(Box<Expr>),
@@ -310,11 +310,11 @@ pub(crate) enum ExprKind {
     Pow(Box<Expr>, f64),
     Call(Function, Box<Expr>),
     Atan2(Box<Expr>, Box<Expr>),
-    /// `dot(e)`, with the word.
+    /// `dot(e)`, with the identifier `dot`.
     Dot(Ident, Box<Expr>),
-    /// A call of something that is no function of the language: a supplied function, or a mistake.
+    /// A call of a name that is not a function of the language: a supplied function, or an error.
     Apply(Box<NameUse>, Vec<Expr>),
-    /// Could not be read; reported.
+    /// An expression that could not be read, which is reported.
     Hole,
 }
 
@@ -328,10 +328,10 @@ pub(crate) enum Operator {
 }
 
 impl Expr {
-    /// The tallest expression that is accepted: deeper ones would exhaust a stack somewhere on the way.
+    /// The largest accepted height: higher expressions would overflow the stack in a later stage.
     pub(crate) const MAX_HEIGHT: usize = 200;
 
-    /// What stands for an expression that could not be read.
+    /// A placeholder for an expression that could not be read.
     pub(crate) const fn hole(span: Span) -> Self {
         Self { kind: ExprKind::Hole, span, height: 0 }
     }
@@ -346,13 +346,13 @@ impl Expr {
 pub(crate) struct FieldDecl {
     pub(crate) ident: Ident,
     pub(crate) ty: Type,
-    /// Declared by `function(…)`.
+    /// True if `function(…)` declares this field.
     pub(crate) is_function: bool,
-    /// Number of elements of an array field.
+    /// The number of elements of an array field.
     pub(crate) len: Option<usize>,
-    /// The type parameter that its numbers are of.
+    /// The type parameter that is the type of the field's numbers.
     pub(crate) scalar: Option<Ident>,
-    /// Default of every element.
+    /// The default value of every element.
     pub(crate) default: Option<Vec<f64>>,
     pub(crate) unit: Option<String>,
     pub(crate) doc: String,

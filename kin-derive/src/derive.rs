@@ -1,4 +1,4 @@
-//! The attribute on token streams of any origin, so that tests and fuzzers can call it.
+//! The attribute macro as a function of token streams, so that tests and fuzzers can call it.
 
 use crate::analyse::{Broken, analyse, system};
 use crate::{documentation, expand, fallback};
@@ -7,7 +7,7 @@ use kin_core::loads::forces;
 use kin_core::plan::plan_and_linear;
 use proc_macro2::TokenStream;
 
-/// The items of `#[mechanism(args)] item`.
+/// The items that replace `#[mechanism(args)] item`.
 pub(crate) fn derive(args: TokenStream, item: TokenStream) -> TokenStream {
     let (cleaned, lowered) = analyse(args.clone(), item.clone());
     let derived = lowered.and_then(|lowered| match system(&lowered) {

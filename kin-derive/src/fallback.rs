@@ -1,5 +1,5 @@
-//! Useful while broken: the struct, its handles and empty items beside the errors, so that the real mistakes are the
-//! only red lines.
+//! The expansion of a description with errors: the struct, its handles and empty items beside the errors, so that the
+//! compiler reports no errors that follow from missing items.
 
 use crate::analyse::Broken;
 use crate::expand::{mentions, placeholder, placeholders};
@@ -8,9 +8,10 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Attribute, Field, Ident, ItemStruct, Meta};
 
-/// The errors, the struct, and an implementation of the trait for a mechanism without anything in it.
+/// The errors, the struct, and an implementation of the trait for an empty mechanism.
 ///
-/// `item` is what the user wrote; `cleaned` is the same without our attributes, when it is a struct.
+/// `item` is what the user wrote; `cleaned` is the same struct without the attributes of kin, or `None` for another
+/// item.
 pub(crate) fn fallback(cleaned: Option<&ItemStruct>, item: TokenStream, broken: &Broken) -> TokenStream {
     let errors = broken.error.to_compile_error();
     let Some(cleaned) = cleaned else {
@@ -42,7 +43,7 @@ pub(crate) fn fallback(cleaned: Option<&ItemStruct>, item: TokenStream, broken: 
     let nothing = quote! { -> __kin::Result<(), __kin::LengthError> { __kin::Ok(()) } };
     quote! {
         #errors
-        // Beside an error warnings would only distract.
+        // Warnings beside an error would only distract.
         #[allow(dead_code)]
         #cleaned
         const _: () = {
@@ -77,8 +78,8 @@ pub(crate) fn fallback(cleaned: Option<&ItemStruct>, item: TokenStream, broken: 
     }
 }
 
-/// True when every field of the struct has a default, so that the user may count on `Default`; one that cannot be
-/// read counts.
+/// True when every field of the struct has a default, even one that cannot be read, so that the user may rely on
+/// `Default`.
 fn promises_default(item: TokenStream) -> bool {
     let Ok(item) = syn::parse2::<ItemStruct>(item) else { return false };
     let gives_default = |attribute: &Attribute| {

@@ -5,9 +5,9 @@
 //!     parse        lower       assemble       differentiate        plan       kernels    expand
 //! ```
 //!
-//! Parsing and lowering collect every mistake; the rules of `kin_core::mechanism::check` are the second gate, and what
-//! `kin_core::structure` proves of the equations is the third; after it expansion cannot fail. With mistakes, `fallback`
-//! emits the struct and empty items beside the errors.
+//! Parsing and lowering collect all errors. The rules of `kin_core::mechanism::check` are the second gate, and the
+//! structural analysis of the equations by `kin_core::structure` is the third; after it, expansion cannot fail. For a
+//! description with errors, `fallback` emits the struct and empty items beside the errors.
 
 mod analyse;
 mod ast;
@@ -38,7 +38,7 @@ pub fn mechanism(args: TokenStream, item: TokenStream) -> TokenStream {
     derive(args.into(), item.into()).into()
 }
 
-/// The equations of a mechanism as documentation of its struct, called by what [`macro@mechanism`] writes.
+/// The equations of a mechanism as documentation of its struct, called by the code that [`macro@mechanism`] generates.
 #[cfg(feature = "equations")]
 #[doc(hidden)]
 #[proc_macro]

@@ -1,48 +1,48 @@
-//! The error ledger: every mistake of a description is collected, so that all are shown at once.
+//! The report: all errors of a description are collected, so that the compiler shows them together.
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use std::cell::RefCell;
 use std::fmt::Display;
 
-/// Collects spanned errors; whoever drops one without reading it hears about it in debug builds.
+/// Collects spanned errors. Dropping a report whose errors have not been read panics in debug builds.
 #[derive(Debug, Default)]
 pub(crate) struct Report {
     errors: RefCell<Vec<syn::Error>>,
 }
 
 impl Report {
-    /// An empty ledger.
+    /// An empty report.
     pub(crate) fn new() -> Self {
         Self::default()
     }
 
-    /// Notes `message` on the token at `span`.
+    /// Adds `message` at the token at `span`.
     pub(crate) fn error(&self, span: Span, message: impl Display) {
         self.push(syn::Error::new(span, message));
     }
 
-    /// Notes `message` on everything from the token at `first` to the one at `last`.
+    /// Adds `message` at all tokens from `first` to `last`.
     pub(crate) fn error_between(&self, first: Span, last: Span, message: impl Display) {
         let ends = [first, last].map(|span| TokenTree::from(Ident::new("_", span)));
         self.push(syn::Error::new_spanned(TokenStream::from_iter(ends), message));
     }
 
-    /// Notes an error that a parser returned.
+    /// Adds an error that a parser returned.
     pub(crate) fn push(&self, error: syn::Error) {
         self.errors.borrow_mut().push(error);
     }
 
-    /// The value, or `None` with the error noted.
+    /// The value of a result, or `None` after adding its error.
     pub(crate) fn ok<T>(&self, result: syn::Result<T>) -> Option<T> {
         result.map_err(|error| self.push(error)).ok()
     }
 
-    /// How many errors there are so far.
+    /// The number of errors so far.
     pub(crate) fn count(&self) -> usize {
         self.errors.borrow().len()
     }
 
-    /// Everything that was noted, as one error that shows all of them.
+    /// All errors combined into one `syn::Error`.
     pub(crate) fn finish(self) -> syn::Result<()> {
         let combined = self.errors.take().into_iter().reduce(|mut all, error| {
             all.combine(error);
@@ -51,7 +51,7 @@ impl Report {
         combined.map_or(Ok(()), Err)
     }
 
-    /// Forgets everything: nobody reads the errors of an expansion that only serves completion.
+    /// Drops all errors, because an expansion for an editor's completions does not show them.
     pub(crate) fn discard(self) {
         self.errors.take();
     }

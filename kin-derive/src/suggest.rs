@@ -1,6 +1,6 @@
-//! What the user may have meant.
+//! Suggestions for misspelt names.
 
-/// The candidate closest to `name`, when it is close enough to be a slip of the keyboard.
+/// The candidate closest to `name`, if it is close enough to be a misspelling.
 pub(crate) fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     candidates
         .into_iter()
@@ -10,24 +10,24 @@ pub(crate) fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a s
         .map(|(_, candidate)| candidate)
 }
 
-/// All candidates that `name` may be a slip of, in their order.
+/// All candidates of which `name` may be a misspelling, in their order.
 pub(crate) fn near<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
     candidates.into_iter().filter(|candidate| is_near(distance(name, candidate), name, candidate)).collect()
 }
 
-/// Edits between two words, a swap of neighbours counting as one.
+/// The number of edits between two words, where a swap of neighbours counts as one.
 fn distance(a: &str, b: &str) -> usize {
     strsim::osa_distance(a, b)
 }
 
-/// At most two edits, at most one for every three letters, and something in common: short names are no slips of one
-/// another.
+/// True for at most two edits, at most one for every three letters, and at least one common letter: short names are not
+/// misspellings of one another.
 fn is_near(distance: usize, a: &str, b: &str) -> bool {
     let (a, b) = (a.chars().count(), b.chars().count());
     distance > 0 && distance <= 2 && distance < a.max(b) && 3 * distance <= a.max(b).max(3)
 }
 
-/// `` `a`, `b` and `c` `` with the given last joining word; long lists are cut.
+/// A list such as `` `a`, `b` and `c` `` with `word` before the last name; long lists are shortened.
 pub(crate) fn listed<'a>(names: impl IntoIterator<Item = &'a str>, word: &str) -> String {
     const SHOWN: usize = 8;
     let all: Vec<&str> = names.into_iter().collect();
@@ -42,12 +42,12 @@ pub(crate) fn listed<'a>(names: impl IntoIterator<Item = &'a str>, word: &str) -
     }
 }
 
-/// `; did you mean …?` or nothing.
+/// `; did you mean …?`, or an empty string.
 pub(crate) fn did_you_mean<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> String {
     nearest(name, candidates).map(|best| format!("; did you mean `{best}`?")).unwrap_or_default()
 }
 
-/// True for what other languages call a rate.
+/// True for names of rates in other languages.
 pub(crate) fn is_rate(word: &str) -> bool {
     matches!(word, "d" | "der" | "ddt" | "diff" | "deriv" | "derivative" | "rate" | "vel" | "velocity")
 }

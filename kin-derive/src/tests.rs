@@ -1,9 +1,9 @@
-//! Expansion snapshots: what a description becomes, as a reader sees it. `cargo insta review` after a change.
+//! Snapshots of expansions, formatted for readers. Run `cargo insta review` after a change.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The expansion, formatted.
+/// The formatted expansion.
 fn expansion(args: TokenStream, item: TokenStream) -> String {
     let tokens = crate::derive(args, item);
     let file = syn::parse2(tokens.clone()).unwrap_or_else(|error| panic!("{error} in {tokens}"));
@@ -32,7 +32,7 @@ fn slider_on_an_inclined_guide() {
     ));
 }
 
-/// One call for both, which costs little more than one of them.
+/// Both angles of a dyad are computed in one call, which costs little more than one of them.
 #[test]
 fn the_two_angles_of_a_dyad_are_taken_at_once() {
     let code = expansion(
@@ -87,8 +87,8 @@ fn the_rows_of_a_member_are_one_loop() {
         },
     );
     let kernel = code.split("fn everything").nth(1).and_then(|rest| rest.split("\n    fn ").next()).unwrap_or_default();
-    // Three kinds of angles side by side in one array, with one call for all of them, and all but the first member; nothing
-    // else is kept from loop to loop.
+    // Three lists of angles are adjacent in one array, so that one call takes the sines and cosines of all of them.
+    // One more loop covers all but the first member; no other array connects the loops.
     let loops: Vec<&str> = kernel.matches("for __k in 0..30").chain(kernel.matches("for __k in 0..29")).collect();
     assert_eq!(loops.len(), 4, "{kernel}");
     assert!(kernel.contains("let mut __a1") && !kernel.contains("let mut __a2"), "{kernel}");
@@ -186,13 +186,13 @@ fn the_same_description_gives_the_same_tokens() {
     }
 }
 
-/// Statements are grouped in blocks of at most 500, and blocks hand out only what later ones need.
+/// Statements are grouped in blocks of at most 500, which return only the values that later blocks need.
 #[test]
 fn long_programs_are_nested() {
     let rows = (0..60_usize).map(|k| {
         let (a, b) = (quote::format_ident!("c{k}"), quote::format_ident!("c{}", (k + 1) % 60));
         let row = quote::format_ident!("row{k}");
-        // Rows in no regular order, which no loop can write.
+        // The rows have no regular order, so that they cannot become a loop.
         let irregular = match (k * k * 7919 / 13) % 3 {
             0 => quote! { sin(#a) * exp(#b) },
             1 => quote! { cos(#a + t) * #b },
@@ -217,7 +217,7 @@ fn long_programs_are_nested() {
     assert!(longest.nested > 0);
 }
 
-/// The block with the most `let`s, and how many blocks hand out values.
+/// The largest number of `let`s in a block, and the number of blocks that return values.
 #[derive(Default)]
 struct Longest {
     lets: usize,
@@ -233,7 +233,7 @@ impl<'ast> syn::visit::Visit<'ast> for Longest {
     }
 }
 
-/// Everything that the macro does stands a sum of thousands of terms: no pass goes deeper for it.
+/// Every stage of the macro accepts a sum of thousands of terms, because no recursion depends on its length.
 #[test]
 fn a_sum_of_thousands_of_terms_is_expanded() {
     let long = |count: usize, term: &str| -> TokenStream {

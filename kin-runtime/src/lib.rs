@@ -41,6 +41,8 @@ mod linear;
 #[cfg(feature = "std")]
 mod nonlinear;
 #[cfg(feature = "std")]
+mod proof;
+#[cfg(feature = "std")]
 mod random;
 #[cfg(feature = "std")]
 mod report;
@@ -72,8 +74,8 @@ pub use scalar::lanes::Lanes;
 #[cfg(feature = "std")]
 pub use {
     analysis::modes,
-    report::{mobility, ratios, transmission},
-    results::{error, forces, motion, observer, options, sensitivities, state, trajectory},
+    report::{measure, mobility, ratios, transmission},
+    results::{assembly, certificate, error, forces, motion, observer, options, sensitivities, state, trajectory},
     sweep::events,
 };
 
@@ -86,7 +88,7 @@ pub use crate::{
     function::ScalarFunction,
     generic::GenericMechanism,
     mechanism::{LengthError, Mechanism, Observations, Workspace},
-    planned::{Limit, LimitKind, Located, ModeKey, PlanError, Planned, Sign},
+    planned::{InputRange, Limit, LimitKind, Located, ModeKey, OutOfRange, PlanError, Planned, Sign},
     scalar::Scalar,
     series::PowerSeries,
     signal::{Instant, Signal},
@@ -96,11 +98,14 @@ pub use crate::{
 #[cfg(feature = "std")]
 #[doc(no_inline)]
 pub use crate::{
+    assembly::{Assemblies, Assembly, Undecided},
+    certificate::{Certificate, Uncertified},
     cross_check::{Configuration, CrossCheck, CrossCheckOptions, FunctionCheck, WorstEntry},
     error::{Degeneracy, GeometryFault, Refusal, SolveError, SweepError},
     events::{Crossing, Event, Unwatched},
     forces::{Effort, Forces, Reaction, SpringForce, Wrench},
     kinematics::Kinematics,
+    measure::Measure,
     mobility::{Cause, Mobility, RedundantRow},
     modes::Mode,
     motion::{BodyMotion, ConditionMotion, Motion, PointMotion, Rates},

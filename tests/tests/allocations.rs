@@ -142,6 +142,14 @@ fn a_controller_asks_without_memory() {
         planned.point_jacobian(MeasuredExcavator::tip, &mut jacobian).expect("as many columns as inputs");
     });
     assert_eq!(0, counted.count_total);
+    let mut broken = inputs.clone();
+    broken[MeasuredExcavator::boom_length.0] = Signal::constant(9.0);
+    let tick = Instant { t: 0.002, inputs: &broken };
+    let counted = measure(|| {
+        planned.at(&tick).map(|_| ()).expect_err("the boom is too short");
+        planned.out_of_range(&tick).expect("the boom's sensor is to blame");
+    });
+    assert_eq!(0, counted.count_total);
 
     let four_bar = loaded::FourbarLectureMid::default();
     let state = four_bar.state_at(&Instant::at(0.0)).expect("it closes");

@@ -1,15 +1,16 @@
-//! An independent witness: the numerical rank of Φ_q at assembled poses.
+//! An independent test of the structural analysis: the numerical rank of Φ_q at assembled poses.
 //!
-//! Of every mechanism of the corpus each body point gets parameters of its own, pose and parameters are drawn and then
-//! moved until the rows that do not drive close. Such a mechanism has no special lengths, so that its rank in floating
-//! point is the generic one. With the parameters as they are written it can only be smaller.
+//! For every mechanism of the corpus, each point of a body gets its own parameters; pose and parameters are drawn at
+//! random and then changed until all rows except the driving ones are satisfied. Such a mechanism has no special
+//! lengths, so that its floating-point rank is the generic rank. With the parameters as written the rank can only be
+//! smaller.
 
 use super::{Case, all, diagnosed};
 use kin_core::KinematicSystem;
 use kin_core::expr::{ExprId, Symbol, evaluate};
 use std::collections::BTreeMap;
 
-/// Numbers in (−1, 1) that are always the same.
+/// A generator of pseudo-random numbers in (−1, 1) with a fixed seed.
 struct Dice(u64);
 
 impl Dice {
@@ -19,7 +20,7 @@ impl Dice {
     }
 }
 
-/// The attributes with two parameters of its own for every distinct point of a body but its origin.
+/// The attributes with two new parameters for every distinct point of a body except its origin.
 fn freed(case: &Case) -> (Vec<String>, String) {
     let mut names: BTreeMap<String, usize> = BTreeMap::new();
     let free = |attribute: &str, names: &mut BTreeMap<String, usize>| {
@@ -49,7 +50,7 @@ fn freed(case: &Case) -> (Vec<String>, String) {
     (attributes, case.parameters.to_owned() + &own)
 }
 
-/// Values of expressions at coordinates and parameters in one vector.
+/// The values of expressions, where `z` contains the coordinates followed by the parameters.
 fn values(system: &KinematicSystem, roots: &[ExprId], z: &[f64]) -> Vec<f64> {
     let n = system.set.coordinates.len();
     evaluate(&system.set.graph, roots, &|symbol| match symbol {
@@ -59,7 +60,7 @@ fn values(system: &KinematicSystem, roots: &[ExprId], z: &[f64]) -> Vec<f64> {
     })
 }
 
-/// The solution of a square system by elimination with pivots; entries that vanish are left.
+/// Solves a square system by elimination with row pivoting; unknowns with a vanishing pivot are skipped.
 fn solved(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
     let n = b.len();
     for k in 0..n {
@@ -80,7 +81,7 @@ fn solved(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
     b
 }
 
-/// Moves z to a root of the rows: Gauss–Newton with the shortest step, lightly damped.
+/// Moves z to a root of the rows: Gauss–Newton with steps of least norm and slight damping.
 fn close(system: &KinematicSystem, rows: &[ExprId], z: &mut [f64]) -> bool {
     const STEP: f64 = 1e-6;
     for _ in 0..60 {
@@ -112,7 +113,7 @@ fn close(system: &KinematicSystem, rows: &[ExprId], z: &mut [f64]) -> bool {
     false
 }
 
-/// The rank by elimination with full pivoting, rows scaled to length 1.
+/// The rank by elimination with full pivoting, where rows are scaled to length 1.
 fn rank(mut a: Vec<Vec<f64>>) -> usize {
     a.iter_mut().for_each(|row| {
         let norm = row.iter().map(|x| x * x).sum::<f64>().sqrt().max(1e-9);
@@ -138,10 +139,10 @@ fn rank(mut a: Vec<Vec<f64>>) -> usize {
     rank
 }
 
-/// The largest rank at assembled poses of some draws, and at how many of them it closed.
+/// The largest rank at assembled poses of several random draws, and the number of draws that could be assembled.
 ///
-/// Iteration may end where links have shrunk to nothing, so that a pose says what the rank is at least: below
-/// `expected` more of them are looked at.
+/// The iteration may end where links have shrunk to length zero, so that one pose only gives a lower bound of the rank.
+/// While the rank is below `expected`, more draws are made.
 fn largest_rank(system: &KinematicSystem, seed: u64, expected: usize) -> (usize, usize) {
     let set = &system.set;
     let passive = (0..set.rows.len()).filter(|&row| !system.classes[row].driving && system.classes[row].holonomic);
@@ -186,7 +187,7 @@ fn free_lengths_have_the_generic_rank() {
         } else {
             println!("does not close with free lengths: {}", case.name);
         }
-        // As it is written, lengths may be special, and the rank smaller; it is never larger.
+        // The lengths as written may be special, so that the rank is smaller; it is never larger.
         let written = diagnosed(case.source(&case.attributes()));
         let (best, _) = largest_rank(&written.system, seed, 0);
         assert!(best <= case.counts[2], "{}: {best}", case.name);

@@ -1,15 +1,15 @@
-//! The mechanisms of the repository: none is redundant by its structure, unless it says so.
+//! The mechanisms of the repository: none has a redundant structure unless its flags allow it.
 
 use super::diagnosed;
 use super::repository::{Found, mechanisms, mechanisms_of_pages};
 
-/// Asserts that nothing is said about the mechanisms; gives their number.
+/// Asserts that the mechanisms have no structural errors; returns their number.
 fn no_alarm(all: Vec<Found>) -> usize {
     let mut seen = 0;
     for found in all {
         let (_, result) = crate::analyse::analyse(found.args.clone(), found.item.clone());
         if result.is_err() {
-            // Written to be wrong.
+            // This mechanism is an example of an error.
             continue;
         }
         let errors = diagnosed(found.item.clone()).messages();

@@ -1,4 +1,4 @@
-//! Planted faults: joints said twice, frames with a bar too many, and welds in a circle.
+//! Planted faults: joints that are declared twice, frames with one bar too many, and welds in a circle.
 
 use super::{Case, diagnosed};
 use proc_macro2::TokenStream;
@@ -192,7 +192,7 @@ pub(super) const CASES: &[Case] = &[
     },
 ];
 
-/// What is said of a crank with one more row.
+/// The errors for a crank with one additional row.
 fn said(row: &str) -> Vec<String> {
     let item = format!(
         "#[bodies(crank, arm[2])] #[revolute(O: ground @ (0, 0), crank @ (0, 0))] \
@@ -201,7 +201,7 @@ fn said(row: &str) -> Vec<String> {
     diagnosed(TokenStream::from_str(&item).unwrap()).messages()
 }
 
-/// A row whose sides are the same is not too many beside others: it says nothing by itself.
+/// A row whose two sides are equal is reported as empty, and not as redundant to other rows.
 #[test]
 fn a_row_with_the_same_on_both_sides_is_told_so() {
     let rows = [
@@ -216,10 +216,10 @@ fn a_row_with_the_same_on_both_sides_is_told_so() {
     }
     let members = said("#[driver(d[i in 0..2]: arm[i].phi = arm[i].phi)]");
     assert!(members[0].starts_with("`d[0]` and `d[1]` say nothing: both sides of each are the same;"), "{members:?}");
-    // Its sides differ, but not by anything that can move.
+    // The sides differ, but their difference depends on no coordinate.
     let timed = said("#[driver(d: crank.phi = crank.phi + t)]");
     assert!(timed[0].starts_with("`d` holds nothing: at no pose its residual changes"), "{timed:?}");
-    // Members of a family that repeat one another still are told of each other.
+    // Members of a family that repeat one another are still reported as redundant.
     let family = said("#[driver(d[i in 0..2]: crank.phi = t + i)]");
     assert!(family[0].contains("`d[1]` prescribes what `d[0]` already determines"), "{family:?}");
 }

@@ -1,5 +1,5 @@
-//! Mechanisms with known mobility: counts, and the joints that a planted fault is blamed on, whatever things are called
-//! and in whichever order they are declared.
+//! Mechanisms with known mobility: tests of the counts, and of the joints named for a planted fault, under any names
+//! and in any order of declarations.
 
 mod assembled;
 mod chains;
@@ -20,27 +20,27 @@ use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 use std::collections::BTreeSet;
 use std::str::FromStr;
 
-/// A mechanism and what is known about it.
+/// A mechanism with its known properties.
 struct Case {
     name: &'static str,
-    /// Parameters, apart by blanks.
+    /// The parameters, separated by blanks.
     parameters: &'static str,
-    /// Attributes, each on its line or apart by `;`.
+    /// The attributes, separated by line breaks or `;`.
     attributes: &'static str,
-    /// n, rows, generic rank, degrees of freedom without driving rows.
+    /// n, the rows, the generic rank, and the degrees of freedom without driving rows.
     counts: [usize; 4],
-    /// The joints that make it redundant, apart by blanks: without them it is not.
+    /// The joints that make the mechanism redundant, separated by blanks; without them it is not.
     fault: &'static str,
 }
 
-/// A description with its equations and their structure.
+/// A description with its equations and their structural analysis.
 struct Diagnosed {
     lowered: Lowered,
     system: KinematicSystem,
     structure: Structure,
 }
 
-/// Analyses a description without mistakes of spelling.
+/// Analyses a description that passes the first two gates.
 fn diagnosed(item: TokenStream) -> Diagnosed {
     let (_, result) = analyse(TokenStream::new(), item);
     let lowered = result.unwrap_or_else(|broken| panic!("{:?}", broken.error.into_iter().collect::<Vec<_>>()));
@@ -55,7 +55,7 @@ impl Diagnosed {
         [coordinates, rows, rank, self.structure.degrees_of_freedom()]
     }
 
-    /// Each redundant row's joint with the joints of its circuit.
+    /// The joint of each redundant row, with the joints of its circuit.
     fn circuits(&self) -> Vec<BTreeSet<String>> {
         let joint = |row: &usize| {
             let joint = &self.system.set.joints[self.system.set.rows[*row].joint];
@@ -93,7 +93,7 @@ impl Case {
         assert_eq!(found.counts(), self.counts, "{name}: {:?}", found.messages());
         self.check_fault(&found);
         assert_eq!(found.messages().is_empty(), self.fault.is_empty(), "{name}: {:?}", found.messages());
-        // Where one joint is the fault, nothing is redundant without it.
+        // If a single joint is the fault, the mechanism without it is not redundant.
         let row = |attribute: &str| {
             let row = attribute.split_once('(').map_or("", |(_, rest)| rest);
             row.split([':', '[', ' ']).next().unwrap_or_default().to_owned()
@@ -106,7 +106,7 @@ impl Case {
         self.check_permuted(&attributes, &found);
     }
 
-    /// Every circuit holds something of the fault, and all of it is blamed somewhere.
+    /// Every circuit contains a joint of the fault, and every joint of the fault is in a circuit.
     fn check_fault(&self, found: &Diagnosed) {
         let (circuits, faults) = (found.circuits(), self.faults());
         let (rows, rank) = (found.structure.rows, found.structure.rank);
@@ -118,7 +118,7 @@ impl Case {
         assert!(faults.is_subset(&blamed), "{}: {blamed:?}", self.name);
     }
 
-    /// The same answer in other orders and under other names.
+    /// The result is the same in other orders and under other names.
     fn check_permuted(&self, attributes: &[&str], found: &Diagnosed) {
         let mut order: Vec<&str> = attributes.to_vec();
         let mut state = 0x9e37_79b9_u32;
@@ -144,7 +144,7 @@ impl Case {
     }
 }
 
-/// The tokens with every one of `names` called something else, in the opposite alphabetical order.
+/// The tokens with all of `names` renamed, so that their alphabetical order is reversed.
 fn renamed(tokens: TokenStream, names: &BTreeSet<String>) -> TokenStream {
     let rename = |tree| match tree {
         TokenTree::Ident(ident) => {

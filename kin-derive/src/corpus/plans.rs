@@ -1,5 +1,5 @@
-//! What a plan gives closes the rows, at every mechanism that the repository knows: Φ = 0, Φ_q q̇ = −Φ_t, Φ_q q̈ = γ
-//! wherever its margins are positive, for drawn parameters, modes and starts.
+//! The solution of a plan satisfies the rows, for every mechanism of the repository: Φ = 0, Φ_q q̇ = −Φ_t, Φ_q q̈ = γ
+//! wherever its margins are positive, for random parameters, modes and starts.
 
 use super::all;
 use super::repository::{Found, mechanisms};
@@ -9,7 +9,7 @@ use kin_core::KinematicSystem;
 use kin_core::expr::{Environment, Symbol, evaluate};
 use kin_core::plan::{SolutionPlan, plan};
 
-/// Values of everything; functions are x ↦ 1 + 0.2 sin x.
+/// The values of all symbols; supplied functions are x ↦ 1 + 0.2 sin x.
 struct Values<'a> {
     parameters: &'a [f64],
     t: f64,
@@ -34,7 +34,7 @@ impl Environment for Values<'_> {
     }
 }
 
-/// A small generator; the same numbers every time.
+/// A generator of pseudo-random numbers with a fixed seed.
 struct Random(u64);
 
 impl Random {
@@ -69,7 +69,7 @@ fn violation(system: &KinematicSystem, values: &Values<'_>, solution: &Solution)
     worst
 }
 
-/// How many of the draws closed.
+/// The number of random draws for which the plan has a solution.
 fn tried(name: &str, system: &KinematicSystem, plan: &SolutionPlan, defaults: &[f64]) -> usize {
     let (mut random, mut closed) = (Random(7), 0);
     let n = system.set.coordinates.len();

@@ -1,4 +1,4 @@
-//! Relations among angles: trains by their equations, drivers, prescribed and held coordinates.
+//! Relations between angles: gear trains by their equations, drivers, prescribed and held coordinates.
 
 use super::Case;
 

@@ -1,27 +1,27 @@
-//! The mechanisms that stand in the repository: tests, examples, and the blocks of its Markdown pages.
+//! The mechanisms in the repository: those of tests, of examples, and of code blocks in its Markdown pages.
 
 use proc_macro2::TokenStream;
 use quote::ToTokens;
 use std::path::{Path, PathBuf};
 use syn::visit::Visit;
 
-/// A mechanism as it stands in a file.
+/// A mechanism as written in a file.
 pub(crate) struct Found {
     pub(crate) name: String,
-    /// What `#[mechanism(…)]` says.
+    /// The arguments of `#[mechanism(…)]`.
     pub(crate) args: TokenStream,
     /// The struct with its other attributes.
     pub(crate) item: TokenStream,
 }
 
 impl Found {
-    /// `allow_redundant` is among its flags.
+    /// True if the flags include `allow_redundant`.
     pub(super) fn may_be_redundant(&self) -> bool {
         self.args.to_string().contains("allow_redundant")
     }
 }
 
-/// Everything under a `#[mechanism]`, wherever it stands in a file.
+/// Collects all structs with `#[mechanism]` in a file.
 #[derive(Default)]
 struct Finder {
     found: Vec<Found>,
@@ -30,7 +30,7 @@ struct Finder {
 impl<'ast> Visit<'ast> for Finder {
     fn visit_item_struct(&mut self, item: &'ast syn::ItemStruct) {
         let mut item = item.clone();
-        // What `cfg_attr` writes is expanded by the compiler alone.
+        // Attributes in `cfg_attr` are expanded by the compiler only.
         if item.attrs.iter().any(|attribute| attribute.path().is_ident("cfg_attr")) {
             return;
         }
@@ -52,7 +52,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// The files with an extension below a directory, in order.
+/// The files with an extension below a directory, in alphabetical order.
 fn files(directory: &Path, extension: &str) -> Vec<PathBuf> {
     let Ok(entries) = std::fs::read_dir(directory) else { return Vec::new() };
     let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
@@ -65,7 +65,7 @@ fn files(directory: &Path, extension: &str) -> Vec<PathBuf> {
     paths.into_iter().flat_map(of).collect()
 }
 
-/// The mechanisms of examples and tests, those of the compile-fail tests left out.
+/// The mechanisms of examples and tests, except those of the compile-fail tests.
 pub(crate) fn mechanisms() -> Vec<Found> {
     let directories = ["examples", "tests/mechanisms", "tests/tests", "tests/src"];
     let sources = directories.into_iter().flat_map(|directory| files(&root().join(directory), "rs"));
@@ -89,8 +89,7 @@ pub(super) fn mechanisms_of_pages() -> Vec<Found> {
     blocks.filter_map(parse).flat_map(|file| mechanisms_of(&file)).collect()
 }
 
-/// The code of a page of Markdown, block by block, with the lines that rustdoc hides; what is written to be wrong is
-/// left out.
+/// The code blocks of a Markdown page, with the lines that rustdoc hides, except blocks that are examples of errors.
 fn blocks(page: &str) -> Vec<String> {
     let (mut blocks, mut open, mut wrong) = (Vec::new(), None::<String>, false);
     for line in page.lines() {

@@ -1,12 +1,12 @@
-//! How long the macro takes: `cargo test -p kin-derive --lib corpus::timing -- --ignored --nocapture`, once as it is
-//! (as a user gets it: macros are built unoptimised) and once with `--release`.
+//! Measures the time that the macro takes: `cargo test -p kin-derive --lib corpus::timing -- --ignored --nocapture`,
+//! once without optimisation (as users run it, because macros are built unoptimised) and once with `--release`.
 
 use super::repository::{Found, mechanisms};
 use super::{Case, all};
 use proc_macro2::TokenStream;
 use std::time::{Duration, Instant};
 
-/// The shortest of some runs, so that other programs do not count.
+/// The shortest time of several runs, which other programs disturb least.
 fn shortest(runs: usize, mut work: impl FnMut()) -> Duration {
     let run = |_| {
         let start = Instant::now();
@@ -49,7 +49,7 @@ fn times() {
     }
 }
 
-/// Where the time goes in a chain of four-bars: as many rows per loop as a user's mechanism has.
+/// The time of each stage for a chain of four-bars, each of which has as many rows as a typical mechanism.
 #[test]
 #[ignore = "a measurement, not a test"]
 fn stages() {

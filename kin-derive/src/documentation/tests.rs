@@ -1,4 +1,4 @@
-//! What a reader of the struct's documentation finds.
+//! Tests of the equations in the documentation of the struct.
 
 use super::text;
 use crate::corpus::repository::{Found, mechanisms};
@@ -21,7 +21,7 @@ fn a_slider_crank() {
     }));
 }
 
-/// Markdown ends a block of HTML at a blank line, and takes four spaces for code.
+/// Markdown ends an HTML block at a blank line, and treats four spaces as code.
 #[test]
 fn every_mechanism_is_well_formed_html_that_markdown_leaves_alone() {
     let mut seen = 0;
@@ -42,7 +42,7 @@ fn every_mechanism_is_well_formed_html_that_markdown_leaves_alone() {
     assert!(seen > 100, "{seen}");
 }
 
-/// XML with formulas, whose elements have the children that they need.
+/// Checks that a block is well-formed XML with formulas, whose elements have the required number of children.
 fn well_formed(name: &str, block: &str) {
     let tree = format!("<doc>{block}</doc>");
     let tree = roxmltree::Document::parse(&tree).unwrap_or_else(|error| panic!("{name}: {error}"));

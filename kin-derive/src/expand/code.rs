@@ -1,10 +1,12 @@
-//! The emitter: a finished program as the body of a function, straight parts as they are, loops as `for`.
+//! The emitter: prints a finished program as the body of a function, with straight pieces as statements and loops as
+//! `for`.
 //!
-//! Sines and cosines that follow one another are taken in one call, and so are angles of vectors. Statements are those of
-//! all pieces, one after another, in blocks that rustc can stand.
+//! Consecutive sines and cosines are computed in one call, and so are consecutive angles of vectors. The statements of
+//! all pieces are divided into blocks that are small enough for rustc.
 //!
-//! Arrays have the loops' lengths and every index is affine in the loop's variable, so that the compiler can see that
-//! it is in bounds. The sines and cosines of a loop whose angles are known before it are taken of all members at once.
+//! Arrays have the lengths of the loops and every index is an affine function of the loop's variable, so that the
+//! compiler can eliminate bounds checks. If the angles of a loop are known before the loop, their sines and cosines are
+//! computed for all members at once.
 
 use super::instructions::{definition, literal, load_at, name, names_of, number, target_at};
 use super::statements::{Statement, blocks};
@@ -12,7 +14,7 @@ use kin_core::program::{Angles, Instruction, Keep, Part, Piece, Rolled, Source, 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
-/// Angles in one call.
+/// The largest number of angles in one call.
 const ANGLES: usize = 64;
 
 /// The statements that compute a program and write its outputs. Supplied functions are arguments of the kernel.
@@ -57,27 +59,27 @@ fn repeated(rolled: &Rolled, count: usize, body: &[Step]) -> Statement {
     Statement { uses, tokens: members(count, &tokens), ..Statement::default() }
 }
 
-/// `tokens` for every member.
+/// A loop with the body `tokens` over all members.
 fn members(count: usize, tokens: &TokenStream) -> TokenStream {
     let count = Literal::usize_unsuffixed(count);
     quote! { for __k in 0..#count { __kin::one_by_one(); #tokens } }
 }
 
-/// The loops at the beginning of `pieces` that take sines and cosines and nothing else.
+/// The loops at the beginning of `pieces` that only compute sines and cosines.
 fn gathers<'r>(rolled: &Rolled, pieces: &'r [Piece]) -> Vec<(usize, Vec<Angles<'r>>)> {
     pieces.iter().map_while(|piece| rolled.angles(piece)).collect()
 }
 
-/// The elements of arrays in which a call finds angles and leaves sines and cosines.
+/// The array elements from which a call reads angles and to which it writes sines and cosines.
 struct Call {
-    /// Arrays and first elements; one that is not kept has none.
+    /// Array and first element; `None` where the result is not needed.
     sines: Option<(usize, usize)>,
     cosines: Option<(usize, usize)>,
     count: usize,
 }
 
 impl Call {
-    /// True where the elements of `next` stand behind these in the same arrays.
+    /// True if the elements of `next` directly follow these in the same arrays.
     fn is_before(&self, next: &Self) -> bool {
         let behind = |one: Option<(usize, usize)>, other: Option<(usize, usize)>| {
             one.is_some() && one.map(|(array, first)| (array, first + self.count)) == other
@@ -86,8 +88,8 @@ impl Call {
     }
 }
 
-/// Loops that take sines and cosines and nothing else: of the angles of all members at once, in the arrays that keep
-/// them where there are such.
+/// The statement for loops that only compute sines and cosines: one call for the angles of all members, directly in the
+/// arrays that keep the results.
 fn gathered(rolled: &Rolled, loops: &[(usize, Vec<Angles<'_>>)]) -> Statement {
     let emitter = Emitter { rolled, member: Member { varies: true } };
     let mut uses = Vec::new();
@@ -111,7 +113,7 @@ fn gathered(rolled: &Rolled, loops: &[(usize, Vec<Angles<'_>>)]) -> Statement {
     }
     let tokens = calls.iter().map(|(call, fills)| {
         let Call { sines, cosines, count } = *call;
-        // One of them is kept, or nobody would take them.
+        // At least one of the two is kept; the other one is written to a temporary array.
         let spare = (sines.is_none() || cosines.is_none()).then(|| {
             let length = Literal::usize_unsuffixed(count);
             quote! { let mut __spare = [<__T as __kin::Scalar>::from_f64(0.0); #length]; }
@@ -127,12 +129,12 @@ fn gathered(rolled: &Rolled, loops: &[(usize, Vec<Angles<'_>>)]) -> Statement {
     Statement { tokens: tokens.collect(), uses, ..Statement::default() }
 }
 
-/// An array by its name, and the first element.
+/// The name of the array and the first element.
 fn kept_in(place: Option<(usize, usize)>) -> (Ident, usize) {
     place.map_or_else(|| (format_ident!("__spare"), 0), |(number, first)| (array(number), first))
 }
 
-/// The places of `count` elements of an array.
+/// The index range of `count` elements of an array.
 fn places(first: usize, count: usize) -> TokenStream {
     let [first, end] = [first, first + count].map(Literal::usize_unsuffixed);
     quote! { #first..#end }
@@ -142,7 +144,7 @@ fn uses(statements: &[Statement]) -> Vec<Value> {
     statements.iter().flat_map(|statement| &statement.uses).copied().collect()
 }
 
-/// The value that an operand reads under its name.
+/// The value that an operand reads from a local variable.
 fn local_value(rolled: &Rolled, operand: Value) -> Option<Value> {
     match rolled.sources[operand.index()] {
         Source::Local(value, _) => Some(value),
@@ -150,7 +152,7 @@ fn local_value(rolled: &Rolled, operand: Value) -> Option<Value> {
     }
 }
 
-/// The values that a step reads under their names.
+/// The values that a step reads from local variables.
 fn step_uses(rolled: &Rolled, step: &Step) -> Vec<Value> {
     let mut uses = Vec::new();
     let mut read = |operand: Value| uses.extend(local_value(rolled, operand));
@@ -161,10 +163,10 @@ fn step_uses(rolled: &Rolled, step: &Step) -> Vec<Value> {
     uses
 }
 
-/// The member of a loop that is written: iteration k, or straight code.
+/// The current member of a loop, with index k, or straight code.
 #[derive(Clone, Copy)]
 struct Member {
-    /// False where k is 0.
+    /// False in straight code, where k is 0.
     varies: bool,
 }
 
@@ -216,7 +218,8 @@ impl Emitter<'_> {
         out
     }
 
-    /// How many steps at the beginning of `steps` take sines and cosines, or angles of vectors, without one another.
+    /// The number of steps at the beginning of `steps` that are all sines and cosines, or all angles of vectors, and do
+    /// not depend on one another.
     fn alike(&self, steps: &[Step]) -> usize {
         let kind = |step: &Step| match step {
             Step::Compute { value, instruction: Instruction::SinCos(_), .. } => Some((*value, false)),
@@ -238,7 +241,7 @@ impl Emitter<'_> {
         taken.len()
     }
 
-    /// Steps of one kind that are taken in one call.
+    /// The statement for steps of one kind that are computed in one call.
     fn at_once(&self, steps: &[Step]) -> Statement {
         let (mut names, mut operands, mut keep) = (Vec::new(), Vec::new(), TokenStream::new());
         let (mut defines, mut function) = (Vec::new(), "sin_cos_all");
@@ -303,7 +306,7 @@ impl Emitter<'_> {
     }
 }
 
-/// The name of a part of a value.
+/// The local variable of a part of a value.
 fn local(value: Value, part: Part) -> Ident {
     let prefix = match part {
         Part::Whole => 'v',

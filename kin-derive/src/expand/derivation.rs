@@ -1,14 +1,16 @@
-//! The derivation as text in the static model, only for those who asked for it: a controller does not carry it.
+//! The derivation as text in the static model, only with the feature `equations`, so that programs for controllers do
+//! not contain it.
 
 use kin_core::plan::{Line, SolutionPlan};
 use kin_core::system::KinematicSystem;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Whether it is written. Snapshots are the same whichever features the rest of a workspace asks for.
+/// Whether the derivation is written. In tests it is not, so that snapshots do not depend on the features that other
+/// crates of a workspace enable.
 pub(crate) const WRITTEN: bool = cfg!(feature = "equations") && !cfg!(test);
 
-/// Φ, Φ_q, Φ_t and γ, row by row.
+/// The text of Φ, Φ_q, Φ_t and γ, row by row.
 pub(super) fn equations(system: &KinematicSystem) -> Vec<TokenStream> {
     if !WRITTEN {
         return Vec::new();
@@ -32,7 +34,7 @@ pub(super) fn equations(system: &KinematicSystem) -> Vec<TokenStream> {
         .collect()
 }
 
-/// The closed forms of the plan, step by step.
+/// The text of the plan's closed forms, step by step.
 pub(super) fn solution(plan: &SolutionPlan) -> impl Iterator<Item = TokenStream> {
     plan.formulas.iter().map(|formulas| {
         let (step, what) = (formulas.step.index(), &formulas.what);

@@ -1,4 +1,4 @@
-//! What the entries of the static model are made of.
+//! Building blocks for entries of the static model.
 
 use kin_core::constraint::Frame;
 use proc_macro2::{Ident, Span, TokenStream};

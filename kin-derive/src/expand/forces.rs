@@ -1,4 +1,4 @@
-//! The table of forces: what the numbers are that their closed forms write. Nothing for a mechanism without loads.
+//! The static table that describes the numbers of the closed forms of forces; empty for a mechanism without loads.
 
 use super::entries::{frame, optional};
 use super::tables::operations;
@@ -7,7 +7,7 @@ use kin_core::loads::Forces;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The static table, beside the trait.
+/// The static table as an item beside the trait's implementation.
 pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, rows: usize) -> TokenStream {
     let (Some(forces), Some(count)) = (forces, kernels.force_operations) else { return TokenStream::new() };
     let Forces { count: numbers, solved, efforts, reactions, springs, .. } = forces;
@@ -32,7 +32,7 @@ pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, rows: usize) ->
         let (name, turns, place) = (&spring.name, spring.turns, spring.place);
         quote! { __kin::SpringInfo { name: #name, turns: #turns, place: #place } }
     });
-    // With a plan there is such a type.
+    // With a plan this type has already been defined.
     let multipliers = kernels.solution.is_none().then(|| quote! { type __Rows<__T> = [__T; #rows]; });
     quote! {
         #multipliers

@@ -11,7 +11,8 @@ pub(super) fn fields(lowered: &Lowered) -> impl Iterator<Item = &Field> {
     (0..lowered.mechanism.functions.len()).filter_map(field_of)
 }
 
-/// Calls of what [`helpers`] writes, element by element: `helper` names the method of a field, `arguments` are its last.
+/// Calls of the methods that [`helpers`] writes, one per element: `helper` gives the method of a field, `arguments` are
+/// the last arguments.
 pub(super) fn calls(lowered: &Lowered, helper: fn(usize) -> Ident, arguments: &TokenStream) -> Vec<TokenStream> {
     let elements = fields(lowered).enumerate().flat_map(|(number, field)| {
         let helper = helper(number);
@@ -31,7 +32,7 @@ pub(super) fn derivatives_helper(number: usize) -> Ident {
     format_ident!("derivatives_{number}")
 }
 
-/// The type of the elements of an array.
+/// The element type of an array type.
 fn element(ty: &Type) -> &Type {
     match ty {
         Type::Array(array) => &array.elem,
@@ -51,11 +52,11 @@ pub(super) fn function_type(field: &Field) -> &Type {
     if field.len.is_some() { element(&field.ty) } else { &field.ty }
 }
 
-/// A supplied function as generated code sees it: closures over a field, or over an element of an array field.
+/// A supplied function for generated code: closures that evaluate a field, or an element of an array field.
 pub(crate) struct Supplied {
-    /// `|x| …` with `self`: (f, f′, f″).
+    /// The closure `|x| …` over `self`, which returns (f, f′, f″).
     pub(crate) value: TokenStream,
-    /// `|x, out| …`: f, f′, f″, … as far as they are known.
+    /// The closure `|x, out| …`, which writes f, f′, f″, … as far as they are known.
     pub(crate) derivatives: TokenStream,
 }
 

@@ -1,4 +1,4 @@
-//! Structs with parameters of their own: what the impls and kernels repeat of them.
+//! Generic parameters of the struct, as implementations and kernels repeat them.
 
 use super::functions;
 use crate::lower::Lowered;
@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use syn::{GenericParam, Generics, parse_quote};
 
-/// The type parameters that are numbers, each once, in the order of the fields.
+/// The type parameters that are types of numbers, each once, in the order of the fields.
 pub(super) fn scalars(lowered: &Lowered) -> Vec<&Ident> {
     let mut scalars = Vec::new();
     for scalar in lowered.fields.iter().filter_map(|field| field.scalar.as_ref()) {
@@ -17,7 +17,8 @@ pub(super) fn scalars(lowered: &Lowered) -> Vec<&Ident> {
     scalars
 }
 
-/// The struct's generics, with a bound of generated code on the type parameters that are numbers.
+/// The generics of the struct, with a trait bound from the generated code on the type parameters that are types of
+/// numbers.
 pub(crate) fn bounded(lowered: &Lowered, bound: &str) -> Generics {
     let mut generics = lowered.item.generics.clone();
     let bound = Ident::new(bound, Span::call_site());
@@ -28,14 +29,14 @@ pub(crate) fn bounded(lowered: &Lowered, bound: &str) -> Generics {
     generics
 }
 
-/// The struct's generics, with what supplied functions need and nothing else.
+/// The generics of the struct, with the bounds for supplied functions only.
 pub(crate) fn of_functions(lowered: &Lowered) -> Generics {
     let mut generics = lowered.item.generics.clone();
     add_functions(lowered, &mut generics);
     generics
 }
 
-/// Supplied functions may be of any type that is one, also of one that the struct leaves open.
+/// A supplied function may have any type that implements the trait, including a type parameter of the struct.
 fn add_functions(lowered: &Lowered, generics: &mut Generics) {
     let types: Vec<Ident> = generics.type_params().map(|parameter| parameter.ident.clone()).collect();
     for ty in functions::types(lowered).filter(|ty| mentions(ty.to_token_stream(), &types)) {
@@ -43,7 +44,7 @@ fn add_functions(lowered: &Lowered, generics: &mut Generics) {
     }
 }
 
-/// True when a type parameter is among the tokens of a type.
+/// True if the tokens of a type contain one of the type parameters.
 fn mentions(tokens: TokenStream, types: &[Ident]) -> bool {
     tokens.into_iter().any(|tree| match tree {
         TokenTree::Ident(ident) => types.contains(&ident),
@@ -52,7 +53,7 @@ fn mentions(tokens: TokenStream, types: &[Ident]) -> bool {
     })
 }
 
-/// The arguments that make the struct one of `f64`; other parameters keep their defaults.
+/// The generic arguments with `f64` for numbers and the defaults of other parameters.
 pub(crate) fn in_numbers(lowered: &Lowered) -> TokenStream {
     let scalars = scalars(lowered);
     let arguments: Vec<TokenStream> = (lowered.item.generics.params.iter())

@@ -1,5 +1,5 @@
-//! Handles: associated constants for bodies, points, coordinates, defines and inputs, with the user's own spans, so
-//! that go-to-definition, hover and rename work from every mention.
+//! Handles: associated constants for bodies, points, coordinates, defines and inputs. They have the spans of the user's
+//! names, so that go-to-definition, hover and rename work at every mention.
 
 use crate::lower::{Lowered, MentionKind};
 use kin_core::Origin;
@@ -42,7 +42,7 @@ pub(crate) fn handles(lowered: &Lowered, system: &KinematicSystem) -> TokenStrea
     let name = &lowered.item.ident;
     let (impl_generics, type_generics, where_clause) = lowered.item.generics.split_for_impl();
     quote! {
-        // Handles are called as the user calls the bodies.
+        // Handles have the names that the user has given, whatever their case.
         #[allow(non_upper_case_globals)]
         impl #impl_generics #name #type_generics #where_clause {
             #constants
@@ -50,7 +50,7 @@ pub(crate) fn handles(lowered: &Lowered, system: &KinematicSystem) -> TokenStrea
     }
 }
 
-/// The constants of a description with mistakes: everything that has a name, and no place that means anything.
+/// The constants for a description with errors: all names, with meaningless indices.
 pub(crate) fn placeholders(lowered: &Lowered) -> TokenStream {
     let mechanism = &lowered.mechanism;
     let range = |range: Option<kin_core::mechanism::Range>| range.map(|range| range.indices().count());
@@ -59,14 +59,14 @@ pub(crate) fn placeholders(lowered: &Lowered) -> TokenStream {
     let inputs = mechanism.inputs.iter().map(|i| (&i.name, i.origin, i.len, "Input"));
     let points = mechanism.points.iter().map(|p| (&p.name, p.origin, range(p.range), "Point"));
     let defines = mechanism.defines.iter().map(|d| (&d.name, d.origin, range(d.range), "Quantity"));
-    // Of two things with one name the first has the constant.
+    // If two things have the same name, the constant belongs to the first.
     let mut seen = std::collections::BTreeSet::new();
     (bodies.chain(scalars).chain(inputs).chain(points).chain(defines))
         .filter(|(name, ..)| seen.insert(name.as_str()))
         .map(|(name, origin, len, ty)| {
             let span = lowered.span(origin);
             let (handle, ty) = (handle_name(name, span, lowered), Ident::new(ty, Span::call_site()));
-            // A family of unknown length has every member that a family can have.
+            // A family of unknown length gets the largest allowed length.
             let len = if lowered.boundless.contains(name) { Some(MAX_MEMBERS) } else { len };
             let (ty, value) = match len {
                 None => (quote! { __kin::#ty }, quote! { __kin::#ty(0) }),
@@ -78,7 +78,7 @@ pub(crate) fn placeholders(lowered: &Lowered) -> TokenStream {
         .collect()
 }
 
-/// The instances of a family.
+/// The indices of a family's members.
 fn places(families: impl Iterator<Item = usize>, family: usize) -> Vec<usize> {
     families.enumerate().filter(|(_, f)| *f == family).map(|(place, _)| place).collect()
 }
@@ -107,8 +107,8 @@ fn constant(
     }
 }
 
-/// The constant's name: the user's own, raw where it is a keyword. A handle called `default` would hide
-/// `Default::default` from `Name::default()`, so it gets an underscore, or as many as make it the only one.
+/// The name of the constant: the user's name, as a raw identifier if it is a keyword. A handle named `default` would
+/// hide `Default::default` in `Name::default()`, so underscores are appended until the name is unique.
 fn handle_name(name: &str, span: Span, lowered: &Lowered) -> Ident {
     if name == "default" {
         let mut free = "default_".to_owned();
@@ -117,14 +117,14 @@ fn handle_name(name: &str, span: Span, lowered: &Lowered) -> Ident {
         }
         return Ident::new(&free, span);
     }
-    // `gen` is a word of Rust since 2024.
+    // `gen` is a keyword since edition 2024.
     match syn::parse_str::<Ident>(name) {
         Ok(_) if name != "gen" => Ident::new(name, span),
         _ => Ident::new_raw(name, span),
     }
 }
 
-/// Statements that mention every name where the user wrote it, in blocks small enough for rustc.
+/// Statements that mention every name with the span of the user's mention, in blocks that are small enough for rustc.
 pub(crate) fn mentions(lowered: &Lowered) -> TokenStream {
     let mentions: Vec<TokenStream> = (lowered.mentions.iter())
         .filter(|mention| mention.ident != "default")

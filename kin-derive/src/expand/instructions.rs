@@ -6,17 +6,18 @@ use kin_core::program::{Instruction, Slot, Value};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-/// The arguments of a kernel that are supplied function `number` and its derivatives.
+/// The arguments of a kernel for supplied function `number` and its derivatives.
 pub(crate) fn function_names(number: u32) -> [Ident; 2] {
     [format_ident!("__function{number}"), format_ident!("__derivatives{number}")]
 }
 
-/// A local of its own; see `kin_runtime::private::locals` for why no user's constant may have its name.
+/// The local variable of a value; see `kin_runtime::private::locals` for the reason why no constant of the user may
+/// have its name.
 pub(super) fn name(prefix: char, value: Value) -> Ident {
     Ident::new(&format!("__{prefix}{}", value.0), Span::call_site())
 }
 
-/// The identifiers that a statement gives to the value of an instruction.
+/// The local variables that a statement defines for the result of an instruction.
 pub(super) fn names_of(value: Value, instruction: &Instruction) -> Vec<Ident> {
     match instruction {
         Instruction::SinCos(_) => vec![name('s', value), name('c', value)],
@@ -25,7 +26,8 @@ pub(super) fn names_of(value: Value, instruction: &Instruction) -> Vec<Ident> {
     }
 }
 
-/// `let … = …;` for an instruction with operands as `v` writes them; nothing for what is written where it is used.
+/// `let … = …;` for an instruction, with operands printed by `v`; `None` for instructions that are printed where they
+/// are used.
 pub(super) fn definition(
     value: Value,
     instruction: &Instruction,
@@ -37,7 +39,7 @@ pub(super) fn definition(
         | Instruction::SinOf(_)
         | Instruction::CosOf(_)
         | Instruction::SuppliedOf(..)
-        // These are taken in one call with others.
+        // Computed in one call with others.
         | Instruction::SinCos(_)
         | Instruction::Atan2(..) => return None,
         Instruction::Neg(a) => {
@@ -84,10 +86,10 @@ fn binary(a: TokenStream, operator: TokenStream, b: TokenStream) -> TokenStream 
     quote! { #a #operator #b }
 }
 
-/// A literal with its sign; finite by construction.
+/// A finite literal with its sign.
 pub(crate) fn literal(value: f64) -> TokenStream {
     let plain = Literal::f64_suffixed(value.abs());
-    // Without an exponent a small or a large one is hundreds of digits.
+    // Without an exponent, a very small or large number would have hundreds of digits.
     let magnitude = match value.abs() {
         0.0 | 1e-4..1e16 => plain,
         far => format!("{far:e}f64").parse().unwrap_or(plain),
@@ -104,7 +106,7 @@ pub(super) fn number(value: f64) -> TokenStream {
     quote! { <__T as __kin::Scalar>::from_f64(#value) }
 }
 
-/// The argument of a kernel that a symbol is read from.
+/// The argument of a kernel from which a symbol is read.
 pub(super) fn argument(symbol: Symbol) -> &'static str {
     match symbol {
         Symbol::Time => "t",
@@ -123,7 +125,7 @@ pub(super) fn argument(symbol: Symbol) -> &'static str {
     }
 }
 
-/// The symbol of this kind with this index.
+/// The expression that reads a symbol of this kind at an index.
 pub(super) fn load_at(symbol: Symbol, at: &TokenStream) -> TokenStream {
     let argument = || Ident::new(argument(symbol), Span::call_site());
     match symbol {
@@ -145,13 +147,13 @@ fn function(f: Function) -> Ident {
     Ident::new(f.name(), Span::call_site())
 }
 
-/// The slot of this array with this index.
+/// The expression that writes to a slot of this array at an index.
 pub(super) fn target_at(slot: Slot, at: &TokenStream) -> TokenStream {
     let array = Ident::new(target_name(slot), Span::call_site());
     quote! { #array[#at] }
 }
 
-/// The array that a slot is of.
+/// The array to which a slot belongs.
 pub(super) fn target_name(slot: Slot) -> &'static str {
     match slot {
         Slot::Phi(_) => "phi",

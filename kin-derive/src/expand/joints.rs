@@ -6,7 +6,7 @@ use kin_core::system::KinematicSystem;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The joints.
+/// The table of joints.
 pub(super) fn joints(system: &KinematicSystem, writer: Writer) -> TokenStream {
     let joints = &system.set.joints;
     let geometry = joints.iter().map(|joint| {

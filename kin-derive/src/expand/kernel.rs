@@ -1,4 +1,4 @@
-//! Kernels as functions beside the trait, and the calls of them.
+//! Kernels as functions beside the trait's implementation, and their calls.
 
 use super::code::body;
 use super::functions::{Supplied, functions};
@@ -10,7 +10,7 @@ use kin_core::program::Slot;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
-/// A kernel as a function item, and the call of it.
+/// A kernel printed as a function item, and a call of it.
 pub(crate) struct Printed {
     pub(crate) item: TokenStream,
     pub(crate) call: TokenStream,
@@ -18,7 +18,8 @@ pub(crate) struct Printed {
 
 /// Prints a kernel.
 ///
-/// It stands outside of the struct's generics, so that it takes supplied functions as arguments of any type.
+/// The function is outside of the implementation, without the generics of the struct. It therefore takes supplied
+/// functions as arguments of generic types.
 pub(crate) fn kernel(lowered: &Lowered, kernel: &Kernel) -> Printed {
     let ident = |name: &str| Ident::new(name, Span::call_site());
     let (name, writes) = (ident(&kernel.name), kernel.writes());
@@ -68,11 +69,11 @@ pub(crate) fn kernel(lowered: &Lowered, kernel: &Kernel) -> Printed {
     }
 }
 
-/// The type of the argument that a symbol is read from; none where it needs no argument.
+/// The type of the argument from which a symbol is read; `None` where there is no argument.
 fn type_of(symbol: Symbol, kernel: &Kernel, writes: &[(Slot, usize)]) -> Option<TokenStream> {
     Some(match symbol {
         Symbol::Coarseness => return None,
-        // What a kernel both reads and leaves is one array.
+        // An array that a kernel both reads and writes is a single argument.
         Symbol::Held(_) if writes.iter().any(|(slot, _)| matches!(slot, Slot::Held(_))) => return None,
         Symbol::Held(_) => {
             let held = kernel.held;

@@ -1,4 +1,4 @@
-//! The methods that write lists of numbers, and the points of curves.
+//! The methods that write lists of numbers, and points of curves.
 
 use super::kernel::kernel;
 use crate::lower::Lowered;
@@ -7,7 +7,7 @@ use kin_core::kernels::{Given, Kernels, List};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-/// A method for every list.
+/// One method for every list.
 pub(super) fn lists(lowered: &Lowered, kernels: &Kernels) -> TokenStream {
     kernels.lists.iter().map(|of| list(lowered, of)).collect()
 }
@@ -44,7 +44,7 @@ fn list(lowered: &Lowered, list: &List) -> TokenStream {
     ];
     let known = || known.iter().filter(|(given, ..)| *given <= list.given);
     let arguments = known().map(|(_, argument, ..)| argument);
-    // Multipliers that nothing reads may be missing.
+    // If the multipliers are not read, they may be an empty list.
     let is_read = |given: Given| given != Given::Multipliers || list.kernel.reads().contains(&Symbol::Right(0));
     let lengths = known()
         .filter(|(given, ..)| is_read(*given))
@@ -66,7 +66,7 @@ fn list(lowered: &Lowered, list: &List) -> TokenStream {
     }
 }
 
-/// The curves of joints, for a drawing; nothing for a mechanism without.
+/// The method that evaluates the curves of joints, for drawings; empty for a mechanism without curves.
 pub(super) fn curves(lowered: &Lowered, kernels: &Kernels) -> TokenStream {
     if kernels.curves.is_empty() {
         return TokenStream::new();

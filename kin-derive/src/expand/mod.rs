@@ -1,7 +1,7 @@
-//! Kernels and tables to Rust items. Cannot fail: everything that can be wrong has been reported before; and computes
-//! nothing: every program is finished in `kin_core::kernels`.
+//! Prints kernels and tables as Rust items. This stage cannot fail, because all errors have been reported before, and
+//! it computes nothing, because `kin_core::kernels` has finished every program.
 //!
-//! Nothing iterates a hash map on the way here: the same description gives the same tokens.
+//! No hash map is iterated here, so that the same description always gives the same tokens.
 
 mod code;
 mod derivation;
@@ -41,7 +41,8 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 use rows::{Evaluations, evaluations, lengths, position_lengths};
 
-/// All items of a mechanism: the struct, its handles, the trait, and what the flags ask for.
+/// All items of a mechanism: the struct, its handles, the implementation of the trait, and the test that a flag
+/// requests.
 pub(crate) fn expand(
     lowered: &Lowered,
     system: &KinematicSystem,
@@ -56,13 +57,13 @@ pub(crate) fn expand(
     let mechanism = mechanism(lowered, system, structure, plan, forces, kernels);
     let default = parameters::default(lowered);
     let cross_check = test::cross_check(lowered);
-    // After the user's own text: attributes of documentation are one text in their order.
+    // Placed after the user's documentation, because doc attributes are joined in their order.
     let (attributes, bare) = (&item.attrs, syn::ItemStruct { attrs: Vec::new(), ..item.clone() });
     quote! {
         #(#attributes)*
         #documentation
         #bare
-        // Numbers of the user's that look like a rounded π are the user's business.
+        // The user's numbers may resemble a rounded π, which is not an error.
         #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         const _: () = {
             use ::kin_runtime::private as __kin;

@@ -1,4 +1,4 @@
-//! Evaluation in the struct's own scalar.
+//! Evaluation in the struct's own scalar type.
 
 use super::generics::{bounded, scalars};
 use super::parameters;
@@ -7,7 +7,7 @@ use crate::lower::Lowered;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Empty evaluation in the struct's own scalar, beside errors.
+/// An implementation without rows, for a description with errors.
 pub(crate) fn placeholder(lowered: &Lowered) -> TokenStream {
     let scalars = scalars(lowered);
     let &[scalar] = scalars.as_slice() else { return TokenStream::new() };
@@ -33,7 +33,7 @@ pub(crate) fn placeholder(lowered: &Lowered) -> TokenStream {
     }
 }
 
-/// Evaluation in the struct's own scalar, where it has one.
+/// Evaluation in the struct's own scalar type, if it has exactly one such type parameter.
 pub(super) fn own(lowered: &Lowered, evaluations: &Evaluations) -> TokenStream {
     let scalars = scalars(lowered);
     let &[scalar] = scalars.as_slice() else { return TokenStream::new() };

@@ -1,4 +1,4 @@
-//! The parameters of a mechanism: fields in, numbers out, and back.
+//! The parameters of a mechanism: from fields to numbers, and back.
 
 use super::generics::bounded;
 use super::handles::mentions;
@@ -7,15 +7,15 @@ use crate::lower::{FieldRole, Lowered};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// A field with the range of its parameters.
+/// A field with the indices of its parameters.
 struct Span<'a> {
     ident: &'a proc_macro2::Ident,
-    /// As the user wrote it: a type that is no number is told so there.
+    /// The type with the user's span, where the compiler reports a type that is not a number.
     ty: &'a syn::Type,
     len: Option<usize>,
     first: usize,
     default: Option<&'a [f64]>,
-    /// The type parameter that its numbers are of.
+    /// The type parameter that is the type of the field's numbers.
     scalar: Option<&'a proc_macro2::Ident>,
 }
 
@@ -41,7 +41,7 @@ fn fields(lowered: &Lowered) -> Vec<Span<'_>> {
         .collect()
 }
 
-/// `fn parameters`.
+/// The method `parameters`.
 pub(crate) fn read(lowered: &Lowered) -> TokenStream {
     let fields = fields(lowered);
     let total: usize = lowered.mechanism.parameters.iter().map(|p| p.len.unwrap_or(1)).sum();
@@ -73,7 +73,7 @@ pub(crate) fn read(lowered: &Lowered) -> TokenStream {
     }
 }
 
-/// `fn own_parameters`: those of the scalar as they are, the others converted.
+/// The method `own_parameters`: fields of the scalar type are copied, the others are converted.
 pub(crate) fn own(lowered: &Lowered, scalar: &proc_macro2::Ident) -> TokenStream {
     let total: usize = lowered.mechanism.parameters.iter().map(|p| p.len.unwrap_or(1)).sum();
     let values = fields(lowered).into_iter().flat_map(|field| {
@@ -92,7 +92,7 @@ pub(crate) fn own(lowered: &Lowered, scalar: &proc_macro2::Ident) -> TokenStream
     }
 }
 
-/// `fn set_parameter`; it also mentions every name, because it is called rarely and reads the fields.
+/// The method `set_parameter`. It also mentions all names, because it is rarely called and uses the fields.
 pub(crate) fn write(lowered: &Lowered) -> TokenStream {
     let mentions = mentions(lowered);
     let arms = fields(lowered).into_iter().map(|field| {
@@ -112,7 +112,7 @@ pub(crate) fn write(lowered: &Lowered) -> TokenStream {
     }
 }
 
-/// `Default`, where every field has a default and no derive gives one.
+/// The implementation of `Default`, if every field has a default value and the struct does not derive it.
 pub(crate) fn default(lowered: &Lowered) -> TokenStream {
     let fields = fields(lowered);
     let complete = fields.len() == lowered.fields.len() && fields.iter().all(|field| field.default.is_some());

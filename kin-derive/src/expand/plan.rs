@@ -1,4 +1,4 @@
-//! The solution plan: its parts as kernels, and the methods that run them.
+//! The solution plan: its parts as kernels, and the methods that call them.
 
 use super::kernel::kernel;
 use super::rows::position_lengths;
@@ -9,10 +9,10 @@ use kin_core::vocabulary::Depth;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-/// What a plan adds to a mechanism.
+/// The code that a plan adds to a mechanism.
 #[derive(Default)]
 pub(super) struct Planned {
-    /// Types and kernels, beside the trait.
+    /// Types and kernels, beside the trait's implementation.
     pub(super) items: TokenStream,
     /// Methods of the trait.
     pub(super) methods: TokenStream,
@@ -101,7 +101,8 @@ fn depth(depth: Depth) -> TokenStream {
     }
 }
 
-/// What tells modes apart, where a longer list tells all branches apart.
+/// The method `closures_with` where the list of branches is longer than that of the modes: it evaluates all branches
+/// and copies the modes.
 fn closures_of_branches(plan: &SolutionPlan) -> TokenStream {
     if plan.orientations.is_empty() {
         return TokenStream::new();
@@ -125,7 +126,7 @@ fn closures_of_branches(plan: &SolutionPlan) -> TokenStream {
     }
 }
 
-/// The factors of Φ_q, and x for one right side after another.
+/// The methods that factorise Φ_q and that solve for one right-hand side after another.
 fn resolve(lowered: &Lowered, solution: &SolutionKernels, factors: usize, n: usize) -> Planned {
     let lengths = position_lengths(&Ident::new("__T", Span::call_site()), "q");
     let [factorise, solve] = [&solution.factorise, &solution.solve].map(|of| kernel(lowered, of));

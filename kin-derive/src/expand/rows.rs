@@ -1,4 +1,4 @@
-//! The methods that evaluate rows, for any scalar and for the struct's own.
+//! The methods that evaluate rows, for any scalar type and for the struct's own.
 
 use super::kernel::kernel;
 use crate::lower::Lowered;
@@ -6,7 +6,7 @@ use kin_core::kernels::Kernels;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-/// What the arguments of an evaluation are, at rates or at a position alone.
+/// Statements that check the lengths of an evaluation's arguments, with rates or for a position alone.
 pub(super) fn lengths(scalar: &Ident) -> TokenStream {
     let position = position_lengths(scalar, "q");
     quote! {
@@ -24,16 +24,16 @@ pub(super) fn position_lengths(scalar: &Ident, q: &str) -> TokenStream {
     }
 }
 
-/// Functions beside the trait, and the statements that call them.
+/// Functions beside the trait's implementation, and the statements that call them.
 pub(super) struct Evaluations {
     pub(super) items: TokenStream,
-    /// Φ alone: what is only evaluated for Φ (dual numbers) compiles nothing else.
+    /// Evaluates Φ alone, so that scalar types that need only Φ (dual numbers) compile nothing else.
     pub(super) values: TokenStream,
-    /// A subset of Φ, Φ_q, Φ_t and γ.
+    /// Evaluates a subset of Φ, Φ_q, Φ_t and γ.
     pub(super) evaluate: TokenStream,
-    /// All four of the observables.
+    /// Evaluates all four parts of the observables.
     pub(super) observe: TokenStream,
-    /// Parameters, rows, non-zeros, observables, and non-zeros of these.
+    /// The numbers of parameters, rows, non-zeros, observables, and non-zeros of the observables.
     pub(super) counts: [usize; 5],
 }
 

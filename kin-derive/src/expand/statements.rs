@@ -1,17 +1,17 @@
-//! Statements of a function's body, in blocks.
+//! The statements of a function's body, divided into blocks.
 //!
-//! rustc overflows its stack on functions with thousands of `let`s when debug information is on, so that statements
-//! are grouped in nested blocks that hand out only what later blocks need.
+//! With debug information, rustc overflows its stack on functions with thousands of `let`s. Statements are therefore
+//! grouped in nested blocks that return only the values that later blocks need.
 
 use kin_core::program::Value;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use std::collections::HashMap;
 
-/// Statements in one block.
+/// The number of statements in one block.
 pub(super) const BLOCK: usize = 500;
 
-/// A statement: the values that it defines, with their names, those that it reads, and its tokens.
+/// A statement: the values that it defines with their names, the values that it reads, and its tokens.
 #[derive(Default)]
 pub(super) struct Statement {
     pub(super) defines: Vec<(Value, Vec<Ident>)>,
@@ -19,7 +19,7 @@ pub(super) struct Statement {
     pub(super) tokens: TokenStream,
 }
 
-/// Statements in blocks of bounded length, each handing out what later ones read.
+/// Statements in blocks of bounded length, each of which returns the values that later blocks read.
 pub(super) fn blocks(statements: &[Statement]) -> TokenStream {
     if statements.len() <= BLOCK {
         return statements.iter().map(|s| &s.tokens).cloned().collect();

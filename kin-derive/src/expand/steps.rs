@@ -7,7 +7,7 @@ use kin_core::vocabulary::StepKind;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The table of a plan.
+/// The table of the plan.
 pub(super) fn table(plan: &SolutionPlan, writer: Writer) -> TokenStream {
     if let Some(why) = &plan.absent {
         return quote! { __kin::Plan::absent(#why) };

@@ -1,4 +1,5 @@
-//! The items of supplied functions: a trait that nobody sees, and the methods that evaluate them by number.
+//! The items for supplied functions: a private trait with a method for each, and the methods that evaluate them by
+//! index.
 
 use super::functions::{calls, derivatives_helper, fields, function_type, helper};
 use super::generics::of_functions;
@@ -6,9 +7,10 @@ use crate::lower::Lowered;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// One method for every field with functions, in a trait that nobody sees.
+/// A private trait with one method for every field of functions.
 ///
-/// Whatever evaluates a function goes through it, so that a type that is no function is used, and told so, once.
+/// All evaluations of a function go through its method, so that a type that does not implement `ScalarFunction` is
+/// reported once.
 pub(crate) fn helpers(lowered: &Lowered) -> TokenStream {
     let (mut heads, mut bodies) = (Vec::new(), Vec::new());
     for (number, field) in fields(lowered).enumerate().filter(|(_, field)| field.len != Some(0)) {
@@ -48,7 +50,7 @@ pub(crate) fn helpers(lowered: &Lowered) -> TokenStream {
     }
 }
 
-/// `fn evaluate_function`, where there is a supplied function.
+/// The method `evaluate_function`, if there is a supplied function.
 pub(crate) fn access(lowered: &Lowered) -> TokenStream {
     let calls = calls(lowered, helper, &quote! { x });
     if calls.is_empty() {

@@ -1,28 +1,30 @@
-//! The writer of static tables, which prints every one from one description: its entries as struct literals, or, where
-//! some table of the mechanism is long, as one text, a few kinds, and numbers in bytes, which `kin_runtime::tables` unpacks.
+//! The writer of static tables. It prints every table from one description: as struct literals or, where a table of the
+//! mechanism is long, in packed form as one text, a list of the distinct kinds, and numbers in bytes, which
+//! `kin_runtime::tables` unpacks.
 //!
-//! A text and a string of bytes are one token each, however much they hold. Short tables are easier to read as literals.
+//! A text and a byte string are one token each, whatever their length. Short tables are printed as literals, which are
+//! easier to read.
 
 use super::entries::{frame, optional};
 use kin_core::constraint::Frame;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
 
-/// Entries from which on a table is packed, and every other table of its mechanism with it.
+/// Number of entries from which on a table is packed, together with all other tables of its mechanism.
 const LONG: usize = 64;
 
-/// What differs from entry to entry of one kind.
+/// A part of an entry that differs between entries of the same kind.
 #[derive(Clone)]
 pub(super) enum Cell<'a> {
     Name(&'a str),
     Word(usize),
     Place(Option<usize>),
     Frame(Frame),
-    /// The frame that a joint has there, if any.
+    /// The frame of one end of a joint, if it has one.
     End(Option<Frame>),
-    /// The frame that carries an origin, if any.
+    /// The frame that carries a body's origin, if there is one.
     Origin(Option<Frame>),
-    /// A list of so many entries of another table, as it is written where it belongs.
+    /// The length of a list in another table, and the list as a literal.
     List(usize, TokenStream),
 }
 
@@ -43,7 +45,7 @@ impl Cell<'_> {
         }
     }
 
-    /// What stands in its place in a kind.
+    /// The placeholder for this cell in the description of a kind.
     fn blank(&self) -> TokenStream {
         match self {
             Cell::Name(_) => Cell::Name("").literal(),
@@ -57,7 +59,7 @@ impl Cell<'_> {
     }
 }
 
-/// Text and numbers of a packed table.
+/// The text and the bytes of a packed table.
 #[derive(Default)]
 struct Packed {
     text: String,
@@ -65,7 +67,7 @@ struct Packed {
 }
 
 impl Packed {
-    /// Seven bits in a byte, the lowest first; all but the last are above 127.
+    /// Appends a number in groups of seven bits, the lowest first; all bytes except the last are above 127.
     fn word(&mut self, mut word: usize) {
         while word > 127 {
             self.bytes.push(word as u8 | 128);
@@ -90,27 +92,27 @@ impl Packed {
     }
 }
 
-/// Lists of which each belongs to an entry of another table.
+/// Lists, each of which belongs to an entry of another table.
 pub(super) struct Lists {
-    /// The cells of those entries.
+    /// The cells that refer to the lists.
     pub(super) cells: Vec<Cell<'static>>,
-    /// All lists one after another, where tables are packed.
+    /// The concatenation of all lists, for packed tables.
     pub(super) whole: TokenStream,
 }
 
-/// Writes the tables of a mechanism.
+/// The writer of the tables of a mechanism.
 #[derive(Clone, Copy)]
 pub(super) struct Writer {
     pub(super) packed: bool,
 }
 
 impl Writer {
-    /// A writer for tables of so many entries.
+    /// A writer for tables with these numbers of entries.
     pub(super) fn of(entries: &[usize]) -> Self {
         Self { packed: entries.iter().any(|count| *count >= LONG) }
     }
 
-    /// A table of entries of several kinds: `tokens` is an entry of a kind with cells.
+    /// A table of entries of several kinds; `tokens` prints an entry from its kind and cells.
     pub(super) fn table<'a, K: PartialEq, const N: usize>(
         self,
         name: &str,
@@ -120,7 +122,7 @@ impl Writer {
         self.with_lists(name, entries, [], tokens)
     }
 
-    /// A table of entries of one kind.
+    /// A table of entries of a single kind.
     pub(super) fn alike<'a, const N: usize>(
         self,
         name: &str,
@@ -130,7 +132,7 @@ impl Writer {
         self.with_lists(name, entries.into_iter().map(|cells| ((), cells)), [], |(), cells| tokens(cells))
     }
 
-    /// A table with lists in its entries, all of them in `lists`.
+    /// A table whose entries contain lists, which are given in `lists`.
     pub(super) fn with_lists<'a, K: PartialEq, const N: usize>(
         self,
         name: &str,
@@ -143,7 +145,7 @@ impl Writer {
             let entries = entries.map(|(kind, cells)| tokens(&kind, cells.each_ref().map(Cell::literal)));
             return quote! { &[#(#entries),*] };
         }
-        // Entries of one kind need not say which.
+        // A table with a single kind stores no index of the kind.
         let has_kinds = size_of::<K>() > 0;
         let (mut packed, mut kinds, mut count) = (Packed::default(), Vec::<(K, TokenStream)>::new(), 0_usize);
         for (kind, cells) in entries {
@@ -166,7 +168,7 @@ impl Writer {
         quote! { __kin::tables::unpack!(#name, #count, #text, #bytes #(, #arguments)*) }
     }
 
-    /// Lists for [`with_lists`](Self::with_lists).
+    /// The lists of a table, for [`with_lists`](Self::with_lists).
     pub(super) fn lists<'a, K: PartialEq, const N: usize>(
         self,
         name: &str,

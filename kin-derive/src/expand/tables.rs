@@ -17,7 +17,7 @@ use kin_core::vocabulary::{Component, OperationCount};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Everything the table needs.
+/// The data from which the tables are printed.
 pub(crate) struct Tables<'a> {
     pub(crate) mechanism: &'a Mechanism,
     pub(crate) system: &'a KinematicSystem,
@@ -28,7 +28,7 @@ pub(crate) struct Tables<'a> {
     pub(crate) plan: &'a SolutionPlan,
 }
 
-/// The static model and what it refers to.
+/// The static model and the tables to which it refers.
 pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     let set = &tables.system.set;
     let (name, doc, allow_redundant) = (&set.name, tables.doc, tables.allow_redundant);
@@ -115,7 +115,7 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     }
 }
 
-/// Packs tables where one of them is so long that the compiler would take its time.
+/// The writer, which packs tables if one of them is so long that literals would slow the compiler down.
 fn writer(tables: &Tables<'_>) -> Writer {
     let set = &tables.system.set;
     let parameters = tables.mechanism.parameters.iter().map(|parameter| parameter.len.unwrap_or(1)).sum();
@@ -249,7 +249,7 @@ pub(super) fn operations(count: OperationCount) -> TokenStream {
     }
 }
 
-/// Generic ranks and redundant rows.
+/// The generic ranks and the redundant rows.
 fn structure(system: &KinematicSystem, structure: &Structure) -> TokenStream {
     let set = &system.set;
     let redundant = structure.redundant.iter().map(|redundancy| {

@@ -1,11 +1,11 @@
-//! The test that the flag `cross_check` asks for.
+//! The test that the flag `cross_check` requests.
 
 use super::generics;
 use crate::lower::Lowered;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-/// The test that `#[mechanism(cross_check)]` writes; a generic scalar is `f64` in it.
+/// The test that `#[mechanism(cross_check)]` generates; a generic scalar is `f64` in it.
 pub(super) fn cross_check(lowered: &Lowered) -> TokenStream {
     if !lowered.flags.cross_check {
         return TokenStream::new();

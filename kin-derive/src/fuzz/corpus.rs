@@ -1,11 +1,11 @@
-//! What inputs are made of: small descriptions, every form of the vocabulary, and words.
+//! The material of inputs: small descriptions, every form of the vocabulary, and single words.
 
 use super::Dice;
 use super::damage::{Tree, trees};
 use crate::parse::vocabulary;
 use proc_macro2::TokenStream;
 
-/// Declarations and rows that get along with the examples of the vocabulary.
+/// Declarations and rows that are compatible with the examples of the vocabulary.
 const PARTS: &str = r#"
     #[bodies(crank, coupler, rocker, slider, plate, link[3])]
     #[bodies(crank, cam, follower, sleigh, wheel, slider, rack, pinion, sun, planet, carrier)]
@@ -52,7 +52,7 @@ const PARTS: &str = r#"
     #[doc = "A paragraph."]
 "#;
 
-/// Mechanisms that are right.
+/// Valid mechanisms.
 const WHOLE: [&str; 12] = [
     "#[bodies(arm)] #[revolute(O: ground @ (0, 0), arm @ (-l1, 0))] #[driver(d: arm.phi = omega*t)] \
      struct S { #[param(0.5, unit = \"m\")] l1: f64, #[param(2)] omega: f64 }",
@@ -104,9 +104,9 @@ const NUMBERS: &str = "0 1 2 3 -1 1e999 1e308 1e-320 5e-324 0.0 0.1 1e3 17 40 10
     340282366920938463463374607431768211456 9223372036854775807 2147483647 2147483648 0x10 0b1 1f32 1u8 1_000 2.5 1.5e-7 \
     0x7fffffffffffffff 1e5 300 7i64 0o7 1e+2";
 
-/// What inputs are made of.
+/// The token trees from which inputs are composed.
 pub(super) struct Corpus {
-    /// Attributes with their pound signs.
+    /// Attributes, including the number sign.
     parts: Vec<Vec<Tree>>,
     whole: Vec<Vec<Tree>>,
     structs: Vec<Tree>,
@@ -116,7 +116,7 @@ pub(super) struct Corpus {
 }
 
 impl Corpus {
-    /// Reads the texts above and the vocabulary of the language.
+    /// Parses the texts above and the vocabulary of the language.
     pub(super) fn new() -> Self {
         let examples: String = vocabulary().iter().filter_map(|(_, example)| *example).collect();
         let attributes = |source: &str| {
@@ -124,7 +124,7 @@ impl Corpus {
             all.chunks(2).map(<[Tree]>::to_vec).collect::<Vec<_>>()
         };
         let mut parts = attributes(PARTS);
-        // The forms of the language weigh as much as what stands around them.
+        // Each form of the language is as likely as each of the other parts.
         parts.extend(attributes(&examples));
         let mut words = trees(WORDS);
         words.extend(vocabulary().iter().flat_map(|(word, _)| trees(word)));
@@ -138,7 +138,7 @@ impl Corpus {
         }
     }
 
-    /// A mechanism that is right, one with a few parts more, or parts with a struct.
+    /// A valid mechanism, a valid mechanism with additional parts, or random parts with a struct.
     pub(super) fn description(&self, dice: &mut Dice) -> Vec<Tree> {
         let extra = match dice.below(4) {
             0 | 1 => 0,
@@ -155,7 +155,7 @@ impl Corpus {
         item
     }
 
-    /// Any tree of any part or mechanism, down to single tokens.
+    /// A random subtree of a random part or mechanism, possibly a single token.
     pub(super) fn any(&self, dice: &mut Dice) -> Tree {
         let list = if dice.below(2) == 0 { &self.parts } else { &self.whole };
         let mut list = dice.of_these(list);

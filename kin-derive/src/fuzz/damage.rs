@@ -1,4 +1,4 @@
-//! Damage to token trees.
+//! Random changes of token trees.
 
 use super::Dice;
 use super::corpus::Corpus;
@@ -11,7 +11,7 @@ pub(super) enum Tree {
     Group(Delimiter, Vec<Tree>),
 }
 
-/// The trees of a text.
+/// The token trees of a text.
 pub(super) fn trees(source: &str) -> Vec<Tree> {
     fn read(stream: TokenStream) -> Vec<Tree> {
         (stream.into_iter())
@@ -24,7 +24,7 @@ pub(super) fn trees(source: &str) -> Vec<Tree> {
     read(source.parse().unwrap_or_else(|error| panic!("{error}: {source}")))
 }
 
-/// The tokens of trees.
+/// The token stream of token trees.
 pub(super) fn stream(trees: Vec<Tree>) -> TokenStream {
     (trees.into_iter())
         .map(|tree| match tree {
@@ -38,7 +38,8 @@ fn count(trees: &[Tree]) -> usize {
     trees.iter().map(|tree| 1 + if let Tree::Group(_, inner) = tree { count(inner) } else { 0 }).sum()
 }
 
-/// The list that holds the tree with this number, counted through all groups, and its place there.
+/// The list that contains the tree with this number, where trees are counted through all groups, and its index in that
+/// list.
 fn place(trees: &mut Vec<Tree>, mut number: usize) -> Option<(&mut Vec<Tree>, usize)> {
     for k in 0..trees.len() {
         if number == 0 {
@@ -59,7 +60,7 @@ fn place(trees: &mut Vec<Tree>, mut number: usize) -> Option<(&mut Vec<Tree>, us
 
 const DELIMITERS: [Delimiter; 4] = [Delimiter::Parenthesis, Delimiter::Bracket, Delimiter::Brace, Delimiter::None];
 
-/// Changes one token of `trees`, or what stands around it.
+/// Changes one token of `trees`, or its surroundings.
 pub(super) fn damage(trees: &mut Vec<Tree>, dice: &mut Dice, corpus: &Corpus) {
     let total = count(trees);
     let other = match dice.below(3) {
@@ -132,14 +133,14 @@ pub(super) fn damage(trees: &mut Vec<Tree>, dice: &mut Dice, corpus: &Corpus) {
     }
 }
 
-/// Replaces the next number of a list, or any token where there is none.
+/// Replaces the next number of a list, or the token itself where there is no number.
 fn number(list: &mut [Tree], k: usize, dice: &mut Dice, corpus: &Corpus) {
     let is_number = |tree: &Tree| matches!(tree, Tree::Leaf(TokenTree::Literal(_)));
     let k = list[k..].iter().position(is_number).map_or(k, |next| k + next);
     list[k] = dice.of_these(&corpus.numbers).clone();
 }
 
-/// Changes the spelling of a word, or what follows a sign.
+/// Changes the spelling of a word, or the spacing of a punctuation character.
 fn rewrite(tree: &mut Tree, dice: &mut Dice) {
     match tree {
         Tree::Leaf(TokenTree::Ident(ident)) => {

@@ -1,14 +1,14 @@
-//! The whole expansion on damaged descriptions: it never panics, whatever stands in the brackets, and it never hangs.
+//! Fuzzing: the complete expansion of damaged descriptions never panics and never hangs.
 //!
-//! Every input is made of a number: a description put together from the vocabulary, with a few of its tokens deleted,
-//! repeated, exchanged or replaced. A handful run with the other tests; a long run is
+//! Every input is derived from a number: a description composed from the vocabulary, in which a few tokens are deleted,
+//! repeated, exchanged or replaced. A few inputs run with the other tests; a long run is
 //!
 //! ```text
 //! KIN_FUZZ=10000000 cargo test --profile fuzz -p kin-derive --lib fuzz -- --nocapture
 //! ```
 //!
-//! `KIN_FUZZ_FROM` starts at a later input. A stack that overflows takes the process with it; `KIN_FUZZ_STEP=1` then
-//! prints the number of every input before it runs.
+//! `KIN_FUZZ_FROM` sets the number of the first input. A stack overflow ends the process; with `KIN_FUZZ_STEP=1` the
+//! number of every input is printed before it runs.
 
 mod corpus;
 mod damage;
@@ -19,11 +19,11 @@ use std::cell::RefCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 
-/// A linear congruential generator: the same damage in every run.
+/// A linear congruential generator, which gives the same damage in every run.
 struct Dice(u64);
 
 impl Dice {
-    /// The generator of the input with this number.
+    /// The generator for the input with this number.
     fn of(number: u64) -> Self {
         let mut dice = Self(number.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x243f_6a88_85a3_08d3);
         dice.below(2);
@@ -55,7 +55,7 @@ fn input(corpus: &Corpus, number: u64) -> (TokenStream, TokenStream) {
     (damage::stream(args), damage::stream(item))
 }
 
-/// What is said when the expansion of an input is not as it should be.
+/// Expands an input. Returns whether it has errors, or a message if the expansion panics, is slow or is not valid Rust.
 fn trial(number: u64, args: &TokenStream, item: &TokenStream) -> Result<bool, String> {
     const SLOW: Duration = Duration::from_secs(1);
     let run = || {
@@ -64,7 +64,7 @@ fn trial(number: u64, args: &TokenStream, item: &TokenStream) -> Result<bool, St
         (expanded, start.elapsed())
     };
     let (mut expanded, mut elapsed) = run();
-    // On a busy machine the clock runs for others, too.
+    // On a busy machine other processes may delay a run, so a slow one is repeated.
     for _ in 0..2 {
         if elapsed > SLOW {
             let (again, shorter) = run();
@@ -76,7 +76,8 @@ fn trial(number: u64, args: &TokenStream, item: &TokenStream) -> Result<bool, St
         return Err(format!("took {elapsed:?}"));
     }
     let is_wrong = expanded.clone().into_iter().take(8).any(|tree| tree.to_string() == "compile_error");
-    // What is right is Rust; reading it takes longer than everything else.
+    // The expansion of a valid input must be valid Rust; only some are parsed, because that takes longer than
+    // everything else.
     if !is_wrong && number.is_multiple_of(16) {
         syn::parse2::<syn::File>(expanded).map_err(|error| format!("expands to no Rust: {error}"))?;
     }
@@ -84,11 +85,11 @@ fn trial(number: u64, args: &TokenStream, item: &TokenStream) -> Result<bool, St
 }
 
 thread_local! {
-    /// What the last panic said.
+    /// The message of the last panic.
     static PANIC: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
-/// A number from the environment.
+/// A number from an environment variable.
 fn setting(name: &str) -> Option<u64> {
     std::env::var(name).ok()?.parse().ok()
 }
@@ -130,7 +131,7 @@ fn run() -> Vec<String> {
         }
     }
     println!("{count} inputs from {from}, {:.0?}: {right} right, {} findings", start.elapsed(), findings.len());
-    // Nothing is tested when nearly nothing is right, or nearly nothing wrong.
+    // The test is only meaningful if neither valid nor invalid inputs are rare.
     assert!(right * 20 > count && right * 20 < count * 19, "{right} of {count} are right");
     findings
 }

@@ -1,4 +1,4 @@
-//! Points, defines and bodies: what was declared gets its meaning.
+//! Lowering of points, defines and bodies.
 
 use super::lowerer::{Class, Lowerer};
 use super::names::Symbol;
@@ -8,10 +8,10 @@ use crate::ast::{BodyDecl, Bracket, Expr, ExprKind, Item, NewName, PointExpr, te
 use kin_core::check::{chain, cycle};
 use kin_core::mechanism::{BodyOrigin, Mechanism};
 
-/// A body with nothing given.
+/// A body without prescribed components.
 pub(super) const FREE: BodyOrigin = BodyOrigin::Free { x: None, y: None };
 
-/// The range that a declaration's brackets give its index variable.
+/// The range of the index variable in the brackets of a declaration.
 fn range_of(name: &NewName) -> IndexRange {
     match &name.bracket {
         Some(Bracket::Range(range)) => IndexRange::Over(range.clone()),
@@ -20,7 +20,7 @@ fn range_of(name: &NewName) -> IndexRange {
     }
 }
 
-/// A point or a define with its number among its kind.
+/// A point or a define with its index among those of its kind.
 enum Named<'d> {
     Point(usize, &'d crate::ast::PointDecl),
     Define(usize, &'d crate::ast::DefineDecl),
@@ -36,7 +36,7 @@ impl Named<'_> {
 }
 
 impl Lowerer<'_> {
-    /// Points and defines, each after those it is made of; circles are reported.
+    /// Lowers points and defines, each after those on which it depends; cyclic dependencies are reported.
     pub(super) fn points_and_defines(&mut self, items: &[Item], mechanism: &mut Mechanism) {
         let (mut points, mut defines) = (Vec::new(), Vec::new());
         let mut named = Vec::new();
@@ -104,7 +104,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// What a point or define is made of.
+    /// The names on which a point or a define depends.
     fn parts(&self, decl: &Named) -> Vec<Symbol> {
         let mut used = Vec::new();
         match decl {
@@ -114,7 +114,7 @@ impl Lowerer<'_> {
         used.iter().filter_map(|name| self.names.find(name)).map(|declared| declared.symbol).collect()
     }
 
-    /// What is held and what is carried.
+    /// Lowers the held components and origins of bodies.
     pub(super) fn bodies(&mut self, items: &[Item], mechanism: &mut Mechanism) {
         let decls = items.iter().filter_map(|item| match item {
             Item::Body(decl) => Some(decl),

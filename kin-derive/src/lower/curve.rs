@@ -1,4 +1,4 @@
-//! Curves: their variables are known inside their formulas only, where they shadow other names.
+//! Lowering of curves. Their variables are known inside their formulas only, where they shadow other names.
 
 use super::curve_scope::Inside;
 use super::lowerer::{Class, Lowerer};
@@ -12,7 +12,7 @@ const THETA: &[CurveVariable] = &[CurveVariable::Theta];
 const POINT: &[CurveVariable] = &[CurveVariable::X, CurveVariable::Y];
 
 impl Lowerer<'_> {
-    /// The curve of a row.
+    /// Lowers the curve of a row.
     pub(super) fn curve(&mut self, curve: &CurveExpr, range: &IndexRange) -> Option<Curve> {
         match curve {
             CurveExpr::Hole => None,
@@ -35,7 +35,7 @@ impl Lowerer<'_> {
                     self.inside = Inside { parameter: Some(word), ..Inside::default() };
                 }
                 let scope = Scope { what: "a curve", allow: Allow::Signals, range };
-                // Without its parameter every use of it would be a second mistake.
+                // Without its parameter, every use of the parameter would be reported as another error.
                 let components = member.map(|_| [x, y].map(|component| self.formula(component, &scope)));
                 self.inside = Inside::default();
                 let scope = Scope { what: "`roller`", allow: Allow::Parameters, range };
@@ -50,7 +50,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// A support function.
+    /// Lowers a support function.
     pub(super) fn support(&mut self, support: &Expr, range: &IndexRange) -> Option<Formula> {
         self.inside(support, THETA, range)
     }
@@ -62,13 +62,13 @@ impl Lowerer<'_> {
         formula
     }
 
-    /// The scalar coordinate that a parametric curve runs over.
+    /// Lowers the scalar coordinate that is the parameter of a parametric curve.
     fn parameter(&mut self, used: &NameUse, range: &IndexRange) -> Option<Member> {
         let right = "the parameter of a curve is a scalar coordinate, `#[coordinates(u)]`";
         self.scalar_operand(used, right, range)
     }
 
-    /// A variable of the curve at hand where it is used.
+    /// A use of a variable of the current curve.
     pub(super) fn curve_variable(
         &mut self,
         variable: CurveVariable,
@@ -87,7 +87,7 @@ impl Lowerer<'_> {
         Some(Formula::Curve(variable))
     }
 
-    /// True for a variable of a curve where it has no meaning, which is reported.
+    /// True for a variable of curves that is used outside of its curve, which is reported.
     pub(super) fn is_variable_of_another_curve(&mut self, used: &NameUse) -> bool {
         let name = used.text();
         if self.names_missing || self.names.find(&name).is_some() {
@@ -113,7 +113,7 @@ impl Lowerer<'_> {
         true
     }
 
-    /// True for a slip of a word of the curve, which is reported.
+    /// True for a misspelt word of the current curve, which is reported.
     pub(super) fn is_slip_of_the_curve(&mut self, used: &NameUse) -> bool {
         let name = used.text();
         if self.names.find(&name).is_some() {
@@ -125,7 +125,7 @@ impl Lowerer<'_> {
     }
 }
 
-/// A use of a name as it is written.
+/// The text of a use of a name.
 fn written(used: &NameUse) -> String {
     let name = used.text();
     match &used.index {

@@ -1,12 +1,12 @@
-//! What is known inside the formula of a curve only.
+//! Names that are known inside the formula of a curve only.
 
 use kin_core::mechanism::{CurveVariable, Index};
 
-/// What the curve whose formula is being lowered brings along.
+/// The names that the curve which is being lowered defines.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Inside {
     pub(super) variables: &'static [CurveVariable],
-    /// Family and index of the parameter of a parametric curve, and how it is written.
+    /// Family and index of the parameter of a parametric curve, and its text.
     pub(super) parameter: Option<(usize, Index, String)>,
 }
 
@@ -21,7 +21,8 @@ impl Inside {
         self.parameter.as_ref().is_some_and(|(own, at, _)| (*own, *at) == (family, index))
     }
 
-    /// What can stand in the curve besides numbers, parameters and `t`; nothing outside of one.
+    /// The words that the formula of the curve may contain besides numbers, parameters and `t`; empty outside of
+    /// curves.
     pub(super) fn words(&self) -> Vec<&str> {
         let variables = self.variables.iter().map(|variable| variable.name());
         variables.chain(self.parameter.as_ref().map(|(_, _, word)| word.as_str())).collect()

@@ -1,4 +1,4 @@
-//! Who is who: every declared name with its number, in the order of the source.
+//! Declarations: every declared name gets an index, in the order of the source.
 
 use super::lowerer::Lowerer;
 use super::mention::MentionKind;
@@ -11,7 +11,7 @@ use kin_core::error::Origin;
 use kin_core::mechanism::{Body, Define, Formula, Input, Mechanism, NamedPoint, Parameter, Scalar, SuppliedFunction};
 
 impl Lowerer<'_> {
-    /// Numbers everything that has a name; the index ranges are those of the items, in their order.
+    /// Gives an index to everything that has a name. Returns also the index ranges of the items, in their order.
     pub(super) fn declare(&mut self, description: &Description, mechanism: &mut Mechanism) -> (Names, Vec<IndexRange>) {
         let mut names = Names::default();
         let mut ranges = Vec::new();
@@ -73,7 +73,7 @@ impl Lowerer<'_> {
         (names, ranges)
     }
 
-    /// A function is a field of the struct; its length is the field's.
+    /// Declares a supplied function, which is a field of the struct; its length is that of the field.
     fn function(
         &mut self,
         decl: &FunctionDecl,
@@ -138,7 +138,7 @@ impl Lowerer<'_> {
         self.origin(name.ident.span())
     }
 
-    /// The brackets of a family that has a length; `[i in 0..10]` also names its index.
+    /// Reads the brackets of a family with a length; `[i in 0..10]` also names the index variable.
     fn length(&self, name: &NewName, form: &str) -> (Shape, IndexRange) {
         match &name.bracket {
             None => (Shape::Single, IndexRange::None),
@@ -154,7 +154,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// The brackets of something that is repeated over a range.
+    /// Reads the brackets of an item that is repeated over a range.
     fn repetition(&self, name: &NewName, form: &str) -> (Shape, IndexRange) {
         match &name.bracket {
             None => (Shape::Single, IndexRange::None),

@@ -1,4 +1,4 @@
-//! Expressions where they stand: names resolved, and only what may stand there let through.
+//! Lowering of expressions: resolves names, and checks that everything may be used at this place.
 
 use super::lowerer::{Class, Lowerer};
 use super::mention::{MentionKind, is_completion_marker};
@@ -13,7 +13,7 @@ use proc_macro2::Span;
 use syn::Ident;
 
 impl Lowerer<'_> {
-    /// The formula of an expression; all of its mistakes are reported before it is given up.
+    /// Lowers an expression; `None` if it has errors, all of which are reported.
     pub(super) fn formula(&mut self, expr: &Expr, scope: &Scope) -> Option<Formula> {
         Some(match &expr.kind {
             ExprKind::Hole => return None,
@@ -31,7 +31,8 @@ impl Lowerer<'_> {
             ExprKind::Binary(operator, a, b) => {
                 let (left, right) = (self.formula(a, scope), self.formula(b, scope));
                 if *operator == Operator::Div && right.as_ref().and_then(Formula::literal) == Some(0.0) {
-                    // Said here, since the model has no trace of a row that has another mistake, too.
+                    // Reported here, because a row with another error is missing in the model, where a later check
+                    // would find this.
                     self.report.error(b.span, "this divides by 0; a divisor is never a literal 0");
                     return None;
                 }
@@ -71,14 +72,14 @@ impl Lowerer<'_> {
                 }
             }
             ExprKind::Apply(used, arguments) => {
-                // Mistakes inside are worth telling at once, too.
+                // The arguments are lowered first, so that errors in them are reported, too.
                 let arguments: Vec<_> = arguments.iter().map(|argument| self.formula(argument, scope)).collect();
                 return self.supplied(used, arguments, scope);
             }
         })
     }
 
-    /// A name that stands for a number.
+    /// Lowers a name that stands for a number.
     fn value(&mut self, used: &NameUse, scope: &Scope) -> Option<Formula> {
         let name = used.text();
         if let Some(variable) = self.inside.variable(&name) {
@@ -146,7 +147,7 @@ impl Lowerer<'_> {
                 Some(Formula::Scalar(Member { family, index, origin }))
             }
             Symbol::Define(family) => {
-                // A define with a mistake has been reported.
+                // A define with errors has been reported.
                 let class = self.defines.get(family)?.as_ref()?.1;
                 let depends = match class {
                     Class::Coordinate => "coordinates",
@@ -159,7 +160,8 @@ impl Lowerer<'_> {
         }
     }
 
-    /// `f(e)` or `f[i](e)`: a supplied function at an argument. It may stand wherever its argument may.
+    /// Lowers `f(e)` or `f[i](e)`, a supplied function at an argument; it may be used wherever its argument may be
+    /// used.
     fn supplied(&mut self, used: &NameUse, arguments: Vec<Option<Formula>>, scope: &Scope) -> Option<Formula> {
         let name = used.text();
         let declared = match self.names.find(&name) {
@@ -188,7 +190,7 @@ impl Lowerer<'_> {
         Some(Formula::Supplied(Member { family, index: index?, origin }, Box::new(argument?)))
     }
 
-    /// A function without a field has no place that could be mentioned.
+    /// Records a mention of a function, except where its field is missing.
     fn mention_function(&mut self, used: &NameUse, shape: &Shape) {
         if *shape != Shape::Unknown {
             self.mention(MentionKind::Function, &used.ident);
@@ -216,7 +218,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// `crank.phi`, `tip.x`.
+    /// Lowers a component: `crank.phi`, `tip.x`.
     fn component(&mut self, used: &NameUse, component: &Ident, scope: &Scope) -> Option<Formula> {
         let name = used.text();
         let is_ground = name == "ground";
@@ -273,7 +275,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// x, y or phi.
+    /// The component x, y or phi of a body.
     pub(super) fn body_component(&mut self, component: &Ident, body: &str) -> Option<Component> {
         let name = text(component);
         let found = Component::ALL.into_iter().find(|c| c.name() == name);
@@ -344,7 +346,7 @@ impl Lowerer<'_> {
         self.report.error(name.span(), message);
     }
 
-    /// Notes the class of a part, and reports it where it may not stand.
+    /// Records the class of a part of the formula, and reports it if it is not allowed at this place.
     pub(super) fn require(
         &mut self,
         class: Class,

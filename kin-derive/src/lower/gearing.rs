@@ -1,4 +1,4 @@
-//! Radii, and scalar coordinates that options name.
+//! Lowering of radii, and of scalar coordinates that options name.
 
 use super::lowerer::Lowerer;
 use super::names::Symbol;
@@ -8,7 +8,7 @@ use crate::ast::{Expr, NameUse, RadiiExpr};
 use kin_core::mechanism::{Member, Radii, Value};
 
 impl Lowerer<'_> {
-    /// Two radii.
+    /// Lowers a pair of radii.
     pub(super) fn radii(&mut self, radii: &RadiiExpr, range: &IndexRange) -> Option<Radii> {
         let origin = self.origin(radii.span);
         let (i, j) = (self.radius(&radii.i, "`radii`", range), self.radius(&radii.j, "`radii`", range));
@@ -21,7 +21,7 @@ impl Lowerer<'_> {
         Some(Value { value, origin })
     }
 
-    /// A scalar coordinate that an option names; `right` says so.
+    /// Lowers a scalar coordinate that an option names; `right` is the part of the message that says what is expected.
     pub(super) fn scalar_operand(&mut self, used: &NameUse, right: &str, range: &IndexRange) -> Option<Member> {
         let declared = self.resolve(used, "coordinate", |symbol| matches!(symbol, Symbol::Scalar(_)))?;
         let Symbol::Scalar(family) = declared.symbol else {

@@ -1,4 +1,4 @@
-//! Indices: `link[2*i + 1]` in a row that runs over `i`.
+//! Lowering of indices: `link[2*i + 1]` in a row that is repeated over `i`.
 
 use super::lowerer::Lowerer;
 use super::names::{Declared, Shape};
@@ -8,7 +8,7 @@ use kin_core::mechanism::Index;
 use std::ops::Range;
 
 impl Lowerer<'_> {
-    /// The index of a use of `declared`; `None` when it is wrong, which is reported.
+    /// The index in a use of `declared`; `None` for an error, which is reported.
     pub(super) fn member(&self, used: &NameUse, declared: &Declared, range: &IndexRange) -> Option<Index> {
         let (name, noun) = (&declared.name, declared.symbol.noun());
         match (&declared.shape, &used.index) {
@@ -35,7 +35,8 @@ impl Lowerer<'_> {
         }
     }
 
-    /// The index, when it is within its family at both ends of the range, and so between them.
+    /// The index, if it is within the range of the family at both ends of the variable's range, and therefore between
+    /// them.
     fn within(
         &self,
         index: Index,
@@ -69,7 +70,8 @@ impl Lowerer<'_> {
         let name = text(variable);
         match range {
             IndexRange::Unknown => None,
-            // With a single step the variable is a number, which keeps compositions small.
+            // If the range has a single element, the variable is replaced by a number, which keeps later compositions
+            // small.
             IndexRange::Over(range) if text(&range.variable) == name && range.end - range.start == 1 => {
                 Some(Index::constant(index.scale * range.start + index.offset))
             }

@@ -11,14 +11,14 @@ use proc_macro2::Span;
 use std::collections::BTreeSet;
 use syn::Ident;
 
-/// What a formula depends on, from nothing to everything.
+/// The dependence of a formula, in increasing order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Class {
-    /// Numbers and parameters.
+    /// Numbers and parameters only.
     Constant,
-    /// Also t and inputs.
+    /// In addition t and inputs.
     Signal,
-    /// Also coordinates.
+    /// In addition coordinates.
     Coordinate,
 }
 
@@ -26,20 +26,20 @@ pub(super) enum Class {
 pub(super) struct Lowerer<'a> {
     pub(super) report: &'a Report,
     pub(super) names: Names,
-    /// A declaration could not be read: an unknown name may be one that it declares.
+    /// True if a declaration could not be read, so that an unknown name may be one that it declares.
     pub(super) names_missing: bool,
     pub(super) spans: Vec<Span>,
     pub(super) mentions: Vec<Mention>,
     pub(super) completing: bool,
     /// Families whose brackets could not be read.
     pub(super) boundless: BTreeSet<String>,
-    /// The highest class that the formula at hand has reached.
+    /// The highest class in the current formula.
     pub(super) reached: Class,
-    /// The curve whose formula is at hand.
+    /// The names of the current curve.
     pub(super) inside: Inside,
-    /// Points by number; `None` for one with a mistake.
+    /// Points by index; `None` for one with errors.
     pub(super) points: Vec<Option<NamedPoint>>,
-    /// Defines by number with their classes; `None` for one with a mistake.
+    /// Defines by index, with their classes; `None` for one with errors.
     pub(super) defines: Vec<Option<(Define, Class)>>,
 }
 
@@ -60,9 +60,9 @@ impl<'a> Lowerer<'a> {
         }
     }
 
-    /// The origin of a token.
+    /// A new origin for a token.
     pub(super) fn origin(&mut self, span: Span) -> Origin {
-        // More tokens than fit into 32 bits do not fit into a source file either.
+        // A source file cannot contain more tokens than fit into 32 bits.
         let origin = Origin(u32::try_from(self.spans.len()).unwrap_or(u32::MAX));
         self.spans.push(span);
         origin

@@ -1,15 +1,16 @@
-//! Users' names as they are written.
+//! Mentions of the user's names.
 
 use syn::Ident;
 
-/// A user's name, as written: emitted with its own span it keeps go-to-definition, hover and rename alive.
+/// A name as the user wrote it. Printed with its own span in the expansion, it lets editors find definitions and
+/// rename.
 #[derive(Clone, Debug)]
 pub(crate) struct Mention {
     pub(crate) kind: MentionKind,
     pub(crate) ident: Ident,
 }
 
-/// What a mentioned name is.
+/// The kind of a mentioned name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MentionKind {
     Parameter,
@@ -21,7 +22,7 @@ pub(crate) enum MentionKind {
     Function,
 }
 
-/// True for the identifier that an editor puts where it wants to know what could stand.
+/// True for the identifier that an editor inserts at the cursor to request completions.
 pub(super) fn is_completion_marker(ident: &Ident) -> bool {
     let name = ident.to_string();
     name.contains("raCompletionMarker") || name.contains("intellijRulezz")

@@ -26,30 +26,30 @@ use proc_macro2::Span;
 use std::collections::BTreeSet;
 use syn::{Ident, ItemStruct, Type};
 
-/// Everything that expansion needs to know of a description.
+/// The lowered description, from which expansion starts.
 pub(crate) struct Lowered {
     /// The model.
     pub(crate) mechanism: Mechanism,
-    /// Where each [`Origin`] is: `Origin(k)` at `spans[k]`.
+    /// The span of every [`Origin`]: that of `Origin(k)` is `spans[k]`.
     pub(crate) spans: Vec<Span>,
-    /// The struct without our attributes.
+    /// The struct without the attributes of kin.
     pub(crate) item: ItemStruct,
-    /// Every use and declaration of a user's name inside our attributes.
+    /// All uses and declarations of the user's names in the attributes of kin.
     pub(crate) mentions: Vec<Mention>,
     /// The fields of the struct, in order.
     pub(crate) fields: Vec<Field>,
-    /// What `#[mechanism(…)]` asks for.
+    /// The flags of `#[mechanism(…)]`.
     pub(crate) flags: Flags,
-    /// `Default` stands in a `derive`.
+    /// True if the struct derives `Default`.
     pub(crate) derives_default: bool,
-    /// Documentation.
+    /// The documentation of names.
     pub(crate) docs: Docs,
     /// Families whose brackets could not be read.
     pub(crate) boundless: BTreeSet<String>,
 }
 
 impl Lowered {
-    /// The tokens that an [`Origin`] stands for.
+    /// The span of an [`Origin`].
     pub(crate) fn span(&self, origin: Origin) -> Span {
         self.spans.get(origin.0 as usize).copied().unwrap_or_else(Span::call_site)
     }
@@ -60,14 +60,14 @@ impl Lowered {
 pub(crate) struct Field {
     pub(crate) ident: Ident,
     pub(crate) ty: Type,
-    /// Number of elements of an array field.
+    /// The number of elements of an array field.
     pub(crate) len: Option<usize>,
-    /// The type parameter of the struct that its numbers are of.
+    /// The type parameter of the struct that is the type of the field's numbers.
     pub(crate) scalar: Option<Ident>,
     pub(crate) role: FieldRole,
 }
 
-/// What a field is for.
+/// The role of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FieldRole {
     /// An entry of `Mechanism::parameters`.
@@ -76,10 +76,10 @@ pub(crate) enum FieldRole {
     Function(usize),
 }
 
-/// First paragraphs of doc comments; what has none is not listed.
+/// The first paragraphs of doc comments; undocumented names are not listed.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Docs {
-    /// The struct's.
+    /// That of the struct.
     pub(crate) mechanism: String,
     /// Those of bodies, coordinates, inputs, points and defines, by name.
     pub(crate) names: Vec<(String, String)>,
@@ -87,14 +87,14 @@ pub(crate) struct Docs {
     pub(crate) rows: Vec<(String, String)>,
 }
 
-/// What lowering gives.
+/// The result of lowering.
 pub(crate) struct Outcome {
     pub(crate) lowered: Lowered,
-    /// An editor asks what could stand at its marker: nobody sees the errors of this expansion.
+    /// True if an editor requests completions at its marker; then nobody sees the errors of this expansion.
     pub(crate) completing: bool,
 }
 
-/// Resolves the names of `description`; what cannot be resolved is reported and left out of the model.
+/// Resolves the names of `description`; an item with an error is reported and is missing in the model.
 pub(crate) fn lower(description: Description, item: ItemStruct, report: &Report) -> Outcome {
     let mut lowerer = Lowerer::new(&description, report);
     let mut mechanism = Mechanism {
@@ -126,7 +126,7 @@ pub(crate) fn lower(description: Description, item: ItemStruct, report: &Report)
     Outcome { lowered, completing }
 }
 
-/// Keeps names and forgets what they mean, so that an unfinished description expands to something.
+/// Keeps the names of a mechanism and drops their contents, so that an unfinished description has a valid expansion.
 fn skeleton(mechanism: &mut Mechanism) {
     mechanism.joints.clear();
     mechanism.conditions.clear();

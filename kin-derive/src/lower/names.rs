@@ -1,10 +1,10 @@
-//! The table of names and what is said about those that are not in it.
+//! The table of names, and the messages for unknown names.
 
 use super::mention::MentionKind;
 use crate::suggest::{listed, nearest};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What a name stands for.
+/// The thing that a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Symbol {
     Parameter(usize),
@@ -17,7 +17,7 @@ pub(super) enum Symbol {
 }
 
 impl Symbol {
-    /// The kind of thing, with its article.
+    /// The kind of thing for messages, with its article.
     pub(super) const fn noun(self) -> &'static str {
         match self {
             Self::Parameter(_) => "a parameter",
@@ -30,7 +30,7 @@ impl Symbol {
         }
     }
 
-    /// How the expansion mentions it.
+    /// The kind of its mentions.
     pub(super) const fn mention(self) -> MentionKind {
         match self {
             Self::Parameter(_) => MentionKind::Parameter,
@@ -44,18 +44,18 @@ impl Symbol {
     }
 }
 
-/// How many things a name stands for.
+/// The number of things that a name stands for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Shape {
-    /// One; it takes no index.
+    /// A single thing, which takes no index.
     Single,
     /// The members with these indices.
     Family(std::ops::Range<i64>),
-    /// Its brackets could not be read.
+    /// A family whose brackets could not be read.
     Unknown,
 }
 
-/// A name that is declared.
+/// A declared name.
 #[derive(Clone, Debug)]
 pub(super) struct Declared {
     pub(super) name: String,
@@ -63,7 +63,7 @@ pub(super) struct Declared {
     pub(super) shape: Shape,
 }
 
-/// All names; of two with one name the first counts.
+/// All names; of two equal names the first is used.
 #[derive(Debug, Default)]
 pub(super) struct Names {
     all: Vec<Declared>,
@@ -83,23 +83,23 @@ impl Names {
         self.all.push(declared);
     }
 
-    /// True for a name that stands for two kinds of things: nothing can be said about its uses.
+    /// True for a name of two different kinds of things, whose uses are therefore not checked.
     pub(super) fn is_ambiguous(&self, name: &str) -> bool {
         self.ambiguous.contains(name)
     }
 
-    /// The names of supplied functions.
+    /// The names of all supplied functions.
     pub(super) fn functions(&self) -> impl Iterator<Item = &str> {
         let is_function = |declared: &&Declared| matches!(declared.symbol, Symbol::Function(_));
         self.all.iter().filter(is_function).map(|declared| declared.name.as_str())
     }
 
-    /// What `name` stands for.
+    /// The declaration of `name`.
     pub(super) fn find(&self, name: &str) -> Option<&Declared> {
         self.by_name.get(name).and_then(|&k| self.all.get(k))
     }
 
-    /// What to say about a name that is not in the table where one of the `wanted` things belongs.
+    /// The message for an unknown name, where one of the `wanted` kinds is expected.
     pub(super) fn unknown(&self, name: &str, what: &str, wanted: fn(Symbol) -> bool) -> String {
         if wanted(Symbol::Parameter(0)) {
             match name {
@@ -109,7 +109,7 @@ impl Names {
             }
         }
         let fitting = || self.all.iter().filter(|d| wanted(d.symbol)).map(|d| d.name.as_str());
-        // `ground` is a body that nobody declares.
+        // `ground` is a body without a declaration.
         let ground = wanted(Symbol::Body(0)).then_some("ground");
         if let Some(best) = nearest(name, fitting().chain(ground)) {
             return format!("no {what} named `{name}`; did you mean `{best}`?");

@@ -1,4 +1,4 @@
-//! Bodies and points where they are used.
+//! Lowering of bodies and points at the places of their use.
 
 use super::lowerer::Lowerer;
 use super::mention::{MentionKind, is_completion_marker};
@@ -10,13 +10,13 @@ use crate::ast::{NameUse, PointExpr};
 use kin_core::error::Origin;
 use kin_core::mechanism::{BodyRef, Formula, Place};
 
-/// What stands for a point that could not be read.
+/// A placeholder for a point that could not be read.
 pub(super) const fn placeholder(origin: Origin) -> Place {
     Place { body: BodyRef::Ground(origin), x: Formula::ZERO, y: Formula::ZERO, origin }
 }
 
 impl Lowerer<'_> {
-    /// What a name stands for, or an error that names what is wanted.
+    /// The declaration of a used name; for an unknown name an error that says what is expected.
     pub(super) fn resolve(&mut self, used: &NameUse, what: &str, wanted: fn(Symbol) -> bool) -> Option<Declared> {
         let name = used.text();
         if self.names.is_ambiguous(&name) {
@@ -28,7 +28,8 @@ impl Lowerer<'_> {
         }
         if is_completion_marker(&used.ident) {
             self.completing = true;
-            // Parameters live in `self`, everything else in `Self`; an expression offers parameters first.
+            // Parameters are members of `self`, all other names are constants of `Self`; in expressions an editor
+            // offers parameters.
             let kind = if wanted(Symbol::Parameter(0)) { MentionKind::Parameter } else { MentionKind::Body };
             self.mention(kind, &used.ident);
         } else if !self.names_missing {
@@ -37,7 +38,7 @@ impl Lowerer<'_> {
         None
     }
 
-    /// A body.
+    /// Lowers a body.
     pub(super) fn body(&mut self, used: &NameUse, range: &IndexRange) -> Option<BodyRef> {
         if used.text() == "ground" {
             if let Some(index) = &used.index {
@@ -57,7 +58,7 @@ impl Lowerer<'_> {
         Some(BodyRef::Body { family, index, origin })
     }
 
-    /// A point.
+    /// Lowers a point.
     pub(super) fn place(&mut self, point: &PointExpr, range: &IndexRange) -> Option<Place> {
         match point {
             PointExpr::Hole => None,
@@ -96,7 +97,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// The place of a member of point `k`, seen from where it is used.
+    /// The place of a member of point `k`, expressed in the index variable of its use.
     pub(super) fn point_member(
         &mut self,
         k: usize,

@@ -1,4 +1,4 @@
-//! Rows and guesses.
+//! Lowering of rows and guesses.
 
 use super::lowerer::Lowerer;
 use super::names::Symbol;
@@ -12,7 +12,7 @@ use kin_core::mechanism::{
 use kin_core::vocabulary::StatementKind;
 
 impl Lowerer<'_> {
-    /// All rows and guesses in order; one with a mistake is left out.
+    /// Lowers all rows and guesses in order; those with errors are left out.
     pub(super) fn rows(&mut self, items: &[Item], ranges: &[IndexRange], mechanism: &mut Mechanism) {
         for (item, range) in items.iter().zip(ranges) {
             match item {
@@ -39,7 +39,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Every operand is lowered before one that failed ends it, so that all mistakes are told.
+    /// Lowers all operands before a failure ends the row, so that all errors are reported.
     fn operands(&mut self, row: &Row, range: &IndexRange) -> Option<Operands> {
         let slots = row.form.slots.iter().zip(&row.operands);
         let lowered: Vec<Option<Operand>> = slots.map(|(slot, expr)| self.operand(row, slot, expr, range)).collect();
@@ -49,7 +49,7 @@ impl Lowerer<'_> {
     fn operand(&mut self, row: &Row, slot: &Slot, expr: &OperandExpr, range: &IndexRange) -> Option<Operand> {
         Some(match expr {
             OperandExpr::Point(point) => Operand::Point(self.place(point, range)?),
-            // That they are too few has been said.
+            // The parser has reported that there are too few points.
             OperandExpr::Points(points) if points.len() < 2 => return None,
             OperandExpr::Points(points) => {
                 let places: Vec<_> = points.iter().map(|point| self.place(point, range)).collect();

@@ -1,22 +1,22 @@
-//! What may stand in an expression, by where it stands.
+//! The parts that an expression may contain, depending on its place.
 
 use super::lowerer::Class;
 use super::range::IndexRange;
 
-/// What may stand in an expression.
+/// The parts that an expression may contain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Allow {
-    /// Numbers and parameters.
+    /// Numbers and parameters only.
     Parameters,
-    /// Also t and inputs.
+    /// In addition t and inputs.
     Signals,
-    /// Also scalar coordinates.
+    /// In addition scalar coordinates.
     Scalars,
-    /// Also coordinates.
+    /// In addition all coordinates.
     Everything,
-    /// Coordinates, of which `dot` takes the rates.
+    /// All coordinates, inside of `dot`, which takes their rates.
     Dotted,
-    /// Also rates: `dot(…)`.
+    /// All coordinates and their rates: `dot(…)`.
     Rates,
 }
 
@@ -30,9 +30,9 @@ impl Allow {
     }
 }
 
-/// Where an expression stands.
+/// The place of an expression.
 pub(super) struct Scope<'s> {
-    /// For messages: "a body-fixed point", "`length`".
+    /// A description for messages: "a body-fixed point", "`length`".
     pub(super) what: &'s str,
     pub(super) allow: Allow,
     pub(super) range: &'s IndexRange,

@@ -1,8 +1,8 @@
-//! A member of a family of points where it is used: its index variable is replaced.
+//! Substitution of the index variable in a member of a family of points at the place of its use.
 
 use kin_core::mechanism::{BodyRef, Formula, Index, Member, Place};
 
-/// `place` with its index variable at `at`.
+/// `place` with `at` substituted for its index variable.
 pub(super) fn place(place: &Place, at: Index) -> Place {
     Place { body: body(place.body, at), x: formula(&place.x, at), y: formula(&place.y, at), origin: place.origin }
 }
@@ -18,7 +18,8 @@ fn member(member: Member, at: Index) -> Member {
     Member { index: compose(member.index, at), ..member }
 }
 
-/// Saturates: what would overflow is out of every bound, and is reported as such.
+/// The composition of two indices. It saturates: an index that overflows is out of range anyway, and is reported as
+/// such.
 fn compose(outer: Index, inner: Index) -> Index {
     Index {
         scale: outer.scale.saturating_mul(inner.scale),

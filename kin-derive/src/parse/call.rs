@@ -9,7 +9,7 @@ use kin_core::mechanism::Function;
 use proc_macro2::Span;
 use syn::{Error, Ident, Result};
 
-/// `name(…)` of these arguments.
+/// The function call `name(…)` with these arguments.
 pub(super) fn function(name: Ident, arguments: Vec<Expr>, span: Span) -> Result<Expr> {
     match text(&name).as_str() {
         "dot" => {
@@ -34,13 +34,13 @@ pub(super) fn function(name: Ident, arguments: Vec<Expr>, span: Span) -> Result<
     }
 }
 
-/// A function that the caller supplies, of these arguments.
+/// A call of a supplied function with these arguments.
 pub(super) fn supplied(name: NameUse, arguments: Vec<Expr>, span: Span) -> Result<Expr> {
     let heights: Vec<usize> = arguments.iter().map(|a| a.height).collect();
     Expr::over(ExprKind::Apply(Box::new(name), arguments), span, &heights)
 }
 
-/// An error on the name of what is no function, whatever its arguments.
+/// An error if `name` is known not to be a function, whatever its arguments.
 pub(super) fn is_function(name: &Ident) -> Result<()> {
     match text(name).as_str() {
         word if is_angle_word(word) => Err(Error::new(name.span(), RADIANS)),
@@ -52,7 +52,7 @@ pub(super) fn is_function(name: &Ident) -> Result<()> {
     }
 }
 
-/// An error on the name of a function whose argument follows it without brackets.
+/// An error if `name` is a function whose argument follows without parentheses.
 pub(super) fn has_brackets(name: &Ident) -> Result<()> {
     let word = text(name);
     let is_function = is_reserved(&word) && !matches!(word.as_str(), "t" | "pi" | "ground");
@@ -62,7 +62,7 @@ pub(super) fn has_brackets(name: &Ident) -> Result<()> {
     Err(Error::new(name.span(), format!("`{word}` is a function; its argument stands in parentheses, `{word}(…)`")))
 }
 
-/// `value.name(…)` of these arguments.
+/// The method call `value.name(…)` with these arguments.
 pub(super) fn method(value: Expr, name: Ident, arguments: Vec<Expr>, span: Span) -> Result<Expr> {
     match text(&name).as_str() {
         "atan2" => {
@@ -140,7 +140,7 @@ fn power(base: Expr, exponent: &Expr, name: &str, span: Span) -> Result<Expr> {
     Expr::over(ExprKind::Pow(Box::new(base), n), span, &[height])
 }
 
-/// True for an expression with something in it that is no number.
+/// True for an expression that contains more than numbers.
 fn is_variable(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Number(_) | ExprKind::Hole | ExprKind::Apply(..) => false,
@@ -151,7 +151,7 @@ fn is_variable(expr: &Expr) -> bool {
     }
 }
 
-/// Exactly `N` arguments, or an error on the function's name with the right `form`.
+/// Exactly `N` arguments, or an error at the function's name that shows the right `form`.
 fn take<const N: usize>(name: &Ident, arguments: Vec<Expr>, form: &str) -> Result<[Expr; N]> {
     let given = arguments.len();
     arguments.try_into().map_err(|_| {

@@ -11,10 +11,10 @@ use kin_core::mechanism::Relation;
 use syn::parse::ParseStream;
 use syn::{Ident, Result, Token};
 
-/// A condition as the user writes it.
+/// An example of a condition.
 pub(super) const EXAMPLE: &str = "#[unilateral(limit: slider.x < stroke)]";
 
-/// Everything in the brackets; a side with a mistake is a hole, so that the other one is read, too.
+/// Parses the contents of the attribute; a side with an error becomes a hole, so that the other side is still read.
 pub(super) fn condition(input: ParseStream, keyword: &Ident, report: &Report) -> Result<ConditionDecl> {
     let name = row_name(input, keyword, EXAMPLE, report)?;
     let start = input.fork();
@@ -22,7 +22,7 @@ pub(super) fn condition(input: ParseStream, keyword: &Ident, report: &Report) ->
     let between_sides = input.fork();
     let relation = match &left {
         Some(_) => report.ok(relation(input)),
-        // What follows a mistake may be anything; a comparison further on is the one that is meant.
+        // After an error any tokens may follow; the next comparison is taken as the one that is meant.
         None => {
             skip_to(input, is_comparison);
             relation(input).ok()
@@ -50,7 +50,7 @@ pub(super) fn condition(input: ParseStream, keyword: &Ident, report: &Report) ->
     })
 }
 
-/// One side; a comparison that stands where it should begin is no mistake of its own.
+/// Parses one side; an error if it is missing before a comparison.
 fn side(input: ParseStream) -> Result<Expr> {
     if is_comparison(input) {
         return Err(here(input, "expected an expression before this"));
@@ -58,7 +58,7 @@ fn side(input: ParseStream) -> Result<Expr> {
     expr(input)
 }
 
-/// `>` or `<`; of everything else it is said what to write.
+/// Parses `>` or `<`; for any other token the error says what to write.
 fn relation(input: ParseStream) -> Result<Relation> {
     for (is_there, operator, other) in [(input.peek(Token![>=]), ">", ">="), (input.peek(Token![<=]), "<", "<=")] {
         if is_there {
@@ -85,7 +85,7 @@ fn relation(input: ParseStream) -> Result<Relation> {
     }
 }
 
-/// After the right side nothing follows.
+/// Checks that nothing follows the right side.
 fn end(input: ParseStream) -> Result<()> {
     if input.is_empty() {
         return Ok(());
@@ -105,7 +105,7 @@ fn end(input: ParseStream) -> Result<()> {
     end_of_expr(input)
 }
 
-/// Operators of two characters that begin like a comparison and are none.
+/// True for operators of two characters that begin like a comparison but are none.
 fn is_strange(input: ParseStream) -> bool {
     input.peek(Token![<<]) || input.peek(Token![>>]) || input.peek(Token![=>])
 }
@@ -114,12 +114,13 @@ fn is_comparison(input: ParseStream) -> bool {
     input.peek(Token![>]) || input.peek(Token![<]) || input.peek(Token![=]) || input.peek(Token![!=])
 }
 
-/// Consumes an operator that was reported; without one the other side cannot be found.
+/// Skips an operator that has been reported; without an operator the rest is skipped, because the other side cannot be
+/// found.
 fn skip_operator(input: ParseStream) {
     if !is_comparison(input) {
         return skip_to(input, |_| false);
     }
-    // A character that was seen can be read.
+    // The token has been peeked, so parsing it cannot fail.
     while is_comparison(input) || input.peek(Token![!]) {
         _ = input.parse::<proc_macro2::TokenTree>();
     }

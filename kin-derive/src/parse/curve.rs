@@ -1,4 +1,5 @@
-//! Options that name the variables of a curve: `polar(theta) = e`, `implicit(X, Y) = e`, `parametric(u) = (ex, ey)`.
+//! Parsing of options that name the variables of a curve: `polar(theta) = e`, `implicit(X, Y) = e`, `parametric(u) =
+//! (ex, ey)`.
 
 use super::expr::{end_of_expr, expr, pair};
 use super::index::name_use;
@@ -10,10 +11,10 @@ use proc_macro2::TokenTree;
 use syn::parse::ParseStream;
 use syn::{Error, Ident, Result, Token, parenthesized, token};
 
-/// The options of `on_curve` that are curves; a row has one of them.
+/// The options of `on_curve` that define a curve; a row has exactly one of them.
 const CURVES: [&str; 3] = ["polar", "implicit", "parametric"];
 
-/// True for `word(…) =`, however it goes on.
+/// True for `word(…) =`, followed by anything.
 pub(super) fn is_bracketed(input: ParseStream) -> bool {
     let ahead = input.fork();
     input.peek(Ident)
@@ -24,7 +25,7 @@ pub(super) fn is_bracketed(input: ParseStream) -> bool {
         && !ahead.peek(Token![==])
 }
 
-/// `(theta) = e` behind the key; `variables` are the words of the language that stand in the brackets.
+/// Parses `(theta) = e` after the key; `variables` are the fixed names in the parentheses.
 pub(super) fn formula(input: ParseStream, key: &Ident, variables: &[&str]) -> Result<Value> {
     let form = format!("{key}({}) = …", variables.join(", "));
     let content = brackets(input, key, &form)?;
@@ -47,7 +48,7 @@ pub(super) fn formula(input: ParseStream, key: &Ident, variables: &[&str]) -> Re
     Ok(Value::Expression(value))
 }
 
-/// `(u) = (ex, ey)` behind the key.
+/// Parses `(u) = (ex, ey)` after the key.
 pub(super) fn path(input: ParseStream, key: &Ident) -> Result<Value> {
     let form = format!("{key}(u) = (…, …)");
     let content = brackets(input, key, &form)?;

@@ -1,4 +1,4 @@
-//! What declares names: bodies, coordinates, inputs, points and defines; and the guess.
+//! Parsing of declarations: bodies, coordinates, inputs, points and defines; and of guesses.
 
 use super::expr::{end_of_expr, expr};
 use super::index::{identifier, name_or_family, new_name};
@@ -16,7 +16,7 @@ use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Error, Ident, Result, Token, token};
 
-/// `crank, link[10]`; false when a name could not be read.
+/// Parses `crank, link[10]`; false when a name could not be read.
 pub(super) fn bodies(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
     nonempty(input, keyword, "#[bodies(crank, coupler)]", report);
     list(input, report, |input| {
@@ -32,7 +32,7 @@ pub(super) fn bodies(input: ParseStream, keyword: &Ident, report: &Report, items
     })
 }
 
-/// `phi1, u[3], unit = "rad"`.
+/// Parses `phi1, u[3], unit = "rad"`.
 pub(super) fn coordinates(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
     nonempty(input, keyword, "#[coordinates(phi1, phi2)]", report);
     let (mut options, first) = (Options::of(keyword, &["unit"]), items.len());
@@ -52,7 +52,7 @@ pub(super) fn coordinates(input: ParseStream, keyword: &Ident, report: &Report, 
     complete
 }
 
-/// `boom_length, u[3], default = 0.3, unit = "m"`.
+/// Parses `boom_length, u[3], default = 0.3, unit = "m"`.
 pub(super) fn inputs(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
     nonempty(input, keyword, "#[input(boom_length, stick_length)]", report);
     let (mut options, first) = (Options::of(keyword, &["default", "unit"]), items.len());
@@ -76,7 +76,7 @@ pub(super) fn inputs(input: ParseStream, keyword: &Ident, report: &Report, items
     complete
 }
 
-/// `tip = coupler @ (0, 0.1)`.
+/// Parses `tip = coupler @ (0, 0.1)`.
 pub(super) fn points(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
     const FORM: &str = "#[point(tip = coupler @ (0, 0.1))]";
     nonempty(input, keyword, FORM, report);
@@ -88,7 +88,7 @@ pub(super) fn points(input: ParseStream, keyword: &Ident, report: &Report, items
     })
 }
 
-/// `stroke = slider.x - d1, unit = "m"`.
+/// Parses `stroke = slider.x - d1, unit = "m"`.
 pub(super) fn defines(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
     const FORM: &str = "#[define(stroke = slider.x - d1)]";
     nonempty(input, keyword, FORM, report);
@@ -107,10 +107,10 @@ pub(super) fn defines(input: ParseStream, keyword: &Ident, report: &Report, item
     complete
 }
 
-/// How `function` is written.
+/// An example of `function`.
 pub(super) const FUNCTION: &str = "#[function(profile)]";
 
-/// `profile, lift`; false when a name could not be read.
+/// Parses `profile, lift`; false when a name could not be read.
 pub(super) fn functions(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
     nonempty(input, keyword, FUNCTION, report);
     list(input, report, |input| {
@@ -132,7 +132,7 @@ pub(super) fn functions(input: ParseStream, keyword: &Ident, report: &Report, it
     })
 }
 
-/// `coupler.phi = 0.9, u = 0.3, link[i in 0..10].phi = 0`.
+/// Parses `coupler.phi = 0.9, u = 0.3, link[i in 0..10].phi = 0`.
 pub(super) fn guess(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) {
     const FORM: &str = "#[guess(coupler.phi = 0.9)]";
     nonempty(input, keyword, FORM, report);
@@ -154,7 +154,7 @@ pub(super) fn guess(input: ParseStream, keyword: &Ident, report: &Report, items:
     });
 }
 
-/// `b, x = e, y = e, phi = e` or `b, origin = a @ (ex, ey)`; false when the name could not be read.
+/// Parses `b, x = e, y = e, phi = e` or `b, origin = a @ (ex, ey)`; false when the name could not be read.
 pub(super) fn body(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
     const FORM: &str = "#[body(crank, x = 0, y = 0)]";
     nonempty(input, keyword, FORM, report);
@@ -195,7 +195,7 @@ fn given(input: ParseStream, decl: &mut BodyDecl) -> Result<()> {
     }
     match name.as_str() {
         "origin" => {
-            // Given, even when its value cannot be read.
+            // The option counts as given, even if its value cannot be read.
             let (_, slot) = decl.carried.insert((key, PointExpr::Hole));
             *slot = point(input)?;
         }

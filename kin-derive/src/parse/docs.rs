@@ -1,9 +1,9 @@
-//! Documentation: of the struct, of its fields and inside the parentheses of an attribute.
+//! Documentation of the struct, of its fields, and of names inside the parentheses of an attribute.
 
 use syn::parse::ParseStream;
 use syn::{Attribute, Error, Expr, ExprLit, Lit, Meta, Result};
 
-/// The first paragraph of the doc comments among `attributes`, in one line.
+/// The first paragraph of the doc comments among `attributes`, on one line.
 pub(super) fn first_paragraph(attributes: &[Attribute]) -> String {
     let lines: Vec<String> = attributes.iter().filter_map(doc).collect();
     let text = lines.join("\n");
@@ -15,7 +15,7 @@ pub(super) fn first_paragraph(attributes: &[Attribute]) -> String {
         .join(" ")
 }
 
-/// Doc comments before a name inside the parentheses of an attribute.
+/// Parses doc comments before a name inside the parentheses of an attribute.
 pub(super) fn inner_doc(input: ParseStream) -> Result<String> {
     let attributes = Attribute::parse_outer(input)?;
     for attribute in &attributes {

@@ -1,7 +1,7 @@
-//! Expressions: a Pratt parser for the arithmetic of the language, with the arguments of functions and the points that stand
-//! in expressions, which hold expressions themselves.
+//! A Pratt parser for the expressions of the language, including the arguments of functions and the points in
+//! expressions, which contain expressions themselves.
 //!
-//! Precedence is that of Rust: methods bind tightest, then unary minus, `*` and `/`, `+` and `-`.
+//! Precedence is that of Rust: methods bind tightest, followed by unary minus, `*` and `/`, `+` and `-`.
 
 use super::call;
 use super::index::{identifier, name_use};
@@ -14,12 +14,12 @@ use syn::parse::ParseStream;
 use syn::parse::discouraged::Speculative;
 use syn::{Error, Ident, Lit, Result, Token, parenthesized, token};
 
-/// An expression up to the first token that cannot continue it.
+/// Parses an expression up to the first token that cannot continue it.
 pub(super) fn expr(input: ParseStream) -> Result<Expr> {
     sum(input, 0)
 }
 
-/// An error unless the expression that was just read ends here: at the end of its brackets, a comma or an `=`.
+/// An error unless the expression that was just parsed ends here: at the end of its brackets, a comma or an `=`.
 pub(super) fn end_of_expr(input: ParseStream) -> Result<()> {
     let is_equals = input.peek(Token![=]) && !input.peek(Token![==]) && !input.peek(Token![=>]);
     if input.is_empty() || input.peek(Token![,]) || is_equals {
@@ -28,7 +28,7 @@ pub(super) fn end_of_expr(input: ParseStream) -> Result<()> {
     Err(reject::after_expr(input))
 }
 
-/// Checks the depth before a parser recurses.
+/// Checks the depth before a recursion of the parser.
 pub(super) fn deeper(input: ParseStream, depth: usize) -> Result<usize> {
     if depth < Expr::MAX_HEIGHT { Ok(depth + 1) } else { Err(too_deep(input.span())) }
 }
@@ -80,7 +80,7 @@ fn unary(input: ParseStream, depth: usize) -> Result<Expr> {
     Expr::over(ExprKind::Neg(Box::new(operand)), span, &[height])
 }
 
-/// A primary expression with its components and methods.
+/// Parses a primary expression with its components and methods.
 fn postfix(input: ParseStream, depth: usize) -> Result<Expr> {
     let mut value = primary(input, depth)?;
     while input.peek(Token![.]) && !input.peek(Token![..]) {
@@ -156,7 +156,7 @@ fn parentheses(input: ParseStream, depth: usize) -> Result<Expr> {
     Ok(inner)
 }
 
-/// `name(…)`; the cursor stands before the parenthesis.
+/// Parses `name(…)` from the parenthesis on.
 fn function(name: Ident, input: ParseStream, depth: usize) -> Result<Expr> {
     let content;
     let parens = parenthesized!(content in input);
@@ -168,7 +168,7 @@ fn function(name: Ident, input: ParseStream, depth: usize) -> Result<Expr> {
     call::function(name, arguments(&content, depth)?, span)
 }
 
-/// `name[i](…)`, a member of an array of supplied functions; the cursor stands before the parenthesis.
+/// Parses `name[i](…)`, a member of an array of supplied functions, from the parenthesis on.
 fn member(name: NameUse, input: ParseStream, depth: usize) -> Result<Expr> {
     let content;
     let parens = parenthesized!(content in input);
@@ -176,7 +176,7 @@ fn member(name: NameUse, input: ParseStream, depth: usize) -> Result<Expr> {
     call::supplied(name, arguments(&content, depth)?, span)
 }
 
-/// `value.name(…)`; the cursor stands before the parenthesis.
+/// Parses `value.name(…)` from the parenthesis on.
 fn method(value: Expr, name: Ident, input: ParseStream, depth: usize) -> Result<Expr> {
     let depth = deeper(input, depth)?;
     let content;
@@ -223,7 +223,7 @@ fn distance(name: &Ident, content: ParseStream, depth: usize) -> Result<Expr> {
     Expr::over(ExprKind::Distance(p, q), name.span(), &[p_height, q_height])
 }
 
-/// A point and the height of its coordinates, inside brackets that are `depth` levels deep.
+/// Parses a point inside brackets of depth `depth`. Returns also the height of its coordinates.
 pub(super) fn point_at_depth(input: ParseStream, depth: usize) -> Result<(PointExpr, usize)> {
     if !input.peek(Ident::peek_any) {
         return Err(here(input, "expected a point: `body @ (x, y)` or the name of a `point`"));
@@ -246,7 +246,7 @@ pub(super) fn point_at_depth(input: ParseStream, depth: usize) -> Result<(PointE
     Ok((PointExpr::At { body: name, x: Box::new(x), y: Box::new(y) }, height))
 }
 
-/// `(x, y)`, inside brackets that are `depth` levels deep.
+/// Parses `(x, y)` inside brackets of depth `depth`.
 pub(super) fn pair(input: ParseStream, depth: usize, form: &str) -> Result<(Expr, Expr, Span)> {
     if !input.peek(token::Paren) {
         let error = here(input, form);
@@ -274,7 +274,7 @@ pub(super) fn pair(input: ParseStream, depth: usize, form: &str) -> Result<(Expr
     if content.is_empty() { Ok((x, y, span)) } else { Err(here(&content, "a pair has two components")) }
 }
 
-/// Skips `x, y` without brackets, so that `y` is not taken for what follows the pair.
+/// Skips `x, y` without parentheses, so that `y` is not mistaken for the part after the pair.
 fn skip_bare_pair(input: ParseStream, depth: usize) {
     let ahead = input.fork();
     let pair = sum(&ahead, depth).and_then(|_| ahead.parse::<Token![,]>()).and_then(|_| sum(&ahead, depth));

@@ -1,4 +1,4 @@
-//! Fields of the struct and `#[param(default, unit = "m")]`.
+//! Parsing of the fields of the struct and of `#[param(default, unit = "m")]`.
 
 use super::docs::first_paragraph;
 use super::expr::{end_of_expr, expr};
@@ -21,7 +21,7 @@ use syn::{Attribute, Error, Expr, ExprLit, Field, Ident, Lit, Meta, Result, Toke
 
 const FORM: &str = "#[param(0.1, unit = \"m\")]";
 
-/// A default as written: one number for all elements, or one for each.
+/// A default as written: one number for all elements, or one number for each element.
 enum Default {
     One(f64),
     Each(Vec<f64>, Span),
@@ -33,8 +33,9 @@ struct Param {
     unit: Option<String>,
 }
 
-/// Takes our attributes off a field and reads it; the flag is set when an attribute that declares names is lost.
-/// `types` are the type parameters of the struct, `functions` the names of the fields that hold functions.
+/// Removes the attributes of kin from a field and reads the field. The flag `names_missing` is set when an attribute
+/// that declares names could not be used. `types` are the type parameters of the struct, `functions` the names of the
+/// fields that hold functions.
 pub(super) fn field(
     field: &mut Field,
     types: &[Ident],
@@ -64,7 +65,7 @@ pub(super) fn field(
             }
             Some(Keyword::Param) => param = Some(read_param(&attribute, report)),
             Some(Keyword::Function) => {
-                // The field is as good as declared, so that its type is no mistake.
+                // The field counts as a declared function, so that its type is not reported as another error.
                 (*names_missing, is_function) = (true, true);
                 let field = field.ident.as_ref().map(text).unwrap_or_default();
                 let message = format!("`function` stands above the struct and names the field: `#[function({field})]`");
@@ -117,7 +118,7 @@ fn holds_param(attribute: &Attribute) -> bool {
 
 fn read_param(attribute: &Attribute, report: &Report) -> Param {
     let mut param = Param::default();
-    // `#[param]` marks a parameter without default.
+    // `#[param]` marks a parameter without a default.
     if matches!(attribute.meta, Meta::Path(_)) {
         return param;
     }
@@ -184,7 +185,7 @@ fn number(input: ParseStream) -> Result<f64> {
     constant(&value, "a default")
 }
 
-/// The default of every element.
+/// The default values of all elements.
 fn elements(default: Default, len: Option<usize>, name: &str) -> Result<Vec<f64>> {
     match (default, len) {
         (Default::One(value), len) => Ok(vec![value; len.unwrap_or(1)]),
@@ -202,13 +203,13 @@ fn elements(default: Default, len: Option<usize>, name: &str) -> Result<Vec<f64>
     }
 }
 
-/// Types that are no parameters; of others the compiler decides.
+/// Types that are known not to be parameters; other types are checked by the compiler.
 const NO_NUMBERS: [&str; 22] = [
     "bool", "char", "i8", "i16", "i32", "i64", "i128", "isize", "str", "u8", "u16", "u32", "u64", "u128", "usize",
     "Arc", "Box", "Rc", "HashMap", "Option", "String", "Vec",
 ];
 
-/// Types that hold something else, which may well be a function.
+/// Types that contain another type, which may be a function.
 const HOLDERS: [&str; 3] = ["Arc", "Box", "Rc"];
 
 fn no_number(ty: &Type) -> Error {
@@ -226,7 +227,7 @@ fn no_number(ty: &Type) -> Error {
     Error::new_spanned(ty, message)
 }
 
-/// The length of an array of functions, `None` for a single function of whatever type.
+/// The length of an array of functions; `None` for a single function of any type.
 fn function_len(ty: &Type) -> Result<Option<usize>> {
     match ty {
         Type::Group(group) => function_len(&group.elem),
@@ -239,7 +240,7 @@ fn function_len(ty: &Type) -> Result<Option<usize>> {
     }
 }
 
-/// The length of an array type, `None` for a single number.
+/// The length of an array type; `None` for a single number.
 fn array_len(ty: &Type, types: &[Ident]) -> Result<Option<usize>> {
     match ty {
         Type::Group(group) => array_len(&group.elem, types),

@@ -1,4 +1,4 @@
-//! `#[mechanism(cross_check, allow_redundant, check_units)]`.
+//! Parsing of `#[mechanism(cross_check, allow_redundant, check_units)]`.
 
 use super::flatten::flatten;
 use super::index::identifier;
@@ -11,7 +11,7 @@ use proc_macro2::TokenStream;
 use syn::parse::{ParseStream, Parser};
 use syn::{Error, Result, Token};
 
-/// The flags among the arguments of the attribute.
+/// The flags in the arguments of the attribute.
 pub(super) fn flags(args: TokenStream, report: &Report) -> Flags {
     let mut flags = Flags::default();
     let before = report.count();
@@ -19,7 +19,7 @@ pub(super) fn flags(args: TokenStream, report: &Report) -> Flags {
         list(input, report, |input| flag(input, &mut flags));
         Ok(())
     };
-    // Tokens that were skipped after a reported mistake come back as "unexpected token" at the end.
+    // Tokens that were skipped after a reported error cause the error "unexpected token" at the end, which is ignored.
     if let Err(error) = read.parse2(flatten(args))
         && report.count() == before
     {

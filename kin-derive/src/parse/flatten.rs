@@ -1,11 +1,11 @@
-//! Token streams before parsing: invisible groups made visible, bottomless ones refused.
+//! Preparation of token streams: invisible groups are made visible, and deeply nested streams are rejected.
 
 use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
 
-/// The deepest nesting of brackets that is read: parsers recurse, and macros run unoptimised on small stacks.
+/// The deepest accepted nesting of brackets: parsers recurse, and macros run unoptimised on small stacks.
 pub(crate) const MAX_NESTING: usize = 48;
 
-/// The group that is nested too deep for a recursive parser, if there is one.
+/// The span of a group that is nested too deeply for a recursive parser, if there is one.
 pub(crate) fn too_deep(tokens: &TokenStream) -> Option<Span> {
     let mut open = vec![tokens.clone().into_iter()];
     while let Some(level) = open.last_mut() {
@@ -19,8 +19,8 @@ pub(crate) fn too_deep(tokens: &TokenStream) -> Option<Span> {
     None
 }
 
-/// A token of a struct after so many that nest without brackets, `&&&…` or `Vec<Vec<…`, that a recursive parser would
-/// not come back; what stands in attributes is not counted.
+/// The span of a token after too many nested prefixes or type arguments, `&&&…` or `Vec<Vec<…`, which would overflow
+/// the stack of a recursive parser; the contents of attributes are not counted.
 pub(super) fn too_tangled(item: &TokenStream) -> Option<Span> {
     const MAX_PREFIXES: usize = 32;
     const MAX_TOKENS: usize = 400;
@@ -49,8 +49,8 @@ pub(super) fn too_tangled(item: &TokenStream) -> Option<Span> {
     None
 }
 
-/// Replaces the invisible groups that `macro_rules!` fragments arrive in: one token stands for itself, several
-/// become a parenthesis, so that `$l:expr` binds as the user sees it.
+/// Replaces the invisible groups of `macro_rules!` fragments: a single token replaces its group, several tokens are put
+/// in parentheses, so that `$l:expr` binds as the user expects.
 pub(super) fn flatten(tokens: TokenStream) -> TokenStream {
     let mut flat = TokenStream::new();
     for tree in tokens {
@@ -70,7 +70,7 @@ pub(super) fn flatten(tokens: TokenStream) -> TokenStream {
     flat
 }
 
-/// A group with the span of another one.
+/// A group with a given span.
 pub(super) fn regroup(delimiter: Delimiter, stream: TokenStream, span: Span) -> TokenTree {
     let mut group = Group::new(delimiter, stream);
     group.set_span(span);

@@ -1,10 +1,10 @@
-//! Constant expressions: defaults of parameters and exponents are numbers when the macro runs.
+//! Evaluation of constant expressions: defaults of parameters and exponents must be numbers at compile time.
 
 use crate::ast::{Expr, ExprKind, Operator};
 use kin_core::mechanism::Function;
 use syn::{Error, Result};
 
-/// The value of `expr`; an error on the first part that is no constant.
+/// The value of `expr`; an error at the first part that is not constant.
 pub(super) fn constant(expr: &Expr, what: &str) -> Result<f64> {
     let value = value(expr, what)?;
     if value.is_finite() {

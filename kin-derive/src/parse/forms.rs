@@ -1,29 +1,29 @@
-//! How joints, drivers, equations, masses and loads are written: the kinds and their forms are kin-core's.
+//! Forms of joints, drivers, equations, masses and loads, derived from the kinds and forms of kin-core.
 
 use kin_core::mechanism::{Slot, StatementForm, Takes, Written};
 use kin_core::{joints, loads};
 use std::sync::LazyLock;
 
-/// What an operand is.
+/// The form of an operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum OperandForm {
     Point,
-    /// Two points or more.
+    /// Two or more points.
     Points,
     Body,
-    /// One body, or two, in front of `=`.
+    /// One or two bodies before `=`.
     Bodies,
-    /// `(fx, fy)`.
+    /// A pair of components: `(fx, fy)`.
     Vector,
     Expression,
 }
 
-/// What the value of an option is.
+/// The form of an option's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum OptionForm {
     Axis,
     Expression,
-    /// `key(theta) = expression`, with the words that stand in the brackets.
+    /// `key(theta) = expression`, with the fixed words in the parentheses.
     Curve(&'static [&'static str]),
     /// `key(u) = (ex, ey)`.
     Path,
@@ -33,19 +33,19 @@ pub(super) enum OptionForm {
     Scalar,
 }
 
-/// How the rows of a keyword are written.
+/// The form of the rows with one keyword.
 pub(super) struct RowForm {
-    /// The attribute.
+    /// The name of the attribute.
     pub(super) keyword: &'static str,
-    /// The kinds that share it: they have the same operands, and options of their own.
+    /// The kinds that share the keyword: they have the same operands and different options.
     pub(super) kinds: Vec<&'static StatementForm>,
-    /// What stands behind the name, in order.
+    /// The operands after the name, in order.
     pub(super) operands: Vec<OperandForm>,
-    /// What can follow as `key = value`.
+    /// The options `key = value` after the operands.
     pub(super) options: Vec<(&'static str, OptionForm)>,
 }
 
-/// Every row of the language, in the order of the guide.
+/// The forms of all rows of the language, in the order of the guide.
 pub(super) static FORMS: LazyLock<Vec<RowForm>> = LazyLock::new(|| {
     let mut rows: Vec<RowForm> = Vec::new();
     for form in joints::forms().chain(loads::forms()) {
@@ -79,7 +79,7 @@ fn operand_of(slot: &Slot) -> OperandForm {
     }
 }
 
-/// The options that a slot is written with.
+/// The options from which a slot is read.
 fn options_of(slot: &Slot) -> Vec<(&'static str, OptionForm)> {
     let form = match slot.takes {
         Takes::Axis => OptionForm::Axis,
@@ -101,22 +101,23 @@ fn options_of(slot: &Slot) -> Vec<(&'static str, OptionForm)> {
 }
 
 impl RowForm {
-    /// A row as the user writes it.
+    /// An example of a row.
     pub(super) fn example(&self) -> &'static str {
         self.kinds.first().map_or("", |form| form.example)
     }
 
-    /// What would be right, for a message: the example, or for a kind that it is none of, how the kinds are told apart.
+    /// The correct form for a message: the example or, for another kind than the first, the description how to choose
+    /// the kind.
     pub(super) fn right(&self, kind: &'static StatementForm) -> String {
         if self.kinds.first() == Some(&kind) { format!("`{}`", self.example()) } else { kind.choice.to_owned() }
     }
 
-    /// True when it begins with a name; otherwise it may.
+    /// True if the row must begin with a name; otherwise the name is optional.
     pub(super) fn is_named(&self) -> bool {
         self.kinds.iter().any(|form| form.named)
     }
 
-    /// True when `= expression` follows the last operand.
+    /// True if `= expression` follows the last operand.
     pub(super) fn is_equation(&self) -> bool {
         self.kinds.iter().any(|form| form.is_equation())
     }

@@ -6,10 +6,10 @@ use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Error, GenericParam, Generics, Ident, ItemStruct, Result, Type};
 
-/// What generated code calls its own: no struct and no parameter of it may have one of these names.
+/// Names that generated code uses: neither the struct nor its parameters may have one of them.
 const RESERVED: [&str; 7] = ["__T", "__Parameters", "__Inputs", "__Coordinates", "__Functions", "__MODEL", "__kin"];
 
-/// Refuses the names that generated code uses beside the user's; true when there is one.
+/// Reports names that are reserved for generated code; true if there is one.
 pub(super) fn reserved(item: &ItemStruct, report: &Report) -> bool {
     let before = report.count();
     let parameters = item.generics.params.iter().filter_map(|parameter| match parameter {
@@ -25,7 +25,7 @@ pub(super) fn reserved(item: &ItemStruct, report: &Report) -> bool {
     report.count() > before
 }
 
-/// The test of `#[mechanism(cross_check)]` must know which type it tests.
+/// Checks that the test of `#[mechanism(cross_check)]` can name a concrete type.
 pub(super) fn testable(item: &ItemStruct, fields: &[FieldDecl], report: &Report) {
     for parameter in &item.generics.params {
         let ident = match parameter {
@@ -48,7 +48,7 @@ pub(super) fn type_parameters(generics: &Generics) -> Vec<Ident> {
     generics.type_params().map(|parameter| parameter.ident.clone()).collect()
 }
 
-/// The type parameter that the numbers of a field are of: of `T` and `[T; 3]` it is `T`.
+/// The type parameter that is the type of a field's numbers: `T` for `T` and `[T; 3]`.
 pub(super) fn scalar_parameter(ty: &Type, types: &[Ident]) -> Result<Option<Ident>> {
     match ty {
         Type::Group(group) => scalar_parameter(&group.elem, types),
@@ -67,7 +67,7 @@ pub(super) fn scalar_parameter(ty: &Type, types: &[Ident]) -> Result<Option<Iden
     }
 }
 
-/// The first type parameter among the tokens of a type.
+/// The first type parameter in the tokens of a type.
 fn mentioned(tokens: TokenStream, types: &[Ident]) -> Option<Ident> {
     tokens.into_iter().find_map(|tree| match tree {
         TokenTree::Ident(ident) => types.iter().find(|name| **name == ident).cloned(),

@@ -1,4 +1,4 @@
-//! Names with brackets: `link[10]`, `N[i in 0..10]`, and indices such as `link[2*i + 1]`.
+//! Parsing of names with brackets: `link[10]`, `N[i in 0..10]`, and of indices such as `link[2*i + 1]`.
 
 use super::docs::inner_doc;
 use super::reject::here;
@@ -10,10 +10,10 @@ use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Error, Ident, LitInt, Result, Token, bracketed, token};
 
-/// The largest number in an index; what a family can hold is far smaller.
+/// The largest number in an index; families are much smaller.
 const MAX_NUMBER: i64 = 1_000_000;
 
-/// The name of something new with its doc comment; brackets that cannot be read are reported and leave a hole,
+/// Parses the name in a declaration with its doc comment. Brackets that cannot be read are reported and become a hole,
 /// so that the name is known nevertheless.
 pub(super) fn new_name(input: ParseStream, report: &Report) -> Result<NewName> {
     let doc = inner_doc(input)?;
@@ -22,7 +22,7 @@ pub(super) fn new_name(input: ParseStream, report: &Report) -> Result<NewName> {
     Ok(NewName { ident, bracket, doc })
 }
 
-/// A name that is used, or a family all of whose members are meant: `link[i in 0..10]`.
+/// Parses a use of a name, or of all members of a family: `link[i in 0..10]`.
 pub(super) fn name_or_family(input: ParseStream) -> Result<(NameUse, Option<RangeDecl>)> {
     let ident = identifier(input)?;
     if !input.peek(token::Bracket) {
@@ -43,14 +43,14 @@ fn is_range(content: ParseStream) -> bool {
     content.peek(Ident::peek_any) && content.peek2(Token![in])
 }
 
-/// A name that is used.
+/// Parses a use of a name.
 pub(super) fn name_use(input: ParseStream) -> Result<NameUse> {
     let ident = identifier(input)?;
     let index = if input.peek(token::Bracket) { Some(index(input)?) } else { None };
     Ok(NameUse { ident, index })
 }
 
-/// An identifier; keywords of Rust are told how to become one.
+/// Parses an identifier; for a keyword of Rust the error says how to write it as a raw identifier.
 pub(super) fn identifier(input: ParseStream) -> Result<Ident> {
     if !input.peek(Ident) && input.peek(Ident::peek_any) {
         let word = Ident::parse_any(input)?;
@@ -119,7 +119,7 @@ fn range(content: ParseStream, span: Span) -> Result<RangeDecl> {
     Ok(RangeDecl { variable, start, end, span })
 }
 
-/// `[2*i + 1]`.
+/// Parses `[2*i + 1]`.
 fn index(input: ParseStream) -> Result<IndexExpr> {
     let content;
     let brackets = bracketed!(content in input);
@@ -139,7 +139,7 @@ fn linear(content: ParseStream, span: Span) -> Result<IndexExpr> {
     Ok(IndexExpr { scale: sum.scale, variable: sum.variable, offset: sum.offset, span })
 }
 
-/// `scale * variable + offset` on the way.
+/// An index expression during parsing: `scale * variable + offset`.
 struct Linear {
     scale: i64,
     variable: Option<Ident>,
@@ -228,7 +228,7 @@ fn factor(input: ParseStream) -> Result<Linear> {
     value.mul(Linear { scale: 0, variable: None, offset: sign }, span)
 }
 
-/// An integer literal without sign and suffix.
+/// Parses an integer literal without sign and suffix.
 fn whole_number(input: ParseStream) -> Result<(i64, Span)> {
     let wrong = "an index is made of integers and the index variable: `3`, `i + 1`, `2*i`";
     let literal: LitInt = input.parse().map_err(|error: Error| Error::new(error.span(), wrong))?;

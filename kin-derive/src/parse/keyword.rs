@@ -1,9 +1,9 @@
-//! Which attributes are ours.
+//! The attributes that belong to kin.
 
 use super::forms::{self, RowForm};
 use crate::suggest::{listed, near};
 
-/// What an attribute of ours declares.
+/// The meaning of an attribute of kin.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Keyword {
     Bodies,
@@ -19,14 +19,14 @@ pub(super) enum Keyword {
     Row(&'static RowForm),
     /// A unilateral condition.
     Condition,
-    /// Stands on a field.
+    /// An attribute of a field.
     Param,
-    /// `#[mechanism]` itself, a second time.
+    /// A second `#[mechanism]`.
     Mechanism,
 }
 
 impl Keyword {
-    /// True when names may be missing after such an attribute could not be read.
+    /// True if names may be missing when such an attribute cannot be read.
     pub(super) const fn declares(self) -> bool {
         matches!(
             self,
@@ -35,7 +35,7 @@ impl Keyword {
     }
 }
 
-/// The words that are no rows.
+/// The keywords other than those of rows.
 const WORDS: [(&str, Keyword); 11] = [
     ("bodies", Keyword::Bodies),
     ("body", Keyword::Body),
@@ -54,19 +54,19 @@ fn words() -> impl Iterator<Item = (&'static str, Keyword)> {
     WORDS.into_iter().chain(forms::FORMS.iter().map(|form| (form.keyword, Keyword::Row(form))))
 }
 
-/// Every word of the language, with an example where it is a row.
+/// All keywords of the language, with an example for those of rows.
 #[cfg(test)]
 pub(crate) fn vocabulary() -> Vec<(&'static str, Option<&'static str>)> {
     let example = |keyword| if let Keyword::Row(form) = keyword { Some(form.example()) } else { None };
     words().map(|(word, keyword)| (word, example(keyword))).collect()
 }
 
-/// The keyword called `name`.
+/// The keyword with this name.
 pub(super) fn find(name: &str) -> Option<Keyword> {
     words().find(|(word, _)| *word == name).map(|(_, keyword)| keyword)
 }
 
-/// Attributes that the compiler or common crates own, however close they are to ours.
+/// Attributes of the compiler or of common crates, which are never taken for misspelt keywords.
 const FOREIGN: [&str; 18] = [
     "allow",
     "automatically_derived",
@@ -88,7 +88,7 @@ const FOREIGN: [&str; 18] = [
     "warn",
 ];
 
-/// What others call it.
+/// Words that other tools use, with the corresponding keyword.
 const SYNONYMS: &[(&str, &str)] = &[
     ("actuator", "driver"),
     ("assembly", "guess"),
@@ -109,14 +109,13 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("weld", "fixed"),
 ];
 
-/// What is wrong with an attribute that is not ours, when it is a slip of one that is; and whether names may
-/// be missing because of it.
+/// The message for an unknown attribute that resembles a keyword, and whether names may be missing because of it.
 pub(super) fn near_miss(name: &str) -> Option<(String, bool)> {
     if FOREIGN.contains(&name) {
         return None;
     }
     let synonym = SYNONYMS.iter().find(|(word, _)| *word == name).map(|(_, meant)| *meant);
-    // `x` and `y` are too short for a slip.
+    // `x` and `y` are too short to be recognised as misspelt.
     let meant = match synonym {
         Some(meant) => vec![meant],
         None => near(name, words().map(|(word, _)| word).filter(|word| word.len() > 2)),
@@ -130,7 +129,7 @@ pub(super) fn near_miss(name: &str) -> Option<(String, bool)> {
     Some((format!("no attribute `{name}` in kin; {right}"), declares))
 }
 
-/// True for `keyword` and for a slip of it.
+/// True for `keyword` and its misspellings.
 pub(super) fn is_nearly(name: &str, keyword: &str) -> bool {
     name == keyword || find(name).is_none() && !FOREIGN.contains(&name) && !near(name, [keyword]).is_empty()
 }

@@ -1,4 +1,4 @@
-//! Reading on after a mistake: the parts of an attribute are separated by commas, and each is read for itself.
+//! Error recovery: the parts of an attribute are separated by commas, and each part is parsed on its own.
 
 use super::flatten::flatten;
 use super::reject::here;
@@ -7,10 +7,10 @@ use proc_macro2::TokenTree;
 use syn::parse::ParseStream;
 use syn::{Attribute, Ident, MacroDelimiter, Meta, MetaList, Result, Token};
 
-/// Runs `read` over what stands in the brackets of our attribute; `form` shows how it is written.
+/// Calls `read` on the contents of an attribute's parentheses; `form` is an example for the message.
 ///
-/// `None` when there are no brackets or when `read` gave up; both are reported. A value with reported mistakes in it
-/// is a value.
+/// Returns `None` if there are no parentheses or `read` fails; both are reported. A value that was read despite
+/// reported errors is returned.
 pub(super) fn inside<T>(
     attribute: &Attribute,
     keyword: &Ident,
@@ -33,7 +33,7 @@ pub(super) fn inside<T>(
         value = Some(read(input)?);
         Ok(())
     });
-    // Tokens that were skipped after a reported mistake come back as "unexpected token" at the end.
+    // Tokens that were skipped after a reported error cause the error "unexpected token" at the end, which is ignored.
     match result {
         Err(error) if value.is_none() || report.count() == before => {
             report.push(error);
@@ -43,7 +43,7 @@ pub(super) fn inside<T>(
     }
 }
 
-/// Reads parts separated by commas; false when one of them returned an error, which is reported.
+/// Parses parts separated by commas; false when one of them failed, which is reported.
 pub(super) fn list(input: ParseStream, report: &Report, mut part: impl FnMut(ParseStream) -> Result<()>) -> bool {
     let mut complete = true;
     while !input.is_empty() {
@@ -69,15 +69,16 @@ pub(super) fn end_of_part(input: ParseStream) -> Result<()> {
     }
 }
 
-/// Moves to the next comma or the end.
+/// Skips to the next comma or to the end.
 pub(super) fn skip_part(input: ParseStream) {
     skip_to(input, |input| input.peek(Token![,]));
 }
 
-/// Moves to the first token for which `stop` holds, or to the end.
+/// Skips to the first token at which `stop` is true, or to the end.
 pub(super) fn skip_to(input: ParseStream, stop: impl Fn(ParseStream) -> bool) {
     while !input.is_empty() && !stop(input) {
-        // The second half of `==` is no `=`.
+        // Operators of two characters are skipped as a whole, so that the second character of `==` is not taken for
+        // `=`.
         let is_double =
             input.peek(Token![==]) || input.peek(Token![!=]) || input.peek(Token![<=]) || input.peek(Token![>=]);
         for _ in 0..1 + usize::from(is_double) {
@@ -88,10 +89,10 @@ pub(super) fn skip_to(input: ParseStream, stop: impl Fn(ParseStream) -> bool) {
     }
 }
 
-/// Consumes a comma, if one follows.
+/// Skips a comma, if one follows.
 pub(super) fn comma(input: ParseStream) {
     if input.peek(Token![,]) {
-        // A comma that was seen can be read.
+        // The comma has been peeked, so parsing it cannot fail.
         _ = input.parse::<Token![,]>();
     }
 }

@@ -1,4 +1,4 @@
-//! Tokens to [`Description`]: what is written, with all mistakes of form reported and no name resolved.
+//! From tokens to [`Description`]: parses the attributes and reports all syntax errors, without resolving names.
 
 mod call;
 mod condition;
@@ -42,9 +42,9 @@ use syn::parse::ParseStream;
 use syn::spanned::Spanned;
 use syn::{Attribute, Error, Fields, Ident, ItemStruct, Meta, Result, Token};
 
-/// The struct without our attributes, and what they and its fields say.
+/// Returns the struct without the attributes of kin, and the description in these attributes and its fields.
 ///
-/// There is no description when there is no struct with named fields to describe.
+/// There is no description if the item is not a struct with named fields.
 pub(crate) fn parse(
     args: TokenStream,
     item: TokenStream,
@@ -122,7 +122,7 @@ fn describe(item: &mut ItemStruct, flags: Flags, report: &Report) -> Option<Desc
     })
 }
 
-/// Reads one attribute of ours; false when it could not be read to the end.
+/// Parses one attribute of kin; false when it could not be read completely.
 fn read(attribute: &Attribute, word: &Ident, keyword: Keyword, report: &Report, items: &mut Vec<Item>) -> bool {
     let form = match keyword {
         Keyword::Bodies => "#[bodies(crank, coupler)]",
@@ -168,7 +168,7 @@ fn read(attribute: &Attribute, word: &Ident, keyword: Keyword, report: &Report, 
             Keyword::Param | Keyword::Mechanism => true,
         })
     });
-    // What was declared before the error stays declared; what follows it may be missing.
+    // Names declared before the error are known; later ones may be missing.
     complete.unwrap_or(false)
 }
 
@@ -199,7 +199,7 @@ fn fields(
     Some(read.into_iter().flatten().collect())
 }
 
-/// True for `#[param(…)]`, misspelt or not.
+/// True for `#[param(…)]` and its misspellings.
 pub(crate) fn near_param(attribute: &Attribute) -> bool {
     attribute.path().get_ident().is_some_and(|word| keyword::is_nearly(&text(word), "param"))
 }

@@ -1,11 +1,11 @@
-//! Nodes of expressions: how tall they may be, numbers, and long sums and products as balanced trees.
+//! Nodes of expressions: their height limit, numbers, and long sums and products as balanced trees.
 
 use crate::ast::{Expr, ExprKind, Operator};
 use proc_macro2::Span;
 use syn::{Error, Lit, Result};
 
 impl Expr {
-    /// An expression over `children`, unless it gets too tall.
+    /// An expression with `children` of these heights, unless it gets too high.
     pub(super) fn over(kind: ExprKind, span: Span, children: &[usize]) -> Result<Self> {
         let height = 1 + children.iter().copied().max().unwrap_or(0);
         if height > Self::MAX_HEIGHT {
@@ -20,17 +20,17 @@ pub(super) fn too_deep(span: Span) -> Error {
     Error::new(span, format!("an expression is at most {limit} levels deep; give a part of it a name with `define`"))
 }
 
-/// Operands of one sum or product up to which it stays as it was written, from left to right.
+/// Number of operands up to which a sum or a product remains a chain from left to right.
 const LONGEST_AS_WRITTEN: usize = 16;
 
-/// A sum or a product of many operands. A longer one becomes a balanced tree, since it is long and not deep: passes over
-/// expressions recurse. `inverse` is the operator that takes away, − of a sum and / of a product.
+/// A sum or a product of many operands. A long one becomes a balanced tree, because passes over expressions recurse
+/// over its height. `inverse` is the inverse operator, − for a sum and / for a product.
 pub(super) fn chain(first: Expr, rest: Vec<(Operator, Expr)>, inverse: Operator) -> Result<Expr> {
     if rest.len() < LONGEST_AS_WRITTEN {
         return rest.into_iter().try_fold(first, |left, (operator, right)| binary(operator, left, right));
     }
-    // Neighbours are paired until one operand is left: a ∘ b, and under an inverse operator a ∘ (b ∘⁻¹ c), which takes away
-    // b and what was added to it.
+    // Neighbours are paired until one operand is left: a ∘ b, and after an inverse operator a ∘ (b ∘⁻¹ c), which
+    // applies the inverse to both operands of the pair.
     let mut operands: Vec<(Operator, Expr)> = core::iter::once((plain(inverse), first)).chain(rest).collect();
     while operands.len() > 1 {
         let mut paired = Vec::with_capacity(operands.len().div_ceil(2));
@@ -49,11 +49,11 @@ pub(super) fn chain(first: Expr, rest: Vec<(Operator, Expr)>, inverse: Operator)
         }
         operands = paired;
     }
-    // The first operand is never taken away.
+    // No inverse operator precedes the first operand.
     operands.pop().map(|(_, whole)| whole).ok_or_else(|| Error::new(Span::call_site(), "an expression is missing"))
 }
 
-/// The operator that puts together what its inverse takes away.
+/// The operator of which `inverse` is the inverse.
 fn plain(inverse: Operator) -> Operator {
     if inverse == Operator::Sub { Operator::Add } else { Operator::Mul }
 }
@@ -88,7 +88,7 @@ pub(super) fn number(literal: Lit) -> Result<Expr> {
     }
 }
 
-/// Both spans where the compiler can join them, else the first.
+/// The joined span where the compiler can join them, otherwise the first.
 pub(super) fn join(first: Span, last: Span) -> Span {
     first.join(last).unwrap_or(first)
 }

@@ -1,4 +1,5 @@
-//! What stands behind the names that an attribute declares, and holds for all of them: `unit = "m"`, `default = 0.3`.
+//! Parsing of options after the names that an attribute declares, which apply to all of these names: `unit = "m"`,
+//! `default = 0.3`.
 
 use super::expr::{end_of_expr, expr};
 use super::fold::constant;
@@ -25,7 +26,7 @@ impl<'k> Options<'k> {
         Self { keyword, allowed, unit: None, default: None, any: false }
     }
 
-    /// Reads an option; false where a name stands.
+    /// Parses an option; false where a name follows.
     pub(super) fn read(&mut self, input: ParseStream) -> Result<bool> {
         let ahead = input.fork();
         let key = ahead.call(Ident::parse_any).ok().filter(|_| ahead.peek(Token![=]) && !ahead.peek(Token![==]));
@@ -62,7 +63,7 @@ impl<'k> Options<'k> {
         Ok(true)
     }
 
-    /// Gives the options to what the attribute has declared.
+    /// Assigns the options to all items that the attribute has declared.
     pub(super) fn give(self, items: &mut [Item], first: usize) {
         for item in items.iter_mut().skip(first) {
             match item {
@@ -75,7 +76,7 @@ impl<'k> Options<'k> {
     }
 }
 
-/// `"m"`, a unit that is known.
+/// Parses a known unit, such as `"m"`.
 pub(super) fn unit(input: ParseStream) -> Result<String> {
     let unit: LitStr = input
         .parse()

@@ -1,4 +1,4 @@
-//! The parts of a row: operands in order, then `key = value` in any order.
+//! The parts of a row: operands in order, followed by `key = value` in any order.
 
 use super::forms::{OptionForm, RowForm};
 use crate::ast::{AxisExpr, BodyExpr, Expr, NameUse, PointExpr, RadiiExpr, text};
@@ -8,7 +8,7 @@ use proc_macro2::Span;
 use std::collections::VecDeque;
 use syn::Ident;
 
-/// An operand that was read, or its hole.
+/// An operand that was read, or a hole.
 pub(super) enum Operand {
     Point(PointExpr),
     Body(Option<NameUse>),
@@ -25,26 +25,26 @@ pub(super) enum Value {
     Name(NameUse),
 }
 
-/// What was read of a row; whoever takes a part that is not there gets a hole.
+/// The parts that were read of a row; the accessor of a missing part returns a hole.
 pub(super) struct Parts<'a> {
     pub(super) keyword: &'a Ident,
     pub(super) form: &'static RowForm,
-    /// The kind that is meant, the first of its keyword until its options have been read.
+    /// The kind of the row; the first kind of its keyword until the options have been read.
     pub(super) kind: &'static StatementForm,
     pub(super) report: &'a Report,
     pub(super) operands: VecDeque<Operand>,
     pub(super) right: Option<Expr>,
     pub(super) options: Vec<(Ident, Option<Value>)>,
-    /// An option was lost to a reported mistake, probably the one that is missing.
+    /// True if an option could not be read, which is reported; it may be the one that is missing.
     pub(super) lost_option: bool,
-    /// The number of operands is wrong, which is reported.
+    /// True if the number of operands is wrong, which is reported.
     pub(super) miscounted: bool,
-    /// Errors before this row.
+    /// The number of errors before this row.
     pub(super) errors_before: usize,
 }
 
 impl Parts<'_> {
-    /// The next operand, a point.
+    /// The next operand, which is a point.
     pub(super) fn point(&mut self) -> PointExpr {
         match self.operands.pop_front() {
             Some(Operand::Point(point)) => point,
@@ -52,13 +52,13 @@ impl Parts<'_> {
         }
     }
 
-    /// All operands that are left, points.
+    /// All remaining operands, which are points.
     pub(super) fn points(&mut self) -> Vec<PointExpr> {
         let count = self.operands.len();
         (0..count).map(|_| self.point()).collect()
     }
 
-    /// The next operand, a body.
+    /// The next operand, which is a body.
     pub(super) fn body(&mut self) -> BodyExpr {
         match self.operands.pop_front() {
             Some(Operand::Body(Some(body))) => BodyExpr::Named(body),
@@ -66,13 +66,13 @@ impl Parts<'_> {
         }
     }
 
-    /// All operands that are left, bodies.
+    /// All remaining operands, which are bodies.
     pub(super) fn bodies(&mut self) -> Vec<BodyExpr> {
         let count = self.operands.len();
         (0..count).map(|_| self.body()).collect()
     }
 
-    /// The next operand, a pair.
+    /// The next operand, which is a pair.
     pub(super) fn vector(&mut self) -> AxisExpr {
         match self.operands.pop_front() {
             Some(Operand::Vector(vector)) => vector,
@@ -80,7 +80,7 @@ impl Parts<'_> {
         }
     }
 
-    /// The next operand, an expression.
+    /// The next operand, which is an expression.
     pub(super) fn expr(&mut self) -> Expr {
         match self.operands.pop_front() {
             Some(Operand::Expression(expr)) => expr,
@@ -93,7 +93,7 @@ impl Parts<'_> {
         self.right.take().unwrap_or_else(|| Expr::hole(self.keyword.span()))
     }
 
-    /// The value of an axis, which is required.
+    /// The axis in a required option.
     pub(super) fn axis(&mut self, key: &str) -> AxisExpr {
         match self.take(key) {
             Some(Some(Value::Axis(axis))) => axis,
@@ -104,7 +104,7 @@ impl Parts<'_> {
         }
     }
 
-    /// The value of a pair of radii, which is required.
+    /// The pair of radii in a required option.
     pub(super) fn radii(&mut self, key: &str) -> RadiiExpr {
         match self.take(key) {
             Some(Some(Value::Radii(radii))) => radii,
@@ -116,7 +116,7 @@ impl Parts<'_> {
         }
     }
 
-    /// The name that a required option gives.
+    /// The name in a required option.
     pub(super) fn name(&mut self, key: &str) -> Option<NameUse> {
         match self.take(key) {
             Some(Some(Value::Name(name))) => Some(name),
@@ -127,12 +127,12 @@ impl Parts<'_> {
         }
     }
 
-    /// The body that a required option gives.
+    /// The body in a required option.
     pub(super) fn named_body(&mut self, key: &str) -> BodyExpr {
         self.name(key).map_or(BodyExpr::Hole, BodyExpr::Named)
     }
 
-    /// The body that carries axles: the ground, unless another is given.
+    /// The body that carries the axles: the ground, unless the option names another one.
     pub(super) fn carrier(&mut self, key: &str) -> BodyExpr {
         match self.take(key) {
             None => BodyExpr::NotGiven,
@@ -141,12 +141,12 @@ impl Parts<'_> {
         }
     }
 
-    /// The first of the given options that is one of `keys`.
+    /// The first option that is one of `keys`.
     pub(super) fn given(&self, keys: &[&str]) -> Option<&Ident> {
         self.options.iter().map(|(key, _)| key).find(|key| keys.contains(&text(key).as_str()))
     }
 
-    /// The value of a required option.
+    /// The expression in a required option.
     pub(super) fn required(&mut self, key: &str) -> Expr {
         match self.take(key) {
             Some(Some(Value::Expression(expr))) => expr,
@@ -157,10 +157,10 @@ impl Parts<'_> {
         }
     }
 
-    /// The value of an option that is 0 when it is not given.
+    /// The expression in an option with default 0.
     pub(super) fn or_zero(&mut self, key: &str) -> Expr {
         match self.take(key) {
-            // A load of which an option was lost would seem to do nothing.
+            // A load with an unreadable option gets a hole, so that it does not seem to be zero.
             None if self.lost_option && self.kind.kind.is_load() => Expr::hole(self.keyword.span()),
             None => Expr::number(0.0, self.keyword.span()),
             Some(Some(Value::Expression(expr))) => expr,

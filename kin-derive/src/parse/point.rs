@@ -1,4 +1,4 @@
-//! Operands and options that are points, bodies, scalars or pairs.
+//! Parsing of operands and options that are points, bodies, scalars or pairs.
 
 use super::expr::{pair, point_at_depth};
 use super::index::name_use;
@@ -8,12 +8,12 @@ use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Ident, Result, Token};
 
-/// A point operand.
+/// Parses a point.
 pub(super) fn point(input: ParseStream) -> Result<PointExpr> {
     point_at_depth(input, 0).map(|(point, _)| point)
 }
 
-/// A body operand.
+/// Parses a body.
 pub(super) fn body(input: ParseStream) -> Result<NameUse> {
     if !input.peek(Ident::peek_any) {
         return Err(here(input, "expected the name of a body"));
@@ -28,25 +28,25 @@ pub(super) fn body(input: ParseStream) -> Result<NameUse> {
     Ok(name)
 }
 
-/// The value of `axis`.
+/// Parses the value of `axis`.
 pub(super) fn axis(input: ParseStream) -> Result<AxisExpr> {
     let (x, y, span) = pair(input, 0, "an axis is a pair in the frame of its body: `axis = (1, 0)`")?;
     Ok(AxisExpr { x, y, span })
 }
 
-/// The components of a force.
+/// Parses the components of a force.
 pub(super) fn vector(input: ParseStream) -> Result<AxisExpr> {
     let (x, y, span) = pair(input, 0, "a force is a pair of components: `(fx, fy)`")?;
     Ok(AxisExpr { x, y, span })
 }
 
-/// The value of `radii`.
+/// Parses the value of `radii`.
 pub(super) fn radii(input: ParseStream) -> Result<RadiiExpr> {
     let (i, j, span) = pair(input, 0, "radii are a pair, in the order of the operands: `radii = (r1, r2)`")?;
     Ok(RadiiExpr { i, j, span })
 }
 
-/// The name of a scalar coordinate.
+/// Parses the name of a scalar coordinate.
 pub(super) fn scalar(input: ParseStream) -> Result<NameUse> {
     const FORM: &str = "here stands the name of a scalar coordinate, declared with `#[coordinates(psi)]`";
     if !input.peek(Ident::peek_any) {

@@ -1,4 +1,4 @@
-//! Reading the parts of a row, on past mistakes.
+//! Parsing of the parts of a row, with recovery from errors.
 
 use super::curve::{self, is_bracketed};
 use super::expr::{end_of_expr, expr};
@@ -16,7 +16,7 @@ use syn::parse::ParseStream;
 use syn::{Error, Ident, Result, Token, token};
 
 impl<'a> Parts<'a> {
-    /// Reads everything behind `name:`.
+    /// Parses everything after `name:`.
     pub(super) fn read(input: ParseStream, keyword: &'a Ident, form: &'static RowForm, report: &'a Report) -> Self {
         let mut parts = Self {
             keyword,
@@ -71,7 +71,7 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// Points until the options begin, two or more.
+    /// Parses points until the options begin, at least two.
     fn read_points(&mut self, input: ParseStream) {
         while !input.is_empty() && !self.begins_option(input) {
             let result = self.read_operand(input, OperandForm::Points);
@@ -88,7 +88,7 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// One body, or two, and the right-hand side.
+    /// Parses one or two bodies, and the right-hand side.
     fn read_bodies(&mut self, input: ParseStream) {
         let mut read = true;
         while !input.is_empty() && !is_equals(input) {
@@ -125,7 +125,7 @@ impl<'a> Parts<'a> {
         Ok(())
     }
 
-    /// The right-hand side; a missing `=` is no second mistake when the left side already had one.
+    /// Parses the right-hand side; a missing `=` is not reported if the left side has an error.
     fn read_right(&mut self, input: ParseStream, left_is_read: bool) {
         if is_equals(input) {
             let right = input.parse::<Token![=]>().and_then(|_| expr(input));
@@ -140,7 +140,7 @@ impl<'a> Parts<'a> {
             if left_is_read {
                 self.report.push(no_equals(input, self.form.example()));
             }
-            // What follows a comma here would be taken for an option.
+            // The rest is skipped, because tokens after a comma would be taken for an option.
             skip_to(input, |_| false);
         }
     }
@@ -152,7 +152,7 @@ impl<'a> Parts<'a> {
                 self.finish_part(result, input);
                 continue;
             }
-            // One word about operands that are too many is enough; one of them may be an option without its key.
+            // Too many operands are reported once; one of them may be an option without its key.
             let option = self.option_without_equals(input);
             if let Some(key) = option {
                 self.report.push(here(input, format!("`{key}` is given with `=`: `{}`", self.form.example())));
@@ -166,13 +166,13 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// An option of this row that stands here, followed by something other than `=`.
+    /// The option of this row that follows without `=`.
     fn option_without_equals(&self, input: ParseStream) -> Option<&'static str> {
         let word = text(&input.fork().parse::<Ident>().ok()?);
         self.form.options.iter().map(|(option, _)| *option).find(|option| *option == word)
     }
 
-    /// `key =` or `key(…) =` follows, or one that is known to be written with brackets, however it goes on.
+    /// True if `key =` or `key(…) =` follows, or the key of an option that is written with parentheses.
     fn begins_option(&self, input: ParseStream) -> bool {
         let has_brackets = |form| matches!(form, OptionForm::Curve(_) | OptionForm::Path);
         let is_known =
@@ -197,7 +197,7 @@ impl<'a> Parts<'a> {
             skip_part(input);
             return Ok(());
         };
-        // The key counts as given even when its value cannot be read.
+        // The option counts as given, even if its value cannot be read.
         self.options.push((key.clone(), None));
         if !matches!(form, OptionForm::Curve(_) | OptionForm::Path) {
             input.parse::<Token![=]>().map_err(|_| here(input, format!("`{key}` is given as `{key} = …`")))?;
@@ -241,7 +241,7 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// A mistake before may be the reason why there are too few.
+    /// Reports that there are too few operands, unless an earlier error in the row may be the reason.
     fn too_few(&mut self) {
         self.miscounted = true;
         if self.report.count() == self.errors_before {
@@ -266,12 +266,12 @@ impl<'a> Parts<'a> {
     }
 }
 
-/// `key =` follows.
+/// True if `key =` follows.
 pub(super) fn is_option(input: ParseStream) -> bool {
     input.peek(Ident) && input.peek2(Token![=]) && !input.peek2(Token![==])
 }
 
-/// No single `=` follows where one is needed.
+/// The error if no single `=` follows where one is required.
 pub(super) fn no_equals(input: ParseStream, form: &str) -> Error {
     if input.peek(Token![==]) {
         return here(input, format!("a single `=` stands here: `{form}`"));

@@ -1,4 +1,4 @@
-//! What to say about a token that does not belong where it stands.
+//! Errors for unexpected tokens.
 
 use core::fmt::Display;
 use proc_macro2::{Spacing, TokenStream, TokenTree};
@@ -6,10 +6,10 @@ use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Error, Ident, Token, token};
 
-/// What to say to whoever writes degrees.
+/// The message for angles in degrees.
 pub(super) const RADIANS: &str = "angles are in radians: 90 degrees are `pi/2`";
 
-/// `message` on the next token, an operator such as `==` included, or on the bracket that ends the stream.
+/// An error with `message` at the next token, including operators such as `==`, or at the bracket that ends the stream.
 pub(super) fn here(input: ParseStream, message: impl Display) -> Error {
     let ahead = input.fork();
     let mut operator = TokenStream::new();
@@ -23,7 +23,7 @@ pub(super) fn here(input: ParseStream, message: impl Display) -> Error {
     Error::new(input.span(), message)
 }
 
-/// A token follows an expression that can neither continue nor end it.
+/// The error for a token after an expression that can neither continue nor end it.
 pub(super) fn after_expr(input: ParseStream) -> Error {
     if let Some(message) = operator(input) {
         return here(input, message);
@@ -49,7 +49,7 @@ pub(super) fn after_expr(input: ParseStream) -> Error {
     here(input, "expected `+`, `-`, `*`, `/` or the end of the expression")
 }
 
-/// A token stands where an expression begins and cannot begin one.
+/// The error for a token that cannot begin an expression.
 pub(super) fn no_expr(input: ParseStream) -> Error {
     let is_equals = input.peek(Token![=]) && !input.peek(Token![==]) && !input.peek(Token![=>]);
     if input.is_empty() || input.peek(Token![,]) || is_equals {
@@ -71,7 +71,7 @@ pub(super) fn no_expr(input: ParseStream) -> Error {
         .map_or_else(|| here(input, "expected a number, a name or a function"), |message| here(input, message))
 }
 
-/// The keyword of Rust that follows has no meaning in an expression, not even as a raw name.
+/// The error for a keyword of Rust that is meaningless in an expression, even as a raw identifier.
 pub(super) fn keyword(input: ParseStream) -> Option<Error> {
     if input.peek(Ident) {
         return None;
@@ -92,12 +92,12 @@ fn is_angle_unit(input: ParseStream) -> bool {
     word.is_ok_and(|word| is_angle_word(&word.to_string()))
 }
 
-/// True for what other languages call the unit of an angle.
+/// True for names of angle units and conversions in other languages.
 pub(super) fn is_angle_word(word: &str) -> bool {
     matches!(word, "deg" | "degree" | "degrees" | "rad" | "radian" | "radians" | "to_radians" | "to_degrees")
 }
 
-/// The right way to write what an operator of another language means.
+/// The message for an operator of another language, which says how to write the operation.
 fn operator(input: ParseStream) -> Option<&'static str> {
     if input.peek(Token![^]) {
         Some("powers are written `pow(a, n)` or `a.powi(n)`")

@@ -1,4 +1,4 @@
-//! The name of a row.
+//! Parsing of the name of a row.
 
 use super::index;
 use crate::ast::NewName;
@@ -6,7 +6,7 @@ use crate::report::Report;
 use syn::parse::ParseStream;
 use syn::{Error, Ident, Result, Token};
 
-/// `name:` where it stands, and otherwise the keyword as a name.
+/// Parses `name:` if it follows, and uses the keyword as the name otherwise.
 pub(super) fn row_name_or_keyword(input: ParseStream, keyword: &Ident, report: &Report) -> Result<NewName> {
     let (ahead, unread) = (input.fork(), Report::new());
     let is_name = index::new_name(&ahead, &unread).is_ok() && ahead.peek(Token![:]) && !ahead.peek(Token![::]);
@@ -17,7 +17,7 @@ pub(super) fn row_name_or_keyword(input: ParseStream, keyword: &Ident, report: &
     Ok(NewName { ident: keyword.clone(), bracket: None, doc: String::new() })
 }
 
-/// `name:`, with which every row begins.
+/// Parses `name:` at the beginning of a row.
 pub(super) fn row_name(input: ParseStream, keyword: &Ident, example: &str, report: &Report) -> Result<NewName> {
     let nameless = |span| Error::new(span, format!("a `{keyword}` begins with its name and a colon: `{example}`"));
     if input.is_empty() {

@@ -1,11 +1,11 @@
-//! What the parts of a row become: its kind, where several share a keyword told by the options, and what stands in its
-//! slots.
+//! From the parts of a row to its kind and the operands in its slots. Where several kinds share a keyword, the options
+//! determine the kind.
 
 use super::parts::Parts;
 use crate::ast::OperandExpr;
 use kin_core::mechanism::{Slot, StatementForm, Takes, Written};
 
-/// The options that must be given, and that no other kind of the keyword has.
+/// The required options that no other kind of the keyword has.
 fn own_options(kinds: &[&'static StatementForm], form: &'static StatementForm) -> Vec<&'static str> {
     let others = || kinds.iter().filter(|other| **other != form).flat_map(|other| other.slots);
     let required = form.written(Written::Option).filter(|slot| !slot.or_zero && slot.takes != Takes::Carrier);
@@ -13,7 +13,7 @@ fn own_options(kinds: &[&'static StatementForm], form: &'static StatementForm) -
 }
 
 impl Parts<'_> {
-    /// What the row is, and what stands in its slots.
+    /// The kind of the row, and the operands in its slots.
     pub(super) fn operands(mut self) -> (&'static StatementForm, Vec<OperandExpr>) {
         self.kind = self.meant();
         let kind = self.kind;
@@ -42,14 +42,14 @@ impl Parts<'_> {
         }
     }
 
-    /// The kind that is meant: where several share the keyword, the options tell which.
+    /// Determines the kind of the row: where several kinds share the keyword, by the options.
     fn meant(&mut self) -> &'static StatementForm {
         let kinds: &'static [&'static StatementForm] = &self.form.kinds;
         let [first, _, ..] = kinds else { return kinds[0] };
         let given = |form: &'static StatementForm| self.given(&own_options(kinds, form));
         let mut meant: Vec<(&'static StatementForm, &syn::Ident)> =
             kinds.iter().filter_map(|form| Some((*form, given(form)?))).collect();
-        // What comes first says what is meant.
+        // If options of several kinds are given, the first option determines the kind.
         let place = |key: &syn::Ident| self.options.iter().position(|(given, _)| given == key);
         meant.sort_by_key(|(_, key)| place(key));
         let message = match meant.as_slice() {

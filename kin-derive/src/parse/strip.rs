@@ -1,10 +1,10 @@
-//! An item that could not be read as a mechanism, without the attributes that only `#[mechanism]` knows.
+//! Removal of the attributes of kin from an item that could not be read as a mechanism.
 
 use super::flatten::{regroup, too_deep};
 use super::keyword;
 use proc_macro2::{TokenStream, TokenTree};
 
-/// `item` without our attributes and near misses of them, so that none of them turns red as unknown.
+/// `item` without the attributes of kin and near misses of them, so that the compiler does not report them as unknown.
 pub(crate) fn without_ours(item: TokenStream) -> TokenStream {
     if too_deep(&item).is_some() { TokenStream::new() } else { strip(item) }
 }
@@ -26,7 +26,7 @@ fn strip(tokens: TokenStream) -> TokenStream {
     out
 }
 
-/// The brackets of an attribute of ours.
+/// True for the brackets of an attribute of kin.
 fn is_ours(tree: &TokenTree) -> bool {
     let TokenTree::Group(group) = tree else { return false };
     match group.stream().into_iter().next() {

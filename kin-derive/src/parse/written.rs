@@ -1,9 +1,9 @@
-//! Tokens as their author would write them, on one line.
+//! The text of tokens as an author would write it, on one line.
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use syn::parse::ParseStream;
 
-/// The tokens between two places of one stream.
+/// The tokens between two positions of one stream.
 pub(super) fn between(from: ParseStream, to: ParseStream) -> TokenStream {
     let (mut cursor, end) = (from.cursor(), to.cursor());
     let mut tokens = TokenStream::new();
@@ -15,7 +15,7 @@ pub(super) fn between(from: ParseStream, to: ParseStream) -> TokenStream {
     tokens
 }
 
-/// `a*x + b`: spaces around sums and behind commas only.
+/// The text of tokens, for example `a*x + b`: with spaces only around `+` and `-` and after commas.
 pub(super) fn written(tokens: TokenStream) -> String {
     let mut text = String::new();
     // True where an operand begins, so that a minus is a sign.

@@ -4,6 +4,7 @@ pub(crate) mod acceleration;
 mod assemble;
 pub(crate) mod by_plan;
 pub(crate) mod closure;
+pub(crate) mod fit;
 pub(crate) mod forces;
 pub mod modes;
 pub(crate) mod poses;

@@ -1,21 +1,23 @@
 //! `animate`: the motion as a page for a browser, or as a picture that moves.
 
-use super::columns::{column_infos, shown, shown_columns};
+use super::columns::{column_infos, shown};
 use super::engine::{Engine, Setup};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::moving::{self, GridArgs, Moved, Walk, note_motion};
+use super::instants::GridArgs;
+use super::moving::{Moved, Walk, note_motion};
 use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::note_freedom;
+use crate::measure::Measure;
 use crate::model::Model;
 use crate::motion::Motion;
 use crate::planned::Sign;
 use crate::present::animation::{Animation, ColumnInfo, Run};
 use crate::present::drawing::{Scene, Snapshot, Subject};
 use crate::present::text::count;
-use crate::present::units::{Measure, Units};
+use crate::present::units::Units;
 use crate::state::State;
 
 /// Steps when --steps is not there.
@@ -80,38 +82,42 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
         return Err(Failure::Analysis(format!("{}: there is nothing to draw; {what}", model.name)));
     }
     let open_end = asked.is_open();
-    let times = asked.times(engine, &setup)?;
+    let instants = asked.instants(engine, &setup)?;
+    // Velocity ratios are too many for a page.
+    let measures: Vec<Measure> = Measure::all(model).split_off(1);
     let watch = session.watch();
     // A picture shows one motion.
     let one = !setup.modes.is_empty() || matches!(output.form, Form::Svg);
-    let room = NUMBERS / (model.coordinates.len() * times.len()).max(1);
+    let room = NUMBERS / (model.coordinates.len() * instants.len()).max(1);
     let most = if one { 0 } else { ((1 << model.plan.modes.len().min(MODES.ilog2() as usize)) - 1).min(room) };
-    watch.begin("instants", (1 + most) * times.len());
+    watch.begin("instants", (1 + most) * instants.len());
     let freedom = args.freedom;
     let walk = Walk {
         engine,
         setup: &setup,
-        times: &times,
+        instants: &instants,
         stop_at_events: false,
         open_end,
         freedom,
         reported: true,
+        measures: &measures,
+        degrees: args.angles.degrees,
         watch: &watch,
     };
     let moved = walk.kept()?;
     note_motion(session, &moved);
-    let Moved { trajectory, motions, mut ended, left, .. } = moved;
+    let Moved { trajectory, motions, columns, mut ended, left, .. } = moved;
     note_freedom(session, left);
     let Some(first) = trajectory.states.first() else { return ended.map_or(Ok(()), Err) };
     let own = engine.modes(&first.instant(), &first.q);
     let own: Vec<Sign> = own.iter().map(|mode| mode.sign.unwrap_or(Sign::Plus)).collect();
     let note = ended.as_ref().map(|failure| early(model, failure));
     let degrees = args.angles.degrees;
-    let mut runs = vec![run_of(engine, &trajectory.states, &motions, degrees, mode_name(model, &own, &own), note)?];
+    let mut runs = vec![run_of(engine, (&trajectory.states, &motions), columns, mode_name(model, &own, &own), note)?];
     if !one && ended.is_none() {
         let others: Vec<Vec<Sign>> = others(&own).into_iter().take(room).collect();
         for (place, other) in others.iter().enumerate() {
-            watch.go_on((1 + place) * times.len());
+            watch.go_on((1 + place) * instants.len());
             let asked = Setup { modes: other.iter().copied().enumerate().collect(), ..setup.clone() };
             // A mode that does not close is no fault of the motion that was asked for.
             let Ok(also) = (Walk { setup: &asked, ..walk }).kept() else { continue };
@@ -122,15 +128,15 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
             }
             if states.len() > 1 {
                 let note = also.ended.as_ref().map(|failure| early(model, failure));
-                runs.push(run_of(engine, states, &also.motions, degrees, name, note)?);
+                runs.push(run_of(engine, (states, &also.motions), also.columns, name, note)?);
             }
         }
     }
     watch.end();
     let units = Units::of(model).in_degrees(degrees);
-    let columns = column_infos(model, units, &moving::column_names(model));
+    let columns = column_infos(units, &measures);
     let shown = shown(model, &runs[0].columns);
-    let (time, length) = (units.time().map(str::to_owned), units.derivative(Measure::Length, 0));
+    let (time, length) = (units.time().map(str::to_owned), model.units.length.map(str::to_owned));
     let animation = Animation { model, runs, drivers: drivers(model, &columns), columns, shown, length, time };
     let text = match output.form {
         Form::Svg => animation.picture(args.names),
@@ -141,7 +147,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
         None => Ok(()),
         Some(interrupted @ Failure::Interrupted(_)) => Err(interrupted),
         Some(failure) => {
-            let (states, instants) = (trajectory.states.len(), count(times.len(), "instant"));
+            let (states, instants) = (trajectory.states.len(), count(instants.len(), "instant"));
             session.note(&format!("the motion ended early: {states} of {instants} written"));
             Err(failure)
         }
@@ -162,25 +168,10 @@ fn early(model: &Model, failure: &Failure) -> String {
 /// Values of drivers that stand beside the time at most.
 const DRIVERS: usize = 3;
 
-/// The columns of what is driven: the quantity of a joint that drives, or the one coordinate that a driver gives.
-fn drivers(model: &Model, columns: &[ColumnInfo]) -> Vec<usize> {
-    let place = |name: &str| columns.iter().position(|column| column.name == name);
-    let of = |row: usize| {
-        let joint = &model.joints[model.rows[row].joint];
-        if let Some(quantity) = joint.quantities.first() {
-            return place(&format!("{}.{}", joint.name, quantity.name));
-        }
-        let mut entries = model.constraint_pattern.entries.iter().filter(|(place, _)| *place == row);
-        match (entries.next(), entries.next()) {
-            (Some(&(_, coordinate)), None) => place(model.coordinates[coordinate].name),
-            _ => None,
-        }
-    };
-    let driving = (0..model.rows.len()).filter(|&row| model.rows[row].driving);
-    let mut drivers: Vec<usize> = driving.filter_map(of).collect();
-    drivers.dedup();
-    drivers.truncate(DRIVERS);
-    drivers
+/// The columns of what is driven.
+fn drivers(model: &'static Model, columns: &[ColumnInfo]) -> Vec<usize> {
+    let place = |driven: Measure| columns.iter().position(|column| column.name == driven.name());
+    Measure::driven(model).into_iter().filter_map(place).take(DRIVERS).collect()
 }
 
 /// All other combinations of signs, few enough to look at.
@@ -207,9 +198,8 @@ fn mode_name(model: &Model, own: &[Sign], signs: &[Sign]) -> String {
 /// A motion with its drawing and its numbers.
 fn run_of(
     engine: &dyn Engine,
-    states: &[State],
-    motions: &[Motion],
-    degrees: bool,
+    (states, motions): (&[State], &[Motion]),
+    columns: Vec<Vec<f64>>,
     name: String,
     note: Option<String>,
 ) -> Result<Run, Failure> {
@@ -218,7 +208,6 @@ fn run_of(
     let curve = |instant: usize, joint: usize, s: f64| engine.curve(&states.get(instant)?.instant(), joint, s);
     let subject = Subject { model: engine.model(), snapshots: &snapshots, curve: &curve };
     let scene = Scene::new(&subject);
-    let columns = shown_columns(engine.model(), states, motions, degrees).split_off(1);
     Ok(Run { name, note, scene, columns })
 }
 

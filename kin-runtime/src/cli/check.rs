@@ -5,15 +5,17 @@ use serde::Serialize;
 use super::engine::{Engine, Miss, Setup};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::moving::instant;
+use super::instants::instant;
 use super::options::{FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::{analysis, driven_state, note_freedom};
 use super::values;
 use super::watch::Watch;
+use crate::certificate::Uncertified;
 use crate::cross_check::{Configuration, CrossCheck, CrossCheckOptions};
 use crate::error::SolveError;
+use crate::present::certificate::{self, Certified};
 use crate::present::json::to_json;
 use crate::present::number::{magnitude, plain};
 use crate::present::text::{Facts, count};
@@ -53,6 +55,9 @@ pub(super) struct Findings {
     closure: Option<Closure>,
     /// By how much the powers of drivers, loads and dampers miss the rate of all energy; none without masses and loads.
     power: Option<f64>,
+    /// The proof that the solution is one; none where the mechanism could not be solved.
+    #[serde(serialize_with = "certificate::record")]
+    certificate: Option<Certified>,
 }
 
 impl Findings {
@@ -105,7 +110,7 @@ pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Sessi
     };
     let state = solved.as_ref().ok().and_then(Option::as_ref);
     note_freedom(session, state.map_or(0, |state| state.degrees_of_freedom_left));
-    let findings = find(engine, t, state, configurations, &session.watch())?;
+    let findings = find(engine, &setup, t, state, configurations, &session.watch())?;
     let text = match output.form {
         Form::Json => to_json(&Findings { passed: findings.passed && solved.is_ok(), ..findings.clone() })
             .map_err(Failure::Output)?,
@@ -123,6 +128,7 @@ pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Sessi
 /// Compares at the solved configuration, where there is one, and at random ones.
 pub(super) fn find(
     engine: &dyn Engine,
+    setup: &Setup,
     t: f64,
     state: Option<&State>,
     configurations: usize,
@@ -157,8 +163,11 @@ pub(super) fn find(
     let planned = plan.as_ref().is_none_or(|plan| plan.max_error <= CLOSURE_TOLERANCE);
     let power = state.and_then(|state| engine.forces(&Setup::default(), state).ok()).map(|forces| forces.power_miss());
     let balanced = power.is_none_or(|miss| miss <= CLOSURE_TOLERANCE);
-    let passed = closed && planned && balanced && cross_check.passes(CLOSED_FORM_TOLERANCE);
-    Ok(Findings { t, mechanism: engine.model().name, passed, cross_check, plan, closure, power })
+    let certificate = state.map(|state| engine.certify(setup, state));
+    // There may be good reasons for which nothing is proven; that it is no solution is none.
+    let solution = !matches!(certificate, Some(Err(Uncertified::NotASolution { .. })));
+    let passed = closed && planned && balanced && solution && cross_check.passes(CLOSED_FORM_TOLERANCE);
+    Ok(Findings { t, mechanism: engine.model().name, passed, cross_check, plan, closure, power, certificate })
 }
 
 /// The findings, line by line.
@@ -193,6 +202,9 @@ pub(super) fn facts(findings: &Findings) -> Facts {
             .add("  velocity Φ_q q̇ = −Φ_t", size(&closure.velocity), row(&closure.velocity))
             .add("  acceleration Φ_q q̈ = γ", size(&closure.acceleration), row(&closure.acceleration));
     }
+    if let Some(certified) = &findings.certificate {
+        facts.add("  certificate", "", [certificate::words(certified)]);
+    }
     if let Some(power) = findings.power {
         facts.add("forces", "", [""]).add("  power balance", magnitude(power), ["of the rate of all energy"]);
     }
@@ -219,6 +231,9 @@ fn add_plan(facts: &mut Facts, plan: &CrossCheck) {
 
 fn complaint(findings: &Findings) -> String {
     let check = &findings.cross_check;
+    if let Some(Err(wrong @ Uncertified::NotASolution { .. })) = &findings.certificate {
+        return format!("not certified: {wrong}");
+    }
     if let Some(miss) = findings.power.filter(|miss| *miss > CLOSURE_TOLERANCE) {
         return format!("the power of drivers, loads and dampers misses the rate of all energy by {miss:.1e} of it");
     }

@@ -1,35 +1,23 @@
-//! What can be plotted: the columns of a motion, their units, and which of them tell something.
+//! What can be tabulated and plotted: quantities by name, and which of them tell something.
 
-use super::degrees;
+use super::failure::{Failure, Ledger};
+use super::names::find_quantity;
+use crate::measure::Measure;
 use crate::model::Model;
-use crate::motion::Motion;
 use crate::present::animation::ColumnInfo;
-use crate::present::forces::column_names;
-use crate::present::grid::{names, row};
 use crate::present::units::Units;
-use crate::state::State;
 
-/// Names and units of the columns besides t: each with its rate and its acceleration, but for forces.
-pub(super) fn column_infos(model: &Model, units: Units, names: &[String]) -> Vec<ColumnInfo> {
-    let with_rates = names.len() - column_names(model).len();
-    let info = |(k, name): (usize, &String)| {
-        let base = name.trim_end_matches("_ddot").trim_end_matches("_dot");
-        let order = if k < with_rates { k % 3 } else { 0 };
-        ColumnInfo { unit: units.derivative(units.measure(base), order), name: name.clone() }
-    };
-    names.iter().enumerate().map(info).collect()
+/// The quantities of these names; all that is wrong is told.
+pub(super) fn quantities(model: &'static Model, names: &[String]) -> Result<Vec<Measure>, Failure> {
+    let mut ledger = Ledger::default();
+    let found: Vec<Measure> = names.iter().filter_map(|name| ledger.take(find_quantity(model, name))).collect();
+    ledger.close(Some(found))
 }
 
-/// The numbers of all columns, t first.
-pub(super) fn shown_columns(model: &Model, states: &[State], motions: &[Motion], degrees: bool) -> Vec<Vec<f64>> {
-    let mut columns: Vec<Vec<f64>> = vec![Vec::with_capacity(states.len()); names(model, true).len()];
-    let mut numbers = Vec::new();
-    for (state, motion) in states.iter().zip(motions) {
-        let (state, motion) = (degrees::state(model, state, degrees), degrees::motion(model, motion, degrees));
-        row(&state, Some(&motion), &mut numbers);
-        columns.iter_mut().zip(&numbers).for_each(|(column, value)| column.push(*value));
-    }
-    columns
+/// Names and units of quantities.
+pub(super) fn column_infos(units: Units, measures: &[Measure]) -> Vec<ColumnInfo> {
+    let info = |measure: &Measure| ColumnInfo { unit: units.of_measure(measure), name: measure.name().to_owned() };
+    measures.iter().map(info).collect()
 }
 
 /// Two columns that tell something at first: a point's or a coordinate's that is not simply driven, and its rate.

@@ -40,7 +40,7 @@ file anew.",
 pub(super) fn run(
     args: &CompletionsArgs,
     command: clap::Command,
-    model: &Model,
+    model: &'static Model,
     session: &mut Session<'_>,
 ) -> Result<(), Failure> {
     let Some(shell) = args.shell.or_else(Shell::from_env) else {
@@ -71,7 +71,7 @@ fn no_space(name: &str, program: &str) -> String {
 
 /// The commands with the values that their options may have. Nothing is parsed with these: whoever writes `l1=0.1` writes
 /// none of them.
-fn with_names(command: clap::Command, model: &Model) -> clap::Command {
+fn with_names(command: clap::Command, model: &'static Model) -> clap::Command {
     let parameters: Vec<String> = model.parameters.iter().map(|p| format!("{}=", p.name)).collect();
     let coordinates: Vec<String> = model.coordinates.iter().map(|c| format!("{}=", c.name)).collect();
     let inputs: Vec<String> = model.inputs.iter().map(|name| format!("{name}=")).collect();
@@ -79,7 +79,10 @@ fn with_names(command: clap::Command, model: &Model) -> clap::Command {
     let modes: Vec<String> = modes.collect();
     let joints: Vec<String> = model.joints.iter().map(|joint| joint.name.to_owned()).collect();
     let carried = model.points.iter().map(|p| p.name).chain(model.bodies.iter().map(|b| b.name));
-    let what: Vec<String> = carried.map(str::to_owned).chain(super::moving::column_names(model)).collect();
+    let what: Vec<String> = carried
+        .map(str::to_owned)
+        .chain(crate::measure::Measure::all(model).iter().skip(1).map(|measure| measure.name().to_owned()))
+        .collect();
     let of = |id: &str| match id {
         "set" | "vary" => Some(&parameters),
         "guess" | "given" => Some(&coordinates),

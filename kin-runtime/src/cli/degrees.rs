@@ -2,9 +2,10 @@
 
 use std::borrow::Cow;
 
+use crate::measure::Dimension;
 use crate::model::{Component, CoordinateKind, Model};
 use crate::motion::Motion;
-use crate::present::units::{Measure, Units};
+use crate::present::units::Units;
 use crate::state::State;
 
 /// The state as it is shown.
@@ -16,7 +17,7 @@ pub(super) fn state<'s>(model: &Model, state: &'s State, degrees: bool) -> Cow<'
     for (k, coordinate) in model.coordinates.iter().enumerate() {
         let angle = match coordinate.kind {
             CoordinateKind::Pose { component, .. } => component == Component::Phi,
-            CoordinateKind::Scalar => units.measure(coordinate.name) == Measure::Angle,
+            CoordinateKind::Scalar => units.dimension(coordinate.name) == Dimension::Angle,
         };
         if angle {
             for values in [&mut shown.q, &mut shown.q_dot, &mut shown.q_ddot] {
@@ -25,7 +26,7 @@ pub(super) fn state<'s>(model: &Model, state: &'s State, degrees: bool) -> Cow<'
         }
     }
     for (name, input) in model.inputs.iter().zip(&mut shown.inputs) {
-        if units.measure(name) == Measure::Angle {
+        if units.dimension(name) == Dimension::Angle {
             [&mut input.value, &mut input.rate, &mut input.acceleration].into_iter().for_each(turn);
         }
     }
@@ -47,7 +48,7 @@ pub(super) fn motion<'m>(model: &Model, motion: &'m Motion, degrees: bool) -> Co
         names.zip(quantities)
     });
     for (name, rates) in defines.chain(joints) {
-        if units.measure(&name) == Measure::Angle {
+        if units.dimension(&name) == Dimension::Angle {
             [&mut rates.value, &mut rates.rate, &mut rates.acceleration].into_iter().for_each(turn);
         }
     }

@@ -3,7 +3,7 @@
 use super::engine::{Engine, Setup};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::moving::natural_end;
+use super::instants::natural_end;
 use super::number::Measured;
 use super::options::SetupArgs;
 use super::output::{Form, OutputArgs};

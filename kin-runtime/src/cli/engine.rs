@@ -4,17 +4,20 @@ use std::ops::ControlFlow;
 
 use super::failure::Failure;
 use super::names::listing;
+use crate::assembly::Assemblies;
+use crate::certificate::{Certificate, Uncertified};
 use crate::cross_check::{CrossCheck, CrossCheckOptions};
 use crate::error::SolveError;
 use crate::evaluation::curve::CurvePoint;
 use crate::forces::Forces;
+use crate::measure::Measure;
 use crate::mechanism::Mechanism;
 use crate::mobility::Mobility;
 use crate::model::Model;
 use crate::modes::Mode;
 use crate::motion::Motion;
 use crate::observer::Observer;
-use crate::planned::Sign;
+use crate::planned::{OutOfRange, Sign};
 use crate::ratios::VelocityRatios;
 use crate::sensitivities::Sensitivities;
 use crate::solver::Solver;
@@ -73,6 +76,8 @@ pub(super) trait Engine {
     /// An assembled configuration, singular or not.
     fn assemble(&self, setup: &Setup, t: f64) -> Result<Vec<f64>, SolveError>;
     fn state(&self, setup: &Setup, t: f64) -> Result<State, SolveError>;
+    /// The input that keeps the mechanism from closing.
+    fn out_of_range(&self, setup: &Setup, t: f64) -> Option<OutOfRange>;
     /// The motion up to the first failure, or up to the first event where it is to stop there; and the failure. `visit` is
     /// lent every state in its turn, and none is kept.
     fn sweep_each(
@@ -83,7 +88,12 @@ pub(super) trait Engine {
         observer: Observer<'_>,
         visit: &mut dyn FnMut(&State) -> ControlFlow<()>,
     ) -> (Trajectory, Option<SolveError>);
+    /// The motion from a state on, at instants that follow one another, at inputs as they are `t` − `first` after the first
+    /// instant of the whole motion.
+    fn sweep_from(&self, setup: &Setup, first: f64, start: &[f64], times: &[f64]) -> Result<Trajectory, SolveError>;
     fn motion(&self, setup: &Setup, state: &State) -> Result<Motion, SolveError>;
+    /// The values of quantities at a state.
+    fn measure(&self, setup: &Setup, state: &State, measures: &[Measure]) -> Result<Vec<f64>, SolveError>;
     fn forces(&self, setup: &Setup, state: &State) -> Result<Forces, SolveError>;
     fn sensitivities(&self, setup: &Setup, state: &State) -> Result<Sensitivities, SolveError>;
     #[cfg(feature = "design")]
@@ -93,6 +103,7 @@ pub(super) trait Engine {
         wishes: &super::wishes::Wishes,
         search: &crate::design::Search<'_>,
     ) -> Result<crate::design::Designed<()>, crate::design::DesignError>;
+    fn certify(&self, setup: &Setup, state: &State) -> Result<Certificate, Uncertified>;
     fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError>;
     fn velocity_ratios(&self, setup: &Setup, state: &State) -> Result<VelocityRatios, SolveError>;
     fn transmission_angles(&self, state: &State) -> Result<Vec<TransmissionAngle>, SolveError>;
@@ -102,6 +113,7 @@ pub(super) trait Engine {
     -> Result<Option<CrossCheck>, SolveError>;
     /// The modes of a configuration; none where there is no plan.
     fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Vec<Mode>;
+    fn assemblies(&self, setup: &Setup, t: f64) -> Result<Assemblies, SolveError>;
     /// Local points, axes, values and radii at an instant.
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError>;
     /// A point of the curve of a joint.
@@ -153,6 +165,10 @@ impl<M: Mechanism + Default + 'static> Engine for Bound<M> {
         self.solver(setup).state(&Instant { t, inputs: &setup.inputs })
     }
 
+    fn out_of_range(&self, setup: &Setup, t: f64) -> Option<OutOfRange> {
+        self.solver(setup).out_of_range(&Instant { t, inputs: &setup.inputs })
+    }
+
     fn sweep_each(
         &self,
         setup: &Setup,
@@ -168,6 +184,19 @@ impl<M: Mechanism + Default + 'static> Engine for Bound<M> {
             Ok(trajectory) => (trajectory, None),
             Err(error) => (*error.trajectory, Some(error.source)),
         }
+    }
+
+    fn sweep_from(&self, setup: &Setup, first: f64, start: &[f64], times: &[f64]) -> Result<Trajectory, SolveError> {
+        let inputs = |t: f64, out: &mut [Signal]| setup.inputs_after(t - first, out);
+        // Prescribed coordinates begin at the first of these instants.
+        let elapsed = times.first().copied().unwrap_or(first) - first;
+        let given = setup.given.iter().map(|&(place, signal)| (place, signal.after(elapsed))).collect();
+        let later = Setup { given, ..setup.clone() };
+        self.solver(&later).with_inputs(&inputs).sweep_from(start, times).map_err(|error| error.source)
+    }
+
+    fn measure(&self, setup: &Setup, state: &State, measures: &[Measure]) -> Result<Vec<f64>, SolveError> {
+        self.solver(setup).measure(state, measures)
     }
 
     fn motion(&self, setup: &Setup, state: &State) -> Result<Motion, SolveError> {
@@ -206,6 +235,10 @@ impl<M: Mechanism + Default + 'static> Engine for Bound<M> {
         Ok(wishes.of(begin)?.search(search)?.map(|_| ()))
     }
 
+    fn certify(&self, setup: &Setup, state: &State) -> Result<Certificate, Uncertified> {
+        self.solver(setup).certify(state)
+    }
+
     fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError> {
         self.solver(setup).mobility(at, q)
     }
@@ -233,6 +266,10 @@ impl<M: Mechanism + Default + 'static> Engine for Bound<M> {
 
     fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Vec<Mode> {
         Solver::new(&self.mechanism).modes(at, q).unwrap_or_default()
+    }
+
+    fn assemblies(&self, setup: &Setup, t: f64) -> Result<Assemblies, SolveError> {
+        self.solver(setup).assemblies(&Instant { t, inputs: &setup.inputs })
     }
 
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError> {

@@ -3,6 +3,7 @@
 use super::engine::Engine;
 use super::paint;
 use super::trial::{Trial, quoted};
+use crate::measure::Measure;
 use crate::model::{Component, CoordinateKind, Model};
 use crate::present::number::{plain, rounded};
 
@@ -42,6 +43,8 @@ pub(super) struct Names {
     pub(super) coordinate: Option<&'static str>,
     /// A point, or a body whose origin moves.
     pub(super) path: Option<&'static str>,
+    /// The first transmission angle.
+    pub(super) transmission: Option<String>,
     pub(super) joints: Vec<&'static str>,
     /// Whether there is something to draw.
     pub(super) drawn: bool,
@@ -81,6 +84,7 @@ impl Names {
             to: trial.to,
             coordinate: undriven(model),
             path: path(model),
+            transmission: Measure::transmission_angles(model).first().map(|measure| measure.name().to_owned()),
             drawn: !model.bodies.is_empty() || !model.points.is_empty(),
             conditions: !model.conditions.is_empty(),
             loads: model.forces.is_some(),

@@ -3,12 +3,13 @@
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::moving::instant;
+use super::instants::instant;
 use super::options::{FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::{analysis, driven_state, note_freedom};
-use crate::present::forces::{column_names, column_values, text};
+use crate::measure::{column_names, column_values};
+use crate::present::forces::text;
 use crate::present::json::to_json;
 use crate::present::number::plain;
 

@@ -5,7 +5,7 @@ use super::examples::{Help, Names};
 use super::names::listing;
 use super::output::{either, forms};
 use super::trial::Trial;
-use super::{animate, check, completions, forces, info, paint, report, sensitivities, solve, sweep};
+use super::{animate, check, completions, extremes, forces, info, modes, paint, report, sensitivities, solve, sweep};
 use crate::model::Model;
 
 /// The whole command line of a mechanism, of the options that all mechanisms have.
@@ -43,10 +43,12 @@ const COMMANDS: &[(&str, Help)] = &[
     ("info", info::HELP),
     ("solve", solve::HELP),
     ("sweep", sweep::HELP),
+    ("extremes", extremes::HELP),
     ("forces", forces::HELP),
     ("sensitivities", sensitivities::HELP),
     #[cfg(feature = "design")]
     ("design", super::design::HELP),
+    ("modes", modes::HELP),
     ("check", check::HELP),
     #[cfg(feature = "equations")]
     ("equations", super::equations::HELP),
@@ -75,6 +77,7 @@ fn with_defaults(command: clap::Command, name: &str) -> clap::Command {
     let command = command.mut_arg("format", |arg| arg.help(short).long_help(long));
     let (steps, end) = match name {
         "sweep" => (sweep::STEPS, END),
+        "extremes" => (extremes::STEPS, END),
         "animate" => (animate::STEPS, END),
         #[cfg(feature = "plot")]
         "plot" => (super::plot::STEPS, END),

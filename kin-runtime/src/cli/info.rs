@@ -3,7 +3,7 @@
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::moving::instant;
+use super::instants::instant;
 use super::options::{InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;

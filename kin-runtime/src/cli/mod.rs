@@ -7,8 +7,8 @@
 //! # }
 //! ```
 //!
-//! The commands are `info`, `solve`, `sweep`, `forces`, `sensitivities`, `animate`, `plot` and `equations` (with the
-//! features of their names), `check` and `completions`, one per file; without a command a report at t = 0 is printed.
+//! The commands are `info`, `solve`, `sweep`, `extremes`, `forces`, `sensitivities`, `modes`, `animate`, `plot` and `equations`
+//! (with the features of their names), `check` and `completions`, one per file; without a command a report at t = 0 is printed.
 //! Results go to stdout or to the file of `--out`, whose ending chooses the format; everything else goes to stderr. The exit
 //! status is 0 only when the answer is good, 2 when the options make no sense, 1 when the mechanism has no good answer,
 //! 130 after Ctrl-C, which leaves all that a sweep, a plot or an animation has finished in the result, and 141 when a reader
@@ -44,13 +44,16 @@ mod engine;
 #[cfg(feature = "equations")]
 mod equations;
 mod examples;
+mod extremes;
 mod failure;
 mod forces;
 mod help;
 mod info;
+mod instants;
 mod interrupt;
 #[cfg(not(all(feature = "plot", feature = "equations")))]
 mod missing;
+mod modes;
 mod moving;
 mod names;
 mod number;
@@ -68,6 +71,7 @@ mod solved;
 mod sweep;
 mod trial;
 mod values;
+mod vary;
 mod watch;
 #[cfg(feature = "design")]
 mod wishes;
@@ -108,10 +112,12 @@ enum Command {
     Info(info::InfoArgs),
     Solve(solve::SolveArgs),
     Sweep(sweep::SweepArgs),
+    Extremes(extremes::ExtremesArgs),
     Forces(forces::ForcesArgs),
     Sensitivities(sensitivities::SensitivitiesArgs),
     #[cfg(feature = "design")]
     Design(Box<design::DesignArgs>),
+    Modes(modes::ModesArgs),
     Check(check::CheckArgs),
     #[cfg(feature = "equations")]
     Equations(equations::EquationsArgs),
@@ -156,10 +162,12 @@ fn run(
         Some(Command::Info(args)) => info::run(args, engine, &mut session),
         Some(Command::Solve(args)) => solve::run(args, engine, &mut session),
         Some(Command::Sweep(args)) => sweep::run(args, engine, &mut session),
+        Some(Command::Extremes(args)) => extremes::run(args, engine, &mut session),
         Some(Command::Forces(args)) => forces::run(args, engine, &mut session),
         Some(Command::Sensitivities(args)) => sensitivities::run(args, engine, &mut session),
         #[cfg(feature = "design")]
         Some(Command::Design(args)) => design::run(args, engine, &mut session),
+        Some(Command::Modes(args)) => modes::run(args, engine, &mut session),
         Some(Command::Check(args)) => check::run(args, engine, &mut session),
         #[cfg(feature = "equations")]
         Some(Command::Equations(args)) => equations::run(args, engine, &mut session),

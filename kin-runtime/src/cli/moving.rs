@@ -1,111 +1,24 @@
-//! Motions, for every command that shows one: their instants, and how far they come.
+//! Motions, for every command that shows one: what is asked of their states, and how far they come.
 
-use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use super::engine::{Engine, Setup};
-use super::failure::{Failure, Ledger};
+use super::failure::Failure;
+use super::instants::{Instants, Stop};
 use super::options::FreedomArgs;
 use super::session::Session;
 use super::solved::{analysis, driven_state, fully_driven};
-use super::values::{self, Moment};
 use super::watch::Watch;
 use crate::error::SolveError;
-use crate::model::{Component, CoordinateKind, Model};
+use crate::measure::Measure;
 use crate::motion::Motion;
 use crate::observer::Reached;
 use crate::present::condition;
 use crate::present::number::rounded;
+use crate::present::record::Row;
 use crate::present::text::count;
 use crate::state::State;
 use crate::trajectory::Trajectory;
-
-/// The instants of a motion.
-#[derive(Clone, Debug, Default, clap::Args)]
-pub(super) struct GridArgs {
-    /// The first instant [default: 0]
-    #[arg(long, value_name = "A")]
-    from: Option<String>,
-    /// The last instant
-    #[arg(long, value_name = "B")]
-    to: Option<String>,
-    /// Number of steps; N steps are N + 1 instants
-    #[arg(long, value_name = "N")]
-    steps: Option<String>,
-    /// The instants one by one, in place of --from, --to and --steps
-    #[arg(long, value_name = "T1,T2,…")]
-    times: Option<String>,
-}
-
-impl GridArgs {
-    /// What is asked for; `steps` where nobody says.
-    pub(super) fn asked(&self, steps: usize, model: &Model) -> Result<Asked, Failure> {
-        let mut ledger = Ledger::default();
-        let moment =
-            |option: &str, text: &Option<String>| text.as_deref().map(|t| values::moment(option, t, model)).transpose();
-        if let Some(times) = &self.times {
-            let beside = [("--from", &self.from), ("--to", &self.to), ("--steps", &self.steps)];
-            for (name, _) in beside.into_iter().filter(|(_, value)| value.is_some()) {
-                let what = format!("cannot stand beside {name}; use one or the other");
-                ledger.take::<()>(Err(Failure::option("--times", what)));
-            }
-            let times = ledger.take(values::times("--times", times, model));
-            return ledger.close(times.map(Asked::Times));
-        }
-        let from = ledger.take(moment("--from", &self.from)).flatten().unwrap_or(Moment::At(0.0));
-        let to = ledger.take(moment("--to", &self.to)).flatten();
-        let steps = match &self.steps {
-            Some(text) => ledger.take(values::steps(text)),
-            None => Some(steps),
-        };
-        if let (Moment::At(from), Some(Moment::At(to)), Some(steps)) = (from, to, steps) {
-            ledger.take(values::grid_is_possible(from, to, steps));
-        }
-        ledger.close(steps.map(|steps| Asked::Grid { from, to, steps }))
-    }
-}
-
-/// The instants that the options ask for.
-pub(super) enum Asked {
-    Times(Vec<Moment>),
-    Grid {
-        from: Moment,
-        /// Where nobody says where it ends, it is where the motion suggests.
-        to: Option<Moment>,
-        steps: usize,
-    },
-}
-
-impl Asked {
-    /// Nobody says where it ends.
-    pub(super) fn is_open(&self) -> bool {
-        matches!(self, Self::Grid { to: None, .. })
-    }
-
-    /// The instants. Without an end it is after one turn of the driven crank, or one unit of time.
-    pub(super) fn times(self, engine: &dyn Engine, setup: &Setup) -> Result<Vec<f64>, Failure> {
-        let at = |option: &str, moment| instant(option, moment, engine, setup);
-        match self {
-            Self::Times(times) => times.into_iter().map(|moment| at("--times", moment)).collect(),
-            Self::Grid { from, to, steps } => {
-                let from = at("--from", from)?;
-                let to = to.map_or_else(|| Ok(natural_end(engine, setup, from)), |to| at("--to", to))?;
-                values::grid(from, to, steps)
-            }
-        }
-    }
-}
-
-/// The time at which the driven crank has turned so far.
-pub(super) fn instant(option: &str, moment: Moment, engine: &dyn Engine, setup: &Setup) -> Result<f64, Failure> {
-    match moment {
-        Moment::At(t) => Ok(t),
-        Moment::Turned(angle) => speed(engine, setup, 0.0).map(|speed| angle / speed).ok_or_else(|| {
-            let what = "an angle says when only where a crank is driven at constant speed; write a time";
-            Failure::option(option, what)
-        }),
-    }
-}
 
 /// A motion as far as it came.
 pub(super) struct Moved {
@@ -113,10 +26,14 @@ pub(super) struct Moved {
     pub(super) trajectory: Trajectory,
     /// Points, defines and joint quantities of the states, where they were kept.
     pub(super) motions: Vec<Motion>,
+    /// The values of every quantity that was asked for, where they were kept.
+    pub(super) columns: Vec<Vec<f64>>,
     /// Why it ended early.
     pub(super) ended: Option<Failure>,
-    /// The limit that a motion without an end came to.
-    pub(super) limit: Option<String>,
+    /// What there is to say of its ends.
+    pub(super) notes: Vec<String>,
+    /// It came to a limit where nobody said that it should end.
+    pub(super) at_its_end: bool,
     /// Degrees of freedom that the drivers leave at the first instant.
     pub(super) left: usize,
 }
@@ -126,24 +43,131 @@ pub(super) struct Moved {
 pub(super) struct Walk<'a> {
     pub(super) engine: &'a dyn Engine,
     pub(super) setup: &'a Setup,
-    pub(super) times: &'a [f64],
+    pub(super) instants: &'a Instants,
     pub(super) stop_at_events: bool,
     /// Nobody says where it ends: it goes as far as the mechanism does.
     pub(super) open_end: bool,
     pub(super) freedom: FreedomArgs,
     /// Points, defines and joint quantities as well.
     pub(super) reported: bool,
+    /// The quantities whose values are wanted.
+    pub(super) measures: &'a [Measure],
+    /// Angles among their values are in degrees.
+    pub(super) degrees: bool,
     pub(super) watch: &'a Watch,
 }
 
+/// Who is lent every row in its turn, and may end the motion.
+type Visit<'v> = &'v mut dyn FnMut(&Row<'_>) -> ControlFlow<()>;
+
+/// A part of a motion, in one direction of time.
+struct Leg {
+    trajectory: Trajectory,
+    ended: Option<Failure>,
+    limit: Option<String>,
+    left: usize,
+}
+
+impl Leg {
+    /// Whether it came to its last instant, or as near to its limit as an instant can.
+    const fn is_whole(&self) -> bool {
+        self.ended.is_none() && self.limit.is_none()
+    }
+}
+
+/// How near to a limit, relative to the motion before it, instants may have no solution: beside a crossing of branches
+/// rounding decides.
+const BESIDE: f64 = 0.01;
+
 impl Walk<'_> {
-    /// The motion up to its first failure, to Ctrl-C or to where `visit` ends it, which is lent every state in its turn.
-    /// What comes back has no states.
-    pub(super) fn each(
-        &self,
-        visit: &mut dyn FnMut(&State, Option<&Motion>) -> ControlFlow<()>,
-    ) -> Result<Moved, Failure> {
-        let &Self { engine, setup, times, watch, .. } = self;
+    /// The motion up to its first failure, to Ctrl-C or to where `visit` ends it, which is lent every row in its turn. What
+    /// comes back has no states. A motion that goes to both sides of its start is followed backwards first.
+    pub(super) fn each(&self, visit: Visit<'_>) -> Result<Moved, Failure> {
+        let Instants { times, start, limits, notes } = self.instants;
+        let mut notes = notes.clone();
+        let (mut before, mut done) = (None, 0);
+        if *start > 0 {
+            let back: Vec<f64> = times[..=*start].iter().rev().copied().collect();
+            let mut rows: Vec<(State, Option<Motion>, Vec<f64>)> = Vec::new();
+            let leg = self.leg(&back, (0, limits[0].as_ref()), &mut |row| {
+                rows.push((row.state.clone(), row.motion.cloned(), row.values.to_vec()));
+                ControlFlow::Continue(())
+            })?;
+            done = rows.len().saturating_sub(1);
+            if let (Some(stop), Some((last, ..)), true) = (&limits[0], rows.last(), leg.is_whole()) {
+                notes.push(format!("note: it begins at t = {}: {}", rounded(stop.t), stop.text));
+                self.at_limit(stop, last, visit)?;
+            }
+            // The start itself is the first row of what follows.
+            for (state, motion, values) in rows.iter().skip(1).rev() {
+                if visit(&Row { state, motion: motion.as_ref(), values }).is_break() {
+                    break;
+                }
+            }
+            before = Some(leg);
+        }
+        let mut last = None;
+        let keeps = limits[1].is_some();
+        let mut leg = self.leg(&times[*start..], (done, limits[1].as_ref()), &mut |row| {
+            if keeps {
+                last = Some(row.state.clone());
+            }
+            visit(row)
+        })?;
+        if let (Some(stop), Some(last), true) = (&limits[1], &last, leg.is_whole()) {
+            notes.push(format!("note: it ends at t = {}: {}", rounded(stop.t), stop.text));
+            self.at_limit(stop, last, visit)?;
+        }
+        let at_its_end = leg.limit.is_some();
+        notes.extend(leg.limit.take());
+        if let Some(first) = before {
+            notes.extend(first.limit);
+            leg.ended = first.ended.or(leg.ended);
+            leg.trajectory = joined(first.trajectory, leg.trajectory);
+        }
+        let Leg { trajectory, ended, left, .. } = leg;
+        Ok(Moved { trajectory, motions: Vec::new(), columns: Vec::new(), ended, notes, at_its_end, left })
+    }
+
+    /// Lends the configuration at a limit, where it was found: with all that depends on the place alone, and without rates.
+    fn at_limit(&self, stop: &Stop, beside: &State, visit: Visit<'_>) -> Result<(), Failure> {
+        let Some(q) = &stop.q else { return Ok(()) };
+        let Self { engine, setup, .. } = *self;
+        let say = |error| analysis(engine, &error);
+        let zero = vec![0.0; q.len()];
+        let mut state = State { t: stop.t, q: q.clone(), q_dot: zero.clone(), q_ddot: zero, ..beside.clone() };
+        let elapsed = stop.t - beside.t;
+        state.inputs.iter_mut().for_each(|input| *input = input.after(elapsed));
+        let motion = engine.motion(setup, &state).map_err(say)?.without_rates();
+        state.bodies.clone_from(&motion.bodies);
+        state.points.clone_from(&motion.points);
+        let values = self.values(&state).map_err(say)?;
+        let known = |(value, measure): (f64, &Measure)| if measure.is_place() { value } else { f64::NAN };
+        let values: Vec<f64> = values.into_iter().zip(self.measures).map(known).collect();
+        state.q_dot.fill(f64::NAN);
+        state.q_ddot.fill(f64::NAN);
+        let _ = visit(&Row { state: &state, motion: self.reported.then_some(&motion), values: &values });
+        Ok(())
+    }
+
+    /// The values of the quantities, as they are shown.
+    fn values(&self, state: &State) -> Result<Vec<f64>, SolveError> {
+        self.values_of(state, self.measures)
+    }
+
+    /// The values of some quantities, as they are shown.
+    pub(super) fn values_of(&self, state: &State, measures: &[Measure]) -> Result<Vec<f64>, SolveError> {
+        let mut values = self.engine.measure(self.setup, state, measures)?;
+        if self.degrees {
+            values.iter_mut().zip(measures).for_each(|(value, measure)| *value *= measure.in_degrees());
+        }
+        Ok(values)
+    }
+
+    /// The motion over instants that follow one another in one direction, perhaps towards a limit, `done` others being
+    /// finished.
+    fn leg(&self, times: &[f64], (done, stop): (usize, Option<&Stop>), visit: Visit<'_>) -> Result<Leg, Failure> {
+        let &Self { engine, setup, watch, .. } = self;
         // A long sweep fails at its start, when the drivers leave the motion open there.
         let first = times.first().copied().unwrap_or(0.0);
         let (start, _) = driven_state(engine, setup, first, self.freedom.least_norm)?;
@@ -155,13 +179,14 @@ impl Walk<'_> {
                 return ControlFlow::Break(());
             }
             let motion = self.reported.then(|| engine.motion(setup, state)).transpose();
-            let motion = motion.map_err(|error| why = Some((state.t, Some(analysis(engine, &error)))));
-            let Ok(motion) = motion else { return ControlFlow::Break(()) };
-            visit(state, motion.as_ref())?;
+            let row = motion.and_then(|motion| Ok((motion, self.values(state)?)));
+            let row = row.map_err(|error| why = Some((state.t, Some(analysis(engine, &error)))));
+            let Ok((motion, values)) = row else { return ControlFlow::Break(()) };
+            visit(&Row { state, motion: motion.as_ref(), values: &values })?;
             (finished, last) = (finished + 1, Some(state.t));
-            watch.step(finished)
+            watch.step(done + finished)
         };
-        let observe = |reached: Reached<'_>| watch.observe(reached);
+        let observe = |reached: Reached<'_>| watch.observe(Reached { done: done + reached.done, ..reached });
         let (mut trajectory, error) = engine.sweep_each(setup, times, self.stop_at_events, &observe, &mut step);
         let at_limit = matches!(error, Some(SolveError::StepRefused { .. } | SolveError::Singular { .. }));
         let ended = match (why, error) {
@@ -178,25 +203,34 @@ impl Walk<'_> {
             (None, error) => error.map(|error| analysis(engine, &error)),
         };
         let (ended, limit) = match (ended, last) {
-            (Some(Failure::Analysis(why)), Some(t)) if self.open_end && finished > 1 && at_limit => {
+            (Some(Failure::Analysis(_)), Some(t))
+                if at_limit && stop.is_some_and(|stop| (stop.t - t).abs() <= BESIDE * (stop.t - first).abs()) =>
+            {
+                (None, None)
+            }
+            (Some(Failure::Analysis(why)), Some(t))
+                if (self.open_end || stop.is_some()) && finished > 1 && at_limit =>
+            {
                 let why = why.lines().next().unwrap_or_default().to_owned();
                 (None, Some(format!("note: it goes as far as t = {}: {why}", rounded(t))))
             }
             (ended, _) => (ended, None),
         };
-        Ok(Moved { trajectory, motions: Vec::new(), ended, limit, left: start.degrees_of_freedom_left })
+        Ok(Leg { trajectory, ended, limit, left: start.degrees_of_freedom_left })
     }
 
-    /// The motion with its states, and with what is reported of them where that is wanted.
+    /// The motion with its states, with what is reported of them where that is wanted, and with the quantities in columns.
     pub(super) fn kept(&self) -> Result<Moved, Failure> {
         let (mut states, mut motions) = (Vec::new(), Vec::new());
-        let mut moved = self.each(&mut |state, motion| {
-            states.push(state.clone());
-            motions.extend(motion.cloned());
+        let mut columns: Vec<Vec<f64>> = vec![Vec::with_capacity(self.instants.len()); self.measures.len()];
+        let mut moved = self.each(&mut |row| {
+            states.push(row.state.clone());
+            motions.extend(row.motion.cloned());
+            columns.iter_mut().zip(row.values).for_each(|(column, value)| column.push(*value));
             ControlFlow::Continue(())
         })?;
         moved.trajectory.states = states;
-        Ok(Moved { motions, ..moved })
+        Ok(Moved { motions, columns, ..moved })
     }
 
     /// Why a state is none that the drivers determine.
@@ -208,10 +242,21 @@ impl Walk<'_> {
     }
 }
 
+/// Two legs of one motion from a common start, the first of which went backwards.
+fn joined(mut back: Trajectory, on: Trajectory) -> Trajectory {
+    back.events.reverse();
+    back.events.extend(on.events);
+    back.unwatched.reverse();
+    back.unwatched.extend(on.unwatched);
+    back.fallbacks.reverse();
+    back.fallbacks.extend(on.fallbacks);
+    Trajectory { events: back.events, unwatched: back.unwatched, fallbacks: back.fallbacks, ..on }
+}
+
 /// What there is to say of a motion beside its numbers.
 pub(super) fn note_motion(session: &mut Session<'_>, moved: &Moved) {
     let trajectory = &moved.trajectory;
-    moved.limit.iter().for_each(|note| session.note(note));
+    moved.notes.iter().for_each(|note| session.note(note));
     note_events(session, trajectory);
     note_unwatched(session, trajectory);
     note_fallbacks(session, trajectory);
@@ -257,39 +302,4 @@ fn note_fallbacks(session: &mut Session<'_>, trajectory: &Trajectory) {
         let steps = count(trajectory.fallbacks.len(), "internal step");
         session.note(&format!("note: full Newton took over from the plan on {steps}, first {first}"));
     }
-}
-
-/// The names of the columns besides t, points and joint quantities included.
-pub(super) fn column_names(model: &Model) -> Vec<String> {
-    crate::present::grid::names(model, true).split_off(1)
-}
-
-/// Where a motion from an instant on may end when nobody says: after one turn of the slowest of the cranks that are driven
-/// at constant speed, or after one unit of time.
-pub(super) fn natural_end(engine: &dyn Engine, setup: &Setup, from: f64) -> f64 {
-    from + speed(engine, setup, from).map_or(1.0, |speed| TAU / speed)
-}
-
-/// The speed of the slowest of the cranks that are driven at constant speed.
-fn speed(engine: &dyn Engine, setup: &Setup, from: f64) -> Option<f64> {
-    let model = engine.model();
-    let (state, _) = driven_state(engine, setup, from, true).ok()?;
-    let angle = |column: usize| {
-        let kind = model.coordinates.get(column).map(|coordinate| coordinate.kind);
-        matches!(kind, Some(CoordinateKind::Pose { component: Component::Phi, .. } | CoordinateKind::Scalar))
-    };
-    let driven =
-        model.rows.iter().enumerate().filter(|(_, row)| row.driving || row.rheonomic).filter_map(|(place, _)| {
-            let mut entries = model.constraint_pattern.entries.iter().filter(|(row, _)| *row == place);
-            match (entries.next(), entries.next()) {
-                (Some(&(_, column)), None) if angle(column) => Some(column),
-                _ => None,
-            }
-        });
-    let speeds = driven.filter_map(|column| {
-        let (speed, acceleration) = (state.q_dot.get(column)?.abs(), state.q_ddot.get(column)?.abs());
-        (speed > 0.0 && acceleration <= 1e-9 * speed * speed).then_some(speed)
-    });
-    let slowest = speeds.fold(f64::INFINITY, f64::min);
-    slowest.is_finite().then_some(slowest)
 }

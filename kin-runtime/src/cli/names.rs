@@ -1,6 +1,7 @@
 //! Finding what a user named, and saying what would have been right.
 
 use super::failure::Failure;
+use crate::measure::Measure;
 use crate::model::Model;
 use crate::present::table::wrapped;
 
@@ -14,8 +15,8 @@ pub(super) enum Kind {
     Coordinate,
     Input,
     Mode,
-    #[cfg(feature = "plot")]
     Quantity,
+    Driver,
     #[cfg(feature = "equations")]
     Joint,
 }
@@ -27,8 +28,8 @@ impl Kind {
             Self::Coordinate => "coordinate",
             Self::Input => "input",
             Self::Mode => "mode",
-            #[cfg(feature = "plot")]
             Self::Quantity => "quantity",
+            Self::Driver => "driver",
             #[cfg(feature = "equations")]
             Self::Joint => "joint",
         }
@@ -44,24 +45,47 @@ impl Kind {
 
     /// Whether the names have those of rates among them.
     fn has_rates(self) -> bool {
-        match self {
-            #[cfg(feature = "plot")]
-            Self::Quantity => true,
-            _ => false,
-        }
+        self == Self::Quantity
     }
 
     fn plural(self) -> String {
         match self {
-            #[cfg(feature = "plot")]
             Self::Quantity => "quantities".to_owned(),
             other => format!("{}s", other.singular()),
         }
     }
 }
 
+/// The quantity of this name.
+pub(super) fn find_quantity(model: &'static Model, name: &str) -> Result<Measure, Failure> {
+    if let Some(found) = Measure::named(model, name) {
+        return Ok(found);
+    }
+    let drivers = Measure::drivers(model);
+    if let Some((of, driver)) = name.rsplit_once('/') {
+        let of = find_quantity(model, of)?;
+        search("WHAT", Kind::Driver, driver, &drivers, None)?;
+        let what =
+            format!("`{}` has no velocity ratio: coordinates, points, defines and joint quantities have", of.name());
+        return Err(Failure::option("WHAT", what));
+    }
+    // What few mechanisms have many of comes early in the list, which may be cut.
+    let (angles, others): (Vec<_>, Vec<_>) = Measure::all(model).into_iter().partition(Measure::is_transmission);
+    let coordinates = others.len().min(1 + 3 * model.coordinates.len());
+    let (first, rest) = others.split_at(coordinates);
+    let all: Vec<&str> = first.iter().chain(&angles).chain(rest).map(Measure::name).collect();
+    let Err(failure) = search("WHAT", Kind::Quantity, name, &all, None) else {
+        return Err(Failure::option("WHAT", format!("`{name}` is no quantity")));
+    };
+    let mut text = failure.to_string();
+    if !drivers.is_empty() {
+        text.push_str(&format!("\n{}", listing("  velocity ratios NAME/DRIVER to ", &drivers)));
+    }
+    Err(Failure::usage(text))
+}
+
 /// The place of `name` among `names`, all of which are of one kind.
-#[cfg(any(feature = "plot", feature = "equations"))]
+#[cfg(feature = "equations")]
 pub(super) fn find(option: &str, kind: Kind, name: &str, names: &[&str]) -> Result<usize, Failure> {
     search(option, kind, name, names, None)
 }

@@ -3,8 +3,9 @@
 //! A number with a unit is turned into the unit of what it is for; a number without one is in that unit already. Own code,
 //! because the crates for expressions know no units.
 
+use crate::measure::Dimension;
 use crate::model::Model;
-use crate::present::units::{Measure, Units};
+use crate::present::units::Units;
 use kin_core::units::{Unit, UnknownUnit, parse};
 
 /// What a number is for.
@@ -27,11 +28,11 @@ impl<'a> Measured<'a> {
 
     /// The value of a coordinate or an input.
     pub(super) fn quantity(model: &Model, name: &'a str) -> Self {
-        let unit = match Units::of(model).measure(name) {
-            Measure::Length => model.units.length,
-            Measure::Angle => Some("rad"),
-            Measure::In(unit) => Some(unit),
-            Measure::Unknown => None,
+        let unit = match Units::of(model).dimension(name) {
+            Dimension::Length => model.units.length,
+            Dimension::Angle => Some("rad"),
+            Dimension::In(unit) => Some(unit),
+            Dimension::Unknown => None,
         };
         Self { name, unit, rate: (0, Units::of(model).time()) }
     }

@@ -85,6 +85,8 @@ const WRITERS: &[(&str, &[Form])] = &[
     ("sweep", &[Form::Text, Form::Json, Form::Csv]),
     #[cfg(feature = "design")]
     ("design", &[Form::Text, Form::Json]),
+    ("extremes", &[Form::Text, Form::Json, Form::Csv]),
+    ("modes", &[Form::Text, Form::Json]),
     ("check", &[Form::Text, Form::Json]),
     #[cfg(feature = "equations")]
     ("equations", &[Form::Text, Form::Latex, Form::Html]),
@@ -291,8 +293,7 @@ mod tests {
         assert!(bad("info", None, Some("x.svg")).starts_with(ends));
         let ends = "--out: `picture` should end in .html or .svg, or --format say what it is";
         assert_eq!(bad("animate", None, Some("picture")), ends);
-        let none =
-            "--format: `info` has no csv form; write text or json; csv is written by `solve`, `forces` and `sweep`";
+        let none = "--format: `info` has no csv form; write text or json; csv is written by `solve`, `forces`, `sweep` and `extremes`";
         assert_eq!(bad("info", Some("csv"), None), none);
         let none = "--format: `jsno` is no form (did you mean json?); the report writes text or json";
         assert_eq!(bad("", Some("jsno"), None), none);

@@ -1,21 +1,22 @@
 //! `plot`: diagrams of a motion as a file.
 
-use super::columns::{bend, column_infos, shown, shown_columns};
+use super::columns::{bend, column_infos, shown};
 use super::engine::{Engine, Setup};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::moving::{self, GridArgs, Moved, Walk, note_motion};
-use super::names::{Kind, find, find_in};
+use super::instants::{GridArgs, Instants};
+use super::moving::{Moved, Walk, note_motion};
+use super::names::find_quantity;
 use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::note_freedom;
 use super::trial::quoted;
-use super::values::{self, MOST_VALUES};
+use super::vary::VaryArgs;
+use crate::measure::Measure;
 use crate::model::Model;
 use crate::present::animation::ColumnInfo;
-use crate::present::number::rounded;
-use crate::present::plot::{Curve, Diagram, Panel};
+use crate::present::plot::{Curve, Diagram, Mark, Panel};
 use crate::present::text::count;
 use crate::present::units::Units;
 
@@ -28,9 +29,8 @@ pub(super) struct PlotArgs {
     /// NAME over time, X:Y, or a point's or a body's path [default: chosen by what moves]
     #[arg(value_name = "WHAT")]
     what: Vec<String>,
-    /// A curve for each of several values: NAME=0.08..0.12:5 or NAME=0.08,0.1
-    #[arg(long, value_name = "NAME=VALUES")]
-    vary: Vec<String>,
+    #[command(flatten)]
+    vary: VaryArgs,
     #[command(flatten)]
     grid: GridArgs,
     #[command(flatten)]
@@ -56,6 +56,8 @@ struct Curves {
     /// `l1 = 0.1`; empty where nothing varies.
     name: String,
     columns: Vec<Vec<f64>>,
+    /// The limits that end it, the first and the last of its instants being there.
+    limits: [Option<String>; 2],
 }
 
 pub(super) const HELP: Help = Help {
@@ -78,13 +80,18 @@ pub(super) const HELP: Help = Help {
     },
     details: "\
 Quantities are the columns of `sweep --points`: a coordinate, its rate (NAME_dot), its
-acceleration (NAME_ddot), and those of points (NAME.x), defines and joints. What has one unit
-shares a diagram. --vary may be repeated, for one curve for each combination of values. Without
---out the SVG goes to stdout.
+acceleration (NAME_ddot), and those of points (NAME.x, NAME.speed), defines, joints and inputs,
+transmission angles (B.transmission) and velocity ratios (tip.x/drive). What has one unit shares
+a diagram. --vary may be repeated, for one curve for each combination of values. With --to limit
+(and --from limit) curves end where the mechanism can go no further, with a mark that the legend
+names. Without --out the SVG goes to stdout.
 
 When a motion fails midway, or Ctrl-C ends it, its finished part is drawn and the status is 1,
 or 130.",
 };
+
+/// Curves of one diagram at most.
+const MOST: (usize, &str) = (14, "so many curves cannot be told apart");
 
 pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let model = engine.model();
@@ -92,28 +99,30 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     let (asked, output) =
         (ledger.take(args.grid.asked(STEPS, model)), ledger.take(session.destination(&args.output, "plot")));
     let setup = ledger.take(args.setup.apply_complete(engine));
-    let choices = ledger.take(choices(model, &args.vary));
+    let choices = ledger.take(args.vary.choices(model, MOST));
     // A name that does not exist is told before anything long begins.
-    let names = moving::column_names(model);
-    let wanted = ledger.take(wanted(model, &args.what, &names));
+    let mut measures = Measure::standard(model, args.what.is_empty());
+    let wanted = ledger.take(wanted(model, &args.what, &mut measures));
     let ((asked, output, setup), (choices, wanted)) =
         ledger.close(zip3(asked, output, setup).zip(choices.zip(wanted)))?;
-    let open_end = asked.is_open();
-    let times = asked.times(&*engine, &setup)?;
     let watch = session.watch();
-    watch.begin("instants", choices.len() * times.len());
     let (mut runs, mut failure) = (Vec::new(), None);
     for (place, choice) in choices.iter().enumerate() {
-        watch.go_on(place * times.len());
-        for &(place, value) in choice {
-            engine.set_parameter(place, value);
-        }
-        let name = choice_name(model, choice);
-        match one(&*engine, &setup, (&times, open_end), args.freedom, args.angles.degrees, session) {
-            Ok((columns, ended)) => {
+        choice.set(engine);
+        let instants = asked.instants(&*engine, &setup);
+        let one = instants.and_then(|instants| {
+            match place {
+                0 => watch.begin("instants", choices.len() * instants.len()),
+                _ => watch.go_on(place * instants.len()),
+            }
+            one(&*engine, &setup, (&instants, asked.is_open()), &measures, args, session)
+        });
+        let name = choice.name(model);
+        match one {
+            Ok((columns, limits, ended)) => {
                 // Without an instant there is no curve, and nothing to write over what stands in the file.
                 if columns.first().is_some_and(|times| !times.is_empty()) {
-                    runs.push(Curves { name, columns });
+                    runs.push(Curves { name, columns, limits });
                 }
                 failure = failure.or(ended);
             }
@@ -133,7 +142,8 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     watch.end();
     let Some(first) = runs.first() else { return failure.map_or(Ok(()), Err) };
     let units = Units::of(model).in_degrees(args.angles.degrees);
-    let infos = column_infos(model, units, &names);
+    let infos = column_infos(units, &measures[1..]);
+    let names: Vec<String> = infos.iter().map(|info| info.name.clone()).collect();
     let beside = wanted.is_empty();
     let wanted = if beside { telling(model, &names, &infos, &first.columns) } else { wanted };
     let diagram = Diagram { title: model.name.to_owned(), panels: panels(units, &wanted, &infos, &runs), beside };
@@ -145,59 +155,33 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     failure.map_or(Ok(()), Err)
 }
 
-/// Every combination of the values of the parameters that vary; a single empty one where none does.
-fn choices(model: &Model, vary: &[String]) -> Result<Vec<Vec<(usize, f64)>>, Failure> {
-    let parameters: Vec<&str> = model.parameters.iter().map(|p| p.name).collect();
-    let mut ledger = Ledger::default();
-    let mut choices = vec![Vec::new()];
-    for text in vary {
-        let Some((name, values)) = ledger.take(values::variation("--vary", text, model)) else { continue };
-        let Some(place) = ledger.take(find_in(model, "--vary", Kind::Parameter, &name, &parameters)) else { continue };
-        let with = |choice: &Vec<(usize, f64)>| -> Vec<Vec<(usize, f64)>> {
-            values.iter().map(|&value| choice.iter().copied().chain([(place, value)]).collect()).collect()
-        };
-        if choices[0].iter().any(|&(varied, _)| varied == place) {
-            ledger.take::<()>(Err(Failure::option("--vary", format!("`{name}` is varied twice"))));
-            continue;
-        }
-        if choices.len() * values.len() > MOST_VALUES {
-            let what = format!("more than {MOST_VALUES} combinations of values; so many curves cannot be told apart");
-            ledger.take::<()>(Err(Failure::option("--vary", what)));
-            break;
-        }
-        choices = choices.iter().flat_map(with).collect();
-    }
-    ledger.close(Some(choices))
-}
-
-fn choice_name(model: &Model, choice: &[(usize, f64)]) -> String {
-    let one = |&(place, value): &(usize, f64)| format!("{} = {}", model.parameters[place].name, rounded(value));
-    choice.iter().map(one).collect::<Vec<_>>().join(", ")
-}
-
-/// Numbers, t first, and why the motion ended early.
-type Numbers = (Vec<Vec<f64>>, Option<Failure>);
+/// Numbers, t first, the limits at both ends, and why the motion ended early.
+type Numbers = (Vec<Vec<f64>>, [Option<String>; 2], Option<Failure>);
 
 fn one(
     engine: &dyn Engine,
     setup: &Setup,
-    (times, open_end): (&[f64], bool),
-    freedom: FreedomArgs,
-    degrees: bool,
+    (instants, open_end): (&Instants, bool),
+    measures: &[Measure],
+    args: &PlotArgs,
     session: &mut Session<'_>,
 ) -> Result<Numbers, Failure> {
     let watch = session.watch();
-    let (stop_at_events, reported) = (false, true);
-    let walk = Walk { engine, setup, times, stop_at_events, open_end, freedom, reported, watch: &watch };
+    let (freedom, degrees) = (args.freedom, args.angles.degrees);
+    let (stop_at_events, reported) = (false, false);
+    let walk =
+        Walk { engine, setup, instants, stop_at_events, open_end, freedom, reported, measures, degrees, watch: &watch };
     let moved = walk.kept()?;
     note_motion(session, &moved);
-    let Moved { trajectory, motions, ended, left, .. } = moved;
+    let Moved { columns, ended, left, .. } = moved;
     note_freedom(session, left);
     if ended.as_ref().is_some_and(|failure| !matches!(failure, Failure::Interrupted(_))) {
-        let (states, instants) = (trajectory.states.len(), count(times.len(), "instant"));
+        let (states, instants) = (columns[0].len(), count(instants.len(), "instant"));
         session.note(&format!("the motion ended early: {states} of {instants} drawn"));
     }
-    Ok((shown_columns(engine.model(), &trajectory.states, &motions, degrees), ended))
+    let limits = instants.limits.each_ref().map(|stop| stop.as_ref().map(|stop| stop.name.clone()));
+    let limits = if ended.is_none() { limits } else { [None, None] };
+    Ok((columns, limits, ended))
 }
 
 /// Where nothing is asked for: the path of the first point that moves, beside the coordinate that moves most; without such
@@ -235,26 +219,33 @@ fn moved_unevenly(model: &Model, numbers: &[Vec<f64>]) -> Vec<usize> {
     coordinates.filter(|&k| numbers.get(k).is_some_and(|values| bend(values) > 1e-9)).collect()
 }
 
-/// The columns that are asked for; all that is wrong is told.
-fn wanted(model: &Model, what: &[String], names: &[String]) -> Result<Vec<Wanted>, Failure> {
-    let names: Vec<&str> = std::iter::once("t").chain(names.iter().map(String::as_str)).collect();
-    let carried = model.points.iter().map(|p| p.name).chain(model.bodies.iter().map(|b| b.name));
-    let place = |name: &str| names.iter().position(|n| *n == name);
+/// The columns that are asked for, those that are not standard behind the others; all that is wrong is told.
+fn wanted(model: &'static Model, what: &[String], measures: &mut Vec<Measure>) -> Result<Vec<Wanted>, Failure> {
+    let carried = || model.points.iter().map(|p| p.name).chain(model.bodies.iter().map(|b| b.name));
+    let mut place = |measure: Measure| {
+        let found = measures.iter().position(|other| *other == measure);
+        found.unwrap_or_else(|| {
+            measures.push(measure);
+            measures.len() - 1
+        })
+    };
     let mut ledger = Ledger::default();
     let mut wanted = Vec::new();
     for what in what {
         if let Some((x, y)) = what.split_once(':') {
-            let [x, y] = [x, y].map(|name| ledger.take(find("WHAT", Kind::Quantity, name, &names)));
-            wanted.extend(x.zip(y).map(|(x, y)| Wanted { x, y, path: false }));
+            let [x, y] = [x, y].map(|name| ledger.take(find_quantity(model, name)));
+            wanted.extend(x.zip(y).map(|(x, y)| Wanted { x: place(x), y: place(y), path: false }));
             continue;
         }
-        let path = carried.clone().any(|name| name == what) && place(what).is_none();
-        if let (true, Some(x), Some(y)) = (path, place(&format!("{what}.x")), place(&format!("{what}.y"))) {
-            wanted.push(Wanted { x, y, path: true });
+        let axis = |axis: &str| Measure::named(model, &format!("{what}.{axis}"));
+        if let (None, true, Some(x), Some(y)) =
+            (Measure::named(model, what), carried().any(|name| name == what), axis("x"), axis("y"))
+        {
+            wanted.push(Wanted { x: place(x), y: place(y), path: true });
             continue;
         }
-        let found = ledger.take(find("WHAT", Kind::Quantity, what, &names));
-        wanted.extend(found.map(|y| Wanted { x: 0, y, path: false }));
+        let found = ledger.take(find_quantity(model, what));
+        wanted.extend(found.map(|y| Wanted { x: 0, y: place(y), path: false }));
     }
     ledger.close(Some(wanted))
 }
@@ -284,12 +275,33 @@ fn panels(units: Units, wanted: &[Wanted], infos: &[ColumnInfo], runs: &[Curves]
         if let Some((members, panel)) = panels.iter_mut().find(|(members, _)| members.iter().all(alike)) {
             members.push(want);
             panel.curves.extend(curves);
+            mark_limits(&mut panel.marks, want, runs);
             continue;
         }
         let labels = [want.x, want.y].map(|k| Panel::label(name(k), unit(k)));
-        panels.push((vec![want], Panel { labels, equal: want.path, curves }));
+        let mut marks = Vec::new();
+        mark_limits(&mut marks, want, runs);
+        panels.push((vec![want], Panel { labels, equal: want.path, curves, marks }));
     }
     panels.into_iter().map(|(members, panel)| shared_labels(members.len(), panel, &members, &unit)).collect()
+}
+
+/// Marks the ends of curves that are limits; what has no value there is not marked.
+fn mark_limits(marks: &mut Vec<Mark>, want: Wanted, runs: &[Curves]) {
+    for run in runs {
+        let (xs, ys) = (&run.columns[want.x], &run.columns[want.y]);
+        let ends = [(xs.first(), ys.first()), (xs.last(), ys.last())];
+        for (limit, end) in run.limits.iter().zip(ends) {
+            let (Some(name), (Some(&x), Some(&y))) = (limit, end) else { continue };
+            if !(x.is_finite() && y.is_finite()) {
+                continue;
+            }
+            match marks.iter_mut().find(|mark| mark.name == *name) {
+                Some(mark) => mark.points.push((x, y)),
+                None => marks.push(Mark { name: name.clone(), points: vec![(x, y)] }),
+            }
+        }
+    }
 }
 
 /// Axes of a panel with several quantities say only what they measure.

@@ -7,7 +7,7 @@ use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
 use super::info;
-use super::moving::instant;
+use super::instants::instant;
 use super::options::{AngleArgs, FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
@@ -97,7 +97,7 @@ pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Sess
     };
     note_freedom(session, solved.state.degrees_of_freedom_left);
     note_start(session, &solved.mobility);
-    let findings = find(engine, t, Some(&solved.state), CONFIGURATIONS, &session.watch())?;
+    let findings = find(engine, &setup, t, Some(&solved.state), CONFIGURATIONS, &session.watch())?;
     let q = solved.state.q.clone();
     let solved = solved.shown(engine.model(), args.angles.degrees);
     let known = Known { t, q: &q, mobility: &solved.mobility, modes: &solved.modes };

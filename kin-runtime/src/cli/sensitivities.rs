@@ -3,7 +3,7 @@
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::moving::instant;
+use super::instants::instant;
 use super::names::{Kind, find_in};
 use super::number::Measured;
 use super::options::{FreedomArgs, InstantArgs, SetupArgs};

@@ -3,12 +3,14 @@
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::moving::instant;
+use super::instants::instant;
 use super::options::{AngleArgs, FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::{Solved, analysis, note_freedom, note_start, solve};
+use crate::measure::Measure;
 use crate::model::Model;
+use crate::present::certificate;
 use crate::present::condition;
 use crate::present::forces;
 use crate::present::grid::CsvRows;
@@ -32,6 +34,9 @@ pub(super) struct SolveArgs {
     /// Also what drivers supply and joints carry
     #[arg(long)]
     forces: bool,
+    /// Also a proof that it is a solution, and the only one around
+    #[arg(long, conflicts_with = "degrees")]
+    certify: bool,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -44,10 +49,14 @@ pub(super) const HELP: Help = Help {
             names.with("solve --guess", &names.guess, "another start of the assembly"),
             names.with("solve --mode", &names.mode, "in an assembly mode, whatever the guess"),
             names.analysis(&format!("solve --at {} --format json", names.at), "for another program"),
+            names.analysis("solve --certify", "with a proof"),
             names.analysis("solve --out state.csv", "one row with a header"),
         ]
     },
-    details: "csv has one row: t, then every coordinate, its rate (NAME_dot) and acceleration (NAME_ddot).",
+    details: "\
+csv has one row: t, then every coordinate, its rate (NAME_dot) and acceleration (NAME_ddot).
+A certificate is a proof by interval arithmetic: a box with exactly one solution, and an interval
+for every coordinate, rate and acceleration. Where there is none, it says why and the status is 1.",
 };
 
 pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
@@ -60,6 +69,7 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
     let mut solved = solve(engine, &setup, t, args.freedom.least_norm)?;
     let forces = args.forces.then(|| engine.forces(&setup, &solved.state)).transpose();
     solved.motion.forces = forces.map_err(|error| analysis(engine, &error))?;
+    solved.certificate = args.certify.then(|| engine.certify(&setup, &solved.state));
     let solved = solved.shown(engine.model(), args.angles.degrees);
     note_freedom(session, solved.state.degrees_of_freedom_left);
     note_start(session, &solved.mobility);
@@ -68,8 +78,11 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
         Form::Json => json(engine, &solved)?,
         Form::Csv => {
             let mut bytes = Vec::new();
-            let row = |rows: &mut CsvRows<&mut Vec<u8>>| rows.row(&solved.state, None).and_then(|()| rows.flush());
-            let written = CsvRows::new(model, false, &mut bytes).and_then(|mut rows| row(&mut rows));
+            let columns = Measure::standard(model, false);
+            let values = columns.iter().filter_map(|measure| measure.of_state(&solved.state));
+            let row = |rows: &mut CsvRows<&mut Vec<u8>>| rows.row(values).and_then(|()| rows.flush());
+            let names = columns.iter().map(Measure::name);
+            let written = CsvRows::new(names, &mut bytes).and_then(|mut rows| row(&mut rows));
             written.map_err(|error| Failure::Output(format!("cannot write csv: {error}")))?;
             String::from_utf8_lossy(&bytes).into_owned()
         }
@@ -82,7 +95,11 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
             text::quality(&solved.state, &solved.mobility)
         ),
     };
-    session.deliver(&output, &text)
+    session.deliver(&output, &text)?;
+    match &solved.certificate {
+        Some(Err(why)) => Err(Failure::Analysis(format!("{}: not certified: {why}", model.name))),
+        _ => Ok(()),
+    }
 }
 
 /// All tables of a solved instant.
@@ -98,6 +115,7 @@ pub(super) fn body(model: &'static Model, solved: &Solved) -> String {
         solved.motion.forces.as_ref().map(forces::text).unwrap_or_default(),
         text::transmission(&solved.angles, solved.degrees),
         plan::modes(&ModeRecord::of(&solved.modes)),
+        solved.certificate.as_ref().map(certificate::text).unwrap_or_default(),
     ]
     .concat()
 }
@@ -115,6 +133,7 @@ pub(super) fn record<'a>(engine: &dyn Engine, solved: &'a Solved) -> StateRecord
         &solved.angles,
     )
     .with_modes(&solved.modes)
+    .with_certificate(solved.certificate.as_ref())
     .in_degrees(model, solved.degrees)
 }
 

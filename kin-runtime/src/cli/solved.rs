@@ -10,6 +10,7 @@ use crate::mobility::Mobility;
 use crate::model::{Level, Model};
 use crate::modes::Mode;
 use crate::motion::Motion;
+use crate::present::certificate::Certified;
 use crate::present::number::rounded;
 use crate::present::text;
 use crate::ratios::VelocityRatios;
@@ -26,6 +27,8 @@ pub(super) struct Solved {
     pub(super) ratios: VelocityRatios,
     pub(super) angles: Vec<TransmissionAngle>,
     pub(super) modes: Vec<Mode>,
+    /// The certificate, where it was asked for.
+    pub(super) certificate: Option<Certified>,
     /// Whether angles are in degrees.
     pub(super) degrees: bool,
 }
@@ -53,7 +56,7 @@ pub(super) fn solve(engine: &dyn Engine, setup: &Setup, t: f64, least_norm: bool
         engine.velocity_ratios(setup, &state).unwrap_or(VelocityRatios { drivers: Vec::new(), inputs: Vec::new() });
     let angles = engine.transmission_angles(&state).unwrap_or_default();
     let modes = engine.modes(&state.instant(), &state.q);
-    Ok(Solved { state, motion, mobility, ratios, angles, modes, degrees: false })
+    Ok(Solved { state, motion, mobility, ratios, angles, modes, certificate: None, degrees: false })
 }
 
 /// A solved instant without what is reported about it.
@@ -124,7 +127,15 @@ fn misfit(engine: &dyn Engine, setup: &Setup, t: f64, error: &SolveError) -> Fai
             let lead = format!("  could be given, {} of them: ", open.degrees_of_freedom_left);
             Failure::Analysis(format!("{}: {error}\n{}", engine.model().name, listing(&lead, &names)))
         }
-        _ => analysis(engine, error),
+        _ => {
+            let open = matches!(error, SolveError::NotAssembled { .. } | SolveError::ModeNotAssembled { .. });
+            let negative =
+                matches!(error, SolveError::DegenerateGeometry { fault: Degeneracy::NegativeLength { .. }, .. });
+            match (open || negative).then(|| engine.out_of_range(setup, t)).flatten() {
+                Some(why) => Failure::Analysis(format!("{}: {why}\n  {error}", engine.model().name)),
+                None => analysis(engine, error),
+            }
+        }
     }
 }
 

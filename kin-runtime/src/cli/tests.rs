@@ -290,8 +290,8 @@ fn unknown_options_say_what_there_is() {
     assert!(err.contains("--from is an option of `sweep`") && err.contains("\n`solve` has --at, --set,"), "{err}");
     #[cfg(feature = "plot")]
     {
-        let err = bad("sweep --vary r=0.1,0.2");
-        assert!(err.contains("--vary is an option of `plot`\n`sweep` has --") && err.contains("--steps"), "{err}");
+        let err = bad("solve --vary r=0.1,0.2");
+        assert!(err.contains("--vary is an option of `sweep`, `extremes` and `plot`\n`solve` has --at"), "{err}");
     }
     let err = bad("--nothing");
     assert!(err.contains("the report has --at,") && !err.contains("is an option of"), "{err}");

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use super::engine::{Engine, Setup};
-use super::moving::natural_end;
+use super::instants::natural_end;
 use crate::model::Model;
 use crate::present::number::rounded;
 use crate::workspace::Signal;

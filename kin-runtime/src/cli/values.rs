@@ -8,10 +8,6 @@ use crate::present::units::Units;
 use crate::workspace::Signal;
 use kin_core::units::Unit;
 
-/// Values of a parameter that one diagram shows at most.
-#[cfg(feature = "plot")]
-pub(super) const MOST_VALUES: usize = 14;
-
 /// The most instants that one sweep computes.
 const MOST_STEPS: usize = 1_000_000;
 
@@ -254,9 +250,13 @@ pub(super) fn grid(from: f64, to: f64, steps: usize) -> Result<Vec<f64>, Failure
     Ok((0..=steps).map(|i| if i == steps { to } else { from + length * i as f64 / steps as f64 }).collect())
 }
 
-/// The values of `--vary`: `l1=0.08..0.12:5`, both ends included, or `l1=0.08,0.1`.
-#[cfg(feature = "plot")]
-pub(super) fn variation(option: &str, text: &str, model: &Model) -> Result<(String, Vec<f64>), Failure> {
+/// The values of `--vary`: `l1=0.08..0.12:5`, both ends included, or `l1=0.08,0.1`; at most so many, for a reason.
+pub(super) fn variation(
+    option: &str,
+    text: &str,
+    model: &Model,
+    (most, why): (usize, &str),
+) -> Result<(String, Vec<f64>), Failure> {
     let shape = || {
         Failure::option(
             option,
@@ -267,17 +267,17 @@ pub(super) fn variation(option: &str, text: &str, model: &Model) -> Result<(Stri
     let of = Measured::parameter(model, name.trim());
     let Some((from, rest)) = values.split_once("..") else {
         let values = values.split(',').map(|value| number(option, value, of)).collect::<Result<Vec<f64>, Failure>>()?;
-        if values.len() > MOST_VALUES {
-            let what = format!("{} values of {}; at most {MOST_VALUES} can be told apart", values.len(), name.trim());
+        if values.len() > most {
+            let what = format!("{} values of {}; at most {most}: {why}", values.len(), name.trim());
             return Err(Failure::option(option, what));
         }
         return Ok((name.trim().to_owned(), values));
     };
     let (to, count) = rest.split_once(':').ok_or_else(shape)?;
     let (from, to) = (number(option, from, of)?, number(option, to, of)?);
-    let count = count.trim().parse::<usize>().ok().filter(|n| (2..=MOST_VALUES).contains(n));
+    let count = count.trim().parse::<usize>().ok().filter(|n| (2..=most).contains(n));
     let Some(count) = count else {
-        return Err(Failure::option(option, format!("`{text}`: between 2 and {MOST_VALUES} values can be told apart")));
+        return Err(Failure::option(option, format!("`{text}`: between 2 and {most} values are possible: {why}")));
     };
     let at = |k: usize| from + (to - from) * k as f64 / (count - 1) as f64;
     Ok((name.trim().to_owned(), (0..count).map(|k| if k + 1 == count { to } else { at(k) }).collect()))

@@ -1,4 +1,4 @@
-//! Derivatives of the generic Φ by dual numbers.
+//! Derivatives of the generic Φ by automatic differentiation with dual numbers.
 
 use super::configuration::Configuration;
 use crate::mechanism::{LengthError, Mechanism};
@@ -6,17 +6,17 @@ use crate::model::Level;
 use crate::workspace::{Array, Instant, Signal};
 use num_dual::{Dual2_64, Dual64};
 
-/// What differentiating Φ with dual numbers gives at one configuration.
+/// Φ and its derivatives by dual numbers at one configuration.
 pub(super) struct Automatic {
     pub(super) phi: Vec<f64>,
-    /// s×n, row by row.
+    /// s×n, stored by rows.
     pub(super) phi_q: Vec<f64>,
     pub(super) phi_t: Vec<f64>,
     pub(super) gamma: Vec<f64>,
 }
 
-/// Φ, Φ_q, Φ_t and γ by dual numbers, from the generic Φ alone; B, b and γ of rows of velocity level from the generic η,
-/// which stands in their places of Φ.
+/// Φ, Φ_q, Φ_t and γ by dual numbers, from the generic Φ alone. Rows of velocity level have B, b and γ from the generic
+/// η in these places.
 pub(super) fn automatic<M: Mechanism>(
     mechanism: &M,
     parameters: &[f64],
@@ -34,7 +34,7 @@ pub(super) fn automatic<M: Mechanism>(
     Ok(all)
 }
 
-/// B, b and γ of the rows of velocity level from η: B column by column with dual rates, b with all rates at 0, and γ as
+/// B, b and γ of the rows of velocity level from η: B column by column with dual rates, b with all rates zero, and γ as
 /// the negative derivative of s ↦ η(q + s q̇, q̇, t + s) at 0.
 fn velocity_level<M: Mechanism>(
     mechanism: &M,
@@ -67,7 +67,8 @@ fn velocity_level<M: Mechanism>(
     Ok(())
 }
 
-/// η with its derivative along the motion, as far as `along` is 1, and along the dual parts of the rates.
+/// η with its derivative in the direction of the motion, multiplied by `along`, plus that in the direction of the dual
+/// parts of `rates`.
 fn eta<M: Mechanism>(
     mechanism: &M,
     parameters: &[f64],
@@ -84,7 +85,7 @@ fn eta<M: Mechanism>(
     Ok(eta.as_ref().to_vec())
 }
 
-/// An input whose value and rate change with time, as far as `time` is 1.
+/// An input whose value and rate change with time; `time` multiplies these derivatives.
 fn moving(u: &Signal, time: f64) -> Signal<Dual64> {
     Signal {
         value: Dual64::new(u.value, time * u.rate),
@@ -93,7 +94,7 @@ fn moving(u: &Signal, time: f64) -> Signal<Dual64> {
     }
 }
 
-/// Φ and its derivative by one coordinate, or (with `time` = 1) by t, inputs moving with their rates.
+/// Φ and its derivative with respect to one coordinate or, with `time` = 1, to t, where inputs change with their rates.
 fn first<M: Mechanism>(
     mechanism: &M,
     parameters: &[f64],
@@ -111,7 +112,7 @@ fn first<M: Mechanism>(
     Ok((phi.iter().map(|p| p.re).collect(), phi.iter().map(|p| p.eps).collect()))
 }
 
-/// γ = −d²/ds² Φ(q + s q̇, t + s) at s = 0, inputs moving as u + s u̇ + ½ s² ü.
+/// γ = −d²/ds² Φ(q + s q̇, t + s) at s = 0, where inputs change as u + s u̇ + ½ s² ü.
 fn second<M: Mechanism>(mechanism: &M, parameters: &[f64], at: &Configuration) -> Result<Vec<f64>, LengthError> {
     let constant = Dual2_64::from_re;
     let parameters: Vec<Dual2_64> = parameters.iter().map(|&p| constant(p)).collect();

@@ -1,4 +1,4 @@
-//! Closed forms and dual numbers, entry by entry.
+//! Comparison of closed forms with dual numbers, entry by entry.
 
 use super::automatic::{Automatic, automatic};
 use super::configuration::Configuration;
@@ -9,7 +9,7 @@ use crate::mechanism::Mechanism;
 use crate::model::Model;
 use crate::workspace::{Instant, Subset};
 
-/// Errors collected over configurations.
+/// The errors collected over configurations.
 pub(super) struct Comparison {
     model: &'static Model,
     result: CrossCheck,
@@ -21,7 +21,7 @@ impl Comparison {
         Self { model, result: CrossCheck::new(), functions: FunctionChecks::default() }
     }
 
-    /// One configuration.
+    /// Compares everything at one configuration.
     pub(super) fn compare<M: Mechanism>(
         &mut self,
         mechanism: &M,
@@ -40,7 +40,7 @@ impl Comparison {
         self.functions(mechanism, parameters, at)
     }
 
-    /// Supplied functions at their arguments in one configuration.
+    /// Compares the supplied functions at their arguments in one configuration.
     fn functions<M: Mechanism>(
         &mut self,
         mechanism: &M,
@@ -56,7 +56,7 @@ impl Comparison {
         Ok(())
     }
 
-    /// All entries of one configuration.
+    /// Compares all entries of one configuration.
     fn entries(&mut self, at: &Configuration, dual: &Automatic, non_zeros: &[f64], phi_t: &[f64], gamma: &[f64]) {
         let (s, n) = (self.model.rows.len(), self.model.coordinates.len());
         let mut phi_q = vec![0.0; s * n];
@@ -78,7 +78,7 @@ impl Comparison {
         }
     }
 
-    /// One entry.
+    /// Compares one entry.
     fn entry(
         &mut self,
         at: &Configuration,
@@ -93,7 +93,7 @@ impl Comparison {
         self.result.add([matrix, row_name, column_name], [closed_form, automatic], error, (at.t, &at.q, &at.q_dot));
     }
 
-    /// The result, unless nothing could be compared.
+    /// The result; an error if nothing could be compared.
     pub(super) fn finish(mut self) -> Result<CrossCheck, SolveError> {
         if self.result.configurations == 0 {
             return Err(SolveError::NothingCompared { skipped: self.result.skipped });
@@ -104,7 +104,7 @@ impl Comparison {
     }
 }
 
-/// Largest finite absolute value.
+/// The largest finite absolute value.
 fn largest(values: &[f64]) -> f64 {
     values.iter().map(|v| v.abs()).filter(|v| v.is_finite()).fold(0.0, f64::max)
 }

@@ -1,4 +1,4 @@
-//! The configurations of a check: those of the caller, and random ones.
+//! The configurations of a cross-check: those of the caller, and random ones.
 
 use crate::model::{Component, CoordinateKind, Model};
 use crate::random::Random;
@@ -6,16 +6,16 @@ use crate::text::numbers;
 use crate::workspace::{Instant, Signal};
 use core::fmt;
 
-/// How a cross-check chooses its configurations.
+/// Options of a cross-check: which configurations are compared.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CrossCheckOptions {
     /// Number of random configurations.
     pub configurations: usize,
-    /// Seed of the random numbers; the same seed gives the same configurations.
+    /// The seed of the random numbers; the same seed gives the same configurations.
     pub seed: u64,
-    /// Configurations of the caller, compared before the random ones.
+    /// Configurations given by the caller, which are compared before the random ones.
     pub given: Vec<Configuration>,
-    /// Also perturb the parameters, by up to ten per cent.
+    /// Whether the parameters are also perturbed, by up to ten per cent.
     pub perturb_parameters: bool,
 }
 
@@ -25,20 +25,20 @@ impl Default for CrossCheckOptions {
     }
 }
 
-/// A configuration to compare at; it need not be assembled.
+/// A configuration at which closed forms are compared; it need not satisfy Φ = 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Configuration {
-    /// Time.
+    /// The time.
     pub t: f64,
-    /// q, n numbers.
+    /// The n coordinates q.
     pub q: Vec<f64>,
-    /// q̇, n numbers.
+    /// The n velocities q̇.
     pub q_dot: Vec<f64>,
-    /// The inputs; empty where the mechanism has none.
+    /// The inputs; empty for a mechanism without inputs.
     pub inputs: Vec<Signal>,
 }
 
-/// A configuration near the centre, or a wide one, by turns.
+/// A random configuration: numbers 0 and 1 of every four are near the centre, the other two are spread widely.
 pub(super) fn random_configuration(
     model: &Model,
     random: &mut Random,
@@ -72,7 +72,7 @@ impl fmt::Display for Configuration {
     }
 }
 
-/// How many configurations, from where.
+/// The numbers of configurations and the seed.
 impl fmt::Display for CrossCheckOptions {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} given and {} random configurations, seed {}", self.given.len(), self.configurations, self.seed)?;

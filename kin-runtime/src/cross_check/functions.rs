@@ -1,38 +1,41 @@
-//! Supplied functions compared with their own differences.
+//! Supplied functions compared with their difference quotients.
 //!
-//! Closed forms and dual numbers both take f, f′ and f″ from the function, so that neither can tell a wrong derivative.
-//! Here the difference quotient of g over an interval is compared with the mean of g′ over it (five-point Gauss–Lobatto
-//! quadrature), for g = f and g = f′. Intervals begin or end at the argument and shrink by and by; the best of them
-//! counts. So a smooth function agrees to rounding, and a knot of a spline or a jump of an acceleration lies outside of
-//! all intervals that are short enough, on one side at least; a wrong derivative is wrong on all of them.
+//! Closed forms and dual numbers both take f, f′ and f″ from the function, so that their comparison cannot reveal a
+//! wrong derivative. Here the difference quotient of g over an interval is compared with the mean of g′ over it
+//! (five-point Gauss–Lobatto quadrature), for g = f and g = f′. The intervals begin or end at the argument and get
+//! shorter and shorter; the one with the best agreement counts. So a smooth function agrees to rounding; a knot of a
+//! spline or a jump of an acceleration lies outside of all sufficiently short intervals on one side at least; and a
+//! wrong derivative disagrees on all of them.
 
 use crate::mechanism::Mechanism;
 use core::fmt;
 
-/// How a supplied function agrees with its own differences, at its worst argument.
+/// The largest disagreement of a supplied function with its difference quotients.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FunctionCheck {
-    /// The function, as in [`Model::functions`](crate::model::Model::functions).
+    /// The name of the function, as in [`Model::functions`](crate::model::Model::functions).
     pub function: &'static str,
-    /// Arguments at which f′ or f″ was compared.
+    /// Number of arguments at which f′ or f″ was compared.
     pub arguments: usize,
-    /// Arguments at which nothing could be said: the function has no value there, or varies less than it is rounded.
+    /// Number of arguments at which no comparison was possible: the function has no value there, or varies less than
+    /// its rounding error.
     pub skipped: usize,
-    /// The worst derivative: `f′`, compared with differences of f, or `f″`, compared with those of f′.
+    /// The derivative with the largest disagreement: `f′`, compared with differences of f, or `f″`, compared with those
+    /// of f′.
     pub derivative: &'static str,
-    /// The worst argument.
+    /// The argument with the largest disagreement.
     pub x: f64,
-    /// Mean of the derivative beside that argument, as the function gives it.
+    /// The mean of the derivative near that argument, as the function gives it.
     pub given: f64,
-    /// The same by differences.
+    /// The difference quotient over the same interval.
     pub differences: f64,
-    /// |given − differences| beyond rounding, relative to the largest derivative on that interval.
+    /// |given − differences| minus its rounding error, relative to the largest derivative on that interval.
     pub error: f64,
 }
 
 impl FunctionCheck {
-    /// The largest error of a function that agrees with its differences.
+    /// Errors up to this count as agreement.
     pub const TOLERANCE: f64 = 1e-6;
 }
 
@@ -47,14 +50,14 @@ impl fmt::Display for FunctionCheck {
     }
 }
 
-/// The checks of all functions, as they go on.
+/// The checks of all functions, updated argument by argument.
 #[derive(Debug, Default)]
 pub(super) struct FunctionChecks {
     checks: Vec<FunctionCheck>,
 }
 
 impl FunctionChecks {
-    /// Checks function `index` at `x`.
+    /// Compares function `index` at `x`.
     pub(super) fn compare<M: Mechanism>(&mut self, mechanism: &M, index: usize, x: f64) {
         let name = M::model().functions.get(index).copied().unwrap_or_default();
         let function = |x: f64| mechanism.evaluate_function(index, x).unwrap_or([f64::NAN; 3]);
@@ -92,7 +95,7 @@ impl FunctionChecks {
     }
 }
 
-/// A derivative as it is given, by differences, and by how much the two differ.
+/// A derivative as given and by differences, and the relative difference between both.
 #[derive(Clone, Copy, Debug)]
 struct Agreement {
     given: f64,
@@ -100,7 +103,7 @@ struct Agreement {
     error: f64,
 }
 
-/// Places and weights of the quadrature on [0, 1].
+/// Nodes and weights of the quadrature on [0, 1].
 const NODES: [(f64, f64); 5] = [
     (0.0, 1.0 / 20.0),
     (0.172_673_164_646_011_43, 49.0 / 180.0),
@@ -108,14 +111,16 @@ const NODES: [(f64, f64); 5] = [
     (0.827_326_835_353_988_6, 49.0 / 180.0),
     (1.0, 1.0 / 20.0),
 ];
-/// How much worse than its last digit a function may be rounded.
+/// Assumed relative rounding error of a function.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
-/// Steps, each a quarter of the one before.
+/// Number of interval lengths, each a quarter of the one before.
 const STEPS: i32 = 22;
-/// A disagreement counts when it was seen on an interval of this length or less, relative to the argument or to 1.
+/// A disagreement counts only if an interval of this length or less could be compared, relative to the larger of 1 and
+/// the size of the argument.
 const SHORT: f64 = 1e-4;
 
-/// Derivative `order` + 1 of a function against derivative `order` at `x`; `None` where nothing can be said.
+/// Compares derivative `order` + 1 of a function with differences of derivative `order` at `x`; `None` where no
+/// comparison is possible.
 fn agreement(function: &impl Fn(f64) -> [f64; 3], order: usize, x: f64) -> Option<Agreement> {
     let here = function(x);
     if !here[0].is_finite() {
@@ -142,7 +147,7 @@ fn agreement(function: &impl Fn(f64) -> [f64; 3], order: usize, x: f64) -> Optio
     best.filter(|best| best.error <= FunctionCheck::TOLERANCE || shortest <= SHORT)
 }
 
-/// The agreement on the interval from `x` to `end`; `None` where rounding drowns it or the function has no value.
+/// The agreement on the interval from `x` to `end`; `None` where rounding errors dominate or the function has no value.
 fn over(function: &impl Fn(f64) -> [f64; 3], order: usize, x: f64, end: f64) -> Option<Agreement> {
     let samples = NODES.map(|(place, _)| function(x + place * (end - x)));
     let [first, last] = [samples[0][order], samples[4][order]];
@@ -157,7 +162,7 @@ fn over(function: &impl Fn(f64) -> [f64; 3], order: usize, x: f64, end: f64) -> 
     if miss == 0.0 {
         return Some(Agreement { given, differences, error: 0.0 });
     }
-    // Rounding of the values, and of the places at which they are taken.
+    // Rounding errors of the values and of their arguments.
     let noise = ROUNDING * (largest(order) + x.abs().max(end.abs()) * largest(order + 1)) / (end - x).abs();
     if noise > 0.25 * FunctionCheck::TOLERANCE * size {
         return None;
@@ -170,7 +175,7 @@ mod tests {
     use super::*;
     use crate::function::{CubicSpline, MotionLaw, Polynomial, ScalarFunction, Sequence};
 
-    /// The worst error of both derivatives over many arguments.
+    /// The largest error of both derivatives over many arguments.
     fn worst(function: impl Fn(f64) -> [f64; 3], from: f64, to: f64) -> [f64; 2] {
         let mut worst = [0.0_f64; 2];
         for k in 0..=997 {
@@ -214,23 +219,24 @@ mod tests {
                 [f, f1 * slip[0], f2 * slip[1]]
             };
             let found = worst(wrong, -0.5, 2.0).map(|error| error > 5e-4);
-            // f″ is compared with the f′ that is given, so that a wrong f′ is not right for f″ either.
+            // f″ is compared with differences of the given f′, so that with a wrong f′ a correct f″ disagrees as well.
             assert!(found[1] && found[0] == first_is_wrong, "{slip:?} {found:?}");
         }
         let nan = worst(|x| [x, 1.0, f64::NAN], 0.0, 1.0);
         assert!(nan[0] == 0.0 && nan[1] == f64::INFINITY);
-        // A derivative that is said to be 0.
+        // A derivative that is wrongly given as 0.
         let zero = worst(|x| [x * x, 2.0 * x, 0.0], 0.0, 1.0);
         assert!(zero[0] < 1e-9 && zero[1] > 0.9);
     }
 
-    /// Nothing is said where rounding drowns all intervals on which a function is smooth.
+    /// No disagreement is reported where rounding dominates on all intervals on which a function is smooth.
     #[test]
     fn what_rounding_drowns_is_no_alarm() {
-        // Beside a large constant f is known on long intervals alone, on which it is a wave; f′ has no such constant.
+        // Beside a large constant, differences of f are accurate only on long intervals, over which f oscillates; f′
+        // has no such constant.
         let waves = worst(|x| [3e8 + (100.0 * x).sin(), 100.0 * (100.0 * x).cos(), -1e4 * (100.0 * x).sin()], 0.0, 1.0);
         assert!(waves.iter().all(|error| *error <= FunctionCheck::TOLERANCE), "{waves:?}");
-        // Around a large argument, and in a narrow range, the places themselves are rounded.
+        // Around a large argument, in a narrow range, the arguments themselves are rounded.
         let from = 1.7e9;
         let clock = |x: f64| {
             let d = x - from;

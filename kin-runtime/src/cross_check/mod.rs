@@ -1,12 +1,12 @@
-//! Closed forms compared with dual numbers.
+//! Comparison of the closed forms with derivatives by dual numbers.
 //!
-//! The generic Φ alone is differentiated: Φ_q column by column and Φ_t with first-order dual numbers, γ as the negative
-//! second derivative of s ↦ Φ(q + s q̇, t + s) at 0 with second-order ones. Inputs move with their rates and
-//! accelerations. Entries that the sparsity pattern calls zero are compared as well.
+//! Only the generic Φ is differentiated: Φ_q column by column and Φ_t with first-order dual numbers, γ as the negative
+//! second derivative of s ↦ Φ(q + s q̇, t + s) at 0 with second-order ones. Inputs change with their rates and
+//! accelerations. Entries that are zero by the sparsity pattern are compared as well.
 //!
-//! Supplied functions enter both sides as they are, so that their derivatives are compared with their own differences, at
-//! the arguments at which they are evaluated in these configurations.
-//! Rows of velocity level are compared in the same places: B, b and γ against derivatives of the generic η.
+//! Both sides use supplied functions in the same way. Their derivatives are therefore compared with difference
+//! quotients, at the arguments at which they are evaluated in these configurations. Rows of velocity level are compared
+//! in the same places: B, b and γ with derivatives of the generic η.
 
 mod automatic;
 mod comparison;
@@ -26,12 +26,12 @@ pub use functions::FunctionCheck;
 pub(crate) use plan::plan_check;
 pub use result::{CrossCheck, WorstEntry};
 
-/// Largest perturbation of a parameter, relative.
+/// Largest relative perturbation of a parameter.
 const PERTURBATION: f64 = 0.1;
 
-/// Compares the closed forms of `mechanism` at the configurations that `options` ask for.
+/// Compares the closed forms of `mechanism` at the configurations that `options` describe.
 ///
-/// `centre` is the configuration around which random ones are drawn, `length` the width of x and y.
+/// Random configurations are drawn around `centre`; `length` is the spread of x and y.
 pub(crate) fn cross_check<M: Mechanism>(
     mechanism: &M,
     options: &CrossCheckOptions,

@@ -1,8 +1,8 @@
-//! The plan compared with the equations, and with full Newton.
+//! Comparison of the plan with the equations, and with full Newton.
 //!
-//! From every configuration the plan solves in the modes that it finds there. What it gives must close Φ and satisfy
-//! Φ_q q̇ = −Φ_t and Φ_q q̈ = γ, row by row; from configurations of the caller full Newton solves as well, and q, q̇ and q̈
-//! are compared number by number.
+//! At every configuration the plan solves in the assembly modes of that configuration. Its solution must satisfy Φ = 0,
+//! Φ_q q̇ = −Φ_t and Φ_q q̈ = γ, row by row. From configurations given by the caller full Newton solves as well, and q,
+//! q̇ and q̈ are compared number by number.
 
 use super::configuration::{Configuration, CrossCheckOptions, random_configuration};
 use super::result::CrossCheck;
@@ -16,10 +16,12 @@ use crate::random::Random;
 use crate::state::State;
 use crate::workspace::{Instant, Subset};
 
-/// Margins below this are beside a limit, where rounding says more than the plan.
+/// Where a margin is below this, the configuration is too near to a limit: rounding errors are larger than those of the
+/// plan.
 const AWAY: f64 = 1e-3;
 
-/// Checks the plan of `mechanism` at the configurations that `options` ask for; `newton` solves from a start.
+/// Checks the plan of `mechanism` at the configurations that `options` describe; `newton` solves by full Newton from a
+/// start.
 pub(crate) fn plan_check<M: Mechanism>(
     mechanism: &M,
     options: &CrossCheckOptions,
@@ -72,7 +74,7 @@ pub(crate) fn plan_check<M: Mechanism>(
     Ok(check)
 }
 
-/// q, q̇ and q̈ by the plan; none where it has no answer away from limits.
+/// q, q̇ and q̈ by the plan; `None` where the plan has no solution or the solution is near a limit.
 fn solve<M: Mechanism>(
     mechanism: &M,
     parameters: &[f64],
@@ -91,7 +93,7 @@ fn solve<M: Mechanism>(
     Ok(margins.iter().all(|margin| *margin > AWAY).then_some(found))
 }
 
-/// Every row of Φ, of the velocity and of the acceleration equations.
+/// Compares every row of Φ and of the velocity and acceleration equations.
 fn rows<M: Mechanism>(
     check: &mut CrossCheck,
     mechanism: &M,
@@ -102,8 +104,8 @@ fn rows<M: Mechanism>(
     let mut workspace = M::workspace::<f64>();
     mechanism.evaluate(Subset::ALL, at, q, q_dot, &mut workspace)?;
     let largest = |x: &[f64]| x.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-    // The terms of γ are coefficients times two rates, one of which turns something. Where they cancel and nothing
-    // accelerates, rounding is still theirs.
+    // The terms of γ are coefficients times two rates, one of which belongs to an angle or a scalar. Where these terms
+    // cancel and all accelerations vanish, the rounding error still has the size of the terms.
     let is_length = |kind| matches!(kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. });
     let turning = (model.coordinates.iter().zip(q_dot))
         .filter(|(coordinate, _)| !is_length(coordinate.kind))

@@ -1,4 +1,4 @@
-//! What a cross-check has found.
+//! The result of a cross-check.
 
 use super::functions::FunctionCheck;
 use core::fmt;
@@ -7,15 +7,15 @@ use core::fmt;
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct WorstEntry {
-    /// `Φ_q`, `Φ_t` or `γ`; of a plan `Φ`, `Φ_q q̇ = −Φ_t` or `Φ_q q̈ = γ`, or `q`, `q̇` or `q̈`.
+    /// The quantity: `Φ_q`, `Φ_t` or `γ`; for a plan `Φ`, `Φ_q q̇ = −Φ_t` or `Φ_q q̈ = γ`, or `q`, `q̇` or `q̈`.
     pub matrix: &'static str,
-    /// Row; of q, q̇ and q̈ the coordinate.
+    /// The row, or the coordinate in the case of q, q̇ and q̈.
     pub row_name: &'static str,
-    /// Column of Φ_q; empty for everything else.
+    /// The column of Φ_q; empty for everything else.
     pub column_name: &'static str,
-    /// The value of the closed form, or by the plan; of an equation by how much it is missed.
+    /// The value of the closed form, or by the plan; for an equation its residual.
     pub found: f64,
-    /// The value by dual numbers, or by full Newton; of an equation 0.
+    /// The value by dual numbers, or by full Newton; for an equation 0.
     pub expected: f64,
     /// The error, see [`CrossCheck::max_error`].
     pub error: f64,
@@ -27,31 +27,32 @@ pub struct WorstEntry {
     pub t: f64,
 }
 
-/// Result of a comparison: of closed forms with dual numbers, or of the plan with the equations and with full Newton.
+/// The result of a comparison: of closed forms with dual numbers, or of the plan with the equations and with full
+/// Newton.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CrossCheck {
-    /// Configurations compared.
+    /// The number of configurations compared.
     pub configurations: usize,
-    /// Configurations skipped: Φ itself is not finite there, or the plan has no answer away from limits.
+    /// The number of configurations skipped: Φ is not finite there, or the plan has no solution away from limits.
     pub skipped: usize,
-    /// Numbers compared.
+    /// The number of values compared.
     pub entries: usize,
-    /// The number with the largest error; without names where nothing was compared.
+    /// The value with the largest error; without names where nothing was compared.
     pub worst: WorstEntry,
-    /// Largest error over all entries: |found − expected|, relative to the largest entry of that row of Φ_q,
-    /// to Φ_t, or to γ (or that row of Φ_q times the largest q̇ squared, if larger), but to no less than one. Of an equation
-    /// it is relative to the largest of its terms, which of accelerations are coefficients times accelerations or times two
-    /// rates; of q, q̇ and q̈ to the largest number of the vector, but to no less than one. Whatever is not a number has an
-    /// infinite error.
+    /// The largest error of all values, |found − expected|. It is relative to the largest entry of that row of Φ_q, to
+    /// Φ_t, or to γ (or that row of Φ_q times the largest q̇ squared, if that is larger), but at least to one. For an
+    /// equation it is relative to the largest of its terms, which in the acceleration equation are coefficients times
+    /// an acceleration or times two rates; for q, q̇ and q̈ to the largest number of the vector, but at least to one.
+    /// The error of NaN is infinite.
     pub max_error: f64,
-    /// Every supplied function that is evaluated: f, f′ and f″ against one another, by differences. Empty for a plan, which
-    /// evaluates the same functions.
+    /// For every supplied function that is evaluated, the comparison of f, f′ and f″ with one another by differences.
+    /// Empty for a plan, which evaluates the same functions.
     pub functions: Vec<FunctionCheck>,
 }
 
 impl CrossCheck {
-    /// Nothing compared yet.
+    /// A result without any comparison.
     pub(super) fn new() -> Self {
         let (matrix, row_name, column_name) = ("", "", "");
         let (q, q_dot) = (Vec::new(), Vec::new());
@@ -60,7 +61,7 @@ impl CrossCheck {
         Self { configurations: 0, skipped: 0, entries: 0, worst, max_error: 0.0, functions: Vec::new() }
     }
 
-    /// One number more; whatever is not a number never agrees.
+    /// Adds one compared value; NaN counts as an infinite error.
     pub(super) fn add(
         &mut self,
         [matrix, row_name, column_name]: [&'static str; 3],
@@ -77,8 +78,8 @@ impl CrossCheck {
         }
     }
 
-    /// True when no error exceeds `tolerance`, and no supplied function differs from its own differences by more than
-    /// these can tell ([`FunctionCheck::TOLERANCE`], or `tolerance` if that is larger).
+    /// True when no error exceeds `tolerance`, and no supplied function differs from its difference quotients by more
+    /// than these can resolve ([`FunctionCheck::TOLERANCE`], or `tolerance` if that is larger).
     pub fn passes(&self, tolerance: f64) -> bool {
         let of_functions = tolerance.max(FunctionCheck::TOLERANCE);
         self.max_error <= tolerance && self.functions.iter().all(|function| function.error <= of_functions)
@@ -104,7 +105,7 @@ impl fmt::Display for CrossCheck {
     }
 }
 
-/// `error 4.1e-17 in γ[B.x] at t = 0: … instead of …`.
+/// For example `error 4.1e-17 in γ[B.x] at t = 0: … instead of …`.
 impl fmt::Display for WorstEntry {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "error {:.1e} in {}[{}", self.error, self.matrix, self.row_name)?;

@@ -1,8 +1,9 @@
-//! Contacts with curves at points where the curve says nothing: reported by name, with what is degenerate there.
+//! Degenerate contacts with curves: points at which a curve has no angle, gradient or tangent. The errors name the
+//! joint and the degeneracy.
 //!
 //! - A polar curve at w = 0: θ = atan2(w_y, w_x) has no value.
 //! - An implicit curve where ∇e = 0 on the curve, a double point or a cusp: its row of Φ_q vanishes.
-//! - A parametric curve under a roller where c′ = 0: the roller has no side to run on.
+//! - A parametric curve under a roller where c′ = 0: the side of the curve on which the roller runs is undefined.
 
 use crate::equations::Equations;
 use crate::equations::placement::Placement;
@@ -10,16 +11,17 @@ use crate::error::{Degeneracy, SolveError};
 use crate::model::{CoordinateKind, JointInfo, JointKind, Model, Role};
 use crate::workspace::Instant;
 
-/// Squares of lengths below this are 0.
+/// Lengths below this count as zero, since their squares underflow.
 const NOTHING: f64 = 1e-150;
-/// Distance from the centre of a polar curve, relative to the typical length, at which the direction is rounding.
+/// Distance from the centre of a polar curve, relative to the typical length, below which its direction is dominated by
+/// rounding.
 const AT_CENTRE: f64 = 1e-12;
-/// Places on the way of one step at which the direction of a curve under a roller is compared.
+/// Number of places in one step at which the direction of a curve under a roller is compared with the one before.
 const SAMPLES: u32 = 4;
-/// Cosine of the largest turn between two of them.
+/// Cosine of the largest turn of the curve between two such places.
 const TURN: f64 = 0.87;
 
-/// The error of an evaluation at q, by the name of the contact that is degenerate there, if one is.
+/// Replaces the error of an evaluation at q by an error that names the degenerate contact, if there is one.
 pub(crate) fn explain(equations: &mut Equations<'_>, q: &[f64], error: SolveError) -> SolveError {
     let SolveError::NonFinite { what: "Φ" | "Φ_q" | "Φ_t" | "γ", index: row, .. } = error else { return error };
     let Some(joint) = equations.model.rows.get(row).map(|row| row.joint) else { return error };
@@ -32,13 +34,13 @@ pub(crate) fn explain(equations: &mut Equations<'_>, q: &[f64], error: SolveErro
     what.map_or(error, |what| degenerate(equations, row, what))
 }
 
-/// True where a joint has a curve that may say nothing at some of its points.
+/// True where a joint has a curve that may be degenerate at some of its points.
 pub(crate) fn has_curves(model: &Model) -> bool {
     use JointKind::{OnImplicitCurve, OnParametricCurve, OnPolarCurve};
     model.joints.iter().any(|joint| matches!(joint.kind, OnPolarCurve | OnImplicitCurve | OnParametricCurve))
 }
 
-/// The first polar curve whose point stands at its centre at q, as far as rounding lets one say.
+/// The first polar curve whose point is at its centre at q, within rounding.
 pub(crate) fn without_angle(equations: &mut Equations<'_>, q: &[f64]) -> Option<SolveError> {
     let joints = equations.model.joints;
     let mut polar = joints.iter().filter(|joint| joint.kind == JointKind::OnPolarCurve);
@@ -60,7 +62,7 @@ fn degenerate(equations: &Equations<'_>, row: usize, what: Degeneracy) -> SolveE
     SolveError::DegenerateContact { t: equations.t, joint, row_name, what }
 }
 
-/// Q stands at the centre of the curve.
+/// The degeneracy if point Q is at the centre P of the curve.
 fn at_centre(equations: &mut Equations<'_>, joint: &JointInfo, q: &[f64]) -> Option<Degeneracy> {
     let nothing = (AT_CENTRE * equations.scale.length).max(NOTHING);
     let placement = Placement::at(equations, q).ok()?;
@@ -70,7 +72,7 @@ fn at_centre(equations: &mut Equations<'_>, joint: &JointInfo, q: &[f64]) -> Opt
     (distance <= nothing).then_some(Degeneracy::Centre { distance })
 }
 
-/// The first roller whose curve stands still at q, on the common scale.
+/// The first roller on a curve with c′ = 0 at q, on the common scale.
 pub(crate) fn at_a_standstill(equations: &Equations<'_>, q: &[f64]) -> Option<SolveError> {
     rollers(equations).find_map(|(place, joint)| {
         let (column, _, speed) = speed(equations, place, q)?;
@@ -81,8 +83,8 @@ pub(crate) fn at_a_standstill(equations: &Equations<'_>, q: &[f64]) -> Option<So
     })
 }
 
-/// The first row of a roller whose curve turns too far on the way from one configuration to the next for its side to be
-/// the same for sure: at a cusp the normal flips, and the roller with it, while Φ stays closed on either side.
+/// The first row of a roller whose curve turns so far between two configurations that the roller may have changed its
+/// side: at a cusp the normal reverses its direction, and the roller with it, although Φ = 0 holds on both sides.
 pub(crate) fn turned_about(equations: &Equations<'_>, from: &[f64], to: &[f64]) -> Option<usize> {
     rollers(equations).find_map(|(place, joint)| {
         let column = parameter(equations, joint)?;
@@ -105,27 +107,27 @@ pub(crate) fn turned_about(equations: &Equations<'_>, from: &[f64], to: &[f64]) 
     })
 }
 
-/// The parametric curves under a roller.
+/// The parametric curves under a roller, with the indices of their joints.
 fn rollers<'e>(equations: &'e Equations<'_>) -> impl Iterator<Item = (usize, &'static JointInfo)> + use<'e> {
     equations.model.joints.iter().enumerate().filter(|(_, joint)| {
         joint.kind == JointKind::OnParametricCurve && joint.geometry.iter().any(|g| g.role == Role::Radius)
     })
 }
 
-/// The curve stands still at the parameter's value.
+/// The degeneracy if c′ = 0 at the current value of the parameter.
 fn without_direction(equations: &Equations<'_>, joint: usize, q: &[f64]) -> Option<Degeneracy> {
     let (column, value, speed) = speed(equations, joint, q)?;
     (speed < NOTHING).then_some(Degeneracy::Direction { parameter: equations.model.coordinates[column].name, value })
 }
 
-/// Place and value of the parameter of a joint's curve, and |c′| there.
+/// Index in q and value of the parameter of a joint's curve, and |c′| there.
 fn speed(equations: &Equations<'_>, joint: usize, q: &[f64]) -> Option<(usize, f64, f64)> {
     let column = parameter(equations, &equations.model.joints[joint])?;
     let [x, y] = tangent(equations, joint, q[column])?;
     Some((column, q[column], x.hypot(y)))
 }
 
-/// Place in q of the parameter of a curve.
+/// Index in q of the parameter of a curve.
 fn parameter(equations: &Equations<'_>, joint: &JointInfo) -> Option<usize> {
     let rows = joint.first_row..joint.first_row + joint.rows;
     let is_scalar = |column: usize| equations.model.coordinates[column].kind == CoordinateKind::Scalar;

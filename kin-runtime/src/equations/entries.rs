@@ -1,10 +1,10 @@
-//! The entries of Φ_q that was evaluated last, as they are and on the common scale.
+//! The entries of Φ_q as evaluated last, in their own units and on the common scale.
 
 use super::Equations;
 use nalgebra::DMatrix;
 
 impl Equations<'_> {
-    /// The entries of Φ_q with their rows and columns, in the order of the rows.
+    /// The entries of Φ_q with their (row, column), in the order of the rows.
     pub(crate) fn entries(&self) -> impl Iterator<Item = ((usize, usize), f64)> {
         self.ordered.entries().iter().copied().zip(self.phi_q.iter().copied())
     }
@@ -21,14 +21,14 @@ impl Equations<'_> {
         self.row(row).find(|entry| entry.0 == column).map_or(0.0, |entry| entry.1)
     }
 
-    /// The largest |entry| of a row of Φ_q, rows and columns on the common scale.
+    /// The largest |entry| of a row of Φ_q, with row and columns on the common scale.
     pub(crate) fn largest_scaled(&self, row: usize) -> f64 {
         let scale = &self.scale;
         let sizes = self.row(row).map(|(column, value)| (value * scale.rows[row] * scale.columns[column]).abs());
         sizes.fold(0.0, f64::max)
     }
 
-    /// Some rows of Φ_q, each on the common scale, columns in their own units.
+    /// The given rows of Φ_q as a dense matrix, rows on the common scale, columns in their own units.
     pub(crate) fn scaled_rows(&self, rows: &[usize]) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(rows.len(), self.coordinates());
         for (i, &row) in rows.iter().enumerate() {
@@ -37,7 +37,7 @@ impl Equations<'_> {
         matrix
     }
 
-    /// Some rows of Φ_q, rows and columns on the common scale.
+    /// The given rows of Φ_q as a dense matrix, rows and columns on the common scale.
     pub(crate) fn scaled(&self, rows: &[usize]) -> DMatrix<f64> {
         let mut matrix = self.scaled_rows(rows);
         for (mut column, &scale) in matrix.column_iter_mut().zip(&self.scale.columns) {

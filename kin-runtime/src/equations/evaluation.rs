@@ -1,4 +1,5 @@
-//! The equations set up and evaluated: what is degenerate at the parameters or at q is an error that names the joint.
+//! Construction and evaluation of the equations. Geometry that is degenerate at the parameters or at q gives an error
+//! that names the joint.
 
 use super::kept_length::kept_lengths;
 use super::{Equations, Given, finite, finite_signal};
@@ -17,7 +18,7 @@ use crate::workspace::{Instant, Signal, Subset};
 use nalgebra::DVector;
 
 impl<'a> Equations<'a> {
-    /// The equations of `system` at `at`, with prescribed coordinates (place in q, signal at that instant).
+    /// The equations of `system` at `at`, with prescribed coordinates (index in q, signal at that instant).
     pub(crate) fn new(
         system: Box<dyn System + 'a>,
         options: Options,
@@ -71,7 +72,7 @@ impl<'a> Equations<'a> {
         degenerate.map_or(Ok(equations), Err)
     }
 
-    /// Evaluates a subset at q and q̇ (`None` where γ is not asked for).
+    /// Evaluates a subset at q and q̇ (`None` where γ is not requested).
     pub(crate) fn evaluate(&mut self, subset: Subset, q: &[f64], q_dot: Option<&[f64]>) -> Result<(), SolveError> {
         self.evaluate_rows(subset, q, q_dot).map_err(|error| {
             let error = contact::explain(self, q, error);
@@ -111,13 +112,14 @@ impl<'a> Equations<'a> {
         if frozen { self.without_time(subset, q, q_dot) } else { Ok(()) }
     }
 
-    /// Takes out of Φ_t and γ what time itself contributes, so that they are derivatives by the inputs' way alone:
+    /// Subtracts from Φ_t and γ the contribution of time itself, so that they are derivatives along the course of the
+    /// inputs:
     ///
     /// ```text
     /// Φ_u u′ = Φ_t(u′) − Φ_t(0)        ½ [γ(q′, u′) + γ(−q′, −u′)] − γ(0, 0)
     /// ```
     ///
-    /// The second is the part of γ that is quadratic in the rates; a straight way has no u″.
+    /// The second formula is the part of γ that is quadratic in the rates; on a straight course u″ = 0.
     fn without_time(&mut self, subset: Subset, q: &[f64], q_dot: Option<&[f64]>) -> Result<(), SolveError> {
         let own = self.model.rows.len();
         let mut moving = core::mem::take(&mut self.moving);
@@ -146,14 +148,14 @@ impl<'a> Equations<'a> {
     }
 }
 
-/// The pattern of Φ_q with the rows of prescribed coordinates.
+/// The pattern of Φ_q, including the rows of prescribed coordinates.
 fn pattern(model: &Model, given: impl Iterator<Item = usize>) -> Ordered {
     let mut entries = model.constraint_pattern.entries.to_vec();
     entries.extend(given.enumerate().map(|(k, coordinate)| (model.rows.len() + k, coordinate)));
     Ordered::new(model.coordinates.len(), entries)
 }
 
-/// Copies the mechanism's rows and checks them.
+/// Copies the rows of the mechanism and checks that they are finite.
 fn copy(what: &'static str, model: &'static Model, from: &[f64], to: &mut DVector<f64>) -> Result<(), SolveError> {
     if !all_finite(from) {
         for (index, &value) in from.iter().enumerate() {
@@ -164,7 +166,7 @@ fn copy(what: &'static str, model: &'static Model, from: &[f64], to: &mut DVecto
     Ok(())
 }
 
-/// True if all numbers are finite; without an early end, so that it is quick where they are.
+/// True if all numbers are finite. The loop has no early exit, so that it vectorises.
 fn all_finite(numbers: &[f64]) -> bool {
     numbers.iter().fold(true, |all, x| all & x.is_finite())
 }

@@ -1,27 +1,27 @@
-//! Φ_q of the equations at hand, factorised: by elimination in its fixed pattern where that leaves no doubt, otherwise
-//! densely and with its rank revealed.
+//! Factorisation of Φ_q: sparse with a fixed pattern where that proves full rank, otherwise dense and rank-revealing.
 //!
-//! The sparse elimination is for as many rows as coordinates. It is given up, and nalgebra decides, where a multiplier
-//! grows too large in any order; for solutions, where its smallest pivot is small beside the largest; where the rank is
-//! asked for, too, where the estimated condition number does not say for sure that it is full (see [`Factorization`]). So
-//! what is reported of rank and singular configurations is what the dense factorisation says.
+//! The sparse LU applies where there are as many rows as coordinates. The dense factorisation by nalgebra replaces it
+//! where a multiplier is too large in every order of elimination; where the smallest pivot is small compared with the
+//! largest; and, if the rank is requested, where the estimated condition number does not prove full rank (see
+//! [`Factorization`]). So everything that is reported about rank and singular configurations comes from the dense
+//! factorisation.
 
 use crate::equations::Equations;
 use crate::linear::{Elimination, Factorization, Ordered};
 
-/// What is wanted of a factorisation.
+/// What the caller needs of a factorisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Wanted {
-    /// Solutions; rank and condition only where they are in doubt.
+    /// Solutions; the rank only where it is in doubt.
     Solutions,
-    /// Also the rank, by pivots relative to the largest.
+    /// Solutions and the rank, by pivots relative to the largest.
     Rank,
-    /// Also the rank, by pivots relative to the largest or to 1: for a scale taken at this very configuration.
+    /// Solutions and the rank, by pivots relative to the largest or to 1, for a scale computed at this configuration.
     AbsoluteRank,
 }
 
 impl Equations<'_> {
-    /// Factorises Φ_q as evaluated last, all rows; the memory of an earlier factorisation is used again.
+    /// Factorises all rows of Φ_q as evaluated last; the buffers of an earlier factorisation are reused.
     pub(crate) fn factorise(&mut self, wanted: Wanted, memory: Option<Factorization>) -> Factorization {
         if let Some(found) = self.factorise_sparse(wanted, memory) {
             return found;
@@ -36,7 +36,7 @@ impl Equations<'_> {
         }
     }
 
-    /// [`factorise`](Self::factorise), but none where only a dense factorisation will do.
+    /// As [`factorise`](Self::factorise), but `None` where only a dense factorisation is possible.
     pub(crate) fn factorise_sparse(&mut self, wanted: Wanted, memory: Option<Factorization>) -> Option<Factorization> {
         if !self.options.use_sparse || self.rows() != self.coordinates() || self.rows() == 0 {
             return None;
@@ -56,8 +56,9 @@ impl Equations<'_> {
         }
     }
 
-    /// As many of the rows of Φ_q as of its columns, for solutions, given the places of their entries among all and among
-    /// themselves, and the sizes of these columns; none where only a dense factorisation will do.
+    /// Factorises a square part of Φ_q for solutions; `None` where only a dense factorisation is possible. `places` are
+    /// the indices of its entries among all entries, `ordered` is its own pattern, and `sizes` are the scales of its
+    /// columns.
     pub(crate) fn factorise_part(
         &self,
         places: &[usize],
@@ -76,7 +77,7 @@ impl Equations<'_> {
         ordered.factorise(&mut elimination).then(|| Factorization::sparse_quick(elimination, sizes.to_vec()))?
     }
 
-    /// Φ_q x, with Φ_q as evaluated last.
+    /// The product Φ_q x, with Φ_q as evaluated last.
     pub(crate) fn times(&self, x: &[f64]) -> nalgebra::DVector<f64> {
         let mut product = nalgebra::DVector::zeros(self.rows());
         self.entries().for_each(|((row, column), value)| product[row] += value * x[column]);

@@ -1,14 +1,15 @@
-//! Geometry that is degenerate at the values of the parameters: reported by the name of the joint.
+//! Geometry that is degenerate at the values of the parameters. The errors name the joint.
 //!
-//! - An axis whose components are both 0, or so small or large that their squares are no numbers, cannot be normalised.
-//! - A distance of 0 has no gradient where it is kept; its row of Φ_q vanishes.
+//! - An axis cannot be normalised if both components are 0, or if their squares underflow or overflow.
+//! - A kept distance of 0 has no gradient; its row of Φ_q is zero.
 
 use crate::equations::Equations;
 use crate::error::{Degeneracy, SolveError};
 use crate::model::{JointInfo, Role};
 use crate::workspace::Instant;
 
-/// The error of an evaluation, by the name of the joint whose axis has no direction, if that is why.
+/// Replaces the error of an evaluation by an error that names the joint whose axis has no direction, if that is the
+/// cause.
 pub(crate) fn explain(equations: &mut Equations<'_>, error: SolveError) -> SolveError {
     let SolveError::NonFinite { what: "Φ" | "Φ_q" | "Φ_t" | "γ", index: row, .. } = error else { return error };
     let Some(joint) = equations.model.rows.get(row).map(|row| &equations.model.joints[row.joint]) else { return error };
@@ -20,10 +21,10 @@ pub(crate) fn explain(equations: &mut Equations<'_>, error: SolveError) -> Solve
     }
 }
 
-/// Deviation of a unit vector's length from one that is more than rounding.
+/// Deviation of a unit vector's length from 1 that exceeds rounding.
 const UNIT: f64 = 1e-9;
 
-/// The first joint whose axis is no unit vector, at the current instant.
+/// The first joint whose axis is not a unit vector at the current instant.
 pub(crate) fn without_direction(equations: &Equations<'_>) -> Option<SolveError> {
     let joints = equations.model.joints;
     if !joints.iter().flat_map(|joint| joint.geometry).any(|geometry| geometry.role == Role::Axis) {
@@ -42,7 +43,7 @@ pub(crate) fn without_direction(equations: &Equations<'_>) -> Option<SolveError>
     })
 }
 
-/// The first joint that keeps a distance of nothing, on the common scale.
+/// The first joint that keeps a distance of zero, on the common scale.
 pub(crate) fn without_length(equations: &mut Equations<'_>) -> Option<SolveError> {
     let tolerance = equations.options.rank_tolerance * equations.scale.length;
     let joints: Vec<&JointInfo> = equations.model.joints.iter().filter(|joint| joint.keeps_distance()).collect();
@@ -57,7 +58,7 @@ pub(crate) fn without_length(equations: &mut Equations<'_>) -> Option<SolveError
     })
 }
 
-/// The numbers of a piece of a joint's geometry.
+/// The numbers that describe one geometric operand of a joint.
 fn numbers<const N: usize>(equations: &mut Equations<'_>, joint: &JointInfo, role: Role) -> Option<[f64; N]> {
     let geometry = joint.geometry.iter().find(|geometry| geometry.role == role)?;
     let at = Instant { t: equations.t, inputs: &equations.inputs };

@@ -1,5 +1,5 @@
-//! The distances that joints keep: one below 0 does not exist. Its row holds the square, and would quietly keep the positive
-//! distance instead.
+//! The distances that joints keep must not be negative: their rows contain the square of the distance, and would
+//! silently keep the positive distance instead.
 
 use crate::error::{Degeneracy, SolveError};
 use crate::model::{JointInfo, Model, Role};
@@ -8,9 +8,9 @@ use crate::model::{JointInfo, Model, Role};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct KeptLength {
     joint: &'static str,
-    /// Its place in the geometry.
+    /// Index of the distance in the list of geometry.
     offset: usize,
-    /// True when t or an input may change it.
+    /// True when t or an input may change the distance.
     pub(super) moves: bool,
 }
 
@@ -24,7 +24,7 @@ pub(super) fn kept_lengths(model: &'static Model) -> Vec<KeptLength> {
     model.joints.iter().filter(|joint| joint.keeps_distance()).filter_map(kept).collect()
 }
 
-/// The error if one of these lengths is negative, given the numbers of the geometry at an instant.
+/// The error if one of the given lengths is negative. `numbers` is the geometry at an instant.
 pub(super) fn lengths_exist<'k>(
     numbers: &[f64],
     lengths: impl IntoIterator<Item = &'k KeptLength>,

@@ -1,4 +1,5 @@
-//! The equations of one analysis: the mechanism's rows, then one row per prescribed coordinate, at a current instant.
+//! The equations of one analysis at a current instant: the rows of the mechanism, then one row per prescribed
+//! coordinate.
 
 use crate::course::{InputFunction, Kind, Way};
 use crate::equations::scale::Scale;
@@ -29,13 +30,13 @@ pub(crate) mod system;
 #[derive(Clone, Copy, Debug)]
 struct Given {
     coordinate: usize,
-    /// At the instant the analysis started from.
+    /// The signal at the instant at which the analysis started.
     start: Signal,
-    /// At the current instant.
+    /// The signal at the current instant.
     now: Signal,
 }
 
-/// Rows of the mechanism and of prescribed coordinates, with dense results in the rows' own units.
+/// The rows of the mechanism and of prescribed coordinates, with results in the rows' own units.
 pub(crate) struct Equations<'a> {
     pub(crate) system: Box<dyn System + 'a>,
     pub(crate) model: &'static Model,
@@ -44,57 +45,57 @@ pub(crate) struct Equations<'a> {
     given: Vec<Given>,
     start_time: f64,
     input_function: InputFunction<'a>,
-    /// The way that is followed, where it is not time.
+    /// The course that is followed, where its parameter is not time.
     pub(crate) way: Option<Way>,
-    /// Who watches a sweep.
+    /// The observer of a sweep.
     pub(crate) observed: Observed<'a>,
-    /// The distances that joints keep; those that move are looked at on the way to every instant.
+    /// The distances that joints keep. Those that depend on time or inputs are checked at every instant.
     lengths: Vec<KeptLength>,
-    /// Current time.
+    /// The current time.
     pub(crate) t: f64,
-    /// Inputs at the current time.
+    /// The inputs at the current time.
     pub(crate) inputs: Vec<Signal>,
     /// Φ.
     pub(crate) phi: DVector<f64>,
-    /// The entries of Φ_q, in the order of the pattern, then those of prescribed coordinates.
+    /// The entries of Φ_q, in the order of the pattern, followed by those of prescribed coordinates.
     pub(crate) phi_q: Vec<f64>,
-    /// Their places, sorted by rows, with the order of elimination.
+    /// The pattern of these entries, sorted by rows, with the order of elimination.
     pub(crate) ordered: Ordered,
     /// Φ_t.
     pub(crate) phi_t: DVector<f64>,
     /// γ.
     pub(crate) gamma: DVector<f64>,
-    /// Room for local points, axes and values.
+    /// A buffer for local points, axes and values.
     pub(crate) geometry: Vec<f64>,
-    /// Zeros: rates at rest.
+    /// Zeros, used as the rates at rest.
     pub(crate) still: Vec<f64>,
-    /// Buffers for what time itself contributes on a frozen way.
+    /// Buffers for the contribution of time itself, see `without_time`.
     reversed: Vec<f64>,
     moving: Vec<Signal>,
 }
 
 impl<'a> Equations<'a> {
-    /// The inputs as functions of time, where they are known so.
+    /// The inputs as functions of time, where the caller has supplied them.
     pub(crate) const fn input_function(&self) -> InputFunction<'a> {
         self.input_function
     }
 
-    /// Number of coordinates n.
+    /// The number of coordinates n.
     pub(crate) fn coordinates(&self) -> usize {
         self.still.len()
     }
 
-    /// Number of rows, prescribed coordinates included.
+    /// The number of rows, including prescribed coordinates.
     pub(crate) fn rows(&self) -> usize {
         self.phi.len()
     }
 
-    /// Number of prescribed coordinates; their rows are the last.
+    /// The number of prescribed coordinates, whose rows are the last.
     pub(crate) fn given(&self) -> usize {
         self.given.len()
     }
 
-    /// Place in q of the k-th prescribed coordinate.
+    /// Index in q of the k-th prescribed coordinate.
     pub(crate) fn given_coordinate(&self, k: usize) -> Option<usize> {
         self.given.get(k).map(|given| given.coordinate)
     }
@@ -104,7 +105,7 @@ impl<'a> Equations<'a> {
         self.given.get(k).map_or(("", f64::NAN), |g| (self.model.coordinates[g.coordinate].name, g.now.value))
     }
 
-    /// Name of a row.
+    /// The name of a row.
     pub(crate) fn row_name(&self, row: usize) -> &'static str {
         match self.model.rows.get(row) {
             Some(info) => info.name,
@@ -112,12 +113,12 @@ impl<'a> Equations<'a> {
         }
     }
 
-    /// Joint of a row.
+    /// The name of the joint of a row; `given` for a prescribed coordinate.
     pub(crate) fn joint_name(&self, row: usize) -> &'static str {
         self.model.rows.get(row).map_or("given", |info| self.model.joints.get(info.joint).map_or("", |j| j.name))
     }
 
-    /// True for driving rows; prescribed coordinates drive.
+    /// True for driving rows, which include prescribed coordinates.
     pub(crate) fn drives(&self, row: usize) -> bool {
         self.model.rows.get(row).is_none_or(|info| info.driving)
     }
@@ -127,12 +128,12 @@ impl<'a> Equations<'a> {
         self.model.rows.get(row).is_none_or(|info| info.level == Level::Position)
     }
 
-    /// The rows that satisfy a condition.
+    /// The rows for which the condition is true.
     pub(crate) fn rows_where(&self, condition: impl Fn(&Self, usize) -> bool) -> Vec<usize> {
         (0..self.rows()).filter(|&row| condition(self, row)).collect()
     }
 
-    /// Checks an instant.
+    /// Checks the time, the inputs and the kept distances of an instant.
     pub(crate) fn check_instant(&mut self, at: &Instant<'_>) -> Result<(), SolveError> {
         finite("t", 0, "t", at.t)?;
         length("inputs", self.model.inputs.len(), at.inputs.len())?;
@@ -140,7 +141,7 @@ impl<'a> Equations<'a> {
         self.check_lengths(at, |kept| kept.moves)
     }
 
-    /// An error where one of the distances that joints keep is negative at this instant.
+    /// An error where one of the selected kept distances is negative at this instant.
     fn check_lengths(&mut self, at: &Instant<'_>, which: impl Fn(&KeptLength) -> bool) -> Result<(), SolveError> {
         let mut lengths = self.lengths.iter().filter(|kept| which(kept)).peekable();
         if lengths.peek().is_none() {
@@ -155,7 +156,7 @@ impl<'a> Equations<'a> {
         numbered.try_for_each(|(index, &signal)| finite_signal("inputs", index, self.model.inputs[index], signal))
     }
 
-    /// Moves to another instant; prescribed coordinates go on with constant acceleration.
+    /// Moves to another instant; prescribed coordinates continue with constant acceleration.
     pub(crate) fn set_instant(&mut self, at: &Instant<'_>) -> Result<(), SolveError> {
         self.check_instant(at)?;
         self.set_time(at.t);
@@ -164,7 +165,7 @@ impl<'a> Equations<'a> {
         Ok(())
     }
 
-    /// Prescribed coordinates begin anew at time `t`; gives the time at which they began.
+    /// Restarts the prescribed coordinates at time `t`; returns the time of their previous start.
     pub(crate) fn begin_at(&mut self, t: f64) -> f64 {
         core::mem::replace(&mut self.start_time, t)
     }
@@ -177,13 +178,13 @@ impl<'a> Equations<'a> {
         }
     }
 
-    /// The time at a place of the way; without a way places are times.
+    /// The time at a place of the course; without a course, places are times.
     pub(crate) fn time_at(&self, s: f64) -> f64 {
         self.way.as_ref().map_or(s, |way| way.time(s))
     }
 
-    /// Moves to a place: inputs follow the way, or their functions of time, and prescribed coordinates go on with
-    /// constant acceleration.
+    /// Moves to a place of the course: inputs follow the course or their functions of time, and prescribed coordinates
+    /// continue with constant acceleration.
     pub(crate) fn move_to(&mut self, s: f64) -> Result<(), SolveError> {
         finite("t", 0, "t", s)?;
         self.set_time(self.time_at(s));
@@ -199,7 +200,7 @@ impl<'a> Equations<'a> {
         checked
     }
 
-    /// Evaluates with derivatives by time, whatever the way.
+    /// Calls `evaluate` so that derivatives are taken with respect to time, whatever the course is.
     pub(crate) fn by_time<R>(&mut self, evaluate: impl FnOnce(&mut Self) -> R) -> R {
         let way = self.way.take();
         let result = evaluate(self);
@@ -207,12 +208,27 @@ impl<'a> Equations<'a> {
         result
     }
 
-    /// Evaluates with derivatives along the rates of the inputs alone, as on a frozen way: Φ_t is Φ_u u′, γ is
-    /// −(Φ_q q′)_q q′ − 2 Φ_qu u′ q′ − (Φ_u u′)_u u′.
+    /// Calls `evaluate` so that derivatives are taken with respect to the inputs only, with time frozen: Φ_t is Φ_u u′,
+    /// γ is −(Φ_q q′)_q q′ − 2 Φ_qu u′ q′ − (Φ_u u′)_u u′.
     pub(crate) fn by_inputs<R>(&mut self, evaluate: impl FnOnce(&mut Self) -> R) -> R {
         let way = self.way.replace(Way::frozen());
         let result = evaluate(self);
         self.way = way;
+        result
+    }
+
+    /// Evaluates with time standing still, and all inputs but one, whose rate is 1.
+    pub(crate) fn along<R>(
+        &mut self,
+        input: Option<usize>,
+        evaluate: impl FnOnce(&mut Self) -> Result<R, SolveError>,
+    ) -> Result<R, SolveError> {
+        let inputs = self.inputs.clone();
+        for (k, u) in self.inputs.iter_mut().enumerate() {
+            *u = Signal::new(u.value, if Some(k) == input { 1.0 } else { 0.0 }, 0.0);
+        }
+        let result = self.by_inputs(evaluate);
+        self.inputs = inputs;
         result
     }
 
@@ -221,12 +237,12 @@ impl<'a> Equations<'a> {
         Instant { t: self.t, inputs: &self.inputs }
     }
 
-    /// True where derivatives are along the way and not by time.
+    /// True where time is frozen, so that derivatives are taken along the course of the inputs.
     pub(crate) fn is_frozen(&self) -> bool {
         self.way.as_ref().is_some_and(|way| way.kind == Kind::Frozen)
     }
 
-    /// Checks length and numbers of q or q̇.
+    /// Checks that q or q̇ has the right length and is finite.
     pub(crate) fn check(&self, what: &'static str, q: &[f64]) -> Result<(), SolveError> {
         length(what, self.coordinates(), q.len())?;
         for (index, &value) in q.iter().enumerate() {
@@ -241,12 +257,12 @@ pub(crate) fn finite(what: &'static str, index: usize, name: &'static str, value
     if value.is_finite() { Ok(()) } else { Err(SolveError::NonFinite { what, index, name, t: None }) }
 }
 
-/// An error unless all three numbers are finite.
+/// An error unless value, rate and acceleration are finite.
 fn finite_signal(what: &'static str, index: usize, name: &'static str, signal: Signal) -> Result<(), SolveError> {
     [signal.value, signal.rate, signal.acceleration].into_iter().try_for_each(|v| finite(what, index, name, v))
 }
 
-/// An error unless the lengths agree.
+/// An error unless both lengths are equal.
 pub(crate) fn length(what: &'static str, expected: usize, found: usize) -> Result<(), SolveError> {
     if expected == found { Ok(()) } else { Err(SolveError::Length(LengthError { what, expected, found })) }
 }

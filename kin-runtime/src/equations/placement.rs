@@ -1,11 +1,11 @@
-//! Where the points of joints stand: their geometry, carried by the bodies.
+//! Positions of the points of joints, from their local geometry and the poses of the bodies.
 
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::model::{Frame, Geometry, Model};
 use crate::workspace::Instant;
 
-/// Geometry and poses at one configuration.
+/// The geometry of joints and the poses of bodies at one configuration.
 pub(crate) struct Placement<'e> {
     model: &'static Model,
     numbers: &'e [f64],
@@ -22,7 +22,7 @@ impl<'e> Placement<'e> {
         Ok(Self { model, numbers: geometry, observables: system.observables().phi })
     }
 
-    /// A point in the inertial frame.
+    /// A point of a joint in the inertial frame.
     pub(crate) fn point(&self, geometry: &Geometry) -> Option<[f64; 2]> {
         let &[u, v] = self.numbers.get(geometry.offset..geometry.offset + 2)? else { return None };
         let Frame::Body(body) = geometry.frame else { return Some([u, v]) };

@@ -1,12 +1,13 @@
-//! Radii that parameters have made degenerate: a gear or a disc of radius 0 couples nothing, and discs that roll on one
-//! another with one centre have no line of centres. A roller of radius 0 is a point that follows the curve.
+//! Radii that are degenerate at the values of the parameters: a gear or a disc of radius 0 couples nothing, and discs
+//! that roll on one another with a common centre have no line of centres. A roller may have radius 0: it is then a
+//! point that follows the curve.
 
 use crate::equations::Equations;
 use crate::error::{Degeneracy, SolveError};
 use crate::model::{JointKind, Role};
 use crate::workspace::Instant;
 
-/// The first joint with a degenerate radius, if there is one.
+/// The error of the first joint with a degenerate radius.
 pub(crate) fn degenerate(equations: &Equations<'_>) -> Option<SolveError> {
     let joints = equations.model.joints;
     if !joints.iter().flat_map(|joint| joint.geometry).any(|geometry| geometry.role == Role::Radius) {

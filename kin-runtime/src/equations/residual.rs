@@ -1,38 +1,40 @@
-//! What is left of the equations at a solution: Φ, Φ_q q̇ + Φ_t and Φ_q q̈ − γ, row by row, against what counts as closed.
+//! The residuals of a solution, Φ, Φ_q q̇ + Φ_t and Φ_q q̈ − γ, row by row, and the tolerances with which they are
+//! compared.
 //!
-//! Every row is judged by its own entries, so that no unit matters and nothing has to be known of other configurations:
+//! The tolerance of every row is derived from the entries of this row, so that it depends neither on units nor on other
+//! configurations:
 //!
 //! ```text
 //! Rᵢ = Σⱼ |∂Φᵢ/∂qⱼ| cⱼ        cⱼ = 1 for angles and scalars, L for lengths
 //! |Φᵢ| ≤ ε Rᵢ        |Φ_q q̇ + Φ_t|ᵢ ≤ δ Rᵢ maxⱼ |q̇ⱼ|/cⱼ        |Φ_q q̈ − γ|ᵢ ≤ δ Rᵢ maxⱼ |q̈ⱼ|/cⱼ
 //! ```
 //!
-//! with L the largest arm that angles have in a row of lengths, and the right-hand sides in the place of the rates where
-//! they are larger.
+//! where L is the largest arm of an angle in a row of lengths. The right-hand sides replace the rates where they are
+//! larger.
 
 use crate::equations::system::Parts;
 use crate::model::{Component, CoordinateKind, Level, Model};
 use crate::nonlinear::newton::rounding;
 
-/// What counts as closed.
+/// Relative tolerances of the residuals.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tolerances {
-    /// ε.
+    /// ε, the tolerance of positions.
     pub(crate) position: f64,
-    /// δ.
+    /// δ, the tolerance of velocities and accelerations.
     pub(crate) rates: f64,
 }
 
-/// Sums over a row of Φ_q.
+/// The sums over one row of Φ_q.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Row {
-    /// Σ |∂Φᵢ/∂qⱼ| over lengths.
+    /// Σ |∂Φᵢ/∂qⱼ| over coordinates that are lengths.
     lengths: f64,
-    /// The same over angles and scalars.
+    /// Σ |∂Φᵢ/∂qⱼ| over angles and scalars.
     angles: f64,
-    /// Φ_q q̇.
+    /// The row of Φ_q q̇.
     velocity: f64,
-    /// Φ_q q̈.
+    /// The row of Φ_q q̈.
     acceleration: f64,
 }
 
@@ -44,7 +46,7 @@ pub(crate) fn write_lengths(model: &Model, lengths: &mut [f64]) {
     }
 }
 
-/// max |xⱼ|/cⱼ.
+/// max |xⱼ|/cⱼ, where `inverse` is 1/L.
 fn largest(x: &[f64], lengths: &[f64], inverse: f64) -> f64 {
     x.iter().zip(lengths).fold(0.0, |most, (x, length)| {
         let size = x.abs() * if *length > 0.0 { inverse } else { 1.0 };
@@ -52,14 +54,15 @@ fn largest(x: &[f64], lengths: &[f64], inverse: f64) -> f64 {
     })
 }
 
-/// L.
+/// L, the largest arm of an angle.
 fn arm(rows: &[Row]) -> f64 {
     let arms = rows.iter().map(|row| if row.lengths > 0.0 { row.angles / row.lengths } else { 0.0 });
     let arm = arms.fold(0.0, |most, arm| if arm > most { arm } else { most });
     if arm > 0.0 && arm.is_finite() { arm } else { 1.0 }
 }
 
-/// Writes Rᵢ for every row; gives what a residual may be of it at q. `rows` is room for as many.
+/// Writes Rᵢ for every row; returns the largest residual allowed at q, relative to these sizes. `sizes` has one element
+/// per row.
 pub(crate) fn write_sizes(
     model: &Model,
     phi_q: &[f64],
@@ -68,7 +71,7 @@ pub(crate) fn write_sizes(
     position: f64,
     sizes: &mut [f64],
 ) -> f64 {
-    // First over lengths alone, and how large the arms of angles are beside them.
+    // The first pass sums over lengths and finds the largest arm of an angle.
     sizes.fill(0.0);
     let entries = model.constraint_pattern.entries;
     let (mut arm, mut row, mut sums) = (0.0, usize::MAX, [0.0; 2]);
@@ -97,7 +100,7 @@ pub(crate) fn write_sizes(
     position.max(rounding(largest(q, lengths, 1.0 / unit)))
 }
 
-/// Largest |Φᵢ| where every row of position level is closed as far as it may be; none where one is not.
+/// The largest |Φᵢ| if every row of position level is within tolerance; `None` otherwise.
 #[inline]
 pub(crate) fn closed_position(model: &Model, phi: &[f64], sizes: &[f64], allowed: f64) -> Option<f64> {
     let (mut residual, mut all) = (0.0, true);
@@ -110,8 +113,8 @@ pub(crate) fn closed_position(model: &Model, phi: &[f64], sizes: &[f64], allowed
     all.then_some(residual)
 }
 
-/// Largest |Φᵢ| where all rows hold at q; with q̇ and q̈ also those of velocity and acceleration. None where one does not.
-/// `lengths` is what [`write_lengths`] writes, `rows` room for every row.
+/// The largest |Φᵢ| if all residuals of position, velocity and acceleration are within tolerance; `None` otherwise.
+/// `lengths` comes from [`write_lengths`], `rows` is a buffer with one element per row.
 pub(crate) fn closed(
     model: &Model,
     parts: &Parts<'_>,

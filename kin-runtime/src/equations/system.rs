@@ -1,6 +1,6 @@
-//! The thin generic layer: a mechanism as an object that evaluates in `f64`.
+//! The thin generic layer: a mechanism as a trait object that evaluates in `f64`.
 //!
-//! Everything numerical works on `dyn System`, so that it is compiled once, in this crate, and not again for every
+//! All numerical methods work on `dyn System`, so that they are compiled once, in this crate, and not again for every
 //! mechanism of the user.
 
 use crate::course::InputFunction;
@@ -16,11 +16,12 @@ use crate::state::State;
 use crate::workspace::{Instant, Subset};
 use core::borrow::Borrow;
 
-/// Values, Jacobian non-zeros, time derivatives and acceleration right-hand sides, as slices.
+/// The values e of rows or observables, the non-zeros of their Jacobian, their time derivatives and the right-hand
+/// sides of their accelerations.
 pub(crate) struct Parts<'a, T = f64> {
     /// e, one number per row.
     pub(crate) phi: &'a [T],
-    /// Non-zeros of e_q.
+    /// The non-zeros of e_q.
     pub(crate) phi_q: &'a [T],
     /// e_t.
     pub(crate) phi_t: &'a [T],
@@ -29,7 +30,7 @@ pub(crate) struct Parts<'a, T = f64> {
 }
 
 impl<'a, T: Scalar> Parts<'a, T> {
-    /// The entries of a row of e_q, with their places in q; `pattern` is sorted by rows.
+    /// The entries of a row of e_q with their indices in q; `pattern` is sorted by rows.
     pub(crate) fn gradient(&self, pattern: &Pattern, row: usize) -> impl Iterator<Item = (usize, T)> + use<'a, T> {
         let entries = pattern.entries;
         let first = entries.partition_point(|&(r, _)| r < row);
@@ -37,7 +38,7 @@ impl<'a, T: Scalar> Parts<'a, T> {
         of_row.map(|(&(_, column), &entry)| (column, entry))
     }
 
-    /// e, ė = e_q q̇ + e_t and ë = e_q q̈ − γ of a row, evaluated at q and q̇.
+    /// e, ė = e_q q̇ + e_t and ë = e_q q̈ − γ of a row, for parts evaluated at q and q̇ of the state.
     pub(crate) fn rates(&self, pattern: &Pattern, row: usize, q_dot: &[T], q_ddot: &[T]) -> Signal<T> {
         let still = Signal { value: self.phi[row], rate: self.phi_t[row], acceleration: -self.gamma[row] };
         self.gradient(pattern, row).fold(still, |sum, (k, entry)| Signal {
@@ -50,21 +51,21 @@ impl<'a, T: Scalar> Parts<'a, T> {
 
 /// A mechanism with its parameters and workspaces.
 pub(crate) trait System {
-    /// Names, rows and patterns.
+    /// The names, rows and patterns of the mechanism.
     fn model(&self) -> &'static Model;
     /// The parameters.
     fn parameters(&self) -> &[f64];
-    /// Evaluates Φ, Φ_q, Φ_t, γ, or a subset.
+    /// Evaluates Φ, Φ_q, Φ_t and γ, or a subset of them.
     fn evaluate(&mut self, subset: Subset, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<(), LengthError>;
-    /// What [`evaluate`](Self::evaluate) wrote last.
+    /// The results of the last [`evaluate`](Self::evaluate).
     fn constraints(&self) -> Parts<'_>;
     /// Evaluates the observables.
     fn observe(&mut self, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<(), LengthError>;
-    /// What [`observe`](Self::observe) wrote last.
+    /// The results of the last [`observe`](Self::observe).
     fn observables(&self) -> Parts<'_>;
     /// A point of the curve of a joint.
     fn curve(&self, at: &Instant<'_>, joint: usize, s: f64) -> Option<CurvePoint>;
-    /// q, q̇ and q̈ by the plan.
+    /// Computes q, q̇ and q̈ by the plan.
     fn solve(
         &mut self,
         at: &Instant<'_>,
@@ -73,29 +74,29 @@ pub(crate) trait System {
         depth: Depth,
         solved: Solved<'_, f64>,
     ) -> Result<(), LengthError> {
-        // Without a plan there is nothing to solve.
+        // The default is for mechanisms without a plan.
         let _ = (at, modes, start, depth, solved);
         Ok(())
     }
-    /// What tells the branches of every group apart at q, with the sign of the group.
+    /// Writes the branch value of every group of the plan at q, whose sign tells the branches apart.
     fn branches(&self, at: &Instant<'_>, q: &[f64], closures: &mut [f64]) -> Result<(), LengthError> {
         let _ = (at, q, closures);
         Ok(())
     }
-    /// Local points, axes and values.
+    /// The local points, axes and values of joints.
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, LengthError> {
         let mut numbers = vec![0.0; self.model().geometry];
         self.write_geometry(at, &mut numbers)?;
         Ok(numbers)
     }
-    /// Writes local points, axes and values, as many numbers as [`Model::geometry`] says.
+    /// Writes the local points, axes and values of joints, [`Model::geometry`] numbers.
     fn write_geometry(&self, at: &Instant<'_>, numbers: &mut [f64]) -> Result<(), LengthError>;
-    /// r = Q − M q̈ at a solved state.
+    /// Writes r = Q − M q̈ at a solved state.
     fn generalized_forces(&self, at: &Instant<'_>, state: &State, generalized: &mut [f64]) -> Result<(), LengthError> {
         let _ = (at, state, generalized);
         Ok(())
     }
-    /// The numbers of forces at a solved state, given λ where the closed forms do not hold it.
+    /// Writes the numbers of all forces at a solved state; `multipliers` is λ where the closed forms do not compute it.
     fn forces(
         &self,
         at: &Instant<'_>,
@@ -106,12 +107,12 @@ pub(crate) trait System {
         let _ = (at, state, multipliers, forces);
         Ok(())
     }
-    /// Puts the follower of the plan at an instant, in the modes of q.
+    /// Places the follower of the plan at an instant, in the assembly modes of q.
     fn follow_from(&mut self, at: &Instant<'_>, q: &[f64]) -> Result<(), PlanError> {
         let _ = (at, q);
         Err(PlanError::NoPlan { why: self.model().plan.absent.unwrap_or("nothing is followed") })
     }
-    /// Moves the follower of the plan to another instant on its branch, whose inputs are functions of time or not.
+    /// Moves the follower of the plan to another instant on its branch; the inputs may be given as functions of time.
     fn follow(
         &mut self,
         at: &Instant<'_>,
@@ -122,11 +123,12 @@ pub(crate) trait System {
         self.follow_from(at, &[])?;
         Err(PlanError::NoPlan { why: "nothing is followed" })
     }
-    /// q at the limit that ended what [`follow`](Self::follow) was asked for last, where it was found.
+    /// q at the limit that ended the last [`follow`](Self::follow), where the limit was located.
     fn q_at_limit(&self) -> Option<&[f64]> {
         None
     }
-    /// What [`follow`](Self::follow) would give at an instant; the follower stays where it is.
+    /// Passes to `see` the solution that [`follow`](Self::follow) would find at an instant, without moving the
+    /// follower.
     fn glance(
         &mut self,
         at: &Instant<'_>,
@@ -138,7 +140,7 @@ pub(crate) trait System {
     }
 }
 
-/// What a follower has found.
+/// A solution found by the follower of the plan.
 #[derive(Clone, Copy)]
 pub(crate) struct Followed<'f> {
     pub(crate) q: &'f [f64],
@@ -146,7 +148,7 @@ pub(crate) struct Followed<'f> {
     pub(crate) q_ddot: &'f [f64],
     /// The smallest margin.
     pub(crate) least_margin: f64,
-    /// True where it is one step from the state before.
+    /// True where the solution is one step away from the previous one.
     pub(crate) in_one_step: bool,
 }
 
@@ -169,7 +171,7 @@ pub(crate) struct Evaluator<B, M: Mechanism> {
 }
 
 impl<B: Borrow<M>, M: Mechanism> Evaluator<B, M> {
-    /// Takes the struct's parameters and makes workspaces.
+    /// Copies the parameters of the struct and allocates workspaces.
     pub(crate) fn new(mechanism: B) -> Self {
         let parameters = mechanism.borrow().parameters();
         Self {

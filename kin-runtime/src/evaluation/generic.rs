@@ -1,18 +1,18 @@
-//! Mechanisms whose numbers are of a type parameter.
+//! Mechanisms that are generic over their scalar type.
 
 use crate::mechanism::LengthError;
 use crate::scalar::Scalar;
 use crate::workspace::{Array, Instant, Subset};
 
-/// A mechanism whose struct is generic over its numbers, evaluated in that very scalar.
+/// A mechanism whose struct is generic over its numbers, and which is evaluated in that scalar type.
 ///
-/// `#[mechanism]` implements it for every [`Scalar`] where the struct has one type parameter for its numbers,
-/// `struct FourBar<T> { l1: T, l: [T; 3] }`. Nothing passes through `f64`: a length that is a dual number gives the
-/// derivatives of Φ by that length, a length with SIMD lanes is a different length in each lane, and an `f32` stays
-/// one. Fields of other types (`n: f64` beside `l: T`) are converted.
+/// `#[mechanism]` implements this trait for every [`Scalar`] where the struct has one type parameter for its numbers,
+/// `struct FourBar<T> { l1: T, l: [T; 3] }`. No number is converted to `f64`: a length that is a dual number gives the
+/// derivatives of Φ with respect to that length, a length with SIMD lanes is a different length in each lane, and an
+/// `f32` stays an `f32`. Fields of other types (`n: f64` beside `l: T`) are converted.
 ///
-/// [`Mechanism`](crate::Mechanism), with the solver and the command line, is implemented where the numbers are `f64`
-/// or `f32`; it has the names, patterns and sizes, and evaluates at any parameters that the caller supplies.
+/// [`Mechanism`](crate::Mechanism), which the solver and the command line use, is implemented where the numbers are
+/// `f64` or `f32`. It has the names, patterns and sizes, and evaluates at any parameters that the caller supplies.
 ///
 /// ```
 /// use kin_runtime::{GenericMechanism, Instant, Subset, mechanism};
@@ -36,13 +36,13 @@ use crate::workspace::{Array, Instant, Subset};
 /// # Ok::<(), kin_runtime::LengthError>(())
 /// ```
 pub trait GenericMechanism {
-    /// The scalar of the fields.
+    /// The scalar type of the fields.
     type Scalar: Scalar;
     /// An array of all parameters.
     type Parameters: Array<Self::Scalar>;
-    /// Room for Φ, Φ_q, Φ_t and γ: as a [`Workspace`](crate::Workspace).
+    /// A buffer for Φ, Φ_q, Φ_t and γ, like [`Workspace`](crate::Workspace).
     type Workspace;
-    /// Room for the observables: as a [`Workspace`](crate::Workspace).
+    /// A buffer for the observables, like [`Workspace`](crate::Workspace).
     type Observations;
 
     /// A workspace with the constant entries of Φ_q in place.
@@ -51,10 +51,10 @@ pub trait GenericMechanism {
     /// A workspace for the observables with the constant entries of their Jacobian in place.
     fn own_observations() -> Self::Observations;
 
-    /// The parameters as they are, in the order of [`Model::parameters`](crate::model::Model::parameters).
+    /// The parameters in their own scalar type, in the order of [`Model::parameters`](crate::model::Model::parameters).
     fn own_parameters(&self) -> Self::Parameters;
 
-    /// Φ, Φ_q, Φ_t, γ, or any subset of them, at the struct's own parameters.
+    /// Evaluates Φ, Φ_q, Φ_t, γ, or any subset of them, at the struct's own parameters.
     ///
     /// # Errors
     /// When the inputs, `q` or `q_dot` have the wrong length.
@@ -67,7 +67,7 @@ pub trait GenericMechanism {
         workspace: &mut Self::Workspace,
     ) -> Result<(), LengthError>;
 
-    /// The observables with their Jacobian, time derivative and acceleration right-hand side.
+    /// Evaluates the observables with their Jacobian, time derivative and acceleration right-hand side.
     ///
     /// # Errors
     /// When the inputs, `q` or `q_dot` have the wrong length.

@@ -1,4 +1,4 @@
-//! What generated code implements and is called with: the mechanism as a trait, instants and inputs, memory for results.
+//! Interfaces of generated code: the trait of mechanisms, instants and inputs, and workspaces for results.
 
 pub(crate) mod curve;
 pub mod generic;

@@ -1,4 +1,4 @@
-//! Signals known only at run time, and instants: time with the values of the inputs at that time.
+//! Signals known only at run time, and instants: a time with the values of the inputs at that time.
 
 use crate::model::Input;
 use crate::scalar::Scalar;
@@ -45,7 +45,7 @@ impl<T> Signal<T> {
         Self { value, rate, acceleration }
     }
 
-    /// A signal that stands still.
+    /// A constant signal.
     pub fn constant(value: T) -> Self
     where
         T: Scalar,
@@ -53,14 +53,14 @@ impl<T> Signal<T> {
         Self { value, rate: T::from_f64(0.0), acceleration: T::from_f64(0.0) }
     }
 
-    /// Value, rate and acceleration in another scalar.
+    /// Applies a function to value, rate and acceleration, for example a conversion to another scalar type.
     pub fn map<U>(self, mut scalar: impl FnMut(T) -> U) -> Signal<U> {
         Signal { value: scalar(self.value), rate: scalar(self.rate), acceleration: scalar(self.acceleration) }
     }
 }
 
 impl Signal {
-    /// The signal a time `dt` later, its acceleration staying what it is: u + dt u̇ + ½ dt² ü, u̇ + dt ü.
+    /// The signal a time `dt` later, with constant acceleration: u + dt u̇ + ½ dt² ü, u̇ + dt ü.
     pub fn after(self, dt: f64) -> Self {
         let Self { value, rate, acceleration } = self;
         Self { value: value + dt * (rate + 0.5 * dt * acceleration), rate: rate + dt * acceleration, acceleration }
@@ -81,7 +81,7 @@ impl<T> IndexMut<Input> for [Signal<T>] {
     }
 }
 
-/// When: time, and the inputs at that time.
+/// An instant: a time, and the inputs at that time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Instant<'a, T = f64> {
     /// Time t.
@@ -91,7 +91,7 @@ pub struct Instant<'a, T = f64> {
 }
 
 impl<T> Instant<'_, T> {
-    /// Time `t` of a mechanism without inputs.
+    /// An instant of a mechanism without inputs.
     pub const fn at(t: T) -> Self {
         Self { t, inputs: &[] }
     }
@@ -103,14 +103,14 @@ impl From<f64> for Instant<'static> {
     }
 }
 
-/// `0.9 (rate 0.2, acceleration 0)`.
+/// For example `0.9 (rate 0.2, acceleration 0)`.
 impl<T: fmt::Display> fmt::Display for Signal<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         rates(f, [&self.value, &self.rate, &self.acceleration])
     }
 }
 
-/// `t = 0.1`, and the inputs where there are any.
+/// For example `t = 0.1`, followed by the inputs where there are any.
 impl<T: fmt::Display> fmt::Display for Instant<'_, T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("t = ")?;

@@ -1,4 +1,4 @@
-//! What an evaluation reads and writes: instants, subsets, and workspaces of the caller.
+//! Arguments and results of an evaluation: instants, subsets, and the caller's workspaces.
 
 use crate::model::Pattern;
 use crate::scalar::Scalar;
@@ -7,7 +7,7 @@ pub use crate::signal::{Instant, Signal};
 use crate::text::{numbers, separated};
 use core::fmt;
 
-/// Which of Φ, Φ_q, Φ_t, γ an evaluation must give; the others may be left as they were.
+/// The parts among Φ, Φ_q, Φ_t and γ that an evaluation must compute; the others may be left unchanged.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Subset {
     /// Φ, s numbers.
@@ -29,22 +29,22 @@ impl Subset {
     pub const TIME_DERIVATIVE: Self = Self { phi: false, phi_q: false, phi_t: true, gamma: false };
     /// γ alone.
     pub const GAMMA: Self = Self { phi: false, phi_q: false, phi_t: false, gamma: true };
-    /// Φ and Φ_q: a Newton step.
+    /// Φ and Φ_q, for a Newton step.
     pub const POSITION: Self = Self { phi: true, phi_q: true, phi_t: false, gamma: false };
-    /// Φ_q and Φ_t: the velocity equations.
+    /// Φ_q and Φ_t, for the velocity equations.
     pub const VELOCITY: Self = Self { phi: false, phi_q: true, phi_t: true, gamma: false };
     /// All four.
     pub const ALL: Self = Self { phi: true, phi_q: true, phi_t: true, gamma: true };
 }
 
-/// An array `[T; N]` of whatever length.
+/// An array `[T; N]` of any length N.
 #[doc(hidden)]
 pub trait Array<T>: Copy + AsRef<[T]> + AsMut<[T]> {
     /// The array of `f(0), f(1), …`.
     fn generate(f: impl FnMut(usize) -> T) -> Self;
-    /// The array of `value` and nothing else; less to compile than [`generate`](Self::generate).
+    /// The array filled with `value`; it compiles faster than [`generate`](Self::generate).
     fn filled(value: T) -> Self;
-    /// A list as such an array, where it has the length.
+    /// The list as an array, if it has the right length.
     fn view(list: &[T]) -> Option<&Self>;
 }
 
@@ -64,11 +64,12 @@ impl<T: Copy, const N: usize> Array<T> for [T; N] {
     }
 }
 
-/// Values, Jacobian non-zeros, time derivatives and acceleration right-hand sides of a set of rows.
+/// The values of a set of rows, the non-zeros of their Jacobian, their time derivatives and acceleration right-hand
+/// sides.
 ///
-/// The constraints and the observables of a mechanism have the same shape: for rows e(q, t) it holds e, the non-zeros
+/// The constraints and the observables of a mechanism have the same shape: for rows e(q, t) this holds e, the non-zeros
 /// of e_q in the order of the [`Pattern`], e_t, and γ = −(e_q q̇)_q q̇ − 2 e_qt q̇ − e_tt, so that ė = e_q q̇ + e_t and
-/// ë = e_q q̈ − γ. Literal constants of e_q are written when the workspace is made and never again.
+/// ë = e_q q̈ − γ. Entries of e_q that are literal constants are written once, when the workspace is created.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Evaluation<R, J> {
@@ -79,7 +80,7 @@ pub struct Evaluation<R, J> {
 }
 
 impl<R, J> Evaluation<R, J> {
-    /// A workspace for rows with this pattern: constants in place, everything else zero.
+    /// A workspace for rows with this pattern: constant entries are set, all others are zero.
     pub fn new<T: Scalar>(pattern: &Pattern) -> Self
     where
         R: Array<T>,
@@ -95,7 +96,7 @@ impl<R, J> Evaluation<R, J> {
         Self { phi: rows, phi_q, phi_t: rows, gamma: rows }
     }
 
-    /// Φ (or the observables' values).
+    /// Φ, or the values of the observables.
     pub fn phi<T>(&self) -> &[T]
     where
         R: AsRef<[T]>,
@@ -127,14 +128,14 @@ impl<R, J> Evaluation<R, J> {
         self.gamma.as_ref()
     }
 
-    /// The four parts, for generated code to write to.
+    /// The four parts as mutable references, for generated code.
     #[doc(hidden)]
     pub fn parts_mut(&mut self) -> (&mut R, &mut J, &mut R, &mut R) {
         (&mut self.phi, &mut self.phi_q, &mut self.phi_t, &mut self.gamma)
     }
 }
 
-/// The parts, as in `Φ, Φ_q`.
+/// The parts, for example `Φ, Φ_q`.
 impl fmt::Display for Subset {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let parts = [(self.phi, "Φ"), (self.phi_q, "Φ_q"), (self.phi_t, "Φ_t"), (self.gamma, "γ")];

@@ -1,12 +1,12 @@
-//! What is wrong with the numbers of a function.
+//! Errors in the numbers of a supplied function.
 
 use core::fmt;
 
-/// A table that no spline goes through, or segments that make no motion.
+/// Why a table does not define a spline, or segments do not define a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum FunctionError {
-    /// As many abscissae as values are needed.
+    /// The numbers of abscissae and values differ.
     Lengths {
         /// Number of abscissae.
         abscissae: usize,
@@ -22,42 +22,43 @@ pub enum FunctionError {
     },
     /// NaN or infinity in a table.
     NonFinite {
-        /// `abscissae`, `values`, `slopes`, or `coefficients`, when the numbers are too far apart for a spline.
+        /// The list: `abscissae`, `values`, `slopes`, or `coefficients`, when the numbers of the table are too far
+        /// apart for finite coefficients.
         what: &'static str,
-        /// Place in it.
+        /// Index in that list.
         index: usize,
     },
-    /// Abscissae increase strictly.
+    /// The abscissae do not increase strictly.
     NotIncreasing {
-        /// Place of the abscissa that does not lie behind its predecessor.
+        /// Index of the abscissa that does not exceed its predecessor.
         index: usize,
         /// The abscissa before it.
         before: f64,
         /// The abscissa.
         found: f64,
     },
-    /// A sequence has at least one segment.
+    /// The sequence has no segment.
     Empty,
     /// NaN or infinity: in the start of a sequence (no segment), or in a segment.
     NonFiniteSegment {
-        /// Number of the segment, from 0.
+        /// Index of the segment, from 0; `None` for the start of the sequence.
         segment: Option<usize>,
     },
-    /// A duration is greater than 0, and than what rounding leaves of it so far from the start.
+    /// The duration is not positive, or is lost by rounding so far from the start.
     Duration {
-        /// Number of the segment, from 0.
+        /// Index of the segment, from 0.
         segment: usize,
-        /// Its duration.
+        /// The duration of the segment.
         duration: f64,
     },
-    /// A polynomial segment begins with a constant term: the position would jump.
+    /// A polynomial segment has a constant term, so that the position would jump.
     Jump {
-        /// Number of the segment, from 0.
+        /// Index of the segment, from 0.
         segment: usize,
-        /// By how much.
+        /// The constant term, by which the position would jump.
         by: f64,
     },
-    /// A periodic function ends with the value that it begins with.
+    /// A periodic function does not end with the value at its start.
     NotPeriodic {
         /// First value.
         first: f64,

@@ -3,7 +3,7 @@
 use super::ScalarFunction;
 use core::fmt;
 
-/// A closure that gives (f, f′, f″).
+/// A closure that returns (f, f′, f″).
 ///
 /// ```
 /// use kin_runtime::{ScalarFunction, function::FromFn};

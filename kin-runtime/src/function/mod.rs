@@ -1,15 +1,15 @@
 //! Functions that the caller supplies: cam tables, splines, motion laws.
 //!
-//! `#[function(lift)]` says that the field `lift` of the struct holds one; formulas then use it as `lift(e)`. Whatever
-//! has a value and two derivatives at once can be a [`ScalarFunction`]; ready are
+//! `#[function(lift)]` says that the field `lift` of the struct is a function; formulas then use it as `lift(e)`. Every
+//! type that computes a value and two derivatives can implement [`ScalarFunction`]. The crate provides
 //!
 //! - [`CubicSpline`]: C² interpolation through a table, with natural, clamped or periodic ends;
 //! - [`Sequence`]: rises, returns and dwells of a cam, each with a [`MotionLaw`], one after another;
-//! - [`Polynomial`], of one coefficient a constant;
+//! - [`Polynomial`], which with a single coefficient is a constant;
 //! - [`FromFn`]: a closure.
 //!
-//! The two derivatives enter Φ_q, Φ_t and γ as they are, so that a wrong one gives wrong velocities and accelerations.
-//! The [cross-check](crate::cross_check) therefore holds f, f′ and f″ against one another.
+//! The two derivatives enter Φ_q, Φ_t and γ without a check, so that a wrong derivative gives wrong velocities and
+//! accelerations. The [cross-check](crate::cross_check) therefore compares f, f′ and f″ with one another.
 
 #[cfg(feature = "alloc")]
 mod error;
@@ -56,13 +56,13 @@ pub use spline::CubicSpline;
 pub trait ScalarFunction {
     /// (f, f′, f″) at `x`.
     ///
-    /// Where the function has no value it gives NaN, which every analysis refuses as an error.
+    /// Where the function has no value it returns NaN, which every analysis reports as an error.
     fn evaluate(&self, x: f64) -> [f64; 3];
 
-    /// Writes f, f′, f″, f⃛, … at `x` to `out`, as many as are known and have room; gives their number.
+    /// Writes f, f′, f″, f⃛, … at `x` to `out`, as many as are known and fit; returns their number.
     ///
-    /// Derivatives of the motion above the second (`Solver::derivatives`) use it. Without an
-    /// implementation of its own a function is known to its second derivative.
+    /// Derivatives of the motion above the second order (`Solver::derivatives`) use this method. The default
+    /// implementation gives derivatives up to the second.
     fn derivatives(&self, x: f64, out: &mut [f64]) -> usize {
         let known = self.evaluate(x);
         out.iter_mut().zip(known).map(|(place, value)| *place = value).count()
@@ -81,7 +81,7 @@ impl<F: ScalarFunction + ?Sized> ScalarFunction for &F {
     }
 }
 
-/// The function behind a pointer.
+/// Implements [`ScalarFunction`] for a pointer to a function.
 #[cfg(feature = "alloc")]
 macro_rules! behind {
     ($($pointer:ty),*) => { $(
@@ -102,7 +102,7 @@ macro_rules! behind {
 #[cfg(feature = "alloc")]
 behind!(alloc::boxed::Box<F>, alloc::rc::Rc<F>, alloc::sync::Arc<F>);
 
-/// `x` shifted by a multiple of `end` − `start` into that interval; the remainder is exact.
+/// `x` shifted into the interval from `start` to `end` by a multiple of its length; the remainder is exact.
 #[cfg(feature = "alloc")]
 fn wrapped(x: f64, start: f64, end: f64) -> f64 {
     let period = end - start;

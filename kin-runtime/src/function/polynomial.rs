@@ -4,7 +4,7 @@ use super::ScalarFunction;
 use crate::text::number;
 use core::fmt;
 
-/// f(x) = Σ c_k x^k, coefficients from the constant term on: `Polynomial([c0, c1, c2])`, `Polynomial(vec![…])`.
+/// f(x) = Σ c_k x^k, with coefficients from the constant term on: `Polynomial([c0, c1, c2])`, `Polynomial(vec![…])`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Polynomial<C>(pub C);
 
@@ -27,7 +27,7 @@ pub(super) fn horner(coefficients: &[f64], x: f64) -> [f64; 3] {
     [f, f1, 2.0 * half]
 }
 
-/// f, f′, f″, … of Σ c_k x^k, as many as there is room for, by Horner's scheme on the scaled derivatives f⁽ʲ⁾/j!.
+/// Writes f, f′, f″, … of Σ c_k x^k, as many as fit, by Horner's scheme on the scaled derivatives f⁽ʲ⁾/j!.
 pub(super) fn all_derivatives(coefficients: &[f64], x: f64, out: &mut [f64]) -> usize {
     out.fill(0.0);
     for c in coefficients.iter().rev() {
@@ -46,7 +46,7 @@ pub(super) fn all_derivatives(coefficients: &[f64], x: f64, out: &mut [f64]) -> 
     out.len()
 }
 
-/// `1 + 2 x + 3 x^2`.
+/// For example `1 + 2 x + 3 x^2`.
 impl<C: AsRef<[f64]>> fmt::Display for Polynomial<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let terms = self.0.as_ref();

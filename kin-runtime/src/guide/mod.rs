@@ -16,7 +16,8 @@
 //! 12. [How kin solves a mechanism](chapter_12_solving): the steps that an expert would take;
 //! 13. [How the derivation works](chapter_13_derivation): from tokens to straight-line code;
 //! 14. [Adding a constraint](chapter_14_constraint): for contributors;
-//! 15. [What is not there](chapter_15_limits): space, contact, friction.
+//! 15. [What is not there](chapter_15_limits): space, contact, friction;
+//! 16. [Proofs](chapter_16_proofs): certificates, and all ways in which a mechanism closes.
 //!
 //! The language itself, attribute by attribute, is in [`vocabulary`](crate::vocabulary). These modules hold documentation only;
 //! their numbers keep them in order beside the text.
@@ -125,3 +126,16 @@ pub mod chapter_14_constraint {}
 ))]
 #[doc = include_str!("limits.md")]
 pub mod chapter_15_limits {}
+#[doc(alias(
+    "certificate",
+    "proof",
+    "interval arithmetic",
+    "Krawczyk",
+    "interval Newton",
+    "assembly modes",
+    "closures",
+    "forward kinematics",
+    "branch and prune"
+))]
+#[doc = include_str!("proofs.md")]
+pub mod chapter_16_proofs {}

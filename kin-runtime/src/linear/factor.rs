@@ -1,14 +1,15 @@
 //! Least-norm least-squares solution of A x = b, by LU where A is square and well conditioned, otherwise by a complete
 //! orthogonal decomposition.
 //!
-//! A sparse LU says nothing of the rank by its pivots alone. But of a column-pivoted QR factorisation of the n×n matrix
-//! B = A D the last pivot is the smallest, and 1 over it the 2-norm of a row of B⁻¹; the first is the largest, and the 2-norm
-//! of a column of B. So the smallest pivot beside the largest is at least 1 / (c r) with the largest of these norms, c and r,
-//! and that at least 1 / (√n ‖B‖₁ ‖B⁻¹‖₁). Where it is far above the tolerance the rank is n, and nothing needs to be
-//! revealed. The second bound costs nothing, because the condition number is reported; the first says more of large
-//! matrices, and is asked where the second leaves a doubt.
+//! The pivots of a sparse LU factorisation do not reveal the rank. They are therefore compared with the pivots of a
+//! column-pivoted QR factorisation of the n×n matrix B = A D: its last pivot is the smallest, and its inverse is the
+//! 2-norm of a row of B⁻¹; its first pivot is the largest, and is the 2-norm of a column of B. So the ratio of the
+//! smallest to the largest pivot is at least 1 / (c r), with the largest of these norms, c and r, and this is at least
+//! 1 / (√n ‖B‖₁ ‖B⁻¹‖₁). Where the bound is far above the tolerance, the rank is n and no rank-revealing factorisation
+//! is needed. The second bound costs nothing, because the condition number is reported anyway; the first is sharper for
+//! large matrices, and is computed where the second does not decide.
 //!
-//! Rank and conditioning are judged on A D, columns on the common scale; "least norm" is the Euclidean norm of x
+//! Rank and conditioning refer to A D, with columns on the common scale; "least norm" is the Euclidean norm of x
 //! itself. With the column-pivoted A D P = Q R of rank r, the leading r rows T = R P^T D⁻¹ give T x = (Qᵀ b)₁…ᵣ, and
 //! the QR factorisation Tᵀ = Z U gives x = Z U⁻ᵀ (Qᵀ b)₁…ᵣ.
 
@@ -16,10 +17,10 @@ use super::inverse_norm::{Inverse, inverse_norm};
 use super::sparse::Elimination;
 use nalgebra::{ColPivQR, DMatrix, DVector, Dyn, LU};
 
-/// Smallest ratio of LU pivots at which LU is trusted.
+/// Smallest ratio of LU pivots at which the LU factorisation is used.
 const LU_TRUST: f64 = 1e-5;
-/// By how much an estimated condition number must stay away from the tolerance for the rank to be out of question: more
-/// than the estimate is ever too small by.
+/// Safety factor between the estimated condition number and 1 / tolerance at which the rank counts as full. It exceeds
+/// the largest error of the estimate.
 const RANK_TRUST: f64 = 10.0;
 
 /// A factorised matrix.
@@ -27,12 +28,12 @@ const RANK_TRUST: f64 = 10.0;
 pub(crate) struct Factorization {
     kind: Kind,
     columns: Vec<f64>,
-    /// Numerical rank.
+    /// The numerical rank.
     pub(crate) rank: usize,
-    /// An estimate of the condition number of A D: ‖A D‖₁ ‖(A D)⁻¹‖₁ where it is square and its rank was asked for and is
-    /// full; otherwise largest over smallest pivot within the rank.
+    /// An estimate of the condition number of A D: ‖A D‖₁ ‖(A D)⁻¹‖₁ if A D is square and its rank was determined and
+    /// is full; otherwise the ratio of the largest to the smallest pivot within the rank.
     pub(crate) condition: f64,
-    /// Largest over smallest pivot of all; infinite where the matrix is exactly rank-deficient.
+    /// The ratio of the largest to the smallest of all pivots; infinite where the matrix is exactly rank-deficient.
     pub(crate) full_condition: f64,
 }
 
@@ -40,21 +41,21 @@ pub(crate) struct Factorization {
 enum Kind {
     Sparse(Box<Elimination>),
     Lu(LU<f64, Dyn, Dyn>),
-    /// rank = number of columns.
+    /// Rank equal to the number of columns: the QR factorisation and R.
     Tall(ColPivQR<f64, Dyn, Dyn>, DMatrix<f64>),
-    /// rank < number of columns: QR, Z (n×r) and U (r×r).
+    /// Rank below the number of columns: the QR factorisation, Z (n×r) and U (r×r).
     Wide(ColPivQR<f64, Dyn, Dyn>, DMatrix<f64>, DMatrix<f64>),
 }
 
 impl Factorization {
-    /// From the sparse elimination of A D, for solutions alone; none where it is not to be trusted.
+    /// From the sparse LU of A D, without determining the rank; `None` where the ratio of its pivots is too small.
     pub(crate) fn sparse_quick(elimination: Box<Elimination>, columns: Vec<f64>) -> Option<Self> {
         let (smallest, largest) = elimination.extremes();
         (smallest > LU_TRUST * largest).then(|| Self::sparse(elimination, columns, largest / smallest))
     }
 
-    /// From the sparse elimination of A D, where that leaves no doubt that its rank is full, also by
-    /// [`absolute`](Self::absolute); none otherwise.
+    /// From the sparse LU of A D, if its estimated condition number proves full rank, also in the sense of
+    /// [`absolute`](Self::absolute); `None` otherwise.
     pub(crate) fn sparse_of_full_rank(
         mut elimination: Box<Elimination>,
         columns: Vec<f64>,
@@ -74,7 +75,7 @@ impl Factorization {
         Self { kind: Kind::Sparse(elimination), columns, rank, condition, full_condition: condition }
     }
 
-    /// The memory of an elimination and of its columns, to be used again.
+    /// Returns the buffers of the sparse LU and of the columns for reuse.
     pub(crate) fn into_memory(self) -> (Box<Elimination>, Vec<f64>) {
         match self.kind {
             Kind::Sparse(elimination) => (elimination, self.columns),
@@ -82,7 +83,7 @@ impl Factorization {
         }
     }
 
-    /// True for a positive determinant of a square matrix, false for a negative one; none where it is not known.
+    /// Whether the determinant of a square matrix is positive; `None` where the factorisation does not give its sign.
     pub(crate) fn is_positive(&self) -> Option<bool> {
         match &self.kind {
             Kind::Sparse(elimination) => Some(elimination.is_positive()),
@@ -90,9 +91,9 @@ impl Factorization {
         }
     }
 
-    /// LU where that is safe, otherwise [`revealing`](Self::revealing).
+    /// LU where its pivots are large enough, otherwise [`revealing`](Self::revealing).
     ///
-    /// `a` has its rows on the common scale, `columns` is D.
+    /// The rows of `a` are on the common scale; `columns` is D.
     pub(crate) fn quick(a: &DMatrix<f64>, columns: &[f64], tolerance: f64) -> Self {
         if a.is_square() && !a.is_empty() {
             let lu = LU::new(scaled(a, columns));
@@ -107,18 +108,18 @@ impl Factorization {
         Self::revealing(a, columns, tolerance)
     }
 
-    /// Complete orthogonal decomposition: pivots below `tolerance` times the largest do not count.
+    /// Complete orthogonal decomposition, in which pivots below `tolerance` times the largest count as zero.
     pub(crate) fn revealing(a: &DMatrix<f64>, columns: &[f64], tolerance: f64) -> Self {
         Self::orthogonal(a, columns, tolerance, 0.0)
     }
 
-    /// As [`revealing`](Self::revealing), for a scale taken at this very configuration: pivots below `tolerance` do not
-    /// count either, so that a matrix that is small altogether is seen to vanish.
+    /// As [`revealing`](Self::revealing), for a scale computed at this configuration: pivots below `tolerance` count as
+    /// zero as well, so that a matrix whose entries are all small has rank zero.
     pub(crate) fn absolute(a: &DMatrix<f64>, columns: &[f64], tolerance: f64) -> Self {
         Self::orthogonal(a, columns, tolerance, 1.0)
     }
 
-    /// Pivots below `tolerance` times the largest or `unit` do not count.
+    /// Pivots below `tolerance` times the larger of `unit` and the largest pivot count as zero.
     fn orthogonal(a: &DMatrix<f64>, columns: &[f64], tolerance: f64, unit: f64) -> Self {
         let qr = ColPivQR::new(scaled(a, columns));
         let r = qr.r();
@@ -202,7 +203,7 @@ fn inverse_of_qr(qr: &ColPivQR<f64, Dyn, Dyn>, r: &DMatrix<f64>) -> f64 {
     inverse_norm(&Orthogonal { q: qr.q(), r }, &mut vec![0.0; 4 * r.nrows()])
 }
 
-/// Q R. A⁻¹ = P R⁻¹ Qᵀ, and exchanges of rows change no norm.
+/// The factorisation Q R. A⁻¹ = P R⁻¹ Qᵀ, and the permutation P does not change the norm.
 struct Orthogonal<'r> {
     q: DMatrix<f64>,
     r: &'r DMatrix<f64>,
@@ -226,7 +227,7 @@ impl Inverse for Orthogonal<'_> {
     }
 }
 
-/// Smallest and largest absolute value.
+/// The smallest and the largest absolute value.
 fn extremes(values: &[f64]) -> (f64, f64) {
     values.iter().fold((f64::INFINITY, 0.0), |(low, high), v| (f64::min(low, v.abs()), f64::max(high, v.abs())))
 }
@@ -235,7 +236,7 @@ fn extremes(values: &[f64]) -> (f64, f64) {
 mod tests {
     use super::*;
 
-    /// Least-norm x by the normal equations of the second kind, for full row rank.
+    /// The least-norm x from the normal equations of the second kind, A Aᵀ y = b and x = Aᵀ y, for full row rank.
     fn least_norm(a: &DMatrix<f64>, b: &DVector<f64>) -> DVector<f64> {
         let gram = a * a.transpose();
         a.transpose() * gram.lu().solve(b).unwrap()

@@ -1,25 +1,27 @@
-//! An estimate of ‖A⁻¹‖₁ from solutions with A and Aᵀ alone.
+//! An estimate of ‖A⁻¹‖₁ that only solves systems with A and Aᵀ.
 //!
-//! ‖A⁻¹x‖₁ is convex in x, so that its largest value over ‖x‖₁ ≤ 1 is at a unit vector e_j; the gradient, A⁻ᵀ sign(A⁻¹x),
-//! says which one is better than x. The estimate is never too large but for rounding, exact as a rule, and hardly ever too
-//! small by more than a factor of three; a vector of growing numbers with alternating signs guards against cancellation.
-//! N. J. Higham, FORTRAN codes for estimating the one-norm of a real or complex matrix, with applications to condition
-//! estimation, ACM Trans. Math. Softw. 14 (1988) 381–396, algorithm 4.1, after W. W. Hager (1984).
+//! ‖A⁻¹x‖₁ is convex in x, so that its largest value over ‖x‖₁ ≤ 1 is at a unit vector e_j; the gradient, A⁻ᵀ
+//! sign(A⁻¹x), shows which unit vector gives a larger value than x. Except for rounding the estimate is never too
+//! large; it is usually exact, and hardly ever too small by more than a factor of three. A vector of growing numbers
+//! with alternating signs guards against cancellation. N. J. Higham, FORTRAN codes for estimating the one-norm of a
+//! real or complex matrix, with applications to condition estimation, ACM Trans. Math. Softw. 14 (1988) 381–396,
+//! algorithm 4.1, after W. W. Hager (1984).
 
 use crate::random::Random;
 
-/// Most unit vectors that are tried.
+/// Largest number of unit vectors tried.
 const VECTORS: usize = 5;
 
-/// Solutions with an n×n matrix.
+/// Solves linear systems with an n×n matrix A.
 pub(crate) trait Inverse {
-    /// A x = b in place, for W right-hand sides at once: the first numbers of all, then the second ones.
+    /// Solves A x = b in place for W right-hand sides at once, which are interleaved: component 0 of all of them, then
+    /// component 1, and so on.
     fn solve<const W: usize>(&self, x: &mut [f64]);
-    /// Aᵀ x = b in place.
+    /// Solves Aᵀ x = b in place.
     fn solve_transposed(&self, x: &mut [f64]);
 }
 
-/// The estimate; `work` has 4n numbers.
+/// The estimate of ‖A⁻¹‖₁; `work` has length 4n.
 pub(crate) fn inverse_norm(inverse: &impl Inverse, work: &mut [f64]) -> f64 {
     let n = work.len() / 4;
     if n == 0 {
@@ -72,14 +74,15 @@ pub(crate) fn inverse_norm(inverse: &impl Inverse, work: &mut [f64]) -> f64 {
     norm.max(guarded)
 }
 
-/// How many vectors of signs show the rows' norms.
+/// The number of random sign vectors from which the norms of rows are estimated.
 const SIGNS: usize = 8;
 
-/// An estimate of the largest 2-norm that a row of A⁻¹ has; `work` is used as memory.
+/// An estimate of the largest 2-norm of a row of A⁻¹; `work` is a buffer.
 ///
-/// For a vector z of random signs (A⁻¹z)ⱼ² is the squared norm of row j on the average, and the sum over eight of them is
-/// less than a hundredth of what it should be once in some million times. The row that stands out is then computed: so the
-/// estimate is never too large, and too small only where another row of nearly that size stood out more.
+/// For a vector z of random signs the expected value of (A⁻¹z)ⱼ² is the squared norm of row j. The probability that the
+/// sum over eight vectors is below a hundredth of its expected value is about one in a million. The row with the
+/// largest sum is then computed exactly. So the estimate is never too large, and too small only where another row of
+/// nearly the same norm has a larger sum.
 pub(crate) fn largest_row(inverse: &impl Inverse, n: usize, work: &mut Vec<f64>) -> f64 {
     let mut random = Random::new(0x51_6e5);
     work.clear();

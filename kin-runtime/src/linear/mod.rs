@@ -1,4 +1,4 @@
-//! Linear algebra: factorisations that know their rank, sparse and dense; null spaces, dependencies of rows.
+//! Linear algebra: rank-revealing factorisations, sparse and dense; null spaces; linear dependencies of rows.
 
 mod factor;
 mod inverse_norm;

@@ -1,11 +1,12 @@
 //! Null vectors from a rank-revealing factorisation.
 //!
 //! With A P = Q [R₁₁ R₁₂; 0 0], the columns of P [−R₁₁⁻¹ R₁₂; 1] span the null space; a QR factorisation makes them
-//! orthonormal. Singular vectors are not used: see nalgebra issue 1172.
+//! orthonormal. A singular value decomposition is not used because of nalgebra issue 1172.
 
 use nalgebra::{ColPivQR, DMatrix};
 
-/// An orthonormal basis of {y : A y = 0}, one vector per column; pivots below `tolerance` times the largest vanish.
+/// An orthonormal basis of {y : A y = 0}, one vector per column; pivots below `tolerance` times the largest count as
+/// zero.
 pub(crate) fn null_space(a: &DMatrix<f64>, tolerance: f64) -> DMatrix<f64> {
     let n = a.ncols();
     if n == 0 {

@@ -1,27 +1,28 @@
-//! Dependencies among the rows of a matrix.
+//! Linear dependencies among the rows of a matrix.
 
 use nalgebra::{ColPivQR, DMatrix, DVector};
 
-/// A row that is a combination of rows before it.
+/// A row that is a linear combination of rows before it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Dependency {
-    /// The row.
+    /// Index of the dependent row.
     pub(crate) row: usize,
-    /// row = Σ factor · earlier row, negligible factors left out.
+    /// The terms of row = Σ factor · earlier row, without negligible factors.
     pub(crate) combination: Vec<(usize, f64)>,
 }
 
-/// Goes through the rows in order and finds those that depend on earlier ones (modified Gram–Schmidt, twice).
+/// Finds the rows that depend on earlier rows (modified Gram–Schmidt, applied twice).
 ///
-/// The rows are on the common scale. As for the rank of such a matrix, a row is dependent whose remainder is below
-/// `tolerance` times the length of the longest row or 1, however short it is itself: a row of rounding alone says nothing.
-/// A row that is as short before anything is taken from it depends on none.
+/// The rows are on the common scale. A row is dependent if its remainder is below `tolerance` times the larger of 1 and
+/// the length of the longest row, as in the determination of the rank. The length of the row itself does not enter, so
+/// that a row that contains only rounding errors counts as dependent; its combination is empty, since it is that short
+/// before anything is subtracted.
 pub(crate) fn dependencies(a: &DMatrix<f64>, tolerance: f64) -> Vec<Dependency> {
     let longest = a.row_iter().map(|row| row.norm()).fold(1.0, f64::max);
     let negligible = tolerance * longest;
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let mut kept: Vec<usize> = Vec::new();
-    // Column k holds basis vector k as a combination of the kept rows.
+    // Element k expresses basis vector k as a combination of the kept rows.
     let mut origins: Vec<Vec<f64>> = Vec::new();
     let mut found = Vec::new();
     for row in 0..a.nrows() {
@@ -57,7 +58,7 @@ pub(crate) fn dependencies(a: &DMatrix<f64>, tolerance: f64) -> Vec<Dependency> 
     found
 }
 
-/// `count` rows that are as independent of one another as a column-pivoted factorisation of Aᵀ finds them, sorted.
+/// Indices of `count` rows, sorted, that a column-pivoted factorisation of Aᵀ finds most independent of one another.
 pub(crate) fn independent_rows(a: &DMatrix<f64>, count: usize) -> Vec<usize> {
     let mut order = DMatrix::from_fn(1, a.nrows(), |_, j| j as f64);
     if a.ncols() > 0 && a.nrows() > 0 {
@@ -84,7 +85,7 @@ mod tests {
 
     #[test]
     fn a_row_of_rounding_depends_on_none_and_says_nothing() {
-        // Once beside long rows, and once where nothing is longer.
+        // Tested beside long rows, and where all rows are short.
         for size in [1.0_f64, 1e3, 1e-3] {
             let e = 1e-16 * size.max(1.0);
             let a = DMatrix::from_row_slice(4, 3, &[size, 0.0, 0.0, e, -e, 2.0 * e, 0.0, size, size, 0.0, e, -e]);

@@ -2,8 +2,8 @@
 
 use nalgebra::DMatrix;
 
-/// True for a positive determinant, by elimination with row pivoting; none where the smallest pivot is at most `trust`
-/// times the largest, or where something is not a number. The matrix is used up.
+/// Whether the determinant is positive, by elimination with row pivoting; `None` where the smallest pivot is at most
+/// `trust` times the largest, or where an entry is NaN. The matrix is overwritten.
 pub(crate) fn positive_determinant(matrix: &mut DMatrix<f64>, trust: f64) -> Option<bool> {
     let n = matrix.nrows();
     let entries = matrix.as_mut_slice();

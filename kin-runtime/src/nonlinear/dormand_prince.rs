@@ -1,4 +1,4 @@
-//! The embedded Runge–Kutta pair 5(4) of Dormand and Prince for ẏ = f(t, y). Knows nothing of mechanisms.
+//! The embedded Runge–Kutta pair 5(4) of Dormand and Prince for ẏ = f(t, y), independent of mechanisms.
 //!
 //! ```text
 //! k_i = f(t + c_i h, y + h Σ_{j<i} a_ij k_j),   y⁺ = y + h Σ_i b_i k_i,   e = h Σ_i (b_i − b*_i) k_i
@@ -8,7 +8,7 @@
 //! P. J. Prince, A family of embedded Runge–Kutta formulae, J. Comput. Appl. Math. 6 (1980) 19–26; Hairer, Nørsett and
 //! Wanner, Solving Ordinary Differential Equations I (1993), table II.5.2.
 
-/// Stages; the last is at the end of the step.
+/// Number of stages; the last one is evaluated at the end of the step.
 const STAGES: usize = 7;
 
 const C: [f64; STAGES] = [0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0, 1.0];
@@ -20,7 +20,7 @@ const A: [[f64; STAGES - 1]; STAGES] = [
     [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0, 0.0, 0.0, 0.0],
     [19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0, 0.0, 0.0],
     [9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0, 0.0],
-    // The weights b of the result: its last stage is the first of the next step.
+    // The weights b of the result: the last stage of a step is the first stage of the next one.
     [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
 ];
 
@@ -35,7 +35,7 @@ pub(crate) struct Taken {
     pub(crate) error: Vec<f64>,
 }
 
-/// One step of length `h` from `y` at `t`, where ẏ is `first`.
+/// One step of length `h` from y at the time `t`; `first` is ẏ there.
 pub(crate) fn take<E>(
     t: f64,
     h: f64,
@@ -63,7 +63,7 @@ fn advanced(y: &[f64], h: f64, weights: &[f64], stages: &[Vec<f64>]) -> Vec<f64>
 mod tests {
     use super::*;
 
-    /// Row sums are the nodes, and the estimate vanishes for what the lower order integrates exactly.
+    /// Row sums are the nodes, and the error estimate vanishes for polynomials that the lower order integrates exactly.
     #[test]
     fn coefficients_satisfy_the_order_conditions() {
         for (row, c) in A.iter().zip(C) {
@@ -96,7 +96,7 @@ mod tests {
         assert!((ratio / 32.0 - 1.0).abs() < 0.15, "{ratio}");
     }
 
-    /// ẏ = t y needs the nodes c as well.
+    /// ẏ = t y depends on the nodes c as well.
     #[test]
     fn time_is_taken_at_the_nodes() {
         let f = |t: f64, y: &[f64]| Ok::<_, ()>(vec![t * y[0]]);

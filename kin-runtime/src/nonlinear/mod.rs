@@ -1,5 +1,7 @@
-//! Numerical methods that know nothing of mechanisms: Newton's iteration, roots in brackets, Runge–Kutta steps.
+//! Numerical methods that are independent of mechanisms: Newton's iteration, roots in brackets, Runge–Kutta steps.
 
 pub(crate) mod dormand_prince;
 pub(crate) mod newton;
+#[cfg(feature = "cli")]
+pub(crate) mod peak;
 pub(crate) mod root;

@@ -1,21 +1,23 @@
-//! Globalised Newton iteration for r(q) = 0 with any number of rows. Knows nothing of time or mechanisms.
+//! Globalised Newton iteration for r(q) = 0 with any number of rows, independent of time and mechanisms.
 //!
-//! Each iteration takes the full Newton step, the one of least norm where rows are fewer than coordinates, as long as
-//! it stays within the trust region and does what its model predicts. Otherwise it takes the Levenberg–Marquardt step
+//! Each iteration takes the full Newton step (the step of least norm where there are fewer rows than coordinates) if it
+//! stays within the trust region and reduces the residual as the linear model predicts. Otherwise it takes the
+//! Levenberg–Marquardt step
 //!
 //! ```text
 //! (DᵀJᵀJD + λ) y = −DᵀJᵀr,   δq = D y,
 //! ```
 //!
-//! with λ such that the largest scaled displacement is about the radius. Converged means that r is within tolerance
-//! *and* no longer improves, so that a double root at the end of a range of motion is as accurate as it can be.
+//! with λ such that the largest scaled displacement is about the radius. The iteration has converged when r is within
+//! tolerance *and* no longer decreases, so that a double root at the end of a range of motion is as accurate as
+//! rounding allows.
 
 use crate::linear::Factorization;
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-/// Residual rows with their Jacobian; rows on a common scale, columns in their own units.
+/// Residual rows r with their Jacobian J; rows are on a common scale, columns in their own units.
 pub(crate) trait Residual {
-    /// Evaluates r and J at q; false when something is not finite there.
+    /// Evaluates r and J at q; false when a result is not finite.
     fn evaluate(&mut self, q: &[f64]) -> bool;
     /// r of the last evaluation.
     fn residual(&self) -> DVector<f64>;
@@ -25,49 +27,50 @@ pub(crate) trait Residual {
     fn times(&self, x: &DVector<f64>) -> DVector<f64> {
         self.jacobian() * x
     }
-    /// J D of the last evaluation, factorised for solutions; pivots below `tolerance` are not divided by.
+    /// The factorisation of J D of the last evaluation, for solutions; pivots below `tolerance` times the largest count
+    /// as zero.
     fn factorise(&mut self, tolerance: f64) -> Factorization {
         Factorization::quick(&self.jacobian(), self.columns(), tolerance)
     }
-    /// D: size of every column.
+    /// The diagonal of D: the scale of every column.
     fn columns(&self) -> &[f64];
 }
 
-/// When to stop.
+/// Parameters of the iteration.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Settings {
     pub(crate) max_iterations: usize,
     /// Largest |r| that counts as zero.
     pub(crate) tolerance: f64,
-    /// Radius of the trust region at the start.
+    /// Initial radius of the trust region.
     pub(crate) trust_radius: f64,
-    /// Pivots below this, relative to the largest, are not divided by.
+    /// Pivots below this multiple of the largest count as zero.
     pub(crate) rank_tolerance: f64,
 }
 
-/// Where the iteration ended.
+/// The result of the iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Outcome {
-    /// True when the rows are closed.
+    /// True if r is zero within tolerance.
     pub(crate) converged: bool,
-    /// Iterations.
     pub(crate) iterations: usize,
     /// Largest |r| at the end.
     pub(crate) gap: f64,
-    /// The row with it.
+    /// The row with the largest |r|.
     pub(crate) worst: usize,
 }
 
-/// A last step below this leaves an error below the machine's precision (quadratic), or none that can be improved.
+/// Length of a step after which the error is below machine precision, if convergence is quadratic, or cannot be reduced
+/// further.
 const LAST_STEP: f64 = 1e-9;
-/// Relative reduction of the residual over [`PATIENCE`] iterations below which it counts as a minimum.
+/// Relative reduction of the residual over [`PATIENCE`] iterations below which the point counts as a local minimum.
 const PROGRESS: f64 = 1e-3;
 const PATIENCE: usize = 12;
 const LARGEST_RADIUS: f64 = 2.0;
-/// Residuals above this never count as closed, however far from zero the coordinates are.
+/// Residuals above this never count as zero, however large the coordinates are.
 const LARGEST_ROUNDING: f64 = 1e-6;
 
-/// Iterates from `q`, which ends at the best point found.
+/// Iterates from `q` and leaves the best point found there.
 pub(crate) fn solve(problem: &mut dyn Residual, q: &mut [f64], settings: &Settings) -> Outcome {
     let mut outcome = Outcome { converged: false, iterations: 0, gap: f64::INFINITY, worst: 0 };
     if !problem.evaluate(q) {
@@ -93,7 +96,7 @@ pub(crate) fn solve(problem: &mut dyn Residual, q: &mut [f64], settings: &Settin
                 (newton.clone(), newton_change.clone())
             } else {
                 let (jacobian, levenberg) = levenberg.get_or_insert_with(|| {
-                    // What was evaluated last may have been a trial.
+                    // The last evaluation may have been at a rejected trial point.
                     problem.evaluate(q);
                     let jacobian = problem.jacobian();
                     let levenberg = Levenberg::new(&jacobian, &residual, problem.columns());
@@ -150,24 +153,23 @@ pub(crate) fn solve(problem: &mut dyn Residual, q: &mut [f64], settings: &Settin
     outcome
 }
 
-/// The tolerance, but not below what rounding of q itself leaves.
+/// The tolerance of the settings, but not below the effect of rounding in q.
 fn tolerance(settings: &Settings, q: &[f64], columns: &[f64]) -> f64 {
     let far = q.iter().zip(columns).map(|(x, d)| (x / d).abs()).fold(0.0, f64::max);
     settings.tolerance.max(rounding(far))
 }
 
-/// What rounding of coordinates of scaled size `far` leaves of a residual. Where that is more than a position worth
-/// having, rounding is no excuse.
+/// The residual that rounding of coordinates of scaled size `far` causes, at most [`LARGEST_ROUNDING`].
 pub(crate) fn rounding(far: f64) -> f64 {
     (16.0 * f64::EPSILON * far).min(LARGEST_ROUNDING)
 }
 
-/// Row and size of the largest entry.
+/// The row and the size of the largest entry.
 fn largest(residual: &DVector<f64>) -> (usize, f64) {
     residual.iter().enumerate().fold((0, 0.0), |best, (k, r)| if r.abs() > best.1 { (k, r.abs()) } else { best })
 }
 
-/// Largest scaled entry of a step.
+/// The largest scaled entry of a step.
 fn size(step: &DVector<f64>, columns: &[f64]) -> f64 {
     let mut size = 0.0;
     for (x, d) in step.iter().zip(columns) {
@@ -180,7 +182,7 @@ fn size(step: &DVector<f64>, columns: &[f64]) -> f64 {
     size
 }
 
-/// The damped normal equations of one iterate.
+/// The damped normal equations at one iterate.
 struct Levenberg {
     normal: DMatrix<f64>,
     gradient: DVector<f64>,
@@ -199,7 +201,7 @@ impl Levenberg {
         Self { normal, gradient, damping }
     }
 
-    /// The damped step whose size is at most `radius`, and not much less where damping limits it.
+    /// The damped step whose size is at most `radius`, and not much less where the damping limits it.
     fn step(&mut self, radius: f64, columns: &[f64]) -> DVector<f64> {
         let mut step = DVector::zeros(self.gradient.len());
         for _ in 0..60 {

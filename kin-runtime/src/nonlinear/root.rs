@@ -1,32 +1,32 @@
-//! A zero between two instants at which a function has different signs: Newton steps inside a bracket.
+//! A root between two instants at which a function has different signs: Newton steps safeguarded by a bracket.
 //!
-//! From the better end of the bracket, t − f/ḟ is taken a little too far, so that the next value lies on the other side
-//! and both ends close in; where that leaves the bracket, or does not shrink it by half in two steps, the bracket is
-//! halved. Every trial is an evaluation; the bracket never loses its change of sign. After Press et al., Numerical
-//! Recipes, section 9.4.
+//! The step from the better end of the bracket to t − f/ḟ is slightly extended, so that the next value lies on the
+//! other side of the root and both ends converge. Where the step leaves the bracket, or two steps do not halve the
+//! bracket, the bracket is bisected. Every trial is one evaluation, and the bracket always contains the change of sign.
+//! After Press et al., Numerical Recipes, section 9.4.
 
-/// A function at an instant.
+/// The value of a function at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Value {
     pub(crate) t: f64,
-    /// f, positive at the first end.
+    /// f, positive at the first end of the bracket.
     pub(crate) f: f64,
-    /// ḟ; need not be a number.
+    /// ḟ, which may be NaN.
     pub(crate) rate: f64,
 }
 
-/// Most trials.
+/// Largest number of trials.
 const TRIALS: usize = 200;
 
-/// The narrowest width that is asked for between instants of size `t`.
+/// The width at which a bracket around instants of size `t` counts as closed.
 pub(crate) fn tolerance(t: f64) -> f64 {
     let resolved = 8.0 * f64::EPSILON * t;
     (1e-12 * t).min(5e-11).max(resolved)
 }
 
-/// The interval in which `f` changes its sign, as narrow as `tolerance` where `evaluate` has an answer.
+/// The interval in which `f` changes its sign. Its width is at most `tolerance`, unless `evaluate` fails.
 ///
-/// `first` counts as positive and `last` as negative or zero, whatever their last digits say.
+/// `first.f` counts as positive and `last.f` as negative or zero, regardless of rounding.
 pub(crate) fn bracket(
     first: Value,
     last: Value,
@@ -47,7 +47,7 @@ pub(crate) fn bracket(
         let t = match refused {
             0 if slow => middle,
             0 => newton(lo, hi, tolerance).unwrap_or(middle),
-            // Somewhere nearer to the first end, which is the better known one.
+            // After a failure the next trial is nearer to the first end, where the motion is known.
             _ => lo.t + 0.5_f64.powi(refused) * (hi.t - lo.t),
         };
         if t == lo.t || t == hi.t {
@@ -67,7 +67,7 @@ pub(crate) fn bracket(
     [lo, hi]
 }
 
-/// The Newton step from the better end, a little too far; none where it leaves the bracket.
+/// The slightly extended Newton step from the better end; `None` where it leaves the bracket.
 fn newton(lo: Value, hi: Value, tolerance: f64) -> Option<f64> {
     let (from, towards) = if lo.f.abs() <= hi.f.abs() { (lo, hi) } else { (hi, lo) };
     let ahead = 0.4 * tolerance.copysign(towards.t - from.t);

@@ -1,34 +1,35 @@
-//! On which branch a configuration is, and whether a step has stayed on it.
+//! The branch of a configuration, and the check whether a step has stayed on it.
 //!
-//! A branch is told by signs, one per group: that of its closure, where the group closes in two ways, and that of the
-//! determinant of its own small system, where it is solved by iteration ([`Plan::signs`]). With
+//! A branch is identified by one sign per group: that of its closure, where the group closes in two ways, or that of
+//! the determinant of the group's system, where it is solved by iteration ([`Plan::signs`]). With
 //!
 //! ```text
 //! |w| = √margin
 //! ```
 //!
-//! every group has a distance from where its sign changes: 0 where both closures meet, at most 1. Along a smooth motion
-//! w is smooth, and it changes no faster than bodies turn. A step has stayed on its branch where every group is too far
-//! from its limit to have come there ([`OUT_OF_REACH`]), or where w at its end is what the prediction has, in a step so
-//! short that the error of the prediction is much smaller than w ([`resolves`]). A step for which neither is so is too
-//! long; at a fold or at a crossing of branches no step is short enough, and the motion ends.
+//! every group has a distance from the configuration at which its sign changes: 0 where both closures meet, at most 1.
+//! Along a smooth motion w is smooth, and it changes no faster than bodies turn. A step has stayed on its branch if
+//! every group is too far from its limit to have reached it within the step ([`OUT_OF_REACH`]), or if w at its end
+//! agrees with the prediction, in a step so short that the error of the prediction is much smaller than w
+//! ([`resolves`]). If neither holds, the step is too long. At a fold or at a crossing of branches no step is short
+//! enough, and the motion ends.
 
 use super::lists::{Distances, Modes};
 use super::passed::CLOSE;
 use crate::mechanism::Mechanism;
 use crate::scalar::compare::Compare;
 
-/// Deviation of w from its prediction, relative to the smaller of the two, up to which a step has stayed on its branch.
+/// Largest deviation of w from its prediction, relative to the smaller of the two.
 const EXPECTED: f64 = 0.5;
 
-/// Distances, in turns of the fastest body by velocity or acceleration alone, over which no group comes to its limit in a
-/// step: two bodies that turn towards one another, by both.
+/// Distance from its limit at which a group cannot reach the limit within one step, in turns of the fastest body by
+/// velocity or by acceleration alone. The factor accounts for two bodies that turn towards one another, by both.
 pub(crate) const OUT_OF_REACH: f64 = 4.0;
 
-/// The third-order term that the prediction leaves out, in the cube of the turn.
+/// Estimate of the third-order term that the prediction omits: this factor times the cube of the turn.
 const THIRD_ORDER: f64 = 10.0;
 
-/// Where a motion is on its branch.
+/// The branch of a motion: its modes, and the distances of its groups from their limits.
 pub(crate) struct Branch<M: Mechanism> {
     pub(crate) modes: Modes<M>,
     pub(crate) distances: Distances<M>,
@@ -42,20 +43,20 @@ impl<M: Mechanism> Clone for Branch<M> {
 
 impl<M: Mechanism> Copy for Branch<M> {}
 
-/// How certain it is that w is what was predicted: not at all for less than 0.
+/// A measure of the agreement of w with its prediction; negative where they disagree.
 #[inline(always)]
 pub(crate) fn certainty_of<V: Compare>(now: V, predicted: V) -> V {
     V::from_f64(EXPECTED) * now.least(predicted) - (now - predicted).abs()
 }
 
-/// By how much the distance of the nearest group exceeds the error of a prediction that turns by so much: a step resolves
-/// its branch where this is not negative.
+/// The distance of the nearest group from its limit minus the error of a prediction over this turn; a step resolves its
+/// branch where this is not negative.
 #[inline(always)]
 pub(crate) fn resolves<V: Compare>(nearest: V, turn: V) -> V {
     nearest - V::from_f64(THIRD_ORDER) * turn * turn * turn
 }
 
-/// Distances of the ends of a step below which a group may have come to its limit and back within the step.
+/// True if a group may have reached its limit and returned within a step. The arguments are its distances at both ends.
 pub(super) const fn may_dip(before: f64, after: f64) -> bool {
     before < CLOSE || after < CLOSE
 }

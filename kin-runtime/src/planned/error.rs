@@ -1,4 +1,4 @@
-//! Why a plan gives no answer.
+//! Errors of a solution by the plan.
 
 use super::step::Step;
 use crate::mechanism::LengthError;
@@ -7,45 +7,45 @@ use crate::plan::{ModeInfo, Plan};
 use crate::text::rounded;
 use core::fmt;
 
-/// Where a group of a plan stands beside its limit.
+/// A group of a plan that is at or near its limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Limit {
     /// The group, with the names of its joints.
     #[doc(hidden)]
     pub step: Step,
-    /// Its margin: 0 at the limit, negative where it cannot close. It is 1 − (m/r)², where the group closes as long as
-    /// |m| ≤ r; far beyond the limit it may be any negative number.
+    /// The margin of the group: 0 at the limit, negative where it cannot close. It is 1 − (m/r)², where the group
+    /// closes as long as |m| ≤ r; far beyond the limit it may be any negative number.
     pub margin: f64,
-    /// Where the limit itself is, where the motion was followed up to it.
+    /// The location of the limit itself, where the motion was followed up to it.
     #[doc(hidden)]
     pub located: Option<Located>,
 }
 
-/// The place of a limit.
+/// The location of a limit.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Located {
-    /// Time, to rounding.
+    /// The time, accurate to rounding.
     pub at: f64,
-    /// What kind of limit it is, where that is known.
+    /// The kind of limit, where it is known.
     pub kind: Option<LimitKind>,
 }
 
-/// What ends the motion of a group.
+/// The kind of limit that ends the motion of a group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum LimitKind {
-    /// Both closures meet, and beyond it the group does not close: the motion could only turn back.
+    /// Both closures meet, and beyond the limit the group does not close: the motion could only turn back.
     DeadCentre,
-    /// Both closures meet, and beyond it both are there again: two branches of the motion cross, and nothing says which of
-    /// them goes on.
+    /// Both closures meet, and beyond the limit there are two closures again: two branches of the motion cross, and it
+    /// is not determined which of them continues the motion.
     BranchPoint,
 }
 
-/// `dead centre`.
+/// For example `dead centre`.
 impl fmt::Display for LimitKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -55,7 +55,7 @@ impl fmt::Display for LimitKind {
     }
 }
 
-/// `t = 1.0947 (dead centre)`.
+/// For example `t = 1.0947 (dead centre)`.
 impl fmt::Display for Located {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "t = {}", rounded(self.at))?;
@@ -64,7 +64,7 @@ impl fmt::Display for Located {
 }
 
 impl Limit {
-    /// A limit of which nothing more is known.
+    /// A limit that has not been located.
     pub(crate) const fn new(step: Step, margin: f64) -> Self {
         Self { step, margin, located: None }
     }
@@ -79,8 +79,9 @@ impl Limit {
         self.step.bodies()
     }
 
-    /// The drivers whose range the limit ends: those among the group's joints or, where there are none, all that move what it
-    /// closes upon. None where these cannot be told, in mechanisms of more than 1024 coordinates.
+    /// The drivers whose range the limit ends: those among the group's joints or, where there are none, all drivers of
+    /// the bodies to which the group is attached. Empty where these cannot be determined, in mechanisms of more than
+    /// 1024 coordinates.
     pub fn drivers(&self) -> impl Iterator<Item = &'static str> + use<> {
         self.step.drivers()
     }
@@ -93,7 +94,7 @@ impl Limit {
         }
     }
 
-    /// What kind of limit it is, where that is known.
+    /// The kind of limit, where it is known.
     pub const fn kind(&self) -> Option<LimitKind> {
         match self.located {
             Some(located) => located.kind,
@@ -101,9 +102,9 @@ impl Limit {
         }
     }
 
-    /// By how much redundant rows contradict the others, relative to the size of the mechanism or of its motion; none
-    /// where the step is not of that kind. It is [`Plan::CONSISTENCY`] √(1 − margin), which far from limits of other steps
-    /// is what the row that is missed most is missed by.
+    /// The amount by which redundant rows contradict the others, relative to the size of the mechanism or of its
+    /// motion; `None` where the step is of another kind. It is [`Plan::CONSISTENCY`] √(1 − margin), which far from
+    /// limits of other steps is the largest residual of a row.
     pub fn contradiction(&self) -> Option<f64> {
         let square = 1.0 - self.margin;
         if !self.step.is_watched() || !square.is_finite() {
@@ -136,7 +137,7 @@ impl fmt::Display for Limit {
             Some(kind) => write!(f, "{kind})")?,
             None => f.write_str("dead centre or branch point)")?,
         }
-        // Only at a dead centre does the motion end because a driver can go no further.
+        // Only at a dead centre does the motion end because a driver has reached the end of its range.
         if self.kind() != Some(LimitKind::DeadCentre) {
             return Ok(());
         }
@@ -156,7 +157,7 @@ impl fmt::Display for Limit {
     }
 }
 
-/// `A, B and C`.
+/// For example `A, B and C`.
 fn listed(f: &mut fmt::Formatter<'_>, names: impl Iterator<Item = &'static str>) -> fmt::Result {
     let mut names = names.enumerate().peekable();
     while let Some((k, name)) = names.next() {
@@ -170,13 +171,13 @@ fn listed(f: &mut fmt::Formatter<'_>, names: impl Iterator<Item = &'static str>)
     Ok(())
 }
 
-/// Why the plan gives no answer at an instant, with numbers and names.
+/// Why the plan has no solution at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum PlanError {
     /// The mechanism has no plan.
     NoPlan {
-        /// Why.
+        /// The reason.
         why: &'static str,
     },
     /// A group is at its limit or cannot close.
@@ -186,28 +187,28 @@ pub enum PlanError {
         /// The group and its margin.
         limit: Limit,
     },
-    /// A step that has one answer is singular here, or an iteration does not converge. The mechanism itself may be
-    /// regular: full Newton has the answer then.
+    /// A step with a unique solution is singular here, or an iteration does not converge. The mechanism itself may be
+    /// regular; then full Newton finds the solution.
     Singular {
         /// Time.
         t: f64,
         /// The step and its margin.
         limit: Limit,
     },
-    /// Redundant rows contradict the rows that the plan goes by: in these modes there is no configuration with these
-    /// parameters, or no velocity or acceleration.
+    /// Redundant rows contradict the rows that the plan uses: with these parameters and modes there is no
+    /// configuration, or no velocity or acceleration.
     Contradiction {
         /// Time.
         t: f64,
-        /// The rows, and by how much: see [`Limit::contradiction`].
+        /// The rows and their contradiction, see [`Limit::contradiction`].
         limit: Limit,
     },
-    /// The configuration that should decide the modes leaves one of them open: its closure
-    /// ([`Mechanism::closures_with`](crate::Mechanism::closures_with)) is 0 or no number there.
+    /// The configuration that should determine the modes leaves one of them open: its closure
+    /// ([`Mechanism::closures_with`](crate::Mechanism::closures_with)) is 0 or NaN there.
     Undecided {
         /// Time.
         t: f64,
-        /// The mode.
+        /// The name of the mode.
         mode: &'static str,
     },
     /// A length that a joint keeps is negative: of a link, a cylinder or a driver of a distance.
@@ -216,28 +217,28 @@ pub enum PlanError {
         t: f64,
         /// The joint.
         joint: &'static str,
-        /// Its length.
+        /// The length.
         length: f64,
     },
-    /// The motion jumps: a driver or an input goes from one place to another in no time, however short the steps are.
+    /// The motion jumps: a driver or an input changes instantaneously, so that no step is short enough.
     Jump {
-        /// Time of the last state before it.
+        /// Time of the last state before the jump.
         t: f64,
-        /// The instant that was asked for.
+        /// The instant requested.
         t_refused: f64,
     },
-    /// More steps than allowed on the way to an instant.
+    /// More steps than allowed are needed on the way to an instant.
     TooManySteps {
         /// The time reached.
         t: f64,
-        /// The instant that was asked for.
+        /// The instant requested.
         t_refused: f64,
     },
     /// NaN or infinity in an argument, a parameter or a result.
     NonFinite {
-        /// Where: `q`, `t`, `parameters`, `inputs`, `margins`, ….
+        /// The list: `q`, `t`, `parameters`, `inputs`, `margins`, ….
         what: &'static str,
-        /// Place in it.
+        /// Index in the list.
         index: usize,
         /// Name of the coordinate, parameter or input.
         name: &'static str,
@@ -246,22 +247,22 @@ pub enum PlanError {
     },
     /// An argument of the wrong length.
     Length(LengthError),
-    /// No mode has this name or place.
+    /// There is no mode with this name or index.
     UnknownMode {
-        /// The modes that there are.
+        /// The modes of the mechanism.
         modes: &'static [ModeInfo],
     },
 }
 
 impl PlanError {
-    /// That a length, by its place among those that joints keep, is negative.
+    /// The error for a negative length, given its index among the lengths that joints keep.
     #[cold]
     pub(super) fn negative_length(model: &Model, t: f64, place: usize, length: f64) -> Self {
         let joint = model.joints.iter().filter(|joint| joint.keeps_distance()).nth(place);
         Self::NegativeLength { t, joint: joint.map_or("", |joint| joint.name), length }
     }
 
-    /// The step that stands in the way, with its margin.
+    /// The step that has no solution, with its margin.
     pub const fn limit(&self) -> Option<&Limit> {
         match self {
             Self::Limit { limit, .. } | Self::Singular { limit, .. } | Self::Contradiction { limit, .. } => Some(limit),
@@ -280,10 +281,17 @@ impl fmt::Display for PlanError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoPlan { why } => write!(f, "no plan because {why}"),
-            Self::Limit { t, limit } if limit.at().is_some_and(|at| (at - t).abs() > 1e-9 * t.abs()) => {
-                write!(f, "no way to t = {}: {limit}", rounded(*t))
+            Self::Limit { t, limit } => {
+                match limit.at().is_some_and(|at| (at - t).abs() > 1e-9 * t.abs()) {
+                    true => write!(f, "no way to t = {}: {limit}", rounded(*t))?,
+                    false => write!(f, "at t = {}, {limit}", rounded(*t))?,
+                }
+                // To find that costs more than a tick has time for.
+                let hint =
+                    if limit.step.has_inputs() { "; `Planned::out_of_range` says what its inputs can be" } else { "" };
+                f.write_str(hint)
             }
-            Self::Limit { t, limit } | Self::Singular { t, limit } | Self::Contradiction { t, limit } => {
+            Self::Singular { t, limit } | Self::Contradiction { t, limit } => {
                 write!(f, "at t = {t}, {limit}", t = rounded(*t))
             }
             Self::Undecided { t, mode } => {
@@ -325,7 +333,7 @@ impl fmt::Display for PlanError {
     }
 }
 
-/// What it says is the whole; the source is the error of a length, as a type, where that is what went wrong.
+/// The message is complete; the source exists only for an error of a length, to make its type available.
 impl core::error::Error for PlanError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         if let Self::Length(error) = self { Some(error) } else { None }

@@ -1,8 +1,8 @@
-//! Where a limit is, and the configuration there, to more digits than a state beside it has.
+//! Extrapolation to a limit: its place and the configuration there, with more digits than a state near the limit has.
 //!
-//! Beside a limit everything that moves is a smooth function of w, the signed distance of the group from its limit: t and
-//! all of q, at a fold, where q goes as √(t* − t), as well as at a crossing of branches. So both are known at w = 0 from
-//! states on the way there, by the polynomial through them:
+//! Near a limit all moving coordinates are smooth functions of w, the signed distance of the group from its limit: t
+//! and all of q, at a fold, where q depends on √(t* − t), as well as at a crossing of branches. So t and q at w = 0
+//! follow from states on the way to the limit by the interpolating polynomial:
 //!
 //! ```text
 //! f(0) ≈ Σₖ f(wₖ) Πⱼ≠ₖ wⱼ/(wⱼ − wₖ)
@@ -18,39 +18,39 @@ use crate::scalar::Scalar;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
-/// States that the polynomial goes through.
+/// Number of states that the polynomial interpolates.
 const SAMPLES: usize = 7;
 
-/// w of the farthest of them, at least: what is tried in turn.
+/// Lower bounds of w of the farthest state, which are tried in turn.
 const WIDTHS: [f64; 7] = [0.02, 0.006, 0.002, 6e-4, 2e-4, 6e-5, 2e-5];
 
-/// The same where the motion has not come from farther away.
+/// The smallest w of the farthest state where the motion did not start farther away.
 const NARROWEST: f64 = 1e-5;
 
-/// How often the distance from the limit is doubled.
+/// Largest number of times that the distance from the limit is doubled.
 const DOUBLINGS: usize = 60;
 
-/// Slope at a limit, relative to that of the whole interval, that is 0.
+/// Slope ds/dw at a limit, relative to that of the whole interval, below which it counts as zero.
 const FLAT: f64 = 0.1;
 
-/// Difference, in radians or units of length, that leaving out one of the samples may make.
+/// Largest change, in radians or units of length, that leaving out one of the samples may cause.
 const AGREEMENT: f64 = 1e-7;
 
-/// A limit.
+/// An extrapolated limit.
 pub(super) struct Found<M: Mechanism> {
     /// Its place on the course.
     pub(super) place: f64,
     /// q there.
     pub(super) q: M::Coordinates<f64>,
-    /// The difference that leaving out one of the samples makes, in radians or lengths, and relative to the interval.
+    /// The change that leaving out one of the samples causes, in radians or lengths, or relative to the interval.
     error: f64,
-    /// What it is, where that is clear.
+    /// The kind of limit, where it is clear.
     pub(super) kind: Option<LimitKind>,
 }
 
 impl<M: Mechanism> Follower<M> {
-    /// The place of the limit of a group, a place among the signs, and q there; near the place `at` of the course. None
-    /// where the motion has not come from far enough away, or what was seen on the way is not smooth.
+    /// The limit of a group, near the place `at` of the course; `sign` is the index of the group among the signs.
+    /// `None` where the motion did not start far enough away, or the states are not on a smooth curve.
     pub(super) fn extrapolate(
         &mut self,
         mechanism: &M,
@@ -59,7 +59,8 @@ impl<M: Mechanism> Follower<M> {
         blocked: &Blocked<M>,
     ) -> Option<Found<M>> {
         let margin = M::model().plan.margin_of_sign(sign)?;
-        // Narrower intervals are better where something else is near, wider ones where rounding is.
+        // Narrow intervals avoid the influence of other limits, wide ones that of rounding; the one with the smallest
+        // error wins.
         let mut best: Option<Found<M>> = None;
         for width in WIDTHS {
             let found = self.extrapolate_from(mechanism, course, (margin, at, width), blocked);
@@ -71,7 +72,7 @@ impl<M: Mechanism> Follower<M> {
         best.filter(|found| found.error <= AGREEMENT)
     }
 
-    /// The same by states whose farthest has this w, or a little more.
+    /// The extrapolation from states of which the farthest has at least this w.
     fn extrapolate_from(
         &mut self,
         mechanism: &M,
@@ -79,13 +80,13 @@ impl<M: Mechanism> Follower<M> {
         (margin, at, width): (usize, f64, f64),
         blocked: &Blocked<M>,
     ) -> Option<Found<M>> {
-        // Away from the limit, in strides that grow with the distance.
+        // Moves away from the limit in steps that grow with the distance.
         let [start, _] = course.ends();
         let (mut s, mut from, mut w) = (blocked.places[0], blocked.here, 0.0);
         let least = 4.0 * f64::EPSILON * at.abs().max(start.abs());
         for _ in 0..DOUBLINGS {
             let stride = if (at - s).abs() > least { at - s } else { least.copysign(at - start) };
-            // Without inputs there is a past before the start.
+            // With inputs, nothing is known before the start of the course.
             let back = if M::INPUTS > 0 && (stride > 0.0) == (s - stride < start) { start } else { s - stride };
             if w >= width || back == s {
                 break;
@@ -99,7 +100,7 @@ impl<M: Mechanism> Follower<M> {
         let reach = at - s;
         let mut samples = [(w, s, from.q); SAMPLES];
         for (k, sample) in samples.iter_mut().enumerate().rev().skip(1) {
-            // At a fold w goes with the root of the distance.
+            // At a fold w is proportional to the square root of the distance.
             let share = (k + 1) as f64 / SAMPLES as f64;
             let place = at - reach * share * share;
             (w, from) = self.sample(mechanism, course, (margin, place), (s, &from))?;
@@ -126,7 +127,7 @@ impl<M: Mechanism> Follower<M> {
             error = error.max((found - other).abs() / (1.0 + first.abs()));
             first + found
         });
-        // At a fold the slope ds/dw is 0, and w goes with the root of the distance.
+        // At a fold the slope ds/dw is 0, and w is proportional to the square root of the distance.
         let slope = |k: usize| (samples[k].1 - place) / samples[k].0;
         let is_flat = sum(&all, &slope).abs() < FLAT * slope(SAMPLES - 1).abs();
         let [near, far] = [samples[SAMPLES / 2], samples[SAMPLES - 1]].map(|(w, s, _)| (w, (s - place).abs()));
@@ -139,8 +140,8 @@ impl<M: Mechanism> Follower<M> {
         error.is_finite().then_some(Found { place, q, kind, error })
     }
 
-    /// w at a place of the course that the motion has passed, as the root of a margin, with the state there; from the state
-    /// at a place beside it.
+    /// w, as the root of a margin, and the state at a place of the course that the motion has passed; the prediction
+    /// starts from the state `from` at the place `beside`.
     fn sample(
         &mut self,
         mechanism: &M,
@@ -159,7 +160,7 @@ impl<M: Mechanism> Follower<M> {
     }
 }
 
-/// What each value counts for in the polynomial at 0 through values at these places.
+/// The weights of the values at `places` in the interpolating polynomial at 0.
 fn weights<const N: usize>(places: &[f64; N]) -> [f64; N] {
     core::array::from_fn(|k| {
         let others = places.iter().enumerate().filter(|(j, _)| *j != k);

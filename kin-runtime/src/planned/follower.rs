@@ -1,8 +1,8 @@
-//! The follower of a plan: a branch of the motion and the state reached on it, and how long its steps may be.
+//! The follower of a plan: a branch of the motion and the state reached on it, and limits of its step length.
 //!
-//! It goes from one instant to the next in [`update`](super::update), in steps as short as it needs in
-//! [`walk`](super::walk); [`trial`](super::trial) says whether a state is on the branch, [`limit`](super::limit) why and
-//! where a motion ends.
+//! It moves from one instant to the next in [`update`](super::update), with as many steps as necessary in
+//! [`walk`](super::walk). [`trial`](super::trial) checks whether a state is on the branch, and [`limit`](super::limit)
+//! finds why and where a motion ends.
 
 use super::branch::Branch;
 use super::lists::{Distances, Margins, Modes};
@@ -10,16 +10,16 @@ use crate::mechanism::Mechanism;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
-/// How long the steps of a follower are, and how short they may become.
+/// Limits of the steps of a follower.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Control {
-    /// Most radians by which velocity, or acceleration, alone may turn a body in one step.
+    /// Largest rotation of a body in one step by its velocity or by its acceleration alone, in radians.
     pub(crate) rotation: f64,
     /// Largest distance of a solution from its prediction, relative to the predicted motion.
     pub(crate) correction: f64,
-    /// Smallest step, relative to the way to go or to the usual step, whichever is shorter.
+    /// Smallest step, relative to the remaining distance or to the usual step, whichever is shorter.
     pub(crate) min_step: f64,
-    /// Most steps on the way to one instant.
+    /// Largest number of steps on the way to one instant.
     pub(crate) max_steps: usize,
 }
 
@@ -27,16 +27,16 @@ impl Control {
     pub(crate) const USUAL: Self = Self { rotation: 0.3, correction: 0.1, min_step: 1e-13, max_steps: 200_000 };
 }
 
-/// Most radians of one step from a state whose nearest group is at the distance w from its limit: rounding of q̈, which is
-/// about ε q̇²/w³ beside a crossing of branches, must not decide where the step leads.
+/// Largest rotation in one step from a state whose nearest group has the distance w from its limit, in radians. Beside
+/// a crossing of branches it limits the effect of the rounding error of q̈, which is about ε q̇²/w³.
 pub(crate) fn most_turn(control: &Control, w: f64) -> f64 {
     f64::min(control.rotation, 0.01 / f64::EPSILON * w * w * w)
 }
 
-/// Corrections (rad) that are always small enough: where the motion starts from rest.
+/// Corrections up to this size (rad) are always accepted, for motions that start from rest.
 pub(crate) const NEGLIGIBLE: f64 = 1e-4;
 
-/// q, q̇, q̈ and margins.
+/// A solution by the plan: q, q̇, q̈ and margins.
 pub(crate) struct Poses<M: Mechanism> {
     pub(crate) q: M::Coordinates<f64>,
     pub(crate) q_dot: M::Coordinates<f64>,
@@ -53,7 +53,7 @@ impl<M: Mechanism> Clone for Poses<M> {
 impl<M: Mechanism> Copy for Poses<M> {}
 
 impl<M: Mechanism> Poses<M> {
-    /// Zeros.
+    /// A solution with all numbers zero.
     pub(crate) fn nothing() -> Self {
         let zeros = M::Coordinates::<f64>::filled(0.0);
         Self { q: zeros, q_dot: zeros, q_ddot: zeros, margins: Margins::filled(0.0) }
@@ -66,24 +66,24 @@ pub(crate) struct Follower<M: Mechanism> {
     pub(super) branch: Branch<M>,
     pub(super) t: f64,
     pub(super) inputs: M::Inputs<f64>,
-    /// The last good state, and one that is being tried.
+    /// The last accepted state and the trial state.
     pub(super) states: [Poses<M>; 2],
-    /// Which of them is the good one.
+    /// Index of the accepted state.
     pub(super) good: usize,
-    /// The time of the state before the good one, which the other place holds; NaN where it holds something else.
+    /// The time of the state before the accepted one, if `states` still contains it; otherwise NaN.
     pub(super) before: f64,
-    /// The next state has nothing to do with the last one.
+    /// True if the next state is unrelated to the last one.
     pub(super) anew: bool,
-    /// Not 0 for every mode that was asked for since the last good state.
+    /// Not 0 for every mode that the caller requested since the last accepted state.
     pub(super) asked: Modes<M>,
     pub(super) predicted: M::Coordinates<f64>,
-    /// The smallest |w| of the good state.
+    /// The smallest |w| of the accepted state.
     pub(super) nearest: f64,
-    /// |w| of the state that is being tried.
+    /// |w| of the groups of the trial state.
     pub(super) distances: Distances<M>,
-    /// Radians that a unit of each coordinate counts for.
+    /// Factors that convert the coordinates to radians.
     pub(super) weights: M::Coordinates<f64>,
-    /// q at the limit that ended the last motion, where it was found.
+    /// q at the limit that ended the last motion, if it was located.
     pub(super) limit: Option<M::Coordinates<f64>>,
 }
 
@@ -95,21 +95,21 @@ impl<M: Mechanism> Clone for Follower<M> {
 
 impl<M: Mechanism> Copy for Follower<M> {}
 
-/// Why a step does not count.
+/// Why a step was rejected.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Fault {
-    /// A margin that is not positive, by its place.
+    /// A margin is not positive; its index.
     Margin(usize),
-    /// It is not certain that this group, a place among the signs, has stayed on its branch.
+    /// It is not certain that this group has stayed on its branch; its index among the signs.
     Sign(usize),
-    /// The motion is not where it was predicted.
+    /// The motion is too far from its prediction.
     Coarse,
     /// A number is not finite.
     NonFinite,
 }
 
 impl<M: Mechanism> Follower<M> {
-    /// Nothing solved yet.
+    /// A follower without any state.
     pub(super) fn empty(parameters: M::Parameters<f64>, t: f64) -> Self {
         let zeros = M::Coordinates::<f64>::filled(0.0);
         Self {
@@ -130,7 +130,7 @@ impl<M: Mechanism> Follower<M> {
         }
     }
 
-    /// A motion that stands at a good state, of which nothing before is known.
+    /// A follower at a known state, without a previous one.
     #[cfg(all(feature = "simd", feature = "alloc"))]
     pub(crate) fn resume(
         parameters: M::Parameters<f64>,
@@ -149,8 +149,8 @@ impl<M: Mechanism> Follower<M> {
         follower
     }
 
-    /// The state that was tried, whose nearest group has this distance from its limit, is the good one now; after one step
-    /// from the one before, or in other ways.
+    /// Accepts the trial state; `nearest` is the distance of its nearest group from the limit, and `in_one_step` says
+    /// whether it was reached from the accepted state in one step.
     pub(super) fn keep(&mut self, at: &Instant<'_>, nearest: f64, in_one_step: bool) {
         self.before = if in_one_step { self.t } else { f64::NAN };
         self.branch.distances = self.distances;
@@ -160,7 +160,7 @@ impl<M: Mechanism> Follower<M> {
         self.keep_inputs(at.inputs);
     }
 
-    /// q at the limit that ended the last motion, where it was found.
+    /// q at the limit that ended the last motion, if it was located.
     pub(crate) fn q_at_limit(&self) -> Option<&[f64]> {
         self.limit.as_ref().map(AsRef::as_ref)
     }
@@ -169,24 +169,24 @@ impl<M: Mechanism> Follower<M> {
         self.inputs.as_mut().iter_mut().zip(inputs).for_each(|(to, from)| *to = *from);
     }
 
-    /// The last good state.
+    /// The last accepted state.
     #[inline]
     pub(crate) fn state(&self) -> &Poses<M> {
         &self.states[self.good]
     }
 
-    /// Its time.
+    /// The time of that state.
     pub(crate) const fn t(&self) -> f64 {
         self.t
     }
 
-    /// True where it was reached in one step from the state before.
+    /// True if that state was reached in one step from the previous one.
     #[cfg(feature = "std")]
     pub(crate) const fn in_one_step(&self) -> bool {
         !self.before.is_nan()
     }
 
-    /// Its modes.
+    /// The modes of the branch.
     pub(crate) const fn modes(&self) -> &Modes<M> {
         &self.branch.modes
     }
@@ -196,7 +196,8 @@ impl<M: Mechanism> Follower<M> {
 mod tests {
     use super::{Control, most_turn};
 
-    /// Beside a crossing q̈ is known to ε q̇²/w³, of which a step turns by less than a hundredth of what it is long.
+    /// Beside a crossing the rounding error of q̈ is ε q̇²/w³; its effect on a step must be less than a hundredth of
+    /// the step.
     #[test]
     fn a_step_is_shorter_where_rounding_would_decide_its_end() {
         let control = Control::USUAL;

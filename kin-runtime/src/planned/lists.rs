@@ -1,7 +1,7 @@
-//! Lists with a number for every group, or for every margin, of a mechanism's plan.
+//! Lists with one number per group, or per margin, of a mechanism's plan.
 //!
-//! How many there are the plan says; the room is that of the mechanism's coordinates or rows, of which there are never
-//! fewer.
+//! The plan determines their length. They are stored in arrays as long as the mechanism's coordinates or rows, which is
+//! always sufficient.
 
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::Plan;
@@ -25,7 +25,7 @@ macro_rules! list {
         impl<M: Mechanism, T: Scalar> Copy for $Name<M, T> {}
 
         impl<M: Mechanism, T: Scalar> $Name<M, T> {
-            /// The same number for all.
+            /// A list with the same number everywhere.
             #[inline(always)]
             pub(crate) fn filled(value: T) -> Self {
                 Self(Array::filled(value))
@@ -55,28 +55,29 @@ macro_rules! list {
 }
 
 list! {
-    /// The modes of all groups, ±1: those that close in two ways, then those that are solved by iteration. NaN for what is
-    /// not decided: whatever depends on it is NaN, too.
+    /// The modes of all groups, ±1: first of those that close in two ways, then of those that are solved by iteration.
+    /// NaN for an undecided mode, so that everything that depends on it is NaN, too.
     Modes in Coordinates, as many as |plan| plan.signs()
 }
 
 list! {
-    /// w of all groups: what tells their branches apart, with the sign of the mode.
+    /// w of all groups, the value whose sign is the mode and tells their branches apart.
     Closures in Coordinates, as many as |plan| plan.signs()
 }
 
 list! {
-    /// |w| of all groups: how far each is from where its mode changes, at most 1.
+    /// |w| of all groups: the distance of each from the configuration at which its mode changes, at most 1.
     Distances in Coordinates, as many as |plan| plan.signs()
 }
 
 list! {
-    /// How far every step of the plan is from where it says nothing: 0 there, negative beyond, at most 1.
+    /// The margins of all steps of the plan: the distance from singularity, 0 where a step is singular, negative where
+    /// it has no solution, at most 1.
     Margins in Rows, as many as |plan| plan.margins
 }
 
 impl<M: Mechanism, T: Scalar> Closures<M, T> {
-    /// Those of a configuration.
+    /// The closures of a configuration.
     #[inline]
     pub(crate) fn at(mechanism: &M, parameters: &[T], at: &Instant<'_, T>, q: &[T]) -> Result<Self, LengthError> {
         let mut closures = Self::filled(T::from_f64(0.0));
@@ -86,7 +87,7 @@ impl<M: Mechanism, T: Scalar> Closures<M, T> {
 }
 
 impl<M: Mechanism, V: Compare> Closures<M, V> {
-    /// The modes that they mean.
+    /// The modes given by the signs.
     #[inline]
     pub(crate) fn modes(&self) -> Modes<M, V> {
         let mut modes = Modes::filled(V::from_f64(0.0));
@@ -96,13 +97,13 @@ impl<M: Mechanism, V: Compare> Closures<M, V> {
 }
 
 impl<M: Mechanism, T: Scalar> Modes<M, T> {
-    /// Those of the groups that close in two ways, which the plan asks for.
+    /// The modes of the groups that close in two ways, which are arguments of the plan.
     #[inline(always)]
     pub(crate) fn of_closures(&self) -> &[T] {
         &self.0.as_ref()[..M::model().plan.modes.len()]
     }
 
-    /// The same, to be changed.
+    /// As [`of_closures`](Self::of_closures), mutable.
     #[inline(always)]
     pub(crate) fn of_closures_mut(&mut self) -> &mut [T] {
         &mut self.0.as_mut()[..M::model().plan.modes.len()]
@@ -110,14 +111,14 @@ impl<M: Mechanism, T: Scalar> Modes<M, T> {
 }
 
 impl<M: Mechanism, V: Compare> Margins<M, V> {
-    /// The smallest; NaN is none.
+    /// The smallest margin, at most 1; NaN is ignored.
     #[cfg(any(feature = "std", all(feature = "simd", feature = "alloc")))]
     #[inline(always)]
     pub(crate) fn least(&self) -> V {
         self.as_ref().iter().fold(V::from_f64(1.0), |least, margin| least.least(*margin))
     }
 
-    /// Writes |w| of every group; gives the smallest.
+    /// Writes |w| of every group; returns the smallest.
     #[inline(always)]
     pub(crate) fn write_distances(&self, distances: &mut Distances<M, V>) -> V {
         let plan = &M::model().plan;
@@ -133,14 +134,14 @@ impl<M: Mechanism, V: Compare> Margins<M, V> {
 }
 
 impl<M: Mechanism> Margins<M> {
-    /// True where every step says something.
+    /// True where all margins are large enough for the solution to be valid.
     #[inline]
     pub(crate) fn are_good(&self) -> bool {
-        // Without an early end, so that it runs in lanes.
+        // The loop has no early exit, so that it vectorises.
         self.as_ref().iter().fold(true, |all, margin| all & (*margin > Plan::SMALLEST_MARGIN))
     }
 
-    /// The first that is not good.
+    /// The index of the first margin that is too small.
     pub(crate) fn first_bad(&self) -> Option<usize> {
         self.as_ref().iter().position(|margin| *margin <= Plan::SMALLEST_MARGIN)
     }
@@ -160,7 +161,7 @@ mod tests {
             least
         };
         assert_eq!([0.3, 0.7], [of(0.09), of(0.49)]);
-        // Just beyond a limit the group is as near to it as before.
+        // Just beyond its limit a group has the same distance as just before.
         assert_eq!(0.3, of(-0.09));
         let farther = Margins::<PlannedFourBar>::filled(4.0).write_distances(&mut Distances::filled(0.0));
         assert_eq!(1.0, farther, "it is never farther than 1");

@@ -10,6 +10,7 @@ pub(crate) mod lists;
 mod mode;
 pub(crate) mod passed;
 pub(crate) mod predict;
+mod range;
 mod report;
 mod step;
 mod text;
@@ -19,6 +20,7 @@ mod walk;
 
 pub use error::{Limit, LimitKind, Located, PlanError};
 pub use mode::{ModeKey, Sign};
+pub use range::{InputRange, OutOfRange};
 pub use step::Step;
 
 use crate::mechanism::Mechanism;
@@ -27,34 +29,36 @@ use crate::signal::Instant;
 use follower::{Control, Follower};
 
 /// A mechanism that is solved by its plan ([`Model::plan`]) at one instant after the other: q, q̇ and q̈ in closed form
-/// wherever there is one, without Φ, without an allocator and without `std`.
+/// where there is one, without Φ, without an allocator and without `std`.
 ///
-/// It is made from a complete configuration, which decides the assembly modes, and follows the branch of the motion that
-/// the configuration is on: where [`at`](Self::at) has an answer, it is never one on another branch. From the last good
-/// state it predicts
+/// It starts from a complete configuration, which determines the assembly modes, and follows the branch of the motion
+/// on which this configuration lies: a solution returned by [`at`](Self::at) is never on another branch. From the last
+/// accepted state it predicts
 ///
 /// ```text
 /// q(t + h) ≈ q + h q̇ + ½ h² q̈
 /// ```
 ///
-/// and the plan solves from there, with angles within half a turn of the prediction. That step counts if no body was to
-/// turn by more than 0.3 rad, the solution is where it was predicted, and every group that closes in two ways, or is solved
-/// by iteration, is either too far from its limit to have come there or as far from it as the prediction has it. Otherwise
-/// the way to the instant is walked in shorter steps, with the inputs going as [`Tracker`](crate::Tracker) says. So
-/// instants may be far apart, in either direction of time; the nearer they are, the fewer steps are taken.
+/// and the plan solves from there, with angles within half a turn of the prediction. This step is accepted if no body
+/// turns by more than 0.3 rad, the solution is near the prediction, and every group that closes in two ways, or is
+/// solved by iteration, is either too far from its limit to have reached it or at the predicted distance from it.
+/// Otherwise the motion to the instant is divided into shorter steps, in which the inputs change as described at
+/// [`Tracker`](crate::Tracker). So instants may be far apart, in either direction of time; the nearer they are, the
+/// fewer steps are needed.
 ///
-/// Where a group comes to its limit on the way – a dead centre, or a crossing of two branches of the motion – there is
-/// [`PlanError::Limit`] with the place of the limit, whether the instant that was asked for lies behind it or not, and
-/// also where it lies so near to a crossing that rounding would decide its rates. A solution counts when all margins
-/// exceed [`Plan::SMALLEST_MARGIN`](crate::plan::Plan::SMALLEST_MARGIN) and every number is finite. After an error the
-/// last good state stays, and the next instant is reached from there.
+/// Where a group reaches its limit on the way – a dead centre, or a crossing of two branches of the motion – the result
+/// is [`PlanError::Limit`] with the location of the limit, even if the group could close again at the instant
+/// requested. The same error is returned if that instant is so near to a crossing that rounding errors would dominate
+/// the rates. A solution is valid when all margins exceed [`Plan::SMALLEST_MARGIN`](crate::plan::Plan::SMALLEST_MARGIN)
+/// and every number is finite. After an error the last accepted state remains, and the next instant is reached from
+/// there.
 ///
-/// Φ itself is not evaluated: [`Tracker`](crate::Tracker) and [`Solver::sweep`](crate::Solver::sweep) use this very
-/// follower, compare every answer with Φ, and change over to full Newton where a plan is singular. Redundant rows
-/// (`allow_redundant`) have margins of their own, which say when they contradict the others. Where these others alone have
-/// a limit that the mechanism passes, as a parallelogram with a third crank does when it lies flat, the closure goes on
-/// with the other sign, because the redundant rows say so; at the limit itself there is [`PlanError::Limit`], and the next
-/// instant goes on.
+/// Φ itself is not evaluated: [`Tracker`](crate::Tracker) and [`Solver::sweep`](crate::Solver::sweep) use the same
+/// follower, check every solution with Φ, and switch to full Newton where a plan is singular. Redundant rows
+/// (`allow_redundant`) have margins of their own, which show whether they contradict the other rows. Where the other
+/// rows alone have a limit that the mechanism passes, as a parallelogram with a third crank does when it lies flat, the
+/// redundant rows determine that the closure continues with the opposite sign. At the limit itself the result is
+/// [`PlanError::Limit`], and later instants can be reached.
 ///
 /// ```
 /// use kin_runtime::{Instant, Kinematics, mechanism};
@@ -91,17 +95,17 @@ enum Held<'m, M> {
 }
 
 impl<'m, M: Mechanism> Planned<'m, M> {
-    /// A mechanism in a configuration q, n numbers, which decides the modes; it need not be closed to the last digit.
-    /// Parameters are those that the mechanism has now.
+    /// Starts from a configuration q, n numbers, which determines the modes; it need not satisfy Φ = 0 accurately. The
+    /// parameters are copied from the mechanism.
     ///
     /// # Errors
-    /// [`PlanError`]: there is no plan, or it has no answer at this instant in these modes, or q does not say in which
-    /// ([`PlanError::Undecided`]).
+    /// [`PlanError`]: there is no plan, it has no solution at this instant in these modes, or q does not determine the
+    /// modes ([`PlanError::Undecided`]).
     pub fn new(mechanism: &'m M, at: &Instant<'_>, q: &[f64]) -> Result<Self, PlanError> {
         Self::begin(Held::Borrowed(mechanism), at, q)
     }
 
-    /// [`new`](Self::new) with a mechanism of its own, so that a controller can keep it.
+    /// As [`new`](Self::new), but takes ownership of the mechanism, so that a controller can store the result.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -114,33 +118,34 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         Ok(Self { mechanism, follower })
     }
 
-    /// Begins anew from a configuration q, n numbers, in the modes that it has.
+    /// Starts again from a configuration q, n numbers, in the modes of q.
     ///
     /// # Errors
-    /// As [`new`](Self::new); state and modes stay what they were then.
+    /// As [`new`](Self::new); then the state and the modes remain unchanged.
     pub fn restart(&mut self, at: &Instant<'_>, q: &[f64]) -> Result<&Self, PlanError> {
         self.follower.restart(self.mechanism.get(), at, q)?;
         Ok(self)
     }
 
-    /// q, q̇ and q̈ at another instant.
+    /// Computes q, q̇ and q̈ at another instant.
     ///
     /// # Errors
-    /// [`PlanError::Limit`] where a group comes to its limit on the way, [`PlanError::Singular`] where a step says
-    /// nothing, [`PlanError::Contradiction`] where redundant rows do not agree, [`PlanError::Jump`] where a driver jumps;
-    /// [`PlanError::NonFinite`] and [`PlanError::Length`]. The last good state stays then.
+    /// [`PlanError::Limit`] where a group reaches its limit on the way, [`PlanError::Singular`] where a step is
+    /// singular, [`PlanError::Contradiction`] where redundant rows disagree, [`PlanError::Jump`] where a driver jumps;
+    /// [`PlanError::NonFinite`] and [`PlanError::Length`]. The last accepted state then remains;
+    /// [`out_of_range`](Self::out_of_range) says which input is to blame, and what it can be.
     #[inline]
     pub fn at(&mut self, at: &Instant<'_>) -> Result<&Self, PlanError> {
         self.follower.update(self.mechanism.get(), at, &Control::USUAL)?;
         Ok(self)
     }
 
-    /// Asks for a mode from the next instant on.
+    /// Requests a mode from the next instant on.
     ///
-    /// The mechanism is there at once, as if it had been taken apart and put together again; angles still come out within
-    /// half a turn of the prediction. Where a Newton iteration follows in the plan, it starts at the old mode and may not
-    /// find the new one: [`restart`](Self::restart) with a configuration that
-    /// [`Solver::with_mode`](crate::Solver::with_mode) assembles then. Asking for what is there already changes nothing.
+    /// The mechanism changes to this mode at once, as if it were disassembled and assembled again; angles are still
+    /// within half a turn of the prediction. A Newton iteration in the plan starts at the old mode and may not find the
+    /// new one; in that case call [`restart`](Self::restart) with a configuration that
+    /// [`Solver::with_mode`](crate::Solver::with_mode) assembles. A request for the current mode changes nothing.
     ///
     /// # Errors
     /// [`PlanError::UnknownMode`].
@@ -153,7 +158,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         Ok(())
     }
 
-    /// Asks for the other closure of a mode from the next instant on, as [`set_mode`](Self::set_mode) does.
+    /// Requests the other closure of a mode from the next instant on, as [`set_mode`](Self::set_mode) does.
     ///
     /// # Errors
     /// [`PlanError::UnknownMode`].
@@ -165,7 +170,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         Ok(())
     }
 
-    /// The sign of a mode, and whether it was asked for.
+    /// The sign of a mode, and the flag that it was requested.
     fn mode_mut(&mut self, mode: ModeKey<'_>) -> Result<(&mut f64, &mut f64), PlanError> {
         let modes = M::model().plan.modes;
         let place = mode.place(modes).ok_or(PlanError::UnknownMode { modes })?;
@@ -174,7 +179,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         both.ok_or(PlanError::UnknownMode { modes })
     }
 
-    /// The sign of a mode: that of the last good state, or what was asked for since.
+    /// The sign of a mode: as requested since the last accepted state, or else that of this state.
     pub fn mode<'k>(&self, mode: impl Into<ModeKey<'k>>) -> Option<Sign> {
         let place = mode.into().place(M::model().plan.modes)?;
         self.follower.modes().as_ref().get(place).copied().and_then(Sign::of)
@@ -185,38 +190,38 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         self.follower.modes().of_closures().iter().copied().filter_map(Sign::of)
     }
 
-    /// Time of the last good state.
+    /// The time of the last accepted state.
     pub const fn t(&self) -> f64 {
         self.follower.t()
     }
 
-    /// q of the last good state, n numbers.
+    /// q of the last accepted state, n numbers.
     #[inline]
     pub fn q(&self) -> &[f64] {
         self.follower.state().q.as_ref()
     }
 
-    /// q̇ of the last good state, n numbers.
+    /// q̇ of the last accepted state, n numbers.
     #[inline]
     pub fn q_dot(&self) -> &[f64] {
         self.follower.state().q_dot.as_ref()
     }
 
-    /// q̈ of the last good state, n numbers.
+    /// q̈ of the last accepted state, n numbers.
     #[inline]
     pub fn q_ddot(&self) -> &[f64] {
         self.follower.state().q_ddot.as_ref()
     }
 
-    /// The margins of the last good state, [`Plan::margins`](crate::plan::Plan::margins) numbers: how far each step is from
-    /// where it says nothing.
+    /// The margins of the last accepted state, [`Plan::margins`](crate::plan::Plan::margins) numbers: the distance of
+    /// each step from singularity.
     #[inline]
     pub fn margins(&self) -> &[f64] {
         self.follower.state().margins.as_ref()
     }
 
-    /// q at the limit itself, n numbers, after a [`PlanError::Limit`] whose place was found: there the closures of the group
-    /// meet. None after anything else.
+    /// q at the limit itself, n numbers, after a [`PlanError::Limit`] whose location was found: there the closures of
+    /// the group meet. `None` after anything else.
     ///
     /// ```
     /// use kin_runtime::{Instant, Kinematics, mechanism};
@@ -250,7 +255,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         self.mechanism.get()
     }
 
-    /// Names, rows and the plan.
+    /// The names, the rows and the plan.
     pub fn model(&self) -> &'static Model {
         M::model()
     }

@@ -3,10 +3,10 @@
 use crate::plan::ModeInfo;
 use core::fmt;
 
-/// Which of its two closures a group takes.
+/// The closure that a group takes, of its two.
 ///
-/// The sign is that of the root in its closed form; of itself it means neither up nor down. What it means in a mechanism,
-/// the modes of a configuration say.
+/// The sign is that of the root in the closed form of the group; it has no general geometric meaning. The modes of a
+/// known configuration show which sign belongs to which closure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Sign {
@@ -19,8 +19,7 @@ pub enum Sign {
 }
 
 impl Sign {
-    /// The sign of a closure ([`Mechanism::closures_with`](crate::Mechanism::closures_with)); none of 0 and of what is
-    /// not a number.
+    /// The sign of a closure ([`Mechanism::closures_with`](crate::Mechanism::closures_with)); `None` for 0 and NaN.
     pub fn of(closure: f64) -> Option<Self> {
         if closure > 0.0 {
             Some(Self::Plus)
@@ -39,7 +38,7 @@ impl Sign {
         }
     }
 
-    /// The other one.
+    /// The opposite sign.
     #[must_use]
     pub const fn flipped(self) -> Self {
         match self {
@@ -55,18 +54,18 @@ impl fmt::Display for Sign {
     }
 }
 
-/// A mode by its name or by its place in [`Plan::modes`](crate::plan::Plan::modes).
+/// A mode by its name or by its index in [`Plan::modes`](crate::plan::Plan::modes).
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModeKey<'a> {
-    /// By name.
+    /// The name of the mode.
     Name(&'a str),
-    /// By place.
+    /// The index of the mode.
     Index(usize),
 }
 
 impl ModeKey<'_> {
-    /// Its place among `modes`.
+    /// The index of the mode among `modes`.
     pub fn place(self, modes: &[ModeInfo]) -> Option<usize> {
         match self {
             Self::Name(name) => modes.iter().position(|mode| mode.name == name),

@@ -1,35 +1,37 @@
-//! Closures that a motion may have carried past their limit.
+//! Closures that may have changed their sign because the motion has passed their limit.
 //!
-//! Where the rows that a plan goes by have a limit at which the redundant ones let the mechanism pass (a parallelogram
-//! that lies flat, with a third crank), the motion goes on smoothly and the closure changes its sign. The sign that was
-//! kept gives a configuration then which the watched rows contradict; they also tell which other signs are right.
+//! The rows that a plan uses may have a limit that the mechanism passes because of its redundant rows, for example a
+//! parallelogram with a third crank that lies flat. There the motion continues smoothly and the closure changes its
+//! sign. With the old sign the plan gives a configuration that contradicts the redundant rows; these also determine
+//! which signs are right.
 
 use crate::plan::{Plan, StepKind};
 
-/// Closures of a prediction that are nearer to 0 than this are of either sign; it is the sine of half an angle or so.
+/// A closure of a prediction that is nearer to 0 than this may have either sign; it is about the sine of half an angle.
 const NEAR: f64 = 0.1;
 
-/// Closures this near to 0 may reach it and come back within one step of the length that is usual.
+/// A closure this near to 0 may reach 0 and return within one step of the usual length.
 pub(crate) const CLOSE: f64 = 0.15;
 
-/// How many of them are tried in all combinations.
+/// Largest number of closures whose signs are tried in all combinations.
 const MOST: usize = 6;
 
-/// Signs of modes that may be right where the ones that were kept are not.
+/// Alternative signs of modes, tried where the current ones contradict the redundant rows.
 ///
-/// Only what the watched rows see decides: of all combinations those that change fewest signs come first, so that a closure
-/// which they say nothing of keeps its sign, whatever the prediction has.
+/// Only the redundant rows decide. Combinations with fewer changed signs are tried first, so that a closure on which
+/// these rows do not depend keeps its sign, whatever its prediction is.
 pub(crate) struct Passed<'c> {
-    /// Those that were kept.
+    /// The current signs.
     kept: &'c [f64],
-    /// Places of those that may have changed.
+    /// Indices of the modes that may have changed their sign.
     near: [usize; MOST],
     count: usize,
 }
 
 impl<'c> Passed<'c> {
-    /// From the signs that were `kept` and the `closures` of the prediction: those that are near their limit there or
-    /// beyond it, but for what was `asked` for (not 0; none where that is empty).
+    /// Selects the closures of the prediction that are near their limit or beyond it. `kept` are the current signs;
+    /// modes with a non-zero element in `asked` were requested by the caller and do not change (an empty `asked`
+    /// requests nothing).
     pub(crate) fn new(kept: &'c [f64], closures: &[f64], asked: &[f64]) -> Self {
         let (mut near, mut count) = ([0; MOST], 0);
         for (place, (sign, closure)) in kept.iter().zip(closures).enumerate() {
@@ -42,7 +44,7 @@ impl<'c> Passed<'c> {
         Self { kept, near, count }
     }
 
-    /// The attempts that there are: sets of closures that change their sign, smaller ones first.
+    /// The attempts, as bit sets of the closures that change their sign; smaller sets come first.
     pub(crate) fn attempts(&self) -> impl Iterator<Item = u32> + use<> {
         let (count, all) = (self.count as u32, 1_u32 << self.count);
         (1..=count).flat_map(move |flips| (1..all).filter(move |attempt| attempt.count_ones() == flips))
@@ -59,7 +61,7 @@ impl<'c> Passed<'c> {
     }
 }
 
-/// True where the margins say that a watched row is not satisfied.
+/// True where the margins show that a redundant row is not satisfied.
 pub(crate) fn is_missed(plan: &Plan, margin: impl Fn(usize) -> f64) -> bool {
     let watched = plan.steps.iter().filter(|step| step.kind == StepKind::Watched);
     watched.flat_map(|step| step.margins.0..step.margins.1).any(|place| margin(place) <= Plan::SMALLEST_MARGIN)
@@ -89,7 +91,7 @@ mod tests {
             [of(-1.0, 1.0, -1.0); 3],
         ];
         assert_eq!(all, [one[0], one[1], one[2], two[0], two[1], two[2], three[0]]);
-        // Far from limits, or asked for, there is nothing to try.
+        // There are no attempts for closures far from their limits, or for requested modes.
         assert_eq!(Passed::new(&kept[..2], &[0.9, -0.2], &[]).attempts().count(), 0);
         assert_eq!(Passed::new(&kept, &closures, &[1.0; 5]).attempts().count(), 0);
     }
@@ -108,7 +110,7 @@ mod tests {
         }
     }
 
-    /// Of very many closures the first ones are tried: their combinations double with every one.
+    /// Of many closures only the first ones are tried, because every further one doubles the number of combinations.
     #[test]
     fn no_more_than_six_closures_are_combined() {
         for (count, attempts) in [(5, 31), (6, 63), (7, 63), (12, 63)] {

@@ -1,20 +1,20 @@
-//! What is expected of the next configuration: the parabola of the last one, and for unknowns of iterations the quintic
-//! through the last two.
+//! Prediction of the next configuration: by the parabola of the last state, and for unknowns of iterations by the
+//! quintic through the last two states.
 //!
 //! ```text
 //! q(t + h) ≈ q + h q̇ + ½ h² q̈
 //! q(t + h) ≈ q + h q̇ + ½ h² q̈ + x³ (c₃ + c₄ x + c₅ x²),   x = h/H
 //! ```
 //!
-//! H lies between the two states. The last term makes the quintic have q, q̇ and q̈ of the earlier one, too; its error is of
-//! sixth order in the step, so that one correction is enough where the parabola's third order takes two.
+//! H is the time between the two states. The last term makes the quintic match q, q̇ and q̈ of the earlier state as
+//! well. Its error is of sixth order in the step, so that one correction suffices where the parabola of third order
+//! needs two.
 
 use crate::model::{Component, CoordinateKind, Model};
 use crate::scalar::compare::Compare;
 
-/// Writes what a unit of each coordinate counts for in radians, at a configuration q: angles count as they are, lengths not
-/// at all, because no unit of length has a meaning of its own, and scalar coordinates, of which it is not known what they
-/// are, by their own size where that is more than 1.
+/// Writes the factors that convert coordinates to radians at a configuration q: 1 for angles; 0 for lengths, because
+/// the unit of length is arbitrary; and for scalar coordinates, whose meaning is unknown, 1 / (1 + |q|).
 pub(crate) fn weights(model: &Model, q: &[f64], weights: &mut [f64]) {
     for ((weight, coordinate), q) in weights.iter_mut().zip(model.coordinates).zip(q) {
         *weight = match coordinate.kind {
@@ -25,7 +25,7 @@ pub(crate) fn weights(model: &Model, q: &[f64], weights: &mut [f64]) {
     }
 }
 
-/// Writes the parabola; gives by how much it turns, at most, counting both of its terms.
+/// Writes the prediction by the parabola; returns the largest rotation, where the larger of both terms counts.
 #[inline(always)]
 pub(crate) fn parabola<V: Compare>(to: &mut [V], [q, q_dot, q_ddot]: [&[V]; 3], weights: &[f64], h: f64) -> V {
     let (step, half) = (V::from_f64(h), V::from_f64(0.5 * h));
@@ -36,13 +36,13 @@ pub(crate) fn parabola<V: Compare>(to: &mut [V], [q, q_dot, q_ddot]: [&[V]; 3], 
     step.abs() * largest(weights, q_dot, q_ddot, turns)
 }
 
-/// By how much a configuration turns away from another, at most.
+/// The largest rotation between two configurations.
 #[inline(always)]
 pub(crate) fn turned<V: Compare>(a: &[V], b: &[V], weights: &[f64]) -> V {
     largest(weights, a, b, |weight, a, b| V::from_f64(weight) * (a - b).abs())
 }
 
-/// The largest of what a function makes of the numbers of three lists, as several maxima side by side.
+/// The largest value of a function of corresponding elements of three lists, computed as three maxima in parallel.
 #[inline(always)]
 fn largest<V: Compare>(weights: &[f64], x: &[V], y: &[V], of: impl Fn(f64, V, V) -> V) -> V {
     let mut most = [V::from_f64(0.0); 3];
@@ -58,13 +58,15 @@ fn largest<V: Compare>(weights: &[f64], x: &[V], y: &[V], of: impl Fn(f64, V, V)
     rest.greatest(most[1]).greatest(most[2])
 }
 
-/// How far ahead the quintic is carried on, in steps H, and how far back.
+/// Range of the extrapolation by the quintic, in steps H.
 const REACH: core::ops::RangeInclusive<f64> = -1.0..=2.0;
 
-/// Of what the parabola moves, how much the rest of the quintic may be: it is more where the motion is not smooth.
+/// Largest ratio of the additional terms of the quintic to the motion by the parabola; where it is exceeded, the motion
+/// is not smooth.
 const SMOOTH: f64 = 0.25;
 
-/// What the parabola lacks of the quintic, for q, q̇ and q̈ `before` and `now`; 0 where that means nothing.
+/// The difference between the quintic and the parabola, from q, q̇ and q̈ of the states `before` and `now`; 0 where the
+/// quintic is not reliable.
 #[inline]
 pub(super) fn beyond_parabola(before: [f64; 3], now: [f64; 3], span: f64, h: f64) -> f64 {
     let x = h / span;
@@ -72,7 +74,7 @@ pub(super) fn beyond_parabola(before: [f64; 3], now: [f64; 3], span: f64, h: f64
         return 0.0;
     }
     let [q, v, a] = now;
-    // What the parabola of now misses of the state before.
+    // The error of the parabola of the current state at the state before.
     let r0 = before[0] - (q - span * (v - 0.5 * span * a));
     let r1 = span * (before[1] - (v - span * a));
     let r2 = span * span * (before[2] - a);
@@ -115,7 +117,7 @@ mod tests {
         }
     }
 
-    /// A step forth and back, by either sign of every rate: the parabola, and the larger of what its two terms turn.
+    /// For steps in both directions and rates of both signs, the rotation is the larger of those by the two terms.
     #[test]
     fn a_parabola_turns_as_far_as_the_larger_of_its_terms() {
         let (q, v, a) = ([1.0, -2.0, 0.5, 3.0], [0.2, -4.0, 0.1, 50.0], [-1.0, 2.0, 30.0, 0.0]);
@@ -126,14 +128,14 @@ mod tests {
             for k in 0..4 {
                 assert!((to[k] - (q[k] + h * v[k] + 0.5 * h * h * a[k])).abs() < 1e-15, "{k}");
             }
-            // ½ 0.1² 30, 0.5·0.1·4 and, of what does not count, 0.1·50.
+            // The rotations are ½ 0.1² 30 and 0.5·0.1·4; the weight of the last coordinate, with 0.1·50, is 0.
             assert!((turn - 0.2).abs() < 1e-15, "{turn}");
             let slower: f64 = parabola(&mut to, [&q, &[0.2, -2.0, 0.1, 50.0], &a], &weights, h);
             assert!((slower - 0.15).abs() < 1e-15, "{slower}");
         }
     }
 
-    /// Every place of a list counts, whatever its length, with its own weight.
+    /// Every element counts with its own weight, whatever the length of the list.
     #[test]
     fn the_largest_turn_is_found_at_every_place() {
         for count in 1..=8 {
@@ -160,17 +162,17 @@ mod tests {
         assert_eq!([1.0, 0.25, 0.5], found);
     }
 
-    /// Where the rest of the quintic is a quarter of what the parabola moves, it is too much to be trusted.
+    /// Where the additional terms of the quintic exceed a quarter of the motion by the parabola, they are not used.
     #[test]
     fn a_quintic_that_bends_too_much_is_left_to_the_parabola() {
-        // q = t + c t³ from 0.1 before now.
+        // q = t + c t³, starting at 0.1 before the current time.
         let at = |c: f64, t: f64| [t + c * t * t * t, 1.0 + 3.0 * c * t * t, 6.0 * c * t];
         for (c, counts) in [(20.0, true), (24.0, true), (26.0, false), (60.0, false), (-24.0, true), (-26.0, false)] {
             let found = beyond_parabola(at(c, -0.1), at(c, 0.0), 0.1, 0.1);
             let expected = if counts { c * 0.001 } else { 0.0 };
             assert!((found - expected).abs() < 1e-15, "{c}: {found}");
         }
-        // What the parabola moves is by velocity and by acceleration, whatever their signs: 0.2 + 0.1 here.
+        // The motion by the parabola is the sum of |h q̇| and |½ h² q̈|, here 0.2 + 0.1.
         for (v, a) in [(2.0, 20.0), (2.0, -20.0), (-2.0, 20.0), (-2.0, -20.0)] {
             for (c, counts) in [(74.0, true), (76.0, false), (-74.0, true), (-76.0, false)] {
                 let bent = |t: f64| [t * (v + t * (0.5 * a + t * c)), v + t * (a + 3.0 * t * c), a + 6.0 * t * c];
@@ -178,7 +180,7 @@ mod tests {
                 assert_eq!(counts, found != 0.0, "{v} {a} {c}: {found}");
             }
         }
-        // No farther ahead than twice the step before, no farther back than it went.
+        // The quintic is used up to twice the last step ahead, and back to the state before.
         for (h, counts) in [(0.199, true), (0.201, false), (-0.099, true), (-0.101, false)] {
             let found = beyond_parabola(at(1.0, -0.1), at(1.0, 0.0), 0.1, h);
             assert_eq!(counts, found != 0.0, "{h}: {found}");

@@ -1,7 +1,9 @@
-//! What a controller asks beside q, q̇ and q̈: a point with its Jacobian to the inputs, and forces; without an allocator.
+//! Further results for controllers, without an allocator: a point with its Jacobian with respect to the inputs, and
+//! forces.
 //!
-//! A point r(q, u, t) moves with ṙ = r_q q̇ + r_u u̇ + r_t, and Φ_q q̇ = −Φ_u u̇ − Φ_t. Both are linear in u̇, so that the
-//! column of an input is the difference of two velocities at the same configuration: with its rate 1 and with all rates 0.
+//! A point r(q, u, t) moves with ṙ = r_q q̇ + r_u u̇ + r_t, and Φ_q q̇ = −Φ_u u̇ − Φ_t. Both are linear in u̇, so that
+//! the column of an input is the difference of two velocities at the same configuration: with the rate of this input 1,
+//! and with all rates 0.
 
 use super::{PlanError, Planned};
 use crate::mechanism::{LengthError, Mechanism};
@@ -10,10 +12,10 @@ use crate::signal::{Instant, Signal};
 use crate::workspace::{Array, Subset};
 
 impl<M: Mechanism> Planned<'_, M> {
-    /// r, ṙ and r̈ of a named point at the last good state, in the inertial frame.
+    /// r, ṙ and r̈ of a named point at the last accepted state, in the inertial frame.
     ///
     /// # Errors
-    /// [`PlanError::Length`] with the handle of another mechanism.
+    /// [`PlanError::Length`] for the handle of another mechanism.
     pub fn point(&self, point: Point) -> Result<[[f64; 2]; 3], PlanError> {
         let seen = seen::<M>(point)?;
         let (q, q_dot, q_ddot) = (self.q(), self.q_dot(), self.q_ddot());
@@ -28,11 +30,12 @@ impl<M: Mechanism> Planned<'_, M> {
         ])
     }
 
-    /// ∂r/∂u of a named point at the last good state, one column for every input: what a controller of the point needs to
-    /// ask inputs for. Without inputs there is none.
+    /// Writes ∂r/∂u of a named point at the last accepted state, one column for every input, from which a controller of
+    /// the point computes the inputs. Without inputs it is empty.
     ///
     /// # Errors
-    /// [`PlanError::Length`] where `jacobian` has not one column for every input, and with the handle of another mechanism.
+    /// [`PlanError::Length`] where `jacobian` does not have one column for every input, and for the handle of another
+    /// mechanism.
     pub fn point_jacobian(&self, point: Point, jacobian: &mut [[f64; 2]]) -> Result<(), PlanError> {
         if jacobian.len() != M::INPUTS {
             let found = jacobian.len();
@@ -51,7 +54,7 @@ impl<M: Mechanism> Planned<'_, M> {
         Ok(())
     }
 
-    /// The velocity of a point where one input moves with the rate 1, or none does.
+    /// The velocity of a point where the input `moving` has the rate 1 and all others 0.
     fn velocity(
         &self,
         seen: [usize; 2],
@@ -75,11 +78,11 @@ impl<M: Mechanism> Planned<'_, M> {
         Ok(seen.map(|k| along::<M>(k, observations.phi_q(), rest.as_ref()) + observations.phi_t()[k]))
     }
 
-    /// The numbers of forces at the last good state, [`ForceModel::count`] of them; none for a mechanism without masses and
-    /// loads.
+    /// Writes the numbers of all forces at the last accepted state, [`ForceModel::count`] of them; `None` for a
+    /// mechanism without masses and loads.
     ///
     /// # Errors
-    /// [`PlanError::Length`] where `forces` is not as long as that.
+    /// [`PlanError::Length`] where `forces` has another length.
     pub fn forces(&self, forces: &mut [f64]) -> Result<Option<&'static ForceModel>, PlanError> {
         let Some(model) = M::model().forces.filter(|model| model.solved) else { return Ok(None) };
         let at = Instant { t: self.t(), inputs: self.follower.inputs.as_ref() };
@@ -89,7 +92,7 @@ impl<M: Mechanism> Planned<'_, M> {
     }
 }
 
-/// The observables of a point.
+/// The indices of a point's coordinates among the observables.
 fn seen<M: Mechanism>(point: Point) -> Result<[usize; 2], LengthError> {
     let points = M::model().points;
     let unknown = LengthError { what: "points", expected: points.len(), found: point.0 + 1 };

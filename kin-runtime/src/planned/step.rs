@@ -1,13 +1,13 @@
-//! A step of a plan with the names of its joints, for messages.
+//! A step of a plan with the names of its joints, for error messages.
 
 use crate::model::{CoordinateKind, Model};
 use crate::plan::{PlanStep, StepKind};
 use core::fmt;
 
-/// Most coordinates of a mechanism in which the drivers of a step are looked for.
+/// Largest number of coordinates of a mechanism for which the drivers of a step are determined.
 const COORDINATES: usize = 1024;
 
-/// A set of places in q.
+/// A set of coordinates, as bits by their index in q.
 type Coordinates = [u64; COORDINATES / 64];
 
 fn contains(set: &Coordinates, k: usize) -> bool {
@@ -20,39 +20,44 @@ fn contains(set: &Coordinates, k: usize) -> bool {
 pub struct Step {
     model: &'static Model,
     place: u32,
-    /// What is said of it is how its closures stand to one another.
+    /// True if the margin measures the distance between the closures of the group.
     closes: bool,
 }
 
 impl Step {
-    /// The step at `place` of [`Plan::steps`](crate::plan::Plan::steps); none where there is none.
+    /// The step at `place` of [`Plan::steps`](crate::plan::Plan::steps); `None` where that is out of range.
     pub fn new(model: &'static Model, place: usize) -> Option<Self> {
         let step = model.plan.steps.get(place)?;
         let place_as_u32 = u32::try_from(place).ok()?;
         Some(Self { model, place: place_as_u32, closes: step.kind == StepKind::Closure })
     }
 
-    /// The step that a margin belongs to.
+    /// The step to which a margin belongs.
     pub fn of_margin(model: &'static Model, margin: usize) -> Option<Self> {
         let closes = model.plan.modes.iter().any(|mode| mode.margin == margin);
         let place = u32::try_from(model.plan.step_of_margin(margin)?).ok()?;
         Some(Self { model, place, closes })
     }
 
-    /// Its place in [`Plan::steps`](crate::plan::Plan::steps).
+    /// The index of the step in [`Plan::steps`](crate::plan::Plan::steps).
     pub const fn place(&self) -> usize {
         self.place as usize
     }
 
-    /// What it is.
+    /// The description of the step in the plan.
     pub fn info(&self) -> &'static PlanStep {
         &self.model.plan.steps[self.place()]
     }
 
-    /// The names of its joints, in order of declaration.
+    /// The names of the step's joints, in order of declaration.
     pub fn joints(&self) -> impl Iterator<Item = &'static str> + use<> {
         let joints = self.model.joints;
         self.info().joints.iter().filter_map(|&joint| joints.get(joint)).map(|joint| joint.name)
+    }
+
+    /// Whether the mechanism has inputs.
+    pub(super) const fn has_inputs(&self) -> bool {
+        !self.model.inputs.is_empty()
     }
 
     /// The name of the mechanism.
@@ -60,7 +65,7 @@ impl Step {
         self.model.name
     }
 
-    /// The names of the bodies that it places, in order of declaration.
+    /// The names of the bodies that the step places, in order of declaration.
     pub fn bodies(&self) -> impl Iterator<Item = &'static str> + use<> {
         let (model, info) = (self.model, self.info());
         let places = move |body: usize| {
@@ -73,8 +78,9 @@ impl Step {
         model.bodies.iter().enumerate().filter(move |(body, _)| places(*body)).map(|(_, body)| body.name)
     }
 
-    /// The drivers whose range its limit ends: those among its joints or, where there are none, all that move what it
-    /// closes upon. None where these cannot be told, in mechanisms of more than 1024 coordinates.
+    /// The drivers whose range the limit of the step ends: those among its joints or, where there are none, all drivers
+    /// of the bodies to which it is attached. Empty where these cannot be determined, in mechanisms of more than 1024
+    /// coordinates.
     pub fn drivers(&self) -> impl Iterator<Item = &'static str> + use<> {
         let (model, own, moving) = (self.model, self.info().joints, self.coordinates_before());
         let drives = move |joint: usize| model.rows.iter().any(|row| row.joint == joint && row.driving);
@@ -89,7 +95,7 @@ impl Step {
         joints.filter(move |(joint, _)| drives(*joint) && belongs(*joint)).map(|(_, joint)| joint.name)
     }
 
-    /// The coordinates that it needs and earlier steps give, with all that those need in their turn.
+    /// The coordinates from earlier steps on which this step depends, directly or indirectly.
     fn coordinates_before(&self) -> Coordinates {
         let mut needed = [0; COORDINATES / 64];
         if self.model.coordinates.len() > COORDINATES {
@@ -109,7 +115,7 @@ impl Step {
         needed
     }
 
-    /// True for redundant rows whose residual is watched.
+    /// True for redundant rows, whose residuals are checked.
     pub fn is_watched(&self) -> bool {
         self.info().kind == StepKind::Watched
     }
@@ -119,8 +125,8 @@ impl Step {
         matches!(self.info().kind, StepKind::Newton(_))
     }
 
-    /// True for a group that closes in two ways; not where it was found by the margin of something that the group divides
-    /// by, which says nothing of them.
+    /// True for a group that closes in two ways, unless the margin is that of a divisor, which does not refer to the
+    /// closures.
     pub const fn closes(&self) -> bool {
         self.closes
     }
@@ -132,7 +138,7 @@ impl PartialEq for Step {
     }
 }
 
-/// `dyad RRR of A, B, D`.
+/// For example `dyad RRR of A, B, D`.
 impl fmt::Display for Step {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let step = self.info();
@@ -183,7 +189,7 @@ mod tests {
             (Some(step(2)), None, None),
             (Step::of_margin(model, 0), Step::of_margin(model, 1), Step::new(model, 3))
         );
-        // No two mechanisms have a step in common.
+        // Steps of different mechanisms are never equal.
         let mut other = Box::new(*model);
         other.name = "other";
         let other: &'static Model = Box::leak(other);
@@ -194,7 +200,7 @@ mod tests {
     #[test]
     fn a_step_names_what_belongs_to_it() {
         let step = |place: usize| Step::new(PlannedFourBar::model(), place).unwrap();
-        // What moves the crank moves the dyad behind it.
+        // The driver of the crank also drives the dyad that is attached to it.
         assert!((0..3).all(|place| step(place).drivers().eq(["drive"])));
         assert_eq!([false, false, true], [0, 1, 2].map(|place| step(place).closes()));
         assert!((0..3).all(|place| !step(place).is_watched()));

@@ -1,4 +1,4 @@
-//! A mechanism that is followed by its plan, in words.
+//! Display of a mechanism that is solved by its plan.
 
 use super::Planned;
 use crate::mechanism::Mechanism;
@@ -18,7 +18,7 @@ impl<M: Mechanism> fmt::Debug for Planned<'_, M> {
     }
 }
 
-/// The last good state: `FourBar at t = 0.1, q = (…)`.
+/// The last accepted state, for example `FourBar at t = 0.1, q = (…)`.
 impl<M: Mechanism> fmt::Display for Planned<'_, M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} at t = {}, q = ", M::model().name, self.t())?;

@@ -1,4 +1,4 @@
-//! The state that is being tried: what the plan gives at an instant, and whether it is on the branch of the motion.
+//! The trial state: the solution of the plan at an instant, and the check whether it is on the branch of the motion.
 
 use super::branch::{certainty_of, may_dip};
 use super::follower::{Follower, Poses};
@@ -9,7 +9,7 @@ use crate::plan::{Depth, Solved};
 use crate::signal::Instant;
 
 impl<M: Mechanism> Follower<M> {
-    /// What the plan gives in the modes that are kept; true where it is good.
+    /// Solves by the plan in the current modes; true where the solution is valid.
     #[inline]
     pub(super) fn ask(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<bool, LengthError> {
         let Self { parameters, branch, states, good, predicted, .. } = self;
@@ -20,14 +20,14 @@ impl<M: Mechanism> Follower<M> {
         let depth = Depth::Acceleration;
         mechanism.solve_with(parameters.as_ref(), at, modes, predicted.as_ref(), depth, solved)?;
         let Poses { q, q_dot, q_ddot, margins } = &states[1 - *good];
-        // Without early ends, so that the loops run in lanes.
+        // The loops have no early exit, so that they vectorise.
         let finite = |numbers: &[f64]| numbers.iter().fold(true, |all, x| all & x.is_finite());
         let all = margins.are_good() & finite(q.as_ref()) & finite(q_dot.as_ref()) & finite(q_ddot.as_ref());
         Ok(all & at.t.is_finite())
     }
 
-    /// What the plan gives where the motion has passed limits that only the kept rows have, with the signs that closures
-    /// have behind them; true where it is good. Modes that were asked for stay what they are.
+    /// Solves by the plan with other signs of closures, for a motion that has passed limits of the rows that the plan
+    /// uses; true where a valid solution is found. Modes that the caller requested do not change.
     #[cold]
     #[inline(never)]
     pub(super) fn pass(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<bool, LengthError> {
@@ -45,12 +45,12 @@ impl<M: Mechanism> Follower<M> {
                 return Ok(true);
             }
         }
-        // Once more, for what is said of it.
+        // The solution in the current modes is computed again, because error messages refer to it.
         self.branch.modes = kept;
         self.ask(mechanism, at)
     }
 
-    /// Writes |w| of the state that is being tried; gives the smallest.
+    /// Writes |w| of the groups of the trial state; returns the smallest.
     #[inline]
     pub(super) fn measure(&mut self) -> f64 {
         self.states[1 - self.good].margins.write_distances(&mut self.distances)
@@ -69,8 +69,8 @@ impl<M: Mechanism> Follower<M> {
         Ok(groups.all(|(mode, found)| mode * found > 0.0))
     }
 
-    /// True if every group is where the prediction has it; not where one is so near to its limit that it may have been there
-    /// and come back, nor where the step is too long to resolve it.
+    /// True if every group agrees with its prediction; false where a group may have reached its limit and returned, and
+    /// where the step is too long to resolve the branches.
     #[cold]
     #[inline(never)]
     pub(super) fn stays_on_its_branch(
@@ -88,7 +88,7 @@ impl<M: Mechanism> Follower<M> {
         self.uncertain(mechanism, at, self.predicted.as_ref()).map(|uncertain| uncertain.is_none())
     }
 
-    /// The first group that is not where a prediction has it, for the state that is being tried.
+    /// The first group of the trial state that does not agree with a prediction.
     pub(super) fn uncertain(
         &self,
         mechanism: &M,

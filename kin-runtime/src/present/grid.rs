@@ -2,83 +2,28 @@
 
 use std::io::{self, Write};
 
-use super::forces;
 use super::number::plain;
 use super::table::Table;
-use crate::model::Model;
-use crate::motion::Motion;
-use crate::state::State;
 
 /// One column: its name and its numbers.
 pub(crate) type Column = (String, Vec<f64>);
 
-/// What the endings of names are for a value, its rate and its acceleration.
-const SUFFIXES: [&str; 3] = ["", "_dot", "_ddot"];
-
-/// The names of columns: `t`, then every coordinate with its rate and acceleration; behind them, where they are wanted,
-/// points, defines and joint quantities, and what there is of forces, without rates.
-pub(crate) fn names(model: &Model, reported: bool) -> Vec<String> {
-    let mut bases: Vec<String> = model.coordinates.iter().map(|coordinate| coordinate.name.to_owned()).collect();
-    if reported {
-        bases.extend(model.points.iter().flat_map(|point| ["x", "y"].map(|axis| format!("{}.{axis}", point.name))));
-        bases.extend(model.defines.iter().map(|define| define.name.to_owned()));
-        for joint in model.joints {
-            bases.extend(joint.quantities.iter().map(|quantity| format!("{}.{}", joint.name, quantity.name)));
-        }
-    }
-    let all = bases.iter().flat_map(|base| SUFFIXES.map(|suffix| format!("{base}{suffix}")));
-    let forces = if reported { forces::column_names(model) } else { Vec::new() };
-    std::iter::once("t".to_owned()).chain(all).chain(forces).collect()
-}
-
-/// The numbers of one row, for [`names`] with what is reported where `motion` is there.
-pub(crate) fn row(state: &State, motion: Option<&Motion>, out: &mut Vec<f64>) {
-    out.clear();
-    out.push(state.t);
-    for ((q, q_dot), q_ddot) in state.q.iter().zip(&state.q_dot).zip(&state.q_ddot) {
-        out.extend([*q, *q_dot, *q_ddot]);
-    }
-    let Some(motion) = motion else { return };
-    for point in &motion.points {
-        out.extend([point.r[0], point.v[0], point.a[0], point.r[1], point.v[1], point.a[1]]);
-    }
-    for rates in motion.defines.iter().chain(motion.joints.iter().flatten()) {
-        out.extend([rates.value, rates.rate, rates.acceleration]);
-    }
-    forces::column_values(motion.model, motion.forces.as_ref(), out);
-}
-
-/// The columns of [`names`]; with what is reported where `motions` are given, one per state.
-pub(crate) fn columns(model: &Model, states: &[State], motions: &[Motion]) -> Vec<Column> {
-    let reported = motions.len() == states.len();
-    let names = names(model, reported);
-    let mut columns: Vec<Column> = names.into_iter().map(|name| (name, Vec::with_capacity(states.len()))).collect();
-    let mut numbers = Vec::new();
-    for (k, state) in states.iter().enumerate() {
-        row(state, motions.get(k).filter(|_| reported), &mut numbers);
-        columns.iter_mut().zip(&numbers).for_each(|((_, column), value)| column.push(*value));
-    }
-    columns
-}
-
-/// One header line, then a row per state; numbers read back as the same `f64`.
+/// One header line, then a row per instant; numbers read back as the same `f64`.
 pub(crate) struct CsvRows<W: Write> {
     writer: csv::Writer<W>,
-    numbers: Vec<f64>,
 }
 
 impl<W: Write> CsvRows<W> {
     /// Writes the header.
-    pub(crate) fn new(model: &Model, reported: bool, out: W) -> io::Result<Self> {
+    pub(crate) fn new<'n>(names: impl IntoIterator<Item = &'n str>, out: W) -> io::Result<Self> {
         let mut writer = csv::Writer::from_writer(out);
-        writer.write_record(names(model, reported)).map_err(io_error)?;
-        Ok(Self { writer, numbers: Vec::new() })
+        writer.write_record(names).map_err(io_error)?;
+        Ok(Self { writer })
     }
 
     /// Writes a row.
-    pub(crate) fn row(&mut self, state: &State, motion: Option<&Motion>) -> io::Result<()> {
-        row(state, motion, &mut self.numbers);
-        self.writer.write_record(self.numbers.iter().copied().map(exact)).map_err(io_error)
+    pub(crate) fn row(&mut self, numbers: impl IntoIterator<Item = f64>) -> io::Result<()> {
+        self.writer.write_record(numbers.into_iter().map(exact)).map_err(io_error)
     }
 
     /// Writes what waits in memory.
@@ -103,29 +48,28 @@ fn exact(value: f64) -> String {
 /// Columns on the screen that a table may take beside t.
 const COLUMNS: usize = 86;
 
-/// Value, rate and acceleration together, as many as fit beside one another.
-fn side_by_side(columns: &[Column]) -> Vec<&[Column]> {
+/// As many as fit beside one another; `together` of them, as a value with its rate and acceleration, are not parted.
+fn side_by_side(columns: &[Column], together: usize) -> Vec<&[Column]> {
     let width = |part: &[Column]| part.iter().map(|(name, _)| name.chars().count().max(9) + 2).sum::<usize>();
     let mut parts = Vec::new();
     let mut rest = columns;
     while !rest.is_empty() {
         let fits = |n: &usize| rest.get(..*n).is_some_and(|part| width(part) <= COLUMNS);
-        let (part, others) =
-            rest.split_at((6..=rest.len()).step_by(3).take_while(fits).last().unwrap_or(3).min(rest.len()));
+        let more = (2 * together..=rest.len()).step_by(together);
+        let (part, others) = rest.split_at(more.take_while(fits).last().unwrap_or(together).min(rest.len()));
         parts.push(part);
         rest = others;
     }
     parts
 }
 
-/// Tables below one another, each starting with t.
-pub(crate) fn text(model: &Model, states: &[State], motions: &[Motion]) -> String {
-    let columns = columns(model, states, motions);
+/// Tables below one another, each starting with the first column, t.
+pub(crate) fn text(columns: &[Column], together: usize) -> String {
     let Some((t, rest)) = columns.split_first() else { return String::new() };
     let exact = t.1.iter().map(|v| plain(*v)).collect::<Vec<_>>();
     let short = exact.iter().all(|text| text.len() <= 10 && !text.contains('e'));
     let instants = padded(&exact);
-    side_by_side(rest)
+    side_by_side(rest, together)
         .into_iter()
         .map(|part| {
             let start = if short {
@@ -164,9 +108,9 @@ mod tests {
     #[test]
     fn value_rate_and_acceleration_stay_together() {
         let columns: Vec<Column> = (0..12).map(|k| (format!("coordinate_{k}"), Vec::new())).collect();
-        let parts: Vec<usize> = side_by_side(&columns).iter().map(|p| p.len()).collect();
+        let parts: Vec<usize> = side_by_side(&columns, 3).iter().map(|p| p.len()).collect();
         assert_eq!(parts, [6, 6]);
         let long: Vec<Column> = (0..6).map(|k| (format!("a_coordinate_with_a_long_name_{k}"), Vec::new())).collect();
-        assert_eq!(side_by_side(&long).iter().map(|p| p.len()).collect::<Vec<_>>(), [3, 3]);
+        assert_eq!(side_by_side(&long, 3).iter().map(|p| p.len()).collect::<Vec<_>>(), [3, 3]);
     }
 }

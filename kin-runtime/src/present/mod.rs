@@ -3,6 +3,8 @@
 //! Everything here works on results that are already there; nothing solves or evaluates anything.
 
 pub(crate) mod animation;
+pub(crate) mod assemblies;
+pub(crate) mod certificate;
 pub(crate) mod condition;
 pub(crate) mod drawing;
 #[cfg(feature = "equations")]

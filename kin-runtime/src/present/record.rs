@@ -5,10 +5,12 @@ use std::ops::ControlFlow;
 use serde::ser::{SerializeMap, SerializeSeq};
 use serde::{Serialize, Serializer};
 
+use super::certificate::{CertificateRecord, Certified};
 use super::condition::EventRecord;
 use super::plan::ModeRecord;
 use super::text::coordinate_names as names_at;
 use super::units::{Units, UnitsRecord};
+use crate::measure::Measure;
 use crate::mobility::Mobility;
 use crate::model::Model;
 use crate::modes::Mode;
@@ -54,6 +56,8 @@ pub(crate) struct StateRecord<'a> {
     velocity_ratios: Named<&'a VelocityRatio>,
     input_ratios: Named<&'a VelocityRatio>,
     modes: Vec<ModeRecord>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    certificate: Option<CertificateRecord>,
 }
 
 impl<'a> StateRecord<'a> {
@@ -88,6 +92,7 @@ impl<'a> StateRecord<'a> {
             velocity_ratios: ratios.drivers.iter().map(|d| (d.name, d)).collect(),
             input_ratios: ratios.inputs.iter().map(|u| (u.name, u)).collect(),
             modes: Vec::new(),
+            certificate: None,
         }
     }
 
@@ -100,10 +105,25 @@ impl<'a> StateRecord<'a> {
     pub(crate) fn with_modes(self, modes: &[Mode]) -> Self {
         Self { modes: ModeRecord::of(modes), ..self }
     }
+
+    /// Adds the certificate that was asked for.
+    pub(crate) fn with_certificate(self, certified: Option<&Certified>) -> Self {
+        Self { certificate: certified.map(CertificateRecord::of), ..self }
+    }
+}
+
+/// An instant of a motion, as it is shown.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Row<'r> {
+    pub(crate) state: &'r State,
+    /// Points, defines and joint quantities, where they are wanted.
+    pub(crate) motion: Option<&'r Motion>,
+    /// The values of the quantities that were asked for.
+    pub(crate) values: &'r [f64],
 }
 
 /// A row of a sweep that is written.
-pub(crate) type Visit<'v> = &'v mut dyn FnMut(&State, Option<&Motion>) -> ControlFlow<()>;
+pub(crate) type Visit<'v> = &'v mut dyn FnMut(&Row<'_>) -> ControlFlow<()>;
 
 /// Tells what is known of a sweep when it is over, and whether it is complete.
 pub(crate) type Ended<'e> = &'e dyn Fn(&mut dyn FnMut(&Trajectory, bool));
@@ -111,8 +131,12 @@ pub(crate) type Ended<'e> = &'e dyn Fn(&mut dyn FnMut(&Trajectory, bool));
 /// A sweep, whose states are made while they are written.
 pub(crate) struct SweepRecord<'a> {
     pub(crate) model: &'static Model,
+    /// The parameters that vary, where this is one of several motions.
+    pub(crate) varied: Option<Parameters>,
     pub(crate) parameters: Parameters,
     pub(crate) units: UnitsRecord,
+    /// The quantities that were asked for by name; without any, the states are written whole.
+    pub(crate) quantities: &'a [Measure],
     /// Shows the states one by one.
     pub(crate) walk: &'a dyn Fn(Visit<'_>),
     /// What is known of the sweep after that.
@@ -122,15 +146,59 @@ pub(crate) struct SweepRecord<'a> {
 impl Serialize for SweepRecord<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
+        if let Some(varied) = &self.varied {
+            map.serialize_entry("varied", varied)?;
+        }
         map.serialize_entry("mechanism", self.model.name)?;
         map.serialize_entry("parameters", &self.parameters)?;
         map.serialize_entry("units", &self.units)?;
-        map.serialize_entry("coordinates", &self.model.coordinates.iter().map(|c| c.name).collect::<Vec<_>>())?;
-        map.serialize_entry("states", &States { model: self.model, walk: self.walk })?;
+        if self.quantities.is_empty() {
+            map.serialize_entry("coordinates", &self.model.coordinates.iter().map(|c| c.name).collect::<Vec<_>>())?;
+        }
+        map.serialize_entry("states", &States { model: self.model, quantities: self.quantities, walk: self.walk })?;
         let mut rest = Ok(());
         (self.ended)(&mut |trajectory, complete| rest = end(&mut map, trajectory, complete));
         rest?;
         map.end()
+    }
+}
+
+/// Writes the motion of a place, lent as a record; true where it is the last.
+pub(crate) type Record<'a> = &'a dyn Fn(usize, &mut dyn FnMut(&SweepRecord<'_>)) -> bool;
+
+/// Several motions, made one after another while they are written.
+pub(crate) struct MotionsRecord<'a> {
+    pub(crate) model: &'static Model,
+    /// The parameters that vary.
+    pub(crate) varied: Vec<&'static str>,
+    pub(crate) count: usize,
+    pub(crate) record: Record<'a>,
+}
+
+impl Serialize for MotionsRecord<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("mechanism", self.model.name)?;
+        map.serialize_entry("varied", &self.varied)?;
+        map.serialize_entry("motions", &Several(self))?;
+        map.end()
+    }
+}
+
+struct Several<'a>(&'a MotionsRecord<'a>);
+
+impl Serialize for Several<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut list = serializer.serialize_seq(None)?;
+        for place in 0..self.0.count {
+            let mut written = Ok(());
+            let is_last = (self.0.record)(place, &mut |record| written = list.serialize_element(record));
+            written?;
+            if is_last {
+                break;
+            }
+        }
+        list.end()
     }
 }
 
@@ -150,6 +218,7 @@ fn end<M: SerializeMap>(map: &mut M, trajectory: &Trajectory, complete: bool) ->
 /// All instants, made and written one after another.
 struct States<'a> {
     model: &'static Model,
+    quantities: &'a [Measure],
     walk: &'a dyn Fn(Visit<'_>),
 }
 
@@ -157,16 +226,33 @@ impl Serialize for States<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut list = serializer.serialize_seq(None)?;
         let mut failed = None;
-        (self.walk)(&mut |state, motion| match list.serialize_element(&SweepState::new(self.model, state, motion)) {
-            Ok(()) => ControlFlow::Continue(()),
-            Err(error) => {
-                failed = Some(error);
-                ControlFlow::Break(())
+        (self.walk)(&mut |row| {
+            let written = match self.quantities.is_empty() {
+                true => list.serialize_element(&SweepState::new(self.model, row.state, row.motion)),
+                false => {
+                    let names = self.quantities.iter().map(Measure::name);
+                    let quantities: Named<f64, &str> = names.zip(row.values.iter().copied()).collect();
+                    list.serialize_element(&QuantitiesState { t: row.state.t, quantities })
+                }
+            };
+            match written {
+                Ok(()) => ControlFlow::Continue(()),
+                Err(error) => {
+                    failed = Some(error);
+                    ControlFlow::Break(())
+                }
             }
         });
         failed.map_or(Ok(()), Err)?;
         list.end()
     }
+}
+
+/// One instant of a sweep of quantities that were asked for by name.
+#[derive(Clone, Debug, Serialize)]
+struct QuantitiesState<'a> {
+    t: f64,
+    quantities: Named<f64, &'a str>,
 }
 
 /// One instant of a sweep.

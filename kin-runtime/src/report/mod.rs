@@ -1,5 +1,6 @@
 //! What is reported of a solution: degrees of freedom, velocity ratios, transmission angles, the motion of everything.
 
+pub mod measure;
 pub mod mobility;
 pub(crate) mod motion;
 pub mod ratios;

@@ -89,7 +89,7 @@ pub(crate) fn velocity_ratios(equations: &mut Equations<'_>, state: &State) -> R
         let mut unit = DVector::zeros(equations.rows());
         unit[row] = 1.0;
         let first = respond(equations, &factor, &unit)?;
-        let bend = along(equations, None, |equations| gamma(equations, &state.q, first.as_slice()))?;
+        let bend = equations.along(None, |equations| gamma(equations, &state.q, first.as_slice()))?;
         let second = respond(equations, &factor, &bend)?;
         let distance = distances.iter().find(|(of, _)| *of == row).map(|&(_, f)| f);
         drivers.push(VelocityRatio {
@@ -109,6 +109,30 @@ pub(crate) fn velocity_ratios(equations: &mut Equations<'_>, state: &State) -> R
     Ok(VelocityRatios { drivers, inputs: inputs.collect::<Result<_, _>>()? })
 }
 
+/// ∂o/∂f of everything that is reported, for a driving row or an input with k = ∂q/∂f: a number for every observable. The
+/// rate of an observable is linear in q̇ and u̇, so that it is the difference of its rates with k and at rest.
+pub(crate) fn observed_ratio(
+    equations: &mut Equations<'_>,
+    q: &[f64],
+    first: &[f64],
+    input: Option<usize>,
+) -> Result<Vec<f64>, SolveError> {
+    let mut rates = |q_dot: &[f64], moving: Option<usize>| -> Result<Vec<f64>, SolveError> {
+        let signal = |(k, u): (usize, &Signal)| Signal::new(u.value, if Some(k) == moving { 1.0 } else { 0.0 }, 0.0);
+        let inputs: Vec<Signal> = equations.inputs.iter().enumerate().map(signal).collect();
+        equations.system.observe(&Instant { t: equations.t, inputs: &inputs }, q, q_dot)?;
+        let (parts, model) = (equations.system.observables(), equations.model);
+        let rate = |row: usize| {
+            let along = parts.gradient(&model.observable_pattern, row).map(|(k, entry)| entry * q_dot[k]);
+            parts.phi_t[row] + along.sum::<f64>()
+        };
+        Ok((0..model.observables.len()).map(rate).collect())
+    };
+    let still = rates(&vec![0.0; q.len()], None)?;
+    let moved = rates(first, input)?;
+    Ok(moved.iter().zip(&still).map(|(moved, still)| moved - still).collect())
+}
+
 /// The ratios of input k.
 fn input_ratio(
     equations: &mut Equations<'_>,
@@ -116,12 +140,12 @@ fn input_ratio(
     q: &[f64],
     k: usize,
 ) -> Result<VelocityRatio, SolveError> {
-    let phi_u = along(equations, Some(k), |equations| {
+    let phi_u = equations.along(Some(k), |equations| {
         equations.evaluate(Subset::TIME_DERIVATIVE, q, None)?;
         Ok(equations.phi_t.clone())
     })?;
     let first = respond(equations, factor, &-phi_u)?;
-    let bend = along(equations, Some(k), |equations| gamma(equations, q, first.as_slice()))?;
+    let bend = equations.along(Some(k), |equations| gamma(equations, q, first.as_slice()))?;
     let second = respond(equations, factor, &bend)?;
     let Signal { rate, acceleration, .. } = equations.inputs[k];
     Ok(VelocityRatio {
@@ -133,21 +157,6 @@ fn input_ratio(
         first: first.as_slice().to_vec(),
         second: second.as_slice().to_vec(),
     })
-}
-
-/// Evaluates with time standing still, and all inputs but one, whose rate is 1.
-fn along<R>(
-    equations: &mut Equations<'_>,
-    input: Option<usize>,
-    evaluate: impl FnOnce(&mut Equations<'_>) -> Result<R, SolveError>,
-) -> Result<R, SolveError> {
-    let inputs = equations.inputs.clone();
-    for (k, u) in equations.inputs.iter_mut().enumerate() {
-        *u = Signal::new(u.value, if Some(k) == input { 1.0 } else { 0.0 }, 0.0);
-    }
-    let result = equations.by_inputs(evaluate);
-    equations.inputs = inputs;
-    result
 }
 
 /// Rows |d|² − f² with their f.

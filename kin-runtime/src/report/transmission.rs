@@ -40,11 +40,15 @@ impl fmt::Display for TransmissionAngle {
 /// Arms shorter than this, relative to the other one, have no direction.
 const DEGENERATE: f64 = 1e-9;
 
-/// A joint's point on a body.
-struct Place {
-    joint: usize,
-    body: usize,
-    r: [f64; 2],
+/// Two joints next to a revolute joint, one on either of its bodies: the lines to them enclose a transmission angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pair {
+    /// The revolute joint, in [`Model::joints`].
+    pub(crate) joint: usize,
+    /// The neighbours on its first and on its second body.
+    pub(crate) between: [usize; 2],
+    /// Where the revolute joint and its two neighbours stand.
+    places: [&'static Geometry; 3],
 }
 
 /// The transmission angles at q.
@@ -52,10 +56,49 @@ pub(crate) fn transmission_angles(
     equations: &mut Equations<'_>,
     q: &[f64],
 ) -> Result<Vec<TransmissionAngle>, SolveError> {
-    equations.check("q", q)?;
     let joints = equations.model.joints;
-    let places = places(equations, q)?;
-    let driven = driven(equations.model);
+    let pairs = pairs(equations.model);
+    let angles = angles(equations, q, &pairs)?;
+    let told = pairs.iter().zip(angles).filter_map(|(pair, angle)| {
+        let between = pair.between.map(|joint| joints[joint].name);
+        Some(TransmissionAngle { joint: joints[pair.joint].name, between, angle: angle? })
+    });
+    Ok(told.collect())
+}
+
+/// The angles of pairs at q; none where an arm has no length.
+pub(crate) fn angles(equations: &mut Equations<'_>, q: &[f64], pairs: &[Pair]) -> Result<Vec<Option<f64>>, SolveError> {
+    equations.check("q", q)?;
+    let (model, t) = (equations.model, equations.t);
+    let placement = Placement::at(equations, q)?;
+    let angle = |pair: &Pair| {
+        let [a, b] = pair.between;
+        let mut points = [[0.0; 2]; 3];
+        for ((geometry, joint), point) in pair.places.iter().zip([pair.joint, a, b]).zip(&mut points) {
+            let Some(r) = placement.point(geometry) else { return Ok(None) };
+            for value in r {
+                finite("geometry", joint, model.joints[joint].name, value).map_err(|error| error.at(t))?;
+            }
+            *point = r;
+        }
+        let [centre, a, b] = points;
+        Ok(angle_between(centre, a, b))
+    };
+    pairs.iter().map(angle).collect()
+}
+
+/// The transmission angles that a mechanism has, by the places of their joints in [`Model::joints`]: the revolute joint, its
+/// neighbour on its first body and the one on its second.
+#[doc(hidden)]
+pub fn neighbours(model: &Model) -> Vec<[usize; 3]> {
+    pairs(model).iter().map(|&Pair { joint, between: [a, b], .. }| [joint, a, b]).collect()
+}
+
+/// The pairs of neighbours that transmit to an output, in order of declaration.
+pub(crate) fn pairs(model: &Model) -> Vec<Pair> {
+    let joints = model.joints;
+    let places = places(model);
+    let driven = driven(model);
     let mut found = Vec::new();
     for (index, joint) in joints.iter().enumerate() {
         let (JointKind::Revolute, [Some(Frame::Body(i)), Some(Frame::Body(j))]) = (joint.kind, joint.frames) else {
@@ -68,17 +111,14 @@ pub(crate) fn transmission_angles(
         let Some(centre) = at(i).find(|p| p.joint == index) else { continue };
         for a in at(i).filter(|p| p.joint != index) {
             for b in at(j).filter(|p| p.joint != index && p.joint != a.joint) {
-                if !closed_together(equations.model, [index, a.joint, b.joint]) {
-                    continue;
-                }
-                if let Some(angle) = angle_between(centre.r, a.r, b.r) {
-                    let between = [joints[a.joint].name, joints[b.joint].name];
-                    found.push(TransmissionAngle { joint: joint.name, between, angle });
+                if closed_together(model, [index, a.joint, b.joint]) {
+                    let places = [centre.geometry, a.geometry, b.geometry];
+                    found.push(Pair { joint: index, between: [a.joint, b.joint], places });
                 }
             }
         }
     }
-    Ok(found)
+    found
 }
 
 /// True for joints of one closed group; without a plan nobody knows the groups.
@@ -107,22 +147,24 @@ fn sorted(i: usize, j: usize) -> Vec<usize> {
     vec![i.min(j), i.max(j)]
 }
 
-/// The points of all point-like joints on moving bodies, in the inertial frame.
-fn places(equations: &mut Equations<'_>, q: &[f64]) -> Result<Vec<Place>, SolveError> {
-    let (model, t) = (equations.model, equations.t);
-    let placement = Placement::at(equations, q)?;
+/// The point of a joint on a moving body.
+struct Place {
+    joint: usize,
+    body: usize,
+    geometry: &'static Geometry,
+}
+
+/// The points of all point-like joints on moving bodies.
+fn places(model: &Model) -> Vec<Place> {
     let mut places = Vec::new();
     for (joint, info) in model.joints.iter().enumerate().filter(|(_, info)| is_point_like(info)) {
         for geometry in info.geometry.iter().filter(|g| matches!(g.role, Role::P | Role::Q)) {
-            let (Frame::Body(body), true) = (geometry.frame, stands_still(info, geometry)) else { continue };
-            let Some(r) = placement.point(geometry) else { continue };
-            for value in r {
-                finite("geometry", joint, info.name, value).map_err(|error| error.at(t))?;
+            if let (Frame::Body(body), true) = (geometry.frame, stands_still(info, geometry)) {
+                places.push(Place { joint, body, geometry });
             }
-            places.push(Place { joint, body, r });
         }
     }
-    Ok(places)
+    places
 }
 
 /// True for joints that act at a point.

@@ -1,5 +1,7 @@
 //! What analyses take and give, as data: options, states, motions, trajectories, crossings and errors.
 
+pub mod assembly;
+pub mod certificate;
 pub mod error;
 pub(crate) mod event;
 pub mod forces;

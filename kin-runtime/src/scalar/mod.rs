@@ -8,6 +8,7 @@ pub(crate) mod compare;
 #[cfg(feature = "std")]
 mod dual;
 pub(crate) mod expansion;
+mod interval;
 #[cfg(feature = "simd")]
 pub(crate) mod lanes;
 pub(crate) mod recurrence;
@@ -17,6 +18,7 @@ mod taylor;
 #[cfg(feature = "simd")]
 pub(crate) mod trig;
 
+pub use interval::Interval;
 pub use tangents::Tangents;
 pub use taylor::Taylor;
 

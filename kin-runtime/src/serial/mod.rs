@@ -13,11 +13,24 @@ use serde::{Serialize, Serializer};
 
 /// Named values in order, written as one map.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Named<T>(Vec<(&'static str, T)>);
+pub(crate) struct Named<T, N = &'static str>(Vec<(N, T)>);
 
-impl<T> FromIterator<(&'static str, T)> for Named<T> {
-    fn from_iter<I: IntoIterator<Item = (&'static str, T)>>(iter: I) -> Self {
+impl<T, N> FromIterator<(N, T)> for Named<T, N> {
+    fn from_iter<I: IntoIterator<Item = (N, T)>>(iter: I) -> Self {
         Self(iter.into_iter().collect())
+    }
+}
+
+#[cfg(feature = "cli")]
+impl<T, N> Named<T, N> {
+    /// Names with their values.
+    pub(crate) fn iter(&self) -> core::slice::Iter<'_, (N, T)> {
+        self.0.iter()
+    }
+
+    /// The names.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &N> {
+        self.0.iter().map(|(name, _)| name)
     }
 }
 
@@ -28,7 +41,7 @@ impl<T> Named<T> {
     }
 }
 
-impl<T: Serialize> Serialize for Named<T> {
+impl<T: Serialize, N: Serialize> Serialize for Named<T, N> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
     }

@@ -2,6 +2,7 @@
 
 use crate::analysis;
 use crate::analysis::acceleration::acceleration;
+use crate::analysis::fit::fit_inputs;
 use crate::analysis::position::position;
 use crate::analysis::singular::explain;
 use crate::analysis::velocity::{factorize, velocity};
@@ -12,14 +13,15 @@ use crate::equations::system::Evaluator;
 use crate::equations::{Equations, finite};
 use crate::error::SolveError;
 use crate::forces::Forces;
+use crate::measure::{Measure, values};
 use crate::mechanism::Mechanism;
 use crate::mobility::{Mobility, mobility};
-use crate::model::Point;
+use crate::model::{Input, Point};
 use crate::modes::{Mode, Wanted, assemble_in, modes};
 use crate::motion::Motion;
 use crate::observer::Observer;
 use crate::options::Options;
-use crate::planned::{PlanError, Planned, Sign};
+use crate::planned::{InputRange, OutOfRange, PlanError, Planned, Sign};
 use crate::ratios::{VelocityRatios, velocity_ratios};
 use crate::report::motion::{motion, point_jacobian};
 use crate::state::State;
@@ -27,7 +29,9 @@ use crate::transmission::{TransmissionAngle, transmission_angles};
 use crate::workspace::{Instant, Signal};
 use nalgebra::DMatrix;
 
+mod assemblies;
 mod by_plan;
+mod certify;
 mod settings;
 mod sweep;
 
@@ -95,6 +99,40 @@ impl<'m, M: Mechanism> Solver<'m, M> {
             return Err(SolveError::Plan(PlanError::NoPlan { why: "coordinates are prescribed" }));
         }
         Ok(Planned::new(self.mechanism, at, &self.assemble(at)?)?)
+    }
+
+    /// The values of an input with which the mechanism closes, at an instant at which it does, while time and the other inputs
+    /// stay what they are: see [`Planned::range_of`].
+    ///
+    /// # Errors
+    /// As [`planned`](Self::planned), and [`Plan`](SolveError::Plan) with the handle of another mechanism.
+    pub fn range_of(&self, at: &Instant<'_>, input: Input) -> Result<InputRange, SolveError> {
+        Ok(self.planned(at)?.range_of(input)?)
+    }
+
+    /// The input that keeps the mechanism from closing at an instant, with what it can be while the others stay what they are;
+    /// where these cannot either, while they are what fits the guess. None where it closes, where no input alone is to blame,
+    /// and without a plan.
+    pub fn out_of_range(&self, at: &Instant<'_>) -> Option<OutOfRange> {
+        let guess = self.checked_guess().ok()?;
+        let fitted = |places: &[usize], values: &[Signal]| {
+            let at = Instant { t: at.t, inputs: values };
+            let found = self.analyse(&at, |equations| {
+                let fits = fit_inputs(equations, &guess, places)?;
+                Ok(fits.then(|| equations.inputs.clone()))
+            });
+            found.ok().flatten()
+        };
+        let all: Vec<usize> = (0..M::INPUTS).collect();
+        let first = |others: &[Signal]| {
+            all.iter().find_map(|&k| {
+                let asked = at.inputs.get(k)?.value;
+                let inputs = fitted(&[k], others)?;
+                let range = self.range_of(&Instant { t: at.t, inputs: &inputs }, Input(k)).ok()?;
+                (!range.contains(asked)).then_some(OutOfRange { value: asked, range })
+            })
+        };
+        first(at.inputs).or_else(|| first(&fitted(&all, at.inputs)?))
     }
 
     /// Position analysis from a complete start, n numbers: the configuration near it.
@@ -178,6 +216,26 @@ impl<'m, M: Mechanism> Solver<'m, M> {
             }
             Ok(motion)
         })
+    }
+
+    /// The values of quantities at a solved state, in their order: lengths, angles and times in the units of the mechanism,
+    /// angles in radians. What has no value there is NaN: a transmission angle at which an arm has no length, a force that
+    /// redundancy leaves open, a ratio to what cannot move alone. Only what is asked for is computed.
+    ///
+    /// # Errors
+    /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
+    pub fn measure(&self, state: &State, measures: &[Measure]) -> Result<Vec<f64>, SolveError> {
+        let known: Option<Vec<f64>> = measures.iter().map(|measure| measure.of_state(state)).collect();
+        known.map_or_else(
+            || {
+                self.analyse(&state.instant(), |equations| {
+                    equations.check("q", &state.q)?;
+                    equations.scale = Scale::around(equations, &state.q);
+                    values(equations, state, measures)
+                })
+            },
+            Ok,
+        )
     }
 
     /// What drivers supply and joints carry at a solved state, from M q̈ + Φ_qᵀ λ = Q.

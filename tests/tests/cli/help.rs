@@ -3,7 +3,8 @@
 use crate::{failed, good, kin};
 
 const MECHANISMS: [&str; 3] = ["fourbar", "leg", "underdriven"];
-const COMMANDS: [&str; 9] = ["", "info", "solve", "sweep", "check", "equations", "animate", "plot", "completions"];
+const COMMANDS: [&str; 10] =
+    ["", "info", "solve", "sweep", "extremes", "check", "equations", "animate", "plot", "completions"];
 
 #[test]
 fn help_fits_the_screen_and_has_examples() {

@@ -102,7 +102,7 @@ fn depth_is_bounded() {
     assert_eq!(errors(&equation(&deep(400))).len(), 1);
 }
 
-/// Zero is zero, however it is written, and the smallest number is none too small.
+/// A zero is accepted in every notation, and so is the smallest positive number.
 #[test]
 fn numbers_that_are_zero_or_tiny_are_read() {
     for number in ["0.0", "0e-400", "00.000E5", "5e-324", "1e-320", "0x0"] {
@@ -112,7 +112,7 @@ fn numbers_that_are_zero_or_tiny_are_read() {
     one_error("#[coordinates(u)] #[driver(d: u = t)] struct S { #[param([1, 1e400])] l: [f64; 2] }", &["too large"]);
 }
 
-/// Sums and products are long, not deep.
+/// Sums and products of many terms are balanced, so that their trees are not deep.
 #[test]
 fn long_sums_and_products_are_read() {
     for count in [2, 15, 16, 17, 18, 31, 200, 500, 5000] {
@@ -125,7 +125,7 @@ fn long_sums_and_products_are_read() {
     }
 }
 
-/// A long chain is worth what it is from left to right.
+/// A long chain of operators is evaluated from left to right.
 #[test]
 fn long_chains_of_numbers_have_their_value() {
     for count in 1..80_u32 {
@@ -257,7 +257,7 @@ fn rows_say_how_they_are_written() {
 fn attributes_that_are_nearly_ours() {
     one_error(&pendulum("#[revolut(B: a @ (0, 0), b @ (0, 0))]"), &["no attribute `revolut`", "`revolute`"]);
     one_error(&pendulum("#[drivers(D: crank.phi = t)]"), &["`driver`"]);
-    // What it declares is not missed a second time.
+    // A misspelt declaration does not cause a second error for the names that it declares.
     one_error("#[bodys(a, b)] #[revolute(A: a @ (0, 0), b @ (0, 0))] struct S;", &["`bodies` or `body`"]);
     one_error(&pendulum("").replace("#[param(1)]", "#[parm(1)]"), &["did you mean `param`"]);
     one_error(&pendulum("").replace("#[param(1)]", "#[point(p = crank @ (0, 0))]"), &["stands above the struct"]);

@@ -1,4 +1,4 @@
-//! Descriptions through both gates: what comes out of good ones, and what is said about bad ones.
+//! Descriptions through the first two gates: the models of valid ones, and the errors of invalid ones.
 
 mod families;
 mod form;
@@ -17,14 +17,14 @@ fn tokens(source: &str) -> TokenStream {
     TokenStream::from_str(source).unwrap()
 }
 
-/// The model of a description without mistakes.
+/// The model of a valid description.
 fn good(source: &str) -> Lowered {
     let (item, result) = analyse(TokenStream::new(), tokens(source));
     assert!(item.is_some());
     result.unwrap_or_else(|broken| panic!("{:?}", messages(broken)))
 }
 
-/// Everything that is said about a description.
+/// All errors of a description.
 fn errors(source: &str) -> Vec<String> {
     analyse(TokenStream::new(), tokens(source)).1.map_or_else(messages, |_| Vec::new())
 }
@@ -33,7 +33,7 @@ fn messages(broken: Broken) -> Vec<String> {
     broken.error.into_iter().map(|error| error.to_string()).collect()
 }
 
-/// Asserts that one thing is said, with all of the `parts` in it.
+/// Asserts that there is one error, which contains all of the `parts`.
 #[track_caller]
 fn one_error(source: &str, parts: &[&str]) {
     let errors = errors(source);
@@ -43,7 +43,7 @@ fn one_error(source: &str, parts: &[&str]) {
     }
 }
 
-/// A pendulum with one more attribute; it has no mistake of its own.
+/// A pendulum with one more attribute, which is valid without it.
 fn pendulum(attribute: &str) -> String {
     format!(
         "#[bodies(crank)] #[revolute(A: ground @ (0, 0), crank @ (l, 0))] {attribute} \
@@ -51,7 +51,7 @@ fn pendulum(attribute: &str) -> String {
     )
 }
 
-/// A global description with `expr` as the left side of its equation.
+/// A description by global equations with `expr` as the left side of one of them.
 fn equation(expr: &str) -> String {
     format!("#[coordinates(u, v)] #[constraint(c: {expr} = u - v)] struct Loop {{ l1: f64, l2: f64 }}")
 }

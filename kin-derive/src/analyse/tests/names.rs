@@ -48,7 +48,7 @@ fn mistakes_of_declarations_do_not_cascade() {
         &["expected a name"],
     );
     one_error(&pendulum("#[point(p = crank @ (0))] #[x(B: p = 0)]"), &["second component"]);
-    // What was declared is known, so that other unknown names are told.
+    // A name whose declaration has an error is known, so that only other unknown names are reported.
     assert_eq!(errors(&pendulum("#[point(p = crank @ (0 0))] #[x(B: q = 0)] #[y(C: p = 0)]")).len(), 2);
     one_error(&pendulum("#[define(s = crank.z)] #[driver(B: s = 0)]"), &["a body has"]);
     one_error(&pendulum("#[body(w[n], x = 0)] #[angle(B: w[2] = 0)]"), &["length"]);

@@ -53,7 +53,7 @@ fn everything_takes_part() {
         &pendulum("#[body(w, phi = 1)] #[x(C: w @ (0, 0) = 0)] #[angle(B: w = 1)]"),
         &["angle `B` mentions no coordinate"],
     );
-    // Through a define, a named point and a carried origin.
+    // Coordinates may be mentioned through a define, a named point and a held origin.
     assert!(
         errors(&pendulum(
             "#[bodies(a, b)] #[body(c, origin = b @ (0, 0), phi = 0)] #[coordinates(u)] #[point(p = a @ (1, 0))] \
@@ -65,7 +65,7 @@ fn everything_takes_part() {
 
 #[test]
 fn conditions_hold_what_changes() {
-    // Of a body that turns about a held origin, the origin stays where it is.
+    // The held origin of a body that turns is constant.
     let held = |condition: &str| {
         pendulum(&format!(
             "#[body(w, x = 1, y = 2)] #[body(v, x = t, y = 0)] #[angle(B: w = t)] #[angle(C: v = 0)] \

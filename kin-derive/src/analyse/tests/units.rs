@@ -1,4 +1,4 @@
-//! The units of the repository's mechanisms agree: whoever writes one has it checked. And what follows from them.
+//! Tests that the units of all mechanisms in the repository agree, and of the units derived from them.
 
 use super::tokens;
 use crate::analyse::analyse;
@@ -44,7 +44,7 @@ fn units_that_differ_in_scale_are_named_with_what_to_do() {
     );
 }
 
-/// What is said of the units of names.
+/// The units that are derived for the names of a description.
 fn derived(source: &str) -> units::Units {
     match analyse(tokens(""), tokens(source)).1 {
         Ok(lowered) => units::derive(&lowered.mechanism),

@@ -161,7 +161,7 @@ fn every_row_of_the_vocabulary() {
     assert!(matches!(left, Formula::Distance(p, _) if matches!(p.x, Formula::Parameter(_))));
 }
 
-/// The left side of an equation in `u`, `v`, `l1`, `l2`.
+/// The formula of the left side of an equation in `u`, `v`, `l1`, `l2`.
 fn formula(expr: &str) -> Formula {
     let m = good(&equation(expr)).mechanism;
     let Some(Constraint { left, .. }) = &Constraint::of(&m.joints[0].operands) else { panic!() };

@@ -1,4 +1,4 @@
-//! The scale at a configuration, by the typical sizes of the entries of Φ_q at several configurations around it.
+//! The scale at a configuration, from the typical sizes of the entries of Φ_q at several configurations around it.
 
 use super::Scale;
 use crate::equations::Equations;
@@ -6,18 +6,19 @@ use crate::model::{Component, CoordinateKind, Frame, Role};
 use crate::random::Random;
 use crate::workspace::{Instant, Subset};
 
-/// Configurations over which the typical size of an entry is taken.
+/// Number of configurations over which the typical size of an entry is taken.
 const SAMPLES: usize = 9;
-/// Arguments at which the size of a curve is looked at.
+/// Arguments at which the size of a curve is sampled.
 const CURVE_SAMPLES: [f64; 3] = [0.3, 2.4, 4.5];
-/// Sweeps of row and column equilibration.
+/// Number of iterations of row and column equilibration.
 const SWEEPS: usize = 6;
 
-/// Size that a column of an angle has at least beside the lengths in its rows: what is smaller is nearly singular.
+/// Lower bound of the size of an angle's column, relative to the lengths in its rows: a smaller column is nearly
+/// singular.
 const SMALLEST_ANGLE_COLUMN: f64 = 1e-3;
 
 impl Scale {
-    /// Scales at the current instant, from configurations around `q`.
+    /// The scales at the current instant, from configurations around `q`.
     pub(crate) fn around(equations: &mut Equations<'_>, q: &[f64]) -> Self {
         let (s, n) = (equations.rows(), equations.coordinates());
         let length = typical_length(equations);
@@ -47,7 +48,7 @@ impl Scale {
         scale
     }
 
-    /// Lengths over the typical length, and every row over its largest entry: from here on no unit matters.
+    /// Divides lengths by the typical length, and every row by its largest entry: the result is independent of units.
     fn start(&mut self, equations: &Equations<'_>, entries: &[(usize, usize, f64)]) {
         for (column, info) in self.columns.iter_mut().zip(equations.model.coordinates) {
             if matches!(info.kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. }) {
@@ -65,7 +66,8 @@ impl Scale {
         }
     }
 
-    /// Takes the columns of angles for no smaller than [`SMALLEST_ANGLE_COLUMN`], where rows and lengths have their sizes.
+    /// Raises the entries of angle columns to at least [`SMALLEST_ANGLE_COLUMN`]; rows and lengths have been scaled
+    /// before.
     fn raise_angles(&self, entries: &mut [(usize, usize, f64)]) {
         for &angle in &self.angles {
             let own = entries.iter().filter(|entry| entry.1 == angle);
@@ -77,7 +79,7 @@ impl Scale {
         }
     }
 
-    /// Alternating division of rows and columns by the square roots of their largest entries.
+    /// Divides rows and columns alternately by the square roots of their largest entries.
     fn equilibrate(&mut self, entries: &[(usize, usize, f64)]) {
         for _ in 0..SWEEPS {
             let mut row_max = vec![0.0_f64; self.rows.len()];
@@ -99,7 +101,8 @@ impl Scale {
         }
     }
 
-    /// Makes the column scale of angles one, or of lengths the typical length, or the smallest of scalars one.
+    /// Makes the median column scale of angles 1; without angles that of lengths the typical length; without poses the
+    /// smallest scale of scalars 1.
     fn normalise(&mut self, equations: &Equations<'_>) {
         let of = |wanted: fn(CoordinateKind) -> bool| {
             let mut scales: Vec<f64> = equations
@@ -116,7 +119,7 @@ impl Scale {
         let factor = match (of(is_angle), of(poses), of(|_| true)) {
             (Some(angle), _, _) => angle,
             (None, Some(pose), _) => pose / self.length,
-            // Scalars that are angles move rows of a mechanism in millimetres more than those that are lengths.
+            // In a mechanism in millimetres, scalars that are angles have larger entries than those that are lengths.
             (None, None, Some(_)) => self.columns.iter().copied().filter(|&d| d > 0.0).fold(f64::INFINITY, f64::min),
             (None, None, None) => 1.0,
         };
@@ -127,13 +130,13 @@ impl Scale {
     }
 }
 
-/// True for φ of a body.
+/// True for the coordinate φ of a body.
 fn is_angle(kind: CoordinateKind) -> bool {
     matches!(kind, CoordinateKind::Pose { component: Component::Phi, .. })
 }
 
-/// Distance of joints from the origins of their moving bodies; of the ground's joints where there is none; then the
-/// radii, which are last because those of gears may be numbers of teeth.
+/// A typical distance of joints from the origins of their bodies: of moving bodies, or else of the ground, or else the
+/// radii, which come last because those of gears may be numbers of teeth.
 fn typical_length(equations: &Equations<'_>) -> f64 {
     let at = Instant { t: equations.t, inputs: &equations.inputs };
     let Ok(numbers) = equations.system.geometry(&at) else { return 1.0 };
@@ -156,7 +159,7 @@ fn typical_length(equations: &Equations<'_>) -> f64 {
     found.into_iter().find(|&l| l > 0.0 && l.is_finite()).unwrap_or(1.0)
 }
 
-/// How far around its value a coordinate is sampled.
+/// The distance from its value within which a coordinate is sampled.
 fn spread(equations: &Equations<'_>, coordinate: usize, value: f64, length: f64) -> f64 {
     match equations.model.coordinates[coordinate].kind {
         CoordinateKind::Pose { component: Component::Phi, .. } => core::f64::consts::PI,
@@ -165,7 +168,7 @@ fn spread(equations: &Equations<'_>, coordinate: usize, value: f64, length: f64)
     }
 }
 
-/// [`median_of_nonzero`] of few numbers, none of which is negative.
+/// [`median_of_nonzero`] of a fixed number of samples, none of which is negative, by insertion sort.
 fn median_of_samples(values: &mut [f64; SAMPLES]) -> f64 {
     let mut positive = 0;
     for k in 0..SAMPLES {
@@ -183,7 +186,7 @@ fn median_of_samples(values: &mut [f64; SAMPLES]) -> f64 {
     if positive == 0 { 0.0 } else { values[positive / 2] }
 }
 
-/// Median of the positive finite numbers; 0 where there are none.
+/// The median of the positive finite numbers; 0 where there are none.
 fn median_of_nonzero(values: &mut Vec<f64>) -> f64 {
     values.retain(|v| *v > 0.0 && v.is_finite());
     values.sort_by(f64::total_cmp);

@@ -1,33 +1,34 @@
-//! The common scale of rows and coordinates, on which tolerances and ranks are judged.
+//! The common scale of rows and coordinates, to which tolerances and ranks refer.
 //!
 //! With row scales S and column scales D, the matrix S Φ_q D has entries of size one at typical configurations, and D
 //! is one for angles: scaled displacements D⁻¹ δq are radians, or the displacement that a radian causes. The scales
-//! come from the *typical* size of every entry over several configurations, never from the current one alone, because
-//! a row or column that happens to vanish is exactly what a rank must show. What other configurations cannot tell,
-//! because an entry depends on inputs or time alone, the angles do: radians need no scale, so that a column of φ that is
-//! tiny beside the lengths of its rows is nearly singular, or rounding noise, and is not drawn up to size one.
+//! come from the *typical* size of every entry over several configurations, never from the current configuration alone,
+//! because a row or column that vanishes there must show up in the rank. An entry that depends on inputs or time alone
+//! is the same in all these configurations. Therefore the columns of angles have a lower bound: radians need no scale,
+//! so that a column of φ that is tiny compared with the lengths of its rows is nearly singular, or rounding noise, and
+//! is not scaled to size one.
 
 mod around;
 
 /// Scales of rows and columns.
 #[derive(Clone, Debug)]
 pub(crate) struct Scale {
-    /// S, factor of every row of Φ.
+    /// S, the factor of every row of Φ.
     pub(crate) rows: Vec<f64>,
-    /// D, size of every coordinate.
+    /// D, the size of every coordinate.
     pub(crate) columns: Vec<f64>,
-    /// 1 over D.
+    /// The inverse of D.
     inverse: Vec<f64>,
     /// A typical length of the mechanism.
     pub(crate) length: f64,
-    /// Places of angles in q.
+    /// Indices of angles in q.
     angles: Vec<usize>,
-    /// Whether it is that of the mechanism: scaling is done where something is judged by it.
+    /// Whether the scale of the mechanism has been computed; this is done only where something depends on it.
     pub(crate) is_known: bool,
 }
 
 impl Scale {
-    /// No scaling.
+    /// The scale without scaling.
     pub(crate) fn unit(rows: usize, columns: usize) -> Self {
         let ones = vec![1.0; columns];
         Self {
@@ -40,19 +41,19 @@ impl Scale {
         }
     }
 
-    /// Largest scaled entry of a displacement, max |δq_k| / D_k.
+    /// The largest scaled entry of a displacement, max |δq_k| / D_k.
     pub(crate) fn size(&self, displacement: &[f64]) -> f64 {
         largest_product(displacement, &self.inverse)
     }
 
-    /// As [`size`](Self::size), but no angle counts for less than its radians.
+    /// As [`size`](Self::size), but an angle counts at least with its radians.
     pub(crate) fn turn(&self, displacement: &[f64]) -> f64 {
         let radians = self.angles.iter().filter_map(|&k| displacement.get(k)).map(|x| x.abs());
         radians.fold(self.size(displacement), f64::max)
     }
 }
 
-/// max |x_k y_k|, as several maxima at once; what is not a number does not count.
+/// max |x_k y_k|, computed as four maxima in parallel; NaN is ignored.
 #[inline]
 pub(crate) fn largest_product(x: &[f64], y: &[f64]) -> f64 {
     let larger = |a: f64, b: f64| if b > a { b } else { a };

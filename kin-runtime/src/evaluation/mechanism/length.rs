@@ -1,13 +1,13 @@
-//! Arguments of the wrong length.
+//! The error for arguments of the wrong length.
 
-/// A slice has the wrong number of entries.
+/// An argument has the wrong number of entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LengthError {
-    /// Which argument.
+    /// The name of the argument.
     pub what: &'static str,
-    /// How many entries it must have.
+    /// The number of entries that it must have.
     pub expected: usize,
-    /// How many it has.
+    /// The number of entries that it has.
     pub found: usize,
 }
 
@@ -24,7 +24,7 @@ impl core::fmt::Display for LengthError {
 
 impl core::error::Error for LengthError {}
 
-/// Writes a list that has nothing in it.
+/// Checks that a list is empty; the default of methods that write a list which the mechanism does not have.
 pub(super) const fn empty<T>(what: &'static str, list: &[T]) -> Result<(), LengthError> {
     match list.len() {
         0 => Ok(()),

@@ -13,11 +13,11 @@ mod workspaces;
 pub use length::LengthError;
 pub use workspaces::{Observations, Workspace};
 
-/// A planar mechanism with closed-form constraints, written by `#[mechanism]`.
+/// A planar mechanism with closed-form constraints, implemented by `#[mechanism]`.
 ///
-/// Shapes: n coordinates, s rows. q, q̇ are slices of n numbers in the order of [`Model::coordinates`]; Φ, Φ_t, γ have
-/// s numbers in the order of [`Model::rows`]; Φ_q is given by its non-zeros in the order of
-/// [`Model::constraint_pattern`]. Lengths in the user's unit, angles in radians, counter-clockwise.
+/// Shapes: n coordinates, s rows. q and q̇ are slices of n numbers in the order of [`Model::coordinates`]; Φ, Φ_t and γ
+/// have s numbers in the order of [`Model::rows`]; Φ_q is given by its non-zeros in the order of
+/// [`Model::constraint_pattern`]. Lengths are in the user's unit, angles in radians, counter-clockwise.
 ///
 /// The evaluation path needs neither `std` nor an allocator.
 pub trait Mechanism: Sized {
@@ -25,11 +25,11 @@ pub trait Mechanism: Sized {
     const COORDINATES: usize;
     /// s, the number of rows of Φ.
     const ROWS: usize;
-    /// The number of parameters, array fields element by element.
+    /// The number of parameters, where array fields count element by element.
     const PARAMETERS: usize;
     /// The number of inputs.
     const INPUTS: usize;
-    /// The number of lengths that joints keep: of links, cylinders and drivers of distances. There are never more than rows.
+    /// The number of lengths that joints keep (of links, cylinders and drivers of distances), at most `ROWS`.
     const LENGTHS: usize = 0;
 
     /// `[T; PARAMETERS]`.
@@ -46,9 +46,9 @@ pub trait Mechanism: Sized {
     type Observables<T: Scalar>: Array<T>;
     /// One `T` for every entry of the pattern of the observables' Jacobian.
     type ObservableNonZeros<T: Scalar>: Array<T>;
-    /// What [`factorise_with`](Self::factorise_with) leaves for one right-hand side after another; without a plan empty.
+    /// The factors that [`factorise_with`](Self::factorise_with) computes; empty without a plan.
     type Factors<T: Scalar>: Array<T>;
-    /// Where among the factors it says how far they are from being singular, as margins do: first place and end.
+    /// The range of factors, start and end, that measure the distance from singularity, as margins do.
     const REGULAR: (usize, usize) = (0, 0);
 
     /// Names, rows, patterns and geometry.
@@ -57,16 +57,16 @@ pub trait Mechanism: Sized {
     /// The parameters as the scalar `T`, in the order of [`Model::parameters`].
     fn parameters<T: Scalar>(&self) -> Self::Parameters<T>;
 
-    /// Sets the parameter at `index` of [`Model::parameters`]; false when there is no such index.
+    /// Sets the parameter at `index` of [`Model::parameters`]; false when the index is out of range.
     fn set_parameter(&mut self, index: usize, value: f64) -> bool;
 
-    /// (f, f′, f″) at `x` of the supplied function at `index` of [`Model::functions`]; `None` when there is none.
+    /// (f, f′, f″) at `x` of the supplied function at `index` of [`Model::functions`]; `None` when it is out of range.
     fn evaluate_function(&self, index: usize, x: f64) -> Option<[f64; 3]> {
         let _ = (index, x);
         None
     }
 
-    /// The arguments at which supplied functions are evaluated, one for every entry of [`Model::arguments`].
+    /// Writes the arguments at which supplied functions are evaluated, one for every entry of [`Model::arguments`].
     ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
@@ -81,9 +81,9 @@ pub trait Mechanism: Sized {
         length::empty("arguments", arguments)
     }
 
-    /// Φ, Φ_q, Φ_t, γ, or any subset of them, at parameters that the caller supplies; all shared work is done once.
+    /// Evaluates Φ, Φ_q, Φ_t, γ, or any subset, at parameters of the caller; common terms are computed once.
     ///
-    /// Units follow the parameters. Parts that `subset` does not ask for may be overwritten or left alone.
+    /// Units follow the parameters. Parts that `subset` does not request may be overwritten or left unchanged.
     ///
     /// # Errors
     /// When `parameters`, the inputs, `q` or `q_dot` have the wrong length.
@@ -97,7 +97,7 @@ pub trait Mechanism: Sized {
         workspace: &mut Workspace<Self, T>,
     ) -> Result<(), LengthError>;
 
-    /// Φ(q, t) alone. A scalar that is only used here, a dual number for example, compiles nothing of the derivatives.
+    /// Evaluates Φ(q, t) alone. A scalar type that only this method uses (a dual number) compiles no derivatives.
     ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
@@ -115,7 +115,7 @@ pub trait Mechanism: Sized {
         Ok(())
     }
 
-    /// η of the rows of velocity level, η = B(q, t) q̇ + b(q, t), for any scalar type; 0 in all other rows.
+    /// Evaluates η = B(q, t) q̇ + b(q, t) of the rows of velocity level, for any scalar type; 0 in all other rows.
     ///
     /// # Errors
     /// When an argument has the wrong length.
@@ -127,17 +127,17 @@ pub trait Mechanism: Sized {
         q_dot: &[T],
         eta: &mut [T],
     ) -> Result<(), LengthError> {
-        // Without rows of velocity level there is nothing to evaluate.
+        // The default is for mechanisms without rows of velocity level.
         let _ = (parameters, at, q, q_dot);
         eta.fill(T::from_f64(0.0));
         Ok(())
     }
 
-    /// q, q̇ and q̈, as far as `depth` goes, by the plan ([`Model::plan`]): every group in closed form where it has one.
+    /// Computes q, q̇ and q̈, as far as `depth` says, by the plan ([`Model::plan`]): in closed form where possible.
     ///
-    /// `modes` has a sign, ±1, for every mode of the plan; angles come out within half a turn of those in `start`, n
-    /// numbers, and iterations start there. What is written is good only where all margins are positive; nothing is
-    /// written where there is no plan.
+    /// `modes` has a sign, ±1, for every mode of the plan. Angles are within half a turn of those in `start`, n
+    /// numbers, from which iterations start. The results are valid only where all margins are positive; nothing is
+    /// written without a plan.
     ///
     /// # Errors
     /// When an argument has the wrong length.
@@ -154,8 +154,8 @@ pub trait Mechanism: Sized {
         Ok(())
     }
 
-    /// For every mode of the plan, a number in −1 ≤ w ≤ 1 whose sign is the mode of the configuration q and whose
-    /// size says how far the two closures are apart: 0 where they meet.
+    /// Writes for every mode of the plan a number w, −1 ≤ w ≤ 1, whose sign is the mode of the configuration q and
+    /// whose size is the distance between the two closures: 0 where they meet.
     ///
     /// # Errors
     /// When an argument has the wrong length.
@@ -170,9 +170,9 @@ pub trait Mechanism: Sized {
         Ok(())
     }
 
-    /// What tells the branches of every group of the plan apart at the configuration q: the numbers of
-    /// [`closures_with`](Self::closures_with), and behind them such a number for every group that is solved by iteration
-    /// ([`Plan::orientations`](crate::plan::Plan::orientations)), the determinant of its own small system, normalised.
+    /// Writes the branch values of all groups of the plan at the configuration q: the numbers of
+    /// [`closures_with`](Self::closures_with), followed by a number for every group that is solved by iteration
+    /// ([`Plan::orientations`](crate::plan::Plan::orientations)), the normalised determinant of the group's system.
     ///
     /// # Errors
     /// When an argument has the wrong length.
@@ -186,7 +186,7 @@ pub trait Mechanism: Sized {
         self.closures_with(parameters, at, q, branches)
     }
 
-    /// What x with Φ_q x = b needs of Φ_q at q, by the blocks of the plan; nothing is written where there is no plan.
+    /// Factorises Φ_q at q for systems Φ_q x = b, by the blocks of the plan; nothing is written where there is no plan.
     ///
     /// # Errors
     /// When an argument has the wrong length.
@@ -201,8 +201,8 @@ pub trait Mechanism: Sized {
         Ok(())
     }
 
-    /// x with Φ_q x = b, s numbers b, n numbers x, given the factors of Φ_q; nothing is written where there is no plan.
-    /// Where Φ_q is singular, x is not finite or far too large: whoever asks for it checks Φ_q x = b, or the margins of
+    /// Solves Φ_q x = b for x (n numbers) from b (s numbers) and the factors of Φ_q; nothing is written where there is
+    /// no plan. Where Φ_q is singular, x is not finite or far too large: the caller checks Φ_q x = b, or the margins of
     /// a solution.
     ///
     /// # Errors
@@ -212,7 +212,7 @@ pub trait Mechanism: Sized {
         Ok(())
     }
 
-    /// The observables with their Jacobian, time derivative and acceleration right-hand side.
+    /// Evaluates the observables with their Jacobian, time derivative and acceleration right-hand side.
     ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
@@ -225,7 +225,7 @@ pub trait Mechanism: Sized {
         observations: &mut Observations<Self, T>,
     ) -> Result<(), LengthError>;
 
-    /// Local points, axes and values of all joints and points, [`Model::geometry`] numbers.
+    /// Writes local points, axes and values of all joints and points, [`Model::geometry`] numbers.
     ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
@@ -239,8 +239,8 @@ pub trait Mechanism: Sized {
         length::empty("geometry", geometry)
     }
 
-    /// The lengths that joints keep, [`LENGTHS`](Self::LENGTHS) numbers in the order of their joints. A row of such a joint
-    /// holds the square, which says nothing of the sign: a negative length is an error.
+    /// Writes the lengths that joints keep, [`LENGTHS`](Self::LENGTHS) numbers in the order of their joints. A row of
+    /// such a joint contains the square, which does not depend on the sign: a negative length is an error.
     ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
@@ -254,7 +254,7 @@ pub trait Mechanism: Sized {
         length::empty("lengths", lengths)
     }
 
-    /// r = Q − M q̈, n numbers: what loads and inertia leave for the constraints, Φ_qᵀ λ = r.
+    /// Writes r = Q − M q̈, n numbers: the generalized forces that the constraints must balance, Φ_qᵀ λ = r.
     ///
     /// # Errors
     /// When an argument has the wrong length.
@@ -271,8 +271,8 @@ pub trait Mechanism: Sized {
         Ok(())
     }
 
-    /// Efforts, reactions, energies and powers at a solved q, q̇, q̈: the numbers of [`ForceModel`](crate::model::ForceModel).
-    /// `right` is λ, s numbers; nothing where the closed forms hold it.
+    /// Writes efforts, reactions, energies and powers at a solved q, q̇, q̈, the numbers of
+    /// [`ForceModel`](crate::model::ForceModel). `right` is λ, s numbers; empty where the closed forms compute λ.
     ///
     /// # Errors
     /// When an argument has the wrong length.
@@ -291,7 +291,7 @@ pub trait Mechanism: Sized {
         Ok(())
     }
 
-    /// The guessed values of the coordinates listed in [`Model::guesses`].
+    /// Writes the guessed values of the coordinates listed in [`Model::guesses`].
     ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
@@ -300,8 +300,8 @@ pub trait Mechanism: Sized {
         length::empty("guesses", guesses)
     }
 
-    /// A point of the curve of `joint`, a place in [`Model::joints`], at the argument `s` (see [`CurvePoint`]); `None`
-    /// for a joint without a curve and for one in implicit form. The cam's own outline, whatever `roller` runs on it.
+    /// A point of the curve of `joint`, an index in [`Model::joints`], at the argument `s` (see [`CurvePoint`]); `None`
+    /// for a joint without a curve and for one in implicit form. It is the cam's outline without roller.
     ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
@@ -339,7 +339,7 @@ pub trait Mechanism: Sized {
         Evaluation::new(&Self::model().observable_pattern)
     }
 
-    /// Φ, Φ_q, Φ_t, γ, or any subset of them, at the struct's own parameters.
+    /// Evaluates Φ, Φ_q, Φ_t, γ, or any subset of them, at the struct's own parameters.
     ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).

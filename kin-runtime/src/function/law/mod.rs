@@ -1,4 +1,4 @@
-//! Motion laws of cams: how a rise is spread over its duration.
+//! Motion laws of cams: normalised courses of a rise over its duration.
 
 mod cycloidal;
 mod harmonic;
@@ -16,9 +16,9 @@ use wave::Wave;
 
 /// A normalised motion law s(τ) with s(0) = 0 and s(1) = 1 for τ in [0, 1].
 ///
-/// A rise h that takes β has s = h s(τ), velocity h s′(τ)/β and acceleration h s″(τ)/β² with τ = x/β. The peaks of s′ and
-/// s″ measure how hard a law is on the machine (Norton, *Cam Design and Manufacturing Handbook*, 2009, chapters 3 and 4;
-/// VDI 2143):
+/// A rise h over a duration β has position h s(τ), velocity h s′(τ)/β and acceleration h s″(τ)/β² with τ = x/β. The
+/// peaks of s′ and s″ measure the load that a law puts on the machine (Norton, *Cam Design and Manufacturing Handbook*,
+/// 2009, chapters 3 and 4; VDI 2143):
 ///
 /// | law | peak s′ | peak s″ | at its ends |
 /// |---|---|---|---|
@@ -42,9 +42,9 @@ pub enum MotionLaw {
     Polynomial345,
     /// s = 35τ⁴ − 84τ⁵ + 70τ⁶ − 20τ⁷.
     Polynomial4567,
-    /// A sine of the acceleration over the inner three quarters, steeper ones at the ends.
+    /// The acceleration is a sine over the inner three quarters and a steeper sine at the ends.
     ModifiedSine,
-    /// An acceleration of constant pieces with quarter sines between them.
+    /// The acceleration has constant pieces connected by quarter sines.
     ModifiedTrapezoidal,
 }
 
@@ -60,7 +60,7 @@ impl MotionLaw {
         Self::ModifiedTrapezoidal,
     ];
 
-    /// (s, s′, s″) at τ. Before 0 and after 1 the motion rests at 0 and 1.
+    /// (s, s′, s″) at τ. Before τ = 0 and after τ = 1 the motion rests at 0 and 1.
     pub fn normalised(self, tau: f64) -> [f64; 3] {
         if tau < 0.0 {
             return [0.0; 3];
@@ -79,11 +79,11 @@ impl MotionLaw {
         }
     }
 
-    /// s, s′, s″, s‴, … at τ, as many as there is room for. Where one of them jumps, in a law made of pieces, it is that
-    /// of the piece that begins there.
+    /// Writes s, s′, s″, s‴, … at τ, as many as `out` has room for. Where a derivative jumps between two pieces of a
+    /// law, the value is that of the later piece.
     pub fn derivatives(self, tau: f64, out: &mut [f64]) {
         let waves = match self {
-            // Before and after, the motion rests.
+            // Before and after the interval the motion rests.
             _ if !(0.0..=1.0).contains(&tau) => Wave::default(),
             Self::ConstantVelocity => Wave::default(),
             Self::Harmonic => harmonic::wave(tau),
@@ -115,7 +115,8 @@ impl MotionLaw {
     }
 }
 
-/// The normalised law itself: a rise from 0 to 1 while its argument goes from 0 to 1, as in `stroke * rise(t / duration)`.
+/// The normalised law itself: a rise from 0 to 1 while its argument goes from 0 to 1, as in `stroke * rise(t /
+/// duration)`.
 impl ScalarFunction for MotionLaw {
     #[inline]
     fn evaluate(&self, tau: f64) -> [f64; 3] {
@@ -128,7 +129,7 @@ impl ScalarFunction for MotionLaw {
     }
 }
 
-/// Its name.
+/// The name of the law.
 impl fmt::Display for MotionLaw {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

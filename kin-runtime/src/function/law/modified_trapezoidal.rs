@@ -17,7 +17,7 @@ pub(super) fn law(tau: f64) -> [f64; 3] {
 }
 
 fn first_half(tau: f64) -> [f64; 3] {
-    // s and s′ at the ends of the constant piece, 1/8 and 3/8.
+    // s and s′ at the ends of the constant piece, τ = 1/8 and τ = 3/8.
     let (s_a, v_a) = (PEAK / OMEGA * (0.125 - 1.0 / OMEGA), PEAK / OMEGA);
     let (s_b, v_b) = (s_a + v_a / 4.0 + PEAK / 32.0, v_a + PEAK / 4.0);
     if (0.125..0.375).contains(&tau) {
@@ -34,7 +34,8 @@ fn first_half(tau: f64) -> [f64; 3] {
 }
 
 pub(super) fn wave(tau: f64) -> Wave {
-    // The second half mirrors the first: s″(τ) = −s″(1 − τ), s‴(τ) = s‴(1 − τ). A piece begins with its first instant.
+    // The second half mirrors the first: s″(τ) = −s″(1 − τ), s‴(τ) = s‴(1 − τ). At a junction the values of the later
+    // piece are used.
     let (from_start, sign) = if tau >= 0.5 { (1.0 - tau, -1.0) } else { (tau, 1.0) };
     let constant = if tau >= 0.5 { from_start > 0.125 && from_start <= 0.375 } else { (0.125..0.375).contains(&tau) };
     if constant {

@@ -1,9 +1,9 @@
-//! The constants of the textbooks, and the derivatives by differences.
+//! Tests with the constants of textbooks, and of the derivatives by finite differences.
 
 use super::MotionLaw;
 use crate::function::ScalarFunction;
 
-/// Largest |s′| and |s″|, finely sampled.
+/// The largest |s′| and |s″| of a fine sampling.
 fn peaks(law: MotionLaw) -> [f64; 2] {
     let samples = (0..=100_000).map(|k| law.normalised(f64::from(k) / 100_000.0));
     samples.fold([0.0; 2], |[v, a], [_, s_1, s_2]| [f64::max(v, s_1.abs()), f64::max(a, s_2.abs())])
@@ -60,7 +60,7 @@ fn derivatives_agree_with_differences_and_pieces_join() {
     const H: f64 = 1e-5;
     for law in MotionLaw::ALL {
         for k in 1..400 {
-            // Holds the joints at 1/8, 3/8, 1/2 and 7/8.
+            // The samples include the junctions of pieces at 1/8, 3/8, 1/2 and 7/8.
             let tau = f64::from(k) / 400.0;
             let ([before, v_before, _], [_, v, a], [after, v_after, _]) =
                 (law.normalised(tau - H), law.normalised(tau), law.normalised(tau + H));
@@ -83,7 +83,7 @@ fn beyond_its_interval_a_law_rests() {
 fn higher_derivatives_are_derivatives() {
     for law in MotionLaw::ALL {
         for k in 0..50 {
-            // Away from the places where pieces meet.
+            // The samples avoid the junctions of pieces.
             let (tau, h) = (0.0051 + 0.0199 * f64::from(k), 1e-4);
             let at = |tau: f64| {
                 let mut all = [0.0; 7];
@@ -102,7 +102,7 @@ fn higher_derivatives_are_derivatives() {
     let mut resting = [f64::NAN; 5];
     MotionLaw::Cycloidal.derivatives(1.5, &mut resting);
     assert_eq!(resting, [1.0, 0.0, 0.0, 0.0, 0.0]);
-    // As the function of a mechanism it is the same, and known to any order.
+    // As a function of a mechanism the law has derivatives of any order.
     let mut same = [f64::NAN; 5];
     let law = MotionLaw::Polynomial4567;
     assert_eq!((ScalarFunction::derivatives(&law, 0.3, &mut same), law.evaluate(0.3)), (5, law.normalised(0.3)));

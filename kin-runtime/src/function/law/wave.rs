@@ -1,6 +1,6 @@
-//! Pieces of laws whose accelerations are sines.
+//! Pieces of laws whose acceleration is a sine.
 
-/// s″ = a sin θ as a piece of a wave: a sin θ, a cos θ, and θ′.
+/// A piece with s″ = a sin θ, given by a sin θ, a cos θ, and θ′.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Wave {
     pub(super) sine: f64,

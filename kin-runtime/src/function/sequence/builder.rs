@@ -1,4 +1,4 @@
-//! Building a sequence, segment by segment.
+//! The builder of a sequence, which adds segment by segment.
 
 use super::Sequence;
 use super::segment::{Course, Segment};
@@ -8,8 +8,8 @@ use crate::text::counted;
 use alloc::vec::Vec;
 use core::fmt;
 
-/// A sequence in the making; [`periodic`](Self::periodic) or [`build`](Self::build) completes it, and reports the first
-/// mistake.
+/// A builder of a sequence. [`periodic`](Self::periodic) or [`build`](Self::build) completes the sequence and reports
+/// the first mistake.
 #[derive(Clone, Debug)]
 #[must_use = "a sequence is complete after `build` or `periodic`"]
 pub struct SequenceBuilder {
@@ -25,7 +25,7 @@ impl SequenceBuilder {
         Self { start: (x, position), segments: Vec::new(), error }
     }
 
-    /// Where the next segment begins: x and position.
+    /// The x and the position at which the next segment begins.
     fn here(&self) -> (f64, f64) {
         match self.segments.last() {
             None => self.start,
@@ -33,34 +33,35 @@ impl SequenceBuilder {
         }
     }
 
-    /// Rests for `duration`.
+    /// Adds a segment of length `duration` without motion.
     pub fn dwell(self, duration: f64) -> Self {
         self.segment(Course::Dwell, duration)
     }
 
-    /// Moves by `height`, up or (negative) down.
+    /// Adds a motion by `height`, up or (if negative) down.
     pub fn rise(self, law: MotionLaw, height: f64, duration: f64) -> Self {
         self.segment(Course::Law(law, height), duration)
     }
 
-    /// Moves down by `height`: a rise by −`height`.
+    /// Adds a motion down by `height`, which is a rise by −`height`.
     pub fn fall(self, law: MotionLaw, height: f64, duration: f64) -> Self {
         self.rise(law, -height, duration)
     }
 
-    /// Moves to `position`.
+    /// Adds a motion to `position`.
     pub fn to(self, law: MotionLaw, position: f64, duration: f64) -> Self {
         let height = position - self.here().1;
         self.rise(law, height, duration)
     }
 
-    /// Moves to the position at which the sequence starts.
+    /// Adds a motion to the position at which the sequence starts.
     pub fn return_to_start(self, law: MotionLaw, duration: f64) -> Self {
         let position = self.start.1;
         self.to(law, position, duration)
     }
 
-    /// Moves by Σ c_k τ^k, τ from 0 to 1 over the duration; c_0 is 0, since the motion begins where it stands.
+    /// Adds a motion by Σ c_k τ^k, where τ goes from 0 to 1 over the duration; c_0 must be 0, since the motion begins
+    /// at the current position.
     pub fn polynomial(self, coefficients: &[f64], duration: f64) -> Self {
         self.segment(Course::Polynomial(coefficients.to_vec()), duration)
     }
@@ -87,19 +88,19 @@ impl SequenceBuilder {
         self
     }
 
-    /// The sequence, run through once.
+    /// Completes a sequence that is run through once.
     ///
     /// # Errors
-    /// The first mistake: no segment, numbers that are not finite, a duration that is not greater than 0, a polynomial
-    /// that jumps.
+    /// The first mistake: no segment, numbers that are not finite, a duration that is not positive, or a polynomial
+    /// with a constant term.
     pub fn build(self) -> Result<Sequence, FunctionError> {
         self.complete(false)
     }
 
-    /// The sequence, repeated forever.
+    /// Completes a sequence that is repeated forever.
     ///
     /// # Errors
-    /// As [`build`](Self::build), and when it does not end where it begins.
+    /// As [`build`](Self::build), and where the end position differs from the start position.
     pub fn periodic(self) -> Result<Sequence, FunctionError> {
         self.complete(true)
     }
@@ -121,7 +122,7 @@ impl SequenceBuilder {
     }
 }
 
-/// How many segments so far.
+/// The start and the number of segments so far, with the first mistake.
 impl fmt::Display for SequenceBuilder {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "sequence from x = {}, ", self.start.0)?;

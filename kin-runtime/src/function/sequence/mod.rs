@@ -37,10 +37,11 @@ use segment::Segment;
 /// # }
 /// ```
 ///
-/// The position is continuous; whether velocity and acceleration are depends on the laws that meet, see
-/// [`junctions`](Self::junctions). Where they jump, so does q̇ or q̈ of what is driven; at the junction itself the segment
-/// that begins there counts. A periodic sequence repeats forever in both directions; any other one continues straight
-/// before its start and after its end, with the velocity that it has there, which is rest beside a dwell. What is not a number has no value.
+/// The position is continuous. Velocity and acceleration may jump where two laws meet, see
+/// [`junctions`](Self::junctions); then q̇ or q̈ of a driven coordinate jumps as well, and at the junction itself the
+/// later segment applies. A periodic sequence repeats forever in both directions. Any other sequence continues straight
+/// before its start and after its end with the velocity that it has there, which is zero beside a dwell. An argument of
+/// NaN gives NaN.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sequence {
     segments: Vec<Segment>,
@@ -50,24 +51,24 @@ pub struct Sequence {
 }
 
 impl Sequence {
-    /// Begins a sequence: at `x` (a time or an angle) the motion is at `position`.
+    /// Starts a sequence: at `x` (a time or an angle) the motion is at `position`.
     pub fn starting_at(x: f64, position: f64) -> SequenceBuilder {
         SequenceBuilder::new(x, position)
     }
 
-    /// Where the sequence starts and ends.
+    /// The x at which the sequence starts and ends.
     pub fn domain(&self) -> (f64, f64) {
         self.domain
     }
 
-    /// True when it repeats.
+    /// True for a sequence that repeats.
     pub fn is_periodic(&self) -> bool {
         self.periodic
     }
 
-    /// The places where segments meet, in order: where, then position, velocity and acceleration at the end of the segment
-    /// before, and those at the start of the next. The ends are among them: those of a periodic sequence meet each other
-    /// at its start, those of any other one meet the straight continuation.
+    /// The junctions of segments, in order: x, then position, velocity and acceleration at the end of the segment
+    /// before, and those at the start of the next. Both ends are included: in a periodic sequence the end meets the
+    /// start, in any other one each end meets its straight continuation.
     pub fn junctions(&self) -> impl Iterator<Item = (f64, [f64; 3], [f64; 3])> {
         let (start, end) = self.domain;
         let (first, last) = (&self.segments[0], &self.segments[self.segments.len() - 1]);
@@ -80,7 +81,7 @@ impl Sequence {
 }
 
 impl Sequence {
-    /// The segment that is valid at `x`, and `x` in its period; `None` on the straight continuations.
+    /// The segment at `x`, and `x` shifted into the first period; `None` on the straight continuations.
     fn segment_at(&self, x: f64) -> Option<(&Segment, f64)> {
         let (start, end) = self.domain;
         if x.is_nan() || !self.periodic && !(start..=end).contains(&x) {
@@ -93,7 +94,7 @@ impl Sequence {
 }
 
 impl ScalarFunction for Sequence {
-    /// All of them. Where a law has a jump in one of its derivatives, it is that of the piece that begins there.
+    /// Writes derivatives of any order. Where a derivative of a law jumps, the value is that of the later piece.
     fn derivatives(&self, x: f64, out: &mut [f64]) -> usize {
         match self.segment_at(x) {
             Some((segment, x)) => segment.derivatives(x, out),
@@ -116,7 +117,7 @@ impl ScalarFunction for Sequence {
         }
         let x = if self.periodic { super::wrapped(x, start, end) } else { x };
         if x.is_nan() {
-            // A dwell would not notice.
+            // A dwell would ignore its argument, so NaN is handled here.
             return [f64::NAN; 3];
         }
         let place = self.segments[1..].partition_point(|segment| segment.start <= x);
@@ -124,7 +125,7 @@ impl ScalarFunction for Sequence {
     }
 }
 
-/// `4 segments from x = 0 to 360, periodic`.
+/// For example `4 segments from x = 0 to 360, periodic`.
 impl fmt::Display for Sequence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         counted(f, self.segments.len(), "segment")?;

@@ -9,23 +9,23 @@ use alloc::vec::Vec;
 pub(super) struct Segment {
     pub(super) start: f64,
     pub(super) duration: f64,
-    /// Position at the start.
+    /// The position at the start.
     pub(super) position: f64,
     pub(super) course: Course,
 }
 
-/// How a segment moves on from its position, over τ in [0, 1].
+/// The displacement of a segment from its position at the start, over τ in [0, 1].
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Course {
     Dwell,
-    /// By this much.
+    /// A motion law and the height of the rise.
     Law(MotionLaw, f64),
-    /// Σ c_k τ^k.
+    /// The coefficients of Σ c_k τ^k.
     Polynomial(Vec<f64>),
 }
 
 impl Course {
-    /// Displacement with its derivatives by τ.
+    /// The displacement and its first two derivatives with respect to τ.
     fn evaluate(&self, tau: f64) -> [f64; 3] {
         match self {
             Self::Dwell => [0.0; 3],
@@ -34,7 +34,7 @@ impl Course {
         }
     }
 
-    /// All derivatives of the displacement by τ.
+    /// The displacement and its derivatives of all orders with respect to τ.
     fn derivatives(&self, tau: f64, out: &mut [f64]) {
         match self {
             Self::Dwell => out.fill(0.0),
@@ -46,7 +46,7 @@ impl Course {
         }
     }
 
-    /// Displacement over the whole segment.
+    /// The displacement over the whole segment.
     pub(super) fn rise(&self) -> f64 {
         match self {
             Self::Dwell => 0.0,
@@ -58,11 +58,11 @@ impl Course {
 
 impl Segment {
     pub(super) fn evaluate(&self, x: f64) -> [f64; 3] {
-        // Rounding must not lead out of a law: beyond its end it rests.
+        // Rounding must not move τ beyond 1, where a law is at rest.
         self.at(((x - self.start) / self.duration).clamp(0.0, 1.0))
     }
 
-    /// f, f′, f″, … at x.
+    /// Writes f, f′, f″, … at x.
     pub(super) fn derivatives(&self, x: f64, out: &mut [f64]) {
         self.course.derivatives(((x - self.start) / self.duration).clamp(0.0, 1.0), out);
         let mut scale = 1.0;

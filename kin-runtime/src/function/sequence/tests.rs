@@ -1,4 +1,4 @@
-//! Sequences: positions, junctions, what is refused.
+//! Tests of sequences: positions, junctions, rejected input.
 
 use super::Sequence;
 use crate::function::FunctionError;
@@ -19,10 +19,10 @@ fn segments_follow_one_another() {
     let cam = cam();
     assert_eq!(cam.domain(), (1.0, 6.0));
     assert_eq!(cam.evaluate(1.2), [0.2, 0.0, 0.0]);
-    // Half of a cycloidal rise: half the height, peak velocity 2h/β, no acceleration.
+    // In the middle of a cycloidal rise: half the height, peak velocity 2h/β, no acceleration.
     let [s, v, a] = cam.evaluate(2.5);
     assert!((s - 0.215).abs() < 1e-15 && (v - 0.03).abs() < 1e-15 && a.abs() < 1e-15);
-    // A quarter: peak acceleration 2πh/β².
+    // At a quarter of the rise: peak acceleration 2πh/β².
     let a = cam.evaluate(2.0)[2];
     assert!((a - core::f64::consts::TAU * 0.03 / 4.0).abs() < 1e-15);
     assert!((cam.evaluate(4.0)[0] - 0.23).abs() < 1e-15);
@@ -45,7 +45,7 @@ fn junctions_tell_what_jumps() {
             assert!((before[k] - after[k]).abs() < most, "{before:?} and {after:?} at {x}");
         }
     }
-    // At its seam a repeated sequence meets its own end.
+    // The first junction of a periodic sequence joins its end with its start.
     let saw = Sequence::starting_at(2.0, 0.0).rise(MotionLaw::ConstantVelocity, 3.0, 1.0);
     let saw = saw.return_to_start(MotionLaw::ConstantVelocity, 2.0).periodic().unwrap();
     let (x, before, after) = saw.junctions().next().unwrap();
@@ -89,7 +89,7 @@ fn unsound_sequences_are_refused() {
     assert_eq!(lost, Err(Duration { segment: 0, duration: 1.0 }));
     let open = start().rise(MotionLaw::Cycloidal, 0.1, 1.0).periodic();
     assert_eq!(open, Err(NotPeriodic { first: 0.0, last: 0.1 }));
-    // Rounding is no gap; the smallest gap that anybody means is one.
+    // A difference due to rounding is accepted; the smallest intended one is rejected.
     let nearly = |gap: f64| {
         start().rise(MotionLaw::Cycloidal, 100.0, 1.0).fall(MotionLaw::Cycloidal, 100.0 - gap, 1.0).periodic()
     };
@@ -98,7 +98,8 @@ fn unsound_sequences_are_refused() {
     assert!(open.unwrap_err().to_string().contains("begins with 0 and ends with 0.1"));
 }
 
-/// The third derivative of a cycloidal rise is 4π² h/β³ cos 2πτ; a dwell has none, and a polynomial its own.
+/// The third derivative of a cycloidal rise is 4π² h/β³ cos 2πτ; that of a dwell is 0, and that of a polynomial is
+/// exact.
 #[test]
 fn higher_derivatives_by_hand() {
     let cam = cam();

@@ -19,7 +19,7 @@ use tridiagonal::Tridiagonal;
 ///
 /// h_{i−1} m_{i−1} + 2(h_{i−1} + h_i) m_i + h_i m_{i+1} = 6((y_{i+1} − y_i)/h_i − (y_i − y_{i−1})/h_{i−1}),
 ///
-/// and two more come from the ends:
+/// and two more conditions come from the ends:
 ///
 /// | constructor | ends | outside of the table |
 /// |---|---|---|
@@ -27,12 +27,12 @@ use tridiagonal::Tridiagonal;
 /// | [`clamped`](Self::clamped) | f′ given | continues with the cubic of the end |
 /// | [`periodic`](Self::periodic) | f′ and f″ of both ends agree | repeats |
 ///
-/// All three continuations keep f″ continuous, so that no acceleration jumps where a mechanism leaves the table. A table
-/// says nothing about what lies beyond it: compare with [`domain`](Self::domain) where that matters. A value that is
-/// not a number gives NaN.
+/// All three continuations keep f″ continuous, so that no acceleration jumps where a mechanism leaves the table. The
+/// data say nothing about values outside of the table; compare with [`domain`](Self::domain) where that matters. An
+/// argument of NaN gives NaN.
 ///
-/// For smooth data the error falls with the fourth power of the spacing (natural ends: with the second near an end at
-/// which the true f″ is not 0).
+/// For smooth data the error falls with the fourth power of the spacing (with natural ends: with the second power near
+/// an end at which the true f″ is not 0).
 ///
 /// ```
 /// use kin_runtime::{ScalarFunction, function::CubicSpline};
@@ -50,12 +50,12 @@ use tridiagonal::Tridiagonal;
 #[derive(Clone, Debug, PartialEq)]
 pub struct CubicSpline {
     knots: Vec<f64>,
-    /// Coefficients of (x − x_i)^k, k = 0 … 3, of every piece.
+    /// The coefficients of (x − x_i)^k, k = 0 … 3, of every piece.
     pieces: Vec<[f64; 4]>,
     outside: Outside,
 }
 
-/// What the function is outside of the table.
+/// The continuation of a spline outside of its table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Outside {
     Straight,
@@ -67,7 +67,7 @@ impl CubicSpline {
     /// The spline with f″ = 0 at both ends.
     ///
     /// # Errors
-    /// A table that is not two or more finite points with increasing abscissae.
+    /// The table does not consist of two or more finite points with increasing abscissae.
     pub fn natural(x: &[f64], y: &[f64]) -> Result<Self, FunctionError> {
         let h = spacings(x, y, 2)?;
         let (mut system, mut right) = inner(&h, y);
@@ -80,7 +80,7 @@ impl CubicSpline {
     /// The spline with the slopes `start` and `end` at its ends.
     ///
     /// # Errors
-    /// As [`natural`](Self::natural); slopes that are not finite.
+    /// As [`natural`](Self::natural), and where a slope is not finite.
     pub fn clamped(x: &[f64], y: &[f64], start: f64, end: f64) -> Result<Self, FunctionError> {
         let h = spacings(x, y, 2)?;
         finite("slopes", &[start, end])?;
@@ -93,10 +93,11 @@ impl CubicSpline {
         Self::new(x, y, &h, &system.solve(&right), Outside::Cubic)
     }
 
-    /// The spline that repeats with the period x_n − x_0; the last point is the first one again.
+    /// The spline that repeats with the period x_n − x_0; the last point has the value of the first.
     ///
     /// # Errors
-    /// As [`natural`](Self::natural), with three points or more; a last value that is not the first one, up to rounding.
+    /// As [`natural`](Self::natural), where there are fewer than three points, and where the last value differs from
+    /// the first by more than rounding.
     pub fn periodic(x: &[f64], y: &[f64]) -> Result<Self, FunctionError> {
         let h = spacings(x, y, 3)?;
         let n = h.len();
@@ -116,7 +117,7 @@ impl CubicSpline {
         };
         let right: Vec<f64> = (0..n).map(|i| 6.0 * (slope(i) - slope(before(i)))).collect();
         let mut m = if n == 2 {
-            // Both neighbours of a point are the other one.
+            // With two pieces both neighbours of a point are the same point, so their coefficients add up.
             let off = h[0] + h[1];
             (system.lower, system.upper) = (alloc::vec![0.0, off], alloc::vec![off, 0.0]);
             system.solve(&right)
@@ -127,7 +128,7 @@ impl CubicSpline {
         Self::new(x, &y, &h, &m, Outside::Periodic)
     }
 
-    /// First and last abscissa of the table; beyond them see the table above.
+    /// First and last abscissa of the table; the struct's documentation describes the continuation beyond them.
     pub fn domain(&self) -> (f64, f64) {
         (self.knots[0], self.knots[self.pieces.len()])
     }
@@ -149,13 +150,13 @@ impl CubicSpline {
         }
     }
 
-    /// The piece that is valid at `x`.
+    /// The value and derivatives by the piece at `x`.
     fn at(&self, x: f64) -> [f64; 3] {
         let i = self.piece_at(x);
         super::polynomial::horner(&self.pieces[i], x - self.knots[i])
     }
 
-    /// The number of the piece that is valid at `x`.
+    /// The index of the piece at `x`.
     fn piece_at(&self, x: f64) -> usize {
         let last = self.pieces.len() - 1;
         self.knots[1..=last].partition_point(|knot| *knot <= x)
@@ -163,8 +164,8 @@ impl CubicSpline {
 }
 
 impl ScalarFunction for CubicSpline {
-    /// All of them, f‴ constant between the points of the table and 0 from f⁗ on; at a point, where f‴ jumps, that of the
-    /// piece that begins there.
+    /// Writes derivatives of any order: f‴ is constant within a piece, and higher ones are 0. At a knot, where f‴
+    /// jumps, the value is that of the later piece.
     fn derivatives(&self, x: f64, out: &mut [f64]) -> usize {
         let (start, end) = self.domain();
         let inside = match self.outside {
@@ -196,7 +197,7 @@ impl ScalarFunction for CubicSpline {
     }
 }
 
-/// The distances between abscissae of a sound table.
+/// The distances between abscissae, after checking the table.
 fn spacings(x: &[f64], y: &[f64], needed: usize) -> Result<Vec<f64>, FunctionError> {
     if x.len() != y.len() {
         return Err(FunctionError::Lengths { abscissae: x.len(), values: y.len() });
@@ -219,7 +220,7 @@ fn finite(what: &'static str, values: &[f64]) -> Result<(), FunctionError> {
     }
 }
 
-/// The conditions at the inner points; those of the first and the last row are still open.
+/// The conditions at the inner points; the first and the last row are left to the caller.
 fn inner(h: &[f64], y: &[f64]) -> (Tridiagonal, Vec<f64>) {
     let n = h.len() + 1;
     let zeros = || alloc::vec![0.0; n];
@@ -232,7 +233,7 @@ fn inner(h: &[f64], y: &[f64]) -> (Tridiagonal, Vec<f64>) {
     (system, right)
 }
 
-/// `cubic spline through 7 knots from 0 to 6`.
+/// For example `cubic spline through 7 knots from 0 to 6`.
 impl fmt::Display for CubicSpline {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("cubic spline through ")?;

@@ -1,4 +1,4 @@
-//! Splines against what they must reproduce, their smoothness, and their order of convergence.
+//! Tests of splines: exactly reproduced functions, smoothness, and order of convergence.
 
 use super::{CubicSpline, FunctionError};
 use crate::function::ScalarFunction;
@@ -14,7 +14,7 @@ fn close(a: [f64; 3], b: [f64; 3], tolerance: f64) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= tolerance)
 }
 
-/// Clamped ends reproduce every cubic, inside and outside of the table.
+/// Clamped splines reproduce every cubic, inside and outside of the table.
 #[test]
 fn clamped_splines_are_exact_for_cubics() {
     let y = X.map(|x| cubic(x)[0]);
@@ -27,14 +27,15 @@ fn clamped_splines_are_exact_for_cubics() {
     assert!(close(two.evaluate(0.7), cubic(0.7), 1e-13));
 }
 
-/// De Boor's and every textbook's example: natural ends through 0, 1, 0 have m = −3 in the middle, f = x(3 − x²)/2.
+/// The example of de Boor and of most textbooks: natural ends through 0, 1, 0 have m = −3 in the middle, f = x(3 −
+/// x²)/2.
 #[test]
 fn natural_splines_by_hand() {
     let spline = CubicSpline::natural(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0]).unwrap();
     assert!(close(spline.evaluate(0.5), [0.6875, 1.125, -1.5], 1e-15));
     assert!(close(spline.evaluate(1.0), [1.0, 0.0, -3.0], 1e-15));
     assert!(close(spline.evaluate(1.5), [0.6875, -1.125, -1.5], 1e-15));
-    // Beyond the table it continues straight.
+    // Outside of the table the spline continues straight.
     assert!(close(spline.evaluate(-1.0), [-1.5, 1.5, 0.0], 1e-15));
     assert!(close(spline.evaluate(4.0), [-3.0, -1.5, 0.0], 1e-15));
     let line = CubicSpline::natural(&[0.0, 2.0], &[1.0, 5.0]).unwrap();
@@ -86,13 +87,13 @@ fn periodic_splines_repeat() {
             assert!(close(spline.evaluate(x + turns * 3.3), spline.evaluate(x), 1e-12), "{x} {turns}");
         }
     }
-    // Through three points, the last of which is the first: f = cos in the limit, by symmetry f′ = 0 at all of them.
+    // Three points, the last of which repeats the first: by symmetry f′ = 0 at all of them.
     let three = CubicSpline::periodic(&[0.0, 1.0, 2.0], &[1.0, -1.0, 1.0]).unwrap();
     assert!(close(three.evaluate(0.0), [1.0, 0.0, -12.0], 1e-14));
     assert!(close(three.evaluate(1.0), [-1.0, 0.0, 12.0], 1e-14));
 }
 
-/// Largest errors of f, f′ and f″ for the sine over a turn, with n pieces.
+/// The largest errors of f, f′ and f″ for the sine over one period with n pieces.
 fn errors(n: u32, spline: impl Fn(&[f64], &[f64]) -> CubicSpline) -> [f64; 3] {
     let x: Vec<f64> = (0..=n).map(|k| TAU * f64::from(k) / f64::from(n)).collect();
     let mut y: Vec<f64> = x.iter().map(|x| x.sin()).collect();
@@ -140,7 +141,7 @@ fn unsound_tables_are_refused_with_numbers() {
     assert_eq!(slope, Err(NonFinite { what: "slopes", index: 1 }));
     let open = CubicSpline::periodic(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.1]);
     assert_eq!(open, Err(NotPeriodic { first: 0.0, last: 0.1 }));
-    // Rounding is no gap; the smallest gap that anybody means is one.
+    // A difference due to rounding is accepted; the smallest intended one is rejected.
     let nearly = |gap: f64| CubicSpline::periodic(&[0.0, 1.0, 2.0], &[50.0, -100.0, 50.0 + gap]);
     assert_eq!(nearly(2e-11).unwrap().evaluate(2.0), nearly(0.0).unwrap().evaluate(0.0));
     assert!(matches!(nearly(1e-9), Err(NotPeriodic { .. })));
@@ -157,7 +158,7 @@ fn not_a_number_has_no_value() {
     }
 }
 
-/// The third derivative is that of the cubic, higher ones vanish, and outside it is what the ends say.
+/// The third derivative is that of the cubic, higher ones are zero; outside of the table they follow the continuation.
 #[test]
 fn higher_derivatives_by_hand() {
     let at = |spline: &CubicSpline, x: f64| {

@@ -1,4 +1,4 @@
-//! Tridiagonal systems that are diagonally dominant, plain and cyclic.
+//! Diagonally dominant tridiagonal systems, plain and cyclic.
 
 use alloc::vec::Vec;
 
@@ -10,8 +10,8 @@ pub(super) struct Tridiagonal {
 }
 
 impl Tridiagonal {
-    /// The solution (Thomas' algorithm); `lower[0]` and the last of `upper` are not read. Elimination without pivoting
-    /// is stable because every row is diagonally dominant.
+    /// Solves the system by Thomas' algorithm; `lower[0]` and the last of `upper` are not read. Elimination without
+    /// pivoting is stable because every row is diagonally dominant.
     pub(super) fn solve(&self, right: &[f64]) -> Vec<f64> {
         let n = right.len();
         let (mut x, mut factor) = (right.to_vec(), Vec::with_capacity(n));
@@ -30,8 +30,8 @@ impl Tridiagonal {
         x
     }
 
-    /// The solution of the cyclic system in which `lower[0]` belongs to the last unknown and the last of `upper` to the
-    /// first: the plain system with a correction of rank one (Sherman–Morrison). At least three unknowns.
+    /// Solves the cyclic system, in which `lower[0]` multiplies the last unknown and the last of `upper` the first one:
+    /// the plain system with a correction of rank one (Sherman–Morrison). Requires at least three unknowns.
     pub(super) fn solve_cyclic(&self, right: &[f64]) -> Vec<f64> {
         let last = right.len() - 1;
         let (corner_right, corner_left) = (self.lower[0], self.upper[last]);

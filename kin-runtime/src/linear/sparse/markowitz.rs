@@ -1,29 +1,31 @@
-//! The order in which the unknowns of a sparse square matrix are eliminated.
+//! The order of pivots in the elimination of a sparse square matrix.
 //!
-//! The next pivot is an entry with a small (r − 1)(c − 1), which bounds the new entries, where r and c count what is left in
-//! its row and column; among equals the largest. Only the shortest rows are searched. An entry counts only if it is at least
-//! [`THRESHOLD`] times the largest of its column, which bounds the multipliers. H. M. Markowitz, The elimination form of the
-//! inverse and its application to linear programming, Management Science 3 (1957) 255–269; Z. Zlatev, On some pivotal
-//! strategies in Gaussian elimination by sparse technique, SIAM J. Numer. Anal. 17 (1980) 18–30.
+//! The next pivot is an entry with a small product (r − 1)(c − 1), where r and c are the numbers of remaining entries
+//! in its row and column; the product bounds the fill-in. Among entries with equal products the largest is chosen. Only
+//! the shortest rows are searched. An entry is a candidate only if it is at least [`THRESHOLD`] times the largest of
+//! its column, which bounds the multipliers. H. M. Markowitz, The elimination form of the inverse and its application
+//! to linear programming, Management Science 3 (1957) 255–269; Z. Zlatev, On some pivotal strategies in Gaussian
+//! elimination by sparse technique, SIAM J. Numer. Anal. 17 (1980) 18–30.
 
 /// Smallest pivot, relative to the largest entry of its column.
 const THRESHOLD: f64 = 0.1;
-/// Rows in which a pivot is searched.
+/// Number of the shortest rows that are searched for a pivot.
 const SEARCHED: usize = 4;
 
-/// Row and column of every pivot of the n×n matrix with these entries and their values; none where it is singular.
+/// Row and column of every pivot of the n×n matrix with these entries (row, column) and values; `None` where it is
+/// singular.
 pub(super) fn pivots(n: usize, entries: &[(usize, usize)], values: &[f64]) -> Option<Vec<(usize, usize)>> {
     let mut rest = Remainder::new(n, entries, values);
     (0..n).map(|_| rest.eliminate_next()).collect()
 }
 
-/// What is left to eliminate.
+/// The part of the matrix that has not been eliminated yet.
 struct Remainder {
-    /// For every row that is left its columns and values; empty for the others.
+    /// Columns and values of every remaining row; empty for eliminated rows.
     rows: Vec<Vec<(usize, f64)>>,
-    /// For every column that is left the rows that are left and have an entry in it.
+    /// For every remaining column, the remaining rows that have an entry in it.
     columns: Vec<Vec<usize>>,
-    /// The rows that are left.
+    /// The remaining rows.
     open: Vec<usize>,
 }
 
@@ -37,7 +39,7 @@ impl Remainder {
         Self { rows, columns, open: (0..n).collect() }
     }
 
-    /// Chooses a pivot and eliminates its column from the rows that are left.
+    /// Chooses a pivot and eliminates its column from the remaining rows.
     fn eliminate_next(&mut self) -> Option<(usize, usize)> {
         let (pivot_row, pivot_column) = self.choose()?;
         let own = core::mem::take(&mut self.rows[pivot_row]);
@@ -72,12 +74,12 @@ impl Remainder {
                 shortest.truncate(SEARCHED);
             }
         }
-        // Where none of these has a pivot, any row may.
+        // If none of the shortest rows has a suitable pivot, all rows are searched.
         let few = self.best(shortest.iter().map(|entry| entry.1));
         few.or_else(|| self.best(self.open.iter().copied()))
     }
 
-    /// The best pivot in some rows.
+    /// The best pivot in the given rows.
     fn best(&self, rows: impl Iterator<Item = usize>) -> Option<(usize, usize)> {
         let mut best: Option<((usize, usize), usize, f64)> = None;
         for row in rows {
@@ -97,7 +99,7 @@ impl Remainder {
         best.map(|(place, ..)| place)
     }
 
-    /// Size of the largest entry of a column.
+    /// The largest absolute value in a column.
     fn largest(&self, column: usize) -> f64 {
         let of =
             |row: &usize| self.rows[*row].iter().find(|entry| entry.0 == column).map_or(0.0, |entry| entry.1.abs());

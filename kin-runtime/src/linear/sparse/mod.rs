@@ -1,14 +1,14 @@
-//! A = L U of a square matrix whose pattern is fixed: the order of elimination is found once, and found anew only where
-//! the numbers have changed so far that one of its pivots is no good any more.
+//! The factorisation A = L U of a sparse square matrix with a fixed pattern. The order of elimination is computed once,
+//! and computed again only where a pivot has become too small for the new values.
 //!
-//! With row k that of pivot k, and columns likewise, one row after the other:
+//! With rows and columns numbered by their pivots, one row after the other:
 //!
 //! ```text
 //! u_k = a_k − Σ_{j<k} l_kj u_j,    l_kj = (a_k − Σ_{i<j} l_ki u_i)_j / u_jj
 //! ```
 //!
-//! Multipliers are watched: where one exceeds [`LARGEST_MULTIPLIER`] the order is given up. What they may have cost in
-//! accuracy a step of refinement brings back.
+//! The multipliers l_kj are checked: if one exceeds [`LARGEST_MULTIPLIER`], the order of elimination is discarded. One
+//! step of iterative refinement restores the accuracy that multipliers below this bound may cost.
 
 mod markowitz;
 mod order;
@@ -20,7 +20,7 @@ use std::rc::Rc;
 /// Largest multiplier for which an order of elimination is kept.
 const LARGEST_MULTIPLIER: f64 = 1e4;
 
-/// A pattern with the order of elimination that was good last.
+/// A pattern with the order of elimination that was used last.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Ordered {
     n: usize,
@@ -30,18 +30,17 @@ pub(crate) struct Ordered {
 }
 
 impl Ordered {
-    /// The pattern of an n×n matrix.
+    /// A pattern of an n×n matrix without an order of elimination.
     pub(crate) const fn new(n: usize, entries: Vec<(usize, usize)>) -> Self {
         Self { n, entries, order: None }
     }
 
-    /// Row and column of every entry.
     pub(crate) fn entries(&self) -> &[(usize, usize)] {
         &self.entries
     }
 
-    /// Factorises the matrix whose values `elimination` has, in the order that was good last, or in a new one; false where
-    /// there is none.
+    /// Factorises the matrix with the values in `elimination`, in the order used last or, if that fails, in a new one;
+    /// false where the matrix is singular.
     pub(crate) fn factorise(&mut self, elimination: &mut Elimination) -> bool {
         if let Some(order) = &self.order
             && elimination.follow(order)
@@ -57,20 +56,20 @@ impl Ordered {
 /// A factorised matrix.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Elimination {
-    /// The entries of A.
+    /// The values of the entries of A.
     pub(crate) values: Vec<f64>,
     order: Option<Rc<Order>>,
-    /// L, then U, then the pivots, which are its diagonal.
+    /// The values of L, then of U, then the pivots (the diagonal of U).
     numbers: Vec<f64>,
-    /// 1 over the pivots.
+    /// The inverses of the pivots.
     inverse: Vec<f64>,
-    /// U over the pivots of its rows.
+    /// The values of U, each divided by the pivot of its row.
     upper: Vec<f64>,
     work: Vec<f64>,
 }
 
 impl Elimination {
-    /// Factorises in a given order; false where a multiplier is too large or something is not a number.
+    /// Computes L and U in a given order; false where a multiplier is too large or a number is not finite.
     fn follow(&mut self, order: &Rc<Order>) -> bool {
         if self.order.as_ref().is_none_or(|own| !Rc::ptr_eq(own, order)) {
             self.order = Some(Rc::clone(order));
@@ -99,22 +98,21 @@ impl Elimination {
         self.upper.clear();
         let upper_values = self.numbers[lower..].iter().zip(&order.upper);
         self.upper.extend(upper_values.map(|(value, &(row, _))| value * self.inverse[row as usize]));
-        // Numbers are finite where no multiplier has grown beyond all bounds.
+        // If all multipliers are within their bound, every number is finite.
         largest <= LARGEST_MULTIPLIER && self.pivots().iter().fold(true, |all, pivot| all & pivot.is_normal())
     }
 
-    /// The diagonal of U.
     fn pivots(&self) -> &[f64] {
         &self.numbers[self.numbers.len() - self.inverse.len()..]
     }
 
-    /// Smallest and largest pivot.
+    /// The smallest and the largest absolute value of the pivots.
     pub(crate) fn extremes(&self) -> (f64, f64) {
         let sizes = self.pivots().iter().map(|pivot| pivot.abs());
         sizes.fold((f64::INFINITY, 0.0), |(low, high), size| (f64::min(low, size), f64::max(high, size)))
     }
 
-    /// True where the determinant is positive.
+    /// Whether the determinant is positive.
     pub(crate) fn is_positive(&self) -> bool {
         let odd = self.order.as_ref().is_some_and(|order| order.odd);
         self.pivots().iter().fold(!odd, |positive, pivot| positive ^ (*pivot < 0.0))
@@ -130,13 +128,13 @@ impl Elimination {
         let entries = order.entries.iter().zip(&self.values);
         entries.for_each(|(&(_, column), value)| work[column as usize] += value.abs());
         let norm = work[..n].iter().copied().fold(0.0, f64::max);
-        // Exchanges of rows and columns change no norm.
+        // Permutations of rows and columns do not change these norms.
         let inverse = inverse_norm(&Permuted { elimination: self, order: &order }, &mut work);
         self.work = work;
         (norm, inverse)
     }
 
-    /// The largest 2-norm of a column of A, and an estimate of that of a row of A⁻¹.
+    /// The largest 2-norm of a column of A, and an estimate of the largest 2-norm of a row of A⁻¹.
     pub(crate) fn extents(&mut self) -> (f64, f64) {
         let Some(order) = self.order.clone() else { return (0.0, 0.0) };
         let n = order.pivots.len();
@@ -151,7 +149,7 @@ impl Elimination {
         (column, row)
     }
 
-    /// A x = b, with one step of refinement.
+    /// Solves A x = b, with one step of iterative refinement.
     pub(crate) fn solve(&self, b: &[f64]) -> Vec<f64> {
         let Some(order) = &self.order else { return Vec::new() };
         let permuted = Permuted { elimination: self, order };
@@ -170,7 +168,7 @@ impl Elimination {
     }
 }
 
-/// L U, rows and columns counted by pivots.
+/// The product L U, whose rows and columns are numbered by pivots.
 struct Permuted<'e> {
     elimination: &'e Elimination,
     order: &'e Order,

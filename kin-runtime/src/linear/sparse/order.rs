@@ -1,33 +1,35 @@
-//! How a sparse square matrix is eliminated in a given order of pivots, and where that leaves entries.
+//! Symbolic factorisation: the pattern of L and U for a given order of pivots, including fill-in.
 
 use core::cmp::Ordering;
 use std::collections::BTreeSet;
 
-/// How a pattern is eliminated. Rows and columns are counted by pivots: row k is the row of pivot k.
+/// The elimination of a pattern in a given order of pivots. Rows and columns are numbered by pivots: row k is the row
+/// of pivot k.
 ///
-/// The entries of L below the diagonal, of U above it, and the pivots are one array of numbers, in this order, the first two
-/// by rows.
+/// The entries of L below the diagonal, those of U above it, and the pivots are stored in one array of numbers, in this
+/// order; L and U are stored by rows.
 #[derive(Clone, Debug)]
 pub(super) struct Order {
-    /// Row and column of every pivot.
+    /// Row and column of every pivot in the original matrix.
     pub(super) pivots: Vec<(usize, usize)>,
-    /// True where the exchanges of rows and columns together change the sign of the determinant.
+    /// True where the permutations of rows and columns together change the sign of the determinant.
     pub(super) odd: bool,
-    /// Row and column of every entry of the matrix.
+    /// Row and column of every entry of the matrix, numbered by pivots.
     pub(super) entries: Places,
-    /// Where every entry of the matrix is among the numbers.
+    /// Index of every entry of the matrix in the array of numbers.
     pub(super) places: Vec<u32>,
-    /// Row and column of the entries of L and of U.
+    /// Row and column of every entry of L, and of every entry of U.
     pub(super) lower: Places,
     pub(super) upper: Places,
-    /// For every entry of L, in order, where its `updates` end.
+    /// For every entry of L, in order, the end of its range in `updates`.
     pub(super) ends: Vec<u32>,
-    /// Places of a number, and of the entry of U that is taken off it, times the entry of L.
+    /// Each update subtracts from the first number the product of the second, an entry of U, and the entry of L to
+    /// which the update belongs.
     pub(super) updates: Vec<(u32, u32)>,
 }
 
 impl Order {
-    /// The elimination of the n×n matrix with these entries (row, column), in the order of the pivots given.
+    /// The elimination of the n×n matrix with these entries (row, column), in the given order of pivots.
     pub(super) fn new(entries: &[(usize, usize)], pivots: Vec<(usize, usize)>) -> Self {
         let n = pivots.len();
         let (mut of_row, mut of_column) = (vec![0; n], vec![0; n]);
@@ -53,7 +55,7 @@ impl Order {
         order
     }
 
-    /// Where the entry of a row and a column is among the numbers.
+    /// Index of the entry (row, column) in the array of numbers.
     fn place(&self, row: u32, column: u32) -> u32 {
         let before = |list: &[(u32, u32)]| list.partition_point(|entry| *entry < (row, column)) as u32;
         let (lower, upper) = (self.lower.len() as u32, self.upper.len() as u32);
@@ -65,10 +67,10 @@ impl Order {
     }
 }
 
-/// Rows and columns of entries.
+/// Rows and columns of a list of entries.
 type Places = Vec<(u32, u32)>;
 
-/// The entries of L below and of U above the diagonal, sorted.
+/// The entries of L (below the diagonal) and of U (above it) with fill-in, sorted by rows.
 fn filled(n: usize, entries: &[(u32, u32)]) -> (Places, Places) {
     let mut rows = vec![Vec::new(); n];
     entries.iter().for_each(|&(row, column)| rows[row as usize].push(column));
@@ -76,7 +78,7 @@ fn filled(n: usize, entries: &[(u32, u32)]) -> (Places, Places) {
     for (row, own) in (0_u32..).zip(&rows) {
         let mut columns: BTreeSet<u32> = own.iter().copied().collect();
         let mut reached = None;
-        // What a row is reduced by adds entries further to the right alone.
+        // Subtracting row `through` adds entries only in columns further to the right, so one pass suffices.
         while let Some(through) = columns.range(reached.map_or(0, |last| last + 1)..row).next().copied() {
             lower.push((row, through));
             let own: &[(u32, u32)] = &upper[starts[through as usize]..starts[through as usize + 1]];
@@ -89,7 +91,7 @@ fn filled(n: usize, entries: &[(u32, u32)]) -> (Places, Places) {
     (lower, upper)
 }
 
-/// True for a permutation that is an odd number of exchanges.
+/// True for an odd permutation.
 fn is_odd(permutation: &[usize]) -> bool {
     let mut seen = vec![false; permutation.len()];
     let mut odd = false;

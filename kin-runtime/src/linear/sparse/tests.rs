@@ -3,7 +3,7 @@ use crate::linear::Factorization;
 use crate::random::Random;
 use nalgebra::{DMatrix, DVector};
 
-/// A regular matrix with a few entries per row, its pattern and its values.
+/// A regular matrix with a few entries per row: dense, and as pattern and values.
 fn random_matrix(random: &mut Random, n: usize) -> (DMatrix<f64>, Vec<(usize, usize)>, Vec<f64>) {
     let mut dense = DMatrix::zeros(n, n);
     let place = |random: &mut Random| ((0.5 + 0.5 * random.symmetric()) * n as f64) as usize % n;
@@ -56,15 +56,15 @@ fn solutions_signs_and_norms_are_those_of_the_dense_matrix() {
     assert!(exact > 200, "{exact}");
 }
 
-/// Where the elimination claims full rank, a factorisation that reveals the rank says so too; it claims it far from the
-/// tolerance, and never beyond.
+/// Where the sparse LU claims full rank, a rank-revealing factorisation confirms it; the claim is made where the
+/// condition number is far from the tolerance, and never where it is beyond.
 #[test]
 fn full_rank_is_claimed_only_where_it_is_revealed() {
     const TOLERANCE: f64 = 1e-7;
     let mut random = Random::new(12);
     for n in 2..12 {
         let (_, mut entries, mut values) = random_matrix(&mut random, n);
-        // The last row is nearly the sum of the two before it, or of the one.
+        // The last row is nearly the sum of the two rows before it, or a multiple of a single one.
         let before: Vec<f64> = (0..n)
             .map(|j| {
                 let own = entries.iter().zip(&values).filter(|((i, k), _)| *k == j && *i + 3 > n && *i + 1 < n);
@@ -96,7 +96,7 @@ fn full_rank_is_claimed_only_where_it_is_revealed() {
     }
 }
 
-/// An arm of links, each turned against the one before: x, y and φ of each follow from the one before it.
+/// A chain of links in which x, y and φ of each link follow from the link before it.
 #[test]
 fn long_arms_leave_no_doubt() {
     for (n, link) in [(10, 1.0), (300, 0.1), (300, 1.0), (1000, 0.3)] {
@@ -124,7 +124,8 @@ fn long_arms_leave_no_doubt() {
     }
 }
 
-/// Other numbers in the same pattern keep the order; a pivot that vanishes changes it; a singular matrix has none.
+/// New values in the same pattern keep the order of elimination; a vanishing pivot changes it; a singular matrix has
+/// none.
 #[test]
 fn an_order_is_kept_as_long_as_its_pivots_are_good() {
     let entries = vec![(0, 0), (0, 1), (1, 0), (1, 1), (2, 1), (2, 2)];

@@ -1,4 +1,4 @@
-//! States so near to a crossing of branches that rounding decides their rates.
+//! Detection of states so near to a crossing of branches that rounding errors dominate their rates.
 
 use super::error::{Limit, LimitKind, Located, PlanError};
 use super::follower::Follower;
@@ -12,46 +12,48 @@ use crate::plan::{Plan, PlanStep};
 use crate::signal::Instant;
 use crate::workspace::Array;
 
-/// Distances |w| below which it is asked whether rates have lost too many digits.
+/// Distances |w| below which the accuracy of the rates is checked.
 pub(super) const NEAR: f64 = 0.1;
 
-/// √margin over |w| below which pins meet.
+/// Ratio √margin / |w| below which it is the pins at both ends of a group that meet, and not its closures.
 const PINS: f64 = 0.5;
 
-/// What rounding may make of q̈ beside a crossing of branches, relative to the square of the drive's rate.
+/// Largest accepted rounding error of q̈ beside a crossing of branches, relative to the square of the drive's rate.
 const NOISE: f64 = 4e-6;
 
-/// An angle so small that configurations go along a straight line.
+/// An angle so small that the motion over it is a straight line.
 const LITTLE: f64 = 1e-6;
 
-/// What drives a group may be slower than it by this much; where it is slower still, it is about to turn round.
+/// Lower bound of the ratio of the rate of the bodies that drive a group to the rate of the group; below it the driving
+/// motion is about to reverse.
 const LEAST_SHARE: f64 = 0.05;
 
-/// Of the rate of what drives it, by how much a group moves at least that does not stand still.
+/// Ratio of the rates of a group and of the bodies that drive it below which the group counts as standing still.
 const STILL: f64 = 1e-2;
 
-/// At a fold the product of a group's rate and its angle from the limit stays about what the rate of its drive is, however
-/// near it is; at a crossing it goes to 0. Below the first of these it is no fold, above the second it is one.
+/// At a fold the product of a group's rate and its angle from the limit stays about as large as the rate of its drive,
+/// however near the fold is; at a crossing it goes to 0. Below `SLOW` times the drive's rate it is not a fold, above
+/// `FAST` times it is one.
 const SLOW: f64 = 1e-4;
 const FAST: f64 = 0.1;
 
-/// At a fold |w q̈| is about q̇², however near it is. At a crossing both are finite while w goes to 0.
+/// At a fold |w q̈| is about q̇², however near it is. At a crossing q̇ and q̈ are finite while w goes to 0.
 const FOLD: f64 = 0.03;
 
 impl<M: Mechanism> Follower<M> {
-    /// True where the state that is being tried is so near to a crossing of branches that its rates mean nothing.
+    /// True where the trial state is so near to a crossing of branches that rounding errors dominate its rates.
     #[inline]
     pub(super) fn is_blurred(&self, mechanism: &M, at: &Instant<'_>) -> bool {
         self.distances.as_ref().iter().any(|w| *w < NEAR) && self.blurred(mechanism, at).is_some()
     }
 
-    /// The group that is so near to a crossing of branches that rates mean nothing.
+    /// The group that is so near to a crossing of branches that rounding errors dominate the rates.
     #[cold]
     #[inline(never)]
     pub(super) fn blurred(&self, mechanism: &M, at: &Instant<'_>) -> Option<usize> {
         let tried = &self.states[1 - self.good];
         let (q, q_dot) = (tried.q.as_ref(), tried.q_dot.as_ref());
-        // A little further on, as far as that goes along a straight line.
+        // A configuration a little further on, within which the motion is a straight line; it gives ẇ by differences.
         let further = LITTLE / largest_angle(M::model(), q_dot);
         let ahead = M::Coordinates::<f64>::generate(|k| q[k] + further * q_dot[k]);
         let of = |q: &[f64]| Closures::<M>::at(mechanism, self.parameters.as_ref(), at, q).ok();
@@ -61,7 +63,7 @@ impl<M: Mechanism> Follower<M> {
         blurred_group(M::model(), groups, self.distances.as_ref(), [q_dot, tried.q_ddot.as_ref()])
     }
 
-    /// That rates mean nothing at the state that is being tried.
+    /// The error that the rates of the trial state are dominated by rounding.
     #[cold]
     pub(super) fn explain_blurred(&mut self, mechanism: &M, at: &Instant<'_>) -> PlanError {
         let t = at.t;
@@ -69,14 +71,14 @@ impl<M: Mechanism> Follower<M> {
         let place = group.and_then(|group| M::model().plan.margin_of_sign(group)).unwrap_or(0);
         let here = self.states[1 - self.good];
         let margin = here.margins.as_ref()[place];
-        // The crossing lies on one side or the other.
+        // The crossing may lie before or after this instant.
         let blocked = Blocked { places: [t, t], here, fault: None };
         let found = [-1.0, 1.0].into_iter().find_map(|side| {
             let course = Around { instant: *at, from: t + side * (1.0 + t.abs()) };
             self.extrapolate(mechanism, &course, (group?, t), &blocked)
         });
         self.limit = found.as_ref().map(|found| found.q);
-        // Of an iteration it is not known otherwise.
+        // If it could not be located, the kind of the limit is known only for groups in closed form.
         let closes = group.is_some_and(|group| group < M::model().plan.modes.len());
         let unknown = (t, closes.then_some(LimitKind::BranchPoint));
         let (crossing, kind) = found.map_or(unknown, |found| (found.place, found.kind));
@@ -90,7 +92,7 @@ impl<M: Mechanism> Follower<M> {
     }
 }
 
-/// The largest rate of an angle, or of a scalar.
+/// The largest rate of an angle or a scalar.
 pub(crate) fn largest_angle(model: &Model, rates: &[f64]) -> f64 {
     largest_of(model, &mut (0..rates.len()), rates)
 }
@@ -102,15 +104,17 @@ fn largest_of(model: &Model, places: &mut dyn Iterator<Item = usize>, rates: &[f
     places.filter(turns).map(|k| rates[k].abs()).fold(0.0, f64::max)
 }
 
-/// The steps of all groups.
+/// The indices of the steps of all groups, in the order of their signs.
 fn groups_of(plan: &Plan) -> impl Iterator<Item = usize> {
     plan.modes.iter().chain(plan.orientations).map(|group| group.step)
 }
 
-/// The group that is so near to a crossing of branches that rates mean nothing, given w and ẇ of every group, and √margin.
+/// The group that is so near to a crossing of branches that rounding errors dominate the rates. The arguments are w and
+/// ẇ of every group, and √margin.
 ///
-/// With x = q̇ w/ẇ, the angle by which the group is from the crossing, rounding of w² makes about ε/(w x²) of q̈/q̇². Where
-/// √margin is much less than |w|, both closures are apart, and it is the pins at both ends of the group that meet.
+/// With x = q̇ w/ẇ, the angle between the group and the crossing, the rounding of w² causes an error of about ε/(w x²)
+/// in q̈/q̇². Where √margin is much smaller than |w|, the closures are apart, and it is the pins at both ends of the
+/// group that meet.
 pub(crate) fn blurred_group(
     model: &Model,
     [groups, rates_of_groups]: [&[f64]; 2],
@@ -125,25 +129,27 @@ pub(crate) fn blurred_group(
     groups_of(plan).enumerate().filter(|(sign, _)| distances[*sign] < NEAR).find_map(|(sign, step)| {
         let of = |step: &'static PlanStep| step.coordinates.iter().map(|&(k, _)| k);
         let own = |rates: &[f64]| largest_of(model, &mut plan.steps.iter().skip(step).take(1).flat_map(of), rates);
-        // Of what drives it: a group that is near its own limit moves as fast as this one.
+        // The rate of the steps that drive the group; groups near their own limits do not count, since they move as
+        // fast as this one.
         let is_near = |step: usize| groups_of(plan).enumerate().any(|(k, other)| other == step && distances[k] < NEAR);
         let steps = plan.steps.iter().take(step).enumerate().filter(|(step, _)| !is_near(*step));
         let before = largest_of(model, &mut steps.flat_map(|(_, step)| of(step)), q_dot);
         let (moves, acceleration, w) = (own(q_dot), own(q_ddot), distances[sign]);
         let angle = |velocity: f64| velocity * (w / rates_of_groups[sign]).abs();
-        // A group may stand still while what drives it moves.
+        // A group may stand still while the bodies that drive it move.
         let is_still = moves <= STILL * before;
         let velocity = if is_still { before } else { moves };
         let x = angle(velocity);
-        // Whatever the drive does just there; without one, accelerations tell.
+        // This criterion holds for any acceleration of the drive; without a drive, the acceleration of the group
+        // decides.
         let bend = moves * angle(moves);
         let (is_slow, is_fast) = (bend <= SLOW * before, before > 0.0 && bend > FAST * before);
         let crosses = is_slow || !is_fast && w * acceleration <= FOLD * velocity * velocity;
-        // Beside the motion of what drives it, where that is slower.
+        // The tolerance is relative to the motion of the drive where that is slower.
         let share = if before > 0.0 { (before / velocity).clamp(LEAST_SHARE, 1.0) } else { 1.0 };
-        // NaN, where it is as good as there, is not clear.
+        // The comparison is written so that NaN counts as not clear.
         let is_clear = NOISE * w * x * x * share * share >= f64::EPSILON;
-        // Where nothing moves, there are no rates to be spoilt.
+        // If nothing moves, there are no rates to check.
         (velocity > 0.0 && crosses && !is_clear).then_some(sign)
     })
 }

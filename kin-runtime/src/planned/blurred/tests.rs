@@ -1,9 +1,9 @@
-//! When rates mean nothing: every judge beside its threshold.
+//! Tests of the detection of rates dominated by rounding: every criterion beside its threshold.
 
 use super::*;
 use crate::fixture::{FourBarLoop, PlannedFourBar};
 
-/// What the group of the four-bar is asked for: w, ẇ, √margin, the rates of the crank and of the group, its acceleration.
+/// A state of the group of the four-bar: w, ẇ, √margin, the rates of the crank and of the group, its acceleration.
 #[derive(Clone, Copy)]
 struct Beside {
     w: f64,
@@ -15,14 +15,14 @@ struct Beside {
 }
 
 impl Beside {
-    /// At a crossing from which w goes as the angle does.
+    /// A crossing at which w is proportional to the angle.
     fn crossing(w: f64) -> Self {
         Self { w, w_dot: 1.0, distance: w.abs(), crank: 1.0, group: 1.0, acceleration: 0.0 }
     }
 
     fn is_blurred(self) -> bool {
         let (mut q_dot, mut q_ddot) = ([1e9; 9], [1e9; 9]);
-        // Angles of the crank, the coupler and the rocker; places count for nothing.
+        // Angles of the crank, the coupler and the rocker; rates of x and y are ignored.
         (q_dot[2], q_dot[5], q_dot[8]) = (self.crank, 0.5 * self.group, -self.group);
         (q_ddot[2], q_ddot[5], q_ddot[8]) = (1e9, -self.acceleration, 0.5 * self.acceleration);
         let found =
@@ -32,7 +32,7 @@ impl Beside {
     }
 }
 
-/// Rounding of w² makes ε/(w x²) of the acceleration, and 4·10⁻⁶ of it is too much.
+/// The w at which the rounding of w², ε/(w x²) of the acceleration, is 4·10⁻⁶ of it.
 fn edge(x_by_w: f64) -> f64 {
     (f64::EPSILON / 4e-6).cbrt() / x_by_w.powf(2.0 / 3.0)
 }
@@ -51,10 +51,12 @@ fn rates_mean_nothing_where_rounding_makes_too_much_of_them() {
     };
     of(|_| (), 1.0);
     of(|beside| beside.w_dot = -1.0, 1.0);
-    // A group whose w goes twice as fast is half as far from the crossing; one that turns twice as fast is twice as far.
+    // A group whose w changes twice as fast is half as far from the crossing; one that turns twice as fast is twice as
+    // far.
     of(|beside| beside.w_dot = 2.0, 0.5);
     of(|beside| (beside.crank, beside.group) = (2.0, 2.0), 2.0);
-    // What drives it may be slower, by twenty times at most; where it is faster or stands, it says nothing.
+    // The drive counts down to a twentieth of the group's rate; if it is faster than the group or stands still, it does
+    // not count.
     of(|beside| beside.crank = -0.5, 0.5);
     of(|beside| beside.crank = 0.03, 0.05);
     of(|beside| beside.crank = 3.0, 1.0);
@@ -62,7 +64,7 @@ fn rates_mean_nothing_where_rounding_makes_too_much_of_them() {
     of(|beside| (beside.crank, beside.group) = (1.0, 2.0), 1.0);
 }
 
-/// Beside a fold the acceleration grows as w goes to 0: then it is no crossing, however near it is.
+/// Beside a fold the acceleration grows as w goes to 0, so that a fold is not taken for a crossing, however near it is.
 #[test]
 fn a_fold_is_not_taken_for_a_crossing() {
     for (velocity, w) in [(1.0, 3e-4), (-2.0, 2e-4)] {
@@ -76,7 +78,7 @@ fn a_fold_is_not_taken_for_a_crossing() {
 }
 
 /// The product of a group's rate and its angle from the limit is about the rate of the drive at a fold, and small at a
-/// crossing: where it is far from one of them, accelerations say nothing.
+/// crossing. Where it clearly belongs to one of the two, accelerations do not count.
 #[test]
 fn what_drives_a_group_tells_folds_from_crossings() {
     let at = |crank: f64, acceleration: f64| Beside { crank, acceleration, ..Beside::crossing(3e-4) }.is_blurred();
@@ -90,34 +92,34 @@ fn where_nothing_moves_rates_are_right() {
     assert!(!at(1e-6, 0.0) && !at(0.05, 0.0));
 }
 
-/// A group that stands still is as far from the crossing as what drives it.
+/// The angle between a standing group and the crossing is measured by the motion of its drive.
 #[test]
 fn a_group_that_stands_still_may_cross() {
     let at = |w: f64, group: f64| Beside { group, acceleration: 1e9, ..Beside::crossing(w) }.is_blurred();
     for group in [0.0, 1e-3, -9e-3] {
         assert!(at(0.99 * edge(1.0), group) && !at(1.01 * edge(1.0), group), "{group}");
     }
-    // One that moves a little is nearer.
+    // A group that moves slowly is nearer to the crossing.
     assert!(at(1.01 * edge(1.0), 0.011));
 }
 
 #[test]
 fn only_near_groups_are_asked() {
-    // w as fast as that is as near in angle as it can be.
+    // With such a fast w the angle to the crossing is as small as possible.
     let at = |w: f64| Beside { w_dot: 1e9, ..Beside::crossing(w) }.is_blurred();
     assert!(at(0.099) && !at(0.101));
 }
 
-/// Where √margin is less than half of |w|, both closures are apart, and it is the pins at both ends that meet.
+/// Where √margin is less than half of |w|, the closures are apart, and it is the pins at both ends that meet.
 #[test]
 fn pins_that_meet_are_found_by_the_margin_alone() {
     let at = |w: f64, distance: f64| {
-        // Far from a crossing by all other signs.
+        // All other criteria say that this is far from a crossing.
         Beside { distance, w_dot: 1e-9, acceleration: 1e9, ..Beside::crossing(w) }.is_blurred()
     };
     for side in [1.0, -1.0] {
         assert!(at(side * 0.1, 0.049) && !at(side * 0.1, 0.051), "{side}");
-        // Not where the margin itself is far from 0.
+        // The margin itself must be small, too.
         assert!(at(side * 0.9, 0.099) && !at(side * 0.9, 0.101), "{side}");
     }
 }

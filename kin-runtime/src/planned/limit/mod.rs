@@ -1,8 +1,9 @@
-//! Why a motion ends, and where: at a fold, behind which a group does not close, or at a crossing of branches.
+//! The cause and the location of the end of a motion: a fold, behind which a group does not close, or a crossing of
+//! branches.
 //!
-//! The margin of a group, w², is a smooth function of the place even where w has a corner. It changes its sign at a
-//! fold, and touches 0 at a crossing. So the end of a motion that was stopped at a group is a root of its margin, or its
-//! minimum.
+//! The margin of a group, w², is a smooth function of the place on the course, even where w has a corner. It changes
+//! its sign at a fold, and touches 0 at a crossing. So the end of a motion that was stopped at a group is a root of its
+//! margin, or its minimum.
 
 use super::error::{Limit, LimitKind, Located, PlanError};
 use super::extrapolate::Found;
@@ -15,24 +16,25 @@ use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
-/// The first stride of the search for a limit, relative to the way: not so small that rounding decides.
+/// The first step of the search for a limit, relative to the length of the course, large enough not to be lost in
+/// rounding.
 const LITTLE: f64 = 1e-6;
 
-/// How far from 0 a margin may be at a crossing, where it touches 0: its own rounding.
+/// Largest margin that counts as zero at a crossing, where the margin touches 0: its rounding error.
 const TOUCHES: f64 = 1e-9;
 
-/// What rounding may leave of a margin that is 0.
+/// Rounding error of a margin that is zero.
 const NO_MARGIN: f64 = 1e-13;
 
-/// A margin that is farther below 0 where it changes its sign has no root there: the motion jumps.
+/// Where a margin changes its sign and is below minus this, it has no root: the motion jumps.
 const JUMP: f64 = 1e-6;
 
-/// Halvings, and sections of the search for a minimum: each is as many as digits need.
+/// Numbers of bisections, and of golden sections in the search for a minimum, that exhaust the digits of a number.
 const HALVINGS: usize = 80;
 const SECTIONS: usize = 90;
 
 impl<M: Mechanism> Follower<M> {
-    /// What an instant, or a parameter, has that is not finite.
+    /// The error if the instant or a parameter is not finite.
     pub(super) fn unusable(&self, at: &Instant<'_>) -> Option<PlanError> {
         let (model, t) = (M::model(), at.t);
         let error = |what, index, name| Some(PlanError::NonFinite { what, index, name, t });
@@ -48,7 +50,8 @@ impl<M: Mechanism> Follower<M> {
         error("parameters", index, model.parameters.get(index).map_or("", |p| p.name))
     }
 
-    /// Why what was tried is not good: arguments first, then steps of the plan in their order, then results.
+    /// The reason why the trial state is not valid: arguments are checked first, then the steps of the plan in their
+    /// order, then results.
     #[cold]
     #[inline(never)]
     pub(super) fn explain(&self, at: &Instant<'_>) -> PlanError {
@@ -62,7 +65,7 @@ impl<M: Mechanism> Follower<M> {
         let place = |numbers: &[f64]| numbers.iter().position(|x| !x.is_finite());
         let coordinate = |index: usize| model.coordinates.get(index).map_or("", |c| c.name);
         if let Some(index) = place(self.predicted.as_ref()).filter(|_| self.anew) {
-            // What a restart begins with.
+            // The q from which a restart begins.
             return error("q", index, coordinate(index));
         }
         let margins = tried.margins.as_ref();
@@ -88,7 +91,7 @@ impl<M: Mechanism> Follower<M> {
         error("margins", 0, "")
     }
 
-    /// Why a walk to the instant `at` was stopped: the group at its limit, with the place of the limit.
+    /// The reason why a walk to the instant `at` was stopped: the group at its limit, with the location of the limit.
     #[cold]
     #[inline(never)]
     pub(super) fn refusal(
@@ -98,14 +101,29 @@ impl<M: Mechanism> Follower<M> {
         at: &Instant<'_>,
         blocked: &Blocked<M>,
     ) -> PlanError {
+        self.refusal_at(mechanism, course, at, blocked).0
+    }
+
+    /// [`refusal`](Self::refusal) with the place on the course of the limit or, where that is not known, of the last good
+    /// state.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn refusal_at(
+        &mut self,
+        mechanism: &M,
+        course: &dyn Course,
+        at: &Instant<'_>,
+        blocked: &Blocked<M>,
+    ) -> (PlanError, f64) {
+        let last = blocked.places[0];
         if let Some(error) = self.unusable(at) {
-            return error;
+            return (error, last);
         }
         self.limit = None;
         let t = at.t;
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         let reached = course.at(blocked.places[0], inputs.as_mut());
-        let Some(fault) = blocked.fault else { return PlanError::TooManySteps { t: reached, t_refused: t } };
+        let Some(fault) = blocked.fault else { return (PlanError::TooManySteps { t: reached, t_refused: t }, last) };
         let plan = &M::model().plan;
         let place = match fault {
             Fault::Margin(place) => Some(place),
@@ -114,21 +132,23 @@ impl<M: Mechanism> Follower<M> {
         };
         let step = place.and_then(|place| Step::of_margin(M::model(), place).map(|step| (place, step)));
         let Some((place, step)) = step else {
-            // Nothing of the plan is to blame for where it was stopped.
+            // No step of the plan is at its limit where the walk was stopped.
             self.predicted = blocked.here.q;
-            return match self.ask(mechanism, at) {
+            let why = match self.ask(mechanism, at) {
                 Ok(false) => self.explain(at),
                 Ok(true) => PlanError::Jump { t: reached, t_refused: t },
                 Err(error) => error.into(),
             };
+            return (why, last);
         };
         let sign = (0..plan.signs()).find(|sign| plan.margin_of_sign(*sign) == Some(place));
         let Some(sign) = sign else {
             let margin = self.margin_at(mechanism, course, blocked.places[1], place, blocked);
-            return of_kind(t, Limit { step, margin, located: Some(Located { at: reached, kind: None }) });
+            return (of_kind(t, Limit { step, margin, located: Some(Located { at: reached, kind: None }) }), last);
         };
         let closes = sign < plan.modes.len();
-        // Where an iteration ends nothing is solved behind a fold, and its margin has no root: the walk has come there.
+        // An iteration does not converge beyond a fold, so that its margin has no root: the limit is where the walk
+        // stopped.
         let spot = if closes {
             self.locate(mechanism, course, place, blocked)
         } else {
@@ -138,10 +158,10 @@ impl<M: Mechanism> Follower<M> {
         };
         let Spot { s, margin, least } = spot;
         if closes && margin < -JUMP {
-            // There is no place where it is 0.
-            return PlanError::Jump { t: reached, t_refused: t };
+            // The margin is zero nowhere, so the motion jumps.
+            return (PlanError::Jump { t: reached, t_refused: t }, last);
         }
-        // A minimum that is not 0 is where the search ended: the limit lies farther on.
+        // If the minimum is not zero, the search ended before the limit, which lies farther on.
         let is_there = closes && margin <= TOUCHES;
         let found = self.extrapolate(mechanism, course, (sign, s), blocked);
         self.limit = found.as_ref().map(|found| found.q);
@@ -150,17 +170,17 @@ impl<M: Mechanism> Follower<M> {
             Some(Found { kind: Some(kind), .. }) => Some(*kind),
             _ => is_there.then_some(LimitKind::BranchPoint),
         };
-        // A minimum is known to half the digits; a root of the margin to all.
+        // A minimum is accurate to half of the digits, a root of the margin to all of them.
         let is_root = is_there && kind == Some(LimitKind::DeadCentre);
         let s = found.filter(|_| !is_root).map_or(s, |found| found.place);
         let limit_at = course.at(s, inputs.as_mut());
-        // The margin at the instant that was asked for says how far beyond its limit the group would be.
+        // The margin at the instant requested says how far beyond its limit the group would be.
         let asked = self.margin_at(mechanism, course, course.ends()[1], place, blocked);
         let margin = if asked <= Plan::SMALLEST_MARGIN { asked } else { margin };
-        of_kind(t, Limit { step, margin, located: Some(Located { at: limit_at, kind }) })
+        (of_kind(t, Limit { step, margin, located: Some(Located { at: limit_at, kind }) }), s)
     }
 
-    /// A margin at a place of the course, in the modes that are kept.
+    /// A margin at a place of the course, in the current modes.
     fn margin_at(&mut self, mechanism: &M, course: &dyn Course, s: f64, place: usize, blocked: &Blocked<M>) -> f64 {
         let plan = &M::model().plan;
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
@@ -177,23 +197,23 @@ impl<M: Mechanism> Follower<M> {
             &at,
             modes,
             start.as_ref(),
-            // The margins of iterations need the rates of the tree.
+            // The margins of iterations depend on velocities.
             if plan.orientations.is_empty() { Depth::Position } else { Depth::Velocity },
             solved,
         );
         let margin = self.states[1 - self.good].margins.as_ref()[place];
-        // Where nothing can be said of it, there is none.
+        // An undefined margin counts as negative.
         if solution.is_ok() && !margin.is_nan() { margin } else { -1.0 }
     }
 
-    /// The place at which a margin is 0, or least, from the last place reached on.
+    /// The place beyond the last place reached at which a margin is zero or has its minimum.
     fn locate(&mut self, mechanism: &M, course: &dyn Course, place: usize, blocked: &Blocked<M>) -> Spot {
         let [from, refused] = blocked.places;
-        // The limit may be a little behind the end.
+        // The limit may lie a little beyond the end of the course.
         let [start, end] = course.ends();
         let end = end + (end - start);
         let mut margin = |s: f64| self.margin_at(mechanism, course, s, place, blocked);
-        // Away from the last place in growing strides, until the margin is gone or grows again.
+        // Moves away from the last place reached in growing steps, until the margin is not positive or grows again.
         let direction = if end < start { -1.0 } else { 1.0 };
         let least = LITTLE * (end - from).abs();
         let mut stride = (refused - from).abs().max(least).max(4.0 * f64::EPSILON * from.abs());
@@ -222,12 +242,12 @@ impl<M: Mechanism> Follower<M> {
     }
 }
 
-/// Where a margin is 0, or least.
+/// A place at which a margin is zero or has its minimum.
 struct Spot {
     s: f64,
-    /// The margin there.
+    /// The margin at that place.
     margin: f64,
-    /// The least that was seen.
+    /// The smallest margin found.
     least: f64,
 }
 
@@ -240,7 +260,8 @@ fn of_kind(t: f64, limit: Limit) -> PlanError {
     }
 }
 
-/// Where a function changes its sign, positive at `a` and not at `b`, and its value there.
+/// The place between `a`, where the function is positive, and `b`, where it is not, at which its sign changes; and its
+/// value there.
 fn root(f: &mut impl FnMut(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
     let mut at_b = f(b);
     for _ in 0..HALVINGS {
@@ -258,7 +279,7 @@ fn root(f: &mut impl FnMut(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
     (b, at_b)
 }
 
-/// Where a function is least between two places, by golden sections (Kiefer 1953), and its value there.
+/// The minimum of a function between two places by golden section search (Kiefer 1953), and its value there.
 fn minimum(f: &mut impl FnMut(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
     const SHARE: f64 = 0.618_033_988_749_894_9;
     let (mut c, mut d) = (b - SHARE * (b - a), a + SHARE * (b - a));

@@ -1,4 +1,4 @@
-//! Where a margin is 0, where it is least, and what is told first.
+//! Tests of the search for roots and minima of margins, and of the order in which causes are reported.
 
 use super::*;
 use crate::Kinematics;
@@ -14,7 +14,7 @@ fn a_root_is_found_to_the_last_digit_from_either_side() {
         assert!(value <= 0.0 && value == f(s), "{a} {b}: {value}");
         assert!((s - 0.3).abs() <= f64::EPSILON, "{a} {b}: {s}");
     }
-    // A jump over 0 has the first place behind it.
+    // For a jump across 0 the result is the first place after it.
     let (s, value) = root(&mut |s| if s < 0.3 { 1.0 } else { -5.0 }, 0.0, 1.0);
     assert_eq!((0.3, -5.0), (s, value));
 }
@@ -30,7 +30,8 @@ fn a_minimum_is_found_wherever_it_is() {
     }
 }
 
-/// The four-bar with a margin and a mistake of its plan, begun where its own closed form has it.
+/// Starts a follower of the four-bar at a configuration of its closed form, with a prescribed margin and an error in
+/// its plan.
 fn begun(margin: f64, mistake: f64, sign: f64) -> Result<Follower<PlannedFourBar>, PlanError> {
     let own = PlannedFourBar::default();
     let q = own.state_at(&Instant::at(0.0)).unwrap().q;
@@ -50,13 +51,13 @@ fn what_is_to_blame_is_asked_in_the_order_of_the_plan() {
         let PlanError::Limit { t: 0.0, limit } = error else { panic!("{error}") };
         assert_eq!((2, margin, None), (limit.step.place(), limit.margin, limit.located));
     };
-    // At its limit a group is to blame for all that follows, also where its mode is not decided.
+    // A group at its limit is reported before everything that follows from it, even where its mode is undecided.
     for margin in [1e-12, 5e-13, 0.0, -3.0, f64::NEG_INFINITY] {
         is_limit(says(margin, 0.0, 1.0), margin);
         is_limit(says(margin, f64::NAN, 1.0), margin);
         is_limit(says(margin, 0.0, 0.0), margin);
     }
-    // Beyond the smallest margin it is not.
+    // Above the smallest margin the group is not reported.
     for margin in [2e-12, 0.3] {
         assert_eq!(number("q", 8, "rocker.phi"), says(margin, f64::NAN, 1.0));
         assert_eq!(PlanError::Undecided { t: 0.0, mode: "A-B-D" }, says(margin, 0.0, 0.0));
@@ -65,7 +66,7 @@ fn what_is_to_blame_is_asked_in_the_order_of_the_plan() {
     assert_eq!(number("margins", 0, ""), says(f64::NAN, f64::NAN, 1.0));
 }
 
-/// Where both closures are apart and the margin is small all the same, nothing begins.
+/// Where the closures are apart and the margin is small nevertheless, no motion starts.
 #[test]
 fn nothing_begins_where_pins_meet() {
     for (w, begins) in [(0.101, true), (0.099, false), (0.02, false)] {

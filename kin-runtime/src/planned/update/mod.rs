@@ -1,9 +1,10 @@
-//! From one solved instant to the next on the same branch, without an allocation.
+//! The update from one solved instant to the next on the same branch, without an allocation.
 //!
-//! Usually one step does: the next configuration is predicted, the plan solves, and the step counts if nothing turned far,
-//! the solution is where it was predicted, and every group is where it was expected beside its limit (see
-//! [`trial`](super::trial) and [`branch`](super::branch)). Otherwise the way there is walked in steps that are short enough
-//! for that (see [`walk`](super::walk)), and where no step is short enough, the motion ends: see [`limit`](super::limit).
+//! Usually one step suffices: the next configuration is predicted, the plan solves, and the step is accepted if no body
+//! turns too far, the solution is near the prediction, and every group has the expected distance from its limit (see
+//! [`trial`](super::trial) and [`branch`](super::branch)). Otherwise the motion is divided into steps that are short
+//! enough for that (see [`walk`](super::walk)). Where no step is short enough, the motion ends: see
+//! [`limit`](super::limit).
 
 use super::blurred::NEAR;
 use super::branch::{OUT_OF_REACH, resolves};
@@ -18,7 +19,7 @@ use crate::signal::Instant;
 use crate::workspace::Array;
 
 impl<M: Mechanism> Follower<M> {
-    /// The plan of the mechanism solved at an instant, in the modes of a configuration q, n numbers.
+    /// Solves the plan of the mechanism at an instant, in the modes of a configuration q, n numbers.
     pub(crate) fn new(mechanism: &M, at: &Instant<'_>, q: &[f64]) -> Result<Self, PlanError> {
         if let Some(why) = M::model().plan.absent {
             return Err(PlanError::NoPlan { why });
@@ -28,7 +29,7 @@ impl<M: Mechanism> Follower<M> {
         Ok(follower)
     }
 
-    /// The plan solved at an instant from a start in these modes, at parameters that the caller has.
+    /// Solves the plan at an instant from a start in the given modes, with parameters of the caller.
     #[cfg(feature = "std")]
     pub(crate) fn begin(
         mechanism: &M,
@@ -42,7 +43,7 @@ impl<M: Mechanism> Follower<M> {
         Ok(follower)
     }
 
-    /// Begins anew from a configuration q, n numbers, in the modes that it has.
+    /// Starts again from a configuration q, n numbers, in the modes of q.
     pub(crate) fn restart(&mut self, mechanism: &M, at: &Instant<'_>, q: &[f64]) -> Result<(), PlanError> {
         if q.len() != M::COORDINATES {
             return Err(LengthError { what: "q", expected: M::COORDINATES, found: q.len() }.into());
@@ -51,7 +52,7 @@ impl<M: Mechanism> Follower<M> {
         self.restart_in(mechanism, at, q, closures.modes())
     }
 
-    /// [`restart`](Self::restart) in modes of their own.
+    /// As [`restart`](Self::restart), in the given modes.
     pub(crate) fn restart_in(
         &mut self,
         mechanism: &M,
@@ -72,7 +73,8 @@ impl<M: Mechanism> Follower<M> {
         Ok(())
     }
 
-    /// q, q̇ and q̈ at another instant on the same branch; the inputs go there as [`course`](crate::course) says.
+    /// Computes q, q̇ and q̈ at another instant on the same branch; inputs change as described in
+    /// [`course`](crate::course).
     #[inline]
     pub(crate) fn update(&mut self, mechanism: &M, at: &Instant<'_>, control: &Control) -> Result<(), PlanError> {
         self.limit = None;
@@ -87,7 +89,7 @@ impl<M: Mechanism> Follower<M> {
         self.walk_between(mechanism, at, control)
     }
 
-    /// [`update`](Self::update) where inputs are functions of time, whose values at the instant are those of `at`.
+    /// As [`update`](Self::update) where inputs are functions of time, whose values at the instant are those of `at`.
     #[cfg(feature = "std")]
     pub(crate) fn update_timed(
         &mut self,
@@ -137,7 +139,7 @@ impl<M: Mechanism> Follower<M> {
             if swung.is_ok() || M::INPUTS == 0 {
                 return swung;
             }
-            // The quintic may lead out of the mechanism's range where the straight way does not.
+            // The quintic course of the inputs may leave the mechanism's range although the straight one does not.
             way.kind = Kind::Straight;
         }
         self.walk_and_keep(mechanism, &way, at, control)
@@ -166,7 +168,7 @@ impl<M: Mechanism> Follower<M> {
         }
     }
 
-    /// Predicts; gives by how much the prediction turns.
+    /// Writes the prediction; returns its largest rotation.
     #[inline]
     fn predict(&mut self, h: f64) -> f64 {
         let Poses { q, q_dot, q_ddot, .. } = &self.states[self.good];
@@ -178,7 +180,7 @@ impl<M: Mechanism> Follower<M> {
         turn
     }
 
-    /// The unknowns of iterations, nearer.
+    /// Improves the prediction of the unknowns of iterations by the quintic.
     fn predict_unknowns(&mut self, h: f64) {
         let (now, before) = (&self.states[self.good], &self.states[1 - self.good]);
         let of = |state: &Poses<M>, k: usize| [state.q.as_ref()[k], state.q_dot.as_ref()[k], state.q_ddot.as_ref()[k]];
@@ -191,7 +193,7 @@ impl<M: Mechanism> Follower<M> {
         }
     }
 
-    /// Solves at an instant that has nothing to do with the last one.
+    /// Solves at an instant that is unrelated to the last one.
     fn solve_anew(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<(), PlanError> {
         self.limit = None;
         let kept = self.branch.modes;
@@ -208,7 +210,7 @@ impl<M: Mechanism> Follower<M> {
             return Err(error);
         }
         if !plan.orientations.is_empty() {
-            // An iteration has found whatever solution is near: its orientation counts from here on.
+            // An iteration may find any solution near its start, so its orientation is taken from the result.
             let q = &self.states[1 - self.good].q;
             let found = Closures::at(mechanism, self.parameters.as_ref(), at, q.as_ref())?.modes();
             for sign in plan.modes.len()..plan.signs() {
@@ -223,7 +225,7 @@ impl<M: Mechanism> Follower<M> {
         Ok(())
     }
 
-    /// True if the prediction leads to the instant in one step that counts; the instant is reached then.
+    /// True if one step from the prediction to the instant is accepted; then the follower has moved there.
     #[inline]
     fn takes_one_step(
         &mut self,
@@ -232,7 +234,7 @@ impl<M: Mechanism> Follower<M> {
         turn: f64,
         control: &Control,
     ) -> Result<bool, LengthError> {
-        // All comparisons are such that NaN does not count.
+        // The comparisons are written so that NaN is rejected.
         let is_short = turn <= most_turn(control, self.nearest);
         if !self.ask(mechanism, at)? || !is_short {
             return Ok(false);

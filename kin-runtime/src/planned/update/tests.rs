@@ -1,12 +1,12 @@
-//! What makes the usual step count: each of its judges beside its threshold, all others being content.
+//! Tests of the checks of a single step: each check beside its threshold, while all others pass.
 //!
-//! The four-bar takes whatever margin it is given, so that a group can be as near to its limit as a test wants it.
+//! The margin of the test's four-bar is prescribed, so that its group can be arbitrarily near to its limit.
 
 use super::*;
 use crate::Kinematics;
 use crate::fixture::PlannedFourBar;
 
-/// Steps of any length are taken, from any prediction.
+/// Accepts steps of any length, from any prediction.
 const GENEROUS: Control = Control { rotation: 1.0, correction: 10.0, ..Control::USUAL };
 
 fn at_distance(w: f64) -> PlannedFourBar {
@@ -18,7 +18,7 @@ fn follower(mechanism: &PlannedFourBar) -> Follower<PlannedFourBar> {
     Follower::new(mechanism, &Instant::at(0.0), &q).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// The step, forth or back, that turns so far.
+/// The step, forwards or backwards, that turns by `turn`.
 fn step_of(follower: &mut Follower<PlannedFourBar>, turn: f64, side: f64) -> f64 {
     let (mut short, mut long) = (0.0, 1.0);
     for _ in 0..60 {
@@ -28,7 +28,7 @@ fn step_of(follower: &mut Follower<PlannedFourBar>, turn: f64, side: f64) -> f64
     side * long
 }
 
-/// Whether the step that turns so far counts, from one distance of the group to another.
+/// Whether a step that turns by `turn` is accepted, for given distances of the group from its limit at both ends.
 fn counts([before, now]: [f64; 2], turn: f64, control: &Control) -> bool {
     let answers = [1.0, -1.0].map(|side| {
         let mut follower = follower(&at_distance(before));
@@ -36,7 +36,7 @@ fn counts([before, now]: [f64; 2], turn: f64, control: &Control) -> bool {
         let turn = follower.predict(h);
         let at = Instant::at(h);
         let counts = follower.takes_one_step(&at_distance(now), &at, turn, control).unwrap();
-        // The instant is reached where it does, and nothing has changed where it does not.
+        // An accepted step reaches the instant, and a rejected one changes nothing.
         assert_eq!(
             if counts { [h, 0.0] } else { [0.0, f64::NAN] }.map(f64::to_bits),
             [follower.t.to_bits(), follower.before.to_bits()]
@@ -56,22 +56,22 @@ fn a_step_turns_no_farther_than_it_may() {
 
 #[test]
 fn a_group_out_of_reach_is_not_asked() {
-    // Nearer than 0.15 it would not be believed.
+    // Nearer than 0.15 the group must not be near enough to reach its limit and return.
     assert!(counts([0.12; 2], 0.0299, &GENEROUS) && !counts([0.12; 2], 0.0301, &GENEROUS));
-    // At either end.
+    // The distances at both ends count.
     for [before, now] in [[0.12, 0.9], [0.9, 0.12]] {
         assert!(counts([before, now], 0.0299, &GENEROUS) && !counts([before, now], 0.0301, &GENEROUS), "{before}");
     }
-    // Rates of nearer ones may mean nothing, however short the step is.
+    // Even in a short step, the rates of a group nearer to its limit may be dominated by rounding.
     assert!(counts([0.9, 0.101], 0.001, &GENEROUS) && !counts([0.9, 0.099], 0.001, &GENEROUS));
 }
 
 #[test]
 fn a_group_in_reach_is_believed_where_the_step_resolves_it() {
-    // 10 turn³ is 0.2 for 0.271.
+    // 10 turn³ is 0.2 for a turn of 0.271.
     assert!(counts([0.2; 2], 0.27, &GENEROUS) && !counts([0.2; 2], 0.273, &GENEROUS));
     assert!(counts([0.9, 0.2], 0.27, &GENEROUS) && !counts([0.9, 0.2], 0.273, &GENEROUS));
-    // And where it cannot have come to its limit and back.
+    // The group must also be too far from its limit to reach it and return.
     assert!(counts([0.151; 2], 0.1, &GENEROUS) && !counts([0.149; 2], 0.1, &GENEROUS));
 }
 
@@ -99,7 +99,7 @@ fn a_solution_that_is_not_where_it_was_predicted_does_not_count() {
 #[test]
 fn what_is_not_good_does_not_count() {
     assert!(counts([1.0; 2], 0.1, &GENEROUS));
-    // At its limit, beyond it, and nothing at all.
+    // A group at its limit, a group beyond it, and NaN.
     let mut follower = follower(&at_distance(1.0));
     let turn = follower.predict(0.01);
     for margin in [1e-12, 0.0, -0.5, f64::NAN] {

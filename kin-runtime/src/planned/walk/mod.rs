@@ -1,9 +1,9 @@
-//! From one instant to another in as many steps as the branch takes.
+//! The motion from one instant to another, in as many steps as are needed to stay on the branch.
 //!
-//! A step h is short enough if nothing turns by more than [`Control::rotation`] by velocity or acceleration alone, the plan
-//! solves at its end, the solution is where the parabola predicted it, and every group is as far from its limit as the
-//! prediction has it. A step that is not is halved. So a group whose two closures come near one another is followed round
-//! the bend in steps that resolve it, and one that reaches its limit stops the walk just before it.
+//! A step h is accepted if no body turns by more than [`Control::rotation`] by velocity or acceleration alone, the plan
+//! has a solution at its end, the solution is near the prediction by the parabola, and every group has the predicted
+//! distance from its limit. Otherwise the step is halved. So a group whose two closures come near one another is
+//! followed in steps that resolve the bend, and a group that reaches its limit stops the walk just before it.
 
 use super::branch::{may_dip, resolves};
 use super::follower::{Control, Fault, Follower, NEGLIGIBLE, Poses, most_turn};
@@ -15,21 +15,22 @@ use crate::scalar::Scalar;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
-/// Of the smaller of its distances at both ends of a step, how far a group must be from its limit in the middle.
+/// Smallest distance of a group from its limit in the middle of a step, relative to the smaller of its distances at
+/// both ends.
 const MIDDLE: f64 = 0.25;
 
-/// Where a walk was stopped.
+/// The place at which a walk was stopped.
 pub(crate) struct Blocked<M: Mechanism> {
-    /// The last place reached, and the place that was not.
+    /// The last place reached, and the next one, which could not be reached.
     pub(super) places: [f64; 2],
-    /// The state at the last place.
+    /// The state at the last place reached.
     pub(super) here: Poses<M>,
-    /// Why; none where there were too many steps.
+    /// The reason; `None` where there were too many steps.
     pub(super) fault: Option<Fault>,
 }
 
 impl<M: Mechanism> Follower<M> {
-    /// Walks along the course and solves at the instant at its end; the state there is the one that is tried.
+    /// Moves along the course and solves at the instant at its end; the result is the trial state.
     pub(super) fn walk(
         &mut self,
         mechanism: &M,
@@ -41,7 +42,7 @@ impl<M: Mechanism> Follower<M> {
         let mut here = self.states[self.good];
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         if course.is_frozen() || !course.has_rates_of_end() {
-            // Rates at the start are those along the course.
+            // The rates at the start must be those along the course.
             self.predicted = here.q;
             let good = self.solve_at(mechanism, course, s, &mut inputs).unwrap_or(false);
             if good {
@@ -62,7 +63,7 @@ impl<M: Mechanism> Follower<M> {
             });
             let length = natural.min(proposed);
             let share = remaining.abs() / length;
-            // The last two steps are of equal length, so that none is a sliver.
+            // The remaining distance is split equally between the last two steps, so that none of them is very short.
             let next = match share {
                 share if share <= 1.0 => end,
                 share if share < 2.0 => s + 0.5 * remaining,
@@ -79,7 +80,7 @@ impl<M: Mechanism> Follower<M> {
                     self.branch.distances = self.distances;
                     nearest = self.measure();
                     s = next;
-                    // A step cut short by the end says nothing against the longer one proposed before.
+                    // A step cut short by the end is no reason to reduce the longer step proposed before.
                     proposed = if share <= 2.0 { proposed.max(growth * walked) } else { growth * walked };
                 }
                 Err(fault) => {
@@ -93,7 +94,7 @@ impl<M: Mechanism> Follower<M> {
         Err(Blocked { places: [s, end], here, fault: None })
     }
 
-    /// Solves at the instant that the walk has led to.
+    /// Solves at the instant at the end of the course.
     fn arrive(
         &mut self,
         mechanism: &M,
@@ -116,7 +117,7 @@ impl<M: Mechanism> Follower<M> {
         }
     }
 
-    /// One step; gives by how much the next one may be longer.
+    /// Takes one step; returns the factor by which the next one may be longer.
     fn step(
         &mut self,
         mechanism: &M,
@@ -139,7 +140,7 @@ impl<M: Mechanism> Follower<M> {
         result.map(|effort| if effort <= 0.3 / 64.0 { 4.0 } else { (0.3 / effort).powf(1.0 / 3.0).clamp(0.5, 4.0) })
     }
 
-    /// Solves at the end of a step and judges it; gives its correction, relative to what is allowed.
+    /// Solves at the end of a step and checks it; returns its correction relative to the largest one allowed.
     fn judge(
         &mut self,
         mechanism: &M,
@@ -161,7 +162,7 @@ impl<M: Mechanism> Follower<M> {
         let nearest = f64::min(self.measure(), nearest);
         let tried = &self.states[1 - self.good];
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
-        // All comparisons are such that NaN does not count.
+        // The comparisons are written so that NaN is rejected.
         let (is_expected, is_resolved) = (away <= allowed, resolves(nearest, turn) >= 0.0);
         if !is_expected {
             return Err(Fault::Coarse);
@@ -188,7 +189,8 @@ impl<M: Mechanism> Follower<M> {
                 let stays = w >= MIDDLE * before.as_ref()[*sign].min(now.as_ref()[*sign]);
                 !stays
             };
-            // Redundant rows carry a motion past limits that the kept rows alone have: w changes its sign on the way.
+            // With redundant rows a motion may pass limits of the rows that the plan uses; then w changes its sign
+            // within the step.
             let passed = |sign: &usize| self.branch.modes.as_ref()[*sign] != kept.as_ref()[*sign];
             if let Some(sign) = (0..signs).filter(near).find(|sign| dips(sign) && !passed(sign)) {
                 return Err(Fault::Sign(sign));
@@ -197,7 +199,8 @@ impl<M: Mechanism> Follower<M> {
         Ok(away / allowed)
     }
 
-    /// Solves from the prediction at a place of the course, with rates along it; true where the solution is good.
+    /// Solves from the prediction at a place of the course, with rates along the course; true where the solution is
+    /// valid.
     pub(super) fn solve_at(
         &mut self,
         mechanism: &M,
@@ -210,7 +213,8 @@ impl<M: Mechanism> Follower<M> {
         if !good || !course.is_frozen() {
             return Ok(good);
         }
-        // What time itself contributes is taken out: rates are linear in those of the inputs, accelerations quadratic.
+        // Removes the contribution of time itself: velocities are linear in the rates of the inputs, accelerations
+        // quadratic.
         let along = self.states[1 - self.good];
         let other = |this: &mut Self, factor: f64| {
             let mut changed = *inputs;
@@ -231,21 +235,21 @@ impl<M: Mechanism> Follower<M> {
         Ok(first && second)
     }
 
-    /// The group that is nearest to its limit in the state that is being tried.
+    /// The group of the trial state that is nearest to its limit.
     fn nearest_group(&self) -> usize {
         let distances = self.distances.as_ref();
         let least = distances.iter().copied().fold(f64::INFINITY, f64::min);
         distances.iter().position(|w| *w <= least).unwrap_or(0)
     }
 
-    /// Why the state that is being tried is not good.
+    /// The reason why the trial state is not valid.
     pub(super) fn fault(&self) -> Fault {
         self.states[1 - self.good].margins.first_bad().map_or(Fault::NonFinite, Fault::Margin)
     }
 }
 
-/// The step within which nothing turns by more than `most`.
-fn natural_step([q_dot, q_ddot]: [&[f64]; 2], weights: &[f64], most: f64) -> f64 {
+/// The longest step in which no body turns by more than `most`.
+pub(super) fn natural_step([q_dot, q_ddot]: [&[f64]; 2], weights: &[f64], most: f64) -> f64 {
     let largest =
         |rates: &[f64]| rates.iter().zip(weights).map(|(rate, weight)| (rate * weight).abs()).fold(0.0, f64::max);
     let by_velocity = most / largest(q_dot);

@@ -1,13 +1,13 @@
-//! How long steps of a walk are, and each of their judges beside its threshold, all others being content.
+//! Tests of the length of steps, and of the checks of a step: each check beside its threshold, while all others pass.
 //!
-//! The four-bar takes whatever margin it is given, so that a group can be as near to its limit as a test wants it.
+//! The margin of the test's four-bar is prescribed, so that its group can be arbitrarily near to its limit.
 
 use super::*;
 use crate::Kinematics;
 use crate::course::Timed;
 use crate::fixture::PlannedFourBar;
 
-/// ½ h² q̈ alone, or h q̇ alone, turns by as much as it may, whichever is shorter.
+/// The step is the shorter one of those in which h q̇ alone, or ½ h² q̈ alone, turns by the limit.
 #[test]
 fn a_step_is_as_long_as_velocity_or_acceleration_alone_allows() {
     let weights = [1.0, 0.0, 0.5];
@@ -20,10 +20,10 @@ fn a_step_is_as_long_as_velocity_or_acceleration_alone_allows() {
     assert_eq!(f64::INFINITY, of([0.0; 3], [0.0; 3]));
 }
 
-/// Steps from any prediction are taken.
+/// Accepts steps from any prediction.
 const GENEROUS: Control = Control { rotation: 1.0, correction: 10.0, ..Control::USUAL };
 
-/// A four-bar at the crank angle `start`, whose group says that it has this distance from its limit.
+/// A four-bar at the crank angle `start`, whose group has the distance `w` from its limit.
 fn at_distance(start: f64, w: f64) -> PlannedFourBar {
     PlannedFourBar { start, margin: Some(w * w), ..PlannedFourBar::default() }
 }
@@ -34,7 +34,7 @@ fn follower(mechanism: &PlannedFourBar) -> Follower<PlannedFourBar> {
     Follower::new(mechanism, &Instant::at(0.0), &q).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// The step from a state, with the group at another distance at its end.
+/// Takes a step of length h from a state; `now` prescribes the group's distance at its end.
 fn step(
     follower: &mut Follower<PlannedFourBar>,
     here: &Poses<PlannedFourBar>,
@@ -48,7 +48,7 @@ fn step(
     follower.step(now, &course, [0.0, h], &mut inputs, (here, nearest), control)
 }
 
-/// The step, forth or back, that turns so far.
+/// The step, forwards or backwards, that turns by `turn`.
 fn step_of(follower: &Follower<PlannedFourBar>, turn: f64, side: f64) -> f64 {
     let Poses { q, q_dot, q_ddot, .. } = follower.state();
     let turns =
@@ -63,7 +63,7 @@ fn step_of(follower: &Follower<PlannedFourBar>, turn: f64, side: f64) -> f64 {
 
 #[test]
 fn a_group_is_believed_where_the_step_resolves_it() {
-    // 10 turn³ is 0.2 for 0.271; at either end.
+    // 10 turn³ is 0.2 for a turn of 0.271; the distances at both ends count.
     for [before, now] in [[0.2, 0.2], [0.9, 0.2], [0.2, 0.9]] {
         for side in [1.0, -1.0] {
             let (from, to) = (at_distance(0.2, before), at_distance(0.2, now));
@@ -105,7 +105,7 @@ fn a_group_that_cannot_close_is_to_blame_and_so_is_a_number_that_is_none() {
     assert!(step(&mut follower, &here, &at_distance(0.2, 1.1e-6), 1e-9, &GENEROUS).is_ok());
 }
 
-/// The crank angle at which the closure of the four-bar is this, beside its dead centre.
+/// The crank angle, near the dead centre of the four-bar, at which its closure is `w`.
 fn crank_at(w: f64) -> f64 {
     let closure = |phi: f64| {
         let q = PlannedFourBar { start: phi, ..PlannedFourBar::default() }.state_at(&Instant::at(0.0)).unwrap().q;
@@ -122,10 +122,11 @@ fn crank_at(w: f64) -> f64 {
     a
 }
 
-/// A step at whose ends a group is close to its limit is too long where the group is much closer in between.
+/// If a group is close to its limit at both ends of a step, the step is too long where the group is much closer in
+/// between.
 #[test]
 fn a_group_that_may_have_been_at_its_limit_within_a_step_is_looked_at() {
-    // A quarter of the nearer end, 0.14, is 0.035.
+    // A quarter of the smaller distance, 0.14, is 0.035.
     for (w, is_far) in [(0.0355, true), (0.0345, false)] {
         let phi = crank_at(w);
         for ([before, now], looks) in
@@ -140,7 +141,7 @@ fn a_group_that_may_have_been_at_its_limit_within_a_step_is_looked_at() {
     }
 }
 
-/// In between is half way along the parabola: one that goes out and comes back has been where its ends are not.
+/// The state in between is half way along the parabola, which here moves away and returns to its start.
 #[test]
 fn a_group_is_looked_at_half_way() {
     let phi = crank_at(0.06);
@@ -149,11 +150,11 @@ fn a_group_is_looked_at_half_way() {
     let faults = [0.03, -0.03].map(|out| {
         let mut follower = follower(&mechanism);
         let mut here = *follower.state();
-        // Out by so many radians and back again, on top of the motion.
+        // Moves away by `out` radians and back, in addition to the motion.
         here.q_dot.as_mut()[5] += 4.0 * out / h;
         here.q_ddot.as_mut()[5] -= 8.0 * out / (h * h);
         step(&mut follower, &here, &mechanism, h, &GENEROUS).err()
     });
-    // Towards the limit on one side of the coupler, away from it on the other.
+    // One direction leads towards the limit, the other away from it.
     assert!(matches!(faults, [Some(Fault::Sign(0)), None] | [None, Some(Fault::Sign(0))]), "{faults:?}");
 }

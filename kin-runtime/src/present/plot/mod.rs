@@ -2,11 +2,11 @@
 
 mod panel;
 
-pub(crate) use panel::{Curve, Panel};
+pub(crate) use panel::{Curve, Mark, Panel};
 
 use kuva::backend::png::PngBackend;
 use kuva::backend::svg::SvgBackend;
-use kuva::plot::{ColorMap, LinePlot};
+use kuva::plot::{ColorMap, LinePlot, MarkerShape, ScatterPlot};
 use kuva::render::figure::Figure;
 use kuva::render::layout::{Layout, TickFormat};
 use kuva::render::plots::Plot;
@@ -32,6 +32,11 @@ const ENTRY: [f64; 2] = [45.0, 7.4];
 const MARGIN: f64 = 0.05;
 /// Pixels of a PNG per pixel of the drawing.
 const DENSITY: f32 = 2.0;
+
+/// Colour and shapes of the ends of curves.
+const MARK: &str = "#000000";
+const SHAPES: [MarkerShape; 4] =
+    [MarkerShape::Circle, MarkerShape::Square, MarkerShape::Triangle, MarkerShape::Diamond];
 
 /// Colours that people with any kind of colour vision tell apart (Okabe and Ito, 2008), without yellow.
 const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"];
@@ -90,15 +95,16 @@ impl Diagram {
 
     /// Room on the right of all panels for the widest of their legends.
     fn right(&self) -> f64 {
-        let names = self.panels.iter().filter(|panel| panel.curves.len() > 1).flat_map(|panel| &panel.curves);
-        let widest = names.map(|curve| curve.name.chars().count()).max();
+        let curves = self.panels.iter().filter(|panel| panel.curves.len() > 1).flat_map(|panel| &panel.curves);
+        let marks = self.panels.iter().flat_map(|panel| &panel.marks).map(|mark| &mark.name);
+        let widest = curves.map(|curve| &curve.name).chain(marks).map(|name| name.chars().count()).max();
         widest.map_or(RIGHT, |letters| RIGHT + ENTRY[0] + ENTRY[1] * letters as f64)
     }
 }
 
 /// Tall enough for every entry of its legend.
 fn height(panel: &Panel) -> f64 {
-    HEIGHTS[usize::from(panel.equal)].max(LEGEND[1] + LEGEND[0] * panel.curves.len() as f64)
+    HEIGHTS[usize::from(panel.equal)].max(LEGEND[1] + LEGEND[0] * (panel.curves.len() + panel.marks.len()) as f64)
 }
 
 fn plots(panel: &Panel) -> Vec<Plot> {
@@ -109,7 +115,12 @@ fn plots(panel: &Panel) -> Vec<Plot> {
         let line = if panel.curves.len() > 1 { line.with_legend(curve.name.clone()) } else { line };
         Plot::from(line)
     };
-    curves.map(plot).collect()
+    // Behind the last colour of the curves there are the marks, each with a shape of its own.
+    let mark = |(k, mark): (usize, &Mark)| {
+        let points = ScatterPlot::new().with_data(mark.points.iter().copied()).with_color(MARK).with_size(4.0);
+        Plot::from(points.with_marker(SHAPES[k % SHAPES.len()]).with_legend(mark.name.clone()))
+    };
+    curves.map(plot).chain(panel.marks.iter().enumerate().map(mark)).collect()
 }
 
 /// The colour of a curve among several: no two have the same.
@@ -128,8 +139,9 @@ fn layout(panel: &Panel, plots: &[Plot], sides: Option<[f64; 2]>) -> Layout {
     let layout = layout.with_title_size(14);
     let [x, y] = [panel.range(0), panel.range(1)].map(|(from, to)| ticks(to - from));
     let layout = layout.with_x_tick_format(x).with_y_tick_format(y);
-    // A path has room on all sides, a course over time above and below.
-    let margins = if panel.equal { [MARGIN; 2] } else { [0.0, MARGIN] };
+    // A path has room on all sides, a course over time above and below, and beside its ends where they are marked.
+    let beside = if panel.marks.is_empty() { 0.0 } else { 0.3 * MARGIN };
+    let margins = if panel.equal { [MARGIN; 2] } else { [beside, MARGIN] };
     let [(left, right), (low, high)] = [0, 1].map(|axis| ends(panel.range(axis), margins[axis]));
     let layout = layout.with_x_axis_min(left).with_x_axis_max(right).with_y_axis_min(low).with_y_axis_max(high);
     let layout = if panel.equal { layout.with_equal_aspect() } else { layout };
@@ -186,7 +198,7 @@ mod tests {
     fn a_legend_has_all_its_entries() {
         let curve = |k: u32| Curve { name: format!("curve {k}"), points: vec![(0.0, 0.0), (1.0, f64::from(k))] };
         let labels = ["t in s", "x in m"].map(str::to_owned);
-        let panel = Panel { labels, equal: false, curves: (0..42).map(curve).collect() };
+        let panel = Panel { labels, equal: false, curves: (0..42).map(curve).collect(), marks: Vec::new() };
         let picture = Diagram { title: "Many".to_owned(), panels: vec![panel], beside: false }.svg();
         for k in 0..42 {
             assert!(picture.contains(&format!(">curve {k}<")), "curve {k} is not in the legend");

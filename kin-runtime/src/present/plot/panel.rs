@@ -18,6 +18,17 @@ pub(crate) struct Panel {
     pub(crate) equal: bool,
     /// At least one.
     pub(crate) curves: Vec<Curve>,
+    /// Points of curves that are told apart.
+    pub(crate) marks: Vec<Mark>,
+}
+
+/// Points of curves that have a meaning of their own: where motions end at a limit.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Mark {
+    /// What they are, for the legend.
+    pub(crate) name: String,
+    /// (x, y), all finite.
+    pub(crate) points: Vec<(f64, f64)>,
 }
 
 impl Panel {

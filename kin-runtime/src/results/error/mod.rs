@@ -1,5 +1,6 @@
 //! What can go wrong in an analysis, with numbers.
 
+use crate::certificate::Uncertified;
 use crate::mechanism::LengthError;
 use crate::planned::{Limit, PlanError, Sign};
 use core::fmt;
@@ -234,6 +235,13 @@ pub enum SolveError {
         index: usize,
         /// Number of parameters.
         parameters: usize,
+    },
+    /// Nothing can be proven of these equations ([`Solver::assemblies`](crate::Solver::assemblies)).
+    NotCertified {
+        /// Time.
+        t: f64,
+        /// Why.
+        why: Uncertified,
     },
     /// NaN or infinity in an argument, a parameter or a result.
     NonFinite {

@@ -121,6 +121,29 @@ pub(crate) use report;
 
 report!(Motion, body: BodyMotion, point: PointMotion);
 
+impl Motion {
+    /// The places alone; rates, accelerations and forces are unknown.
+    #[cfg(feature = "cli")]
+    pub(crate) fn without_rates(mut self) -> Self {
+        let unknown = f64::NAN;
+        for body in &mut self.bodies {
+            let BodyMotion { x, y, phi, .. } = *body;
+            *body = BodyMotion::from([x, y, phi].map(|value| Signal { value, ..Signal::UNKNOWN }));
+        }
+        for point in &mut self.points {
+            (point.v, point.a) = ([unknown; 2], [unknown; 2]);
+        }
+        for rates in self.defines.iter_mut().chain(self.joints.iter_mut().flatten()) {
+            *rates = Signal { value: rates.value, ..Signal::UNKNOWN };
+        }
+        for condition in &mut self.conditions {
+            (condition.rate, condition.acceleration) = (unknown, unknown);
+        }
+        self.forces = None;
+        self
+    }
+}
+
 impl Index<Quantity> for Motion {
     type Output = Signal;
 

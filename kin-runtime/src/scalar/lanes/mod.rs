@@ -20,10 +20,10 @@ pub(crate) use octet::Octet;
 #[cfg(feature = "alloc")]
 pub(crate) use pack::Pack;
 
-/// Four `f64` that go through every operation together.
+/// Four `f64` as SIMD lanes, on which every operation acts in parallel.
 ///
 /// Parameters, time, inputs, q and q̇ may differ from lane to lane: four configurations of one mechanism, or four
-/// mechanisms with different dimensions. What a lane holds never changes what another lane gives, to the last bit.
+/// mechanisms with different dimensions. The result in a lane does not depend on the other lanes, to the last bit.
 ///
 /// ```
 /// use kin_runtime::{Instant, Lanes, Mechanism, Subset, mechanism};
@@ -53,38 +53,38 @@ pub(crate) use pack::Pack;
 /// ```
 ///
 /// # Accuracy
-/// `+ - * /`, `sqrt`, `abs`, `signum`, `nearest`: as `f64`, bit for bit. `sin_cos`: 1 ulp from std, like `f64` with the feature
-/// `simd`. `atan2`, `atan`: 2 ulp; `tan`, `asin`, `acos`: 3 ulp; `powi`: n/2 ulp, by repeated squaring. `exp`, `ln`,
-/// `powf` and supplied functions are computed lane by lane, by std. Infinities, zeros with their signs, subnormal
-/// numbers and what is not a number give what std gives. Angles beyond 1.6e6 and vectors longer than 2¹⁰²⁰ are left to
-/// std, which is the only branch. Where instructions fuse a product and a sum the last bit of `sin_cos` may be another than
-/// elsewhere, within the same bounds; with the feature `dispatch` the processor decides, not the build alone.
+/// `+ - * /`, `sqrt`, `abs`, `signum`, `nearest`: as `f64`, bit for bit. `sin_cos`: 1 ulp from std, like `f64` with the
+/// feature `simd`. `atan2`, `atan`: 2 ulp; `tan`, `asin`, `acos`: 3 ulp; `powi`: n/2 ulp, by repeated squaring. `exp`,
+/// `ln`, `powf` and supplied functions are computed lane by lane, by std. Infinities, signed zeros, subnormal numbers
+/// and NaN give the results of std. Angles beyond 1.6e6 and vectors longer than 2¹⁰²⁰ are computed by std, which is the
+/// only branch. With fused multiply-add instructions the last bit of `sin_cos` may differ, within the same bounds; with
+/// the feature `dispatch` this depends on the processor as well as on the build.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lanes(f64x4);
 
 impl Lanes {
-    /// How many numbers there are.
+    /// The number of lanes.
     pub const COUNT: usize = 4;
 
-    /// One number for every lane.
+    /// The lanes with these values.
     #[inline(always)]
     pub const fn new(values: [f64; Self::COUNT]) -> Self {
         Self(f64x4::new(values))
     }
 
-    /// The numbers of `f(0)`, `f(1)`, `f(2)`, `f(3)`.
+    /// The lanes with the values `f(0)`, `f(1)`, `f(2)`, `f(3)`.
     #[inline(always)]
     pub fn generate(f: impl FnMut(usize) -> f64) -> Self {
         Self::new(core::array::from_fn(f))
     }
 
-    /// The number of every lane.
+    /// The values of all lanes.
     #[inline(always)]
     pub fn to_array(self) -> [f64; Self::COUNT] {
         self.0.to_array()
     }
 
-    /// `f` of every lane, one by one.
+    /// Applies `f` to every lane, one after another.
     #[inline]
     pub fn map(self, f: impl FnMut(f64) -> f64) -> Self {
         Self::new(self.to_array().map(f))
@@ -120,7 +120,7 @@ impl Neg for Lanes {
     }
 }
 
-/// Functions of std, lane by lane.
+/// Implements functions lane by lane, by the functions of `f64`.
 macro_rules! one_by_one {
     ($($function:ident)*) => { $(
         #[inline]
@@ -144,7 +144,7 @@ impl Scalar for Lanes {
 
     #[inline(always)]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
-        // Loops over places rather than `map` and iterators, which would put vectors into memory.
+        // Index loops, because `map` and iterators would move vectors through memory.
         let mut lanes = [f64x4::splat(0.0); N];
         for k in 0..N {
             lanes[k] = angles[k].0;
@@ -157,7 +157,7 @@ impl Scalar for Lanes {
         out
     }
 
-    // Not in line: code of kin's own, that is not compiled anew for every mechanism.
+    // Not inlined: this code is compiled once, in kin-runtime, and not again for every mechanism.
     fn sin_cos_in_place(angles: &mut [Self], cosines: &mut [Self]) {
         let count = angles.len().min(cosines.len());
         let (pairs, rest) = angles[..count].as_chunks_mut::<2>();
@@ -215,7 +215,7 @@ impl Scalar for Lanes {
 
     #[inline(always)]
     fn nearest(self, reference: Self) -> Self {
-        // Adding 1.5·2⁵² rounds to an integer.
+        // Adding and subtracting 1.5·2⁵² rounds to an integer.
         let round = Self::from(1.5 / f64::EPSILON);
         let turns = ((reference - self) * Self::from(1.0 / TAU) + round) - round;
         self + turns * Self::from(TAU)
@@ -272,14 +272,14 @@ impl Scalar for Lanes {
     }
 }
 
-/// The other leg of a right triangle with hypotenuse 1, accurate also where x is nearly 1.
+/// The other leg of a right triangle with leg x and hypotenuse 1, accurate also where x is nearly 1.
 #[inline(always)]
 fn complement(x: Lanes) -> Lanes {
     let one = Lanes::from(1.0);
     ((one - x) * (one + x)).sqrt()
 }
 
-/// `(1, 2, 3, 4)`.
+/// For example `(1, 2, 3, 4)`.
 impl fmt::Display for Lanes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         numbers(f, &self.to_array())

@@ -1,7 +1,7 @@
-//! Eight numbers as one scalar: two groups of lanes, step by step beside one another.
+//! Eight numbers as one scalar: two groups of lanes, whose operations are interleaved.
 //!
-//! A closed form is a long chain of operations of which each waits for the one before. Two such chains side by side take
-//! a processor little longer than one, and its registers hold them.
+//! A closed form is a long chain of operations, each of which depends on the one before. A processor executes two such
+//! chains side by side in little more time than one, and both fit into its registers.
 
 use super::Lanes;
 use super::pack::Pack;
@@ -10,15 +10,15 @@ use crate::scalar::compare::Compare;
 use crate::scalar::trig::arctangent;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Eight `f64`, for blocks inside of batches.
+/// Eight `f64`, for the blocks of batches.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Octet([Lanes; Self::GROUPS]);
 
 impl Octet {
-    /// Groups of lanes.
+    /// The number of groups of lanes.
     pub(crate) const GROUPS: usize = 2;
 
-    /// A group of lanes.
+    /// The group of lanes with this index.
     #[inline(always)]
     pub(crate) const fn group(self, number: usize) -> Lanes {
         self.0[number]
@@ -57,7 +57,7 @@ impl Neg for Octet {
     }
 }
 
-/// Functions of lanes, group by group.
+/// Implements functions group by group, by the functions of [`Lanes`].
 macro_rules! group_by_group {
     ($($function:ident)*) => { $(
         #[inline(always)]
@@ -81,7 +81,7 @@ impl Scalar for Octet {
         (Self([a.0, b.0]), Self([a.1, b.1]))
     }
 
-    // Loops over places, here and below: `map` would put vectors into memory.
+    // Index loops, here and below, because `map` would move vectors through memory.
     #[inline(always)]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
         let mut out = [(Self::default(), Self::default()); N];

@@ -1,28 +1,28 @@
-//! What a batch needs of the scalar that its blocks are made of.
+//! The interface of scalars from which blocks of batches are made.
 
 use super::Lanes;
 use crate::scalar::compare::Compare;
 use wide::f64x4;
 
-/// Several numbers that go through every operation together, one for every configuration of a block.
+/// Several numbers on which every operation acts in parallel, one for every configuration of a block.
 pub(crate) trait Pack: Compare {
-    /// How many numbers there are.
+    /// The number of lanes.
     const COUNT: usize;
     /// `[X; COUNT]`.
     type Each<X: Copy>: Copy + AsRef<[X]> + AsMut<[X]>;
-    /// Yes for every lane.
+    /// True for every lane.
     const ALL: Self::Each<bool>;
 
-    /// Something for every lane.
+    /// An array with one element per lane.
     fn each<X: Copy>(of: impl FnMut(usize) -> X) -> Self::Each<X>;
-    /// Gives `put` the numbers block by block, and returns those that are left.
+    /// Passes the numbers to `put` block by block, and returns the remainder that fills no block.
     fn read(numbers: &[f64], put: impl FnMut(usize, Self)) -> &[f64];
-    /// The number of a lane.
+    /// The value of a lane.
     fn lane(&self, lane: usize) -> f64;
-    /// `value` in a lane, whatever the others have.
+    /// Sets the value of one lane and leaves the others unchanged.
     fn set(&mut self, lane: usize, value: f64);
 
-    /// A number for every lane.
+    /// The block with the values `of(lane)`.
     fn generate(mut of: impl FnMut(usize) -> f64) -> Self {
         let mut numbers = Self::default();
         (0..Self::COUNT).for_each(|lane| numbers.set(lane, of(lane)));

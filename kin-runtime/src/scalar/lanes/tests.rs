@@ -1,4 +1,4 @@
-//! Lanes against std, in units in the last place.
+//! Tests of lanes: comparison with std, in units in the last place.
 
 use super::{Lanes, Octet, Pack};
 use crate::random::Random;
@@ -30,12 +30,12 @@ const SPECIAL: [f64; 22] = [
     f64::NAN,
 ];
 
-/// Steps between two numbers of one sign; none between two that are not numbers.
+/// The distance between two numbers of the same sign in units in the last place; 0 between two NaN.
 fn ulps(a: f64, b: f64) -> u64 {
     if a.is_nan() && b.is_nan() { 0 } else { a.to_bits().abs_diff(b.to_bits()) }
 }
 
-/// Numbers of all sizes that matter, in fours, each lane of another size.
+/// Four random numbers of different orders of magnitude.
 fn numbers(random: &mut Random) -> [f64; 4] {
     core::array::from_fn(|_| random.symmetric() * 10_f64.powf(4.0 * random.symmetric()))
 }
@@ -48,7 +48,7 @@ fn compare(what: &str, most: u64, of: &[f64], found: Lanes, expected: [f64; 4]) 
     }
 }
 
-/// A function of one argument against std, at random numbers of up to `size` and at special ones.
+/// Compares a function of one argument with std, at random numbers up to `size` and at special values.
 #[track_caller]
 fn unary(what: &str, most: u64, size: f64, lanes: impl Fn(Lanes) -> Lanes, std: impl Fn(f64) -> f64) {
     let mut random = Random::new(11);
@@ -58,7 +58,7 @@ fn unary(what: &str, most: u64, size: f64, lanes: impl Fn(Lanes) -> Lanes, std: 
         check(numbers(&mut random).map(|x| x.clamp(-size, size)));
     }
     for special in SPECIAL {
-        // Beside numbers that are not special: no lane sees another.
+        // Special values beside ordinary ones, to test that lanes are independent.
         check([0.3, special, -0.7, special]);
         check([special; 4]);
     }
@@ -98,7 +98,7 @@ fn sines_and_cosines() {
     }
 }
 
-/// As one by one, whatever the lengths of the two lists are: what is longer stays as it is.
+/// The list function agrees with single evaluations for lists of any lengths; elements without a partner are unchanged.
 #[test]
 fn sines_and_cosines_of_lists() {
     fn check<T: Scalar + PartialEq + core::fmt::Debug>(value: impl Fn(usize) -> T, tolerance: impl Fn(T, T) -> bool) {
@@ -143,7 +143,7 @@ fn angles_of_vectors() {
     for _ in 0..20_000 {
         check(core::array::from_fn(|_| random.symmetric()), core::array::from_fn(|_| random.symmetric()));
         check(numbers(&mut random), numbers(&mut random));
-        // About the ratio 1/2, where the reduction changes, and about 1.
+        // Ratios near 1/2, where the reduction changes, and near 1.
         let x: [f64; 4] = core::array::from_fn(|_| random.symmetric());
         check(x.map(|x| x * (0.5 + 1e-3 * random.symmetric())), x);
         check(x, x.map(|x| x * (1.0 + 1e-9 * random.symmetric())));
@@ -232,7 +232,7 @@ fn octets_are_two_groups_of_lanes() {
         };
         ($($what:literal $most:literal $f:expr);*) => { $(same!($what, $most, $f, $f);)* };
     }
-    // Two groups may take another instruction set than one, where it is chosen at run time.
+    // Where the instruction set is chosen at run time, two groups may use another one than a single group.
     same!(
         "sum" 0 |x, y| x + y; "difference" 0 |x, y| x - y; "product" 0 |x, y| x * y; "quotient" 0 |x, y| x / y;
         "opposite" 0 |x, _| -x; "sine" 1 |x, _| x.sin_cos().0; "cosine" 1 |x, _| x.sin_cos().1;

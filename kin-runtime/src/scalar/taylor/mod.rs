@@ -1,4 +1,5 @@
-//! Truncated Taylor series: all derivatives with respect to one variable in one pass of the code that is there.
+//! Truncated Taylor series as a scalar: generated code evaluated once gives all derivatives with respect to one
+//! variable.
 
 use super::Scalar;
 use super::expansion::*;
@@ -7,11 +8,11 @@ use crate::text::numbers;
 use core::array;
 use core::fmt;
 
-/// The series x_0 + x_1 τ + … + x_{N−1} τ^{N−1}, x_k = x⁽ᵏ⁾/k!; N is 2 at least.
+/// The series x_0 + x_1 τ + … + x_{N−1} τ^{N−1} with x_k = x⁽ᵏ⁾/k!; N is at least 2.
 ///
-/// Generated code over it gives the derivatives of its results up to order N − 1. Where an iteration is part of that code
-/// (the steps of a plan), it is to start from what it gives for an `f64`: then every correction doubles the number of
-/// coefficients that are right.
+/// Generated code over this scalar gives the derivatives of its results up to order N − 1. An iteration in that code (a
+/// step of a plan) must start from its result over `f64`: then every correction doubles the number of correct
+/// coefficients.
 ///
 /// ```
 /// use kin_runtime::Scalar;
@@ -27,7 +28,7 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Taylor<const N: usize> {
     coefficients: [f64; N],
-    /// Whether all but the first coefficient are 0.
+    /// Whether all coefficients except the first are 0.
     constant: bool,
 }
 
@@ -38,7 +39,7 @@ impl<const N: usize> Taylor<N> {
         Self { coefficients, constant: false }
     }
 
-    /// x_0 + τ.
+    /// The series x_0 + τ.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn variable(value: f64) -> Self {
         Self::new(array::from_fn(|k| match k {
@@ -48,13 +49,13 @@ impl<const N: usize> Taylor<N> {
         }))
     }
 
-    /// x_0, x_1, ….
+    /// The coefficients x_0, x_1, ….
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub const fn coefficients(self) -> [f64; N] {
         self.coefficients
     }
 
-    /// x_0.
+    /// The first coefficient x_0.
     #[cfg_attr(not(debug_assertions), inline(always))]
     const fn value(self) -> f64 {
         self.coefficients[0]
@@ -99,7 +100,7 @@ impl<const N: usize> Expansion for Taylor<N> {
 }
 
 scalar_of_expansion! { [const N: usize] Taylor<N> {
-    /// From a start whose first coefficient is right, and one more.
+    /// The number of corrections from a start with a correct first coefficient, and one more.
     const CORRECTIONS: usize = N.ilog2() as usize + 2;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -147,7 +148,7 @@ scalar_of_expansion! { [const N: usize] Taylor<N> {
     }
 } }
 
-/// Its coefficients.
+/// The coefficients.
 impl<const N: usize> fmt::Display for Taylor<N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         numbers(f, &self.coefficients)

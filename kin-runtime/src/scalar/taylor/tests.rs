@@ -1,6 +1,6 @@
 use super::*;
 
-/// Every function through its own derivative: f(x(τ)) at τ = h by the series, and by itself.
+/// For every function, the series of f(x(τ)) at τ = h agrees with the value of f there.
 #[test]
 fn series_reach_the_values_around() {
     type T = Taylor<16>;
@@ -32,7 +32,7 @@ fn series_reach_the_values_around() {
     check("nearest angle", |x| x.nearest(x + T::from_f64(13.0)), 0.9);
 }
 
-/// A polynomial by its derivatives, as supplied functions are; and how far it is known.
+/// A cube composed from its derivatives, as supplied functions are; and functions whose higher derivatives are unknown.
 #[test]
 fn supplied_functions_are_composed() {
     let x = Taylor::<6>::variable(0.5);
@@ -56,11 +56,11 @@ fn supplied_functions_are_composed() {
     assert_eq!(2.0_f64.powi(3), Taylor::<6>::from_f64(2.0).lift(cube)[0].value());
 }
 
-/// With a start whose first coefficient is right the corrections of an iteration are enough for all others.
+/// From a start with a correct first coefficient, the given number of corrections finds all other coefficients.
 #[test]
 fn iterations_find_every_coefficient() {
     fn root<const N: usize>() {
-        // x² = 4 + τ.
+        // The equation x² = 4 + τ.
         let square = Taylor::<N>::variable(4.0);
         let mut x = [Taylor::from_f64(2.0)];
         let two = Taylor::from_f64(2.0);

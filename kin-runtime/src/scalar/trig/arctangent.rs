@@ -1,22 +1,22 @@
 //! The angle of a vector in SIMD lanes.
 //!
-//! By symmetry the vector is brought into the first octant, (den, num) with 0 ≤ num ≤ den. Where num > den/2 the angle
-//! is taken from the diagonal, which is a division either way (Muller, *Elementary Functions*, chapter 11):
+//! By symmetry the vector is reflected into the first octant, (den, num) with 0 ≤ num ≤ den. Where num > den/2 the
+//! angle is measured from the diagonal; both cases need one division (Muller, *Elementary Functions*, chapter 11):
 //!
 //! ```text
 //! z = num/den    or    z = (num − den)/(num + den), angle π/4 + atan z
 //! atan z = z + z³ P(z²)      minimax on |z| ≤ 1/2, relative error 8e-18
 //! ```
 //!
-//! All reflections together are one constant and one sign: angle = k π/4 ± atan z, the constant in two parts.
-//! The largest error found is 1.7 ulp, where num − den and num + den lose most.
+//! All reflections together are one constant and one sign: angle = k π/4 ± atan z, with the constant in two parts. The
+//! largest error found is 1.7 ulp, near num = den/2, where num − den and num + den lose most digits.
 
 use super::vector::{Compared, Group, Vector};
 use crate::scalar::standard;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use wide::{f64x2, f64x4};
 
-/// P, lowest power first; by the Remez exchange.
+/// The coefficients of P, lowest power first, from the Remez exchange.
 const P: [f64; 12] = [
     -0.333_333_333_333_331_76,
     0.199_999_999_999_391_2,
@@ -32,13 +32,13 @@ const P: [f64; 12] = [
     0.010_057_528_151_866_602,
 ];
 
-/// What π lacks as an `f64`, in proportion: (π − fl(π))/fl(π).
+/// The relative rounding error of π as an `f64`: (π − fl(π))/fl(π).
 const PI_REST: f64 = 3.898_171_832_519_375_5e-17;
 
-/// Beyond it num + den may overflow.
+/// Largest component of a vector for which num + den cannot overflow.
 const LONG: f64 = f64::MAX / 8.0;
 
-/// atan2(y, x) of the lanes, in [−π, π], and whether a vector was too long for that.
+/// atan2(y, x) of the lanes, in [−π, π], and whether a vector was too long for the result to be valid.
 #[inline(always)]
 fn angle<V: Compared>(y: V, x: V) -> (V, bool) {
     let k = V::splat;
@@ -48,11 +48,11 @@ fn angle<V: Compared>(y: V, x: V) -> (V, bool) {
     let num = steep.select(across, up);
     let long = den.above(k(LONG)).any();
     let diagonal = (num + num).above(den);
-    // The zero vector has the angle of the axis that its signs are on.
+    // The zero vector has the angle of the half-axis that its signs indicate.
     let den = den.vanishes().select(k(1.0), den);
     let z = diagonal.select(num - den, num) / ((diagonal & num) + den);
 
-    // Each reflection turns the sign of what is added to the constant.
+    // Each reflection changes the sign of the term that is added to the constant.
     let left = x & k(-0.0);
     let sign = left ^ (steep & k(-0.0));
     let octant = diagonal & k(FRAC_PI_4);
@@ -64,7 +64,7 @@ fn angle<V: Compared>(y: V, x: V) -> (V, bool) {
     ((constant + (z + small)) ^ (y & k(-0.0)), long)
 }
 
-/// P(z), in pairs of pairs: the chain of dependent operations is a third as long as Horner's.
+/// P(z) by Estrin's scheme, whose chain of dependent operations is a third as long as in Horner's scheme.
 #[inline(always)]
 fn polynomial<V: Vector>(z: V) -> V {
     let pair = |at: usize| V::splat(P[at + 1]).mul_add(z, V::splat(P[at]));
@@ -81,7 +81,7 @@ pub(crate) fn atan2(y: f64x4, x: f64x4) -> f64x4 {
     if long { of_long(y, x, angle) } else { angle }
 }
 
-/// Of two vectors of lanes, step by step beside one another: a processor has more to do while it waits.
+/// The angles of two vectors of lanes, computed in an interleaved way, which hides the latency of the operations.
 #[inline(always)]
 pub(crate) fn atan2_of_two(y: [f64x4; 2], x: [f64x4; 2]) -> [f64x4; 2] {
     let (Group(mut angles), long) = angle(Group(y), Group(x));
@@ -100,7 +100,7 @@ pub(crate) fn atan2_all<const N: usize>(vectors: [(f64, f64); N]) -> [f64; N] {
     let mut beyond = false;
     let mut first = 0;
     while first < N {
-        // Lanes to spare look along x.
+        // Padding lanes contain vectors along x.
         let y = |k: usize| if first + k < N { vectors[first + k].0 } else { 0.0 };
         let x = |k: usize| if first + k < N { vectors[first + k].1 } else { 1.0 };
         if N - first > 2 {
@@ -117,29 +117,29 @@ pub(crate) fn atan2_all<const N: usize>(vectors: [(f64, f64); N]) -> [f64; N] {
         }
     }
     if beyond {
-        // One by one: copied as a whole, the good case would go through the memory of this one.
+        // Computed one by one: an array copied as a whole would force the usual case through memory, too.
         let exact = one_by_one(vectors);
         return core::array::from_fn(|k| exact[k]);
     }
     out
 }
 
-/// As many of the angles as there are places for. A copy of constant length, not a loop over places, which compilers turn
-/// into scatters on the stack for AVX-512.
+/// Copies as many of the angles as fit. A copy of constant length is used because compilers turn an index loop into
+/// scatters on the stack for AVX-512.
 #[inline(always)]
 fn copy<const N: usize, const L: usize>(out: &mut [f64; N], first: usize, angles: [f64; L]) {
     let count = if N - first < L { N - first } else { L };
     out[first..first + count].copy_from_slice(&angles[..count]);
 }
 
-/// With the standard library.
+/// Computes all angles by the standard library.
 #[cold]
 #[inline(never)]
 fn one_by_one<const N: usize>(vectors: [(f64, f64); N]) -> [f64; N] {
     vectors.map(|(y, x)| standard::atan2(y, x))
 }
 
-/// With the standard library in the lanes whose vectors are long or infinite; the others keep their angles.
+/// Computes the angles of long and infinite vectors by the standard library; the other lanes keep their angles.
 #[cold]
 #[inline(never)]
 fn of_long(y: f64x4, x: f64x4, angle: f64x4) -> f64x4 {

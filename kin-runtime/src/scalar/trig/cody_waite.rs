@@ -1,6 +1,6 @@
 //! Sine and cosine of every lane of a vector, without branches.
 //!
-//! Three steps, in this order (Cody and Waite; Muller, *Elementary Functions*, chapter 11):
+//! Reduction and approximation in three steps (Cody and Waite; Muller, *Elementary Functions*, chapter 11):
 //!
 //! ```text
 //! n = round(2|x|/π)                    the quadrant
@@ -8,26 +8,26 @@
 //! sin r = r + r³ S(r²)    cos r = 1 + r² (−1/2 + r² C(r²))      minimax polynomials on |r| ≤ π/4
 //! ```
 //!
-//! ε, what r itself cannot hold, is added to both, so that they are within 1 ulp of the standard library's, also beside
-//! the zeros of either function, for |x| up to [`RANGE`].
-//! The coefficients were found by the Remez exchange: relative error of sin r 6e-18, of cos r 2e-19.
+//! ε is the part of the reduced argument that rounding removes from r. Adding it to both results keeps them within 1
+//! ulp of the standard library's, also near the zeros of either function, for |x| up to [`RANGE`]. The coefficients are
+//! from the Remez exchange: the relative error of sin r is 6e-18, that of cos r 2e-19.
 
 use super::vector::Vector;
 
-/// The largest |x|: n has at most 20 bits there, and a product of n with 33 bits is exact.
+/// The largest |x|: up to there n has at most 20 bits, and the product of n and a number of 33 bits is exact.
 pub(super) const RANGE: f64 = 1_647_099.0;
 
-/// Adding 1.5·2⁵² rounds to an integer and leaves it in the lowest bits.
+/// Adding 1.5·2⁵² rounds to an integer, whose lowest bits are then the lowest bits of the sum.
 const ROUND: f64 = 6_755_399_441_055_744.0;
 
-/// π/2 in three parts for fused operations, of 53, 33 and 53 bits: n times the first, taken from |x|, is exact as a
-/// whole, and so is n times the second.
+/// π/2 in three parts of 53, 33 and 53 bits for fused operations: |x| minus n times the first part is exact, and so is
+/// n times the second part.
 const WHOLE: [f64; 3] = [core::f64::consts::FRAC_PI_2, 6.123_233_995_384_61e-17, 3.521_559_865_183_2e-27];
 
-/// π/2 in three parts, the first two of 33 bits, so that n times them is exact.
+/// π/2 in three parts for operations that are not fused; the first two have 33 bits, so that n times them is exact.
 const SPLIT: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
 
-/// S, lowest power first.
+/// The coefficients of S, lowest power first.
 const SIN: [f64; 6] = [
     -1.666_666_666_666_664e-1,
     8.333_333_333_323_662e-3,
@@ -37,7 +37,7 @@ const SIN: [f64; 6] = [
     1.589_471_058_163_446_3e-10,
 ];
 
-/// C, lowest power first.
+/// The coefficients of C, lowest power first.
 const COS: [f64; 6] = [
     4.166_666_666_666_665e-2,
     -1.388_888_888_888_284e-3,
@@ -47,11 +47,11 @@ const COS: [f64; 6] = [
     -1.136_798_188_046_904_6e-11,
 ];
 
-/// Sine and cosine of the lanes, |x| ≤ [`RANGE`]; what is not a number gives what is not a number.
+/// Sine and cosine of the lanes for |x| ≤ [`RANGE`]; NaN for NaN.
 #[inline(always)]
 pub(super) fn sin_cos<V: Vector>(x: V) -> (V, V) {
     let k = V::splat;
-    // Sine is odd also where it is 0: of the magnitude, with the sign put back.
+    // The computation uses |x| and restores the sign at the end, so that sin(−0) is −0.
     let signed = x;
     let x = x ^ (x & k(-0.0));
     let quadrant = x.mul_add(k(core::f64::consts::FRAC_2_PI), k(ROUND));
@@ -64,7 +64,7 @@ pub(super) fn sin_cos<V: Vector>(x: V) -> (V, V) {
     V::turned(quadrant, signed, sin, cos)
 }
 
-/// Σ cₖ zᵏ, in pairs: half as many operations wait for one another as in Horner's way.
+/// Σ cₖ zᵏ by Estrin's scheme, whose chain of dependent operations is half as long as in Horner's scheme.
 #[inline(always)]
 fn polynomial<V: Vector>(z: V, c: [f64; 6]) -> V {
     let pair = |k: usize| V::splat(c[k + 1]).mul_add(z, V::splat(c[k]));
@@ -72,7 +72,7 @@ fn polynomial<V: Vector>(z: V, c: [f64; 6]) -> V {
     pair(4).mul_add(z2, pair(2)).mul_add(z2, pair(0))
 }
 
-/// x − n π/2, and what rounding it has lost.
+/// r = x − n π/2, and ε, the rounding error of r.
 #[inline(always)]
 fn reduced<V: Vector>(x: V, n: V) -> (V, V) {
     let k = V::splat;

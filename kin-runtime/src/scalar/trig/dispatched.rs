@@ -1,26 +1,27 @@
-//! The instruction set chosen at run time: the arithmetic of [`cody_waite`](super::cody_waite), number by number, in loops that
-//! the compiler writes once for every set, with the widest vectors that it has.
+//! Sines and cosines by the instruction set found at run time: the arithmetic of [`cody_waite`](super::cody_waite) in
+//! scalar loops, which the compiler vectorises for every instruction set with its widest vectors.
 //!
-//! Every number goes through the same operations wherever it stands in a list, so that its neighbours change nothing.
-//! With fused operations the last bit may be another than without; either is within the same bounds.
+//! Every number goes through the same operations wherever it stands in a list, so that its result does not depend on
+//! its neighbours. With fused operations the last bit may differ from that without them; both results are within the
+//! same bounds.
 
 use super::cody_waite::{RANGE, sin_cos};
 use super::vector::Vector;
 use core::ops::{Add, BitAnd, BitXor, Mul, Sub};
 use multiversion::{multiversion, target::target_cfg_f};
 
-/// Sine and cosine of the lanes of `N` vectors, and whether one of them is beyond the range, by the best instruction set
-/// that the processor has.
+/// Sine and cosine of the lanes of `N` vectors by the best instruction set of the processor. Returns whether an angle
+/// exceeds the range, so that the results are not valid.
 #[multiversion(targets("x86_64+avx2+fma"))]
 pub(super) fn best<const N: usize>(x: &[[f64; 4]; N], sin: &mut [[f64; 4]; N], cos: &mut [[f64; 4]; N]) -> bool {
     if target_cfg_f!(target_feature = "fma") { each::<true, N>(x, sin, cos) } else { each::<false, N>(x, sin, cos) }
 }
 
-/// Sines and cosines of four angles, and whether one of them is beyond the range, by the best instruction set that the
-/// processor has.
+/// Sines and cosines of four angles by the best instruction set of the processor. Returns whether an angle exceeds the
+/// range, so that the results are not valid.
 ///
-/// Four zeros stand behind them: a loop over eight numbers becomes vectors, and what comes of the zeros is left out. A loop
-/// over four would be written out before that, and its parts put into vectors as they come.
+/// Four zeros are appended, whose results are dropped, because a loop over eight numbers is vectorised. A loop over
+/// four would be unrolled first and then vectorised badly.
 #[multiversion(targets("x86_64+avx2+fma"))]
 pub(super) fn best_of_four(a: f64, b: f64, c: f64, d: f64, sin: &mut [f64; 4], cos: &mut [f64; 4]) -> bool {
     let x = [[a, b, c, d], [0.0; 4]];
@@ -34,7 +35,7 @@ pub(super) fn best_of_four(a: f64, b: f64, c: f64, d: f64, sin: &mut [f64; 4], c
     far
 }
 
-/// With or without fused operations.
+/// The loop, with or without fused operations.
 #[inline(always)]
 pub(super) fn each<const FUSED: bool, const N: usize>(
     x: &[[f64; 4]; N],
@@ -50,7 +51,7 @@ pub(super) fn each<const FUSED: bool, const N: usize>(
     far
 }
 
-/// One number, for a loop that becomes vectors.
+/// A single number, for loops that the compiler vectorises.
 #[derive(Clone, Copy)]
 struct One<const FUSED: bool>(f64);
 

@@ -1,8 +1,9 @@
-//! Sine and cosine of several angles at once, in SIMD lanes, and beside them the angles of several vectors.
+//! Sines and cosines of several angles at once in SIMD lanes, and the angles of several vectors.
 //!
-//! [`cody_waite`] has the arithmetic, for angles up to [`RANGE`]; beyond it the standard library computes. With the feature
-//! `dispatch`, several vectors of lanes, and more than two angles in `f64`, take the instruction set that `dispatched` finds
-//! at run time, unless the build has AVX2 anyway. Less is done before the call of another function would be worth its while.
+//! [`cody_waite`] contains the arithmetic for angles up to [`RANGE`]; larger angles are computed by the standard
+//! library. With the feature `dispatch`, and unless the build has AVX2 anyway, several vectors of lanes, and more than
+//! two angles in `f64`, use the instruction set that `dispatched` finds at run time. For fewer angles the function call
+//! would cost more than it saves.
 
 pub(crate) mod arctangent;
 mod cody_waite;
@@ -17,7 +18,7 @@ use cody_waite::{RANGE, sin_cos};
 use vector::Group;
 use wide::{f64x2, f64x4};
 
-/// Sine and cosine of the lanes of `N` vectors; what is infinite or not a number gives what is not a number.
+/// Sine and cosine of the lanes of `N` vectors; NaN for infinities and NaN.
 #[inline(always)]
 pub(crate) fn sin_cos_lanes<const N: usize>(x: [f64x4; N]) -> [(f64x4, f64x4); N] {
     #[cfg(all(feature = "dispatch", target_arch = "x86_64", not(target_feature = "avx2")))]
@@ -33,10 +34,10 @@ pub(crate) fn sin_cos_lanes<const N: usize>(x: [f64x4; N]) -> [(f64x4, f64x4); N
     out
 }
 
-/// With the instructions that this is built for, and whether an angle is beyond the range.
+/// Computes with the instruction set of the build. Returns also whether an angle exceeds the range.
 ///
-/// Two vectors go through every step together, which keeps a processor busy and fits its registers; one look at the end
-/// says whether all angles are within the range.
+/// Two vectors are interleaved, which hides the latency of the operations and fits the registers. One comparison at the
+/// end covers all angles.
 #[allow(dead_code, reason = "tests force every way")]
 #[inline(always)]
 fn of_this_build<const N: usize>(x: &[f64x4; N]) -> ([(f64x4, f64x4); N], bool) {
@@ -57,7 +58,7 @@ fn of_this_build<const N: usize>(x: &[f64x4; N]) -> ([(f64x4, f64x4); N], bool) 
     (out, far.any())
 }
 
-/// With the best instructions that the processor has.
+/// Computes with the best instruction set of the processor. Returns also whether an angle exceeds the range.
 #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
 #[allow(dead_code, reason = "tests force every way")]
 #[inline(always)]
@@ -67,7 +68,7 @@ fn of_this_processor<const N: usize>(x: &[f64x4; N]) -> ([(f64x4, f64x4); N], bo
     (core::array::from_fn(|k| (f64x4::new(sin[k]), f64x4::new(cos[k]))), far)
 }
 
-/// With the standard library in the lanes that are beyond the range; the others keep what they have.
+/// Computes the lanes beyond the range by the standard library; the other lanes keep their results.
 #[cold]
 #[inline(never)]
 fn beyond(x: [f64; 4], mut sin: [f64; 4], mut cos: [f64; 4]) -> ([f64; 4], [f64; 4]) {
@@ -87,22 +88,23 @@ pub(crate) fn sin_cos_one(angle: f64) -> (f64, f64) {
     (sin.to_array()[0], cos.to_array()[0])
 }
 
-/// By the standard library.
+/// Computes an angle beyond the range by the standard library.
 #[cold]
 #[inline(never)]
 fn one_beyond(angle: f64) -> (f64, f64) {
     standard::sin_cos(angle)
 }
 
-/// Up to so many angles are computed by code that is inlined into the caller. More of them are worth a call, of code that
-/// is compiled with kin and not once for every mechanism, and so are three where only a call reaches AVX2.
+/// Largest number of angles that are computed by code inlined into the caller. More angles are worth a call of code
+/// that is compiled once in kin-runtime and not once per mechanism. Where only a call reaches AVX2, three angles are
+/// worth it.
 const FEW: usize =
     if cfg!(all(feature = "dispatch", target_arch = "x86_64", not(target_feature = "avx2"))) { 2 } else { 4 };
 
 /// Sine and cosine of every angle.
 ///
-/// Nothing here is a loop over places with a condition for each: for AVX-512 compilers turn that into gathers and scatters
-/// on the stack, which take longer than the arithmetic.
+/// There is no index loop with a condition for each element: for AVX-512 compilers turn such a loop into gathers and
+/// scatters on the stack, which take longer than the arithmetic.
 #[inline(always)]
 pub(crate) fn sin_cos_all<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
     let lane = |k: usize| if k < N { angles[k] } else { 0.0 };
@@ -134,7 +136,7 @@ pub(crate) fn sin_cos_all<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
         put(&mut out, &[(s, c), (t, d)]);
     }
     if beyond {
-        // Number by number: copied as a whole, the good case would go through the memory of this one.
+        // Copied number by number: an array copied as a whole would force the usual case through memory, too.
         let exact = four_beyond(lane(0), lane(1), lane(2), lane(3));
         for k in 0..N {
             out[k] = (exact[k].0, exact[k].1);
@@ -143,7 +145,7 @@ pub(crate) fn sin_cos_all<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
     out
 }
 
-/// As many of the pairs as there are places for, four at most.
+/// Copies as many of the pairs as fit, at most four.
 #[inline(always)]
 fn put<const N: usize, const L: usize>(out: &mut [(f64, f64); N], pairs: &[(f64, f64); L]) {
     if const { N > 0 } {
@@ -160,8 +162,8 @@ fn put<const N: usize, const L: usize>(out: &mut [(f64, f64); N], pairs: &[(f64,
     }
 }
 
-/// Sines and cosines of four angles, by a call. Angles are handed over in registers: a vector that is read where single
-/// numbers have just been written waits until these have left the processor.
+/// Sines and cosines of four angles, by a call. The angles are passed in registers: a vector load from memory to which
+/// single numbers have just been written would stall until these stores have completed.
 #[cfg(all(feature = "dispatch", target_arch = "x86_64", not(target_feature = "avx2")))]
 #[inline(always)]
 fn of_four(a: f64, b: f64, c: f64, d: f64) -> [(f64, f64); 4] {
@@ -172,8 +174,8 @@ fn of_four(a: f64, b: f64, c: f64, d: f64) -> [(f64, f64); 4] {
     pairs(sin, cos)
 }
 
-/// Sines and cosines of four angles, by a call. Angles are handed over in registers: a vector that is read where single
-/// numbers have just been written waits until these have left the processor.
+/// Sines and cosines of four angles, by a call. The angles are passed in registers: a vector load from memory to which
+/// single numbers have just been written would stall until these stores have completed.
 #[cfg(not(all(feature = "dispatch", target_arch = "x86_64", not(target_feature = "avx2"))))]
 #[inline(never)]
 fn of_four(a: f64, b: f64, c: f64, d: f64) -> [(f64, f64); 4] {
@@ -185,7 +187,7 @@ fn of_four(a: f64, b: f64, c: f64, d: f64) -> [(f64, f64); 4] {
     pairs(sin.to_array(), cos.to_array())
 }
 
-/// Without lanes, where an angle is beyond the range.
+/// Computes four angles by the standard library, where one of them exceeds the range.
 #[cold]
 #[inline(never)]
 fn four_beyond(a: f64, b: f64, c: f64, d: f64) -> [(f64, f64); 4] {
@@ -197,7 +199,7 @@ fn pairs(sin: [f64; 4], cos: [f64; 4]) -> [(f64, f64); 4] {
     [(sin[0], cos[0]), (sin[1], cos[1]), (sin[2], cos[2]), (sin[3], cos[3])]
 }
 
-/// The sines of a list of angles in their place, and the cosines, as far as both lists go.
+/// Replaces the angles of a list by their sines and writes their cosines, up to the length of the shorter list.
 #[inline(never)]
 pub(crate) fn sin_cos_in_place(angles: &mut [f64], cosines: &mut [f64]) {
     let count = angles.len().min(cosines.len());
@@ -209,12 +211,13 @@ pub(crate) fn sin_cos_in_place(angles: &mut [f64], cosines: &mut [f64]) {
         if !count.is_multiple_of(8)
             && let (Some(angles), Some(cosines)) = (angles.last_chunk_mut(), cosines.last_chunk_mut())
         {
-            // Some of the last eight have been computed already, and get the same numbers once more.
+            // Some of the last eight angles have been computed already; they get the same results again.
             (*angles, *cosines) = of_eight(&last);
         }
         return;
     }
-    // Lanes to spare have the angle 0. Place by place: a copy whose length is not known is a call.
+    // Padding lanes have the angle 0. The results are copied one by one, because a copy of unknown length is a function
+    // call.
     let (sines, own) = of_eight(&core::array::from_fn(|k| angles.get(k).copied().unwrap_or(0.0)));
     for k in 0..8 {
         if let (Some(angle), Some(cosine)) = (angles.get_mut(k), cosines.get_mut(k)) {
@@ -239,7 +242,7 @@ fn of_eight(angles: &[f64; 8]) -> ([f64; 8], [f64; 8]) {
 mod tests {
     use super::*;
 
-    /// Steps between two numbers of one sign.
+    /// The distance between two numbers of the same sign in units in the last place.
     fn ulps(a: f64, b: f64) -> u64 {
         if a == b { 0 } else { a.to_bits().abs_diff(b.to_bits()) }
     }
@@ -247,7 +250,7 @@ mod tests {
     fn compare<const N: usize>(angles: [f64; N]) {
         for (angle, (sin, cos)) in angles.into_iter().zip(sin_cos_all(angles)) {
             let exact = angle.sin_cos();
-            // Many of them may take another instruction set.
+            // More angles than that may be computed by another instruction set.
             assert!(N > FEW || (sin, cos) == sin_cos_one(angle), "{angle}");
             assert!(ulps(sin, exact.0) <= 1 && ulps(cos, exact.1) <= 1, "{angle}: {sin} {cos} and {exact:?}");
         }
@@ -293,7 +296,7 @@ mod tests {
         }
     }
 
-    /// Every way in which two vectors of lanes may be computed, whatever this is built for.
+    /// The results of all implementations for two vectors of lanes, whatever the build supports.
     fn in_every_way(x: [f64x4; 2]) -> Vec<[(f64x4, f64x4); 2]> {
         let mut all = vec![sin_cos_lanes(x), of_this_build(&x).0];
         #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]

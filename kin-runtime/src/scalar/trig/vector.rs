@@ -1,14 +1,14 @@
-//! What sines, cosines and angles need of a vector.
+//! The operations on vectors from which sines, cosines and angles are computed.
 
 use core::ops::{Add, BitAnd, BitXor, Div, Mul, Sub};
 use wide::{bytemuck::cast, f64x2, f64x4, i64x2, i64x4};
 
-/// Several `f64` with their bits. [`ROUND`](super::cody_waite) leaves an integer n in the lowest bits of a number; what is
-/// called `quadrant` here is such a number.
+/// Several `f64` with access to their bits. A `quadrant` is a number in whose lowest bits [`ROUND`](super::cody_waite)
+/// has left an integer n.
 pub(crate) trait Vector:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + BitAnd<Output = Self> + BitXor<Output = Self>
 {
-    /// True where multiplication and addition round once.
+    /// True where multiplication and addition are fused, so that they round once.
     const FUSED: bool;
 
     /// `value` in every lane.
@@ -19,21 +19,23 @@ pub(crate) trait Vector:
     fn mul_sub(self, a: Self, b: Self) -> Self;
     /// b − `self`·a.
     fn mul_neg_add(self, a: Self, b: Self) -> Self;
-    /// Sine and cosine of x from those of |x| − n π/2: exchanged where n is odd, with signs that follow n and x.
+    /// Sine and cosine of x from those of |x| − n π/2: they are swapped where n is odd, and their signs follow from n
+    /// and x.
     fn turned(quadrant: Self, x: Self, sin: Self, cos: Self) -> (Self, Self);
 }
 
-/// A vector whose numbers are compared: all bits are set in a lane where it is so, and none where it is not.
+/// A vector with comparisons. Their results are masks: all bits of a lane are set where the comparison is true, and
+/// none where it is false.
 pub(crate) trait Compared: Vector + Div<Output = Self> {
-    /// The numbers without their signs.
+    /// The absolute values.
     fn magnitude(self) -> Self;
-    /// Whether a number is larger than another.
+    /// The mask of `self` > `other`.
     fn above(self, other: Self) -> Self;
-    /// Whether a number is 0.
+    /// The mask of `self` = 0.
     fn vanishes(self) -> Self;
-    /// `yes` where it is so, `no` elsewhere.
+    /// `yes` in the lanes that the mask `self` selects, `no` in the others.
     fn select(self, yes: Self, no: Self) -> Self;
-    /// Whether it is so in any lane.
+    /// True if any lane of the mask is set.
     fn any(self) -> bool;
 }
 
@@ -92,12 +94,12 @@ macro_rules! vector {
             #[inline(always)]
             fn turned(quadrant: Self, x: Self, sin: Self, cos: Self) -> (Self, Self) {
                 let (n, x): ($int, $int) = (cast(quadrant), cast(x));
-                // The second bit of n, and that of n + 1, where signs are.
+                // The second bit of n, and that of n + 1, shifted to the sign bit.
                 let (half, signs) = (n << 62, $int::splat(i64::MIN));
                 if cfg!(target_feature = "avx") {
                     let odd = n << 63;
                     let (up, across): ($float, $float) = (cast((half ^ x) & signs), cast((half ^ odd) & signs));
-                    // A blend looks at signs alone.
+                    // A blend instruction only uses the sign bits.
                     let odd: $float = cast(odd);
                     (odd.select(cos, sin) ^ up, odd.select(sin, cos) ^ across)
                 } else {
@@ -114,7 +116,7 @@ macro_rules! vector {
 
 vector!(f64x2 i64x2, f64x4 i64x4);
 
-/// Several vectors that go through every step together, so that a constant is loaded once for all of them.
+/// Several vectors on which operations are interleaved, so that a constant is loaded once for all of them.
 #[derive(Clone, Copy)]
 pub(crate) struct Group<const K: usize>(pub(crate) [f64x4; K]);
 

@@ -1,25 +1,25 @@
 //! The orientation of a branch: the sign of a determinant that cannot change without passing a singular configuration.
 //!
-//! For a square regular Φ_q it is its own determinant. With redundant rows it is that of independent rows; with degrees
-//! of freedom left, the null vectors of one configuration border the matrix, so that the next one nearby is compared
-//! with it.
+//! For a square regular Φ_q this is the determinant of Φ_q. With redundant rows it is the determinant of a set of
+//! independent rows. With degrees of freedom left, the matrix is bordered by the null vectors of one configuration, so
+//! that the next configuration nearby is compared using the same border.
 
 use crate::equations::Equations;
 use crate::linear::{Factorization, independent_rows, null_space, positive_determinant};
 use nalgebra::DMatrix;
 
-/// Smallest relative LU pivot of a determinant whose sign means something.
+/// Smallest relative pivot of an LU factorisation at which the sign of the determinant is above rounding.
 const SIGN_TRUST: f64 = 1e-12;
 
-/// Which determinant it is, and its sign.
+/// The determinant that identifies the branch, and its sign.
 #[derive(Clone, Debug)]
 pub(crate) struct Orientation {
-    /// What makes it up where it is not that of Φ_q itself.
+    /// The rows and border that form the matrix; `None` where the matrix is Φ_q itself.
     chosen: Option<Chosen>,
     positive: bool,
 }
 
-/// Some rows, and bordering vectors.
+/// A matrix built from selected rows of Φ_q and bordering null vectors.
 #[derive(Clone, Debug)]
 struct Chosen {
     rows: Vec<usize>,
@@ -27,8 +27,8 @@ struct Chosen {
 }
 
 impl Orientation {
-    /// The orientation at the configuration whose Φ_q was evaluated last and has the factorisation `factor`; none where it
-    /// is singular.
+    /// The orientation at the configuration at which Φ_q was last evaluated and factorised as `factor`; `None` where
+    /// that configuration is singular.
     pub(crate) fn here(equations: &Equations<'_>, factor: &Factorization) -> Option<Self> {
         let (s, n, rank) = (equations.rows(), equations.coordinates(), factor.rank);
         let mut orientation = Self { chosen: None, positive: true };
@@ -43,13 +43,13 @@ impl Orientation {
         Some(orientation)
     }
 
-    /// Writes to `to` the orientation at the configuration whose Φ_q was evaluated last and has the factorisation `factor`,
-    /// a little further on; false where it is not oriented alike.
+    /// Writes to `to` the orientation at a neighbouring configuration, at which Φ_q was last evaluated and factorised
+    /// as `factor`. Returns false if the sign of the determinant differs.
     pub(crate) fn keep(&self, equations: &Equations<'_>, factor: &Factorization, to: &mut Self) -> bool {
         if self.sign(equations, factor) != Some(self.positive) {
             return false;
         }
-        // The determinant of Φ_q itself: there is nothing to choose anew.
+        // The matrix is Φ_q itself, so no rows or border have to be chosen again.
         let here = if self.chosen.is_none() { Some(self.clone()) } else { Self::here(equations, factor) };
         here.is_some_and(|here| {
             *to = here;
@@ -57,7 +57,7 @@ impl Orientation {
         })
     }
 
-    /// True for a positive determinant; none for a vanishing one or one that is not square.
+    /// Whether the determinant is positive; `None` where it vanishes or the bordered matrix is not square.
     fn sign(&self, equations: &Equations<'_>, factor: &Factorization) -> Option<bool> {
         let n = equations.coordinates();
         if n == 0 {

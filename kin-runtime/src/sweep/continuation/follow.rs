@@ -1,4 +1,4 @@
-//! Step control: from one instant to another on the same branch.
+//! Step control: follows one branch of the motion from one instant to another.
 
 use super::groups;
 use super::integrate::integrate;
@@ -16,37 +16,37 @@ use crate::state::State;
 use crate::trajectory::Fallback;
 use crate::workspace::{Instant, Subset};
 
-/// One step by full Newton to a place, which writes the node there and gives by how much the next step may be longer. The
-/// flag says that the place was asked for.
+/// One step by full Newton to a given place: writes the node there and returns the factor by which the next step may be
+/// longer. The flag says that the caller requested this place, so that the node must be converged fully.
 type Step = fn(&mut Equations<'_>, &mut Scratch, Start<'_>, &mut Node, f64, bool) -> Result<f64, Fault>;
 
-/// A branch and the instant reached on it. All nodes and buffers are used again for the next one.
+/// A branch and the instant reached on it. Nodes and buffers are reused from step to step.
 pub(crate) struct Follower {
-    /// The instant reached; in a box, as the others are, so that they change places quickly.
+    /// The instant reached. Nodes are boxed so that swapping them is cheap.
     node: Box<Node>,
-    /// Its place on the course ahead, and its rates along it.
+    /// The place of that node on the current course, and the derivatives of q along the course.
     s: f64,
     q_dot: Vec<f64>,
     q_ddot: Vec<f64>,
-    /// The last internal step towards the next instant, and the one being tried.
+    /// The last accepted internal step on the way to the next instant, and the step being tried.
     here: Box<Node>,
     next: Box<Node>,
-    /// The plan, where it is used.
+    /// The solution plan, where one is used.
     plan: Option<ByPlan>,
-    /// How full Newton finds the next node: continuation of Φ, or integration of the velocities.
+    /// How full Newton finds the next node: by continuation of Φ, or by integration of the velocities.
     step: Step,
     /// Length of the next internal step.
     proposed: f64,
     scratch: Scratch,
-    /// The unilateral conditions, where they are watched.
+    /// The unilateral conditions, where there are any to watch.
     pub(crate) watch: Option<Watch>,
-    /// Internal steps that the plan had no answer for.
+    /// Internal steps that the plan could not solve and that full Newton took.
     pub(crate) fallbacks: Vec<Fallback>,
 }
 
 impl Follower {
-    /// Starts at a state of the current instant, where Φ_q was evaluated last and has the factorisation `factor`; without
-    /// one the state is one of the plan.
+    /// Starts at a state of the current instant. `factor` is the factorisation of Φ_q, which was evaluated there last;
+    /// without it the state was solved by the plan.
     pub(crate) fn new(
         equations: &mut Equations<'_>,
         state: State,
@@ -74,7 +74,7 @@ impl Follower {
         })
     }
 
-    /// The first event, when the sweep is to end there and it was passed.
+    /// The first event, if the sweep is to stop at events and one was passed.
     pub(crate) fn stopped(&self, equations: &Equations<'_>) -> Option<&State> {
         let watch = self.watch.as_ref().filter(|_| equations.options.stop_at_events)?;
         watch.events().first().map(|event| &event.state)
@@ -85,7 +85,7 @@ impl Follower {
         &self.node.state
     }
 
-    /// Puts the instant reached at the start of a course in time, and forgets the length of earlier steps.
+    /// Places the instant reached at the start of a course in time, and resets the proposed step length.
     pub(crate) fn depart_in_time(&mut self) {
         let state = &self.node.state;
         self.s = state.t;
@@ -94,7 +94,8 @@ impl Follower {
         self.proposed = f64::INFINITY;
     }
 
-    /// Puts the instant reached at the start `s` of a course along which rates are others than in time.
+    /// Places the instant reached at the start `s` of a course whose parameter is not time, and computes the
+    /// derivatives of q along that course.
     pub(crate) fn depart(&mut self, equations: &mut Equations<'_>, s: f64) -> Result<(), SolveError> {
         self.s = s;
         self.proposed = f64::INFINITY;
@@ -106,7 +107,7 @@ impl Follower {
         rates(equations, &node.state.q, &basis.factor, q_dot, q_ddot)
     }
 
-    /// Goes to an instant by the plan alone, whatever its inputs are; false where the plan has no answer.
+    /// Goes to an instant by the plan alone, whatever its input values are; false where the plan has no solution.
     pub(crate) fn advance_by_plan(
         &mut self,
         equations: &mut Equations<'_>,
@@ -123,7 +124,7 @@ impl Follower {
             here.fallback = None;
             if plan.solve(equations, &node.state.q, &mut here.state)? {
                 if plan.has_curves && !plan.in_one_step {
-                    // Rollers are watched from step to step.
+                    // The side of a roller is checked from step to step, so a move of several steps is refused.
                     plan.stands = false;
                     return Ok(false);
                 }
@@ -135,8 +136,8 @@ impl Follower {
         })
     }
 
-    /// Goes to the place `target` of the course, in internal steps, or past the first event when the sweep is to end
-    /// there; where the plan is not to be asked, by full Newton. After an error the instant reached stays what it was.
+    /// Goes to the place `target` of the course in internal steps, or past the first event if the sweep is to stop
+    /// there; by full Newton alone unless `by_plan`. After an error the instant reached is unchanged.
     pub(crate) fn advance(
         &mut self,
         equations: &mut Equations<'_>,
@@ -157,8 +158,8 @@ impl Follower {
         Ok(())
     }
 
-    /// As [`advance`](Self::advance) by full Newton to the end of a course along which rates are others than in time; those
-    /// of the instant `at` there are written.
+    /// As [`advance`](Self::advance), by full Newton to the end of a course whose parameter is not time. Writes the
+    /// rates in time of the instant `at`.
     pub(crate) fn arrive(
         &mut self,
         equations: &mut Equations<'_>,
@@ -177,7 +178,8 @@ impl Follower {
         Ok(())
     }
 
-    /// New rates at the place reached, where neither time nor a value has changed.
+    /// Computes the rates of the instant `at` at the configuration reached, for a change of neither time nor input
+    /// values.
     pub(crate) fn stay(&mut self, equations: &mut Equations<'_>, at: &Instant<'_>) -> Result<(), SolveError> {
         equations.by_time(|equations| found_on(equations, &mut self.node))?;
         let spare = &mut self.here.state;
@@ -191,7 +193,7 @@ impl Follower {
         Ok(())
     }
 
-    /// Internal steps to `target`, the last of which is left in `here`; false when none was needed.
+    /// Takes internal steps to `target` and leaves the last of them in `here`; false when no step was needed.
     fn follow(&mut self, equations: &mut Equations<'_>, target: f64, by_plan: bool) -> Result<bool, SolveError> {
         let options = equations.options;
         let mut iterations = 0;
@@ -222,7 +224,8 @@ impl Follower {
                     equations.scale = Scale::around(equations, q);
                 }
                 let node = if moved { &self.here } else { &self.node };
-                // Redundant rows carry a motion past limits of the others.
+                // With redundant rows a motion may pass limits of the rows that the plan uses, so their distance does
+                // not shorten the step.
                 let basis = node.basis.as_ref().filter(|_| equations.model.plan.watched().next().is_none());
                 let nearest = basis.map_or(1.0, |basis| groups::nearest(&basis.groups));
                 natural_step(equations, rates, nearest).min(if by_plan { f64::INFINITY } else { self.proposed })
@@ -231,7 +234,7 @@ impl Follower {
                 let shortest = options.min_step * length.min(remaining.abs());
                 shortest.max(4.0 * f64::EPSILON * from.abs().max(target.abs()))
             });
-            // The last two steps are of equal length, so that none is a sliver.
+            // The remaining distance is split equally between the last two steps, so that none of them is very short.
             let share = remaining.abs() / length;
             let s = match share {
                 share if share <= 1.0 => target,
@@ -254,7 +257,7 @@ impl Follower {
                 let rates = if moved { [&node.state.q_dot, &node.state.q_ddot] } else { [&*q_dot, &*q_ddot] };
                 let start = Start { node, basis, s: from, q_dot: rates[0], q_ddot: rates[1] };
                 if s == from {
-                    // Between neighbouring numbers there is no step to take.
+                    // The step is shorter than the spacing of floating-point numbers.
                     return Err(refusal(equations, &start, target, Fault::Coarse(0.5), (limit, jumps)));
                 }
                 match (self.step)(equations, scratch, start, next, s, s == target) {
@@ -266,7 +269,7 @@ impl Follower {
                         }
                         self.see(equations, moved, from)?;
                         let walked = (s - from).abs();
-                        // A step cut short by the target says nothing against the longer one proposed before.
+                        // A step cut short by the target is no reason to reduce the longer step proposed before.
                         self.proposed = if share <= 2.0 { self.proposed.max(growth * walked) } else { growth * walked };
                     }
                     Err(fault) => {
@@ -300,7 +303,7 @@ impl Follower {
         })
     }
 
-    /// One step by the plan; false where it has no answer.
+    /// One step by the plan; false where the plan has no solution.
     fn step_by_plan(&mut self, equations: &mut Equations<'_>, moved: bool, s: f64) -> Result<bool, SolveError> {
         let Self { node, here, next, plan, .. } = self;
         let Some(plan) = plan else { return Ok(false) };
@@ -308,7 +311,7 @@ impl Follower {
         Ok(plan.stand(equations, from) && plan.step(equations, &from.q, next, s)?)
     }
 
-    /// Shows the step that was taken to who watches conditions.
+    /// Passes the accepted step to the watch over the unilateral conditions.
     fn see(&mut self, equations: &mut Equations<'_>, moved: bool, from: f64) -> Result<(), SolveError> {
         let Self { node, here, next, plan, step, scratch, watch, q_dot, q_ddot, .. } = self;
         let Some(watch) = watch else { return Ok(()) };
@@ -336,14 +339,15 @@ impl Follower {
 }
 
 impl<'n> Start<'n> {
-    /// A node on the course.
+    /// The start of a step at a node with a basis, with its rates in time.
     fn at(node: &'n Node) -> Option<Self> {
         let State { q_dot, q_ddot, .. } = &node.state;
         Some(Self { node, basis: node.basis.as_ref()?, s: node.s, q_dot, q_ddot })
     }
 }
 
-/// The state at `s` on the way from a node to one that was reached in one step; it is closed to the end.
+/// The state at `s` between a node and the next one, which was reached in one step; it is fully converged. Where one
+/// step fails, two half steps are tried.
 fn state_between(
     equations: &mut Equations<'_>,
     step: Step,

@@ -1,26 +1,30 @@
-//! The branch of every group of a plan, for configurations that full Newton has found.
+//! The solution branch of every group of the plan, for configurations found by full Newton.
 //!
-//! What [`planned::branch`](crate::planned::branch) asks of a solution by the plan is asked of every configuration here:
-//! each group on its own side of where its branches meet, and as far from there as the prediction has it. One sign for
-//! the whole mechanism would not do: two groups that change theirs in one step leave it as it was.
+//! Configurations found here satisfy the same conditions as solutions by the plan do in
+//! [`planned::branch`](crate::planned::branch): each group stays on its own side of the configuration where its
+//! branches meet, and its distance from there is about the predicted one. One sign for the whole mechanism would not
+//! suffice: if two groups change their branch in one step, the sign of the determinant of Φ_q stays the same.
 
 use crate::analysis::by_plan;
 use crate::equations::Equations;
 use crate::planned::blurred::{blurred_group, largest_angle};
 use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
 
-/// Nearer than this to where its branches meet a group is on neither of them: as near as rounding lets it be told.
+/// Distance from the meeting of its branches below which rounding no longer allows a group to be assigned to either
+/// branch.
 const SMALLEST: f64 = 1e-6;
 
-/// Condition numbers of the scaled Φ_q below which no configuration is near to a singular one.
+/// Condition number of the scaled Φ_q below which a configuration counts as far from every singular one.
 const REGULAR: f64 = 1e3;
 
-/// Deviation of a closure from its prediction, relative to the larger one, where redundant rows carry the motion past its
-/// limit; and how near to it both may be.
+/// With redundant rows the motion may pass a limit of a group. `PASSING` is the largest deviation of the group's branch
+/// value from its prediction, relative to the larger of the two; `FLAT` is the size below which the deviation is not
+/// checked.
 const PASSING: f64 = 0.5;
 const FLAT: f64 = 1e-3;
 
-/// Writes what tells the branches of every group apart at q; nothing where there is no plan.
+/// Writes the branch value of every group at q, whose sign tells its branches apart; an empty list where there is no
+/// plan.
 pub(super) fn write(equations: &Equations<'_>, q: &[f64], groups: &mut Vec<f64>) {
     groups.clear();
     if equations.given() > 0 {
@@ -32,10 +36,11 @@ pub(super) fn write(equations: &Equations<'_>, q: &[f64], groups: &mut Vec<f64>)
     }
 }
 
-/// True where every group has stayed on its branch, from a configuration `before` over a prediction to what was found.
+/// True if every group has stayed on its branch. The arguments are the branch values at the previous configuration, at
+/// the prediction and at the configuration found.
 ///
-/// With redundant rows a group of the kept ones may have a limit that the mechanism passes: then the sign may change, as
-/// the prediction has it.
+/// With redundant rows a group of the rows used by the plan may reach a limit that the mechanism as a whole passes. Its
+/// sign may then change if the prediction changes sign as well.
 pub(super) fn stay([before, predicted, found]: [&[f64]; 3], turn: f64, is_redundant: bool) -> bool {
     before.iter().zip(predicted).zip(found).all(|((before, predicted), found)| {
         if is_redundant {
@@ -50,7 +55,8 @@ pub(super) fn stay([before, predicted, found]: [&[f64]; 3], turn: f64, is_redund
     })
 }
 
-/// True where rates mean nothing, so near to a crossing of branches, given the condition number of Φ_q.
+/// True where the configuration is so near to a meeting of branches that its rates are dominated by rounding.
+/// `condition` is the condition number of Φ_q.
 pub(super) fn are_blurred(
     equations: &mut Equations<'_>,
     groups: &[f64],
@@ -60,7 +66,7 @@ pub(super) fn are_blurred(
     if groups.is_empty() || condition < REGULAR {
         return false;
     }
-    // What the plan divides by may be small where its closures are far apart.
+    // A divisor of the plan may be small although the branches of its groups are far apart.
     let margins = by_plan::margins(equations, groups, q);
     let plan = &equations.model.plan;
     let by_margin = |sign: usize| plan.margin_of_sign(sign).map_or(1.0, |place| margins[place].max(0.0).sqrt());
@@ -73,7 +79,7 @@ pub(super) fn are_blurred(
     blurred_group(equations.model, [groups, &rates], &distances, [q_dot, q_ddot]).is_some()
 }
 
-/// How near the nearest group is to where its branches meet.
+/// The smallest distance of a group from the meeting of its branches, at most 1.
 pub(super) fn nearest(groups: &[f64]) -> f64 {
     groups.iter().fold(1.0, |least, w| f64::min(least, w.abs()))
 }
@@ -82,10 +88,11 @@ pub(super) fn nearest(groups: &[f64]) -> f64 {
 mod tests {
     use super::*;
 
-    /// One group from `before` over `predicted` to `found`, whichever its sign, and with redundant rows or without.
+    /// Whether a group stays on its branch from `before` over `predicted` to `found`, for either sign, with redundant
+    /// rows or without.
     fn stays([before, predicted, found]: [f64; 3], turn: f64, is_redundant: bool) -> bool {
         let answers = [1.0, -1.0].map(|sign| {
-            // A second group, far from all limits, has no say.
+            // A second group, far from all limits, must not change the result.
             let of = |w: f64| [sign * w, -50.0];
             stay([&of(before), &of(predicted), &of(found)], turn, is_redundant)
         });
@@ -98,9 +105,9 @@ mod tests {
         let of = |before, predicted, found| stays([before, predicted, found], 0.01, false);
         assert!(of(0.5, 0.5, 0.5));
         assert!(!of(0.5, 0.5, -0.5) && !of(0.5, -0.5, -0.5) && !of(-0.5, 0.5, 0.5) && !of(0.5, -0.5, 0.5));
-        // As near as half of the smaller one.
+        // The smallest accepted ratio of the found and the predicted value is one half.
         assert!(of(0.5, 0.3, 0.2) && of(0.5, 0.2, 0.3) && !of(0.5, 0.31, 0.2) && !of(0.5, 0.2, 0.31));
-        // Every group counts, whatever the others do.
+        // One group that leaves its branch suffices for a refusal.
         assert!(!stay([&[0.5, 0.5], &[0.5, 0.5], &[0.5, -0.5]], 0.01, false));
         assert!(!stay([&[0.5], &[0.5], &[f64::NAN]], 0.01, false) && !stay([&[0.5], &[f64::NAN], &[0.5]], 0.01, false));
     }
@@ -110,31 +117,33 @@ mod tests {
         assert!(stays([0.5, 1.01e-6, 1.01e-6], 0.0, false) && !stays([0.5, 0.99e-6, 0.99e-6], 0.0, false));
     }
 
-    /// Either it is so far away that nothing comes there in four times the turn, or the step is short enough to resolve it.
+    /// Either the group is more than four times the turn of the step away from its limit, or the step is short enough
+    /// to resolve the limit.
     #[test]
     fn a_step_that_turns_too_far_for_its_groups_does_not_count() {
-        // 10 turn³ is less than 4 turn in all steps that there are.
+        // For these turns, 10 turn³ is less than 4 turn.
         for (turn, least) in [(0.1, 0.01), (0.3, 0.27)] {
             for (factor, counts) in [(1.01, true), (0.99, false)] {
                 let near: f64 = factor * least;
                 assert_eq!(counts, stays([near, near, near], turn, false), "{turn} {factor}");
-                // At either end.
+                // The distance counts at both ends of the step.
                 assert_eq!(counts, stays([0.9, 1.2 * near, near], turn, false), "{turn} {factor}");
                 assert_eq!(counts, stays([near, 1.2 * near, 1.4 * near], turn, false), "{turn} {factor}");
             }
         }
-        // Where a step turns farther than that the cube grows beyond it.
+        // For larger turns 10 turn³ exceeds 4 turn.
         assert!(stays([0.9; 3], 0.22, false) && stays([4.1; 3], 1.0, false) && !stays([3.9; 3], 1.0, false));
     }
 
-    /// Redundant rows carry a motion past limits of the others: the sign may change, as the prediction has it.
+    /// With redundant rows the motion may pass limits of a group: its sign may change where the prediction changes
+    /// sign.
     #[test]
     fn with_redundant_rows_a_group_changes_its_sign_where_it_was_predicted() {
         let of = |before, predicted, found| stays([before, predicted, found], 0.01, true);
         assert!(of(0.1, -0.1, -0.1) && of(0.1, 0.1, 0.1) && !of(0.1, 0.1, -0.1) && !of(0.1, -0.1, 0.1));
-        // As near as half of the larger one.
+        // The deviation may be half of the larger value.
         assert!(of(0.1, 0.2, 0.101) && of(0.1, 0.101, 0.2) && !of(0.1, 0.2, 0.099) && !of(0.1, 0.099, 0.2));
-        // Flat it has no sign that could be wrong.
+        // Values below `FLAT` may have either sign.
         assert!(of(0.1, 0.99e-3, -0.99e-3) && of(0.1, -0.99e-3, 0.99e-3));
         assert!(!of(0.1, 1.01e-3, -0.5e-3) && !of(0.1, 0.5e-3, -1.01e-3));
         assert!(!of(0.1, f64::NAN, 0.1) && !of(0.1, 0.1, f64::NAN));

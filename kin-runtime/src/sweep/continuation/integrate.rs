@@ -1,17 +1,18 @@
-//! One step of a motion with rows of velocity level: integrate, project, judge.
+//! One step of a motion with rows of velocity level: integrate, project onto Φ = 0, check the branch.
 //!
-//! Such rows leave the position to the motion before. With Φ of the rows of position level and B, b of the others,
+//! Rows of velocity level do not determine the position, which follows from the preceding motion. With Φ of the rows of
+//! position level and B, b of the others, the differential equation
 //!
 //! ```text
 //! q̇ = v(q, t):   [Φ_q; B] q̇ = −[Φ_t; b]
 //! ```
 //!
-//! is integrated by the Runge–Kutta pair of [`dormand_prince`](crate::nonlinear::dormand_prince), with a step length such that the
-//! estimated error of every coordinate stays below `Options::integration_tolerance` on the common scale; its result is
+//! is integrated by the Runge–Kutta pair of [`dormand_prince`](crate::nonlinear::dormand_prince). The step length keeps
+//! the estimated error of every coordinate below `Options::integration_tolerance` on the common scale. The result is
 //! then moved onto Φ(q, t) = 0 by the correction of least norm, which is of the size of that error. Where degrees of
-//! freedom are left, v is the velocity of least Euclidean norm, as everywhere; with redundant rows it is that of all of
-//! them in the sense of least squares, which agree on Φ. Rank and orientation of the branch are judged as in
-//! [`step`](super::step), so that no singular configuration is passed.
+//! freedom are left, v is the velocity of least Euclidean norm, as in all analyses. With redundant rows v solves all
+//! rows in the sense of least squares; on Φ = 0 the rows are consistent. Rank and orientation of the branch are checked
+//! as in [`step`](super::step), so that no singular configuration is passed.
 
 use super::step::{Fault, Node, Scratch, Start, correct, settle};
 use crate::analysis::velocity::scaled;
@@ -20,12 +21,12 @@ use crate::equations::factorisation::Wanted;
 use crate::nonlinear::dormand_prince::{Taken, take};
 use crate::workspace::Subset;
 
-/// Share of the step that the error estimate would allow.
+/// Safety factor of the step length that the error estimate allows.
 const SAFETY: f64 = 0.9;
-/// Corrections onto Φ may be larger than the tolerance of one step by this factor.
+/// Factor by which a correction onto Φ = 0 may exceed the tolerance of one step.
 const DRIFT: f64 = 1e3;
 
-/// Writes the node at the place `s` to `to`; gives by how much the next step may be longer.
+/// Writes the node at the place `s` to `to`; returns the factor by which the next step may be longer.
 pub(super) fn integrate(
     equations: &mut Equations<'_>,
     scratch: &mut Scratch,
@@ -52,7 +53,7 @@ pub(super) fn integrate(
     Ok(factor.clamp(0.5, 4.0))
 }
 
-/// q̇ at a stage, near Φ but not on it.
+/// q̇ at a stage of the Runge–Kutta step, which is near Φ = 0 but not on it.
 fn velocity(equations: &mut Equations<'_>, rank: usize, s: f64, q: &[f64]) -> Result<Vec<f64>, Fault> {
     equations.move_to(s)?;
     equations.evaluate(Subset::VELOCITY, q, None)?;
@@ -63,7 +64,8 @@ fn velocity(equations: &mut Equations<'_>, rank: usize, s: f64, q: &[f64]) -> Re
     Ok(factor.solve(&-scaled(equations, &equations.phi_t)).as_slice().to_vec())
 }
 
-/// Largest estimated error of a coordinate on the common scale, relative to its own size where that is more than one.
+/// Largest estimated error of a coordinate on the common scale, relative to the size of the coordinate where that
+/// exceeds 1.
 fn error(equations: &Equations<'_>, before: &[f64], taken: &Taken) -> f64 {
     let mut largest = 0.0;
     for (k, d) in equations.scale.columns.iter().enumerate() {
@@ -85,7 +87,7 @@ mod tests {
     use crate::options::Options;
     use crate::workspace::Instant;
 
-    /// A velocity that some rows leave open is none: the step is too long.
+    /// Where Φ_q loses rank the velocity is not determined, so the step counts as too long.
     #[test]
     fn a_stage_that_loses_rank_has_no_velocity() {
         let slider = StretchedSlider;
@@ -100,7 +102,7 @@ mod tests {
         assert!(matches!(stretched, Err(Fault::Coarse(factor)) if factor < 1.0), "{stretched:?}");
     }
 
-    /// Beside the size of a coordinate, on its own scale, where that is more than one.
+    /// The error is relative to the scaled size of the coordinate where that exceeds 1.
     #[test]
     fn an_error_is_that_of_the_worst_coordinate_beside_its_size() {
         let slider = StretchedSlider;

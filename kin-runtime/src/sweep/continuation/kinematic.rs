@@ -10,11 +10,11 @@ use crate::state::State;
 use crate::trajectory::Trajectory;
 use core::ops::ControlFlow;
 
-/// Is shown every state of a sweep, and says whether to go on.
+/// A function that is called with every state of a sweep and says whether to continue.
 pub(crate) type Visit<'v> = dyn FnMut(&State) -> ControlFlow<()> + 'v;
 
-/// The states at `times`, on the branch of `first`, which is the one at the first of them; with the factorisation of Φ_q
-/// where that was evaluated there last.
+/// The states at `times` on the branch of `first`, the state at the first of these times. The factorisation of Φ_q is
+/// given if it was evaluated at that state last.
 pub(crate) fn kinematic(
     equations: &mut Equations<'_>,
     first: (State, Option<Factorization>),
@@ -34,7 +34,7 @@ pub(crate) fn kinematic(
     }
 }
 
-/// As [`kinematic`]; every state is shown, and none is kept.
+/// As [`kinematic`], but states are passed to `visit` and not stored.
 pub(crate) fn kinematic_each(
     equations: &mut Equations<'_>,
     first: (State, Option<Factorization>),
@@ -52,7 +52,7 @@ pub(crate) fn kinematic_each(
     }
 }
 
-/// Shows one state per instant until one fails or the sweep is to stop at an event.
+/// Passes one state per instant to `visit` until one fails or the sweep stops at an event.
 fn follow(
     equations: &mut Equations<'_>,
     (state, factor): (State, Option<Factorization>),
@@ -66,7 +66,7 @@ fn follow(
         *reached = done;
         let told = equations.observed.finish(state.t, Some(state));
         match visit(state) {
-            // Who stops it with the last one has all of them.
+            // A stop at the last instant is no error, because all states have been computed.
             ControlFlow::Break(()) if done < total => Err(SolveError::Stopped { t: state.t, done, total }),
             _ => told,
         }
@@ -88,7 +88,7 @@ fn follow(
             let event = follower.stopped(equations);
             trajectory.stopped = event.is_some();
             let told = show(equations, event.unwrap_or(follower.state()), index + 1);
-            // A sweep that its first event ended is whole.
+            // A sweep that stops at its first event is complete.
             if trajectory.stopped { Ok(()) } else { told }
         })
     });

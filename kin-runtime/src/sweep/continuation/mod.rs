@@ -6,18 +6,18 @@
 //! q(t + h) ≈ q + h q̇ + ½ h² q̈,
 //! ```
 //!
-//! and corrected by full Newton steps. A step counts only if it was short, the correction small against the predicted
-//! motion and contracting fast, the velocity where it was expected, the rank of Φ_q and the orientation of the branch (the
-//! sign of its determinant) the same, and every group of the plan on its own branch; otherwise it is halved. So a motion
-//! is followed to where it ends or crosses another, and never jumps there: what cannot be followed is an error with the
-//! time and the joint.
+//! and corrected by full Newton steps. A step is accepted only if the motion in it is short, the correction is small
+//! compared with the predicted motion and converges fast, the velocity is near its prediction, the rank of Φ_q and the
+//! orientation of the branch (the sign of the determinant) are unchanged, and every group of the plan is on its own
+//! branch; otherwise the step is halved. A motion is thus followed to its end or to a crossing with another branch, and
+//! never jumps: where it cannot be followed, the error names the time and the joint.
 //!
-//! Where the mechanism has a plan it is asked first, by the same follower that [`Planned`](crate::Planned) has, which
-//! judges its branch by itself. Its q, q̇ and q̈ at every instant are held against all rows. Full Newton takes over where
-//! the plan has no answer or one that does not close.
+//! Where the mechanism has a plan, it is tried first by the follower that [`Planned`](crate::Planned) uses, which
+//! checks its branch itself. Its q, q̇ and q̈ are checked with all rows at every instant. Full Newton takes over where
+//! the plan has no solution or one that does not satisfy all rows.
 //!
-//! Where there are rows of velocity level, Φ does not determine the position. Then the velocities are integrated from
-//! the first instant on, and every step is projected onto Φ; see `integrate`.
+//! Where there are rows of velocity level, Φ does not determine the position. The velocities are then integrated from
+//! the first instant on, and every step is projected onto Φ = 0; see `integrate`.
 
 mod branch;
 mod follow;

@@ -1,4 +1,4 @@
-//! What full Newton has at a node of a motion besides its state: the factorisation of Φ_q, its orientation, rates.
+//! Data that full Newton needs at a node besides its state: the factorisation of Φ_q, its orientation, and rates.
 
 use super::branch::Orientation;
 use super::groups;
@@ -15,7 +15,7 @@ use crate::planned::follower::{Control, most_turn};
 use crate::state::State;
 use crate::workspace::{Instant, Subset};
 
-/// Finds what full Newton goes on from, where the plan has solved.
+/// Computes the basis for full Newton at a node that the plan has solved.
 pub(super) fn found_on(equations: &mut Equations<'_>, node: &mut Node) -> Result<(), SolveError> {
     if node.basis.is_some() {
         return Ok(());
@@ -29,7 +29,8 @@ pub(super) fn found_on(equations: &mut Equations<'_>, node: &mut Node) -> Result
     equations.evaluate(Subset::VELOCITY, q, None)?;
     let factor = equations.factorise(Wanted::Rank, None);
     if factor.rank + node.state.degrees_of_freedom_left < equations.coordinates() {
-        // The plan has come nearer to a singular configuration than a factorisation of Φ_q can.
+        // The node is so near to a singular configuration that Φ_q is singular within rounding, although the plan still
+        // solved it.
         return Err(SolveError::Singular {
             t: node.state.t,
             rank: factor.rank,
@@ -43,7 +44,7 @@ pub(super) fn found_on(equations: &mut Equations<'_>, node: &mut Node) -> Result
     equations.set_instant(&Instant { t, inputs: &inputs })
 }
 
-/// What full Newton goes on from at a state, with a factorisation of Φ_q, which was evaluated last.
+/// The basis for full Newton at a state, from a factorisation of Φ_q, which was evaluated there last.
 pub(super) fn basis_with(equations: &Equations<'_>, state: &State, factor: Factorization) -> Result<Basis, SolveError> {
     let (t, rank) = (state.t, factor.rank);
     let singular = || SolveError::Singular {
@@ -60,7 +61,7 @@ pub(super) fn basis_with(equations: &Equations<'_>, state: &State, factor: Facto
     Ok(Basis { orientation, factor, groups })
 }
 
-/// The state's rates at an instant, its q being that of the instant.
+/// Writes the rates of a state at an instant; the q of the state already belongs to that instant.
 pub(super) fn at_instant(
     equations: &mut Equations<'_>,
     at: &Instant<'_>,
@@ -77,7 +78,7 @@ pub(super) fn at_instant(
     Ok(())
 }
 
-/// q̇ and q̈ at q, where Φ_q and Φ_t were evaluated last and Φ_q has the factorisation `factor`.
+/// Writes q̇ and q̈ at q. Φ_q and Φ_t were evaluated there last, and `factor` is the factorisation of Φ_q.
 pub(super) fn rates(
     equations: &mut Equations<'_>,
     q: &[f64],
@@ -92,8 +93,8 @@ pub(super) fn rates(
     Ok(())
 }
 
-/// The step within which nothing turns by more than is allowed, from a node whose nearest group has this distance from its
-/// limit.
+/// The longest step in which no body turns by more than the options allow. `nearest` is the distance of the group that
+/// is nearest to its limit.
 pub(super) fn natural_step(equations: &Equations<'_>, [q_dot, q_ddot]: [&[f64]; 2], nearest: f64) -> f64 {
     let scale = &equations.scale;
     let most = most_turn(&Control::of(&equations.options), nearest);

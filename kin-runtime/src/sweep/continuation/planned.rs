@@ -1,4 +1,4 @@
-//! Instants by the plan: solved by its follower, held against all rows, and completed to a state.
+//! Instants solved by the follower of the plan, checked with all rows of Φ, and completed to states.
 
 use super::step::Node;
 use crate::analysis::poses::poses;
@@ -14,32 +14,32 @@ use crate::planned::{Limit, PlanError};
 use crate::state::State;
 use crate::workspace::{Instant, Subset};
 
-/// The plan of a motion, where one is used.
+/// The plan as a solver of a sweep.
 #[derive(Clone, Debug)]
 pub(super) struct ByPlan {
     control: Control,
-    /// Whether the follower stands where the motion does.
+    /// Whether the follower has been placed at the current configuration of the motion.
     pub(super) stands: bool,
-    /// Why the plan had no answer, the last time that it had none.
+    /// Why the plan had no solution at the last attempt; `None` after a success.
     pub(super) refused: Option<PlanError>,
-    /// Whether there are curves, which may say nothing at some of their points.
+    /// Whether the mechanism has curves, which may have no tangent or normal at some of their points.
     pub(super) has_curves: bool,
-    /// Whether the last state was reached in one step of the follower.
+    /// Whether the follower reached the last state in one step.
     pub(super) in_one_step: bool,
-    /// Room for the sums of every row, and which coordinates are lengths.
+    /// Buffers for the accumulated sums of every row, and 1 for every coordinate that is a length.
     rows: Vec<Row>,
     lengths: Vec<f64>,
-    /// How large rows are, as they were at the first state; none yet where the list is empty.
+    /// The sizes of the rows at the first state; empty until that state is known.
     sizes: Vec<f64>,
-    /// What a residual may be of them.
+    /// The largest residual allowed, relative to these sizes.
     allowed: f64,
 }
 
-/// Margins above this leave rates enough digits not to be compared with their equations.
+/// Where all margins are larger than this, rates are accurate enough to skip the check with their equations.
 const FAR: f64 = 1e-4;
 
 impl Control {
-    /// As the options of a solver say.
+    /// The control parameters taken from the options of a solver.
     pub(crate) fn of(options: &Options) -> Self {
         Self {
             rotation: options.max_rotation_per_step,
@@ -51,7 +51,7 @@ impl Control {
 }
 
 impl ByPlan {
-    /// None where the plan is not to be used, or there is none.
+    /// `None` where the options disable the plan, the mechanism has none, or coordinates are prescribed.
     pub(super) fn new(equations: &Equations<'_>) -> Option<Self> {
         let used = equations.options.use_plan && equations.model.plan.exists() && equations.given() == 0;
         let rows = vec![Row::default(); equations.rows()];
@@ -70,17 +70,17 @@ impl ByPlan {
         })
     }
 
-    /// What is to blame for the last refusal.
+    /// The limit that caused the last refusal, if the plan found one.
     pub(super) fn limit(&self) -> Option<Limit> {
         self.refused.as_ref().and_then(PlanError::limit).copied()
     }
 
-    /// True where the follower found that a driver or an input jumps.
+    /// True if the follower found that a driver or an input jumps.
     pub(super) fn found_a_jump(&self) -> bool {
         matches!(self.refused, Some(PlanError::Jump { .. }))
     }
 
-    /// Puts the follower where the motion stands; false where it has no answer there.
+    /// Places the follower at the current state of the motion; false where the plan has no solution there.
     pub(super) fn stand(&mut self, equations: &mut Equations<'_>, state: &State) -> bool {
         if !self.stands {
             self.refused = equations.system.follow_from(&state.instant(), &state.q).err();
@@ -89,7 +89,8 @@ impl ByPlan {
         self.stands
     }
 
-    /// Writes the state at the equations' instant, on the branch of the follower; false where the plan has none that closes.
+    /// Writes the state at the instant of `equations`, on the branch of the follower; false where the plan has no
+    /// solution that satisfies all rows.
     pub(super) fn solve(
         &mut self,
         equations: &mut Equations<'_>,
@@ -118,7 +119,7 @@ impl ByPlan {
         Ok(true)
     }
 
-    /// Writes the state at the equations' instant, the follower staying where it is.
+    /// Writes the state at the instant of `equations` without moving the follower.
     pub(super) fn glance(&mut self, equations: &mut Equations<'_>, state: &mut State) -> Option<()> {
         let at = Instant { t: equations.t, inputs: &equations.inputs };
         let inputs = equations.input_function();
@@ -126,8 +127,8 @@ impl ByPlan {
         self.complete(equations, None, state).ok()?.then_some(())
     }
 
-    /// Completes a state far from all limits by what is left of Φ alone: rates follow from a q that closes. False where that
-    /// is not certain.
+    /// Completes a state far from all limits by checking Φ alone, because there the rates follow from a q that
+    /// satisfies Φ = 0. Returns false where this is not certain.
     fn is_closed(&mut self, equations: &mut Equations<'_>, state: &mut State) -> Result<bool, SolveError> {
         if self.has_curves || self.sizes.is_empty() {
             return Ok(false);
@@ -142,7 +143,7 @@ impl ByPlan {
         Ok(true)
     }
 
-    /// Writes what a state has besides its q, q̇ and q̈.
+    /// Writes everything that a state contains besides q, q̇ and q̈.
     fn finish(&self, equations: &mut Equations<'_>, state: &mut State, residual: f64) -> Result<(), SolveError> {
         state.t = equations.t;
         state.inputs.clone_from(&equations.inputs);
@@ -153,7 +154,7 @@ impl ByPlan {
         poses(equations, state)
     }
 
-    /// True if all curves say where they are touched, and no roller has changed its side since `before`.
+    /// True if the contact is defined on all curves, and no roller has changed its side since `before`.
     fn touches(
         &self,
         equations: &mut Equations<'_>,
@@ -175,8 +176,8 @@ impl ByPlan {
             && contact::without_gradient(equations, tolerance).is_none())
     }
 
-    /// Completes a state with this q, q̇ and q̈; false where they do not satisfy all rows. With curves `before` is the q of
-    /// the last state.
+    /// Completes a state with given q, q̇ and q̈; false where they do not satisfy all rows. `before` is the q of the
+    /// last state, which is needed where there are curves.
     fn complete(
         &mut self,
         equations: &mut Equations<'_>,
@@ -204,7 +205,7 @@ impl ByPlan {
         Ok(true)
     }
 
-    /// One step by the plan from the node where the follower stands, to the equations' instant at the place `s`.
+    /// One step by the plan from the node at which the follower stands to the place `s` of the course.
     pub(super) fn step(
         &mut self,
         equations: &mut Equations<'_>,

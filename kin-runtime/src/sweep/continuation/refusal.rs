@@ -1,4 +1,4 @@
-//! Why a motion does not go on.
+//! The reason why a motion cannot be continued.
 
 use super::nodes::natural_step;
 use super::step::{Fault, Node, Start};
@@ -12,17 +12,19 @@ use crate::planned::Limit;
 use crate::state::State;
 use crate::workspace::Subset;
 
-/// Pivots below this, at the last configuration before a refused step, say that the motion ends in a singular one.
+/// Relative pivots below this, at the last configuration before a refused step, mean that the motion ends in a singular
+/// configuration.
 const NEARLY_SINGULAR: f64 = 1e-4;
 
-/// Largest spacing of the numbers of t, relative to a step in which the motion turns as far as it may: where it is larger,
-/// the rounding of t moves the mechanism visibly.
+/// Largest spacing of floating-point numbers near t, relative to the longest step that the options allow: with a larger
+/// spacing, the rounding of t moves the mechanism visibly.
 const COARSEST: f64 = 1e-2;
 
-/// How far behind the last instant tried a limit may be, relative to a step in which the motion turns as far as it may.
+/// Largest distance of a limit from the last instant tried, relative to the longest step that the options allow.
 const BESIDE: f64 = 1e-3;
 
-/// Why there is no way on from `start` to the place `refused`; `located` is where the plan has found the limit.
+/// The error that says why the motion cannot go from `start` to the place `refused`. `located` is the limit found by
+/// the plan.
 pub(super) fn refusal(
     equations: &mut Equations<'_>,
     start: &Start<'_>,
@@ -57,7 +59,7 @@ pub(super) fn refusal(
         return error;
     }
     let expected_rank = start.basis.factor.rank;
-    // The limit itself, where the motion was followed up to it.
+    // The instant of the limit itself is reported if the motion was followed up to it.
     let beside = (equations.time_at(start.s + BESIDE * natural) - equations.t).abs();
     let is_here = |at: &f64| is_between(*at, equations.t, t_refused, beside);
     let t = limit.and_then(|limit| limit.at()).filter(is_here).unwrap_or(equations.t);
@@ -78,7 +80,7 @@ pub(super) fn refusal(
     SolveError::StepRefused { t, t_refused, row_name, joint, reason, limit }
 }
 
-/// True for a time on the way between two others, or beside them by no more than `beside` and rounding.
+/// True for a time between two others, or outside of them by no more than `beside` and rounding.
 fn is_between(t: f64, a: f64, b: f64, beside: f64) -> bool {
     let beside = beside + 1e-9 * a.abs().max(b.abs());
     t >= a.min(b) - beside && t <= a.max(b) + beside
@@ -94,12 +96,12 @@ mod tests {
             let on_the_way = |t: f64| is_between(t, a, b, 0.1);
             assert!([1.91, 2.0, 2.5, 3.0, 3.09].into_iter().all(on_the_way));
             assert!(![1.89, 3.11, f64::NAN, -2.5].into_iter().any(on_the_way));
-            // Times themselves are rounded.
+            // The times themselves are rounded.
             let to_rounding = |t: f64| is_between(t, a, b, 0.0);
             assert!([2.0 - 2.9e-9, 3.0 + 2.9e-9].into_iter().all(to_rounding));
             assert!(![2.0 - 3.1e-9, 3.0 + 3.1e-9].into_iter().any(to_rounding));
         }
-        // Rounding of the larger one, whatever its sign.
+        // The rounding is that of the time with the larger absolute value.
         assert!(is_between(1e-7, -200.0, 0.0, 0.0) && !is_between(3e-7, -200.0, 0.0, 0.0));
     }
 }

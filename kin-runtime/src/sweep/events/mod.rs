@@ -1,17 +1,18 @@
 //! Events: the instants at which a motion passes the limit of a unilateral condition.
 //!
 //! A condition is watched as a number g(q, t), satisfied while g > 0, with ġ and g̈. Between two neighbouring
-//! configurations of a sweep its course is one of four (`shape`): clear of zero, monotone, turning once, or unclear;
-//! an unclear one is halved. Steps are as long as the mechanism allows, and a condition may be faster than the mechanism:
-//! what two samples say is believed as far as it foretells a third one between them. On a steady course that is the sample
-//! that two neighbouring steps share, so that it costs nothing; elsewhere one is taken. Where a step would need more
-//! samples than there is patience for, the trajectory says that the condition was not watched there. In a monotone piece whose ends lie on different sides the crossing is bracketed and located
-//! (`root`); in a turning piece that heads for zero the extremum is located first, so that a crossing and its return
-//! within one step are both found. What lies between two configurations is always the mechanism itself, solved on
-//! the branch, never an interpolation.
+//! configurations of a sweep its course is one of four (`shape`): clear of zero, monotone, with one extremum, or
+//! unclear; an interval with an unclear course is halved. Steps are as long as the mechanism allows, and a condition
+//! may change faster than the mechanism: the interpolation of two samples is trusted only as far as it predicts a third
+//! one between them. On a steady course the third sample is the one that two neighbouring steps share, so that it costs
+//! nothing; elsewhere one more is computed. Where a step would need more samples than the limit allows, the trajectory
+//! reports that the condition was not watched there. In a monotone piece with ends on different sides of zero the
+//! crossing is bracketed and located (`root`). In a piece with an extremum that approaches zero the extremum is located
+//! first, so that a crossing and its return within one step are both found. Values between two configurations always
+//! come from the mechanism itself, solved on the branch, never from an interpolation.
 //!
-//! `Watch` knows neither how a sweep steps nor how a state in between is found: whoever sweeps hands it every accepted
-//! state, and a function for the states since the one before.
+//! `Watch` knows neither how a sweep steps nor how a state in between is found: the sweep passes every accepted state
+//! to it, together with a function that computes states since the previous one.
 
 mod sample;
 mod shape;

@@ -1,4 +1,4 @@
-//! A condition at one instant.
+//! The value of a condition at one instant.
 
 use crate::equations::{Equations, finite};
 use crate::error::SolveError;
@@ -6,30 +6,32 @@ use crate::signal::Signal;
 use crate::state::State;
 use crate::workspace::Instant;
 
-/// Largest condition number that widens what counts as rounding.
+/// Largest condition number that enters the estimate of the rounding error.
 const WORST_CONDITION: f64 = 1e4;
 
-/// What a condition number is taken for where none was computed: that of a mechanism far from singular configurations.
+/// The condition number assumed where none was computed: that of a mechanism far from singular configurations.
 const USUAL_CONDITION: f64 = 100.0;
 
-/// g at an instant with its derivatives and what rounding may make of it.
+/// g at an instant with its derivatives and an estimate of its rounding error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Sample {
     pub(crate) t: f64,
     /// g.
     pub(crate) value: f64,
-    /// ġ, 0 within rounding; not a number where g has no derivative.
+    /// ġ, set to 0 within rounding; NaN where g has no derivative.
     pub(crate) rate: f64,
-    /// g̈, likewise.
+    /// g̈, set to 0 within rounding; NaN where g has no second derivative.
     pub(crate) acceleration: f64,
-    /// Values up to this are zero within rounding.
+    /// Rounding error of g: smaller values count as zero.
     pub(crate) noise: f64,
 }
 
 impl Sample {
-    /// The side on which a motion that goes on in the direction of `h` finds itself: true where the condition is satisfied.
+    /// The side of the limit on which the motion continues in the direction of `h`: true where the condition is
+    /// satisfied.
     ///
-    /// At the limit that is where ġ leads, or g̈ where the motion turns there; one that stays at the limit is not satisfied.
+    /// At the limit the sign of ġ decides, or the sign of g̈ where ġ = 0; a motion that stays at the limit does not
+    /// satisfy the condition.
     pub(crate) fn side_after(&self, h: f64) -> bool {
         let (rate, acceleration) = (self.rate * h.signum(), self.acceleration);
         if self.value.abs() > self.noise || rate.is_nan() || acceleration.is_nan() {
@@ -39,23 +41,24 @@ impl Sample {
         if rate == 0.0 || turns { acceleration > 0.0 } else { rate > 0.0 }
     }
 
-    /// True where an extremum of g, of which this is the best instant known, is zero within rounding.
+    /// True if an extremum of g is zero within rounding, where this sample is the best known approximation of the
+    /// extremum.
     ///
-    /// The instant is right to about `dt`, so that g here may lie ½|g̈|dt² beside its extremum. That counts where g has no
-    /// rounding of its own: that of an exact square vanishes with the square.
+    /// The instant is accurate to about `dt`, so that g here may differ from its extremum by ½|g̈|dt². This matters
+    /// where g has no rounding error: the rounding error of an exact square vanishes with the square.
     pub(super) fn touches(&self, dt: f64) -> bool {
         let beside = 0.5 * self.acceleration.abs() * (2.0 * dt).powi(2);
-        // Without a second derivative there is only the rounding.
+        // Without a second derivative only the rounding error counts.
         self.value.abs() <= self.noise + if beside.is_finite() { beside } else { 0.0 }
     }
 
-    /// Near enough to zero for the last digits of the configuration to matter.
+    /// True where g is so near to zero that the last digits of the configuration matter.
     pub(crate) fn is_near(&self) -> bool {
         self.value.abs() <= 1e6 * self.noise
     }
 }
 
-/// All conditions at a state.
+/// The samples of all conditions at a state.
 ///
 /// # Errors
 /// [`NonFinite`](SolveError::NonFinite) where a condition has no value.
@@ -76,7 +79,7 @@ pub(crate) fn samples(equations: &mut Equations<'_>, state: &State) -> Result<Ve
         let pattern = &model.observable_pattern;
         let Signal { value, rate, acceleration } = parts.rates(pattern, row, &state.q_dot, &state.q_ddot);
         finite("conditions", index, condition.name, value).map_err(|error| error.at(state.t))?;
-        // Sizes of what g, ġ and g̈ are sums of: rounding is relative to these.
+        // Sizes of the terms in g, ġ and g̈, to which their rounding errors are proportional.
         let (by_time, rest) = (parts.phi_t[row], parts.gamma[row]);
         let mut sizes = [value.abs() + (by_time * state.t).abs(), by_time.abs(), rest.abs()];
         for (k, entry) in parts.gradient(pattern, row) {

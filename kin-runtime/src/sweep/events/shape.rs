@@ -1,47 +1,48 @@
-//! The course of a condition between two instants, as its values and derivatives at both ends show it.
+//! The course of a condition between two instants, estimated from its values and derivatives at both ends.
 //!
-//! With s from 0 to 1 between them and f′ = h ḟ, the cubic with the values and slopes of f at both ends has the Bernstein
-//! coefficients f_a, f_a + f′_a/3, f_b − f′_b/3, f_b and lies between the smallest and the largest of them. How far g and
-//! ġ are from polynomials of low degree is seen from
+//! Let s run from 0 to 1 between the instants and f′ = h ḟ. The cubic with the values and slopes of f at both ends has
+//! the Bernstein coefficients f_a, f_a + f′_a/3, f_b − f′_b/3, f_b and lies between the smallest and the largest of
+//! them. The deviation of g and ġ from polynomials of low degree is estimated by
 //!
 //! ```text
 //! g_b − g_a − g′_a − ½ g″_a        g_a − g_b + g′_b − ½ g″_b        g′_b − g′_a − ½ (g″_a + g″_b)        g″_b − g″_a
 //! ```
 //!
 //! which vanish for parabolas and are of third order in h otherwise, so that they overestimate the error of the cubic.
-//! Several of them, since one alone may vanish by chance where g changes faster than the steps are short.
+//! Several of them are used, since one alone may vanish by chance where g changes faster than the steps are short.
 //!
-//! All of them may vanish by chance, too: g that makes many waves between two instants can have the values and derivatives
-//! of a parabola there. So nothing is believed of two samples alone. The quintic with value, rate and acceleration of two
-//! instants is held against a third sample between them (`doubt`), and what it misses counts as a further error of g.
+//! All of them may vanish by chance, too: a g that oscillates between two instants can have the values and derivatives
+//! of a parabola there. So two samples alone are never trusted. The quintic with the value, rate and acceleration of
+//! two instants is compared with a third sample between them (`doubt`), and the difference counts as a further error of
+//! g.
 
 use super::sample::Sample;
 
-/// What can happen between two instants.
+/// The possible courses of g between two instants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Shape {
     /// g keeps its sign.
     Clear,
-    /// g is zero within rounding, and so are its derivatives.
+    /// g and its derivatives are zero within rounding.
     Still,
-    /// g rises or falls all the time.
+    /// g is monotone.
     Monotone,
     /// g has one extremum.
     Turning,
-    /// Anything.
+    /// None of the others can be concluded.
     Unclear,
 }
 
-/// Places between two instants at which a third sample says nothing of the rest.
+/// Distance from either end (of an interval of length 1) within which a third sample says too little about the rest.
 const TOO_NEAR_AN_END: f64 = 0.15;
 
-/// By how much g may differ from what the samples `a` and `b` say of it, as a sample `m` between them shows; infinite
-/// where `m` is not well between them.
+/// A bound of the difference between g and the interpolation of the samples `a` and `b`, estimated from a sample `m`
+/// between them; infinite where `m` is too near to an end.
 ///
-/// With s as in the module, the error of the quintic with value, rate and acceleration of both ends begins with
-/// C s³(1 − s)³. In the middle that is 1/64 of C in value and 3/8 of it in the second derivative, and an error that is odd
-/// about the middle shows in the first derivative there, eight times as large as it gets in value. So all three are held
-/// against the sample, with these weights.
+/// With s as in the module, the error of the quintic with value, rate and acceleration of both ends begins with C s³(1
+/// − s)³. In the middle its value is C/64 and its second derivative 3/8 C in size. An error that is odd about the
+/// middle appears in the first derivative there, eight times as large as its largest value. So all three are compared
+/// with the sample, with these weights.
 pub(super) fn doubt(a: &Sample, m: &Sample, b: &Sample) -> f64 {
     let h = b.t - a.t;
     let s = (m.t - a.t) / h;
@@ -59,29 +60,29 @@ pub(super) fn doubt(a: &Sample, m: &Sample, b: &Sample) -> f64 {
     let value = a.value + s * (first_a + s * (0.5 * second_a + s * (c3 + s * (c4 + s * c5))));
     let first = first_a + s * (second_a + s * (3.0 * c3 + s * (4.0 * c4 + s * 5.0 * c5)));
     let second = second_a + s * (6.0 * c3 + s * (12.0 * c4 + s * 20.0 * c5));
-    // The sum, and not the largest, so that what is not a number stays that.
+    // The sum is used instead of the maximum, because it propagates NaN.
     let missed = (value - m.value).abs() + (first - first_m).abs() / 8.0 + (second - second_m).abs() / 24.0;
     let off_centre = 4.0 * s * (1.0 - s);
-    // Rounding is no sign of a wave.
+    // A difference within rounding does not count.
     let noise = a.noise.max(m.noise).max(b.noise);
     let missed = if missed <= 2.0 * noise { 0.0 } else { missed };
     CAUTION * missed / off_centre.powi(3)
 }
 
-/// What two samples say is believed within so many times what they miss at a third.
+/// Safety factor between the difference at the third sample and the bound of the error elsewhere.
 const CAUTION: f64 = 8.0;
 
-/// True where g differs from what two samples say by little of what it changes between them.
+/// True if the bound `doubt` is small compared with the change of g between the samples.
 pub(super) fn is_known(a: &Sample, b: &Sample, doubt: f64) -> bool {
     let h = b.t - a.t;
     let swing: f64 = [a, b].iter().map(|s| (h * s.rate).abs() + (h * h * s.acceleration).abs()).sum();
     doubt <= KNOWN * swing
 }
 
-/// Share of the change of g that [`is_known`] allows.
+/// The largest ratio of `doubt` to the change of g that [`is_known`] accepts.
 const KNOWN: f64 = 0.1;
 
-/// The course between two samples, of which g differs by up to `doubt`.
+/// The course of g between two samples, whose interpolation is accurate to `doubt`.
 pub(super) fn shape(a: &Sample, b: &Sample, doubt: f64) -> Shape {
     let h = b.t - a.t;
     let [first_a, first_b] = [a, b].map(|s| h * s.rate);
@@ -99,7 +100,8 @@ pub(super) fn shape(a: &Sample, b: &Sample, doubt: f64) -> Shape {
     if rests(a) && rests(b) {
         return Shape::Still;
     }
-    // Rates that the values contradict mean nothing, however alike they are: there may be a whole wave in between.
+    // Rates that contradict the values are not trusted, even where they are equal: there may be a whole wave in
+    // between.
     if clearance(bernstein([first_a, first_b], [second_a, second_b])) > of_value {
         return Shape::Monotone;
     }
@@ -110,12 +112,12 @@ pub(super) fn shape(a: &Sample, b: &Sample, doubt: f64) -> Shape {
     Shape::Unclear
 }
 
-/// The Bernstein coefficients of the cubic with these ends and slopes.
+/// The Bernstein coefficients of the cubic with these values and slopes at its ends.
 fn bernstein([a, b]: [f64; 2], [slope_a, slope_b]: [f64; 2]) -> [f64; 4] {
     [a, a + slope_a / 3.0, b - slope_b / 3.0, b]
 }
 
-/// The distance from zero of numbers that have one sign; 0 of others, and of what is not a number.
+/// The smallest distance from zero of numbers that all have the same sign; 0 for mixed signs and for NaN.
 fn clearance<const N: usize>(numbers: [f64; N]) -> f64 {
     let least = |sign: f64| numbers.iter().fold(f64::INFINITY, |m, v| if sign * v >= m { m } else { sign * v });
     if numbers.iter().any(|v| v.is_nan()) { 0.0 } else { least(1.0).max(least(-1.0)).max(0.0) }

@@ -1,4 +1,4 @@
-//! The pieces that need no mechanism.
+//! Tests of the parts of event location that need no mechanism.
 
 use super::sample::Sample;
 use super::shape::{Shape, doubt, is_known, shape};
@@ -14,7 +14,7 @@ use crate::options::Options;
 use crate::state::State;
 use crate::workspace::{Instant, Subset};
 
-/// A function with its derivative as what [`bracket`] asks for, counting.
+/// The bracket of a root of `f`, which returns a value and a derivative, and the number of evaluations.
 fn located(f: impl Fn(f64) -> (f64, f64), lo: f64, hi: f64) -> ([Value; 2], usize) {
     let mut trials = 0;
     let value = |t: f64| {
@@ -36,7 +36,7 @@ fn a_bracket_closes_from_both_sides() {
         (&|t: f64| (t.cos(), -t.sin()), core::f64::consts::FRAC_PI_2),
         (&|t| (2.0 - t * t * t, -3.0 * t * t), 2.0_f64.cbrt()),
         (&|t: f64| (1e-3 - (t - 1.0).powi(3), -3.0 * (t - 1.0).powi(2)), 1.1),
-        // Without a derivative, and with a wrong one.
+        // Functions without a derivative, and with a wrong one.
         (&|t: f64| (0.7 - t, f64::NAN), 0.7),
     ];
     for (k, (f, zero)) in cases.into_iter().enumerate() {
@@ -73,7 +73,7 @@ fn sample(t: f64, value: f64, rate: f64, acceleration: f64) -> Sample {
     Sample { t, value, rate, acceleration, noise: 1e-15 }
 }
 
-/// The course of a polynomial with its derivatives between two times.
+/// The shape of a polynomial between two times.
 fn course(c: [f64; 4], a: f64, b: f64) -> Shape {
     let at = |t: f64| {
         let value = c[0] + t * (c[1] + t * (c[2] + t * c[3]));
@@ -91,14 +91,14 @@ fn shapes_are_what_they_are_called() {
         assert_eq!(course([0.0, -1.0, 0.0, 2.0], a, b), Shape::Unclear);
         assert_eq!(course([0.0; 4], a, b), Shape::Still);
     }
-    // Two values alike with a wave between them.
+    // Two equal values with a wave between them.
     let wave = |t: f64| sample(t, t.sin() + 0.5, t.cos(), -t.sin());
     assert_eq!(shape(&wave(0.1), &wave(0.1 + core::f64::consts::TAU), 0.0), Shape::Unclear);
     let unknown = sample(1.0, 0.1, f64::NAN, f64::NAN);
     assert_eq!(shape(&sample(0.0, 1.0, 0.0, 0.0), &unknown, 0.0), Shape::Unclear);
 }
 
-/// Three samples of a wave of which the first and the last are `width` apart.
+/// Three samples of a sine, of which the first and the last are `width` apart.
 fn wave(from: f64, width: f64, place: f64) -> [Sample; 3] {
     [0.0, place, 1.0].map(|s| {
         let t = from + s * width;
@@ -106,7 +106,8 @@ fn wave(from: f64, width: f64, place: f64) -> [Sample; 3] {
     })
 }
 
-/// A slow course is foretold to the last digits; one with waves between its samples is not, whatever they look like.
+/// A slow course is predicted to the last digits; one that oscillates between its samples is not, whatever the samples
+/// look like.
 #[test]
 fn a_third_sample_shows_what_two_do_not() {
     let quintic = |t: f64| sample(t, t.powi(5) - t, 5.0 * t.powi(4) - 1.0, 20.0 * t.powi(3));
@@ -123,13 +124,13 @@ fn a_third_sample_shows_what_two_do_not() {
             }
         }
     }
-    // A sample beside an end says nothing of the rest, and one without a derivative nothing at all.
+    // A sample near an end says nothing about the rest of the interval, and neither does one without a derivative.
     let [a, m, b] = wave(0.0, 1e-3, 0.01);
     assert_eq!(doubt(&a, &m, &b), f64::INFINITY);
     let [a, m, b] = wave(0.0, 0.1, 0.5);
     assert!(doubt(&a, &Sample { rate: f64::NAN, ..m }, &b).is_nan());
     assert_eq!(shape(&a, &b, f64::NAN), Shape::Unclear);
-    // What two samples take for a parabola, a third one need not.
+    // Two samples may look like a parabola although a third one shows a deviation.
     let parabola = |t: f64| sample(t, 3.0 - t * t, -2.0 * t, -2.0);
     let wavy = sample(0.1, 0.5, 4.0, 30.0);
     assert_eq!(shape(&parabola(-1.0), &parabola(1.0), 0.0), Shape::Clear);
@@ -153,7 +154,7 @@ fn the_side_at_the_limit_is_where_the_motion_goes() {
     assert!(sample(0.0, 1e-3, -9.0, 0.0).side_after(1.0), "not there yet");
 }
 
-/// x = t with the condition x < limit.
+/// A system with x = t and the condition x < limit.
 struct Line {
     limit: f64,
     phi: [f64; 1],
@@ -203,8 +204,8 @@ impl System for Line {
     }
 }
 
-/// What is seen of x < `limit` from t = 0 to 1, where the first `solved` states in between are found: t, what it is
-/// known within, and how many were asked for.
+/// Watches x < `limit` from t = 0 to 1, where only the first `solved` intermediate states can be solved. Returns the t
+/// of the event, its uncertainty, and the number of intermediate states requested.
 fn watched(limit: f64, solved: usize) -> (f64, f64, usize) {
     let system = Box::new(Line { limit, phi: [0.0], g: [0.0] });
     let mut equations = Equations::new(system, Options::default(), &[], None, &Instant::at(0.0)).unwrap();
@@ -239,12 +240,12 @@ fn watched(limit: f64, solved: usize) -> (f64, f64, usize) {
 fn an_event_without_a_state_of_its_own_has_the_nearer_end() {
     let (t, within, asked) = watched(0.3, usize::MAX);
     assert!((t - 0.3).abs() < 1e-12 && within < 1e-11, "{t} {within}");
-    // Nothing can be solved on the way: the interval stays open.
+    // No intermediate state can be solved: the whole interval is the uncertainty.
     for (limit, end) in [(0.3, 0.0), (0.7, 1.0)] {
         let (t, within, _) = watched(limit, 0);
         assert_eq!((t, within), (end, 1.0));
     }
-    // It is located, and not solved there: the end lies as far away as it does.
+    // The event is located but its state cannot be solved: the uncertainty is the distance to the nearer end.
     for (limit, end) in [(0.3, 0.0), (0.7, 1.0)] {
         let (t, within, again) = watched(limit, asked - 1);
         assert_eq!((t, again), (end, asked));

@@ -10,29 +10,31 @@ use crate::results::event::{Crossing, Event, Unwatched};
 use crate::state::State;
 use std::collections::HashMap;
 
-/// How often an interval is halved in which samples do not foretell one another; what is shorter is an instant.
+/// How often an interval may be halved in which a third sample is not predicted by the other two; a shorter one counts
+/// as an instant.
 const HALVINGS: usize = 30;
-/// How often in a row it is halved where they do: what is unclear then is so near to zero that rounding decides.
+/// How often in a row it may be halved where samples are predicted: a course that is still unclear then is zero within
+/// rounding.
 const HALVINGS_OF_KNOWN: usize = 9;
-/// Most samples in one step of the sweep that halving may take for one condition.
+/// Largest number of samples by halving for one condition in one step of the sweep.
 const PATIENCE: usize = 1 << 14;
-/// The same, at least, after steps in which they were not enough.
+/// The lower bound of that number, which is reduced after every step in which it did not suffice.
 const IMPATIENCE: usize = 1 << 6;
 
-/// The state of a motion at a time between two states that it passed; none where it cannot be solved.
+/// A function that gives the state of a motion at a time between two states; `None` where it cannot be solved.
 pub(crate) type Between<'f> = dyn FnMut(&mut Equations<'_>, f64) -> Option<State> + 'f;
 
-/// What was seen of the conditions of a sweep so far.
+/// Watches the conditions of a sweep and collects its events.
 #[derive(Clone, Debug)]
 pub(crate) struct Watch {
-    /// The last state, and its samples.
+    /// The last state and the samples of its conditions.
     state: State,
     samples: Vec<Sample>,
-    /// The samples of the state before that; none at the start.
+    /// The samples of the state before the last; empty at the start.
     earlier: Vec<Sample>,
-    /// How many samples each condition may take in the next step.
+    /// The number of samples that each condition may take in the next step.
     patience: Vec<usize>,
-    /// Whether each condition is satisfied; unknown where the sweep begins at the limit, until it moves.
+    /// Whether each condition is satisfied; `None` for one that begins at its limit, until it moves.
     satisfied: Vec<Option<bool>>,
     /// Conditions violated at the first instant.
     violated_at_start: Vec<usize>,
@@ -40,7 +42,7 @@ pub(crate) struct Watch {
     unwatched: Vec<Unwatched>,
 }
 
-/// What a watch has seen.
+/// The result of the watch over a sweep.
 pub(crate) struct Seen {
     pub(crate) events: Vec<Event>,
     pub(crate) violated_at_start: Vec<usize>,
@@ -48,7 +50,7 @@ pub(crate) struct Seen {
 }
 
 impl Watch {
-    /// Begins at a state; none where there is nothing to watch.
+    /// Starts the watch at a state; `None` where there are no conditions.
     pub(crate) fn start(equations: &mut Equations<'_>, state: &State) -> Result<Option<Self>, SolveError> {
         if equations.model.conditions.is_empty() {
             return Ok(None);
@@ -69,9 +71,9 @@ impl Watch {
         }))
     }
 
-    /// Looks at the motion from the last state to `to`; `between` gives its states in between, `to` included.
+    /// Examines the motion from the last state to `to`. `between` gives the states in between, including `to`.
     ///
-    /// What happened is noted in [`events`](Self::events), in the order in which the motion meets it.
+    /// Events are appended to [`events`](Self::events) in the order in which the motion meets them.
     pub(crate) fn pass(
         &mut self,
         equations: &mut Equations<'_>,
@@ -86,7 +88,7 @@ impl Watch {
         if ends.iter().any(Sample::is_near)
             && let Some(closed) = between(equations, to.t)
         {
-            // A step on the way need not be closed to the last digit.
+            // An internal step need not have converged to the last digit.
             for (end, better) in ends.iter_mut().zip(samples(equations, &closed)?) {
                 *end = better;
             }
@@ -103,7 +105,8 @@ impl Watch {
                 side
             });
             let (equations, between) = (&mut *equations, &mut *between);
-            // The step before foretells this one; the other way, or after a much longer or shorter step, it does not.
+            // The previous step serves as the third sample, unless the direction is reversed or the lengths of the
+            // steps differ much.
             let doubt = self.earlier.get(condition).map_or(f64::INFINITY, |earlier| doubt(earlier, &start, &end));
             let patience = self.patience[condition];
             let (known, found, lost) = (&mut known, Vec::new(), Vec::new());
@@ -127,8 +130,8 @@ impl Watch {
         Ok(())
     }
 
-    /// Joins what was not watched in this step, from the place `new` on, to what was not watched in the step before, where
-    /// one begins at the end of the other.
+    /// Joins the unwatched intervals of this step, from the index `new` on, with those of the previous step that end
+    /// where they begin.
     fn join_unwatched(&mut self, new: usize) {
         for next in self.unwatched.split_off(new) {
             let known = self.unwatched.iter_mut().rev();
@@ -139,7 +142,7 @@ impl Watch {
         }
     }
 
-    /// The state at a located event.
+    /// The event with the state at which it was located.
     fn event(
         &self,
         equations: &mut Equations<'_>,
@@ -155,7 +158,7 @@ impl Watch {
         let (t, within, mut state) = match between(equations, t) {
             Some(state) => (t, open, state),
             None => {
-                // The nearer end is known.
+                // The state cannot be solved there, so the nearer end of the step is reported.
                 let nearer = (t - self.state.t).abs() <= (to.t - t).abs();
                 let state = if nearer { self.state.clone() } else { to.clone() };
                 (state.t, open.max((t - state.t).abs()), state)
@@ -170,11 +173,11 @@ impl Watch {
         &self.events
     }
 
-    /// Keeps the first event, with those at the same instant.
+    /// Keeps the first event and others at the same instant.
     pub(crate) fn keep_first(&mut self) {
         if let Some(first) = self.events.first().map(|event| event.t) {
             self.events.retain(|event| (event.t - first).abs() <= 2.0 * tolerance(first.abs()));
-            // Later stretches belong to a motion that does not take place.
+            // The motion ends at the first event, so later unwatched intervals are dropped or cut.
             let forwards = self.unwatched.first().is_none_or(|unwatched| unwatched.from < unwatched.to);
             let is_before = |t: f64| if forwards { t < first } else { t > first };
             self.unwatched.retain(|unwatched| is_before(unwatched.from));
@@ -182,7 +185,7 @@ impl Watch {
         }
     }
 
-    /// Everything that was seen.
+    /// Ends the watch and returns its results.
     pub(crate) fn finish(mut self) -> Seen {
         let at_limit = |k: &usize| self.satisfied[*k].is_none() && self.samples[*k].value <= 0.0;
         let still: Vec<usize> = (0..self.satisfied.len()).filter(at_limit).collect();
@@ -193,40 +196,40 @@ impl Watch {
     }
 }
 
-/// A limit that was met, and the interval in which.
+/// A located event and the interval that contains it.
 struct Found {
     crossing: Crossing,
     ends: [Value; 2],
 }
 
-/// How often an interval has been halved.
+/// The number of halvings of an interval.
 #[derive(Clone, Copy, Default)]
 struct Depth {
     halved: usize,
-    /// How often in a row where the samples foretold one another.
+    /// The number of successive halvings in which the samples predicted one another.
     known: usize,
 }
 
-/// The search for one condition between two states.
+/// The search for the events of one condition between two states.
 struct Search<'s, 'e, 'a, 'b> {
     equations: &'e mut Equations<'a>,
     between: &'b mut Between<'s>,
-    /// The samples of all conditions at the times of this step that any of them asked for.
+    /// The samples of all conditions at the times computed in this step, shared by all conditions.
     known: &'b mut HashMap<u64, Option<Vec<Sample>>>,
     condition: usize,
-    /// Time from one state to the other, with its sign.
+    /// Time from the first state to the second, with its sign.
     step: f64,
-    /// Whether the condition is satisfied where the search has come to.
+    /// Whether the condition is satisfied at the time that the search has reached.
     side: bool,
-    /// How many more samples halving may take.
+    /// The number of samples that halving may still take.
     patience: usize,
     found: Vec<Found>,
-    /// Where the condition was not watched, from and to.
+    /// The intervals, from and to, in which the condition was not watched.
     lost: Vec<[f64; 2]>,
 }
 
 impl Search<'_, '_, '_, '_> {
-    /// The condition at a time in between; none where the motion cannot be solved there.
+    /// The condition at a time in between; `None` where the motion cannot be solved there.
     fn sample(&mut self, t: f64) -> Option<Sample> {
         let Self { equations, between, known, .. } = self;
         let all = known.entry(t.to_bits()).or_insert_with(|| {
@@ -236,7 +239,7 @@ impl Search<'_, '_, '_, '_> {
         all.as_ref()?.get(self.condition).copied()
     }
 
-    /// What happens between two samples, which say what g is but for `doubt`.
+    /// Searches between two samples, whose interpolation is accurate to `doubt`.
     fn between(&mut self, a: &Sample, b: &Sample, doubt: f64, depth: Depth) {
         match shape(a, b, doubt) {
             Shape::Unclear if depth.halved == HALVINGS || depth.known == HALVINGS_OF_KNOWN => self.monotone(a, b),
@@ -248,7 +251,8 @@ impl Search<'_, '_, '_, '_> {
         }
     }
 
-    /// What happens in an interval with a sample in its middle, that may be enough to believe what the ends say.
+    /// Searches an interval with a sample in its middle: the whole interval at once if that sample makes its shape
+    /// clear, its halves otherwise.
     fn halve(&mut self, [a, middle, b]: [&Sample; 3], before: f64, depth: Depth) {
         let doubt = self::doubt(a, middle, b);
         let whole = if doubt < before { shape(a, b, doubt) } else { Shape::Unclear };
@@ -261,7 +265,7 @@ impl Search<'_, '_, '_, '_> {
         self.between(middle, b, doubt, depth);
     }
 
-    /// What happens on a course whose shape is known.
+    /// Searches an interval whose shape is known.
     fn take(&mut self, shape: Shape, a: &Sample, b: &Sample) {
         match shape {
             Shape::Clear | Shape::Still => {}
@@ -270,14 +274,14 @@ impl Search<'_, '_, '_, '_> {
         }
     }
 
-    /// The sample in the middle, if there is the patience for another one.
+    /// The sample in the middle, if the number of samples allows another one.
     fn middle(&mut self, a: &Sample, b: &Sample) -> Option<Sample> {
         self.patience = self.patience.checked_sub(1)?;
         self.sample(a.t + 0.5 * (b.t - a.t))
     }
 
-    /// Does without a sample in between: what both ends say by themselves is taken for the whole, and where they say
-    /// nothing, that is noted.
+    /// Searches without a sample in between: uses the shape that both ends suggest, and records the interval as
+    /// unwatched where they suggest none.
     fn lose(&mut self, a: &Sample, b: &Sample) {
         let alone = if self.patience > 0 { shape(a, b, 0.0) } else { Shape::Unclear };
         if alone == Shape::Unclear {
@@ -289,7 +293,7 @@ impl Search<'_, '_, '_, '_> {
         self.take(alone, a, b);
     }
 
-    /// One crossing where the ends lie on different sides.
+    /// Locates one crossing where the ends lie on different sides of zero.
     fn monotone(&mut self, a: &Sample, b: &Sample) {
         if b.side_after(self.step) == self.side {
             return;
@@ -302,7 +306,7 @@ impl Search<'_, '_, '_, '_> {
         self.side = !self.side;
     }
 
-    /// The extremum first, where it is on the way to the limit.
+    /// Locates the extremum first, where the course approaches the limit, and then the crossings beside it.
     fn turning(&mut self, a: &Sample, b: &Sample) {
         let sign = if self.side { 1.0 } else { -1.0 };
         let slope = |s: &Sample| sign * self.step.signum() * s.rate;
@@ -310,14 +314,14 @@ impl Search<'_, '_, '_, '_> {
             return self.monotone(a, b);
         }
         let towards = self.step.signum();
-        // Falling towards the limit, then rising: −ḟ changes from positive to negative.
+        // g falls towards the limit and then rises: −ġ changes from positive to negative.
         let value = |s: &Sample| Value { t: s.t, f: -sign * towards * s.rate, rate: -sign * towards * s.acceleration };
         let narrow = tolerance(a.t.abs().max(b.t.abs()));
         let mut beyond = None;
         let ends = bracket(value(a), value(b), narrow, |t| {
             let sample = self.sample(t)?;
             if sign * sample.value < -sample.noise {
-                // Already beyond the limit: how far it goes does not matter.
+                // This sample lies beyond the limit, so the search for the extremum can stop.
                 beyond = Some(sample);
                 return Some(Value { t, f: 0.0, rate: 0.0 });
             }

@@ -1,4 +1,4 @@
-//! One step of the continuation: predict, correct, judge.
+//! One step of the continuation: predict, correct, check.
 
 use super::branch::Orientation;
 use super::groups;
@@ -15,13 +15,13 @@ use crate::trajectory::Fallback;
 use crate::workspace::Subset;
 use nalgebra::DVector;
 
-/// Most corrections of one step.
+/// Largest number of Newton corrections in one step.
 const CORRECTIONS: usize = 6;
-/// Each correction must be smaller than the one before by this factor.
+/// Largest ratio of the length of a correction to the length of the one before.
 const CONTRACTION: f64 = 0.3;
-/// Corrections that are always small enough, on the common scale: where the motion starts from rest.
+/// Corrections up to this size on the common scale are always accepted, for motions that start from rest.
 const NEGLIGIBLE: f64 = 1e-4;
-/// Motion so short that a jump of the velocity in it is the driver's own.
+/// Motion so short that a jump of the velocity in it is attributed to the driver.
 const INSTANTANEOUS: f64 = 1e-7;
 /// Largest deviation of the velocity from its prediction, relative to the larger of the two.
 const VELOCITY: f64 = 0.5;
@@ -29,25 +29,25 @@ const VELOCITY: f64 = 0.5;
 /// A configuration on the branch.
 #[derive(Clone, Debug)]
 pub(crate) struct Node {
-    /// Place on the course: time, unless the course is frozen.
+    /// Place on the course: the time, unless only inputs change along the course.
     pub(crate) s: f64,
     pub(crate) state: State,
-    /// What Newton's iteration goes on from; none where the plan has solved.
+    /// The data from which full Newton continues; `None` where the plan has solved this node.
     pub(crate) basis: Option<Basis>,
-    /// Why full Newton had to find this node, where there is a plan.
+    /// Why full Newton was used for this node although there is a plan.
     pub(crate) fallback: Option<Fallback>,
 }
 
-/// Φ_q at a configuration, and on which branch it is.
+/// The factorisation of Φ_q at a configuration, and the branch of that configuration.
 #[derive(Clone, Debug)]
 pub(crate) struct Basis {
     pub(crate) orientation: Orientation,
     pub(crate) factor: Factorization,
-    /// What tells the branches of every group of the plan apart; empty where there is none.
+    /// The branch values of all groups of the plan; empty where there is no plan.
     pub(crate) groups: Vec<f64>,
 }
 
-/// Where a step begins: a node, its place on the course, and its rates along it.
+/// The start of a step: a node, its place on the course, and the derivatives of q along the course.
 #[derive(Clone, Copy)]
 pub(crate) struct Start<'n> {
     pub(crate) node: &'n Node,
@@ -57,14 +57,14 @@ pub(crate) struct Start<'n> {
     pub(crate) q_ddot: &'n [f64],
 }
 
-/// Why a step did not count.
+/// Why a step was rejected.
 #[derive(Clone, Debug)]
 pub(crate) enum Fault {
-    /// The rows do not close, or too slowly; the row that resists most.
+    /// Newton's iteration does not converge, or too slowly; the row with the largest residual.
     Open(usize),
-    /// It closes, but not on this branch; the row that resisted most.
+    /// The solution is not on this branch; the row with the largest residual at the prediction.
     Jump(usize),
-    /// The step is too long for the accuracy asked for; by which factor it should be shorter.
+    /// The step is too long for the accuracy requested; the factor by which it should be shortened.
     Coarse(f64),
     /// An evaluation failed.
     Error(SolveError),
@@ -76,15 +76,15 @@ impl From<SolveError> for Fault {
     }
 }
 
-/// Buffers of the steps.
+/// Buffers for the steps.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Scratch {
     motion: Vec<f64>,
     pub(super) predicted: Vec<f64>,
     difference: Vec<f64>,
-    /// Rows of position level.
+    /// The rows of position level.
     closing: Vec<usize>,
-    /// What tells the branches of groups apart at the prediction, and at what was found.
+    /// The branch values of the groups at the prediction and at the solution found.
     groups: [Vec<f64>; 2],
 }
 
@@ -94,9 +94,9 @@ impl Scratch {
     }
 }
 
-/// Writes the node at the place `s` to `to`; gives by how much the next step may be longer.
+/// Writes the node at the place `s` to `to`; returns the factor by which the next step may be longer.
 ///
-/// With `last` the node is an instant that was asked for: closed to the end and with its rank revealed.
+/// With `last` the caller requested this instant: the node is converged fully and the rank of Φ_q is determined.
 pub(crate) fn step(
     equations: &mut Equations<'_>,
     scratch: &mut Scratch,
@@ -116,7 +116,7 @@ pub(crate) fn step(
     finish(equations, scratch, from, to, corrected, (s, allowed, last))
 }
 
-/// Completes and judges a step whose q was found; gives by how much the next one may be longer.
+/// Completes and checks a step whose q has been found; returns the factor by which the next step may be longer.
 fn finish(
     equations: &mut Equations<'_>,
     scratch: &mut Scratch,
@@ -134,7 +134,7 @@ fn finish(
     Ok(if effort <= 0.3 / 64.0 { 4.0 } else { (0.3 / effort).cbrt().clamp(0.5, 4.0) })
 }
 
-/// Completes the node at the place `s`, whose q was found, if it is on the branch of `from`.
+/// Completes the node at the place `s`, whose q has been found, if it is on the branch of `from`.
 pub(super) fn settle(
     equations: &mut Equations<'_>,
     scratch: &mut Scratch,
@@ -179,7 +179,7 @@ pub(super) fn settle(
     }
     equations.check("q_dot", q_dot.as_slice())?;
     fill(&mut state.q_dot, q_dot.iter().copied());
-    // Beside a singular configuration it is rounding that contradicts.
+    // Near a singular configuration the contradiction of the rows is due to rounding.
     state.q_ddot = acceleration(equations, &state.q, &state.q_dot, &found).map_err(|error| match error {
         SolveError::InconsistentAcceleration { .. } if rank == state.q.len() => Fault::Jump(worst),
         error => Fault::Error(error),
@@ -201,22 +201,22 @@ pub(super) fn settle(
     Ok(())
 }
 
-/// Replaces what a buffer holds.
+/// Replaces the contents of a buffer.
 fn fill(buffer: &mut Vec<f64>, values: impl Iterator<Item = f64>) {
     buffer.clear();
     buffer.extend(values);
 }
 
-/// A corrected position.
+/// The result of the correction of a position.
 pub(super) struct Corrected {
     iterations: usize,
     /// The row with the largest residual at the prediction.
     worst: usize,
-    /// Distance from the prediction, on the common scale.
+    /// Distance from the prediction on the common scale.
     correction: f64,
 }
 
-/// Full Newton steps from the prediction in `scratch` until one is below `last_step`; q is written.
+/// Takes full Newton steps from the prediction in `scratch` until one is shorter than `last_step`, and writes q.
 pub(super) fn correct(
     equations: &mut Equations<'_>,
     scratch: &mut Scratch,
@@ -247,7 +247,8 @@ pub(super) fn correct(
         fill(travel, q.iter().zip(predicted.iter()).map(|(a, b)| a - b));
         let correction = equations.scale.size(travel);
         if !(length <= CONTRACTION * before && correction <= allowed) {
-            // Also when something is not a number. At the level of rounding nothing contracts any more.
+            // The negated comparison also rejects NaN. At the level of rounding the corrections no longer contract, so
+            // short ones are accepted there.
             if !(length <= last_step && correction <= allowed) {
                 return Err(Fault::Open(worst));
             }
@@ -260,21 +261,22 @@ pub(super) fn correct(
     Err(Fault::Open(worst))
 }
 
-/// Largest scaled residual that counts as closed at q.
+/// Largest scaled residual that counts as zero at q.
 fn closed(equations: &Equations<'_>, q: &[f64]) -> f64 {
     equations.options.tolerance.max(rounding(equations.scale.size(q)))
 }
 
-/// True if the velocity is about where q̇ + h q̈ expects it.
+/// True if the velocity is near its prediction q̇ + h q̈.
 fn expected(equations: &Equations<'_>, change: &mut Vec<f64>, from: &Start<'_>, h: f64, q_dot: &[f64]) -> bool {
     let scale = &equations.scale;
     fill(change, q_dot.iter().zip(from.q_dot).zip(from.q_ddot).map(|((new, old), a)| new - (old + h * a)));
     let (change, size) = (scale.size(change), scale.size(q_dot).max(scale.size(from.q_dot)));
-    // Accelerations are no excuse: near a singular configuration they are large, or rounding.
+    // A large acceleration does not widen the tolerance: near a singular configuration it may be large or dominated by
+    // rounding.
     change <= VELOCITY * size || h.abs() * size <= INSTANTANEOUS
 }
 
-/// `iamax` that accepts an empty vector.
+/// An `iamax` (index of the entry of largest absolute value) that gives 0 for an empty vector.
 trait LargestEntry {
     fn iamax_or_zero(&self) -> usize;
 }

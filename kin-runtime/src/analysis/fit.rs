@@ -1,0 +1,64 @@
+//! Values of inputs that fit a guess: where a mechanism does not close with those that it was given.
+//!
+//! Φ(q, u) = 0 has more unknowns than rows where inputs u are unknown, too. From the guess,
+//!
+//! ```text
+//! [Φ_q S, Φ_u W] (S⁻¹ Δq, W⁻¹ Δu) = −Φ
+//! ```
+//!
+//! is solved with the least norm, over and over. W is large, so that it is the inputs that move.
+
+use crate::analysis::assemble::propagated;
+use crate::equations::Equations;
+use crate::equations::scale::Scale;
+use crate::error::SolveError;
+use crate::workspace::Subset;
+use nalgebra::{DMatrix, DVector};
+
+/// Iterations at most.
+const ITERATIONS: usize = 60;
+/// What a unit of an input counts for, relative to a coordinate.
+const WEIGHT: f64 = 100.0;
+/// Largest change of an angle in an iteration.
+const TURN: f64 = 0.5;
+/// Scaled residuals up to this are 0.
+const CLOSED: f64 = 1e-9;
+
+/// Sets some inputs, by their places, to values with which the mechanism closes near its guess; true where there are such.
+pub(crate) fn fit_inputs(
+    equations: &mut Equations<'_>,
+    guesses: &[Option<f64>],
+    places: &[usize],
+) -> Result<bool, SolveError> {
+    let mut q = propagated(equations, guesses);
+    equations.scale = Scale::around(equations, &q);
+    let (n, rows) = (q.len(), equations.rows());
+    let all: Vec<usize> = (0..rows).collect();
+    for _ in 0..ITERATIONS {
+        equations.evaluate(Subset { phi: true, ..Subset::VELOCITY }, &q, None)?;
+        let right = DVector::from_fn(rows, |row, _| -equations.scale.rows[row] * equations.phi[row]);
+        if right.amax() <= CLOSED {
+            return Ok(true);
+        }
+        let by_q = equations.scaled(&all);
+        let mut matrix = DMatrix::zeros(rows, n + places.len());
+        matrix.view_mut((0, 0), (rows, n)).copy_from(&by_q);
+        for (k, &place) in places.iter().enumerate() {
+            let phi_u = equations.along(Some(place), |equations| {
+                equations.evaluate(Subset::TIME_DERIVATIVE, &q, None)?;
+                Ok(equations.phi_t.clone())
+            })?;
+            for row in 0..rows {
+                matrix[(row, n + k)] = WEIGHT * equations.scale.rows[row] * phi_u[row];
+            }
+        }
+        let Ok(step) = matrix.svd(true, true).solve(&right, 1e-12) else { return Ok(false) };
+        let most = step.rows(0, n).amax();
+        let share = if most > TURN { TURN / most } else { 1.0 };
+        q.iter_mut().enumerate().for_each(|(k, q)| *q += share * equations.scale.columns[k] * step[k]);
+        for (k, &place) in places.iter().enumerate() {
+            equations.inputs[place].value += share * WEIGHT * step[n + k];
+        }
+    }
+    Ok(false)
+}

@@ -1,0 +1,36 @@
+//! Extremes for another program.
+
+use serde::Serialize;
+
+use super::search::Extreme;
+use crate::present::record::Parameters;
+use crate::present::units::UnitsRecord;
+
+/// A quantity with its extremes; none where it has no value.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Range {
+    pub(super) quantity: String,
+    pub(super) unit: Option<String>,
+    pub(super) least: Option<Extreme>,
+    pub(super) greatest: Option<Extreme>,
+}
+
+/// The extremes of one motion.
+#[derive(Serialize)]
+pub(super) struct MotionRecord {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) varied: Option<Parameters>,
+    pub(super) parameters: Parameters,
+    pub(super) from: Option<f64>,
+    pub(super) to: Option<f64>,
+    pub(super) complete: bool,
+    pub(super) extremes: Vec<Range>,
+}
+
+/// Those of all motions.
+#[derive(Serialize)]
+pub(super) struct Record<'a> {
+    pub(super) mechanism: &'static str,
+    pub(super) units: UnitsRecord,
+    pub(super) motions: &'a [MotionRecord],
+}

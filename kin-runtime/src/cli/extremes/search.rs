@@ -1,0 +1,152 @@
+//! Extremes between the instants of a motion.
+
+use serde::Serialize;
+
+use crate::cli::instants::Instants;
+use crate::cli::moving::Walk;
+use crate::nonlinear::peak::peak;
+use crate::serial::Named;
+use crate::state::State;
+
+/// Places at most that are looked at more closely, the most promising ones first.
+const CLOSER: usize = 8;
+/// Variations this small, relative to the size, are none.
+const CONSTANT: f64 = 1e-12;
+
+/// The least or the greatest of a quantity.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Extreme {
+    pub(super) value: f64,
+    pub(super) t: f64,
+    /// What is driven, there.
+    pub(super) drivers: Named<f64, String>,
+    #[serde(rename = "where")]
+    pub(super) place: &'static str,
+}
+
+/// The least and the greatest of numbers; what is no number is passed over.
+fn bounds(values: &[f64]) -> [f64; 2] {
+    let finite = values.iter().filter(|value| value.is_finite());
+    finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(*v), high.max(*v)])
+}
+
+pub(super) fn is_constant(values: &[f64]) -> bool {
+    let [low, high] = bounds(values);
+    low > high || high - low <= CONSTANT * low.abs().max(high.abs())
+}
+
+/// A motion in which extremes are looked for.
+pub(super) struct Search<'a> {
+    pub(super) walk: Walk<'a>,
+    pub(super) states: &'a [State],
+    /// t, what is driven, and the quantities.
+    pub(super) columns: &'a [Vec<f64>],
+    /// The place of the first quantity.
+    pub(super) first: usize,
+    pub(super) instants: &'a Instants,
+}
+
+impl Search<'_> {
+    /// The greatest of a quantity, or with the sign −1 the least.
+    pub(super) fn extreme(&self, place: usize, sign: f64) -> Option<Extreme> {
+        let values: Vec<f64> = self.columns[place].iter().map(|value| sign * value).collect();
+        let [low, high] = bounds(&values);
+        let top = values.iter().position(|value| *value == high)?;
+        let sampled = || self.at_instant(place, top);
+        if is_constant(&values) {
+            return Some(Extreme { place: "constant", ..sampled() });
+        }
+        // Rates grow without bounds towards a dead centre, where they have no value.
+        let last = values.len() - 1;
+        if [(0, 1), (last, last.saturating_sub(1))].iter().any(|&(end, beside)| values[end].is_nan() && top == beside) {
+            return Some(Extreme { place: "towards the limit", ..sampled() });
+        }
+        // By how much the course between instants may be above them: by less than it changes from one to the next.
+        let potential = |k: usize| {
+            let beside = [k.checked_sub(1), Some(k + 1)].into_iter().flatten().filter_map(|j| values.get(j));
+            let drop = beside.map(|other| values[k] - other).filter(|drop| drop.is_finite()).fold(0.0, f64::max);
+            values[k] + drop
+        };
+        let is_peak = |k: &usize| {
+            let lower = |other: Option<&f64>| other.is_none_or(|other| other.is_nan() || *other <= values[*k]);
+            values[*k].is_finite() && lower(k.checked_sub(1).and_then(|j| values.get(j))) && lower(values.get(k + 1))
+        };
+        let mut peaks: Vec<usize> = (0..values.len()).filter(is_peak).filter(|k| potential(*k) >= high).collect();
+        peaks.sort_by(|a, b| potential(*b).total_cmp(&potential(*a)));
+        let closer = peaks.into_iter().take(CLOSER).filter_map(|k| self.closer(place, sign, k));
+        let best = closer.max_by(|a, b| (sign * a.value).total_cmp(&(sign * b.value)));
+        // What is above all instants by less than rounding is at the instant.
+        let rounding = 1e-14 * (high - low).max(high.abs());
+        Some(match best {
+            Some(best) if sign * best.value > high + rounding || best.place != "end" => best,
+            _ => sampled(),
+        })
+    }
+
+    /// The extreme at an instant of the motion.
+    fn at_instant(&self, place: usize, k: usize) -> Extreme {
+        let last = self.states.len() - 1;
+        let has_limit = |end: usize| self.instants.limits[end].as_ref().is_some_and(|stop| stop.t == self.states[k].t);
+        let told = match k {
+            0 if has_limit(0) => "limit",
+            _ if k == last && has_limit(1) => "limit",
+            0 => "first instant",
+            _ if k == last => "last instant",
+            _ => "kink",
+        };
+        let drivers = (1..self.first).map(|d| (self.walk.measures[d].name().to_owned(), self.columns[d][k]));
+        Extreme { value: self.columns[place][k], t: self.states[k].t, drivers: drivers.collect(), place: told }
+    }
+
+    /// The extreme beside an instant; `end` where it is at an end of what can be solved around it.
+    fn closer(&self, place: usize, sign: f64, k: usize) -> Option<Extreme> {
+        let last = self.states.len() - 1;
+        // A limit itself cannot be solved, nor can what is beyond it.
+        let solved = |j: &usize| self.states[*j].q_dot.iter().all(|rate| rate.is_finite());
+        let around: Vec<usize> = (k.saturating_sub(1)..=(k + 1).min(last)).filter(solved).collect();
+        let (&low, &high) = (around.first()?, around.last()?);
+        if low == high {
+            return None;
+        }
+        let (from, [a, b]) = (&self.states[low], [self.states[low].t, self.states[high].t]);
+        let range = self.states[last].t - self.states[0].t;
+        let measure = &self.walk.measures[place];
+        let sample = |times: &[f64]| {
+            let states = self.solve(from, times)?;
+            let value =
+                |state: &State| self.walk.values_of(state, std::slice::from_ref(measure)).ok()?.first().copied();
+            states.iter().map(|state| Some(sign * value(state)?)).collect()
+        };
+        let found = peak(sample, [a, b], range)?;
+        let state = self.solve(from, &[found.at])?.pop()?;
+        let of = |places: std::ops::Range<usize>| self.walk.values_of(&state, &self.walk.measures[places]).ok();
+        let drivers = self.walk.measures[1..self.first].iter().map(|measure| measure.name().to_owned());
+        let told = match found.smooth {
+            _ if found.at == a || found.at == b => "end",
+            true => "between instants",
+            false => "kink",
+        };
+        Some(Extreme {
+            value: of(place..place + 1)?.first().copied()?,
+            t: found.at,
+            drivers: drivers.zip(of(1..self.first)?).collect(),
+            place: told,
+        })
+    }
+
+    /// The states at times that follow one another from that of a state.
+    fn solve(&self, from: &State, times: &[f64]) -> Option<Vec<State>> {
+        let Walk { engine, setup, .. } = self.walk;
+        let first = self.instants.times.get(self.instants.start)?;
+        let starts_there = times.first().is_some_and(|t| *t == from.t);
+        let all: Vec<f64> = match starts_there {
+            true => times.to_vec(),
+            false => std::iter::once(from.t).chain(times.iter().copied()).collect(),
+        };
+        let mut states = engine.sweep_from(setup, *first, &from.q, &all).ok()?.states;
+        if !starts_there {
+            states.remove(0);
+        }
+        Some(states)
+    }
+}

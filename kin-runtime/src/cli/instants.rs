@@ -1,0 +1,323 @@
+//! The instants of a motion: a grid, a list, or as far as the mechanism goes.
+
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
+
+use super::engine::{Engine, Setup};
+use super::failure::{Failure, Ledger};
+use super::solved::{analysis, driven_state};
+use super::values::{self, Moment};
+use crate::error::SolveError;
+use crate::model::{Component, CoordinateKind, Model};
+use crate::planned::Limit;
+use crate::present::number::rounded;
+
+/// The instants of a motion.
+#[derive(Clone, Debug, Default, clap::Args)]
+pub(super) struct GridArgs {
+    /// The first instant, or `limit` [default: 0]
+    #[arg(
+        long,
+        value_name = "A",
+        long_help = "\
+The first instant, 0 by default. `limit` is where the mechanism comes to when
+the time runs backwards from 0, or from --to if that is earlier"
+    )]
+    from: Option<String>,
+    /// The last instant, or `limit`
+    #[arg(long, value_name = "B")]
+    to: Option<String>,
+    /// Number of steps; N steps are N + 1 instants
+    #[arg(long, value_name = "N")]
+    steps: Option<String>,
+    /// The instants one by one, in place of --from, --to and --steps
+    #[arg(long, value_name = "T1,T2,…")]
+    times: Option<String>,
+}
+
+impl GridArgs {
+    /// What is asked for; `steps` where nobody says.
+    pub(super) fn asked(&self, steps: usize, model: &Model) -> Result<Asked, Failure> {
+        let mut ledger = Ledger::default();
+        let end =
+            |option: &str, text: &Option<String>| text.as_deref().map(|t| End::read(option, t, model)).transpose();
+        if let Some(times) = &self.times {
+            let beside = [("--from", &self.from), ("--to", &self.to), ("--steps", &self.steps)];
+            for (name, _) in beside.into_iter().filter(|(_, value)| value.is_some()) {
+                let what = format!("cannot stand beside {name}; use one or the other");
+                ledger.take::<()>(Err(Failure::option("--times", what)));
+            }
+            let times = ledger.take(values::times("--times", times, model));
+            return ledger.close(times.map(Asked::Times));
+        }
+        let from = ledger.take(end("--from", &self.from)).flatten().unwrap_or(End::At(Moment::At(0.0)));
+        let to = ledger.take(end("--to", &self.to)).flatten();
+        let steps = match &self.steps {
+            Some(text) => ledger.take(values::steps(text)),
+            None => Some(steps),
+        };
+        if let (End::At(Moment::At(from)), Some(End::At(Moment::At(to))), Some(steps)) = (from, to, steps) {
+            ledger.take(values::grid_is_possible(from, to, steps));
+        }
+        ledger.close(steps.map(|steps| Asked::Grid { from, to, steps }))
+    }
+}
+
+/// Where a motion begins or ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum End {
+    At(Moment),
+    /// Where the mechanism can go no further.
+    Limit,
+}
+
+impl End {
+    fn read(option: &str, text: &str, model: &Model) -> Result<Self, Failure> {
+        match text.trim() {
+            "limit" => Ok(Self::Limit),
+            _ => values::moment(option, text, model).map(Self::At),
+        }
+    }
+}
+
+/// The instants that the options ask for.
+#[derive(Clone, Debug)]
+pub(super) enum Asked {
+    Times(Vec<Moment>),
+    Grid {
+        from: End,
+        /// Where nobody says where it ends, it is where the motion suggests.
+        to: Option<End>,
+        steps: usize,
+    },
+}
+
+/// The instants of a motion, and what ends it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Instants {
+    /// From the first to the last that is solved, limits left out.
+    pub(super) times: Vec<f64>,
+    /// The place in `times` of the instant at which the mechanism is assembled: the motion goes from there to both sides.
+    pub(super) start: usize,
+    /// The limits behind which there is nothing, at the beginning and at the end.
+    pub(super) limits: [Option<Stop>; 2],
+    /// What there is to say of ends that are no limits.
+    pub(super) notes: Vec<String>,
+}
+
+/// A limit at which a motion ends.
+#[derive(Clone, Debug)]
+pub(super) struct Stop {
+    /// Its time.
+    pub(super) t: f64,
+    /// The configuration there, where it was found.
+    pub(super) q: Option<Vec<f64>>,
+    /// `dead centre of A, B, D`, for a legend.
+    #[cfg_attr(not(feature = "plot"), allow(dead_code, reason = "legends are those of diagrams"))]
+    pub(super) name: String,
+    /// All of it.
+    pub(super) text: String,
+}
+
+impl Instants {
+    /// Instants one by one, none of which is a limit.
+    fn plain(times: Vec<f64>) -> Self {
+        Self { times, ..Self::default() }
+    }
+
+    /// How many there are, limits included.
+    pub(super) fn len(&self) -> usize {
+        let limits = self.limits.iter().flatten().filter(|stop| stop.q.is_some());
+        self.times.len() + limits.count()
+    }
+}
+
+impl Asked {
+    /// Nobody says where it ends.
+    pub(super) fn is_open(&self) -> bool {
+        matches!(self, Self::Grid { to: None, .. })
+    }
+
+    /// The instants. Without an end it is after one turn of the driven crank, or one unit of time.
+    pub(super) fn instants(&self, engine: &dyn Engine, setup: &Setup) -> Result<Instants, Failure> {
+        let at = |option: &str, moment: &Moment| instant(option, *moment, engine, setup);
+        let grid = |from: f64, to: f64, steps: usize| values::grid(from, to, steps).map(Instants::plain);
+        match self {
+            Self::Times(times) => {
+                times.iter().map(|moment| at("--times", moment)).collect::<Result<_, _>>().map(Instants::plain)
+            }
+            Self::Grid { from: End::At(from), to, steps } => {
+                let from = at("--from", from)?;
+                match to {
+                    None => grid(from, natural_end(engine, setup, from), *steps),
+                    Some(End::At(to)) => grid(from, at("--to", to)?, *steps),
+                    Some(End::Limit) => as_far(engine, setup, (from, [Some(from), None]), *steps),
+                }
+            }
+            Self::Grid { from: End::Limit, to, steps } => {
+                let (start, to) = match to {
+                    Some(End::At(to)) => {
+                        let to = at("--to", to)?;
+                        (to.min(0.0), Some(to))
+                    }
+                    Some(End::Limit) => (0.0, None),
+                    None => (0.0, Some(natural_end(engine, setup, 0.0))),
+                };
+                as_far(engine, setup, (start, [None, to]), *steps)
+            }
+        }
+    }
+}
+
+/// The time at which the driven crank has turned so far.
+pub(super) fn instant(option: &str, moment: Moment, engine: &dyn Engine, setup: &Setup) -> Result<f64, Failure> {
+    match moment {
+        Moment::At(t) => Ok(t),
+        Moment::Turned(angle) => speed(engine, setup, 0.0).map(|speed| angle / speed).ok_or_else(|| {
+            let what = "an angle says when only where a crank is driven at constant speed; write a time";
+            Failure::option(option, what)
+        }),
+    }
+}
+
+/// Units of time within which a limit is looked for, one after the other, where no crank turns.
+const FAR: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
+
+/// The instants around a start, with ends that are given or, where they are none, as far as the mechanism goes. Beside a
+/// limit the instants lie closer together, in proportion to the square of their number from there: coordinates go with
+/// the root of the time that is left to a dead centre, so that their curves end smoothly.
+fn as_far(
+    engine: &dyn Engine,
+    setup: &Setup,
+    (start, ends): (f64, [Option<f64>; 2]),
+    steps: usize,
+) -> Result<Instants, Failure> {
+    values::grid_is_possible(0.0, 1.0, steps)?;
+    let mut out = Instants::default();
+    let (mut times, mut whole) = ([start; 2], [false; 2]);
+    for (k, end) in ends.into_iter().enumerate() {
+        if let Some(t) = end {
+            times[k] = t;
+            continue;
+        }
+        let direction = [-1.0, 1.0][k];
+        match limit(engine, setup, start, direction)? {
+            Sought::Found(stop) => {
+                times[k] = stop.t;
+                out.limits[k] = Some(stop);
+            }
+            Sought::None(searched) => {
+                let turn = natural_end(engine, setup, start) - start;
+                times[k] = start + direction * turn;
+                whole[k] = speed(engine, setup, start).is_some();
+                let until = rounded(searched);
+                out.notes.push(match whole[k] {
+                    true => {
+                        "note: no limit is met in a turn of the driven crank: the motion is one turn long".to_owned()
+                    }
+                    false => {
+                        format!("note: no limit is met up to t = {until}: the motion ends at t = {}", rounded(times[k]))
+                    }
+                });
+            }
+        }
+    }
+    // A crank that turns both ways without an end turns once.
+    if whole == [true; 2] {
+        times[0] = start;
+        out.notes.truncate(1);
+    }
+    let [from, to] = times;
+    if from == to {
+        let what = format!("the mechanism is at a limit at t = {}: there is no motion", rounded(from));
+        return Err(Failure::Analysis(format!("{}: {what}", engine.model().name)));
+    }
+    let place = |k: usize| {
+        let x = k as f64 / steps as f64;
+        let share = match [&out.limits[0], &out.limits[1]] {
+            [None, None] => x,
+            [None, Some(_)] => 1.0 - (1.0 - x).powi(2),
+            [Some(_), None] => x.powi(2),
+            [Some(_), Some(_)] => 0.5 * (1.0 - (std::f64::consts::PI * x).cos()),
+        };
+        from + share * (to - from)
+    };
+    let first = usize::from(out.limits[0].is_some());
+    let last = steps - usize::from(out.limits[1].is_some());
+    let mut times: Vec<f64> = (first..=last).map(|k| if k == steps { to } else { place(k) }).collect();
+    // The motion goes to both sides from the start, which is one of the instants.
+    let behind = times.iter().position(|t| *t >= start).unwrap_or(times.len());
+    if times.get(behind).is_none_or(|t| *t != start) {
+        times.insert(behind, start);
+    }
+    Ok(Instants { times, start: behind, ..out })
+}
+
+/// What a search for a limit came to.
+enum Sought {
+    Found(Stop),
+    /// None up to this time.
+    None(f64),
+}
+
+/// The limit that a motion comes to from a start in a direction of time; otherwise how far it was followed without one.
+fn limit(engine: &dyn Engine, setup: &Setup, start: f64, direction: f64) -> Result<Sought, Failure> {
+    let turn = speed(engine, setup, start).map(|speed| TAU / speed);
+    let ranges = turn.map_or(FAR.to_vec(), |turn| vec![turn]);
+    for far in &ranges {
+        let times = [start, start + direction * far];
+        let go_on = |_: crate::observer::Reached<'_>| ControlFlow::Continue(());
+        let (trajectory, error) = engine.sweep_each(setup, &times, false, &go_on, &mut |_| ControlFlow::Continue(()));
+        match error {
+            None => {}
+            Some(error @ (SolveError::StepRefused { t, .. } | SolveError::Singular { t, .. }))
+                if trajectory.reached > 0 =>
+            {
+                let found = error.limit();
+                let (q, t) = (trajectory.q_at_limit, found.and_then(Limit::at).unwrap_or(t));
+                let name = found.map_or_else(|| "limit".to_owned(), short);
+                let text = found.map_or_else(|| error.to_string(), ToString::to_string);
+                return Ok(Sought::Found(Stop { t, q, name, text }));
+            }
+            Some(error) => return Err(analysis(engine, &error)),
+        }
+    }
+    Ok(Sought::None(start + direction * ranges.last().copied().unwrap_or(1.0)))
+}
+
+/// `dead centre of A, B, D`.
+fn short(limit: &Limit) -> String {
+    let joints: Vec<&str> = limit.joints().collect();
+    let kind = limit.kind().map_or_else(|| "limit".to_owned(), |kind| kind.to_string());
+    if joints.is_empty() { kind } else { format!("{kind} of {}", joints.join(", ")) }
+}
+
+/// Where a motion from an instant on may end when nobody says: after one turn of the slowest of the cranks that are driven
+/// at constant speed, or after one unit of time.
+pub(super) fn natural_end(engine: &dyn Engine, setup: &Setup, from: f64) -> f64 {
+    from + speed(engine, setup, from).map_or(1.0, |speed| TAU / speed)
+}
+
+/// The speed of the slowest of the cranks that are driven at constant speed.
+fn speed(engine: &dyn Engine, setup: &Setup, from: f64) -> Option<f64> {
+    let model = engine.model();
+    let (state, _) = driven_state(engine, setup, from, true).ok()?;
+    let angle = |column: usize| {
+        let kind = model.coordinates.get(column).map(|coordinate| coordinate.kind);
+        matches!(kind, Some(CoordinateKind::Pose { component: Component::Phi, .. } | CoordinateKind::Scalar))
+    };
+    let driven =
+        model.rows.iter().enumerate().filter(|(_, row)| row.driving || row.rheonomic).filter_map(|(place, _)| {
+            let mut entries = model.constraint_pattern.entries.iter().filter(|(row, _)| *row == place);
+            match (entries.next(), entries.next()) {
+                (Some(&(_, column)), None) if angle(column) => Some(column),
+                _ => None,
+            }
+        });
+    let speeds = driven.filter_map(|column| {
+        let (speed, acceleration) = (state.q_dot.get(column)?.abs(), state.q_ddot.get(column)?.abs());
+        (speed > 0.0 && acceleration <= 1e-9 * speed * speed).then_some(speed)
+    });
+    let slowest = speeds.fold(f64::INFINITY, f64::min);
+    slowest.is_finite().then_some(slowest)
+}

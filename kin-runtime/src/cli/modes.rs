@@ -1,0 +1,59 @@
+//! `modes`: every way in which the mechanism closes at one instant.
+
+use super::engine::Engine;
+use super::examples::{Help, Names};
+use super::failure::{Failure, Ledger, zip3};
+use super::instants::instant;
+use super::options::{InstantArgs, SetupArgs};
+use super::output::{Form, OutputArgs};
+use super::session::Session;
+use super::solved::analysis;
+use crate::present::assemblies;
+use crate::present::json::to_json;
+use crate::present::number::plain;
+
+/// Every way in which it closes at one instant, each with a proof
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct ModesArgs {
+    #[command(flatten)]
+    instant: InstantArgs,
+    #[command(flatten)]
+    setup: SetupArgs,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+pub(super) const HELP: Help = Help {
+    examples: |names: &Names| {
+        vec![
+            names.analysis(&format!("modes --at {}", names.at), ""),
+            names.with("modes --set", &names.set, "with another dimension"),
+            names.analysis("modes --format json", "for another program"),
+        ]
+    },
+    details: "\
+Every closure has a certificate: a proof by interval arithmetic that it is one, and alone around
+its place. That there are no others is proven as well: groups in closed form have two closures
+each, and where groups close by iteration, their angles are searched through a full turn around
+the guess. What could be decided neither way is said, and the status is 1.",
+};
+
+pub(super) fn run(args: &ModesArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
+    let mut ledger = Ledger::default();
+    let (t, output) =
+        (ledger.take(args.instant.time(engine.model())), ledger.take(session.destination(&args.output, "modes")));
+    let setup = ledger.take(args.setup.apply_complete(engine));
+    let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
+    let t = instant("--at", t, &*engine, &setup)?;
+    let all = engine.assemblies(&setup, t).map_err(|error| analysis(engine, &error))?;
+    let text = match output.form {
+        Form::Json => to_json(&assemblies::records(&all)).map_err(Failure::Output)?,
+        _ => format!("{} at t = {}\n{}", engine.model().name, plain(t), assemblies::text(engine.model(), &all)),
+    };
+    session.deliver(&output, &text)?;
+    if all.is_complete() {
+        return Ok(());
+    }
+    let name = engine.model().name;
+    Err(Failure::Analysis(format!("{name}: these are not proven to be all\n{}", assemblies::doubts(&all))))
+}

@@ -1,0 +1,256 @@
+//! What an input can be: the values with which the mechanism closes, around the last good state.
+//!
+//! From that state the branch is followed with time and all other inputs standing still, while the one input goes up and
+//! then down, until a group comes to its limit. Where the limit is, [`limit`](super::limit) finds as it does in a motion.
+
+use super::error::{Limit, PlanError};
+use super::follower::{Control, Follower};
+use super::walk::natural_step;
+use super::{Held, Planned};
+use crate::course::Course;
+use crate::mechanism::{LengthError, Mechanism};
+use crate::model::Input;
+use crate::signal::{Instant, Signal};
+use crate::text::rounded;
+use crate::workspace::Array;
+use core::fmt;
+
+/// Steps of the first stretch in which a limit is looked for, by how much each of the next is longer, and how many there are.
+const STRETCH: f64 = 40.0;
+const GROWTH: f64 = 8.0;
+const STRETCHES: usize = 24;
+
+/// Steps on one stretch at most: a bar that turns fully, and comes to no limit, has turned twenty times then.
+const STEPS: usize = 400;
+
+/// The values of an input with which the mechanism closes, while time and the other inputs stand still: those between the
+/// limits of the branch of a good state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct InputRange {
+    /// The input's name.
+    pub input: &'static str,
+    /// The least value, in the input's own unit; −∞ where no limit was met.
+    pub least: f64,
+    /// The greatest value; ∞ where no limit was met.
+    pub greatest: f64,
+    /// What is at its limit at either end, where that is known.
+    pub limits: [Option<Limit>; 2],
+}
+
+/// A value of an input with which the mechanism does not close, and what it can be.
+///
+/// It prints as `input boom_length = 9: no closure; it can be 0.62 to 1.41 here`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct OutOfRange {
+    /// The value that was asked for.
+    pub value: f64,
+    /// What it can be.
+    pub range: InputRange,
+}
+
+impl InputRange {
+    /// Whether a value is one with which the mechanism closes.
+    pub fn contains(&self, value: f64) -> bool {
+        (self.least..=self.greatest).contains(&value)
+    }
+}
+
+/// `boom_length from 0.62 to 1.41`.
+impl fmt::Display for InputRange {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} ", self.input)?;
+        match (self.least.is_finite(), self.greatest.is_finite()) {
+            (true, true) => write!(f, "from {} to {}", rounded(self.least), rounded(self.greatest)),
+            (true, false) => write!(f, "from {} on", rounded(self.least)),
+            (false, true) => write!(f, "up to {}", rounded(self.greatest)),
+            (false, false) => f.write_str("of any value"),
+        }
+    }
+}
+
+impl fmt::Display for OutOfRange {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let InputRange { input, least, greatest, .. } = self.range;
+        write!(f, "input {input} = {}: no closure; it can be ", rounded(self.value))?;
+        match (least.is_finite(), greatest.is_finite()) {
+            (true, true) => write!(f, "{} to {} here", rounded(least), rounded(greatest)),
+            (true, false) => write!(f, "{} or more here", rounded(least)),
+            _ => write!(f, "{} or less here", rounded(greatest)),
+        }
+    }
+}
+
+/// An input on its way, while time and the others stand still.
+struct OfInput<'a> {
+    at: Instant<'a>,
+    input: usize,
+    ends: [f64; 2],
+}
+
+impl Course for OfInput<'_> {
+    fn ends(&self) -> [f64; 2] {
+        self.ends
+    }
+
+    fn at(&self, s: f64, inputs: &mut [Signal]) -> f64 {
+        for (k, (to, u)) in inputs.iter_mut().zip(self.at.inputs).enumerate() {
+            *to = if k == self.input { Signal::new(s, 1.0, 0.0) } else { Signal::constant(u.value) };
+        }
+        self.at.t
+    }
+
+    fn is_frozen(&self) -> bool {
+        true
+    }
+
+    fn has_rates_of_end(&self) -> bool {
+        false
+    }
+}
+
+impl<M: Mechanism> Planned<'_, M> {
+    /// The values of an input with which the mechanism closes, while time and the other inputs stay what they are at the
+    /// last good state, on the branch of that state. The limits are exact to rounding.
+    ///
+    /// The state stays what it is, and nothing is allocated. It costs as much as some hundred ticks: an error at a tick does
+    /// not compute it by itself. An input that moves nothing, or turns something fully, has no limits.
+    ///
+    /// # Errors
+    /// [`PlanError::Length`] with the handle of another mechanism.
+    ///
+    /// ```
+    /// use kin_runtime::{Instant, Kinematics, Signal, mechanism};
+    ///
+    /// #[mechanism]
+    /// #[bodies(boom)]
+    /// #[input(cylinder)]
+    /// #[revolute(foot: ground @ (0, 0), boom @ (0, 0))]
+    /// #[distance(ram: ground @ (0.6, 0), boom @ (1, 0), length = cylinder)]
+    /// #[guess(boom.phi = 0.7)]
+    /// struct Boom;
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let inputs = [Signal::constant(0.8)];
+    /// let boom = Boom.solver().planned(&Instant { t: 0.0, inputs: &inputs })?;
+    /// let range = boom.range_of(Boom::cylinder)?;
+    /// // Foot and ram on one line, on the same and on opposite sides of the foot.
+    /// assert!((range.least - 0.4).abs() < 1e-12 && (range.greatest - 1.6).abs() < 1e-12);
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn range_of(&self, input: Input) -> Result<InputRange, PlanError> {
+        let name = M::model().inputs.get(input.0).copied();
+        let unknown = LengthError { what: "inputs", expected: M::INPUTS, found: input.0 + 1 };
+        let name = name.ok_or(unknown)?;
+        let [(least, low), (greatest, high)] =
+            [-1.0, 1.0].map(|direction| self.follower.range_end(self.mechanism.get(), input.0, direction));
+        Ok(InputRange { input: name, least, greatest, limits: [low, high] })
+    }
+
+    /// The input that keeps the mechanism from closing at an instant, with what it can be: for the message of a tick that
+    /// had an error, when there is time for it. Those that have changed since the last good state are looked at in their order:
+    /// the others are given their new values, as far as the mechanism can take them. None where no input alone is to blame.
+    ///
+    /// The state stays what it is, and nothing is allocated. It costs as much as some hundred ticks for every input.
+    ///
+    /// ```
+    /// # use kin_runtime::{Instant, Kinematics, Signal, mechanism};
+    /// # #[mechanism]
+    /// # #[bodies(boom)]
+    /// # #[input(cylinder)]
+    /// # #[revolute(foot: ground @ (0, 0), boom @ (0, 0))]
+    /// # #[distance(ram: ground @ (0.6, 0), boom @ (1, 0), length = cylinder)]
+    /// # #[guess(boom.phi = 0.7)]
+    /// # struct Boom;
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let inputs = [Signal::constant(0.8)];
+    /// # let mut boom = Boom.solver().planned(&Instant { t: 0.0, inputs: &inputs })?;
+    /// let broken = [Signal::constant(9.0)];
+    /// let tick = Instant { t: 0.001, inputs: &broken };
+    /// assert!(boom.at(&tick).is_err());
+    /// let why = boom.out_of_range(&tick).ok_or("no input is to blame")?;
+    /// assert_eq!(why.to_string(), "input cylinder = 9: no closure; it can be 0.4 to 1.6 here");
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn out_of_range(&self, at: &Instant<'_>) -> Option<OutOfRange> {
+        if at.inputs.len() != M::INPUTS {
+            return None;
+        }
+        let mechanism = self.mechanism.get();
+        (0..M::INPUTS).find_map(|k| {
+            let asked = at.inputs.get(k)?.value;
+            let held = self.follower.inputs.as_ref().get(k).copied()?;
+            if asked == held.value {
+                return None;
+            }
+            let mut others = M::Inputs::<f64>::filled(Signal::constant(0.0));
+            others.as_mut().iter_mut().zip(at.inputs).for_each(|(to, u)| *to = Signal::constant(u.value));
+            *others.as_mut().get_mut(k)? = Signal::constant(held.value);
+            let mut moved = Planned { mechanism: Held::Borrowed(mechanism), follower: self.follower };
+            let instant = Instant { t: moved.t(), inputs: others.as_ref() };
+            // Where the others cannot take their new values either, they stay what they are.
+            let _ = moved.at(&instant);
+            let range = moved.range_of(Input(k)).ok()?;
+            (!range.contains(asked)).then_some(OutOfRange { value: asked, range })
+        })
+    }
+}
+
+impl<M: Mechanism> Follower<M> {
+    /// The value of an input at which the branch ends in one direction, and what ends it there; infinite where no limit was
+    /// met.
+    #[cold]
+    #[inline(never)]
+    fn range_end(&self, mechanism: &M, input: usize, direction: f64) -> (f64, Option<Limit>) {
+        let mut follower = *self;
+        let nowhere = (direction * f64::INFINITY, None);
+        let control = Control { max_steps: STEPS, ..Control::USUAL };
+        let mut reach: f64 = 0.0;
+        for _ in 0..STRETCHES {
+            let inputs = follower.inputs;
+            let at = Instant { t: follower.t, inputs: inputs.as_ref() };
+            let Some(from) = at.inputs.get(input).map(|u| u.value) else { return nowhere };
+            // How fast everything goes along the input.
+            let course = OfInput { at, input, ends: [from; 2] };
+            let mut signals = inputs;
+            follower.predicted = follower.state().q;
+            if !follower.solve_at(mechanism, &course, from, &mut signals).unwrap_or(false) {
+                return nowhere;
+            }
+            let tried = &follower.states[1 - follower.good];
+            let rates = [tried.q_dot.as_ref(), tried.q_ddot.as_ref()];
+            let step = natural_step(rates, follower.weights.as_ref(), control.rotation);
+            if !step.is_finite() && reach == 0.0 {
+                // It moves nothing that turns, or nothing at all.
+                let moves = rates[0].iter().any(|rate| *rate != 0.0);
+                reach = if moves { 1.0 + from.abs() } else { return nowhere };
+            } else {
+                reach = f64::max(GROWTH * reach, if step.is_finite() { STRETCH * step } else { 0.0 });
+            }
+            let to = from + direction * reach;
+            let mut signals = inputs;
+            if let Some(u) = signals.as_mut().get_mut(input) {
+                *u = Signal::constant(to);
+            }
+            let end = Instant { t: at.t, inputs: signals.as_ref() };
+            let course = OfInput { at, input, ends: [from, to] };
+            match follower.walk(mechanism, &course, &end, &control) {
+                Ok(()) => {
+                    let nearest = follower.measure();
+                    follower.keep(&end, nearest, false);
+                }
+                Err(blocked) => {
+                    let (error, place) = follower.refusal_at(mechanism, &course, &end, &blocked);
+                    return match (error, place) {
+                        (PlanError::TooManySteps { .. }, _) => nowhere,
+                        (error, place) => (place, error.limit().copied()),
+                    };
+                }
+            }
+        }
+        nowhere
+    }
+}

@@ -1,0 +1,87 @@
+//! The ways in which a mechanism closes: tables for people, and records for JSON.
+
+use serde::Serialize;
+
+use super::number::magnitude;
+use super::table::Table;
+use super::text::{count, section};
+use crate::assembly::{Assemblies, Assembly, Undecided};
+use crate::certificate::Certificate;
+use crate::model::Model;
+
+/// Most doubts that are said one by one.
+const DOUBTS: usize = 8;
+
+/// One closure.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct AssemblyRecord<'a> {
+    mode: String,
+    q: &'a [f64],
+    q_dot: &'a [f64],
+    q_ddot: &'a [f64],
+    certified: bool,
+    radius: Option<f64>,
+    isolation: Option<f64>,
+    why: Option<String>,
+}
+
+/// All closures, for JSON.
+pub(crate) fn records(all: &Assemblies) -> Vec<AssemblyRecord<'_>> {
+    all.found.iter().map(AssemblyRecord::of).collect()
+}
+
+impl<'a> AssemblyRecord<'a> {
+    fn of(assembly: &'a Assembly) -> Self {
+        let certificate = assembly.certificate.as_ref();
+        Self {
+            mode: assembly.name(),
+            q: &assembly.q,
+            q_dot: &assembly.q_dot,
+            q_ddot: &assembly.q_ddot,
+            certified: certificate.is_ok(),
+            radius: certificate.ok().map(Certificate::radius),
+            isolation: certificate.ok().map(Certificate::isolation),
+            why: certificate.err().map(ToString::to_string),
+        }
+    }
+}
+
+/// All closures, one in a column.
+pub(crate) fn text(model: &Model, all: &Assemblies) -> String {
+    let number = |k: usize| (k + 1).to_string();
+    let certified = |assembly: &Assembly| match &assembly.certificate {
+        Ok(certificate) => magnitude(certificate.radius()),
+        Err(_) => "no".to_owned(),
+    };
+    let closures = Table::new()
+        .right("", (0..all.found.len()).map(number))
+        .words("modes", all.found.iter().map(Assembly::name))
+        .right("certified within", all.found.iter().map(certified));
+    let names = model.coordinates.iter().map(|coordinate| coordinate.name);
+    let coordinates =
+        all.found.iter().enumerate().fold(Table::new().words("coordinate", names), |table, (k, assembly)| {
+            table.numbers(&number(k), assembly.q.iter().copied())
+        });
+    let found = match all.found.len() {
+        0 => "\nIt does not close.\n".to_owned(),
+        k => format!("\nIt closes in {}.\n", count(k, "way")),
+    };
+    let searched = Table::new()
+        .words("searched", all.searched.iter().map(|(name, _)| *name))
+        .numbers("from", all.searched.iter().map(|(_, x)| x.lower()))
+        .numbers("to", all.searched.iter().map(|(_, x)| x.upper()));
+    let coordinates = if all.found.is_empty() { String::new() } else { section("Configurations", &coordinates) };
+    [found, section("Closures", &closures), coordinates, section("Search", &searched)].concat()
+}
+
+/// What is not proven, line by line.
+pub(crate) fn doubts(all: &Assemblies) -> String {
+    let uncertified = all.found.iter().enumerate();
+    let uncertified = uncertified.filter_map(|(k, assembly)| Some((k, assembly.certificate.as_ref().err()?)));
+    let lines = uncertified.map(|(k, why)| format!("  closure {} is not certified: {why}", k + 1));
+    let lines: Vec<String> =
+        lines.chain(all.undecided.iter().map(|left: &Undecided| format!("  undecided: {left}"))).collect();
+    let more = lines.len().saturating_sub(DOUBTS);
+    let said = lines.into_iter().take(DOUBTS).collect::<Vec<_>>().join("\n");
+    if more > 0 { format!("{said}\n  and {more} more") } else { said }
+}

@@ -1,0 +1,58 @@
+//! The thin generic layer: a mechanism as an object that evaluates its rows over boxes.
+
+use crate::mechanism::{LengthError, Mechanism, Workspace};
+use crate::scalar::{Interval, Scalar};
+use crate::workspace::{Array, Instant, Signal, Subset};
+use core::borrow::Borrow;
+
+/// What the rows are over a box.
+pub(crate) struct Evaluated<'a> {
+    /// Φ.
+    pub(crate) phi: &'a [Interval],
+    /// The entries of Φ_q in the order of the pattern.
+    pub(crate) phi_q: &'a [Interval],
+    /// Φ_t.
+    pub(crate) phi_t: &'a [Interval],
+    /// γ.
+    pub(crate) gamma: &'a [Interval],
+}
+
+/// The rows of a mechanism over boxes, at one instant.
+pub(crate) trait Enclosures {
+    /// Evaluates a subset over the box q and, for γ, q̇.
+    fn evaluate(&mut self, subset: Subset, q: &[Interval], q_dot: &[Interval]) -> Result<Evaluated<'_>, LengthError>;
+}
+
+/// A mechanism with its parameters and an instant as intervals.
+pub(crate) struct OverBoxes<'m, M: Mechanism> {
+    mechanism: &'m M,
+    parameters: M::Parameters<Interval>,
+    t: Interval,
+    inputs: M::Inputs<Interval>,
+    workspace: Workspace<M, Interval>,
+}
+
+impl<'m, M: Mechanism> OverBoxes<'m, M> {
+    /// At an instant with as many inputs as the mechanism has.
+    pub(crate) fn new(mechanism: &'m M, at: &Instant<'_>) -> Self {
+        let input = |k: usize| at.inputs.get(k).copied().unwrap_or_default();
+        Self {
+            mechanism,
+            parameters: mechanism.parameters(),
+            t: Interval::from(at.t),
+            inputs: M::Inputs::<Interval>::generate(|k| input(k).map(<Interval as Scalar>::from_f64)),
+            workspace: M::workspace(),
+        }
+    }
+}
+
+impl<M: Mechanism> Enclosures for OverBoxes<'_, M> {
+    fn evaluate(&mut self, subset: Subset, q: &[Interval], q_dot: &[Interval]) -> Result<Evaluated<'_>, LengthError> {
+        let inputs: &[Signal<Interval>] = self.inputs.as_ref();
+        let at = Instant { t: self.t, inputs };
+        let mechanism: &M = self.mechanism.borrow();
+        mechanism.evaluate_with(self.parameters.as_ref(), subset, &at, q, q_dot, &mut self.workspace)?;
+        let w = &self.workspace;
+        Ok(Evaluated { phi: w.phi(), phi_q: w.phi_q(), phi_t: w.phi_t(), gamma: w.gamma() })
+    }
+}

@@ -1,0 +1,277 @@
+//! The proof: position by Krawczyk's operator, velocity and acceleration by linear enclosures.
+
+use super::contraction::{Preconditioner, Rest};
+use super::enclosures::Enclosures;
+use crate::certificate::{Certificate, Uncertified};
+use crate::model::{Component, CoordinateKind, Level, Model};
+use crate::scalar::Interval;
+use crate::workspace::{Signal, Subset};
+
+/// Sizes of the box that is tried, relative to a radian and to the size of the mechanism, largest first: a large box says
+/// more, and a small one lies between solutions that are close to one another.
+const BOXES: [f64; 4] = [1e-6, 1e-8, 1e-10, 1e-12];
+/// A state that is off by more than this part of a radian, or of the mechanism, is not taken for a solution.
+const WRONG: f64 = 1e-6;
+/// Below this inverse condition number a matrix counts as singular where a correction is large.
+const SINGULAR: f64 = 1e-6;
+/// The largest β that leaves a box certified: as good as 1, and with room for rounding.
+const CONTRACTING: f64 = 0.99;
+
+/// As many rows as there are coordinates.
+pub(crate) struct Square {
+    model: &'static Model,
+    /// Where every row of the mechanism stands; none for those that are left out.
+    place: Vec<Option<usize>>,
+    left_out: Vec<&'static str>,
+    /// Prescribed coordinates, whose rows come last.
+    given: Vec<(usize, Signal)>,
+    /// (row, column) of the entries of Φ_q that are not left out, and where they are in the pattern; none for 1.
+    entries: Vec<(usize, usize)>,
+    sources: Vec<Option<usize>>,
+}
+
+impl Square {
+    /// All rows but those that are left out, and prescribed coordinates.
+    ///
+    /// # Errors
+    /// Where these are not as many as the coordinates, or some are of velocity level.
+    pub(crate) fn new(
+        model: &'static Model,
+        left_out: &[usize],
+        given: &[(usize, Signal)],
+    ) -> Result<Self, Uncertified> {
+        if model.rows.iter().any(|row| row.level == Level::Velocity) {
+            return Err(Uncertified::VelocityLevel);
+        }
+        let mut rows = 0;
+        let place = (0..model.rows.len()).map(|row| {
+            let kept = !left_out.contains(&row);
+            kept.then(|| {
+                rows += 1;
+                rows - 1
+            })
+        });
+        let place: Vec<Option<usize>> = place.collect();
+        let n = model.coordinates.len();
+        match n.checked_sub(rows + given.len()) {
+            Some(0) => {}
+            Some(degrees_of_freedom) => return Err(Uncertified::Open { degrees_of_freedom }),
+            // Too many rows depend on one another.
+            None => return Err(Uncertified::Singular { nearness: 0.0 }),
+        }
+        let own = model.constraint_pattern.entries.iter().enumerate();
+        let kept = own.filter_map(|(k, &(row, column))| Some(((place[row]?, column), Some(k))));
+        let given_rows = given.iter().enumerate().map(|(k, &(column, _))| ((rows + k, column), None));
+        let (entries, sources) = kept.chain(given_rows).unzip();
+        let left_out = left_out.iter().filter_map(|&row| model.rows.get(row)).map(|row| row.name).collect();
+        Ok(Self { model, place, left_out, given: given.to_vec(), entries, sources })
+    }
+
+    /// How many coordinates there are, and rows.
+    pub(super) const fn coordinates(&self) -> usize {
+        self.model.coordinates.len()
+    }
+
+    /// (row, column) of the entries of Φ_q.
+    pub(super) fn entries(&self) -> &[(usize, usize)] {
+        &self.entries
+    }
+
+    /// The entries of Φ_q that are literal constants.
+    pub(super) fn constants(&self) -> impl Iterator<Item = Option<f64>> {
+        let constants = self.model.constraint_pattern.constants;
+        let value = |k: usize| constants.iter().find(|(place, _)| *place == k).map(|(_, value)| *value);
+        self.sources.iter().map(move |source| source.map_or(Some(1.0), value))
+    }
+
+    /// Φ, prescribed coordinates included.
+    pub(super) fn phi(&self, values: &[Interval], q: &[Interval]) -> Result<Vec<Interval>, Uncertified> {
+        self.rows(values, |&(k, signal)| q[k] - Interval::from(signal.value))
+    }
+
+    /// The entries of Φ_q, in the order of `entries`.
+    pub(super) fn matrix(&self, phi_q: &[Interval]) -> Result<Vec<Interval>, Uncertified> {
+        let value = |source: &Option<usize>| source.map_or(Interval::from(1.0), |k| phi_q[k]);
+        let values: Vec<Interval> = self.sources.iter().map(value).collect();
+        match self.sources.iter().zip(&values).find(|(_, value)| !value.is_bounded()) {
+            None => Ok(values),
+            Some((source, _)) => {
+                let row = source.map_or(0, |k| self.model.constraint_pattern.entries[k].0);
+                Err(Uncertified::Unbounded { row: self.model.rows.get(row).map_or("", |row| row.name) })
+            }
+        }
+    }
+
+    /// The numbers of the rows that are not left out, and those of prescribed coordinates.
+    fn rows(
+        &self,
+        values: &[Interval],
+        given: impl Fn(&(usize, Signal)) -> Interval,
+    ) -> Result<Vec<Interval>, Uncertified> {
+        let kept = || values.iter().zip(&self.place).enumerate().filter(|(_, (_, place))| place.is_some());
+        if let Some((row, _)) = kept().find(|(_, (value, _))| !value.is_bounded()) {
+            return Err(Uncertified::Unbounded { row: self.model.rows.get(row).map_or("", |row| row.name) });
+        }
+        Ok(kept().map(|(_, (value, _))| *value).chain(self.given.iter().map(given)).collect())
+    }
+
+    /// `b` − A x.
+    fn residual(&self, mut b: Vec<Interval>, matrix: &[Interval], x: &[f64]) -> Vec<Interval> {
+        for (&(row, column), &entry) in self.entries.iter().zip(matrix) {
+            b[row] = b[row] - entry * Interval::from(x[column]);
+        }
+        b
+    }
+
+    /// What a displacement of every coordinate is compared with: a radian, or the size of the mechanism.
+    fn sizes(&self, q: &[f64]) -> Vec<f64> {
+        let is_length = |k: usize| {
+            matches!(
+                self.model.coordinates[k].kind,
+                CoordinateKind::Pose { component: Component::X | Component::Y, .. }
+            )
+        };
+        let length = (0..q.len()).filter(|&k| is_length(k)).fold(0.0, |most: f64, k| most.max(q[k].abs()));
+        let size = |k: usize| if is_length(k) && length > 0.0 { length } else { 1.0 };
+        (0..q.len()).map(size).collect()
+    }
+
+    /// The error of the list with this name where one of its corrections is too large.
+    fn judge(&self, what: &'static str, corrections: &[Interval], sizes: &[f64], most: f64) -> Result<(), Uncertified> {
+        let relative = |k: usize| corrections[k].magnitude() / sizes[k];
+        let worst = (0..sizes.len()).max_by(|&a, &b| relative(a).total_cmp(&relative(b)));
+        match worst {
+            Some(k) if relative(k) > most || relative(k).is_nan() => Err(Uncertified::NotASolution {
+                what,
+                coordinate: self.model.coordinates[k].name,
+                by: corrections[k].midpoint().abs(),
+            }),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// The certificate of q, q̇ and q̈, n finite numbers each.
+pub(crate) fn certify(
+    square: &Square,
+    system: &mut dyn Enclosures,
+    [q, q_dot, q_ddot]: [&[f64]; 3],
+) -> Result<Certificate, Uncertified> {
+    let n = square.model.coordinates.len();
+    let malformed = |_| Uncertified::Malformed;
+    if [q, q_dot, q_ddot].iter().any(|list| list.len() != n || list.iter().any(|x| !x.is_finite())) {
+        return Err(Uncertified::Malformed);
+    }
+    let still = vec![Interval::from(0.0); n];
+    let point: Vec<Interval> = q.iter().map(|&x| Interval::from(x)).collect();
+    let at_point = system.evaluate(Subset::POSITION, &point, &still).map_err(malformed)?;
+    let phi = square.phi(at_point.phi, &point)?;
+    let matrix = square.matrix(at_point.phi_q)?;
+    let sizes = square.sizes(q);
+    let middle = matrix.iter().map(|entry| entry.midpoint());
+    let Some(inverse) = Preconditioner::new(n, &square.entries, middle) else {
+        return Err(Uncertified::Singular { nearness: 0.0 });
+    };
+    let nearness = inverse.inverse_condition(&square.entries, &matrix, &sizes);
+    let newton = inverse.times(&phi);
+    // Beside singular configurations a correction says nothing.
+    square.judge("q", &newton, &sizes, WRONG).map_err(|wrong| match nearness < SINGULAR {
+        true => Uncertified::Singular { nearness },
+        false => wrong,
+    })?;
+    let located = locate(square, system, inverse, &newton, q, &sizes, nearness)?;
+
+    // The linear equations A q̇ = −Φ_t and A q̈ = γ all over the enclosure.
+    let over = system.evaluate(Subset::VELOCITY, &located.q, &still).map_err(malformed)?;
+    let matrix = square.matrix(over.phi_q)?;
+    let nu: Vec<Interval> = over.phi_t.iter().map(|&phi_t| -phi_t).collect();
+    let nu = square.rows(&nu, |(_, signal)| Interval::from(signal.rate))?;
+    let rates = located.solve(&square.residual(nu, &matrix, q_dot));
+    square.judge("q̇", &rates, &sizes, WRONG * (1.0 + size_of(q_dot, &sizes)))?;
+    let rates: Vec<Interval> = q_dot.iter().zip(rates).map(|(&x, d)| Interval::from(x) + d).collect();
+    let over = system.evaluate(Subset::GAMMA, &located.q, &rates).map_err(malformed)?;
+    let gamma = square.rows(over.gamma, |(_, signal)| Interval::from(signal.acceleration))?;
+    let accelerations = located.solve(&square.residual(gamma, &matrix, q_ddot));
+    square.judge("q̈", &accelerations, &sizes, WRONG * (1.0 + size_of(q_ddot, &sizes)))?;
+    let accelerations = q_ddot.iter().zip(accelerations).map(|(&x, d)| Interval::from(x) + d).collect();
+    let unique = q.iter().zip(&located.radii).map(|(&x, &radius)| inner(x, radius)).collect();
+    Ok(Certificate { q: located.q, q_dot: rates, q_ddot: accelerations, unique, left_out: square.left_out.clone() })
+}
+
+/// A box with one solution.
+struct Located {
+    inverse: Preconditioner,
+    rest: Rest,
+    /// The radii ρ of the box.
+    radii: Vec<f64>,
+    /// |I − C A| ρ ≤ β ρ all over the box, β < 1.
+    beta: f64,
+    /// Where the solution is.
+    q: Vec<Interval>,
+}
+
+/// Krawczyk's test, with smaller and smaller boxes; `newton` is C Φ at q.
+fn locate(
+    square: &Square,
+    system: &mut dyn Enclosures,
+    inverse: Preconditioner,
+    newton: &[Interval],
+    q: &[f64],
+    sizes: &[f64],
+    nearness: f64,
+) -> Result<Located, Uncertified> {
+    let n = q.len();
+    let still = vec![Interval::from(0.0); n];
+    let mut refused = Uncertified::Singular { nearness };
+    for relative in BOXES {
+        // Larger than the correction, so that the solution can lie inside.
+        let radius = |(size, y): (&f64, &Interval)| (relative * size).max(4.0 * y.magnitude());
+        let radii: Vec<f64> = sizes.iter().zip(newton).map(radius).collect();
+        let over: Vec<Interval> = q.iter().zip(&radii).map(|(&x, &radius)| Interval::around(x, radius)).collect();
+        let evaluated = system.evaluate(Subset::JACOBIAN, &over, &still).map_err(|_| Uncertified::Malformed)?;
+        let matrix = match square.matrix(evaluated.phi_q) {
+            Ok(matrix) => matrix,
+            Err(unbounded) => {
+                refused = unbounded;
+                continue;
+            }
+        };
+        let rest = inverse.rest(&square.entries, &matrix);
+        let of_box = rest.times(&radii);
+        let beta = (0..n).fold(0.0, |most: f64, i| most.max((of_box[i] / radii[i]).next_up()));
+        let nearer: Vec<f64> = (0..n).map(|i| (newton[i].magnitude() + of_box[i]).next_up()).collect();
+        let inside = (0..n).all(|i| nearer[i] < radii[i]) && beta <= CONTRACTING;
+        if inside {
+            // The solution is at most `nearer` away, and so even nearer to q − C Φ.
+            let left = rest.times(&nearer);
+            let around = |i: usize| Interval::from(q[i]) - newton[i] + Interval::new(-left[i], left[i]);
+            let q = (0..n).map(|i| around(i).intersection(over[i]).unwrap_or(over[i])).collect();
+            return Ok(Located { inverse, rest, radii, beta, q });
+        }
+        refused = Uncertified::Singular { nearness };
+    }
+    Err(refused)
+}
+
+impl Located {
+    /// d with A d = b for all matrices of the box: |d| ≤ |C b| + |I − C A| |d|, and so |d| ≤ max |C b|_i / ρ_i / (1 − β) ρ.
+    fn solve(&self, b: &[Interval]) -> Vec<Interval> {
+        let first = self.inverse.times(b);
+        let relative = first.iter().zip(&self.radii).map(|(d, radius)| (d.magnitude() / radius).next_up());
+        let factor = (relative.fold(0.0, f64::max) / (1.0 - self.beta).next_down()).next_up();
+        let bound: Vec<f64> = self.radii.iter().map(|radius| (factor * radius).next_up()).collect();
+        let rest = self.rest.times(&bound);
+        first.into_iter().zip(rest).map(|(d, rest)| d + Interval::new(-rest, rest)).collect()
+    }
+}
+
+/// The numbers at most `radius` away from `centre`, rounded inwards; `centre` alone where there is no room.
+fn inner(centre: f64, radius: f64) -> Interval {
+    let (lower, upper) = ((centre - radius).next_up(), (centre + radius).next_down());
+    Interval::new(lower.min(centre), upper.max(centre))
+}
+
+/// The largest number relative to the sizes.
+fn size_of(list: &[f64], sizes: &[f64]) -> f64 {
+    list.iter().zip(sizes).fold(0.0, |most, (x, size)| most.max(x.abs() / size))
+}

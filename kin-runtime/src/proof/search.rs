@@ -1,0 +1,269 @@
+//! All solutions in a region, by branch and prune.
+//!
+//! A box of the coordinates that are left ([`Reduced`]) is dropped where an equation has no zero in it, and made smaller by
+//! the interval Newton method of E. R. Hansen and S. Sengupta (Bounding solutions of systems of equations using interval
+//! analysis, BIT 21 (1981)); what remains is cut in two. A solution is never lost. Where a box has become small, the
+//! certificate of the solution in it says that there is no other around, and covers all of the box.
+
+use super::contraction::Preconditioner;
+use super::enclosures::Enclosures;
+use super::krawczyk::Square;
+use super::reduced::Reduced;
+use crate::certificate::{Certificate, Uncertified};
+use crate::scalar::Interval;
+use crate::workspace::Subset;
+
+/// Most boxes that are looked at.
+const MOST: usize = 400_000;
+/// Boxes narrower than this are asked for a certificate.
+const NARROW: f64 = 1e-6;
+/// Boxes narrower than this are not cut any more.
+const NARROWEST: f64 = 1e-11;
+/// A step that leaves less than this of a box is worth another.
+const WORTHWHILE: f64 = 0.7;
+
+/// q, q̇, q̈ and the certificate of a solution.
+pub(crate) type Certified = ([Vec<f64>; 3], Certificate);
+
+/// What a search has found.
+#[derive(Default)]
+pub(crate) struct Outcome {
+    pub(crate) found: Vec<Certified>,
+    /// Boxes, by the coordinates that were searched.
+    pub(crate) undecided: Vec<Vec<Interval>>,
+    /// How many boxes were seen, where that were too many.
+    pub(crate) unfinished: Option<usize>,
+    /// The coordinates that were searched, and where.
+    pub(crate) searched: Vec<(usize, Interval)>,
+}
+
+/// Searches `region`, an interval for every coordinate of the mechanism, of which only those count that cannot be taken out
+/// of the rows. `prove` certifies the solution near q.
+///
+/// # Errors
+/// Where rows have no enclosure at all.
+pub(crate) fn search(
+    square: &Square,
+    system: &mut dyn Enclosures,
+    region: &[Interval],
+    prove: &mut dyn FnMut(&[f64]) -> Result<Certified, Uncertified>,
+) -> Result<Outcome, Uncertified> {
+    let reduced = Reduced::new(square);
+    let known = vec![None; reduced.left.len()];
+    let mut search = Search { square, system, reduced, known, unknown: Vec::new(), rows: Vec::new() };
+    search.know(region);
+    let start: Vec<Interval> = search.unknown.iter().map(|&k| region[search.reduced.left[k]]).collect();
+    let places = search.unknown.iter().map(|&k| search.reduced.left[k]);
+    let searched = places.zip(start.iter().copied()).collect();
+    let mut outcome = Outcome { searched, ..Outcome::default() };
+    let (mut boxes, mut seen) = (vec![start], 0);
+    while let Some(now) = boxes.pop() {
+        seen += 1;
+        if seen > MOST {
+            outcome.unfinished = Some(seen);
+            outcome.undecided.push(now);
+            outcome.undecided.append(&mut boxes);
+            break;
+        }
+        search.look(now, &mut boxes, &mut outcome, prove);
+    }
+    Ok(outcome)
+}
+
+/// A search under way.
+struct Search<'s> {
+    square: &'s Square,
+    system: &'s mut dyn Enclosures,
+    reduced: Reduced,
+    /// An interval for every coordinate that is left and that an equation gives alone; nothing for the others.
+    known: Vec<Option<Interval>>,
+    /// Places among the coordinates that are left.
+    unknown: Vec<usize>,
+    /// The equations that give them.
+    rows: Vec<usize>,
+}
+
+impl Search<'_> {
+    /// All coordinates, with 0 for those that were taken out.
+    fn coordinates(&self, unknown: &[Interval]) -> Vec<Interval> {
+        let mut q = vec![Interval::from(0.0); self.square.coordinates()];
+        for (&column, known) in self.reduced.left.iter().zip(&self.known) {
+            q[column] = known.unwrap_or(Interval::from(0.0));
+        }
+        for (&k, &x) in self.unknown.iter().zip(unknown) {
+            q[self.reduced.left[k]] = x;
+        }
+        q
+    }
+
+    /// Values of the equations, and their derivatives by all coordinates that are left.
+    fn evaluate(&mut self, q: &[Interval], subset: Subset) -> Result<(Vec<Interval>, Vec<Vec<Interval>>), Uncertified> {
+        let still = vec![Interval::from(0.0); q.len()];
+        let evaluated = self.system.evaluate(subset, q, &still).map_err(|_| Uncertified::Malformed)?;
+        let values = self.reduced.values(&self.square.phi(evaluated.phi, q)?);
+        if !subset.phi_q {
+            return Ok((values, Vec::new()));
+        }
+        let entries = self.square.matrix(evaluated.phi_q)?;
+        Ok((values, self.reduced.jacobian(self.square, &entries)))
+    }
+
+    /// Coordinates that equations give one by one: angles that are driven, and those that gears turn with them.
+    fn know(&mut self, region: &[Interval]) {
+        let m = self.reduced.left.len();
+        (self.unknown, self.rows) = ((0..m).collect(), (0..m).collect());
+        // Where every coordinate is anything, only factors that never change are single numbers.
+        let everywhere: Vec<Interval> = region.iter().map(|x| x.hull(Interval::new(-1e6, 1e6))).collect();
+        let Ok((_, jacobian)) = self.evaluate(&everywhere, Subset::POSITION) else { return };
+        let number = |entry: &Interval| entry.lower() == entry.upper();
+        loop {
+            let open = |known: &[Option<Interval>], row: &[Interval]| {
+                let mut left = (0..m).filter(|&k| row[k] != Interval::from(0.0) && known[k].is_none());
+                match (left.next(), left.next()) {
+                    (Some(k), None) if number(&row[k]) && row.iter().all(number) => Some(k),
+                    _ => None,
+                }
+            };
+            let found = self.rows.iter().find_map(|&i| Some((i, open(&self.known, &jacobian[i])?)));
+            let Some((i, k)) = found else { break };
+            let q = self.coordinates(&[]);
+            let Ok((values, _)) = self.evaluate(&q, Subset::PHI) else { break };
+            self.known[k] = Some(-values[i] / jacobian[i][k]);
+            self.rows.retain(|&row| row != i);
+        }
+        self.unknown.retain(|&k| self.known[k].is_none());
+    }
+
+    /// What comes of a box: nothing, smaller boxes, a solution, or nothing that can be decided.
+    fn look(
+        &mut self,
+        mut now: Vec<Interval>,
+        boxes: &mut Vec<Vec<Interval>>,
+        outcome: &mut Outcome,
+        prove: &mut dyn FnMut(&[f64]) -> Result<Certified, Uncertified>,
+    ) {
+        let mut smear = Vec::new();
+        loop {
+            let before = width(&now);
+            match self.shrink(&mut now, &mut smear) {
+                Shrunk::Empty => return,
+                Shrunk::Unknown => break,
+                Shrunk::To if width(&now) > WORTHWHILE * before || width(&now) < NARROWEST => break,
+                Shrunk::To => {}
+            }
+        }
+        if width(&now) < NARROW {
+            match self.solution(&now, outcome, prove) {
+                true => return,
+                false if width(&now) < NARROWEST => return outcome.undecided.push(now),
+                false => {}
+            }
+        }
+        let weight = |k: usize| smear.get(k).copied().unwrap_or(1.0) * (now[k].upper() - now[k].lower());
+        let Some(cut) = (0..now.len()).max_by(|&a, &b| weight(a).total_cmp(&weight(b))) else { return };
+        let middle = now[cut].midpoint();
+        let (mut lower, mut upper) = (now.clone(), now);
+        lower[cut] = Interval::new(lower[cut].lower(), middle);
+        upper[cut] = Interval::new(middle, upper[cut].upper());
+        boxes.extend([lower, upper]);
+    }
+
+    /// One step of the interval Newton method; the sums of the derivatives' sizes by every coordinate are left in `smear`.
+    fn shrink(&mut self, now: &mut [Interval], smear: &mut Vec<f64>) -> Shrunk {
+        let over = self.coordinates(now);
+        // What has no enclosure may be cut.
+        let Ok((values, jacobian)) = self.evaluate(&over, Subset::POSITION) else { return Shrunk::Unknown };
+        if values.iter().any(|value| value.is_defined() && !value.contains(0.0)) {
+            return Shrunk::Empty;
+        }
+        let (rows, count) = (&self.rows, self.unknown.len());
+        *smear = self.unknown.iter().map(|&k| rows.iter().map(|&i| jacobian[i][k].magnitude()).sum()).collect();
+        let centre: Vec<Interval> = now.iter().map(|x| Interval::from(x.midpoint())).collect();
+        let at_centre = self.coordinates(&centre);
+        let Ok((values, _)) = self.evaluate(&at_centre, Subset::PHI) else { return Shrunk::Unknown };
+        let rows = &self.rows;
+        let f: Vec<Interval> = rows.iter().map(|&i| values[i]).collect();
+        let a: Vec<Vec<Interval>> =
+            rows.iter().map(|&i| self.unknown.iter().map(|&k| jacobian[i][k]).collect()).collect();
+        let away: Vec<Interval> = now.iter().zip(&centre).map(|(&x, &c)| x - c).collect();
+        let sum = |terms: &mut dyn Iterator<Item = Interval>| terms.fold(Interval::from(0.0), |sum, term| sum + term);
+        if f.iter().zip(&a).any(|(&f, row)| !(f + sum(&mut row.iter().zip(&away).map(|(&a, &x)| a * x))).contains(0.0))
+        {
+            return Shrunk::Empty;
+        }
+        let entries: Vec<(usize, usize)> = (0..count).flat_map(|i| (0..count).map(move |k| (i, k))).collect();
+        let Some(inverse) = Preconditioner::new(count, &entries, a.iter().flatten().map(|a| a.midpoint())) else {
+            return Shrunk::Unknown;
+        };
+        let f = inverse.times(&f);
+        let columns: Vec<Vec<Interval>> =
+            (0..count).map(|k| inverse.times(&a.iter().map(|row| row[k]).collect::<Vec<_>>())).collect();
+        for i in 0..count {
+            if columns[i][i].contains(0.0) {
+                continue;
+            }
+            let others = &mut (0..count).filter(|&k| k != i).map(|k| columns[k][i] * (now[k] - centre[k]));
+            let newton = centre[i] - (f[i] + sum(others)) / columns[i][i];
+            match now[i].intersection(newton) {
+                Some(smaller) => now[i] = smaller,
+                None if newton.is_defined() => return Shrunk::Empty,
+                None => {}
+            }
+        }
+        Shrunk::To
+    }
+
+    /// True where a solution with a certificate is all that there is in a box.
+    fn solution(
+        &mut self,
+        now: &[Interval],
+        outcome: &mut Outcome,
+        prove: &mut dyn FnMut(&[f64]) -> Result<Certified, Uncertified>,
+    ) -> bool {
+        let Some(full) = self.complete(now) else { return false };
+        let within = |certificate: &Certificate, all: &[Interval]| {
+            certificate
+                .unique
+                .iter()
+                .zip(all)
+                .all(|(unique, x)| unique.lower() <= x.lower() && x.upper() <= unique.upper())
+        };
+        if outcome.found.iter().any(|(_, certificate)| within(certificate, &full)) {
+            return true;
+        }
+        let q: Vec<f64> = full.iter().map(|x| x.midpoint()).collect();
+        let Ok(certified) = prove(&q) else { return false };
+        let alone = within(&certified.1, &full);
+        let inside = outcome.searched.iter().all(|&(k, region)| certified.1.q[k].intersection(region).is_some());
+        let known = outcome.found.iter().any(|(_, other)| within(other, &certified.1.q));
+        if inside && !known {
+            outcome.found.push(certified);
+        }
+        alone
+    }
+
+    /// All coordinates over a box, those that were taken out of the rows as well.
+    fn complete(&mut self, now: &[Interval]) -> Option<Vec<Interval>> {
+        let mut q = self.coordinates(now);
+        let still = vec![Interval::from(0.0); q.len()];
+        let evaluated = self.system.evaluate(Subset::PHI, &q, &still).ok()?;
+        let rows = self.square.phi(evaluated.phi, &q).ok()?;
+        self.reduced.complete(&rows, &mut q);
+        Some(q)
+    }
+}
+
+/// What became of a box.
+enum Shrunk {
+    /// There is no solution in it.
+    Empty,
+    /// Nothing can be said of it.
+    Unknown,
+    /// It was intersected with what the method gives.
+    To,
+}
+
+/// The largest width.
+fn width(all: &[Interval]) -> f64 {
+    all.iter().fold(0.0, |most, x| (x.upper() - x.lower()).max(most))
+}

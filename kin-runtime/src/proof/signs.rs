@@ -1,0 +1,63 @@
+//! All combinations of signs of a plan in which every group has a closed form.
+
+use crate::assembly::Undecided;
+use crate::model::Model;
+use crate::plan::Plan;
+use crate::planned::{Sign, Step};
+
+/// Most combinations that are looked at.
+const MOST: usize = 1 << 16;
+
+/// A combination of signs, solved by the plan.
+pub(crate) enum Closing {
+    /// q, q̇ and q̈.
+    Closed([Vec<f64>; 3]),
+    /// The first margin that is not positive, and whether it is proven that there is no closure.
+    Open {
+        /// Its place among the margins.
+        margin: usize,
+        /// True where its interval is negative.
+        excluded: bool,
+    },
+}
+
+/// What the combinations of signs have given.
+pub(crate) type Found = (Vec<[Vec<f64>; 3]>, Vec<Undecided>);
+
+/// Goes through the combinations, mode by mode in the order of the plan: where a group does not close, the signs of later
+/// groups make no difference.
+pub(crate) fn combinations(model: &'static Model, solve: &mut dyn FnMut(&[f64]) -> Closing) -> Found {
+    let plan: &Plan = &model.plan;
+    let count = plan.modes.len();
+    let mut signs = vec![1.0; count];
+    let (mut closed, mut undecided) = (Vec::new(), Vec::new());
+    for seen in 0.. {
+        if seen == MOST {
+            undecided.push(Undecided::Unfinished { seen });
+            break;
+        }
+        // How many signs decide.
+        let decisive = match solve(&signs) {
+            Closing::Closed(solution) => {
+                closed.push(solution);
+                count
+            }
+            Closing::Open { margin, excluded } => {
+                let step = plan.step_of_margin(margin).unwrap_or(plan.steps.len());
+                let decisive = plan.modes.iter().filter(|mode| mode.step <= step).count();
+                if !excluded {
+                    let named = plan.modes.iter().zip(&signs).take(decisive);
+                    let modes = named.filter_map(|(mode, &sign)| Some((mode.name, Sign::of(sign)?))).collect();
+                    let joints = Step::new(model, step).map_or_else(Vec::new, |step| step.joints().collect());
+                    undecided.push(Undecided::Modes { modes, joints });
+                }
+                decisive
+            }
+        };
+        // The last of these that is +, with everything behind it.
+        let Some(last) = signs[..decisive].iter().rposition(|&sign| sign > 0.0) else { break };
+        signs[last] = -1.0;
+        signs[last + 1..].fill(1.0);
+    }
+    (closed, undecided)
+}

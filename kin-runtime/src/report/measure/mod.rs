@@ -1,0 +1,322 @@
+//! Quantities of a mechanism at an instant, by name: what can be tabulated, plotted, searched for extremes and scored.
+//!
+//! | name | what it is |
+//! |---|---|
+//! | `t` | time |
+//! | `crank.phi`, `s` | a coordinate, the name of which is that in [`Model::coordinates`] |
+//! | `tip.x`, `tip.y` | a named point in the inertial frame |
+//! | `boom_length` | an input |
+//! | `tip.speed` | \|ṙ\| of a named point |
+//! | `reach` | a define |
+//! | `B.angle`, `slide.stroke` | a quantity of a joint ([`JointInfo::quantities`](crate::model::JointInfo::quantities)) |
+//! | `B.transmission` | the transmission angle at a revolute joint ([`transmission`](crate::transmission)), in [0, π]; with several pairs of neighbours `B.transmission_A_D` |
+//! | `drive.effort`, `B.force`, … | what drivers supply and joints carry, where there are masses or loads |
+//! | `tip.x/drive` | the velocity ratio of coordinates, points, defines and joint quantities to a driver or an input: ∂x/∂f, the others standing still |
+//!
+//! Coordinates, points, defines, joint quantities and inputs have a rate (`tip.x_dot`) and an acceleration (`tip.x_ddot`).
+
+mod dimension;
+mod force;
+mod value;
+
+pub(crate) use dimension::Dimension;
+#[cfg(feature = "cli")]
+pub(crate) use force::{column_names, column_values};
+pub(crate) use value::values;
+
+use crate::model::{Component, CoordinateKind, Model, Units};
+use crate::transmission::{Pair, pairs};
+use core::fmt;
+
+/// A quantity that a mechanism has at every instant, by its name; [`Solver::measure`](crate::Solver::measure) has its value.
+///
+/// ```
+/// use kin_runtime::{Instant, Kinematics, Measure, Mechanism, mechanism};
+///
+/// #[mechanism]
+/// #[bodies(crank, rod, slider)]
+/// #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+/// #[revolute(A: crank @ (0.2, 0), rod @ (0, 0))]
+/// #[revolute(B: rod @ (0.7, 0), slider @ (0, 0))]
+/// #[translational(guide: ground @ (0, 0), slider @ (0, 0), axis = (1, 0))]
+/// #[driver(drive: crank.phi = 3 * t)]
+/// #[guess(crank.phi = 0.1, rod.phi = -0.1, slider.x = 0.9)]
+/// struct SliderCrank;
+///
+/// # fn main() -> Result<(), kin_runtime::SolveError> {
+/// let solver = SliderCrank.solver();
+/// let state = solver.state(&Instant::at(0.3))?;
+/// let names = ["slider.x", "slider.x_dot", "slider.x/drive"];
+/// let measures: Vec<Measure> = names.iter().filter_map(|name| Measure::named(SliderCrank::model(), name)).collect();
+/// let values = solver.measure(&state, &measures)?;
+/// assert_eq!(values[0], state[SliderCrank::slider].x);
+/// // The driver has the rate 3.
+/// assert!((values[1] - 3.0 * values[2]).abs() < 1e-12);
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measure {
+    name: String,
+    of: Of,
+    /// 0, 1 or 2: the value, its rate or its acceleration.
+    order: usize,
+    /// By what it is differentiated, where it is a velocity ratio.
+    per: Option<Driver>,
+    dimension: Dimension,
+}
+
+/// What is measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Of {
+    Time,
+    Coordinate(usize),
+    /// x or y of a named point.
+    Point(usize, usize),
+    /// |ṙ| of a named point.
+    Speed(usize),
+    /// A define or a quantity of a joint, by its observable.
+    Observable(usize),
+    Input(usize),
+    /// A column of forces.
+    Force(usize),
+    Transmission(Pair),
+}
+
+/// What drives: a driving row or an input, with the dimension of what it gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Driver {
+    place: Place,
+    dimension: Dimension,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Place {
+    Row(usize),
+    Input(usize),
+}
+
+/// What the endings of names are for a value, its rate and its acceleration.
+const SUFFIXES: [&str; 3] = ["", "_dot", "_ddot"];
+
+impl Measure {
+    /// The quantity of this name; none where the mechanism has none.
+    pub fn named(model: &'static Model, name: &str) -> Option<Self> {
+        let found = Self::all(model).into_iter().find(|measure| measure.name == name);
+        found.or_else(|| {
+            let (of, driver) = name.rsplit_once('/')?;
+            let of = Self::named(model, of).filter(Self::has_ratio)?;
+            let per = Some(drivers(model).find(|(other, _)| *other == driver)?.1);
+            Some(Self { name: name.to_owned(), per, ..of })
+        })
+    }
+
+    /// All quantities but velocity ratios: t, coordinates, points, defines, joint quantities, forces, speeds of points, inputs
+    /// and transmission angles.
+    pub fn all(model: &'static Model) -> Vec<Self> {
+        let mut all = Self::standard(model, true);
+        let speed = |(k, point): (usize, &crate::model::PointInfo)| Self {
+            order: 1,
+            ..Self::new(format!("{}.speed", point.name), Of::Speed(k), Dimension::Length)
+        };
+        all.extend(model.points.iter().enumerate().map(speed));
+        for (k, name) in model.inputs.iter().enumerate() {
+            all.extend(Self::with_rates(name, Of::Input(k), Dimension::named(&model.units, name)));
+        }
+        all.extend(Self::transmission_angles(model));
+        all
+    }
+
+    /// The transmission angles, in order of declaration of their joints.
+    pub fn transmission_angles(model: &'static Model) -> Vec<Self> {
+        let pairs = pairs(model);
+        let name = |joint: usize| model.joints[joint].name;
+        let angle = |pair: &Pair| {
+            let several = pairs.iter().filter(|other| other.joint == pair.joint).count() > 1;
+            let [a, b] = pair.between.map(name);
+            let end = if several { format!("_{a}_{b}") } else { String::new() };
+            let name = format!("{}.transmission{end}", name(pair.joint));
+            Self::new(name, Of::Transmission(*pair), Dimension::Angle)
+        };
+        pairs.iter().map(angle).collect()
+    }
+
+    /// The names of what velocity ratios can be taken to, behind a stroke: driving rows and inputs.
+    pub fn drivers(model: &'static Model) -> Vec<&'static str> {
+        drivers(model).map(|(name, _)| name).collect()
+    }
+
+    /// t and every coordinate with its rate and acceleration; where it is wanted, what else is reported, too.
+    pub(crate) fn standard(model: &'static Model, reported: bool) -> Vec<Self> {
+        let mut out = vec![Self::new("t".to_owned(), Of::Time, Dimension::In(dimension::time(&model.units)))];
+        let mut add = |name: &str, of: Of, dimension: Dimension| out.extend(Self::with_rates(name, of, dimension));
+        for (k, coordinate) in model.coordinates.iter().enumerate() {
+            let dimension = match coordinate.kind {
+                CoordinateKind::Pose { component: Component::Phi, .. } => Dimension::Angle,
+                CoordinateKind::Pose { .. } => Dimension::Length,
+                CoordinateKind::Scalar => Dimension::named(&model.units, coordinate.name),
+            };
+            add(coordinate.name, Of::Coordinate(k), dimension);
+        }
+        if !reported {
+            return out;
+        }
+        for (k, point) in model.points.iter().enumerate() {
+            for (axis, name) in ["x", "y"].iter().enumerate() {
+                add(&format!("{}.{name}", point.name), Of::Point(k, axis), Dimension::Length);
+            }
+        }
+        for define in model.defines {
+            add(define.name, Of::Observable(define.observable), Dimension::named(&model.units, define.name));
+        }
+        for joint in model.joints {
+            for quantity in joint.quantities {
+                let name = format!("{}.{}", joint.name, quantity.name);
+                let dimension = Dimension::named(&model.units, &name);
+                add(&name, Of::Observable(quantity.observable), dimension);
+            }
+        }
+        let forces = force::column_names(model).into_iter().enumerate();
+        out.extend(forces.map(|(k, name)| Self::new(name, Of::Force(k), Dimension::Unknown)));
+        out
+    }
+
+    /// What drivers drive, once each: the quantity that the joint reports, or else the one coordinate that it holds.
+    pub fn driven(model: &'static Model) -> Vec<Self> {
+        let rows = model.rows.iter().enumerate().filter(|(_, row)| row.driving);
+        let mut driven: Vec<Self> = rows.filter_map(|(row, _)| Self::named(model, &driven_by(model, row)?)).collect();
+        driven.dedup();
+        driven
+    }
+
+    /// A value with its rate and its acceleration.
+    fn with_rates(name: &str, of: Of, dimension: Dimension) -> [Self; 3] {
+        let with = |order: usize| Self { order, ..Self::new(format!("{name}{}", SUFFIXES[order]), of, dimension) };
+        [0, 1, 2].map(with)
+    }
+
+    fn new(name: String, of: Of, dimension: Dimension) -> Self {
+        Self { name, of, order: 0, per: None, dimension }
+    }
+
+    /// Whether it moves with the coordinates, so that it has a ratio to a driver.
+    fn has_ratio(&self) -> bool {
+        match self.of {
+            Of::Coordinate(_) | Of::Point(..) | Of::Observable(_) => self.order == 0 && self.per.is_none(),
+            Of::Speed(_) => self.per.is_none(),
+            Of::Time | Of::Input(_) | Of::Force(_) | Of::Transmission(_) => false,
+        }
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Its unit, where the description says enough: `m/s`, `rad`, `m/rad`.
+    pub fn unit(&self, units: &Units) -> Option<String> {
+        self.unit_in(units, false)
+    }
+
+    /// Its unit, with angles in degrees, if they are to be.
+    pub(crate) fn unit_in(&self, units: &Units, degrees: bool) -> Option<String> {
+        let Some(driver) = self.per else { return self.dimension.unit(units, self.order, degrees) };
+        let [above, below] = [self.dimension, driver.dimension].map(|of| of.unit(units, 0, degrees));
+        let (above, below) = (above?, below?);
+        Some(match above == below {
+            true => String::new(),
+            false if below.contains(['/', ' ']) => format!("{above}/({below})"),
+            false => format!("{above}/{below}"),
+        })
+    }
+
+    /// What its value is to be multiplied with so that its angles are in degrees.
+    pub(crate) fn in_degrees(&self) -> f64 {
+        let factor = |dimension: Dimension| if dimension == Dimension::Angle { 1_f64.to_degrees() } else { 1.0 };
+        factor(self.dimension) / self.per.map_or(1.0, |driver| factor(driver.dimension))
+    }
+
+    /// Whether it follows from the place alone, so that it has a value where nothing has a rate.
+    pub(crate) const fn is_place(&self) -> bool {
+        self.order == 0 && self.per.is_none() && !matches!(self.of, Of::Force(_))
+    }
+
+    /// Whether it is a transmission angle.
+    pub(crate) const fn is_transmission(&self) -> bool {
+        matches!(self.of, Of::Transmission(_))
+    }
+
+    /// What a designer asks first: transmission angles; angles, scalars and points; defines and the strokes of joints; what
+    /// drivers must supply. What is driven is left out.
+    pub(crate) fn telling(model: &'static Model) -> Vec<Self> {
+        let driven = Self::driven(model);
+        let tells = |measure: &Self| match measure.of {
+            Of::Speed(_) | Of::Transmission(_) => true,
+            Of::Coordinate(place) => measure.order == 0 && told(model, place),
+            Of::Point(..) => measure.order == 0,
+            Of::Observable(_) => {
+                measure.order == 0 && measure.dimension != Dimension::Angle || measure.is_define(model)
+            }
+            Of::Force(_) => measure.name.ends_with(".effort"),
+            Of::Time | Of::Input(_) => false,
+        };
+        let all = Self::all(model).into_iter();
+        let (angles, others): (Vec<Self>, Vec<Self>) =
+            all.filter(|measure| tells(measure) && !driven.contains(measure)).partition(Self::is_transmission);
+        angles.into_iter().chain(others).collect()
+    }
+
+    fn is_define(&self, model: &Model) -> bool {
+        self.order == 0 && model.defines.iter().any(|define| self.of == Of::Observable(define.observable))
+    }
+}
+
+/// Whether a coordinate says how its body moves: x and y do only of one that does not turn, or has no angle of its own.
+fn told(model: &Model, coordinate: usize) -> bool {
+    match model.coordinates[coordinate].kind {
+        CoordinateKind::Pose { body, component: Component::X | Component::Y } => {
+            let slides = |joint: &crate::model::JointInfo| {
+                let [a, b] = joint.frames;
+                let body = Some(crate::model::Frame::Body(body));
+                let ground = Some(crate::model::Frame::Ground);
+                joint.kind == crate::model::JointKind::Translational
+                    && (a == body && b == ground || b == body && a == ground)
+            };
+            model.bodies[body].coordinates[2].is_none() || model.joints.iter().any(slides)
+        }
+        _ => true,
+    }
+}
+
+impl fmt::Display for Measure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.name)
+    }
+}
+
+/// The name of what a driving row drives: of what its joint reports, or else of the one coordinate that it holds.
+fn driven_by(model: &'static Model, row: usize) -> Option<String> {
+    let joint = &model.joints[model.rows[row].joint];
+    if let Some(quantity) = joint.quantities.first() {
+        return Some(format!("{}.{}", joint.name, quantity.name));
+    }
+    let mut entries = model.constraint_pattern.entries.iter().filter(|(of, _)| *of == row);
+    match (entries.next(), entries.next()) {
+        (Some(&(_, column)), None) => Some(model.coordinates[column].name.to_owned()),
+        _ => None,
+    }
+}
+
+/// Driving rows and inputs with their names and dimensions.
+fn drivers(model: &'static Model) -> impl Iterator<Item = (&'static str, Driver)> {
+    let row = move |(place, row): (usize, &'static crate::model::RowInfo)| {
+        let dimension =
+            driven_by(model, place).map_or(Dimension::Unknown, |name| Dimension::named(&model.units, &name));
+        (row.name, Driver { place: Place::Row(place), dimension })
+    };
+    let input = move |(place, name): (usize, &&'static str)| {
+        (*name, Driver { place: Place::Input(place), dimension: Dimension::named(&model.units, name) })
+    };
+    let rows = model.rows.iter().enumerate().filter(|(_, row)| row.driving).map(row);
+    rows.chain(model.inputs.iter().enumerate().map(input))
+}

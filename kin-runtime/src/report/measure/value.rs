@@ -1,0 +1,127 @@
+//! The values of quantities at a solved state.
+
+use super::{Measure, Of, Place, force};
+use crate::analysis::forces::forces;
+use crate::equations::Equations;
+use crate::error::SolveError;
+use crate::forces::Forces;
+use crate::motion::Motion;
+use crate::ratios::{observed_ratio, velocity_ratios};
+use crate::report::motion::motion;
+use crate::signal::Signal;
+use crate::state::State;
+use crate::transmission::angles;
+
+impl Measure {
+    /// Its value, where the state alone has it.
+    pub(crate) fn of_state(&self, state: &State) -> Option<f64> {
+        if self.per.is_some() {
+            return None;
+        }
+        match self.of {
+            Of::Time => Some(state.t),
+            Of::Coordinate(place) => Some(of_order(state.rates(place), self.order)),
+            Of::Point(place, axis) => {
+                state.points.get(place).map(|point| [point.r, point.v, point.a][self.order][axis])
+            }
+            Of::Speed(place) => state.points.get(place).map(|point| point.v[0].hypot(point.v[1])),
+            Of::Input(place) => Some(state.inputs.get(place).map_or(f64::NAN, |input| of_order(*input, self.order))),
+            Of::Observable(_) | Of::Force(_) | Of::Transmission(_) => None,
+        }
+    }
+}
+
+fn of_order(rates: Signal, order: usize) -> f64 {
+    [rates.value, rates.rate, rates.acceleration].get(order).copied().unwrap_or(f64::NAN)
+}
+
+/// How everything follows a driving row or an input.
+struct Ratio {
+    place: Place,
+    /// ∂q/∂f.
+    first: Vec<f64>,
+    /// The same of observables.
+    observed: Vec<f64>,
+}
+
+/// The values at a state. NaN is what has no value there: a transmission angle where an arm has no length, a force that
+/// redundancy leaves open, a ratio to what cannot move alone.
+pub(crate) fn values(
+    equations: &mut Equations<'_>,
+    state: &State,
+    measures: &[Measure],
+) -> Result<Vec<f64>, SolveError> {
+    let has = |of: fn(&Of) -> bool| measures.iter().any(|measure| measure.per.is_none() && of(&measure.of));
+    let observed = has(|of| matches!(of, Of::Observable(_)));
+    let motion = observed.then(|| motion(equations, state)).transpose()?;
+    let loads: Option<Forces> = match has(|of| matches!(of, Of::Force(_))) {
+        true => forces(equations, state).ok(),
+        false => None,
+    };
+    let mut of_forces = Vec::new();
+    force::column_values(equations.model, loads.as_ref(), &mut of_forces);
+    let pair = |measure: &Measure| match measure.of {
+        Of::Transmission(pair) => Some(pair),
+        _ => None,
+    };
+    let pairs: Vec<_> = measures.iter().filter_map(pair).collect();
+    let transmitted = if pairs.is_empty() { Vec::new() } else { angles(equations, &state.q, &pairs)? };
+    let mut transmitted = transmitted.into_iter();
+    let ratios = match measures.iter().any(|measure| measure.per.is_some()) {
+        true => ratios(equations, state).unwrap_or_default(),
+        false => Vec::new(),
+    };
+    let value = |measure: &Measure| match (measure.of, measure.per) {
+        (Of::Transmission(_), _) => transmitted.next().flatten().unwrap_or(f64::NAN),
+        (_, Some(driver)) => {
+            let ratio = ratios.iter().find(|ratio| ratio.place == driver.place);
+            ratio.map_or(f64::NAN, |ratio| of_ratio(equations, measure.of, ratio))
+        }
+        (Of::Observable(place), _) => {
+            motion.as_ref().map_or(f64::NAN, |motion| of_order(of_observable(motion, place), measure.order))
+        }
+        (Of::Force(place), _) => of_forces.get(place).copied().unwrap_or(f64::NAN),
+        _ => measure.of_state(state).unwrap_or(f64::NAN),
+    };
+    Ok(measures.iter().map(value).collect())
+}
+
+/// A define or a quantity of a joint, by its observable.
+fn of_observable(motion: &Motion, observable: usize) -> Signal {
+    let model = motion.model;
+    let defines = model.defines.iter().zip(&motion.defines);
+    let joints = model.joints.iter().zip(&motion.joints).flat_map(|(joint, rates)| joint.quantities.iter().zip(rates));
+    let found = defines.chain(joints).find(|(info, _)| info.observable == observable);
+    found.map_or(Signal::UNKNOWN, |(_, rates)| *rates)
+}
+
+/// The ratios of all driving rows and inputs.
+fn ratios(equations: &mut Equations<'_>, state: &State) -> Result<Vec<Ratio>, SolveError> {
+    let found = velocity_ratios(equations, state)?;
+    let declared = equations.model.rows.len();
+    let rows = found.drivers.into_iter().filter_map(|ratio| Some((Place::Row(ratio.row?), ratio.first)));
+    let rows = rows.filter(|(place, _)| !matches!(place, Place::Row(row) if *row >= declared));
+    let inputs = found.inputs.into_iter().enumerate().map(|(k, ratio)| (Place::Input(k), ratio.first));
+    let mut all = Vec::new();
+    for (place, first) in rows.chain(inputs) {
+        let input = if let Place::Input(input) = place { Some(input) } else { None };
+        let observed = observed_ratio(equations, &state.q, &first, input)?;
+        all.push(Ratio { place, first, observed });
+    }
+    Ok(all)
+}
+
+fn of_ratio(equations: &Equations<'_>, of: Of, ratio: &Ratio) -> f64 {
+    let seen = |observable: usize| ratio.observed.get(observable).copied().unwrap_or(f64::NAN);
+    let points = equations.model.points;
+    match of {
+        Of::Coordinate(place) => ratio.first.get(place).copied().unwrap_or(f64::NAN),
+        Of::Point(place, axis) => seen(points[place].observables[axis]),
+        Of::Speed(place) => {
+            let [x, y] = points[place].observables.map(seen);
+            x.hypot(y)
+        }
+        Of::Observable(place) => seen(place),
+        Of::Time | Of::Input(_) | Of::Force(_) | Of::Transmission(_) => f64::NAN,
+    }
+}

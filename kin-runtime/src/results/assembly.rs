@@ -1,0 +1,88 @@
+//! The ways in which a mechanism closes at an instant.
+
+use super::certificate::{Certificate, Uncertified};
+use crate::planned::Sign;
+use crate::scalar::Interval;
+use crate::text::separated;
+use core::fmt;
+
+/// One way in which a mechanism closes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assembly {
+    /// q, n numbers; angles within half a turn of the guess.
+    pub q: Vec<f64>,
+    /// q̇, n numbers.
+    pub q_dot: Vec<f64>,
+    /// q̈, n numbers.
+    pub q_ddot: Vec<f64>,
+    /// The signs of its assembly modes, with their names; empty where all groups close by iteration.
+    pub modes: Vec<(&'static str, Sign)>,
+    /// The proof that it is a solution, or why there is none.
+    pub certificate: Result<Certificate, Uncertified>,
+}
+
+impl Assembly {
+    /// Its modes as [`Solver::with_mode`](crate::Solver::with_mode) and the option `--mode` take them: `A-B-D=+,E-F-G=-`.
+    pub fn name(&self) -> String {
+        self.modes.iter().map(|(mode, sign)| format!("{mode}={sign}")).collect::<Vec<_>>().join(",")
+    }
+}
+
+/// What could not be decided.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Undecided {
+    /// The groups with these signs are so near to a limit that neither a closure nor its absence is proven.
+    Modes {
+        /// Modes and their signs, as far as they matter.
+        modes: Vec<(&'static str, Sign)>,
+        /// The joints of the group at its limit.
+        joints: Vec<&'static str>,
+    },
+    /// Here may be a solution, or several, or none.
+    Region {
+        /// The coordinates that were searched, and where they are.
+        coordinates: Vec<(&'static str, Interval)>,
+    },
+    /// The search ended before all was seen.
+    Unfinished {
+        /// How many boxes, or combinations of signs, were seen.
+        seen: usize,
+    },
+}
+
+/// All ways in which a mechanism closes at an instant, as far as they are known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assemblies {
+    /// The closures that were found.
+    pub found: Vec<Assembly>,
+    /// What is left undecided.
+    pub undecided: Vec<Undecided>,
+    /// The coordinates that a search went through, with the intervals in which it looked: full turns of angles, and for
+    /// lengths that no row gives a multiple of the size of the mechanism. Empty where the plan has a closed form for all.
+    pub searched: Vec<(&'static str, Interval)>,
+}
+
+impl Assemblies {
+    /// True where it is proven that these are all: each has a certificate, and nothing is undecided.
+    pub fn is_complete(&self) -> bool {
+        self.undecided.is_empty() && self.found.iter().all(|assembly| assembly.certificate.is_ok())
+    }
+}
+
+impl fmt::Display for Undecided {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Modes { modes, joints } => {
+                f.write_str("the group of ")?;
+                separated(f, joints, |f, joint| f.write_str(joint))?;
+                f.write_str(" at its limit")?;
+                modes.iter().try_for_each(|(mode, sign)| write!(f, ", {mode}={sign}"))
+            }
+            Self::Region { coordinates } => {
+                separated(f, coordinates, |f, (name, interval)| write!(f, "{name} in {interval}"))
+            }
+            Self::Unfinished { seen } => write!(f, "the rest of a search that ended after {seen} boxes"),
+        }
+    }
+}

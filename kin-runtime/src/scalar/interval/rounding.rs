@@ -1,0 +1,57 @@
+//! Sums, products and quotients rounded down and up.
+//!
+//! Numbers are rounded to nearest, as IEEE 754 has it, so that the neighbour of a result is beyond the exact one. Where a
+//! result is exact, it stays what it is: a product with 0, and a sum whose error is 0 by T. J. Dekker and D. E. Knuth's
+//! two-sum.
+
+/// a + b − fl(a + b); NaN where the sum or an intermediate result is not finite.
+#[inline]
+fn error_of_sum(a: f64, b: f64, sum: f64) -> f64 {
+    let b_part = sum - a;
+    (a - (sum - b_part)) + (b - b_part)
+}
+
+/// a + b, rounded down.
+#[inline]
+pub(super) fn sum_down(a: f64, b: f64) -> f64 {
+    let sum = a + b;
+    if error_of_sum(a, b, sum) >= 0.0 { sum } else { sum.next_down() }
+}
+
+/// a + b, rounded up.
+#[inline]
+pub(super) fn sum_up(a: f64, b: f64) -> f64 {
+    let sum = a + b;
+    if error_of_sum(a, b, sum) <= 0.0 { sum } else { sum.next_up() }
+}
+
+/// a b, rounded down; 0 times anything is 0.
+#[inline]
+pub(super) fn product_down(a: f64, b: f64) -> f64 {
+    if a == 0.0 || b == 0.0 { 0.0 } else { (a * b).next_down() }
+}
+
+/// a b, rounded up; 0 times anything is 0.
+#[inline]
+pub(super) fn product_up(a: f64, b: f64) -> f64 {
+    if a == 0.0 || b == 0.0 { 0.0 } else { (a * b).next_up() }
+}
+
+/// a / b, rounded down.
+#[inline]
+pub(super) fn quotient_down(a: f64, b: f64) -> f64 {
+    if a == 0.0 { 0.0 } else { (a / b).next_down() }
+}
+
+/// a / b, rounded up.
+#[inline]
+pub(super) fn quotient_up(a: f64, b: f64) -> f64 {
+    if a == 0.0 { 0.0 } else { (a / b).next_up() }
+}
+
+/// An integer that is about nearest to a number of at most 2⁵¹.
+#[inline]
+pub(super) fn integer(x: f64) -> f64 {
+    const ROUND: f64 = 1.5 / f64::EPSILON;
+    (x + ROUND) - ROUND
+}

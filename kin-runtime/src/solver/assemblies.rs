@@ -1,0 +1,170 @@
+//! All ways in which a mechanism closes.
+
+use super::Solver;
+use crate::analysis::position::position;
+use crate::assembly::{Assemblies, Assembly, Undecided};
+use crate::certificate::{Certificate, Uncertified};
+use crate::equations::scale::Scale;
+use crate::error::SolveError;
+use crate::mechanism::Mechanism;
+use crate::model::{Component, CoordinateKind};
+use crate::plan::{Depth, Plan, Solved, StepKind};
+use crate::proof::{Closing, Outcome, OverBoxes, certify, combinations, search};
+use crate::scalar::Interval;
+use crate::workspace::{Array, Instant, Signal};
+
+/// How far coordinates are searched that are lengths and that no row gives, relative to the size of the mechanism.
+const REACH: f64 = 16.0;
+
+impl<M: Mechanism> Solver<'_, M> {
+    /// All ways in which the mechanism closes at an instant: every assembly mode, each with a certificate, and whether they
+    /// are proven to be all.
+    ///
+    /// Where the plan has a closed form for every group, all combinations of signs are solved, and one that has no closure is
+    /// proven to have none by the plan in interval arithmetic. Everything else is searched by branch and prune: all angles
+    /// that loops leave open go through a full turn around their guess, boxes without a solution are excluded, and the
+    /// solution of every other one is proven to be alone. What could be decided neither way is told.
+    ///
+    /// ```
+    /// use kin_runtime::{Instant, Kinematics, mechanism};
+    ///
+    /// #[mechanism]
+    /// #[bodies(crank, coupler, rocker)]
+    /// #[revolute(C: ground @ (0, 0), crank @ (0, 0))]
+    /// #[revolute(A: crank @ (0.1, 0), coupler @ (0, 0))]
+    /// #[revolute(B: coupler @ (0.4, 0), rocker @ (0, 0))]
+    /// #[revolute(D: rocker @ (0.3, 0), ground @ (0.4, 0.1))]
+    /// #[driver(drive: crank.phi = pi/4 + t)]
+    /// struct FourBar;
+    ///
+    /// let all = FourBar.solver().assemblies(&Instant::at(0.0))?;
+    /// assert!(all.is_complete());
+    /// let names: Vec<String> = all.found.iter().map(|assembly| assembly.name()).collect();
+    /// assert_eq!(names, ["A-B-D=+", "A-B-D=-"]);
+    /// # Ok::<(), kin_runtime::SolveError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`NotCertified`](SolveError::NotCertified) where nothing can be proven at all: degrees of freedom are open, or rows use
+    /// supplied functions; [`NonFinite`](SolveError::NonFinite), [`Length`](SolveError::Length) and
+    /// [`UnknownCoordinate`](SolveError::UnknownCoordinate).
+    pub fn assemblies(&self, at: &Instant<'_>) -> Result<Assemblies, SolveError> {
+        let guess: Vec<f64> = self.checked_guess()?.into_iter().map(|guess| guess.unwrap_or(0.0)).collect();
+        let length = self.analyse(at, |equations| Ok(Scale::around(equations, &guess).length))?;
+        let plan = &M::model().plan;
+        let closed = plan.exists()
+            && self.given.is_empty()
+            && !plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)));
+        let refuse = |why| SolveError::NotCertified { t: at.t, why };
+        // What is not determined has no list of closures.
+        let square = self.square(at, &guess).map_err(refuse)?;
+        let assembly = |[q, q_dot, q_ddot]: [Vec<f64>; 3], certificate| Assembly {
+            modes: self.modes(at, &q).unwrap_or_default().iter().filter_map(|m| Some((m.name, m.sign?))).collect(),
+            q,
+            q_dot,
+            q_ddot,
+            certificate,
+        };
+        if closed {
+            let (solutions, undecided) = combinations(M::model(), &mut |signs| self.close(at, signs, &guess));
+            let certified = solutions.into_iter().map(|lists| {
+                let certificate = self.certify_lists(at, &lists);
+                assembly(lists, certificate)
+            });
+            return Ok(Assemblies { found: certified.collect(), undecided, searched: Vec::new() });
+        }
+        let region: Vec<Interval> = guess.iter().enumerate().map(|(k, &x)| region::<M>(k, x, length)).collect();
+        let mut system = Box::new(OverBoxes::new(self.mechanism, at));
+        let prove = &mut |q: &[f64]| {
+            let lists = self.analysed(at, q).ok_or(Uncertified::Malformed)?;
+            let certificate = self.certify_lists(at, &lists)?;
+            Ok((lists, certificate))
+        };
+        let Outcome { mut found, undecided, unfinished, searched } =
+            search(&square, &mut *system, &region, prove).map_err(refuse)?;
+        found.sort_by(|([a, ..], _), ([b, ..], _)| b.partial_cmp(a).unwrap_or(std::cmp::Ordering::Equal));
+        found.dedup_by(|(a, _), (b, _)| is_same_pose::<M>(&a[0], &b[0], length));
+        let name = |k: usize| M::model().coordinates[k].name;
+        let searched: Vec<(&'static str, Interval)> = searched.into_iter().map(|(k, x)| (name(k), x)).collect();
+        let left = |region: Vec<Interval>| Undecided::Region {
+            coordinates: searched.iter().map(|(name, _)| *name).zip(region).collect(),
+        };
+        let undecided = undecided.into_iter().map(left).chain(unfinished.map(|seen| Undecided::Unfinished { seen }));
+        let undecided = undecided.collect();
+        let found = found.into_iter().map(|(lists, certificate)| assembly(lists, Ok(certificate))).collect();
+        Ok(Assemblies { found, undecided, searched })
+    }
+
+    /// The plan with these signs.
+    fn close(&self, at: &Instant<'_>, signs: &[f64], start: &[f64]) -> Closing {
+        let plan = &M::model().plan;
+        let zeros = || M::Coordinates::<f64>::filled(0.0);
+        let ([mut q, mut q_dot, mut q_ddot], mut margins) = ([zeros(), zeros(), zeros()], vec![0.0; plan.margins]);
+        let solved = Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: &mut margins };
+        let parameters = self.mechanism.parameters::<f64>();
+        let done = self.mechanism.solve_with(parameters.as_ref(), at, signs, start, Depth::Acceleration, solved);
+        // NaN is not positive either.
+        let is_good = |margin: &f64| *margin > Plan::SMALLEST_MARGIN;
+        match margins.iter().position(|margin| !is_good(margin)) {
+            None if done.is_ok() => Closing::Closed([q, q_dot, q_ddot].map(|list| list.as_ref().to_vec())),
+            None => Closing::Open { margin: 0, excluded: false },
+            Some(margin) => {
+                let enclosed = self.enclosed_margins(at, signs, start);
+                Closing::Open { margin, excluded: enclosed.is_some_and(|margins| margins[margin].upper() < 0.0) }
+            }
+        }
+    }
+
+    /// The margins of the plan with these signs, as intervals.
+    fn enclosed_margins(&self, at: &Instant<'_>, signs: &[f64], start: &[f64]) -> Option<Vec<Interval>> {
+        let interval = |list: &[f64]| list.iter().map(|&x| Interval::from(x)).collect::<Vec<_>>();
+        let inputs: Vec<Signal<Interval>> = at.inputs.iter().map(|u| u.map(Interval::from)).collect();
+        let instant = Instant { t: Interval::from(at.t), inputs: &inputs };
+        let mut lists = [const { Interval::ENTIRE }; 3].map(|all| vec![all; M::COORDINATES]);
+        let mut margins = vec![Interval::ENTIRE; M::model().plan.margins];
+        let [q, q_dot, q_ddot] = &mut lists;
+        let solved = Solved { q, q_dot, q_ddot, margins: &mut margins };
+        let parameters = self.mechanism.parameters::<Interval>();
+        let (signs, start) = (interval(signs), interval(start));
+        self.mechanism
+            .solve_with(parameters.as_ref(), &instant, &signs, &start, Depth::Position, solved)
+            .ok()
+            .map(|()| margins)
+    }
+
+    /// q near a configuration, with its q̇ and q̈.
+    fn analysed(&self, at: &Instant<'_>, near: &[f64]) -> Option<[Vec<f64>; 3]> {
+        let q = self.analyse(at, |equations| position(equations, near)).ok()?.q;
+        let q_dot = self.velocity(at, &q).ok()?;
+        let q_ddot = self.acceleration(at, &q, &q_dot).ok()?;
+        Some([q, q_dot, q_ddot])
+    }
+
+    fn certify_lists(&self, at: &Instant<'_>, [q, q_dot, q_ddot]: &[Vec<f64>; 3]) -> Result<Certificate, Uncertified> {
+        let square = self.square(at, q)?;
+        let mut system = Box::new(OverBoxes::new(self.mechanism, at));
+        certify(&square, &mut *system, [q, q_dot, q_ddot])
+    }
+}
+
+/// True for a coordinate that is a length: the x or y of a body.
+fn is_length<M: Mechanism>(k: usize) -> bool {
+    matches!(M::model().coordinates[k].kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
+}
+
+/// Where a coordinate is searched around its guess.
+fn region<M: Mechanism>(k: usize, guess: f64, length: f64) -> Interval {
+    match is_length::<M>(k) {
+        true => Interval::around(guess, REACH * length),
+        false => Interval::around(guess, std::f64::consts::PI.next_up()),
+    }
+}
+
+/// True where configurations differ by whole turns of angles alone.
+fn is_same_pose<M: Mechanism>(a: &[f64], b: &[f64], length: f64) -> bool {
+    a.iter().zip(b).enumerate().all(|(k, (a, b))| {
+        let is_angle = matches!(M::model().coordinates[k].kind, CoordinateKind::Pose { component: Component::Phi, .. });
+        let turns = if is_angle { ((a - b) / std::f64::consts::TAU).round() * std::f64::consts::TAU } else { 0.0 };
+        (a - b - turns).abs() <= 1e-9 * if is_length::<M>(k) { length } else { 1.0 }
+    })
+}

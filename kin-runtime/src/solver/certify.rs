@@ -1,0 +1,71 @@
+//! Certificates of solutions.
+
+use super::Solver;
+use crate::certificate::{Certificate, Uncertified};
+use crate::mechanism::Mechanism;
+use crate::proof::{OverBoxes, Square, certify};
+use crate::state::State;
+use crate::workspace::Instant;
+
+impl<M: Mechanism> Solver<'_, M> {
+    /// Proves that a state is a solution: a box around it with exactly one, and an interval for every coordinate, rate and
+    /// acceleration, by Krawczyk's operator over interval arithmetic. Whatever rounding did to the state and does in the
+    /// proof is part of it. Prescribed coordinates are rows, with the values that they are given.
+    ///
+    /// ```
+    /// use kin_runtime::{Instant, Kinematics, mechanism};
+    ///
+    /// #[mechanism]
+    /// #[bodies(crank, rod, slider)]
+    /// #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+    /// #[revolute(A: crank @ (0.2, 0), rod @ (0, 0))]
+    /// #[revolute(B: rod @ (0.7, 0), slider @ (0, 0))]
+    /// #[translational(guide: ground @ (0, 0), slider @ (0, 0), axis = (1, 0))]
+    /// #[driver(drive: crank.phi = 3 * t)]
+    /// #[guess(crank.phi = 0.1, rod.phi = -0.1, slider.x = 0.9)]
+    /// struct SliderCrank;
+    ///
+    /// let solver = SliderCrank.solver();
+    /// let mut state = solver.state(&Instant::at(0.5))?;
+    /// let certificate = solver.certify(&state)?;
+    /// assert!(certificate.radius() < 1e-14 && certificate.isolation() > 1e-9);
+    /// assert!(certificate.covers(&state.q));
+    ///
+    /// state.q[5] += 0.01;
+    /// let refused = solver.certify(&state).unwrap_err();
+    /// assert!(refused.to_string().starts_with("q is no solution: rod.phi is off by "));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Why there is no certificate: nothing is wrong with the state then, except where it is
+    /// [`NotASolution`](Uncertified::NotASolution).
+    pub fn certify(&self, state: &State) -> Result<Certificate, Uncertified> {
+        let square = self.square(&state.instant(), &state.q)?;
+        let mut system = Box::new(OverBoxes::new(self.mechanism, &state.instant()));
+        certify(&square, &mut *system, [&state.q, &state.q_dot, &state.q_ddot])
+    }
+
+    /// The rows that certificates are about.
+    pub(super) fn square(&self, at: &Instant<'_>, q: &[f64]) -> Result<Square, Uncertified> {
+        if at.inputs.len() != M::INPUTS || self.given.iter().any(|&(k, _)| k >= M::COORDINATES) {
+            return Err(Uncertified::Malformed);
+        }
+        Square::new(M::model(), &self.redundant(at, q), &self.given)
+    }
+
+    /// Rows that a certificate leaves out, because there are more rows than coordinates and others imply them.
+    fn redundant(&self, at: &Instant<'_>, q: &[f64]) -> Vec<usize> {
+        let model = M::model();
+        let Some(too_many) = (model.rows.len() + self.given.len()).checked_sub(M::COORDINATES).filter(|&k| k > 0)
+        else {
+            return Vec::new();
+        };
+        let watched: Vec<usize> = model.plan.watched().collect();
+        if self.given.is_empty() && watched.len() == too_many {
+            return watched;
+        }
+        let mobility = self.mobility(at, q);
+        mobility.map_or_else(|_| Vec::new(), |mobility| mobility.redundant.iter().map(|row| row.row).collect())
+    }
+}

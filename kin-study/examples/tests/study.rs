@@ -1,0 +1,286 @@
+//! Whole studies of one process: rows that do not depend on how the work is cut, scores as single solutions give them, what
+//! is kept, and what is refused.
+
+// Its `main` is not called here.
+#[allow(dead_code)]
+#[path = "../four_bar.rs"]
+mod four_bar;
+
+use four_bar::FourBar;
+use kin_runtime::Kinematics;
+use kin_study::{
+    Histogram, Limits, Measure, Range, Sampling, Score, Study, StudyError, Watch, query, query_to_file, run, run_part,
+};
+use std::fs;
+use std::num::NonZero;
+use std::path::Path;
+use std::sync::atomic::Ordering;
+use tempfile::TempDir;
+
+fn directory() -> TempDir {
+    tempfile::tempdir().expect("there is room for temporary files")
+}
+
+/// Four-bars of which some cannot turn all the way.
+fn study(rows: u64) -> Study {
+    Study::new()
+        .rows(rows)
+        .seed(4)
+        .parameter("l2", Range::Uniform { from: 0.2, to: 0.6 })
+        .parameter("l3", Range::Normal { mean: 0.3, deviation: 0.05, from: 0.15, to: 0.45 })
+        .turn(0.0, 6.0, 40)
+        .score("swing", Score::Range("rocker.phi".to_owned()))
+        .score("fastest", Score::Greatest("|rocker.phi_dot|".to_owned()))
+}
+
+fn limits(threads: usize) -> Limits {
+    Limits { threads: NonZero::new(threads), resume: false }
+}
+
+/// All rows of a directory as CSV text.
+fn table(directory: &Path) -> String {
+    let file = directory.join("all.csv");
+    query_to_file(directory, "select * from study order by row", &file).expect("there are rows");
+    fs::read_to_string(file).expect("it was written")
+}
+
+/// The number in the first row and column of an answer.
+fn count(directory: &Path, sql: &str) -> i64 {
+    let text = query(directory, sql).expect("it is understood").to_string();
+    let number = text.lines().nth(3).expect("there is a row").trim_matches(['|', ' ']).to_owned();
+    number.parse().unwrap_or_else(|_| panic!("{number} is no number"))
+}
+
+#[test]
+fn rows_are_the_same_however_the_work_is_cut() {
+    for sampling in [Sampling::Random, Sampling::LatinHypercube, Sampling::Sobol] {
+        let study = study(10_000).sampling(sampling);
+        let whole = directory();
+        let report = run::<FourBar>(&study, whole.path(), limits(1), &Watch::default()).expect("it runs");
+        assert!(report.is_complete() && report.passed == 10_000);
+        assert!((1000..9000).contains(&report.ended), "{report}");
+        let expected = table(whole.path());
+
+        let two = directory();
+        run::<FourBar>(&study, two.path(), limits(2), &Watch::default()).expect("it runs");
+        assert!(table(two.path()) == expected, "two threads, {sampling:?}");
+
+        let parts = directory();
+        let of = NonZero::new(7).expect("it is not 0");
+        for index in [3, 0, 6, 1, 2, 5, 4] {
+            let report = run_part::<FourBar>(&study, parts.path(), (index, of), limits(1), &Watch::default());
+            assert!(report.expect("it runs").is_complete());
+        }
+        assert!(table(parts.path()) == expected, "seven parts, {sampling:?}");
+    }
+}
+
+#[test]
+fn a_stopped_study_goes_on_where_it_was() {
+    let study = study(9000);
+    let (whole, broken) = (directory(), directory());
+    run::<FourBar>(&study, whole.path(), limits(1), &Watch::default()).expect("it runs");
+
+    let stopped = Watch::default();
+    stopped.stop.store(true, Ordering::Relaxed);
+    let report = run::<FourBar>(&study, broken.path(), limits(1), &stopped).expect("a stop is no error");
+    assert!(!report.is_complete() && report.own == 0);
+    // Two of three parts are there, then one of them is lost.
+    let of = NonZero::new(3).expect("it is not 0");
+    for index in [0, 2] {
+        run_part::<FourBar>(&study, broken.path(), (index, of), limits(1), &Watch::default()).expect("it runs");
+    }
+    let error = run::<FourBar>(&study, broken.path(), limits(1), &Watch::default()).expect_err("there are rows");
+    assert!(error.to_string().contains("go on with --resume"), "{error}");
+    let resume = Limits { resume: true, ..limits(1) };
+    let report = run::<FourBar>(&study, broken.path(), resume, &Watch::default()).expect("it goes on");
+    assert!(report.is_complete() && report.own == 3000, "{report}");
+    assert!(table(broken.path()) == table(whole.path()));
+
+    let other = study.seed(5);
+    let error = run::<FourBar>(&other, broken.path(), resume, &Watch::default()).expect_err("it is another study");
+    let StudyError::Directory(message) = error else { panic!("{error}") };
+    assert!(message.contains("`seed: 4,` where this one has `seed: 5,`"), "{message}");
+}
+
+#[test]
+fn scores_are_those_of_single_solutions() {
+    let corners = vec![[0.1, 0.3], [0.2, 0.2]];
+    let distance = |measure| Score::Distance { point: "tip".to_owned(), to: corners.clone(), measure };
+    let study = study(64)
+        .score("least", Score::Least("coupler.phi".to_owned()))
+        .score("mean", Score::Mean("tip.y_dot".to_owned()))
+        .score("when", Score::TimeOfGreatest("tip.x_ddot".to_owned()))
+        .score("first", Score::TimeOfLeast("tip.x".to_owned()))
+        .score("middle", Score::At { of: "rocker.phi_ddot".to_owned(), t: 3.0 })
+        .score("transmission", Score::Least("B.transmission".to_owned()))
+        .score("worst", Score::Greatest("B.deviation".to_owned()))
+        .score("far", distance(Measure::Greatest))
+        .score("around", distance(Measure::RootMeanSquare));
+    let target = directory();
+    run::<FourBar>(&study, target.path(), limits(1), &Watch::default()).expect("it runs");
+    let text = table(target.path());
+    let mut lines = text.lines();
+    let header = lines.next().expect("there is a header");
+    assert_eq!(
+        header,
+        "row,l2,l3,swing,fastest,least,mean,when,first,middle,transmission,worst,far,around,margin,ended,limit"
+    );
+    let times: Vec<f64> = (0..=40).map(|k| 0.15 * f64::from(k)).collect();
+    let (mut complete, mut broken) = (0, 0);
+    for line in lines {
+        let fields: Vec<&str> = line.splitn(17, ',').collect();
+        let number = |k: usize| fields[k].parse::<f64>().expect("it is a number");
+        let design = FourBar { l2: number(1), l3: number(2), ..FourBar::default() };
+        let path = match design.kinematic_analysis(&times) {
+            Ok(path) => path,
+            Err(error) => {
+                broken += 1;
+                assert!(fields[3].is_empty() && number(14) <= 0.0 && fields[16].contains("dyad RRR"), "{line}");
+                let reached = error.trajectory.states.len();
+                assert!((number(15) - times[reached]).abs() < 1e-9, "{line}: {reached}");
+                continue;
+            }
+        };
+        complete += 1;
+        let solver = design.solver();
+        let motions: Vec<_> = path.states.iter().map(|state| solver.motion(state).expect("it is solved")).collect();
+        let of = |name: &str| path.column(name).expect("it is a coordinate");
+        let tip =
+            |part: fn(&kin_runtime::PointMotion) -> f64| motions.iter().map(|m| part(&m.points[0])).collect::<Vec<_>>();
+        let least = |values: &[f64]| values.iter().copied().fold(f64::INFINITY, f64::min);
+        let greatest = |values: &[f64]| values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let when = |values: &[f64], best: f64| times[values.iter().position(|v| *v == best).expect("it is one")];
+        let angles: Vec<f64> = (path.states.iter())
+            .map(|state| {
+                let angles = solver.transmission_angles(&kin_runtime::Instant::at(state.t), &state.q);
+                angles.expect("it is solved").iter().find(|angle| angle.joint == "B").expect("it has one").angle
+            })
+            .collect();
+        let deviations: Vec<f64> = angles.iter().map(|a| (a - std::f64::consts::FRAC_PI_2).abs()).collect();
+        let rates: Vec<f64> = of("rocker.phi_dot").iter().map(|v| v.abs()).collect();
+        let (x, y, ax) = (tip(|p| p.r[0]), tip(|p| p.r[1]), tip(|p| p.a[0]));
+        let away = |c: &[f64; 2]| least(&x.iter().zip(&y).map(|(x, y)| (x - c[0]).hypot(y - c[1])).collect::<Vec<_>>());
+        let away: Vec<f64> = corners.iter().map(away).collect();
+        let expected = [
+            greatest(&of("rocker.phi")) - least(&of("rocker.phi")),
+            greatest(&rates),
+            least(&of("coupler.phi")),
+            tip(|p| p.v[1]).iter().sum::<f64>() / 41.0,
+            when(&ax, greatest(&ax)),
+            when(&x, least(&x)),
+            of("rocker.phi_ddot")[20],
+            least(&angles),
+            greatest(&deviations),
+            greatest(&away),
+            (away.iter().map(|d| d * d).sum::<f64>() / 2.0).sqrt(),
+        ];
+        for (k, expected) in expected.into_iter().enumerate() {
+            let found = number(3 + k);
+            assert!(
+                (found - expected).abs() <= 1e-8 * expected.abs().max(1.0),
+                "{k}: {found}, not {expected} in {line}"
+            );
+        }
+        assert!(number(14) > 0.0 && fields[15].is_empty() && fields[16].is_empty());
+    }
+    assert!(complete > 10 && broken > 10, "{complete} and {broken}");
+}
+
+#[test]
+fn the_best_rows_conditions_and_histograms_agree_with_the_whole_table() {
+    let all = directory();
+    run::<FourBar>(&study(20_000), all.path(), limits(2), &Watch::default()).expect("it runs");
+    let counted = Histogram { of: "swing".to_owned(), from: 0.0, to: 2.0, bins: 8 };
+    let kept = study(20_000)
+        .derived("ratio", "l2 / l3")
+        .condition("ratio > 1.2")
+        .keep_where("swing < 1.0")
+        .keep_best(25, "swing desc")
+        .histogram(counted);
+    let best = directory();
+    let of = NonZero::new(3).expect("it is not 0");
+    let mut passed = 0;
+    for index in 0..3 {
+        let report = run_part::<FourBar>(&kept, best.path(), (index, of), limits(2), &Watch::default());
+        passed += report.expect("it runs").passed;
+    }
+    let condition = "l2 / l3 > 1.2 and swing < 1.0";
+    let rows = |directory: &Path, sql: &str| query(directory, sql).expect("it is understood").to_string();
+    let sql = format!("select row, swing from study where {condition} order by swing desc, row limit 25");
+    assert_eq!(rows(best.path(), "select row, swing from study"), rows(all.path(), &sql));
+    let sql = format!("select count(*) from study where {condition}");
+    assert_eq!(count(all.path(), &sql), passed as i64);
+    assert_eq!(count(best.path(), "select cast(sum(count) as bigint) from histogram"), passed as i64);
+    let sql = format!("select count(*) from study where {condition} and swing >= 0.5 and swing < 0.75");
+    assert_eq!(count(best.path(), "select count from histogram where \"from\" = 0.5"), count(all.path(), &sql));
+}
+
+#[test]
+fn all_modes_are_rows_of_their_own() {
+    let target = directory();
+    let study = study(500).all_modes();
+    let report = run::<FourBar>(&study, target.path(), limits(2), &Watch::default()).expect("it runs");
+    assert_eq!(report.done, 1000);
+    assert_eq!(count(target.path(), "select count(distinct mode) from study"), 2);
+    assert_eq!(
+        count(target.path(), "select count(*) from (select l2 from study group by l2 having count(*) = 2)"),
+        500
+    );
+    // Mirrored about the line through both pins of the rocker's triangle, the least margins are the same.
+    let sql = "select count(*) from (select l2 from study group by l2 having max(margin) - min(margin) < 1e-9)";
+    assert!(count(target.path(), sql) > 400);
+}
+
+#[test]
+fn a_study_that_makes_no_sense_says_where_and_what_would() {
+    let ranges = "rows = 9\n[motion]\nto = 1\n[parameters]\n";
+    let cases = [
+        ("rows = 9\nsead = 3", "line 2: no key named `sead`; did you mean `seed`?"),
+        ("rows = -3", "line 1: a whole number is expected here, not -3"),
+        ("rows = 9\n[motion", "line 2: "),
+        ("rows = 9", "a motion needs instants"),
+        (&format!("{ranges}l9 = 1"), "line 5: no parameter named `l9`; did you mean `l1`?"),
+        (&format!("{ranges}l2 = 1\nl3 = {{ from = 2, to = 1 }}"), "line 6: from = 2 must be less than to = 1"),
+        (&format!("{ranges}l2 = nan"), "line 5: a finite number is expected here, not nan"),
+        (&format!("{ranges}[derived]\nl2 = \"lx + 1\""), "line 6: `lx + 1`: "),
+        (&format!("{ranges}[scores]\nrow = {{ least = \"tip.x\" }}"), "line 6: there is a column `row` already"),
+        (
+            &format!("{ranges}[scores]\na = {{ least = \"tip.z\" }}"),
+            "line 6: no quantity named `tip.z`; did you mean `tip.x`?",
+        ),
+        (&format!("{ranges}[scores]\na = {{ at = 0.5055, of = \"tip.x\" }}"), "the nearest is t = 0.51"),
+        (&format!("{ranges}[conditions]\nbefore = [\"l1 < l2\",\n\"l1 + l2\"]"), "line 7: `l1 + l2` is no condition"),
+        (&format!("{ranges}[keep]\nbest = 3\nby = \"nothing\""), "line 7: `nothing`: "),
+        (
+            "sampling = \"grid\"\n[motion]\nto = 1\n[parameters]\nl2 = { from = 1, to = 2 }",
+            "line 1: a grid needs a list",
+        ),
+        (
+            "rows = 9\n[motion]\nto = 1\nmode = { A-B-X = \"+\" }",
+            "line 4: no mode named `A-B-X`; did you mean `A-B-D`?",
+        ),
+    ];
+    let target = directory();
+    for (text, expected) in cases {
+        let out = target.path().join("none");
+        let study = Study::from_toml(text);
+        let found = study.and_then(|study| run::<FourBar>(&study, &out, limits(1), &Watch::default()));
+        let said = found.expect_err(text).to_string();
+        assert!(said.contains(expected), "{text}\n{said}");
+        assert!(!out.exists(), "{text}");
+    }
+}
+
+#[test]
+fn files_that_cannot_be_written_are_named() {
+    let target = directory();
+    let file = target.path().join("file");
+    fs::write(&file, "no directory").expect("it can be written");
+    let error = run::<FourBar>(&study(10), &file, limits(1), &Watch::default()).expect_err("it is a file");
+    assert!(matches!(&error, StudyError::File { path, .. } if *path == file), "{error}");
+    let error = query(target.path(), "select 1").expect_err("there are no rows");
+    assert!(error.to_string().contains("has no rows of a study"), "{error}");
+    let error = query_to_file(target.path(), "select 1", Path::new("x.txt")).expect_err("it is no table");
+    assert!(error.to_string().contains("neither in .csv nor in .parquet"), "{error}");
+}

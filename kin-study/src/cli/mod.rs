@@ -1,0 +1,181 @@
+//! The command-line program of a mechanism's studies.
+
+mod interrupt;
+mod progress;
+
+use crate::engine::{Limits, query, query_to_file, run_part};
+use crate::error::StudyError;
+use crate::scores::names;
+use crate::study::Study;
+use clap::Parser;
+use kin_runtime::Mechanism;
+use progress::Progress;
+use std::ffi::OsString;
+use std::io::{self, Write};
+use std::num::NonZero;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Studies of one mechanism: many designs, a motion of each, and what is worth keeping.
+#[derive(Debug, Parser)]
+#[command(subcommand_value_name = "COMMAND")]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, clap::Subcommand)]
+enum Command {
+    /// Run a study on all cores of this machine
+    ///
+    /// Finished rows are written every few seconds. Ctrl-C ends the run and keeps them; --resume goes on. A second Ctrl-C
+    /// ends the program at once. The exit status is 0 when all rows are done, 130 after Ctrl-C.
+    Run(RunArgs),
+    /// Run one of several parts of a study: for an array of jobs that share a directory
+    Chunk {
+        #[command(flatten)]
+        run: RunArgs,
+        /// Which part, from 0
+        #[arg(long, value_name = "I")]
+        index: u64,
+        /// How many parts there are
+        #[arg(long, value_name = "N")]
+        of: NonZero<u64>,
+    },
+    /// Ask for rows by SQL: the tables are `study` and, where there are histograms, `histogram`
+    Query {
+        /// The question, for example: select * from study order by swing desc limit 10
+        sql: String,
+        /// The directory of the study
+        #[arg(long = "in", value_name = "DIR")]
+        directory: PathBuf,
+        /// Write the answer to a file, .csv or .parquet, instead of a table on the screen
+        #[arg(long, value_name = "FILE")]
+        out: Option<PathBuf>,
+    },
+    /// List the parameters, modes and quantities of the mechanism by the names that a study uses
+    Names,
+}
+
+#[derive(Debug, clap::Args)]
+struct RunArgs {
+    /// The study, a TOML file
+    study: PathBuf,
+    /// The directory for its rows
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// Go on with what the directory holds already
+    #[arg(long)]
+    resume: bool,
+    /// Threads; as many as there are processors where nobody says
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZero<usize>>,
+}
+
+/// Runs the study program of the mechanism `M` with the arguments of this process: `run`, `chunk`, `query` and `names`.
+///
+/// The exit status is 0 when everything went well, 2 when arguments or the study make no sense, 1 for all other errors, and
+/// 130 after Ctrl-C.
+pub fn main<M: Mechanism + Default + Send + Sync + 'static>() -> ExitCode {
+    run_from::<M>(std::env::args_os())
+}
+
+/// Runs the study program of the mechanism `M` with these arguments; the first is the program's name.
+pub fn run_from<M>(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode
+where
+    M: Mechanism + Default + Send + Sync + 'static,
+{
+    let command = match Arguments::try_parse_from(args) {
+        Ok(arguments) => arguments.command,
+        Err(error) => {
+            let status = if error.use_stderr() { 2 } else { 0 };
+            // Where nobody reads, there is nobody to tell.
+            let _ = error.print();
+            return ExitCode::from(status);
+        }
+    };
+    let mut file = None;
+    match done::<M>(command, &mut file) {
+        Ok(code) => code,
+        Err(error) => {
+            let status = if matches!(error, StudyError::Description { .. }) { 2 } else { 1 };
+            match (&error, file) {
+                (StudyError::Description { line: Some(line), message }, Some(path)) => {
+                    eprintln!("error: {}:{line}: {message}", path.display());
+                }
+                _ => eprintln!("error: {error}"),
+            }
+            ExitCode::from(status)
+        }
+    }
+}
+
+/// Does what is asked; notes which file a complaint is about.
+fn done<M>(command: Command, file: &mut Option<PathBuf>) -> Result<ExitCode, StudyError>
+where
+    M: Mechanism + Default + Send + Sync + 'static,
+{
+    match command {
+        Command::Run(args) => ran::<M>(&args, (0, NonZero::<u64>::MIN), file),
+        Command::Chunk { run, index, of } => ran::<M>(&run, (index, of), file),
+        Command::Query { sql, directory, out } => match out {
+            Some(path) => {
+                let rows = query_to_file(&directory, &sql, &path)?;
+                eprintln!("{rows} rows in {}", path.display());
+                Ok(ExitCode::SUCCESS)
+            }
+            None => said(&format!("{}\n", query(&directory, &sql)?)),
+        },
+        Command::Names => said(&listing::<M>()),
+    }
+}
+
+fn ran<M>(args: &RunArgs, part: (u64, NonZero<u64>), file: &mut Option<PathBuf>) -> Result<ExitCode, StudyError>
+where
+    M: Mechanism + Default + Send + Sync + 'static,
+{
+    let text = std::fs::read_to_string(&args.study).map_err(|error| StudyError::file(&args.study, error))?;
+    *file = Some(args.study.clone());
+    let study = Study::from_toml(&text)?;
+    let limits = Limits { threads: args.threads, resume: args.resume };
+    let progress = Progress::begin();
+    let report = run_part::<M>(&study, &args.out, part, limits, progress.watch());
+    let interrupted = progress.end();
+    let report = report?;
+    eprintln!("{report}");
+    if interrupted && !report.is_complete() {
+        eprintln!("what is done is kept in {}; go on with --resume", args.out.display());
+        return Ok(ExitCode::from(130));
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Writes to stdout; nothing is wrong where a reader leaves early.
+fn said(text: &str) -> Result<ExitCode, StudyError> {
+    match io::stdout().lock().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(StudyError::file(Path::new("stdout"), error)),
+        _ => Ok(ExitCode::SUCCESS),
+    }
+}
+
+fn listing<M: Mechanism>() -> String {
+    let model = M::model();
+    let section = |title: &str, names: &[String]| match names.is_empty() {
+        true => String::new(),
+        false => format!("{title}\n{}", names.iter().map(|name| format!("  {name}\n")).collect::<String>()),
+    };
+    let parameters: Vec<String> = model
+        .parameters
+        .iter()
+        .map(|parameter| {
+            let default = parameter.default.map_or_else(String::new, |value| format!(" = {value}"));
+            format!("{}{default} {}", parameter.name, parameter.unit.unwrap_or_default()).trim_end().to_owned()
+        })
+        .collect();
+    let modes: Vec<String> = model.plan.modes.iter().map(|mode| mode.name.to_owned()).collect();
+    let inputs: Vec<String> = model.inputs.iter().map(|name| (*name).to_owned()).collect();
+    section("parameters", &parameters)
+        + &section("inputs", &inputs)
+        + &section("modes", &modes)
+        + &section("quantities", &names(model))
+}

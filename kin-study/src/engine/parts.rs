@@ -1,0 +1,154 @@
+//! The directory of a study: parts that are named by the rows they cover, so that what is missing can be told.
+
+use super::wave::kept;
+use crate::error::StudyError;
+use crate::rows::Prepared;
+use std::fs;
+use std::io::{ErrorKind, Write};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+/// The file that says which study a directory belongs to.
+const IDENTITY: &str = "study.txt";
+/// The file with the SQL by which the table `study` follows from all parts.
+const VIEW: &str = "study.sql";
+/// What the names of parts with rows begin with.
+pub(super) const ROWS: &str = "rows-";
+/// What the names of parts with counts begin with.
+pub(super) const COUNTS: &str = "counts-";
+
+/// The directory of a study.
+#[derive(Debug)]
+pub(super) struct Parts {
+    directory: PathBuf,
+}
+
+impl Parts {
+    /// The directory for a study: made where it is missing, refused where it holds another study, or this one and nobody
+    /// said to go on.
+    pub(super) fn open(directory: &Path, prepared: &Prepared, resume: bool) -> Result<Self, StudyError> {
+        fs::create_dir_all(directory).map_err(|error| StudyError::file(directory, error))?;
+        let parts = Self { directory: directory.to_owned() };
+        let path = directory.join(IDENTITY);
+        match fs::read_to_string(&path) {
+            Ok(found) if found == prepared.identity => {}
+            Ok(found) => {
+                let lines = found.lines().zip(prepared.identity.lines()).find(|(old, new)| old != new);
+                let (old, new) = lines.map_or(("", ""), |(old, new)| (old.trim(), new.trim()));
+                return Err(StudyError::Directory(format!(
+                    "{} holds another study: it says `{old}` where this one has `{new}`; choose another directory",
+                    directory.display()
+                )));
+            }
+            Err(error) if error.kind() == ErrorKind::NotFound => {
+                parts.put(VIEW, &kept(prepared, "parts"))?;
+                parts.put(IDENTITY, &prepared.identity)?;
+            }
+            Err(error) => return Err(StudyError::file(&path, error)),
+        }
+        if !resume && !parts.covered()?.is_empty() {
+            return Err(StudyError::Directory(format!(
+                "{} holds rows of this study already; go on with --resume, or choose another directory",
+                directory.display()
+            )));
+        }
+        Ok(parts)
+    }
+
+    /// Writes a small file, whole or not at all.
+    fn put(&self, name: &str, text: &str) -> Result<(), StudyError> {
+        let path = self.directory.join(name);
+        let failed = |error| StudyError::file(&path, error);
+        let mut file = tempfile::NamedTempFile::new_in(&self.directory).map_err(failed)?;
+        file.write_all(text.as_bytes()).map_err(failed)?;
+        file.persist(&path).map(|_| ()).map_err(|error| failed(error.error))
+    }
+
+    /// The SQL by which the table `study` follows from the table `parts`.
+    pub(super) fn view(&self) -> Result<String, StudyError> {
+        let path = self.directory.join(VIEW);
+        fs::read_to_string(&path).map_err(|error| StudyError::file(&path, error))
+    }
+
+    /// The directory of a study that has run.
+    pub(super) fn of(directory: &Path) -> Self {
+        Self { directory: directory.to_owned() }
+    }
+
+    /// Where it is.
+    pub(super) fn directory(&self) -> &Path {
+        &self.directory
+    }
+
+    /// The file for some rows.
+    pub(super) fn path(&self, kind: &str, rows: &Range<u64>) -> PathBuf {
+        self.directory.join(format!("{kind}{:016}-{:016}.parquet", rows.start, rows.end))
+    }
+
+    /// The finished files of one kind with their rows, in order.
+    pub(super) fn files(&self, kind: &str) -> Result<Vec<(Range<u64>, PathBuf)>, StudyError> {
+        let wrong = |error| StudyError::file(&self.directory, error);
+        let mut files = Vec::new();
+        for entry in fs::read_dir(&self.directory).map_err(wrong)? {
+            let path = entry.map_err(wrong)?.path();
+            let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+            if let Some(rows) = covered_by(name, kind) {
+                files.push((rows, path));
+            }
+        }
+        files.sort_by_key(|(rows, _)| (rows.start, rows.end));
+        Ok(files)
+    }
+
+    /// The rows that are done.
+    pub(super) fn covered(&self) -> Result<Vec<Range<u64>>, StudyError> {
+        let rows: Vec<Range<u64>> = self.files(ROWS)?.into_iter().map(|(rows, _)| rows).collect();
+        match rows.windows(2).find(|pair| pair[1].start < pair[0].end) {
+            None => Ok(rows),
+            Some(pair) => Err(StudyError::Directory(format!(
+                "two parts in {} cover row {}: remove one of them",
+                self.directory.display(),
+                pair[1].start
+            ))),
+        }
+    }
+}
+
+/// The rows that a file covers, by its name.
+fn covered_by(name: &str, kind: &str) -> Option<Range<u64>> {
+    let (start, end) = name.strip_prefix(kind)?.strip_suffix(".parquet")?.split_once('-')?;
+    Some(start.parse().ok()?..end.parse().ok()?)
+}
+
+/// What of `rows` is not covered, in order.
+pub(super) fn gaps(rows: Range<u64>, covered: &[Range<u64>]) -> Vec<Range<u64>> {
+    let mut gaps = Vec::new();
+    let mut next = rows.start;
+    for done in covered.iter().filter(|done| done.end > rows.start && done.start < rows.end) {
+        gaps.extend((next < done.start).then_some(next..done.start));
+        next = next.max(done.end);
+    }
+    gaps.extend((next < rows.end).then_some(next..rows.end));
+    gaps
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gaps_are_what_nothing_covers() {
+        assert_eq!(gaps(0..10, &[]), [0..10]);
+        assert_eq!(gaps(0..10, &[0..3, 5..10]), [3..5]);
+        assert_eq!(gaps(4..10, &[0..5, 7..8, 20..30]), [5..7, 8..10]);
+        assert_eq!(gaps(4..10, &[0..30]), []);
+    }
+
+    #[test]
+    fn only_finished_parts_count() {
+        assert_eq!(covered_by("rows-0000000000000000-0000000000000128.parquet", ROWS), Some(0..128));
+        assert_eq!(covered_by("counts-0000000000000000-0000000000000128.parquet", ROWS), None);
+        assert_eq!(covered_by("rows-0-1.parquet.tmp", ROWS), None);
+        assert_eq!(covered_by(".tmpXYZ", ROWS), None);
+    }
+}

@@ -1,0 +1,104 @@
+//! Tables as Parquet files that appear whole or not at all.
+
+use crate::error::StudyError;
+use datafusion::arrow::datatypes::SchemaRef;
+use datafusion::arrow::record_batch::RecordBatch;
+use datafusion::parquet::arrow::ArrowWriter;
+use datafusion::parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
+use datafusion::parquet::errors::ParquetError;
+use datafusion::parquet::file::metadata::KeyValue;
+use datafusion::parquet::file::properties::WriterProperties;
+use std::fs::File;
+use std::io;
+use std::path::Path;
+
+/// What became of the rows that a part covers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Tally {
+    /// How many there were.
+    pub(super) tried: u64,
+    /// How many met the conditions before solving.
+    pub(super) solved: u64,
+    /// How many of these could not go through all instants.
+    pub(super) ended: u64,
+    /// How many met all conditions.
+    pub(super) passed: u64,
+}
+
+/// The names of the numbers of a tally in a file.
+const KEYS: [&str; 4] = ["kin.tried", "kin.solved", "kin.ended", "kin.passed"];
+
+impl Tally {
+    fn numbers(&self) -> [u64; 4] {
+        [self.tried, self.solved, self.ended, self.passed]
+    }
+
+    /// Both together.
+    pub(super) fn and(&self, other: &Self) -> Self {
+        Self {
+            tried: self.tried + other.tried,
+            solved: self.solved + other.solved,
+            ended: self.ended + other.ended,
+            passed: self.passed + other.passed,
+        }
+    }
+}
+
+/// Writes a table to a file of another name in the same directory, which then takes its place.
+pub(super) fn write(
+    path: &Path,
+    schema: &SchemaRef,
+    batches: &[RecordBatch],
+    tally: Option<&Tally>,
+) -> Result<(), StudyError> {
+    let failed = |error: io::Error| StudyError::file(path, error);
+    let parquet = |error: ParquetError| failed(system(error));
+    let entries = tally.map(|tally| {
+        KEYS.iter()
+            .zip(tally.numbers())
+            .map(|(key, number)| KeyValue::new((*key).to_owned(), number.to_string()))
+            .collect()
+    });
+    // Numbers that hardly repeat gain nothing by a dictionary; names do.
+    let mut properties = WriterProperties::builder().set_dictionary_enabled(false).set_key_value_metadata(entries);
+    for name in ["mode", "limit", "of"] {
+        properties = properties.set_column_dictionary_enabled(name.into(), true);
+    }
+    let directory = path.parent().unwrap_or(Path::new("."));
+    let mut file = tempfile::NamedTempFile::new_in(directory).map_err(failed)?;
+    let mut writer =
+        ArrowWriter::try_new(io::BufWriter::new(file.as_file_mut()), schema.clone(), Some(properties.build()))
+            .map_err(parquet)?;
+    for batch in batches {
+        writer.write(batch).map_err(parquet)?;
+    }
+    writer.into_inner().map_err(parquet)?.into_inner().map_err(|error| failed(error.into_error()))?;
+    file.as_file().sync_data().map_err(failed)?;
+    file.persist(path).map_err(|error| failed(error.error))?;
+    Ok(())
+}
+
+/// The tally of a part.
+pub(super) fn tally(path: &Path) -> Result<Tally, StudyError> {
+    let file = File::open(path).map_err(|error| StudyError::file(path, error))?;
+    let reader = ParquetRecordBatchReaderBuilder::try_new(file);
+    let reader = reader.map_err(|error| StudyError::file(path, system(error)))?;
+    let entries = reader.metadata().file_metadata().key_value_metadata().cloned().unwrap_or_default();
+    let number = |key: &str| {
+        let entry = entries.iter().find(|entry| entry.key == key);
+        entry.and_then(|entry| entry.value.as_ref()?.parse().ok()).unwrap_or(0)
+    };
+    let [tried, solved, ended, passed] = KEYS.map(number);
+    Ok(Tally { tried, solved, ended, passed })
+}
+
+/// What the system said, where it was the system.
+fn system(error: ParquetError) -> io::Error {
+    match error {
+        ParquetError::External(inner) => match inner.downcast::<io::Error>() {
+            Ok(error) => *error,
+            Err(inner) => io::Error::other(inner),
+        },
+        other => io::Error::other(other),
+    }
+}

@@ -1,0 +1,18 @@
+#![doc = include_str!("../README.md")]
+
+mod cli;
+mod engine;
+mod error;
+mod machine;
+mod rows;
+mod sampling;
+mod scores;
+mod study;
+mod suggest;
+
+pub use cli::{main, run_from};
+pub use engine::{Answer, Limits, Report, Watch, query, query_to_file, run, run_part};
+pub use error::StudyError;
+pub use sampling::{Range, Sampling};
+pub use scores::{Measure, Score};
+pub use study::{Closures, Histogram, Ramp, Study};

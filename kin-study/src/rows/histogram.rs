@@ -1,0 +1,85 @@
+//! How often columns fall into intervals.
+
+use crate::error::StudyError;
+use crate::study::Histogram;
+use crate::suggest::unknown;
+use datafusion::arrow::array::{AsArray, Float64Array, StringArray, UInt64Array};
+use datafusion::arrow::datatypes::{DataType, Field, Float64Type, Schema, SchemaRef};
+use datafusion::arrow::error::ArrowError;
+use datafusion::arrow::record_batch::RecordBatch;
+use std::sync::Arc;
+
+/// A histogram, and the place of its column in the table.
+#[derive(Clone, Debug)]
+pub(crate) struct Bins {
+    histogram: Histogram,
+    column: usize,
+}
+
+/// The columns of counted intervals.
+pub(crate) fn counts_schema() -> SchemaRef {
+    let number = |name| Field::new(name, DataType::Float64, false);
+    let count = Field::new("count", DataType::UInt64, false);
+    Arc::new(Schema::new(vec![Field::new("of", DataType::Utf8, false), number("from"), number("to"), count]))
+}
+
+impl Bins {
+    pub(super) fn new(histogram: &Histogram, schema: &Schema) -> Result<Self, StudyError> {
+        let is_number = |field: &&Arc<Field>| field.data_type() == &DataType::Float64;
+        let known = schema.fields().iter().filter(is_number).map(|field| field.name().as_str());
+        let place = schema.fields().iter().position(|field| is_number(&field) && *field.name() == histogram.of);
+        let column = place.ok_or_else(|| StudyError::description(unknown("column", &histogram.of, known)))?;
+        let Histogram { from, to, bins, .. } = *histogram;
+        match from.is_finite() && to.is_finite() && from < to && bins > 0 {
+            true => Ok(Self { histogram: histogram.clone(), column }),
+            false => Err(StudyError::description("a histogram needs from < to and at least one bin")),
+        }
+    }
+}
+
+/// The counts of some histograms.
+#[derive(Clone, Debug)]
+pub(crate) struct Counts(Vec<Vec<u64>>);
+
+impl Counts {
+    /// Nothing counted yet.
+    pub(crate) fn new(bins: &[Bins]) -> Self {
+        Self(bins.iter().map(|bins| vec![0; bins.histogram.bins]).collect())
+    }
+
+    /// Counts the rows of a table; those without a number are left out.
+    pub(crate) fn add(&mut self, bins: &[Bins], batch: &RecordBatch) {
+        for (counts, Bins { histogram, column }) in self.0.iter_mut().zip(bins) {
+            let scale = histogram.bins as f64 / (histogram.to - histogram.from);
+            let values = batch.column(*column).as_primitive::<Float64Type>();
+            for value in values.iter().flatten().filter(|value| !value.is_nan()) {
+                // The conversion takes what is less than 0 to 0.
+                let place = ((value - histogram.from) * scale) as usize;
+                counts[place.min(histogram.bins - 1)] += 1;
+            }
+        }
+    }
+
+    /// The table of all counts.
+    pub(crate) fn table(&self, bins: &[Bins]) -> Result<RecordBatch, ArrowError> {
+        let (mut of, mut from, mut to, mut count) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        for (counts, Bins { histogram, .. }) in self.0.iter().zip(bins) {
+            let width = (histogram.to - histogram.from) / histogram.bins as f64;
+            for (k, counted) in counts.iter().enumerate() {
+                of.push(histogram.of.as_str());
+                from.push(histogram.from + k as f64 * width);
+                to.push(histogram.from + (k + 1) as f64 * width);
+                count.push(*counted);
+            }
+        }
+        RecordBatch::try_new(
+            counts_schema(),
+            vec![
+                Arc::new(StringArray::from(of)),
+                Arc::new(Float64Array::from(from)),
+                Arc::new(Float64Array::from(to)),
+                Arc::new(UInt64Array::from(count)),
+            ],
+        )
+    }
+}

@@ -1,0 +1,174 @@
+//! A study made ready for its mechanism: names resolved, formulas compiled, columns laid out.
+
+use super::formula::{Formula, context};
+use super::histogram::Bins;
+use crate::error::StudyError;
+use crate::machine::{Machine, Motion, bind};
+use crate::sampling::Sampler;
+use crate::study::Study;
+use crate::suggest::unknown;
+use datafusion::arrow::datatypes::{DataType, Field, Schema, SchemaRef};
+use datafusion::execution::context::SessionContext;
+use kin_runtime::Mechanism;
+use kin_runtime::model::Model;
+use std::sync::Arc;
+
+/// Names of columns that every table has.
+const OWN: [&str; 5] = ["row", "mode", "margin", "ended", "limit"];
+
+/// A study that fits its mechanism.
+#[derive(Debug)]
+pub(crate) struct Prepared {
+    pub(super) machine: Box<dyn Machine>,
+    pub(super) motion: Motion,
+    pub(super) sampler: Sampler,
+    /// How many columns are sampled.
+    pub(super) sampled: usize,
+    /// Columns behind them: parameters of the mechanism that the study does not name.
+    pub(super) constants: Vec<f64>,
+    /// Formulas of further columns.
+    pub(super) derived: Vec<Formula>,
+    /// The columns before any formula, then with those of one formula after another.
+    pub(super) inputs: Vec<SchemaRef>,
+    /// For every parameter of the mechanism, its column and the value where there is none.
+    pub(super) sources: Vec<(String, f64)>,
+    pub(super) before: Vec<Formula>,
+    /// Places among the input columns of those that the table shows.
+    pub(super) shown: Vec<usize>,
+    /// The columns of the table.
+    pub(crate) schema: SchemaRef,
+    pub(super) after: Vec<Formula>,
+    pub(crate) bins: Vec<Bins>,
+    /// How many rows there are.
+    pub(crate) rows: u64,
+    /// How many rows are kept at most and in which order.
+    pub(crate) best: Option<(usize, String)>,
+    /// The line of that order in its file.
+    pub(crate) order_line: Option<usize>,
+    /// Whether rows are kept at all.
+    pub(crate) keeps_rows: bool,
+    /// The text that tells studies apart.
+    pub(crate) identity: String,
+}
+
+fn number(name: &str) -> Field {
+    Field::new(name, DataType::Float64, false)
+}
+
+impl Prepared {
+    /// Makes a study ready for a mechanism.
+    pub(crate) fn new<M>(study: &Study) -> Result<Self, StudyError>
+    where
+        M: Mechanism + Default + Send + Sync + 'static,
+    {
+        let (machine, motion) = bind::<M>(study)?;
+        Self::of(study, machine, motion)
+    }
+
+    fn of(study: &Study, machine: Box<dyn Machine>, motion: Motion) -> Result<Self, StudyError> {
+        names_are_free(study)?;
+        names_are_known(study, machine.model())?;
+        let ranges = study.parameters.iter().map(|(name, range)| {
+            let line = study.line(&format!("parameters.{name}"));
+            let wrong = |message: String| StudyError::description(format!("{name}: {message}")).on_line(line);
+            range.check().map_err(wrong).map(|()| range.clone())
+        });
+        let ranges = ranges.collect::<Result<Vec<_>, _>>()?;
+        let sampled = ranges.len();
+        let line = study.line("rows").or(study.line("sampling"));
+        let sampler = Sampler::new(ranges, study.sampling, study.rows, study.seed)
+            .map_err(|message| StudyError::description(message).on_line(line))?;
+        let rows = sampler.rows().checked_mul(motion.modes.len() as u64).filter(|rows| *rows < 1 << 53);
+        let rows = rows.ok_or_else(|| StudyError::description("there are too many rows to count").on_line(line))?;
+
+        let context = context(1);
+        let named = |name: &str| {
+            study.parameters.iter().any(|(known, _)| known == name)
+                || study.derived.iter().any(|(known, _)| known == name)
+        };
+        let parameters = || machine.model().parameters.iter().zip(&motion.defaults);
+        let sources: Vec<(String, f64)> = parameters().map(|(info, value)| (info.name.to_owned(), *value)).collect();
+        let (constant_names, constants): (Vec<&str>, Vec<f64>) =
+            parameters().filter(|(info, _)| !named(info.name)).map(|(info, value)| (info.name, *value)).unzip();
+        let mut fields = vec![Field::new("row", DataType::UInt64, false)];
+        fields.extend(study.parameters.iter().map(|(name, _)| number(name)));
+        fields.extend(constant_names.into_iter().map(number));
+        let mut shown: Vec<usize> = (0..=sampled).collect();
+        let mut inputs = vec![Arc::new(Schema::new(fields.clone()))];
+        let mut derived = Vec::new();
+        for (name, text) in &study.derived {
+            let compiled = Formula::number(&context, text, &inputs[inputs.len() - 1]);
+            derived.push(compiled.map_err(|error| error.on_line(study.line(&format!("derived.{name}"))))?);
+            shown.push(fields.len());
+            fields.push(number(name));
+            inputs.push(Arc::new(Schema::new(fields.clone())));
+        }
+        let before = conditions(&context, study, "before", &study.before, &inputs[inputs.len() - 1])?;
+
+        let mut columns: Vec<Field> = shown.iter().map(|place| fields[*place].clone()).collect();
+        columns.extend((motion.modes.len() > 1).then(|| Field::new("mode", DataType::Utf8, false)));
+        columns.extend(study.scores.iter().map(|(name, _)| Field::new(name, DataType::Float64, true)));
+        columns.push(number("margin"));
+        columns.push(Field::new("ended", DataType::Float64, true));
+        columns.push(Field::new("limit", DataType::Utf8, true));
+        let schema = Arc::new(Schema::new(columns));
+        let after = conditions(&context, study, "after", &study.after, &schema)?;
+        let bins = study.histograms.iter().enumerate().map(|(place, histogram)| {
+            Bins::new(histogram, &schema)
+                .map_err(|error| error.on_line(study.line(&format!("keep.histograms.{place}"))))
+        });
+        let bins = bins.collect::<Result<_, _>>()?;
+        let identity = format!("{}\n{:?}\n{study:#?}\n", machine.model().name, sources);
+        let (best, keeps_rows) = (study.best.clone(), !study.no_rows);
+        #[rustfmt::skip]
+        let prepared = Self {
+            machine, motion, sampler, sampled, constants, derived, inputs, sources, before, shown, schema, after, bins, rows,
+            best, keeps_rows, identity,
+            order_line: study.line("keep.by"),
+        };
+        Ok(prepared)
+    }
+}
+
+fn conditions(
+    context: &SessionContext,
+    study: &Study,
+    key: &str,
+    texts: &[String],
+    schema: &Schema,
+) -> Result<Vec<Formula>, StudyError> {
+    let compiled = texts.iter().enumerate().map(|(place, text)| {
+        let line = study.line(&format!("conditions.{key}.{place}"));
+        Formula::condition(context, text, schema).map_err(|error| error.on_line(line))
+    });
+    compiled.collect()
+}
+
+/// Whether every sampled name is a parameter of the mechanism, or at least stands in a formula that derives one.
+fn names_are_known(study: &Study, model: &Model) -> Result<(), StudyError> {
+    let known = || model.parameters.iter().map(|parameter| parameter.name);
+    for (name, _) in &study.parameters {
+        let stands_in = |text: &String| text.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == name);
+        if !known().any(|other| other == name) && !study.derived.iter().any(|(_, text)| stands_in(text)) {
+            let message = unknown("parameter", name, known());
+            return Err(StudyError::description(message).on_line(study.line(&format!("parameters.{name}"))));
+        }
+    }
+    Ok(())
+}
+
+/// Whether no two columns have the same name.
+fn names_are_free(study: &Study) -> Result<(), StudyError> {
+    let parameters = study.parameters.iter().map(|(name, _)| ("parameters", name));
+    let derived = study.derived.iter().map(|(name, _)| ("derived", name));
+    let scores = study.scores.iter().map(|(name, _)| ("scores", name));
+    let mut known: Vec<&str> = OWN.to_vec();
+    for (table, name) in parameters.chain(derived).chain(scores) {
+        if known.contains(&name.as_str()) {
+            let message = format!("there is a column `{name}` already; choose another name");
+            return Err(StudyError::description(message).on_line(study.line(&format!("{table}.{name}"))));
+        }
+        known.push(name);
+    }
+    Ok(())
+}

@@ -1,0 +1,202 @@
+//! Scores gathered in lanes, instant after instant.
+
+use super::reporter::Reporter;
+use super::score::{Measure, Score};
+use crate::suggest::unknown;
+use kin_runtime::batch::Moment;
+use kin_runtime::{Lanes, Mechanism, Scalar, Signal};
+
+/// How a score is gathered; `state` is its first number in a block's state.
+#[derive(Clone, Debug)]
+enum Rule {
+    /// The value so far.
+    Least,
+    Greatest,
+    /// The sum so far.
+    Mean,
+    /// The least and the greatest so far.
+    Range,
+    /// The value and the instant so far.
+    TimeOfLeast,
+    TimeOfGreatest,
+    /// At this place among the instants.
+    At(usize),
+    /// Of every point the square of its distance so far; y is the quantity behind x.
+    Distance(Vec<[f64; 2]>, Measure),
+}
+
+impl Rule {
+    /// How many numbers it needs, and what they begin with.
+    fn start(&self) -> Vec<f64> {
+        match self {
+            Self::Least => vec![f64::INFINITY],
+            Self::Greatest => vec![f64::NEG_INFINITY],
+            Self::Mean | Self::At(_) => vec![0.0],
+            Self::Range => vec![f64::INFINITY, f64::NEG_INFINITY],
+            Self::TimeOfLeast => vec![f64::INFINITY, f64::NAN],
+            Self::TimeOfGreatest => vec![f64::NEG_INFINITY, f64::NAN],
+            Self::Distance(points, _) => vec![f64::INFINITY; points.len()],
+        }
+    }
+}
+
+/// A score of the study: its rule, its quantity and its state.
+#[derive(Clone, Debug)]
+struct Gathered {
+    rule: Rule,
+    quantity: usize,
+    state: usize,
+}
+
+/// All scores of a study, for one motion.
+pub(crate) struct Scoring<M> {
+    reporter: Reporter<M>,
+    scores: Vec<Gathered>,
+    instants: usize,
+    state: usize,
+}
+
+impl<M: Mechanism> Scoring<M> {
+    /// The scores over a motion with these instants and these inputs at them; an error names the place of its score.
+    pub(crate) fn new(scores: &[&Score], times: &[f64], inputs: Vec<Signal<Lanes>>) -> Result<Self, (usize, String)> {
+        let mut names: Vec<String> = Vec::new();
+        let mut gathered = Vec::with_capacity(scores.len());
+        // The least margin stands before all scores.
+        let mut state = 1;
+        for (place, score) in scores.iter().enumerate() {
+            let quantity = names.len();
+            let rule = rule::<M>(score, times, &mut names).map_err(|message| (place, message))?;
+            Reporter::<M>::new(&[names[quantity].as_str()], Vec::new()).map_err(|message| (place, message))?;
+            gathered.push(Gathered { quantity, state, rule });
+            state += gathered.last().map_or(0, |score| score.rule.start().len());
+        }
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let reporter = Reporter::new(&names, inputs).map_err(|message| (0, message))?;
+        Ok(Self { reporter, scores: gathered, instants: times.len(), state })
+    }
+
+    /// What a block begins with.
+    pub(crate) fn start(&self) -> Box<[Lanes]> {
+        let rules = self.scores.iter().flat_map(|score| score.rule.start());
+        let start: Box<[Lanes]> = std::iter::once(f64::INFINITY).chain(rules).map(Lanes::from).collect();
+        debug_assert_eq!(start.len(), self.state);
+        start
+    }
+
+    /// Takes in a block of sets at one instant. Lanes that have ended gather nothing that counts.
+    #[inline]
+    pub(crate) fn visit(&self, mechanism: &M, state: &mut [Lanes], moment: &Moment<'_>) {
+        let evaluated = self.reporter.evaluate(mechanism, moment);
+        state[0] = least(state[0], moment.margin);
+        for score in &self.scores {
+            let value = self.reporter.value(score.quantity, &evaluated, moment);
+            let state = &mut state[score.state..];
+            match &score.rule {
+                Rule::Least => state[0] = least(state[0], value),
+                Rule::Greatest => state[0] = greatest(state[0], value),
+                Rule::Mean => state[0] = state[0] + value,
+                Rule::Range => (state[0], state[1]) = (least(state[0], value), greatest(state[1], value)),
+                Rule::TimeOfLeast => first(state, value, moment.t, |new, old| new < old),
+                Rule::TimeOfGreatest => first(state, value, moment.t, |new, old| new > old),
+                Rule::At(instant) if *instant == moment.instant => state[0] = value,
+                Rule::At(_) => {}
+                Rule::Distance(points, _) => {
+                    let y = self.reporter.value(score.quantity + 1, &evaluated, moment);
+                    for (square, point) in state.iter_mut().zip(points) {
+                        let [dx, dy] = [value - Lanes::from(point[0]), y - Lanes::from(point[1])];
+                        *square = least(*square, dx * dx + dy * dy);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The least margin of a block over all instants.
+    pub(crate) fn margin(&self, state: &[Lanes]) -> Lanes {
+        state[0]
+    }
+
+    /// The score at a place, of a block whose motion is complete.
+    pub(crate) fn score(&self, place: usize, state: &[Lanes]) -> Lanes {
+        let Gathered { rule, state: first, .. } = &self.scores[place];
+        let state = &state[*first..];
+        match rule {
+            Rule::Least | Rule::Greatest | Rule::At(_) => state[0],
+            Rule::Mean => state[0] / Lanes::from(self.instants as f64),
+            Rule::Range => state[1] - state[0],
+            Rule::TimeOfLeast | Rule::TimeOfGreatest => state[1],
+            Rule::Distance(points, measure) => {
+                let squares = &state[..points.len()];
+                let square = match measure {
+                    Measure::Greatest => squares.iter().copied().fold(Lanes::from(0.0), greatest),
+                    Measure::RootMeanSquare => {
+                        let sum = squares.iter().fold(Lanes::from(0.0), |sum, square| sum + *square);
+                        sum / Lanes::from(points.len() as f64)
+                    }
+                };
+                square.sqrt()
+            }
+        }
+    }
+}
+
+/// How a score is gathered; the names of its quantities are added to the list.
+fn rule<M: Mechanism>(score: &Score, times: &[f64], names: &mut Vec<String>) -> Result<Rule, String> {
+    let (of, rule) = match score {
+        Score::Least(of) => (of, Rule::Least),
+        Score::Greatest(of) => (of, Rule::Greatest),
+        Score::Mean(of) => (of, Rule::Mean),
+        Score::Range(of) => (of, Rule::Range),
+        Score::TimeOfLeast(of) => (of, Rule::TimeOfLeast),
+        Score::TimeOfGreatest(of) => (of, Rule::TimeOfGreatest),
+        Score::At { of, t } => (of, Rule::At(instant(times, *t)?)),
+        Score::Distance { point, to, measure } => {
+            let points = M::model().points;
+            if !points.iter().any(|known| known.name == point) {
+                return Err(unknown("point", point, points.iter().map(|known| known.name)));
+            }
+            if to.is_empty() || !to.as_flattened().iter().all(|number| number.is_finite()) {
+                return Err("a distance needs at least one point, and finite numbers".to_owned());
+            }
+            names.extend(["x", "y"].map(|axis| format!("{point}.{axis}")));
+            return Ok(Rule::Distance(to.clone(), *measure));
+        }
+    };
+    names.push(of.clone());
+    Ok(rule)
+}
+
+/// The place of an instant, which must be one of the motion's to within rounding.
+fn instant(times: &[f64], t: f64) -> Result<usize, String> {
+    let away = |place: &usize| (times[*place] - t).abs();
+    let nearest = (0..times.len()).min_by(|a, b| away(a).total_cmp(&away(b)));
+    let span = times.iter().fold(1e-300_f64, |most, t| most.max(t.abs()));
+    match nearest {
+        Some(place) if away(&place) <= 1e-9 * span => Ok(place),
+        Some(place) => Err(format!("t = {t} is none of the instants; the nearest is t = {}", times[place])),
+        None => Err("the motion has no instants".to_owned()),
+    }
+}
+
+/// The lesser of two numbers, lane by lane; the first where the second is none.
+#[inline(always)]
+fn least(old: Lanes, new: Lanes) -> Lanes {
+    let (old, new) = (old.to_array(), new.to_array());
+    Lanes::generate(|lane| if new[lane] < old[lane] { new[lane] } else { old[lane] })
+}
+
+/// The greater of two numbers, lane by lane; the first where the second is none.
+#[inline(always)]
+fn greatest(old: Lanes, new: Lanes) -> Lanes {
+    let (old, new) = (old.to_array(), new.to_array());
+    Lanes::generate(|lane| if new[lane] > old[lane] { new[lane] } else { old[lane] })
+}
+
+/// Keeps a value that is better than that at hand, and its instant.
+#[inline(always)]
+fn first(state: &mut [Lanes], value: Lanes, t: f64, better: impl Fn(f64, f64) -> bool) {
+    let (new, old, at) = (value.to_array(), state[0].to_array(), state[1].to_array());
+    let is_better: [bool; Lanes::COUNT] = std::array::from_fn(|lane| better(new[lane], old[lane]));
+    state[0] = Lanes::generate(|lane| if is_better[lane] { new[lane] } else { old[lane] });
+    state[1] = Lanes::generate(|lane| if is_better[lane] { t } else { at[lane] });
+}

@@ -1,0 +1,34 @@
+//! What a misspelt name may have meant.
+
+use strsim::damerau_levenshtein;
+
+/// How many names are listed where none is near.
+const LISTED: usize = 12;
+
+/// That there is no such thing, with the nearest name, or all of them where they are few.
+pub(crate) fn unknown<'a>(what: &str, name: &str, known: impl Iterator<Item = &'a str>) -> String {
+    let known: Vec<&str> = known.collect();
+    let far = name.chars().count().max(3) / 3;
+    let near = known.iter().map(|other| (damerau_levenshtein(name, other), other)).min();
+    match near {
+        Some((distance, other)) if distance <= far => format!("no {what} named `{name}`; did you mean `{other}`?"),
+        _ if known.is_empty() => format!("no {what} named `{name}`; there are none"),
+        _ => {
+            let more = if known.len() > LISTED { ", …" } else { "" };
+            format!("no {what} named `{name}`; there are {}{more}", known[..known.len().min(LISTED)].join(", "))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_name_is_suggested_and_otherwise_what_there_is() {
+        let names = ["crank.phi", "rocker.phi"];
+        let say = |name| unknown("quantity", name, names.into_iter());
+        assert_eq!(say("roker.phi"), "no quantity named `roker.phi`; did you mean `rocker.phi`?");
+        assert_eq!(say("zzz"), "no quantity named `zzz`; there are crank.phi, rocker.phi");
+    }
+}

@@ -1,0 +1,142 @@
+//! What inputs can be: against closed forms, and against a fine search with the follower itself.
+
+use kin_runtime::{Instant, Kinematics, Mechanism, Planned, Signal, mechanism};
+use kin_tests::mechanisms::{MeasuredExcavator, signals};
+
+/// A platform on three cylinders, which closes by iteration only.
+#[mechanism]
+#[bodies(platform)]
+#[input(first, default = 1.0)]
+#[input(second, default = 1.1)]
+#[input(third, default = 1.2)]
+#[distance(leg_1: ground @ (0, 0), platform @ (-0.3, -0.2), length = first)]
+#[distance(leg_2: ground @ (1.6, 0), platform @ (0.3, -0.2), length = second)]
+#[distance(leg_3: ground @ (0.2, 1.9), platform @ (0, 0.35), length = third)]
+#[guess(platform.x = 0.8, platform.y = 0.7, platform.phi = 0.1)]
+struct Platform;
+
+/// A crank-rocker whose crank is an input.
+#[mechanism]
+#[bodies(crank, coupler, rocker)]
+#[input(angle)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (l1, 0), coupler @ (0, 0))]
+#[revolute(B: coupler @ (0.4, 0), rocker @ (0.3, 0))]
+#[revolute(D: ground @ (0.4, 0), rocker @ (0, 0))]
+#[driver(turn: crank.phi = angle)]
+#[guess(coupler.phi = 0.9, rocker.phi = 2)]
+struct Bars {
+    #[param(0.1)]
+    l1: f64,
+}
+
+fn constant(values: &[f64]) -> Vec<Signal> {
+    values.iter().map(|value| Signal::constant(*value)).collect()
+}
+
+/// The last value of an input, in steps that are halved, that the follower can take.
+fn searched<M: Mechanism>(start: &Planned<'_, M>, values: &[f64], input: usize, mut step: f64) -> f64 {
+    let inputs = constant(values);
+    let at = Instant { t: 0.0, inputs: &inputs };
+    let mut planned = Planned::new(start.mechanism(), &at, start.q()).expect("it closes");
+    let mut values = values.to_vec();
+    while step.abs() > 1e-9 {
+        values[input] += step;
+        let inputs = constant(&values);
+        if planned.at(&Instant { t: 0.0, inputs: &inputs }).is_err() {
+            values[input] -= step;
+            step *= 0.5;
+        }
+    }
+    values[input]
+}
+
+#[test]
+fn the_cylinders_of_an_excavator_have_the_ranges_of_their_triangles() {
+    let excavator = MeasuredExcavator;
+    let inputs: Vec<Signal> =
+        signals::<MeasuredExcavator>(0.0).into_iter().map(|u| Signal::constant(u.value)).collect();
+    let values: Vec<f64> = inputs.iter().map(|u| u.value).collect();
+    let planned = excavator.solver().planned(&Instant { t: 0.0, inputs: &inputs }).expect("it closes");
+    let boom = planned.range_of(MeasuredExcavator::boom_length).expect("its own input");
+    let [a, b] = [0.45_f64.hypot(0.25), 1.4_f64.hypot(0.35)];
+    assert!((boom.least - (b - a)).abs() < 1e-12 && (boom.greatest - (a + b)).abs() < 1e-12, "{boom}");
+    let joints: Vec<&str> = boom.limits[1].expect("a limit").joints().collect();
+    assert_eq!(joints, ["O", "cyl_boom"]);
+    // The bucket's own dyad ends before the triangle of its cylinder does.
+    for input in [MeasuredExcavator::stick_length, MeasuredExcavator::bucket_length] {
+        let range = planned.range_of(input).expect("its own input");
+        let [least, greatest] = [-0.01, 0.01].map(|step| searched(&planned, &values, input.0, step));
+        assert!(
+            (range.least - least).abs() < 1e-6 && (range.greatest - greatest).abs() < 1e-6,
+            "{range}: {least}, {greatest}"
+        );
+        assert!(range.contains(values[input.0]) && !range.contains(9.0));
+    }
+    assert_eq!(planned.q(), excavator.solver().planned(&Instant { t: 0.0, inputs: &inputs }).expect("it closes").q());
+}
+
+#[test]
+fn a_platform_that_closes_by_iteration_has_ranges_too() {
+    let values = [1.0, 1.1, 1.2];
+    let inputs = constant(&values);
+    let planned = Platform.solver().planned(&Instant { t: 0.0, inputs: &inputs }).expect("it closes");
+    for input in [Platform::first, Platform::second, Platform::third] {
+        let range = planned.range_of(input).expect("its own input");
+        let [least, greatest] = [-0.01, 0.01].map(|step| searched(&planned, &values, input.0, step));
+        assert!(
+            (range.least - least).abs() < 1e-6 && (range.greatest - greatest).abs() < 1e-6,
+            "{range}: {least}, {greatest}"
+        );
+    }
+}
+
+#[test]
+fn an_angle_that_turns_fully_has_no_limits_and_one_that_does_not_has_two() {
+    let inputs = constant(&[0.4]);
+    let at = Instant { t: 0.0, inputs: &inputs };
+    let range = Bars::default().solver().range_of(&at, Bars::angle).expect("it closes");
+    assert_eq!([range.least, range.greatest], [f64::NEG_INFINITY, f64::INFINITY]);
+    assert_eq!(range.to_string(), "angle of any value");
+    let rocking = Bars { l1: 0.6 };
+    let inputs = constant(&[0.8]);
+    let range = rocking.solver().range_of(&Instant { t: 0.0, inputs: &inputs }, Bars::angle).expect("it closes");
+    // From where coupler and rocker are folded to where they are stretched.
+    let at = |reach: f64| ((0.36 + 0.16 - reach * reach) / (2.0 * 0.6 * 0.4_f64)).acos();
+    let folded = if 0.6 - 0.4 > 0.1 { f64::NAN } else { at(0.1) };
+    assert!(folded.is_nan(), "the crank's end never comes so near to D");
+    assert!((range.greatest - at(0.7)).abs() < 1e-9 && (range.least + at(0.7)).abs() < 1e-9, "{range}");
+}
+
+#[test]
+fn a_broken_sensor_is_named_with_what_it_can_be() {
+    let excavator = MeasuredExcavator;
+    let mut inputs: Vec<Signal> = signals::<MeasuredExcavator>(0.0);
+    let mut planned = excavator.solver().planned(&Instant { t: 0.0, inputs: &inputs }).expect("it closes");
+    // A tick in which all have moved a little, and the boom's sensor is broken.
+    inputs.iter_mut().for_each(|u| *u = Signal::constant(u.value + 1e-4));
+    inputs[MeasuredExcavator::boom_length.0] = Signal::constant(9.0);
+    let tick = Instant { t: 0.001, inputs: &inputs };
+    assert!(planned.at(&tick).is_err());
+    let why = planned.out_of_range(&tick).expect("an input is to blame");
+    assert_eq!(why.to_string(), "input boom_length = 9: no closure; it can be 0.928305 to 1.95787 here");
+    assert_eq!((why.range.input, why.value, planned.t()), ("boom_length", 9.0, 0.0));
+    // The solver, which has no last good state, says the same.
+    let why = excavator.solver().out_of_range(&tick).expect("an input is to blame");
+    assert_eq!(why.to_string(), "input boom_length = 9: no closure; it can be 0.928305 to 1.95787 here");
+    inputs[MeasuredExcavator::boom_length.0] = Signal::constant(1.42);
+    let tick = Instant { t: 0.001, inputs: &inputs };
+    assert_eq!((planned.out_of_range(&tick), excavator.solver().out_of_range(&tick)), (None, None));
+    assert!(planned.at(&tick).is_ok());
+}
+
+#[test]
+fn several_broken_sensors_do_not_hide_one_another() {
+    let excavator = MeasuredExcavator;
+    let mut inputs: Vec<Signal> = signals::<MeasuredExcavator>(0.0);
+    inputs[MeasuredExcavator::stick_length.0] = Signal::constant(0.2);
+    inputs[MeasuredExcavator::bucket_length.0] = Signal::constant(5.0);
+    let why = excavator.solver().out_of_range(&Instant { t: 0.0, inputs: &inputs }).expect("an input is to blame");
+    assert_eq!((why.range.input, why.value), ("stick_length", 0.2));
+    assert!((why.range.greatest - (1.6_f64.hypot(0.6) + 0.6_f64.hypot(0.15))).abs() < 1e-9, "{why}");
+}
