@@ -140,7 +140,7 @@ impl<M: Mechanism> Bound<M> {
     }
 }
 
-impl<M: Mechanism + Default + 'static> Engine for Bound<M> {
+impl<M: Mechanism + Default> Engine for Bound<M> {
     fn model(&self) -> &'static Model {
         M::model()
     }
@@ -218,17 +218,9 @@ impl<M: Mechanism + Default + 'static> Engine for Bound<M> {
         wishes: &super::wishes::Wishes,
         search: &crate::design::Search<'_>,
     ) -> Result<crate::design::Designed<()>, crate::design::DesignError> {
-        let parameters = self.parameters();
-        let make = move || {
-            let mut mechanism = M::default();
-            for (place, value) in parameters.iter().enumerate() {
-                mechanism.set_parameter(place, *value);
-            }
-            mechanism
-        };
         let modes = M::model().plan.modes;
         let begin =
-            setup.modes.iter().try_fold(crate::design::Design::of(Box::new(make)), |design, &(place, sign)| {
+            setup.modes.iter().try_fold(crate::design::Design::new(&self.mechanism), |design, &(place, sign)| {
                 design.mode(modes[place].name, Some(sign))
             })?;
         let begin = setup.guesses.iter().fold(begin, |design, &(place, value)| design.guess(place, value));

@@ -11,8 +11,14 @@ use crate::workspace::Signal;
 /// Which mechanism, and where it starts.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(super) struct SetupArgs {
-    /// Set parameters: NAME=0.12,OTHER=200mm or ARRAY[3]=pi/2
-    #[arg(long, value_name = "NAME=VALUE")]
+    /// Set parameters: NAME=0.12,OTHER=200mm or ARRAY[3]=pi/2, or @FILE
+    #[arg(
+        long,
+        value_name = "NAME=VALUE",
+        long_help = "\
+Set parameters: NAME=0.12,OTHER=200mm or ARRAY[3]=pi/2.
+@FILE takes those of a json file with `parameters`, as `design` writes it"
+    )]
     set: Vec<String>,
     /// Where assembly starts; coordinates without a guess are found
     #[arg(

@@ -10,8 +10,8 @@ use crate::mechanism::Mechanism;
     note = "a mechanism is a struct under `#[mechanism]`; every field needs a default, `#[param(0.1)]`, \
             or the struct an `impl Default` of its own"
 )]
-pub trait Program: Mechanism + Default + 'static {}
+pub trait Program: Mechanism + Default {}
 
 // The two halves of the bound say less than the message above; a derived `Default` would make every length 0.
 #[diagnostic::do_not_recommend]
-impl<M: Mechanism + Default + 'static> Program for M {}
+impl<M: Mechanism + Default> Program for M {}

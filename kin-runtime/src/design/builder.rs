@@ -12,8 +12,10 @@ use core::ops::RangeInclusive;
 ///
 /// Parameters that are not free keep the values that the mechanism has.
 pub struct Design<M: Mechanism> {
-    /// Makes the mechanism with which the search begins.
-    pub(crate) make: Box<dyn Fn() -> M + Send + Sync>,
+    /// Makes the mechanism whose parameters are set.
+    pub(crate) make: fn() -> M,
+    /// The parameters with which the search begins.
+    pub(crate) parameters: Vec<f64>,
     pub(crate) free: Vec<Free>,
     pub(crate) objectives: Vec<Objective>,
     pub(crate) conditions: Vec<Condition>,
@@ -23,18 +25,14 @@ pub struct Design<M: Mechanism> {
 }
 
 impl<M: Mechanism> Design<M> {
-    /// A design that begins with this mechanism.
-    pub fn new(mechanism: M) -> Self
+    /// A design that begins with the parameters of this mechanism. Functions that are supplied are those of the default.
+    pub fn new(mechanism: &M) -> Self
     where
-        M: Clone + Send + Sync + 'static,
+        M: Default,
     {
-        Self::of(Box::new(move || mechanism.clone()))
-    }
-
-    /// A design that begins with what this makes.
-    pub(crate) fn of(make: Box<dyn Fn() -> M + Send + Sync>) -> Self {
         Self {
-            make,
+            make: M::default,
+            parameters: mechanism.parameters::<f64>().as_ref().to_vec(),
             free: Vec::new(),
             objectives: Vec::new(),
             conditions: Vec::new(),

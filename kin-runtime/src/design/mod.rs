@@ -20,7 +20,7 @@
 //! #[point(pen = crank @ (l, h))]
 //! #[revolute(pin: ground @ (0, 0), crank @ (0, 0))]
 //! #[driver(drive: crank.phi = t)]
-//! #[derive(Clone, Default)]
+//! #[derive(Default)]
 //! struct Crank {
 //!     #[param(0.2)]
 //!     l: f64,
@@ -30,7 +30,7 @@
 //!
 //! # fn main() -> Result<(), kin_runtime::design::DesignError> {
 //! let places = [(0.0, [0.3, 0.1]), (0.5, [0.2153, 0.2316])];
-//! let found = Design::new(Crank::default())
+//! let found = Design::new(&Crank::default())
 //!     .free("l", 0.1..=1.0)?
 //!     .free("h", -1.0..=1.0)?
 //!     .path_at("pen", &places)?

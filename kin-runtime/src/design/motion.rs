@@ -51,9 +51,18 @@ impl<M: Mechanism> Design<M> {
         goals.map(|goal| (goal.weight * goal.value).abs()).fold(0.0, f64::max)
     }
 
+    /// The mechanism with which the search begins.
+    pub(crate) fn mechanism(&self) -> M {
+        let mut mechanism = (self.make)();
+        for (place, value) in self.parameters.iter().enumerate() {
+            mechanism.set_parameter(place, *value);
+        }
+        mechanism
+    }
+
     /// The mechanism with these variables.
     pub(crate) fn mechanism_at(&self, variables: &[f64]) -> M {
-        let mut mechanism = (self.make)();
+        let mut mechanism = self.mechanism();
         for (free, variable) in self.free.iter().zip(variables) {
             for &place in &free.places {
                 mechanism.set_parameter(place, free.low + free.width() * variable);

@@ -125,7 +125,7 @@ impl<M: Mechanism> Design<M> {
     fn all_modes(&self) -> Vec<(usize, Option<Sign>)> {
         let modes = M::model().plan.modes;
         let instant = self.objectives.iter().find_map(|objective| objective.times.first().copied()).unwrap_or(0.0);
-        let mechanism = (self.make)();
+        let mechanism = self.mechanism();
         let solver = Solver::new(&mechanism);
         let at = instant.into();
         let found = solver.assemble(&at).ok().and_then(|q| solver.modes(&at, &q).ok());

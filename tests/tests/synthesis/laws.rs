@@ -36,7 +36,7 @@ fn equal_parameters_stay_equal() {
     assert_eq!(Some(DesignError::NotFree { parameter: "y0".to_owned() }), design.err());
     let free =
         |name: &str, design: kin_runtime::design::Design<crate::published::FourBar>| design.free(name, 0.1..=10.0);
-    let begin = kin_runtime::design::Design::new(crate::published::FourBar::default());
+    let begin = kin_runtime::design::Design::new(&crate::published::FourBar::default());
     let design = LENGTHS[..3].iter().try_fold(begin, |design, name| free(name, design)).unwrap();
     let found = design.equal("r4", "r3").unwrap().path_at("P", &timed(2)).unwrap().search(&FEW).unwrap();
     let value = |name: &str| found.parameters.iter().find(|(other, _)| *other == name).unwrap().1;

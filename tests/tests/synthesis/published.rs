@@ -14,7 +14,7 @@ use std::f64::consts::{FRAC_PI_4, PI, TAU};
 #[revolute(D: ground @ (x0 + r1*cos(theta0), y0 + r1*sin(theta0)), rocker @ (r4, 0))]
 #[driver(drive: crank.phi = theta0 + start + t)]
 #[guess(coupler.phi = 0.5, rocker.phi = 5)]
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct FourBar {
     #[param(4.0)]
     r1: f64,
@@ -48,7 +48,7 @@ pub(crate) struct FourBar {
 #[revolute(D: ground @ (1, 0), rocker @ (0, 0))]
 #[driver(drive: crank.phi = phi0 + t)]
 #[guess(coupler.phi = 0.5, rocker.phi = 1)]
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Generator {
     #[param(0.65)]
     r2: f64,
@@ -87,7 +87,7 @@ fn mode<M: Mechanism>() -> &'static str {
 /// Lengths and places of a four-bar within bounds, in the mode in which the papers have it: the pin of coupler and rocker to
 /// the left of the line from the crank's end to the rocker's pivot.
 pub(crate) fn four_bar(lengths: [f64; 2], places: &[&str], bound: f64) -> Result<Design<FourBar>, DesignError> {
-    let design = Design::new(FourBar::default()).mode(mode::<FourBar>(), Some(Sign::Minus))?;
+    let design = Design::new(&FourBar::default()).mode(mode::<FourBar>(), Some(Sign::Minus))?;
     let design = LENGTHS.iter().try_fold(design, |design, name| design.free(name, lengths[0]..=lengths[1]))?;
     let design = places.iter().try_fold(design, |design, name| design.free(name, -bound..=bound))?;
     design.grashof(LENGTHS, Shortest::Crank)
@@ -122,7 +122,7 @@ fn closed_curve() -> Result<Design<FourBar>, DesignError> {
 }
 
 fn generator(bounds: [f64; 2]) -> Result<Design<Generator>, DesignError> {
-    let design = Design::new(Generator::default()).mode(mode::<Generator>(), None)?;
+    let design = Design::new(&Generator::default()).mode(mode::<Generator>(), None)?;
     ["r2", "r3", "r4"].iter().try_fold(design, |design, name| design.free(name, bounds[0]..=bounds[1]))
 }
 
