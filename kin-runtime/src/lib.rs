@@ -28,6 +28,8 @@ pub mod vocabulary;
 mod analysis;
 #[cfg(feature = "std")]
 pub mod cross_check;
+#[cfg(feature = "design")]
+pub mod design;
 #[cfg(feature = "std")]
 mod equations;
 #[cfg(all(test, feature = "std"))]

@@ -106,6 +106,13 @@ pub(super) trait Engine {
         state: &State,
     ) -> Result<(), SolveError>;
     fn sensitivities(&self, setup: &Setup, state: &State) -> Result<Sensitivities, SolveError>;
+    #[cfg(feature = "design")]
+    fn design(
+        &self,
+        setup: &Setup,
+        wishes: &super::wishes::Wishes,
+        search: &crate::design::Search<'_>,
+    ) -> Result<crate::design::Designed<()>, crate::design::DesignError>;
     fn certify(&self, setup: &Setup, state: &State) -> Result<Certificate, Uncertified>;
     fn mobility(&self, setup: &Setup, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError>;
     fn velocity_ratios(&self, setup: &Setup, state: &State) -> Result<VelocityRatios, SolveError>;
@@ -144,7 +151,7 @@ impl<M: Mechanism> Bound<M> {
     }
 }
 
-impl<M: Mechanism> Engine for Bound<M> {
+impl<M: Mechanism + Default> Engine for Bound<M> {
     fn model(&self) -> &'static Model {
         M::model()
     }
@@ -225,6 +232,22 @@ impl<M: Mechanism> Engine for Bound<M> {
 
     fn sensitivities(&self, setup: &Setup, state: &State) -> Result<Sensitivities, SolveError> {
         self.solver(setup).sensitivities(state)
+    }
+
+    #[cfg(feature = "design")]
+    fn design(
+        &self,
+        setup: &Setup,
+        wishes: &super::wishes::Wishes,
+        search: &crate::design::Search<'_>,
+    ) -> Result<crate::design::Designed<()>, crate::design::DesignError> {
+        let modes = M::model().plan.modes;
+        let begin =
+            setup.modes.iter().try_fold(crate::design::Design::new(&self.mechanism), |design, &(place, sign)| {
+                design.mode(modes[place].name, Some(sign))
+            })?;
+        let begin = setup.guesses.iter().fold(begin, |design, &(place, value)| design.guess(place, value));
+        Ok(wishes.of(begin)?.search(search)?.map(|_| ()))
     }
 
     fn certify(&self, setup: &Setup, state: &State) -> Result<Certificate, Uncertified> {

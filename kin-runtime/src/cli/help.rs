@@ -48,6 +48,8 @@ const COMMANDS: &[(&str, Help)] = &[
     ("extremes", extremes::HELP),
     ("forces", forces::HELP),
     ("sensitivities", sensitivities::HELP),
+    #[cfg(feature = "design")]
+    ("design", super::design::HELP),
     ("modes", modes::HELP),
     ("limits", limits::HELP),
     ("check", check::HELP),

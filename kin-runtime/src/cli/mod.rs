@@ -39,6 +39,8 @@ mod check;
 mod columns;
 mod completions;
 mod degrees;
+#[cfg(feature = "design")]
+mod design;
 mod engine;
 #[cfg(feature = "equations")]
 mod equations;
@@ -73,6 +75,8 @@ mod trial;
 mod values;
 mod vary;
 mod watch;
+#[cfg(feature = "design")]
+mod wishes;
 
 #[cfg(test)]
 mod fixture;
@@ -113,6 +117,8 @@ enum Command {
     Extremes(extremes::ExtremesArgs),
     Forces(forces::ForcesArgs),
     Sensitivities(sensitivities::SensitivitiesArgs),
+    #[cfg(feature = "design")]
+    Design(Box<design::DesignArgs>),
     Modes(modes::ModesArgs),
     Limits(limits::LimitsArgs),
     Check(check::CheckArgs),
@@ -162,6 +168,8 @@ fn run(
         Some(Command::Extremes(args)) => extremes::run(args, engine, &mut session),
         Some(Command::Forces(args)) => forces::run(args, engine, &mut session),
         Some(Command::Sensitivities(args)) => sensitivities::run(args, engine, &mut session),
+        #[cfg(feature = "design")]
+        Some(Command::Design(args)) => design::run(args, engine, &mut session),
         Some(Command::Modes(args)) => modes::run(args, engine, &mut session),
         Some(Command::Limits(args)) => limits::run(args, engine, &mut session),
         Some(Command::Check(args)) => check::run(args, engine, &mut session),

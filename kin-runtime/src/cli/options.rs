@@ -11,8 +11,14 @@ use crate::workspace::Signal;
 /// Which mechanism, and where it starts.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(super) struct SetupArgs {
-    /// Set parameters: NAME=0.12,OTHER=200mm or ARRAY[3]=pi/2
-    #[arg(long, value_name = "NAME=VALUE")]
+    /// Set parameters: NAME=0.12,OTHER=200mm or ARRAY[3]=pi/2, or @FILE
+    #[arg(
+        long,
+        value_name = "NAME=VALUE",
+        long_help = "\
+Set parameters: NAME=0.12,OTHER=200mm or ARRAY[3]=pi/2.
+@FILE takes those of a json file with `parameters`, as `design` writes it"
+    )]
     set: Vec<String>,
     /// Where assembly starts; coordinates without a guess are found
     #[arg(
@@ -57,8 +63,9 @@ impl SetupArgs {
         let place = |option: &str, kind: Kind, name: &str, names: &[&str]| find_in(model, option, kind, name, names);
 
         let parameters: Vec<&str> = model.parameters.iter().map(|p| p.name).collect();
+        let set = ledger.take(expanded("--set", &self.set)).unwrap_or_default();
         for (name, value) in
-            ledger.take(values::assignments("--set", &example(&parameters, "0.12"), &self.set)).unwrap_or_default()
+            ledger.take(values::assignments("--set", &example(&parameters, "0.12"), &set)).unwrap_or_default()
         {
             let found = place("--set", Kind::Parameter, &name, &parameters);
             let value = values::number(&format!("--set {name}"), &value, Measured::parameter(model, &name));
@@ -118,6 +125,18 @@ impl SetupArgs {
         setup.complete()?;
         Ok(setup)
     }
+}
+
+/// Assignments, with those of files that `@FILE` names.
+fn expanded(option: &str, texts: &[String]) -> Result<Vec<String>, Failure> {
+    let (mut ledger, mut all) = (Ledger::default(), Vec::new());
+    for text in texts {
+        match text.strip_prefix('@') {
+            Some(file) => all.extend(ledger.take(values::of_file(option, file)).unwrap_or_default()),
+            None => all.push(text.clone()),
+        }
+    }
+    ledger.close(Some(all))
 }
 
 /// What an assignment looks like.

@@ -83,6 +83,8 @@ const WRITERS: &[(&str, &[Form])] = &[
     ("forces", &[Form::Text, Form::Json, Form::Csv]),
     ("sensitivities", &[Form::Text, Form::Json, Form::Csv]),
     ("sweep", &[Form::Text, Form::Json, Form::Csv]),
+    #[cfg(feature = "design")]
+    ("design", &[Form::Text, Form::Json]),
     ("extremes", &[Form::Text, Form::Json, Form::Csv]),
     ("modes", &[Form::Text, Form::Json]),
     ("limits", &[Form::Text, Form::Json]),

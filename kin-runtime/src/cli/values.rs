@@ -68,6 +68,17 @@ fn written(option: &str, text: &str) -> Result<Amount, Failure> {
     }
 }
 
+/// The parameters that a design's json holds, as `--set` takes them.
+pub(super) fn of_file(option: &str, file: &str) -> Result<Vec<String>, Failure> {
+    let cannot = |why: String| Failure::option(option, format!("cannot read `{file}`: {why}"));
+    let text = std::fs::read_to_string(file).map_err(|error| cannot(error.to_string()))?;
+    let found: serde_json::Value = serde_json::from_str(&text).map_err(|error| cannot(error.to_string()))?;
+    let parameters = found.get("parameters").and_then(serde_json::Value::as_object);
+    let parameters = parameters.ok_or_else(|| cannot("it has no `parameters`".to_owned()))?;
+    let pairs = parameters.iter().map(|(name, value)| value.as_f64().map(|value| format!("{name}={value:?}")));
+    pairs.collect::<Option<_>>().ok_or_else(|| cannot("a parameter is no number".to_owned()))
+}
+
 /// `name=value` pairs from all occurrences of an option; no name twice.
 pub(super) fn assignments(option: &str, example: &str, texts: &[String]) -> Result<Vec<(String, String)>, Failure> {
     let mut pairs: Vec<(String, String)> = Vec::new();

@@ -70,6 +70,22 @@ impl Watch {
         if self.interrupted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
+    /// [`step`](Self::step) from any thread.
+    #[cfg(feature = "design")]
+    pub(super) fn shared(&self) -> impl Fn(usize) -> ControlFlow<()> + Sync + use<> {
+        let (bar, interrupt, began) = (self.bar.borrow().clone(), self.interrupt.clone(), self.began.get());
+        let drawn = std::sync::atomic::AtomicBool::new(false);
+        move |done| {
+            if let Some(bar) = &bar {
+                if began.elapsed() >= PATIENCE && !drawn.swap(true, std::sync::atomic::Ordering::Relaxed) {
+                    bar.set_draw_target(ProgressDrawTarget::stderr());
+                }
+                bar.set_position(done as u64);
+            }
+            if interrupt.asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        }
+    }
+
     /// The long part is over: the bar disappears, and Ctrl-C ends the program again.
     pub(super) fn end(&self) {
         if let Some(bar) = self.bar.take() {

@@ -16,7 +16,7 @@
 //! 12. [How kin solves a mechanism](chapter_12_solving): the steps that an expert would take;
 //! 13. [How the derivation works](chapter_13_derivation): from tokens to straight-line code;
 //! 14. [Adding a constraint](chapter_14_constraint): for contributors;
-//! 15. [What is not there](chapter_15_limits): space, contact, friction, synthesis;
+//! 15. [What is not there](chapter_15_limits): space, contact, friction;
 //! 16. [Proofs](chapter_16_proofs): certificates, all ways in which a mechanism closes, and how far it moves.
 //!
 //! The language itself, attribute by attribute, is in [`vocabulary`](crate::vocabulary). These modules hold documentation only;

@@ -76,24 +76,6 @@ pub struct Sensitivity {
 report!(Sensitivity, body: BodyMotion, point: PointMotion);
 
 impl Sensitivity {
-    /// With nothing in it.
-    pub(crate) const fn new(model: &'static Model, parameter: &'static str) -> Self {
-        Self {
-            model,
-            parameter,
-            q: Vec::new(),
-            q_dot: Vec::new(),
-            q_ddot: Vec::new(),
-            margins: Vec::new(),
-            bodies: Vec::new(),
-            points: Vec::new(),
-            defines: Vec::new(),
-            joints: Vec::new(),
-            conditions: Vec::new(),
-            forces: None,
-        }
-    }
-
     /// True where q, q̇, q̈ and what is reported of the motion have derivatives.
     pub(crate) fn is_finite(&self) -> bool {
         let coordinates = [&self.q, &self.q_dot, &self.q_ddot].into_iter().flatten().copied();

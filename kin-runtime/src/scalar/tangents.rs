@@ -30,6 +30,9 @@ pub struct Tangents<const W: usize> {
 }
 
 impl<const W: usize> Tangents<W> {
+    /// How many parameters there are.
+    pub const LANES: usize = W;
+
     /// A value with these derivatives.
     #[inline(always)]
     pub const fn new(value: f64, by: [f64; W]) -> Self {
@@ -77,7 +80,7 @@ impl<const W: usize> Tangents<W> {
 
     #[inline(always)]
     fn turned(self, (sin, cos): (f64, f64)) -> (Self, Self) {
-        (self.chain(sin, cos), self.chain(cos, -sin))
+        (Self { value: sin, by: self.by.map(|by| cos * by) }, Self { value: cos, by: self.by.map(|by| -sin * by) })
     }
 
     /// The angle of the vector (x, y), whose value is known: θ_p = (x y_p − y x_p) / (x² + y²).

@@ -41,8 +41,7 @@ impl Linear {
         let model = equations.model;
         let pattern = &model.constraint_pattern;
         let held = |list: &[f64]| -> Vec<Number> { list.iter().copied().map(Number::from_f64).collect() };
-        let Varied { q, q_dot, q_ddot, margins } = varied;
-        margins.clear();
+        let Varied { q, q_dot, q_ddot, .. } = varied;
         (*q, *q_dot, *q_ddot) = (held(&state.q), held(&state.q_dot), held(&state.q_ddot));
         let rows = Rows::new(variation.evaluate(Subset::PHI, q, q_dot)?.phi.to_vec());
         self.close(equations, &rows, parameters, q)?;

@@ -17,7 +17,6 @@ mod forces;
 mod linear;
 mod variation;
 
-use crate::analysis::by_plan;
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
@@ -26,11 +25,11 @@ use crate::model::{Level, Model};
 use crate::motion::{BodyMotion, PointMotion};
 use crate::plan::Plan;
 use crate::sensitivities::{Sensitivities, Sensitivity};
-use crate::signal::Signal;
 use crate::solver::Solver;
 use crate::state::State;
 use linear::Linear;
-use variation::{Number, Variation, Varied, Varying, WIDTH};
+use variation::WIDTH;
+pub(crate) use variation::{Number, Variation, Varied, Varying};
 
 /// What the plan's q may miss that of the state by, in the size of its numbers, to be the same configuration.
 const SAME: f64 = 1e-6;
@@ -89,8 +88,42 @@ impl<M: Mechanism> Solver<'_, M> {
         if let Some(&index) = parameters.iter().find(|&&index| index >= M::PARAMETERS) {
             return Err(SolveError::UnknownParameter { index, parameters: M::PARAMETERS });
         }
-        let mut varying = Varying::new(self.mechanism);
-        self.analyse(&state.instant(), |equations| sensitivities(equations, &mut varying, state, parameters))
+        let model = M::model();
+        let (mut varying, mut by, mut margins) = (Varying::new(self.mechanism), Vec::new(), Vec::new());
+        self.vary(&mut varying, state, parameters, &mut |variation, chunk, varied| {
+            let first = by.len();
+            by.extend((0..chunk.len()).map(|lane| reported(model, model.parameters[chunk[lane]].name, lane, varied)));
+            margins = varied.margins.iter().map(|margin| margin.value()).collect();
+            let Some(info) = model.forces else { return Ok(()) };
+            self.analyse(&state.instant(), |equations| {
+                forces::forces(equations, variation, info, state, varied, &mut by[first..]);
+                Ok(())
+            })
+        })?;
+        match by.iter().find(|by| !by.is_finite()) {
+            Some(by) => Err(SolveError::NoSensitivity { t: state.t, parameter: by.parameter, row_name: None }),
+            None => Ok(Sensitivities { t: state.t, model, margins, by }),
+        }
+    }
+
+    /// q, q̇, q̈ and the observables with their derivatives, for as many parameters at once as a number carries.
+    pub(crate) fn vary(
+        &self,
+        variation: &mut dyn Variation,
+        state: &State,
+        parameters: &[usize],
+        see: &mut See<'_>,
+    ) -> Result<(), SolveError> {
+        let mut all = Vec::new();
+        if !(self.given.is_empty() && planned(self.options.use_plan, variation, state, parameters, &mut all)?) {
+            self.analyse(&state.instant(), |equations| by_rows(equations, variation, state, parameters, &mut all))?;
+        }
+        for (chunk, varied) in parameters.chunks(WIDTH).zip(&mut all) {
+            variation.begin(&state.instant(), chunk);
+            observe(variation, varied)?;
+            see(variation, chunk, varied)?;
+        }
+        Ok(())
     }
 
     /// [`sensitivities_by`](Self::sensitivities_by) at every state of a motion, in their order.
@@ -106,47 +139,40 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 }
 
-fn sensitivities(
+/// Who is shown what varies, chunk by chunk of the parameters.
+pub(crate) type See<'s> = dyn FnMut(&mut dyn Variation, &[usize], &Varied) -> Result<(), SolveError> + 's;
+
+/// q, q̇ and q̈ by Φ_q as a whole.
+fn by_rows(
     equations: &mut Equations<'_>,
     variation: &mut dyn Variation,
     state: &State,
     parameters: &[usize],
-) -> Result<Sensitivities, SolveError> {
+    all: &mut Vec<Varied>,
+) -> Result<(), SolveError> {
     for (what, list) in [("q", &state.q), ("q_dot", &state.q_dot), ("q_ddot", &state.q_ddot)] {
         equations.check(what, list)?;
     }
-    let model = equations.model;
-    if model.rows.iter().any(|row| row.level == Level::Velocity) {
+    if is_integrated(equations.model) {
         return Err(SolveError::NotDetermined { t: state.t, open: 0, could_be_given: Vec::new() });
     }
     if state.degrees_of_freedom_left > 0 {
         return Err(open(equations, state)?);
     }
-    let (mut varied, mut linear, mut by) = (Varied::default(), None, Vec::with_capacity(parameters.len()));
+    all.clear();
+    let linear = Linear::at(equations, state)?;
     for chunk in parameters.chunks(WIDTH) {
         variation.begin(&state.instant(), chunk);
-        if !planned(equations, variation, state, &mut varied)? {
-            let linear = match &linear {
-                Some(linear) => linear,
-                None => linear.insert(Linear::at(equations, state)?),
-            };
-            linear.vary(equations, variation, state, chunk, &mut varied)?;
-        }
-        let names = |lane: usize| model.parameters[chunk[lane]].name;
-        let first = by.len();
-        by.extend((0..chunk.len()).map(|lane| quantities(model, names(lane), lane, &varied)));
-        observe(variation, &varied, &mut by[first..])?;
-        if let Some(info) = model.forces {
-            forces::forces(equations, variation, info, state, &varied, &mut by[first..]);
-        }
+        let mut varied = Varied::default();
+        linear.vary(equations, variation, state, chunk, &mut varied)?;
+        all.push(varied);
     }
-    match by.iter().find(|by| !by.is_finite()) {
-        Some(by) => Err(SolveError::NoSensitivity { t: state.t, parameter: by.parameter, row_name: None }),
-        None => {
-            let margins = varied.margins.iter().map(|margin| margin.value()).collect();
-            Ok(Sensitivities { t: state.t, model, margins, by })
-        }
-    }
+    Ok(())
+}
+
+/// True where rows of velocity level make the position an outcome of the motion.
+fn is_integrated(model: &Model) -> bool {
+    model.rows.iter().any(|row| row.level == Level::Velocity)
 }
 
 /// What is left open, as an error.
@@ -158,54 +184,72 @@ fn open(equations: &mut Equations<'_>, state: &State) -> Result<SolveError, Solv
 
 /// q, q̇ and q̈ by the plan; false where it has no answer, or none that counts.
 fn planned(
-    equations: &Equations<'_>,
+    use_plan: bool,
     variation: &mut dyn Variation,
     state: &State,
-    varied: &mut Varied,
+    parameters: &[usize],
+    all: &mut Vec<Varied>,
 ) -> Result<bool, SolveError> {
-    let plan = &equations.model.plan;
+    let model = variation.model();
+    let plan = &model.plan;
+    let lists = [&state.q, &state.q_dot, &state.q_ddot];
+    let complete = lists.iter().all(|list| list.len() == model.coordinates.len());
+    let determined = state.degrees_of_freedom_left == 0 && !is_integrated(model);
     // Rows that the plan does without may hold at these parameters alone: all rows together say whether they do.
-    if !equations.options.use_plan || !by_plan::exists(equations) || plan.watched().next().is_some() {
+    let usable = use_plan && plan.exists() && plan.watched().next().is_none();
+    if !(complete && determined && usable) {
         return Ok(false);
     }
-    let mut modes = Vec::new();
-    by_plan::modes(equations, &state.q, &mut modes);
-    if modes.contains(&0.0) || !variation.solve(&modes, &state.q, varied)? {
-        return Ok(false);
+    for chunk in parameters.chunks(WIDTH) {
+        variation.begin(&state.instant(), chunk);
+        let mut varied = Varied::default();
+        if !variation.solve(state, &mut varied)? {
+            return Ok(false);
+        }
+        let good = varied.margins.iter().all(|margin| margin.value() > Plan::SMALLEST_MARGIN);
+        let same = |found: &[Number], exact: &[f64]| {
+            let size = exact.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
+            found.iter().zip(exact).all(|(found, exact)| {
+                (found.value() - exact).abs() <= SAME * size && found.by().iter().all(|by| by.is_finite())
+            })
+        };
+        let found = [&varied.q, &varied.q_dot, &varied.q_ddot];
+        if !(good && found.into_iter().zip(lists).all(|(found, exact)| same(found, exact))) {
+            return Ok(false);
+        }
+        all.push(varied);
     }
-    let good = varied.margins.iter().all(|margin| margin.value() > Plan::SMALLEST_MARGIN);
-    let same = |found: &[Number], exact: &[f64]| {
-        let size = exact.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
-        found.iter().zip(exact).all(|(found, exact)| {
-            (found.value() - exact).abs() <= SAME * size && found.by().iter().all(|by| by.is_finite())
-        })
-    };
-    let Varied { q, q_dot, q_ddot, .. } = &*varied;
-    Ok(good && same(q, &state.q) && same(q_dot, &state.q_dot) && same(q_ddot, &state.q_ddot))
+    Ok(true)
 }
 
-/// The derivatives of q, q̇ and q̈ by the parameter of a lane; room for the rest.
-fn quantities(model: &'static Model, parameter: &'static str, lane: usize, varied: &Varied) -> Sensitivity {
-    let of = |list: &[Number]| list.iter().map(|number| number.by()[lane]).collect();
-    let [q, q_dot, q_ddot, margins] = [&varied.q, &varied.q_dot, &varied.q_ddot, &varied.margins].map(|list| of(list));
-    Sensitivity { q, q_dot, q_ddot, margins, ..Sensitivity::new(model, parameter) }
-}
-
-/// The derivatives of all that is reported of the motion.
-fn observe(variation: &mut dyn Variation, varied: &Varied, by: &mut [Sensitivity]) -> Result<(), SolveError> {
+/// Writes the observables.
+fn observe(variation: &mut dyn Variation, varied: &mut Varied) -> Result<(), SolveError> {
     let model = variation.model();
     let parts = variation.observe(&varied.q, &varied.q_dot)?;
     let pattern = &model.observable_pattern;
-    let all: Vec<Signal<Number>> =
-        (0..model.observables.len()).map(|k| parts.rates(pattern, k, &varied.q_dot, &varied.q_ddot)).collect();
-    for (lane, by) in by.iter_mut().enumerate() {
-        let at = |k: usize| all.get(k).map(|signal| signal.map(|number| number.by()[lane])).unwrap_or_default();
-        by.bodies = model.bodies.iter().map(|body| BodyMotion::from(body.observables.map(at))).collect();
-        by.points = model.points.iter().map(|point| PointMotion::from(point.observables.map(at))).collect();
-        by.defines = model.defines.iter().map(|define| at(define.observable)).collect();
-        by.joints =
-            model.joints.iter().map(|joint| joint.quantities.iter().map(|q| at(q.observable)).collect()).collect();
-        by.conditions = model.conditions.iter().map(|condition| at(condition.observable)).collect();
-    }
+    let all = (0..model.observables.len()).map(|k| parts.rates(pattern, k, &varied.q_dot, &varied.q_ddot));
+    varied.observed = all.collect();
     Ok(())
+}
+
+/// The derivatives by the parameter of a lane, of all but forces.
+fn reported(model: &'static Model, parameter: &'static str, lane: usize, varied: &Varied) -> Sensitivity {
+    let of = |list: &[Number]| list.iter().map(|number| number.by()[lane]).collect();
+    let [q, q_dot, q_ddot, margins] = [&varied.q, &varied.q_dot, &varied.q_ddot, &varied.margins].map(|list| of(list));
+    let at = |k: usize| varied.observed.get(k).map(|signal| signal.map(|number| number.by()[lane])).unwrap_or_default();
+    let joints = model.joints.iter().map(|joint| joint.quantities.iter().map(|q| at(q.observable)).collect());
+    Sensitivity {
+        model,
+        parameter,
+        q,
+        q_dot,
+        q_ddot,
+        margins,
+        bodies: model.bodies.iter().map(|body| BodyMotion::from(body.observables.map(at))).collect(),
+        points: model.points.iter().map(|point| PointMotion::from(point.observables.map(at))).collect(),
+        defines: model.defines.iter().map(|define| at(define.observable)).collect(),
+        joints: joints.collect(),
+        conditions: model.conditions.iter().map(|condition| at(condition.observable)).collect(),
+        forces: None,
+    }
 }

@@ -4,7 +4,9 @@ use crate::equations::system::Parts;
 use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 use crate::model::Model;
 use crate::plan::{Depth, Solved};
+use crate::planned::lists::Closures;
 use crate::scalar::{Scalar, Tangents};
+use crate::state::State;
 use crate::workspace::{Array, Instant, Signal, Subset};
 
 /// Parameters that are taken together.
@@ -16,7 +18,10 @@ pub(crate) type Number = Tangents<WIDTH>;
 /// Coordinates, at most, whose numbers are on the stack: a plan has about twenty values for each.
 const LARGEST: usize = 160;
 
-/// q, q̇ and q̈ with their derivatives.
+/// Closures nearer to one another than this do not say which of them a configuration is.
+const UNDECIDED: f64 = 1e-6;
+
+/// q, q̇ and q̈ with their derivatives, and what is reported of them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Varied {
     pub(crate) q: Vec<Number>,
@@ -24,6 +29,8 @@ pub(crate) struct Varied {
     pub(crate) q_ddot: Vec<Number>,
     /// The margins of the plan; empty where it did not solve.
     pub(crate) margins: Vec<Number>,
+    /// The observables with their rates.
+    pub(crate) observed: Vec<Signal<Number>>,
 }
 
 /// A mechanism some of whose parameters vary.
@@ -32,8 +39,9 @@ pub(crate) trait Variation {
     fn model(&self) -> &'static Model;
     /// Varies these parameters at an instant.
     fn begin(&mut self, at: &Instant<'_>, parameters: &[usize]);
-    /// q, q̇ and q̈ by the plan from q in these modes, with its margins; false where it is too large for that.
-    fn solve(&mut self, modes: &[f64], q: &[f64], varied: &mut Varied) -> Result<bool, LengthError>;
+    /// q, q̇ and q̈ by the plan from the q of a state in its modes, with margins; false where these are not decided, and for
+    /// a mechanism that is too large.
+    fn solve(&mut self, state: &State, varied: &mut Varied) -> Result<bool, LengthError>;
     /// Evaluates Φ, Φ_q, Φ_t, γ, or a subset.
     fn evaluate(&mut self, subset: Subset, q: &[Number], q_dot: &[Number]) -> Result<Parts<'_, Number>, LengthError>;
     /// Evaluates the observables.
@@ -92,15 +100,21 @@ impl<M: Mechanism> Variation for Varying<'_, M> {
         }
     }
 
-    fn solve(&mut self, modes: &[f64], q: &[f64], varied: &mut Varied) -> Result<bool, LengthError> {
+    fn solve(&mut self, state: &State, varied: &mut Varied) -> Result<bool, LengthError> {
         if M::COORDINATES > LARGEST {
             return Ok(false);
         }
         let number = Number::from_f64;
+        let parameters = self.mechanism.parameters::<f64>();
+        let closures = Closures::at(self.mechanism, parameters.as_ref(), &state.instant(), &state.q)?;
+        if closures.as_ref().iter().any(|closure| closure.is_nan() || closure.abs() <= UNDECIDED) {
+            return Ok(false);
+        }
         // There are never more modes than coordinates.
-        let signs = M::Coordinates::<Number>::generate(|k| number(modes.get(k).copied().unwrap_or(0.0)));
-        let start = M::Coordinates::<Number>::generate(|k| number(q.get(k).copied().unwrap_or(f64::NAN)));
-        let Varied { q, q_dot, q_ddot, margins } = varied;
+        let sign = |k: usize| closures.as_ref().get(k).map_or(0.0, |closure| closure.signum());
+        let signs = M::Coordinates::<Number>::generate(|k| number(sign(k)));
+        let start = M::Coordinates::<Number>::generate(|k| number(state.q[k]));
+        let Varied { q, q_dot, q_ddot, margins, .. } = varied;
         margins.clear();
         margins.resize(M::model().plan.margins, number(0.0));
         for list in [&mut *q, &mut *q_dot, &mut *q_ddot] {
@@ -108,7 +122,7 @@ impl<M: Mechanism> Variation for Varying<'_, M> {
             list.resize(M::COORDINATES, number(0.0));
         }
         let solved = Solved { q, q_dot, q_ddot, margins };
-        let (parameters, modes) = (self.parameters.as_ref(), &signs.as_ref()[..modes.len()]);
+        let (parameters, modes) = (self.parameters.as_ref(), &signs.as_ref()[..M::model().plan.modes.len()]);
         self.mechanism.solve_with(parameters, &self.at(), modes, start.as_ref(), Depth::Acceleration, solved)?;
         Ok(true)
     }

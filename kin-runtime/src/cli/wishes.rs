@@ -1,0 +1,48 @@
+//! What `design` is asked for, before the mechanism's type is known.
+
+use crate::design::{Design, DesignError, Direction, Shortest};
+use crate::mechanism::Mechanism;
+
+/// Instants at which a condition on a whole turn is looked at.
+const INSTANTS: usize = 37;
+/// The least margin of a mechanism that turns.
+const MARGIN: f64 = 1e-3;
+
+/// What is asked of a design, one call of its builder each.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Wish {
+    Free(String, f64, f64),
+    Equal(String, String),
+    PathAt(String, Vec<(f64, [f64; 2])>),
+    Path(String, Vec<[f64; 2]>, Direction),
+    Function(String, Vec<(f64, f64)>),
+    Grashof(Vec<String>, Shortest),
+    Turns,
+    Range(String, f64, f64),
+}
+
+/// A design with what belongs to all of its wishes.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Wishes {
+    pub(super) all: Vec<Wish>,
+    pub(super) period: f64,
+}
+
+impl Wishes {
+    /// The design of a mechanism.
+    pub(super) fn of<M: Mechanism>(&self, begin: Design<M>) -> Result<Design<M>, DesignError> {
+        let period = self.period;
+        self.all.iter().try_fold(begin, |design, wish| match wish {
+            Wish::Free(name, low, high) => design.free(name, *low..=*high),
+            Wish::Equal(name, other) => design.equal(name, other),
+            Wish::PathAt(point, places) => design.path_at(point, places),
+            Wish::Path(point, places, direction) => design.path(point, places, period, *direction),
+            Wish::Function(name, values) => design.function(name, values),
+            Wish::Grashof(lengths, shortest) => {
+                design.grashof(core::array::from_fn(|k| lengths.get(k).map_or("", String::as_str)), *shortest)
+            }
+            Wish::Turns => design.turns(period, INSTANTS, MARGIN),
+            Wish::Range(name, low, high) => design.range(name, *low..=*high, period, INSTANTS),
+        })
+    }
+}

@@ -1,0 +1,97 @@
+//! What must hold besides: each condition is a list of slacks that are to be positive.
+
+use super::error::DesignError;
+use super::objective::Quantity;
+use super::variables::place;
+use crate::mechanism::Mechanism;
+use core::ops::RangeInclusive;
+
+/// Which length of a four-bar is the shortest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shortest {
+    /// The ground: crank and rocker both turn fully.
+    Ground,
+    /// The crank, which turns fully.
+    Crank,
+    /// The coupler: crank and rocker both rock.
+    Coupler,
+    /// The rocker, which turns fully while the crank rocks.
+    Rocker,
+}
+
+/// A condition.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Condition {
+    /// Σ factor · parameter ≥ least.
+    Sum { name: String, terms: Vec<(usize, f64)>, least: f64 },
+    /// Margins of the plan at instants.
+    Margins { times: Vec<f64>, least: f64 },
+    /// A quantity within a range at instants.
+    Range { name: String, of: Quantity, low: f64, high: f64, times: Vec<f64> },
+}
+
+/// Instants that are equally far apart, the ends of the period included.
+fn spread(period: f64, instants: usize) -> Result<Vec<f64>, DesignError> {
+    if !(period.is_finite() && period > 0.0) {
+        return Err(DesignError::NotFinite { what: "the period" });
+    }
+    let last = instants.max(2) - 1;
+    Ok((0..=last).map(|k| period * k as f64 / last as f64).collect())
+}
+
+impl Condition {
+    pub(crate) fn sum<M: Mechanism>(terms: &[(&str, f64)], least: f64) -> Result<Self, DesignError> {
+        if !least.is_finite() || terms.iter().any(|(_, factor)| !factor.is_finite()) {
+            return Err(DesignError::NotFinite { what: "a condition" });
+        }
+        let written = |(name, factor): &(&str, f64)| match *factor {
+            1.0 => format!("+ {name}"),
+            -1.0 => format!("- {name}"),
+            factor => format!("{factor:+} {name}"),
+        };
+        let name = format!("{} >= {least}", terms.iter().map(written).collect::<Vec<_>>().join(" "));
+        let terms = terms.iter().map(|(name, factor)| Ok((place::<M>(name)?, *factor)));
+        Ok(Self::Sum { name, terms: terms.collect::<Result<_, DesignError>>()?, least })
+    }
+
+    /// With the shortest length s: s + a ≤ b + c for each other length a, which makes s the shortest.
+    pub(crate) fn grashof<M: Mechanism>(lengths: [&str; 4], shortest: Shortest) -> Result<Vec<Self>, DesignError> {
+        let shortest = shortest as usize;
+        let others = (0..4).filter(|k| *k != shortest);
+        let condition = |long: usize| {
+            let sign = |k: usize| if k == shortest || k == long { -1.0 } else { 1.0 };
+            Self::sum::<M>(&core::array::from_fn::<_, 4, _>(|k| (lengths[k], sign(k))), 0.0)
+        };
+        others.map(condition).collect()
+    }
+
+    pub(crate) fn turns(period: f64, instants: usize, least: f64) -> Result<Self, DesignError> {
+        if !least.is_finite() {
+            return Err(DesignError::NotFinite { what: "the least margin" });
+        }
+        Ok(Self::Margins { times: spread(period, instants)?, least })
+    }
+
+    pub(crate) fn range(
+        name: String,
+        of: Quantity,
+        range: RangeInclusive<f64>,
+        period: f64,
+        instants: usize,
+    ) -> Result<Self, DesignError> {
+        let (low, high) = range.into_inner();
+        if low.is_nan() || high.is_nan() || low >= high {
+            return Err(DesignError::Bounds { parameter: name, low, high });
+        }
+        Ok(Self::Range { name, of, low, high, times: spread(period, instants)? })
+    }
+
+    /// What it is called.
+    pub(crate) fn name(&self) -> String {
+        match self {
+            Self::Sum { name, .. } => name.clone(),
+            Self::Margins { least, .. } => format!("turns with margins above {least}"),
+            Self::Range { name, low, high, .. } => format!("{name} in {low}..{high}"),
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! One descent: bounded nonlinear least squares by `basin`, with a term for every condition.
+//!
+//! A slack c adds the residual √τ/c: it keeps c positive at every step and vanishes with τ. Where a slack is not positive or
+//! the mechanism does not assemble, residuals are no numbers, and the trust region shrinks.
+
+use super::builder::Design;
+use super::motion::{Branch, Evaluated};
+use crate::mechanism::Mechanism;
+use basin::{
+    BoxBounds, ConstraintDescription, ConstraintSet, Constraints, CostFunction, DenseMatrix, Executor, Jacobian,
+    Residual, TrustRegionReflective,
+};
+use core::convert::Infallible;
+
+/// An error below this share of the sum of squares of what is wanted is 0.
+pub(crate) const NOTHING: f64 = 1e-24;
+
+/// How far a descent goes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Effort {
+    /// Shares of the sum of squares that the terms of conditions begin with, one after the other; 0 leaves them out.
+    pub(crate) shares: &'static [f64],
+    /// Most steps for each of them.
+    pub(crate) steps: u64,
+    /// The relative change of the sum of squares that ends it.
+    pub(crate) change: f64,
+}
+
+/// To see which start is worth more.
+pub(crate) const FIRST: Effort = Effort { shares: &[1e-2, 1e-6], steps: 60, change: 1e-4 };
+/// To the end.
+pub(crate) const LAST: Effort = Effort { shares: &[1e-6, 1e-10, 0.0], steps: 120, change: 1e-12 };
+
+/// The least squares problem of one branch.
+struct Fit<'d, M: Mechanism> {
+    design: &'d Design<M>,
+    branch: &'d Branch,
+    lower: Vec<f64>,
+    upper: Vec<f64>,
+    /// √τ.
+    weight: f64,
+    rows: usize,
+}
+
+/// Where a descent has come to.
+#[derive(Clone, Debug)]
+pub(crate) struct End {
+    pub(crate) variables: Vec<f64>,
+    /// The sum of squared misses.
+    pub(crate) error: f64,
+    pub(crate) branch: Branch,
+}
+
+/// The sum of squared misses of a design that keeps all conditions.
+pub(crate) fn error<M: Mechanism>(design: &Design<M>, variables: &[f64], branch: &Branch) -> Option<f64> {
+    let evaluated = design.evaluate(variables, branch, false).ok()?;
+    let kept = evaluated.slacks.iter().all(|slack| slack.value > 0.0);
+    let error: f64 = evaluated.misses.iter().map(|row| row.value * row.value).sum();
+    (kept && error.is_finite()).then_some(error)
+}
+
+/// Goes downhill from a design that keeps all conditions.
+pub(crate) fn descend<M: Mechanism>(design: &Design<M>, start: End, effort: Effort) -> End {
+    let mut end = start;
+    let nothing = NOTHING * design.wanted();
+    for share in effort.shares {
+        if end.error <= nothing {
+            break;
+        }
+        let Ok(evaluated) = design.evaluate(&end.variables, &end.branch, false) else { return end };
+        let terms: f64 = evaluated.slacks.iter().map(|slack| slack.value.powi(-2)).sum();
+        let weight = if terms > 0.0 { (share * end.error / terms).sqrt() } else { 0.0 };
+        let rows = evaluated.misses.len() + evaluated.slacks.len();
+        let count = end.variables.len();
+        let (lower, upper) = (vec![0.0; count], vec![1.0; count]);
+        let fit = Fit { design, branch: &end.branch, lower, upper, weight, rows };
+        let solver = TrustRegionReflective::new()
+            .with_absolute_scaled_gradient_tolerance(0.0)
+            .with_relative_cost_change_tolerance(effort.change);
+        // Bounds of 0 and 1 are always consistent; where they were not, there would be nothing to descend.
+        let Ok(result) = Executor::from_start(fit, solver, end.variables.clone())
+            .max_iter(effort.steps)
+            .target_objective(0.5 * nothing)
+            .run()
+        else {
+            return end;
+        };
+        let variables = result.param().clone();
+        match error(design, &variables, &end.branch) {
+            Some(error) if error <= end.error || *share > 0.0 => end = End { variables, error, branch: end.branch },
+            _ => {}
+        }
+    }
+    end
+}
+
+impl<M: Mechanism> Fit<'_, M> {
+    /// Misses, then the terms of the conditions; none where a slack is not positive.
+    fn evaluated(&self, variables: &[f64], slopes: bool) -> Option<Evaluated> {
+        let evaluated = self.design.evaluate(variables, self.branch, slopes).ok()?;
+        let complete = evaluated.misses.len() + evaluated.slacks.len() == self.rows;
+        (complete && evaluated.slacks.iter().all(|slack| slack.value > 0.0)).then_some(evaluated)
+    }
+
+    fn residuals(&self, evaluated: Option<&Evaluated>) -> Vec<f64> {
+        let Some(evaluated) = evaluated else { return vec![f64::NAN; self.rows] };
+        let misses = evaluated.misses.iter().map(|row| row.value);
+        misses.chain(evaluated.slacks.iter().map(|slack| self.weight / slack.value)).collect()
+    }
+
+    fn matrix(&self, evaluated: Option<&Evaluated>) -> DenseMatrix {
+        let columns = self.lower.len();
+        let Some(evaluated) = evaluated else {
+            return DenseMatrix::from_row_slice(self.rows, columns, &vec![f64::NAN; self.rows * columns]);
+        };
+        let misses = evaluated.misses.iter().flat_map(|row| row.by.iter().copied());
+        let slacks = evaluated.slacks.iter().flat_map(|slack| {
+            let slope = -self.weight / (slack.value * slack.value);
+            slack.by.iter().map(move |by| slope * by)
+        });
+        let entries: Vec<f64> = misses.chain(slacks).collect();
+        DenseMatrix::from_row_slice(self.rows, columns, &entries)
+    }
+}
+
+impl<M: Mechanism> Constraints for Fit<'_, M> {
+    type Set = ConstraintSet<BoxBounds<Vec<f64>>>;
+
+    fn constraints(&self) -> <Self::Set as ConstraintDescription>::Borrowed<'_> {
+        ConstraintSet::new().with_bounds(BoxBounds::new(Some(&self.lower), Some(&self.upper)))
+    }
+}
+
+impl<M: Mechanism> CostFunction for Fit<'_, M> {
+    type Param = Vec<f64>;
+    type Output = f64;
+    type Error = Infallible;
+
+    fn cost(&self, variables: &Vec<f64>) -> Result<f64, Infallible> {
+        let residuals = self.residuals(self.evaluated(variables, false).as_ref());
+        Ok(0.5 * residuals.iter().map(|residual| residual * residual).sum::<f64>())
+    }
+}
+
+impl<M: Mechanism> Residual for Fit<'_, M> {
+    type Param = Vec<f64>;
+    type Output = Vec<f64>;
+    type Error = Infallible;
+
+    fn residual(&self, variables: &Vec<f64>) -> Result<Vec<f64>, Infallible> {
+        Ok(self.residuals(self.evaluated(variables, false).as_ref()))
+    }
+}
+
+impl<M: Mechanism> Jacobian for Fit<'_, M> {
+    type Jacobian = DenseMatrix;
+
+    fn jacobian(&self, variables: &Vec<f64>) -> Result<DenseMatrix, Infallible> {
+        Ok(self.matrix(self.evaluated(variables, true).as_ref()))
+    }
+
+    fn residual_and_jacobian(&self, variables: &Vec<f64>) -> Result<(Vec<f64>, DenseMatrix), Infallible> {
+        let evaluated = self.evaluated(variables, true);
+        Ok((self.residuals(evaluated.as_ref()), self.matrix(evaluated.as_ref())))
+    }
+}

@@ -1,0 +1,58 @@
+//! Synthesis: the dimensions with which a mechanism does what is wanted.
+//!
+//! A [`Design`] says which parameters may vary and within which bounds, what is wanted – a point through given places, a
+//! quantity as a function of the drive, poses of a body – and what must hold besides. [`Design::search`] begins at many
+//! random designs, on all cores, and from each goes downhill to a design with the least sum of squared misses, by bounded
+//! nonlinear least squares (the trust-region-reflective method of Branch, Coleman and Li, SIAM J. Sci. Comput. 21, 1999,
+//! as the crate `basin` has it) with the exact derivatives of [`Solver::sensitivities`](crate::Solver::sensitivities).
+//!
+//! Every design is a motion that is followed in one assembly mode from the first instant to the last, so that no design
+//! asks for a change of branch, circuit or order. A design that does not assemble all the way is none: a step there is
+//! refused. Conditions are kept at every step, by terms τ/c² that keep the slack c positive and vanish with τ in the end.
+//!
+//! ```
+//! use kin_runtime::design::{Design, Search};
+//! use kin_runtime::mechanism;
+//!
+//! /// A crank with a pen.
+//! #[mechanism]
+//! #[bodies(crank)]
+//! #[point(pen = crank @ (l, h))]
+//! #[revolute(pin: ground @ (0, 0), crank @ (0, 0))]
+//! #[driver(drive: crank.phi = t)]
+//! #[derive(Default)]
+//! struct Crank {
+//!     #[param(0.2)]
+//!     l: f64,
+//!     #[param(0.0)]
+//!     h: f64,
+//! }
+//!
+//! # fn main() -> Result<(), kin_runtime::design::DesignError> {
+//! let places = [(0.0, [0.3, 0.1]), (0.5, [0.2153, 0.2316])];
+//! let found = Design::new(&Crank::default())
+//!     .free("l", 0.1..=1.0)?
+//!     .free("h", -1.0..=1.0)?
+//!     .path_at("pen", &places)?
+//!     .search(&Search { starts: 4, ..Search::default() })?;
+//! assert!((found.mechanism.l - 0.3).abs() < 1e-3 && found.error < 1e-7);
+//! # Ok(())
+//! # }
+//! ```
+
+mod builder;
+mod condition;
+mod error;
+mod fit;
+mod motion;
+mod objective;
+mod result;
+mod search;
+mod variables;
+
+pub use builder::Design;
+pub use condition::Shortest;
+pub use error::DesignError;
+pub use objective::Direction;
+pub use result::{Designed, Slack};
+pub use search::{Progress, Search};

@@ -1,0 +1,82 @@
+//! What a search has found.
+
+use crate::planned::Sign;
+use core::fmt;
+
+/// A condition, and what is left of it.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Slack {
+    /// The condition.
+    pub condition: String,
+    /// By how much it is kept, in its own size: 0 at its limit, of the order of 1 far from it. Sums of parameters are
+    /// measured by their bounds, ranges by their width.
+    pub slack: f64,
+}
+
+/// The best design of a search.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Designed<M> {
+    /// The mechanism with these parameters.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub mechanism: M,
+    /// Its free parameters, and those that are equal to them.
+    pub parameters: Vec<(&'static str, f64)>,
+    /// The sum of squared misses: of distances for a path, of differences for a function.
+    pub error: f64,
+    /// The instants of every objective, in their order.
+    pub times: Vec<Vec<f64>>,
+    /// The assembly modes.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub modes: Vec<(&'static str, Sign)>,
+    /// What is left of the conditions: of each the least.
+    pub slacks: Vec<Slack>,
+    /// Starts that were asked for.
+    pub starts: usize,
+    /// Starts for which a design was found that assembles all the way and keeps the conditions.
+    pub assembled: usize,
+    /// Descents that were taken to the end.
+    pub finished: usize,
+    /// How many of these met the best: within a millionth of its error. Few of many say that a better one may exist; many do
+    /// not prove that none does.
+    pub met: usize,
+    /// The errors of the descents that were taken to the end, in ascending order.
+    pub errors: Vec<f64>,
+    /// True when the search was stopped before its time.
+    pub stopped: bool,
+}
+
+impl<M> Designed<M> {
+    /// The same with something else in the place of the mechanism.
+    pub fn map<T>(self, f: impl FnOnce(M) -> T) -> Designed<T> {
+        Designed {
+            mechanism: f(self.mechanism),
+            parameters: self.parameters,
+            error: self.error,
+            times: self.times,
+            modes: self.modes,
+            slacks: self.slacks,
+            starts: self.starts,
+            assembled: self.assembled,
+            finished: self.finished,
+            met: self.met,
+            errors: self.errors,
+            stopped: self.stopped,
+        }
+    }
+}
+
+/// The error, how many starts met it, and a line per parameter and condition.
+impl<M> fmt::Display for Designed<M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { error, starts, assembled, finished, met, .. } = self;
+        write!(
+            f,
+            "sum of squares {error:e}: met by {met} of the {finished} best of {assembled} starts ({starts} asked for)"
+        )?;
+        self.parameters.iter().try_for_each(|(name, value)| write!(f, "\n{name} = {value}"))?;
+        self.modes.iter().try_for_each(|(name, sign)| write!(f, "\nmode {name}: {sign}"))?;
+        self.slacks.iter().try_for_each(|Slack { condition, slack }| write!(f, "\n{condition}: slack {slack:.3e}"))
+    }
+}

@@ -1,0 +1,213 @@
+//! Many starts on all cores: random designs, a first descent from each, and the best of them to the end.
+
+use super::builder::Design;
+use super::condition::Condition;
+use super::error::DesignError;
+use super::fit::{End, FIRST, LAST, NOTHING, descend, error};
+use super::motion::Branch;
+use super::result::{Designed, Slack};
+use super::variables::FIRST as PERIODS;
+use crate::error::SolveError;
+use crate::mechanism::Mechanism;
+use crate::planned::Sign;
+use crate::random::Random;
+use crate::solver::Solver;
+use core::ops::ControlFlow;
+use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use rayon::prelude::*;
+
+/// How far a search is.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub struct Progress {
+    /// Descents that are finished.
+    pub done: usize,
+    /// All of them.
+    pub total: usize,
+}
+
+/// Is told how far a search is, and says whether to go on.
+type Watch<'a> = &'a (dyn Fn(Progress) -> ControlFlow<()> + Sync);
+
+/// How to search.
+#[derive(Clone, Copy)]
+pub struct Search<'a> {
+    /// Random designs to begin with.
+    pub starts: usize,
+    /// The same seed gives the same result, on however many cores.
+    pub seed: u64,
+    /// Is called after every descent; where it breaks, the best so far is the result.
+    pub watch: Option<Watch<'a>>,
+}
+
+impl Default for Search<'_> {
+    fn default() -> Self {
+        Self { starts: 100, seed: 1, watch: None }
+    }
+}
+
+impl core::fmt::Debug for Search<'_> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Search").field("starts", &self.starts).field("seed", &self.seed).finish_non_exhaustive()
+    }
+}
+
+/// Random designs that are drawn for one start, at most.
+const DRAWS: usize = 2000;
+/// Of those that keep the conditions, how many are compared.
+const COMPARED: usize = 20;
+/// Of the first descents, one in so many is taken to the end.
+const TAKEN: usize = 4;
+/// And so many at least.
+const LEAST_TAKEN: usize = 12;
+/// What counts as the same minimum, beside its error.
+const SAME: f64 = 1e-6;
+
+impl<M: Mechanism> Design<M> {
+    /// Searches for the parameters with the least sum of squared misses.
+    ///
+    /// # Errors
+    /// [`Nothing`](DesignError::Nothing) where nothing is free or nothing is wanted; [`NoStart`](DesignError::NoStart)
+    /// where no random design assembles all the way and keeps the conditions.
+    pub fn search(&self, search: &Search<'_>) -> Result<Designed<M>, DesignError> {
+        if self.free.is_empty() {
+            return Err(DesignError::Nothing { what: "no parameter is free" });
+        }
+        if self.objectives.iter().all(|objective| objective.goals.is_empty()) {
+            return Err(DesignError::Nothing { what: "nothing is wanted of the mechanism" });
+        }
+        let modes = self.all_modes();
+        let (done, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
+        let total = search.starts + (search.starts / TAKEN).max(LEAST_TAKEN).min(search.starts);
+        let count = || {
+            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+            if search.watch.is_some_and(|watch| watch(Progress { done, total }).is_break()) {
+                stopped.store(true, Ordering::Relaxed);
+            }
+        };
+        let first = |number: usize| {
+            if stopped.load(Ordering::Relaxed) {
+                return None;
+            }
+            let end = self.drawn(number, search.seed, &modes).map(|start| descend(self, start, FIRST));
+            count();
+            end
+        };
+        let mut ends: Vec<End> = (0..search.starts).into_par_iter().filter_map(first).collect();
+        ends.sort_by(|a, b| a.error.total_cmp(&b.error));
+        let assembled = ends.len();
+        ends.truncate((assembled / TAKEN).max(LEAST_TAKEN));
+        let last = |end: End| {
+            if stopped.load(Ordering::Relaxed) {
+                return end;
+            }
+            let end = descend(self, end, LAST);
+            count();
+            end
+        };
+        let mut ends: Vec<End> = ends.into_par_iter().map(last).collect();
+        ends.sort_by(|a, b| a.error.total_cmp(&b.error));
+        let Some(best) = ends.first() else {
+            let drawn = search.starts * DRAWS;
+            return Err(DesignError::NoStart { drawn, why: self.why(&modes, search.seed) });
+        };
+        let mut designed = self.designed(best);
+        designed.errors = ends.iter().map(|end| end.error).collect();
+        let nothing = NOTHING * self.wanted();
+        let same = |error: &&f64| **error <= (1.0 + SAME) * best.error.max(nothing);
+        designed.met = designed.errors.iter().filter(same).count();
+        (designed.starts, designed.assembled, designed.finished) = (search.starts, assembled, ends.len());
+        designed.stopped = stopped.into_inner();
+        Ok(designed)
+    }
+
+    /// Every mode of the plan with the sign that is asked for, or that the guesses lead to.
+    fn all_modes(&self) -> Vec<(usize, Option<Sign>)> {
+        let modes = M::model().plan.modes;
+        let instant = self.objectives.iter().find_map(|objective| objective.times.first().copied()).unwrap_or(0.0);
+        let mechanism = self.mechanism();
+        let solver = Solver::new(&mechanism);
+        let at = instant.into();
+        let found = solver.assemble(&at).ok().and_then(|q| solver.modes(&at, &q).ok());
+        let guessed = |place: usize| found.as_ref()?.get(place).and_then(|mode| mode.sign);
+        let asked = |place: usize| self.modes.iter().find(|(other, _)| *other == place).map(|(_, sign)| *sign);
+        (0..modes.len()).map(|place| (place, asked(place).unwrap_or_else(|| guessed(place)))).collect()
+    }
+
+    /// Random variables.
+    fn draw(&self, random: &mut Random, modes: &[(usize, Option<Sign>)]) -> (Vec<f64>, Branch) {
+        let mut share = || 0.5 * (random.symmetric() + 1.0);
+        // Bounds may be far wider than what is wanted: half of the draws come as near to that as chance has it.
+        let (size, near) = (self.size(), (2.0 * share() - 1.0).max(0.0));
+        let mut variables: Vec<f64> = self.free.iter().map(|free| free.drawn(size, near, share())).collect();
+        for objective in self.objectives.iter().filter(|objective| objective.free.is_some()) {
+            let count = objective.goals.len();
+            // The first instant within one period; then equal gaps that leave something of it.
+            variables.push((1.0 + share()) / PERIODS);
+            let all = 0.3 + 0.65 * share();
+            let gap = all / (count as f64);
+            variables.extend((1..count).map(|_| gap));
+        }
+        let sign = |share: f64| if share < 0.5 { Sign::Plus } else { Sign::Minus };
+        let forward = share() < 0.5;
+        let modes = modes.iter().map(|&(place, asked)| (place, asked.unwrap_or_else(|| sign(share())))).collect();
+        (variables, Branch { modes, forward })
+    }
+
+    /// A random design that keeps all conditions: the best of a few.
+    fn drawn(&self, number: usize, seed: u64, modes: &[(usize, Option<Sign>)]) -> Option<End> {
+        // Numbers of one seed are far from those of the next.
+        let mut random = Random::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ ((number as u64) << 20));
+        let mut best: Option<End> = None;
+        let mut compared = 0;
+        for _ in 0..DRAWS {
+            let (variables, branch) = self.draw(&mut random, modes);
+            let Some(error) = error(self, &variables, &branch) else { continue };
+            if best.as_ref().is_none_or(|best| error < best.error) {
+                best = Some(End { variables, error, branch });
+            }
+            compared += 1;
+            if compared == COMPARED {
+                break;
+            }
+        }
+        best
+    }
+
+    /// Why a random design does not assemble, if that is why.
+    fn why(&self, modes: &[(usize, Option<Sign>)], seed: u64) -> Option<SolveError> {
+        let mut random = Random::new(seed);
+        (0..DRAWS).find_map(|_| {
+            let (variables, branch) = self.draw(&mut random, modes);
+            self.evaluate(&variables, &branch, false).err()
+        })
+    }
+
+    /// What is reported of a design.
+    fn designed(&self, end: &End) -> Designed<M> {
+        let mechanism = self.mechanism_at(&end.variables);
+        let values = mechanism.parameters::<f64>();
+        let model = M::model();
+        let places = self.free.iter().flat_map(|free| free.places.iter().copied());
+        let evaluated = self.evaluate(&end.variables, &end.branch, false).unwrap_or_default();
+        let slack = |(place, condition): (usize, &Condition)| {
+            let own = evaluated.conditions.iter().zip(&evaluated.slacks).filter(|(other, _)| **other == place);
+            let slack = own.map(|(_, slack)| slack.value).fold(f64::INFINITY, f64::min);
+            Slack { condition: condition.name(), slack }
+        };
+        Designed {
+            parameters: places.map(|place| (model.parameters[place].name, values.as_ref()[place])).collect(),
+            error: end.error,
+            times: evaluated.times.clone(),
+            modes: end.branch.modes.iter().map(|&(place, sign)| (model.plan.modes[place].name, sign)).collect(),
+            slacks: self.conditions.iter().enumerate().map(slack).collect(),
+            starts: 0,
+            assembled: 0,
+            finished: 0,
+            met: 0,
+            errors: Vec::new(),
+            stopped: false,
+            mechanism,
+        }
+    }
+}

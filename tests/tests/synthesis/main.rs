@@ -1,0 +1,8 @@
+//! Synthesis: the published problems of `tests/data/SYNTHESIS.md`, what conditions do, and what is refused.
+//!
+//! Most problems take seconds with optimisation and minutes without: `cargo test --release -p kin-tests --test synthesis --
+//! --include-ignored` runs all of them, each with ten seeds.
+
+mod command;
+mod laws;
+mod published;
