@@ -36,8 +36,23 @@ fn words(line: &str) -> Vec<String> {
 
 /// The examples of a program that fail, and how many there are.
 fn failures(name: &str, place: &Path) -> (usize, Vec<String>) {
-    const COMMANDS: [&str; 10] =
-        ["", "info", "solve", "sweep", "forces", "check", "equations", "animate", "plot", "completions"];
+    const COMMANDS: [&str; 15] = [
+        "",
+        "info",
+        "solve",
+        "sweep",
+        "extremes",
+        "forces",
+        "sensitivities",
+        "design",
+        "modes",
+        "limits",
+        "check",
+        "equations",
+        "animate",
+        "plot",
+        "completions",
+    ];
     let place = place.join(name);
     std::fs::create_dir_all(&place).expect("a directory");
     let program = programs().join(name);

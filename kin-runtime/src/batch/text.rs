@@ -1,6 +1,9 @@
 //! Batches in words.
 
-use super::{Column, Configurations, End, Evaluations, Modes, Moment, Motions, Problems, Progress, Solutions, Sweeps};
+use super::{
+    Column, Configurations, End, Evaluations, ForceSolutions, Modes, Moment, Motions, Problems, Progress, Solutions,
+    Sweeps,
+};
 use crate::mechanism::Mechanism;
 use crate::text::{counted, number, numbers};
 use core::fmt;
@@ -94,5 +97,11 @@ impl<M: Mechanism> fmt::Display for Evaluations<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: ", M::model().name)?;
         counted(f, self.count(), "evaluation")
+    }
+}
+
+impl<M: Mechanism> fmt::Display for ForceSolutions<M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("forces of ").and_then(|()| counted(f, self.count(), "configuration"))
     }
 }

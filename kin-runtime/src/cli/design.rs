@@ -8,6 +8,7 @@ use super::number::Measured;
 use super::options::SetupArgs;
 use super::output::{Form, OutputArgs};
 use super::session::Session;
+use super::trial::quoted;
 use super::values;
 use super::wishes::{Wish, Wishes};
 use crate::design::{DesignError, Designed, Direction, Search, Shortest};
@@ -60,7 +61,18 @@ pub(super) struct DesignArgs {
 }
 
 pub(super) const HELP: Help = Help {
-    examples: |names: &Names| vec![names.with("design --path tip=points.csv --free", &names.set, "")],
+    examples: |names: &Names| {
+        let varied = names.vary.as_ref().and_then(|vary| vary.trim_matches('\'').split('=').next());
+        let (Some(point), Some(parameter)) = (names.point, varied) else { return Vec::new() };
+        let (to, parameter) = (&names.to, quoted(parameter.to_owned()));
+        let wanted = quoted(format!("{point}=points.csv"));
+        let columns = ["x", "y"].map(|axis| quoted(format!("{point}.{axis}")));
+        let sweep = format!("sweep {} --to {to} --steps 6 --out points.csv", columns.join(" "));
+        vec![
+            names.analysis(&sweep, "a file of places"),
+            names.analysis(&format!("design --path {wanted} --free {parameter} --starts 4"), "the way back"),
+        ]
+    },
     details: "\
 Many random designs within the bounds are improved by exact derivatives; each follows one
 assembly mode from the first place to the last. The report says how many starts met the best:

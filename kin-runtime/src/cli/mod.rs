@@ -119,6 +119,9 @@ enum Command {
     Sensitivities(sensitivities::SensitivitiesArgs),
     #[cfg(feature = "design")]
     Design(Box<design::DesignArgs>),
+    #[cfg(not(feature = "design"))]
+    #[command(hide = true)]
+    Design(missing::MissingArgs),
     Modes(modes::ModesArgs),
     Limits(limits::LimitsArgs),
     Check(check::CheckArgs),
@@ -170,6 +173,8 @@ fn run(
         Some(Command::Sensitivities(args)) => sensitivities::run(args, engine, &mut session),
         #[cfg(feature = "design")]
         Some(Command::Design(args)) => design::run(args, engine, &mut session),
+        #[cfg(not(feature = "design"))]
+        Some(Command::Design(args)) => missing::run(args, "design"),
         Some(Command::Modes(args)) => modes::run(args, engine, &mut session),
         Some(Command::Limits(args)) => limits::run(args, engine, &mut session),
         Some(Command::Check(args)) => check::run(args, engine, &mut session),

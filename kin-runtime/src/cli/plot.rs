@@ -83,9 +83,11 @@ Quantities are the columns of `sweep --points`: a coordinate, its rate (NAME_dot
 acceleration (NAME_ddot), and those of points (NAME.x, NAME.speed), defines, joints, inputs and
 forces, transmission angles (B.transmission) and velocity ratios (tip.x/drive). What has one unit
 shares a diagram. The name of a joint, or `shaking`, is the polar diagram of its force: the end of
-the arrow as the motion goes on. --vary may be repeated, for one curve for each combination of values. With --to limit
-(and --from limit) curves end where the mechanism can go no further, with a mark that the legend
-names. Without --out the SVG goes to stdout.
+the arrow as the motion goes on.
+
+--vary may be repeated, for one curve for each combination of values. With --to limit (and --from
+limit) curves end where the mechanism can go no further, with a mark that the legend names.
+Without --out the SVG goes to stdout.
 
 When a motion fails midway, or Ctrl-C ends it, its finished part is drawn and the status is 1,
 or 130.",

@@ -48,6 +48,7 @@ mod motion;
 mod objective;
 mod result;
 mod search;
+mod text;
 mod variables;
 
 pub use builder::Design;

@@ -77,6 +77,6 @@ impl<M> fmt::Display for Designed<M> {
         )?;
         self.parameters.iter().try_for_each(|(name, value)| write!(f, "\n{name} = {value}"))?;
         self.modes.iter().try_for_each(|(name, sign)| write!(f, "\nmode {name}: {sign}"))?;
-        self.slacks.iter().try_for_each(|Slack { condition, slack }| write!(f, "\n{condition}: slack {slack:.3e}"))
+        self.slacks.iter().try_for_each(|slack| write!(f, "\n{slack}"))
     }
 }

@@ -4,7 +4,7 @@ use crate::forces::Forces;
 use crate::model::Model;
 use crate::motion::{BodyMotion, PointMotion, report};
 use crate::signal::Signal;
-use crate::text::numbers;
+use crate::text::{number, numbers};
 use core::fmt;
 use core::ops::Index;
 
@@ -115,6 +115,15 @@ pub struct Deviation {
     pub worst: f64,
     /// √(Σ (∂y/∂p δ)²): the root sum of squares, what independent deviations come to.
     pub root_sum_square: f64,
+}
+
+/// `±0.002, ±0.0015 as root sum of squares`.
+impl fmt::Display for Deviation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("±").and_then(|()| number(f, &self.worst))?;
+        f.write_str(", ±").and_then(|()| number(f, &self.root_sum_square))?;
+        f.write_str(" as root sum of squares")
+    }
 }
 
 impl Sensitivities {

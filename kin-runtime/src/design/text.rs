@@ -1,0 +1,50 @@
+//! Designs in words.
+
+use super::{Design, Direction, Search, Shortest, Slack};
+use crate::mechanism::Mechanism;
+use core::fmt;
+
+/// How many parameters are free, and how much is wanted of them.
+impl<M: Mechanism> fmt::Display for Design<M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [free, objectives, conditions] = [self.free.len(), self.objectives.len(), self.conditions.len()];
+        let name = M::model().name;
+        write!(f, "design of {name}: {free} free parameters, {objectives} objectives, {conditions} conditions")
+    }
+}
+
+/// `forward`, `backward` or `either`, as the command line takes it.
+impl fmt::Display for Direction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Forward => "forward",
+            Self::Backward => "backward",
+            Self::Either => "either",
+        })
+    }
+}
+
+/// The name of the link.
+impl fmt::Display for Shortest {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Ground => "ground",
+            Self::Crank => "crank",
+            Self::Coupler => "coupler",
+            Self::Rocker => "rocker",
+        })
+    }
+}
+
+impl fmt::Display for Search<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "search from {} starts, seed {}", self.starts, self.seed)
+    }
+}
+
+/// `crank turns: slack 2.500e-1`.
+impl fmt::Display for Slack {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: slack {:.3e}", self.condition, self.slack)
+    }
+}
