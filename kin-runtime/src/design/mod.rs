@@ -20,7 +20,6 @@
 //! #[point(pen = crank @ (l, h))]
 //! #[revolute(pin: ground @ (0, 0), crank @ (0, 0))]
 //! #[driver(drive: crank.phi = t)]
-//! #[derive(Default)]
 //! struct Crank {
 //!     #[param(0.2)]
 //!     l: f64,

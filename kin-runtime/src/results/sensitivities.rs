@@ -140,7 +140,6 @@ impl Sensitivities {
     /// #[point(tip = crank @ (a + b, 0))]
     /// #[revolute(pin: ground @ (0, 0), crank @ (0, 0))]
     /// #[driver(drive: crank.phi = t)]
-    /// #[derive(Default)]
     /// struct Crank {
     ///     #[param(0.2)]
     ///     a: f64,

@@ -50,7 +50,6 @@ impl<M: Mechanism> Solver<'_, M> {
     /// #[point(tip = crank @ (l, 0))]
     /// #[revolute(pin: ground @ (0, 0), crank @ (0, 0))]
     /// #[driver(drive: crank.phi = omega * t)]
-    /// #[derive(Default)]
     /// struct Crank {
     ///     #[param(0.2)]
     ///     l: f64,
