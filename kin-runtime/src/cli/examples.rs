@@ -43,7 +43,7 @@ pub(super) struct Names {
     pub(super) coordinate: Option<&'static str>,
     /// A point, or a body whose origin moves.
     pub(super) path: Option<&'static str>,
-    /// The first named point.
+    /// The first named point of a mechanism that t alone drives.
     #[cfg_attr(not(feature = "design"), allow(dead_code, reason = "examples of `design` alone have one"))]
     pub(super) point: Option<&'static str>,
     /// The first transmission angle.
@@ -90,7 +90,7 @@ impl Names {
             to: trial.to,
             coordinate: undriven(model),
             path: path(model),
-            point: model.points.first().map(|point| point.name),
+            point: model.points.first().map(|point| point.name).filter(|_| model.inputs.is_empty()),
             transmission: Measure::transmission_angles(model).first().map(|measure| measure.name().to_owned()),
             drawn: !model.bodies.is_empty() || !model.points.is_empty(),
             conditions: !model.conditions.is_empty(),

@@ -50,6 +50,11 @@ pub enum DesignError {
         /// What is missing.
         what: &'static str,
     },
+    /// The mechanism is driven by inputs, whose course over the motion a design does not have.
+    Inputs {
+        /// The inputs.
+        inputs: Vec<&'static str>,
+    },
     /// Not one of the random designs assembles all the way and keeps the conditions.
     NoStart {
         /// How many were drawn.
@@ -80,6 +85,12 @@ impl fmt::Display for DesignError {
             }
             Self::NotFinite { what } => write!(f, "{what}: a number is not finite, or a period is not positive"),
             Self::Nothing { what } => write!(f, "{what}"),
+            Self::Inputs { inputs } => write!(
+                f,
+                "a design follows a motion that t alone drives, and this mechanism has inputs ({}); a driver that is a \
+                 function of t says how they move",
+                inputs.join(", ")
+            ),
             Self::NoStart { drawn, why } => {
                 write!(f, "none of {drawn} random designs assembles all the way and keeps the conditions")?;
                 match why {

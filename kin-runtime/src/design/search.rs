@@ -67,7 +67,8 @@ impl<M: Mechanism> Design<M> {
     /// Searches for the parameters with the least sum of squared misses.
     ///
     /// # Errors
-    /// [`Nothing`](DesignError::Nothing) where nothing is free or nothing is wanted; [`NoStart`](DesignError::NoStart)
+    /// [`Nothing`](DesignError::Nothing) where nothing is free or nothing is wanted; [`Inputs`](DesignError::Inputs) for a
+    /// mechanism with inputs; [`NoStart`](DesignError::NoStart)
     /// where no random design assembles all the way and keeps the conditions.
     pub fn search(&self, search: &Search<'_>) -> Result<Designed<M>, DesignError> {
         if self.free.is_empty() {
@@ -75,6 +76,10 @@ impl<M: Mechanism> Design<M> {
         }
         if self.objectives.iter().all(|objective| objective.goals.is_empty()) {
             return Err(DesignError::Nothing { what: "nothing is wanted of the mechanism" });
+        }
+        let inputs = M::model().inputs;
+        if !inputs.is_empty() {
+            return Err(DesignError::Inputs { inputs: inputs.to_vec() });
         }
         let modes = self.all_modes();
         let (done, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
