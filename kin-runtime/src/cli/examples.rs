@@ -4,7 +4,7 @@ use super::engine::Engine;
 use super::paint;
 use super::trial::{Trial, quoted};
 use crate::measure::Measure;
-use crate::model::{Component, CoordinateKind, Model};
+use crate::model::{Component, CoordinateKind, Level, Model};
 use crate::present::number::{plain, rounded};
 
 /// Columns on the screen that the help may take.
@@ -55,6 +55,8 @@ pub(super) struct Names {
     pub(super) conditions: bool,
     /// Whether there are masses or loads.
     pub(super) loads: bool,
+    /// Whether parameters and t determine the position: there are no rows of velocity level.
+    pub(super) determined: bool,
     /// Whether there are proofs of a configuration, of all closures, and of all limits.
     pub(super) proven: [bool; 3],
 }
@@ -95,6 +97,7 @@ impl Names {
             drawn: !model.bodies.is_empty() || !model.points.is_empty(),
             conditions: !model.conditions.is_empty(),
             loads: model.forces.is_some(),
+            determined: model.rows.iter().all(|row| row.level != Level::Velocity),
             joints: model.joints.iter().map(|joint| joint.name).take(2).collect(),
         }
     }

@@ -42,6 +42,9 @@ the worst case and the root sum of squares, to first order"
 
 pub(super) const HELP: Help = Help {
     examples: |names: &Names| {
+        if !names.determined {
+            return Vec::new();
+        }
         vec![
             names.analysis(&format!("sensitivities --at {}", names.at), ""),
             names.with("sensitivities --tolerance", &names.set, "what deviations come to"),

@@ -64,3 +64,23 @@ fn what_cannot_be_searched_for_is_refused() {
     let apart = begin().at_least(&[("r1", 1.0)], 20.0).unwrap().path_at("P", &timed(2)).unwrap();
     assert!(matches!(apart.search(&FEW), Err(DesignError::NoStart { .. })));
 }
+
+/// An arm that a cylinder lifts.
+#[kin_runtime::mechanism]
+#[input(stroke)]
+#[bodies(arm)]
+#[revolute(O: ground @ (0, 0), arm @ (0, 0))]
+#[distance(cylinder: ground @ (0.5, -0.2), arm @ (0.8, 0.1), length = stroke)]
+#[point(tip = arm @ (reach, 0))]
+#[guess(arm.phi = 0.8)]
+struct Lift {
+    #[param(2)]
+    reach: f64,
+}
+
+#[test]
+fn a_mechanism_with_inputs_is_refused_by_name() {
+    let design = kin_runtime::design::Design::new(&Lift::default()).free("reach", 1.0..=3.0).unwrap();
+    let design = design.path_at("tip", &[(0.0, [1.0, 1.0])]).unwrap();
+    assert_eq!(Err(DesignError::Inputs { inputs: vec!["stroke"] }), design.search(&FEW).map(|_| ()));
+}
