@@ -1,7 +1,7 @@
 //! How far mechanisms move, against what is known of them.
 
 use kin_runtime::planned::LimitKind;
-use kin_runtime::{Instant, Kinematics, Ranges, mechanism};
+use kin_runtime::{Instant, Kinematics, Ranges, Signal, SolveError, Uncertified, mechanism};
 use std::f64::consts::{PI, TAU};
 
 /// A four-bar on the x axis.
@@ -126,4 +126,154 @@ fn ranges_that_meet_at_a_dead_centre_are_one_circuit() {
     let all = flat.ranges(-1.0, 1.0);
     assert!(!all.is_complete(), "{all}");
     assert!(all.limits.iter().all(|limit| limit.t.contains(0.0) && limit.t.radius() < 1e-4 && !limit.proven), "{all}");
+}
+
+/// Three legs with given cranks, of which one moves: their loops close by iteration.
+#[mechanism]
+#[bodies(platform, crank[3], rod[3])]
+#[revolute(motor[i in 0..3]: ground @ (0.5*cos(2*pi*i/3 - 5*pi/6), 0.5*sin(2*pi*i/3 - 5*pi/6)), crank[i] @ (0, 0))]
+#[revolute(elbow[i in 0..3]: crank[i] @ (0.3, 0), rod[i] @ (0, 0))]
+#[revolute(wrist[i in 0..3]: rod[i] @ (0.3, 0), platform @ (0.25*cos(2*pi*i/3 - 5*pi/6), 0.25*sin(2*pi*i/3 - 5*pi/6)))]
+#[driver(a: crank[0].phi = 0.9 + t)]
+#[driver(b: crank[1].phi = 3.1)]
+#[driver(c: crank[2].phi = -1.2)]
+struct Legs;
+
+/// A crank without a driver, whose angle is given.
+#[mechanism]
+#[bodies(crank, rod, slider)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (0.2, 0), rod @ (0, 0))]
+#[revolute(B: rod @ (0.7, 0), slider @ (0, 0))]
+#[translational(guide: ground @ (0, 0), slider @ (0, 0), axis = (1, 0))]
+struct Undriven;
+
+#[test]
+fn what_has_no_ranges_says_why() {
+    let refused = |error: SolveError| match error {
+        SolveError::NotCertified { why, .. } => why,
+        error => panic!("{error}"),
+    };
+    let why = refused(Legs.solver().ranges(&Instant::at(0.0), 1.0).unwrap_err());
+    let Uncertified::NoClosedForm { joints } = &why else { panic!("{why}") };
+    assert!(joints.contains(&"wrist[0]") && joints.contains(&"elbow[2]"), "{why}");
+    assert!(why.to_string().contains("closes by iteration"), "{why}");
+    let given = Undriven.solver().with_given(2, Signal::new(0.3, 1.0, 0.0));
+    let why = refused(given.ranges(&Instant::at(0.0), 1.0).unwrap_err());
+    assert!(matches!(why, Uncertified::NoPlan { .. }), "{why}");
+}
+
+/// How many closures there are at a time, as the ranges say.
+fn closures(all: &Ranges, t: f64) -> usize {
+    all.ranges.iter().filter(|range| range.from <= t && t <= range.to).count()
+}
+
+/// Compares the ranges with the number of closures that is counted at many times, beside limits left out.
+fn agrees(all: &Ranges, [from, to]: [f64; 2], count: impl Fn(f64) -> usize) {
+    assert!(all.is_complete(), "{all}");
+    let steps = if cfg!(debug_assertions) { 500 } else { 20_000 };
+    let (mut seen, mut before) = (Vec::new(), None);
+    for k in 0..=steps {
+        let t = from + (to - from) * f64::from(k) / f64::from(steps);
+        if all.limits.iter().any(|limit| (limit.t.midpoint() - t).abs() < 1e-8) {
+            continue;
+        }
+        let found = count(t);
+        assert_eq!(closures(all, t), found, "t = {t}: {all}");
+        // What changes between two times has a limit between them.
+        if let Some((last, other)) = before.replace((t, found))
+            && other != found
+        {
+            assert!(all.limits.iter().any(|limit| limit.t.upper() >= last && limit.t.lower() <= t), "{t}: {all}");
+        }
+        if !seen.contains(&found) {
+            seen.push(found);
+        }
+    }
+    assert!(seen.len() > 1, "nothing changes: {seen:?}");
+}
+
+/// The places of a pin at distances from two others: none, or two.
+fn pins(p: [f64; 2], r: f64, q: [f64; 2], s: f64) -> Vec<[f64; 2]> {
+    let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
+    let square = dx * dx + dy * dy;
+    let along = (square + r * r - s * s) / (2.0 * square);
+    let across = r * r / square - along * along;
+    let pin = |h: f64| [p[0] + along * dx - h * dy, p[1] + along * dy + h * dx];
+    if across < 0.0 { Vec::new() } else { vec![pin(across.sqrt()), pin(-across.sqrt())] }
+}
+
+/// A point of a link from p to q, at (along, across) of its own frame.
+fn carried(p: [f64; 2], q: [f64; 2], at: [f64; 2]) -> [f64; 2] {
+    let length = (q[0] - p[0]).hypot(q[1] - p[1]);
+    let (cos, sin) = ((q[0] - p[0]) / length, (q[1] - p[1]) / length);
+    [p[0] + at[0] * cos - at[1] * sin, p[1] + at[0] * sin + at[1] * cos]
+}
+
+/// Watt's six-bar: the second dyad hangs on the rocker.
+#[mechanism]
+#[bodies(crank, coupler, rocker, rod, lever)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (0.2, 0), coupler @ (0, 0))]
+#[revolute(B: coupler @ (0.4, 0), rocker @ (0.3, 0))]
+#[revolute(C: ground @ (0.4, 0), rocker @ (0, 0))]
+#[revolute(D: rocker @ (0.25, 0.05), rod @ (0, 0))]
+#[revolute(E: rod @ (0.3, 0), lever @ (0.2, 0))]
+#[revolute(F: ground @ (0.8, 0.1), lever @ (0, 0))]
+#[driver(drive: crank.phi = t)]
+struct Watt;
+
+/// Stephenson's six-bar: the second dyad hangs on the coupler.
+#[mechanism]
+#[bodies(crank, coupler, rocker, rod, lever)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (0.2, 0), coupler @ (0, 0))]
+#[revolute(B: coupler @ (0.4, 0), rocker @ (0.3, 0))]
+#[revolute(C: ground @ (0.4, 0), rocker @ (0, 0))]
+#[revolute(D: coupler @ (0.25, 0.15), rod @ (0, 0))]
+#[revolute(E: rod @ (0.3, 0), lever @ (0.2, 0))]
+#[revolute(F: ground @ (0.5, 0.5), lever @ (0, 0))]
+#[driver(drive: crank.phi = t)]
+struct Stephenson;
+
+#[test]
+fn six_bars_close_where_circles_meet() {
+    let (from, to) = (0.123, 0.123 + TAU);
+    let first = |t: f64| {
+        let a = [0.2 * t.cos(), 0.2 * t.sin()];
+        (a, pins(a, 0.4, [0.4, 0.0], 0.3))
+    };
+    agrees(&Watt.solver().ranges(&Instant::at(from), to).unwrap(), [from, to], |t| {
+        let joint = |b: &[f64; 2]| pins(carried([0.4, 0.0], *b, [0.25, 0.05]), 0.3, [0.8, 0.1], 0.2).len();
+        first(t).1.iter().map(joint).sum()
+    });
+    agrees(&Stephenson.solver().ranges(&Instant::at(from), to).unwrap(), [from, to], |t| {
+        let (a, b) = first(t);
+        b.iter().map(|b| pins(carried(a, *b, [0.25, 0.15]), 0.3, [0.5, 0.5], 0.2).len()).sum()
+    });
+}
+
+/// A 3-RRR robot whose platform goes along a line and turns on its way: each leg is a dyad of its own.
+#[mechanism]
+#[bodies(platform, crank[3], rod[3])]
+#[revolute(motor[i in 0..3]: ground @ (0.5*cos(2*pi*i/3 - 5*pi/6), 0.5*sin(2*pi*i/3 - 5*pi/6)), crank[i] @ (0, 0))]
+#[revolute(elbow[i in 0..3]: crank[i] @ (0.3, 0), rod[i] @ (0, 0))]
+#[revolute(wrist[i in 0..3]: rod[i] @ (0.28, 0), platform @ (0.12*cos(2*pi*i/3 - 5*pi/6), 0.12*sin(2*pi*i/3 - 5*pi/6)))]
+#[driver(x: platform.x = t)]
+#[driver(y: platform.y = 0.1)]
+#[driver(turn: platform.phi = 2 * t)]
+struct Robot;
+
+#[test]
+fn a_3rrr_robot_closes_as_long_as_all_of_its_legs_reach() {
+    let (from, to) = (-0.61, 0.63);
+    agrees(&Robot.solver().ranges(&Instant::at(from), to).unwrap(), [from, to], |t| {
+        let leg = |i: usize| {
+            let direction = TAU * i as f64 / 3.0 - 5.0 * PI / 6.0;
+            let motor = [0.5 * direction.cos(), 0.5 * direction.sin()];
+            let wrist = [t + 0.12 * (direction + 2.0 * t).cos(), 0.1 + 0.12 * (direction + 2.0 * t).sin()];
+            pins(motor, 0.3, wrist, 0.28).len()
+        };
+        (0..3).map(leg).product()
+    });
 }

@@ -42,7 +42,7 @@ Ranges are proven: the plan is evaluated over intervals of t, and where all of i
 positive the mechanism closes on all of it. Ranges that meet at a dead centre are one circuit:
 there the motion can go from one mode into the other. json has the limits, one per driver that can
 go no further. The status is 1 where a limit is not proven. Groups that close by iteration have no
-ranges.",
+ranges; `sweep --along-arc` finds the dead centres of one of their motions.",
 };
 
 pub(super) fn run(args: &LimitsArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {

@@ -90,9 +90,24 @@ pub enum Uncertified {
         /// By how much, in its unit.
         by: f64,
     },
-    /// The plan has no closed form for all groups, or too many modes, or coordinates are prescribed: its groups cannot be
-    /// enclosed.
-    NoClosedForm,
+    /// A group of the plan closes by iteration, so that it cannot be enclosed along t. A sweep along the arc
+    /// ([`Solver::sweep_along_arc`](crate::Solver::sweep_along_arc)) finds the dead centres of one motion.
+    NoClosedForm {
+        /// The joints of the first such group.
+        joints: Vec<&'static str>,
+    },
+    /// There is no plan to enclose.
+    NoPlan {
+        /// The reason.
+        why: &'static str,
+    },
+    /// There are too many assembly modes to go through all of their combinations.
+    TooManyModes {
+        /// How many there are.
+        modes: usize,
+        /// The most whose combinations are gone through.
+        most: usize,
+    },
     /// NaN or infinity in the state, or lists of other lengths than the mechanism has.
     Malformed,
 }
@@ -119,7 +134,18 @@ impl fmt::Display for Uncertified {
                 write!(f, "{what} is no solution: {coordinate} is off by ")?;
                 number(f, by)
             }
-            Self::NoClosedForm => f.write_str("the plan has no closed form for all groups"),
+            Self::NoClosedForm { joints } => {
+                f.write_str("the group of ")?;
+                separated(f, joints, |f, joint| f.write_str(joint))?;
+                f.write_str(
+                    " closes by iteration, which has no enclosure along t; a sweep along the arc finds the dead centres of \
+                     one motion",
+                )
+            }
+            Self::NoPlan { why } => write!(f, "there is no plan, because {why}"),
+            Self::TooManyModes { modes, most } => {
+                write!(f, "there are {modes} assembly modes, and the combinations of at most {most} are gone through")
+            }
             Self::Malformed => f.write_str("numbers of the state are not finite, or too few or too many"),
         }
     }

@@ -14,7 +14,7 @@ use crate::workspace::{Array, Instant, Signal};
 /// How narrow a stretch becomes of which nothing is known, relative to the whole way, and one with a limit.
 const NARROWEST: [f64; 2] = [1e-8, 1e-12];
 /// Most stretches that are looked at in one combination of modes, and at one limit.
-const MOST: [usize; 2] = [50_000, 500];
+const MOST: [usize; 2] = [50_000, 4_000];
 /// Most modes whose combinations are gone through.
 const MODES: usize = 12;
 /// How far from a limit the motion towards it begins, relative to the range.
@@ -53,7 +53,8 @@ impl<M: Mechanism> Solver<'_, M> {
     /// ```
     ///
     /// # Errors
-    /// [`NotCertified`](SolveError::NotCertified) where no plan in closed form solves the mechanism;
+    /// [`NotCertified`](SolveError::NotCertified) where no plan in closed form solves the mechanism, with the joints of the
+    /// group that closes by iteration;
     /// [`NonFinite`](SolveError::NonFinite), [`Length`](SolveError::Length) and
     /// [`UnknownCoordinate`](SolveError::UnknownCoordinate).
     pub fn ranges(&self, from: &Instant<'_>, to: f64) -> Result<Ranges, SolveError> {
@@ -61,9 +62,8 @@ impl<M: Mechanism> Solver<'_, M> {
         self.analyse(&Instant { t: to, inputs: from.inputs }, |_| Ok(()))?;
         self.analyse(from, |_| Ok(()))?;
         let plan = &M::model().plan;
-        let iterates = plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)));
-        if !plan.exists() || iterates || !self.given.is_empty() || plan.modes.len() > MODES {
-            return Err(SolveError::NotCertified { t: from.t, why: Uncertified::NoClosedForm });
+        if let Some(why) = self.not_enclosed() {
+            return Err(SolveError::NotCertified { t: from.t, why });
         }
         let way = [from.t.min(to), from.t.max(to)];
         let narrowest = NARROWEST.map(|narrowest| narrowest * (way[1] - way[0]));
@@ -86,6 +86,21 @@ impl<M: Mechanism> Solver<'_, M> {
             }
         }
         Ok(all.finish::<M>())
+    }
+
+    /// Why the plan cannot be enclosed along t in all combinations of its modes.
+    fn not_enclosed(&self) -> Option<Uncertified> {
+        let model = M::model();
+        let plan = &model.plan;
+        if let Some(why) = plan.absent.or((!self.given.is_empty()).then_some("coordinates are prescribed")) {
+            return Some(Uncertified::NoPlan { why });
+        }
+        if let Some(place) = plan.steps.iter().position(|step| matches!(step.kind, StepKind::Newton(_))) {
+            let joints = Step::new(model, place).map_or_else(Vec::new, |step| step.joints().collect());
+            return Some(Uncertified::NoClosedForm { joints });
+        }
+        let modes = plan.modes.len();
+        (modes > MODES).then_some(Uncertified::TooManyModes { modes, most: MODES })
     }
 
     /// What the plan says of an interval of t, in the modes with these signs.
