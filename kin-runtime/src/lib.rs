@@ -76,7 +76,7 @@ pub use {
     analysis::modes,
     report::{measure, mobility, ratios, transmission},
     results::{
-        assembly, certificate, error, forces, motion, observer, options, ranges, sensitivities, state, trajectory,
+        arc, assembly, certificate, error, forces, motion, observer, options, ranges, sensitivities, state, trajectory,
     },
     sweep::events,
 };
@@ -100,6 +100,7 @@ pub use crate::{
 #[cfg(feature = "std")]
 #[doc(no_inline)]
 pub use crate::{
+    arc::{ArcEnd, ArcFault, ArcPlace, ArcPlaceKind, SolutionArc},
     assembly::{Assemblies, Assembly, Undecided},
     certificate::{Certificate, Uncertified},
     cross_check::{Configuration, CrossCheck, CrossCheckOptions, FunctionCheck, WorstEntry},

@@ -58,6 +58,14 @@ impl Setup {
     }
 }
 
+/// The arc that a motion follows: the time at its start, the end of the interval of t where there is one, and steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Arc {
+    pub(super) from: f64,
+    pub(super) to: Option<f64>,
+    pub(super) steps: usize,
+}
+
 /// By how much the velocity or acceleration equations of the worst row are missed, relative to their terms.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub(super) struct Miss {
@@ -89,6 +97,8 @@ pub(super) trait Engine {
         observer: Observer<'_>,
         visit: &mut dyn FnMut(&State) -> ControlFlow<()>,
     ) -> (Trajectory, Option<SolveError>);
+    /// The motion along the arc of the solution curve, through dead centres.
+    fn sweep_along_arc(&self, setup: &Setup, arc: Arc, observer: Observer<'_>) -> Result<Trajectory, SolveError>;
     /// The motion from a state on, at instants that follow one another, at inputs as they are `t` − `first` after the first
     /// instant of the whole motion.
     fn sweep_from(&self, setup: &Setup, first: f64, start: &[f64], times: &[f64]) -> Result<Trajectory, SolveError>;
@@ -195,6 +205,12 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
             Ok(trajectory) => (trajectory, None),
             Err(error) => (*error.trajectory, Some(error.source)),
         }
+    }
+
+    fn sweep_along_arc(&self, setup: &Setup, arc: Arc, observer: Observer<'_>) -> Result<Trajectory, SolveError> {
+        let inputs = |t: f64, out: &mut [Signal]| setup.inputs_after(t - arc.from, out);
+        let solver = self.solver(setup).with_inputs(&inputs).with_observer(observer);
+        solver.sweep_along_arc(arc.from, arc.to, arc.steps)
     }
 
     fn sweep_from(&self, setup: &Setup, first: f64, start: &[f64], times: &[f64]) -> Result<Trajectory, SolveError> {

@@ -59,6 +59,8 @@ pub(super) struct Names {
     pub(super) determined: bool,
     /// Whether there are proofs of a configuration, of all closures, and of all limits.
     pub(super) proven: [bool; 3],
+    /// Whether the motion along the arc closes.
+    pub(super) arc: bool,
 }
 
 impl Names {
@@ -82,6 +84,7 @@ impl Names {
         Self {
             program,
             proven: trial.proven,
+            arc: trial.arc,
             set: set(1),
             set_two: set(2),
             vary,

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-use super::engine::{Engine, Setup};
+use super::engine::{Arc, Engine, Setup};
 use super::failure::{Failure, Ledger};
 use super::solved::{analysis, driven_state};
 use super::values::{self, Moment};
@@ -63,6 +63,38 @@ impl GridArgs {
     }
 }
 
+/// How a motion goes on where the driver can go no further.
+#[derive(Clone, Copy, Debug, Default, clap::Args)]
+pub(super) struct ArcArgs {
+    /// Go on through dead centres, where the driver turns back: the whole curve
+    #[arg(
+        long,
+        long_help = "\
+Go on through dead centres, where the driver turns back and the mechanism goes
+on into its other closure, until the motion is where it began. Rows are equally
+far apart on that way. With --to t stays between --from and --to"
+    )]
+    along_arc: bool,
+}
+
+impl ArcArgs {
+    /// What is asked for, along the arc where that is wanted.
+    pub(super) fn of(self, asked: Asked) -> Result<Asked, Failure> {
+        let refuse = |what: &str| Err(Failure::option("--along-arc", what));
+        match asked {
+            asked if !self.along_arc => Ok(asked),
+            Asked::Grid { from: End::At(from), to: None, steps } => Ok(Asked::Arc { from, to: None, steps }),
+            Asked::Grid { from: End::At(from), to: Some(End::At(to)), steps } => {
+                Ok(Asked::Arc { from, to: Some(to), steps })
+            }
+            Asked::Grid { .. } => refuse("goes on through limits; leave `--to limit` and `--from limit` out"),
+            Asked::Times(_) | Asked::Arc { .. } => {
+                refuse("has instants of its own; use --from, --to and --steps in place of --times")
+            }
+        }
+    }
+}
+
 /// Where a motion begins or ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum End {
@@ -90,6 +122,12 @@ pub(super) enum Asked {
         to: Option<End>,
         steps: usize,
     },
+    /// Along the arc of the solution curve, until it closes or t leaves the interval.
+    Arc {
+        from: Moment,
+        to: Option<Moment>,
+        steps: usize,
+    },
 }
 
 /// The instants of a motion, and what ends it.
@@ -103,6 +141,8 @@ pub(super) struct Instants {
     pub(super) limits: [Option<Stop>; 2],
     /// What there is to say of ends that are no limits.
     pub(super) notes: Vec<String>,
+    /// The arc that is followed in place of all of these.
+    pub(super) arc: Option<Arc>,
 }
 
 /// A limit at which a motion ends.
@@ -128,7 +168,7 @@ impl Instants {
     /// How many there are, limits included.
     pub(super) fn len(&self) -> usize {
         let limits = self.limits.iter().flatten().filter(|stop| stop.q.is_some());
-        self.times.len() + limits.count()
+        self.arc.map_or(self.times.len() + limits.count(), |arc| arc.steps + 1)
     }
 }
 
@@ -164,6 +204,11 @@ impl Asked {
                     None => (0.0, Some(natural_end(engine, setup, 0.0))),
                 };
                 as_far(engine, setup, (start, [None, to]), *steps)
+            }
+            Self::Arc { from, to, steps } => {
+                let (from, to) = (at("--from", from)?, to.as_ref().map(|to| at("--to", to)).transpose()?);
+                values::grid_is_possible(from, to.unwrap_or(from + 1.0), *steps)?;
+                Ok(Instants { arc: Some(Arc { from, to, steps: *steps }), ..Instants::default() })
             }
         }
     }

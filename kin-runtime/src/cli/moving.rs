@@ -2,13 +2,14 @@
 
 use std::ops::ControlFlow;
 
-use super::engine::{Engine, Setup};
+use super::engine::{Arc, Engine, Setup};
 use super::failure::Failure;
 use super::instants::{Instants, Stop};
 use super::options::FreedomArgs;
 use super::session::Session;
-use super::solved::{analysis, driven_state, fully_driven};
+use super::solved::{analysis, driven_state, fully_driven, misfit};
 use super::watch::Watch;
+use crate::arc::{ArcEnd, ArcPlace, SolutionArc};
 use crate::error::SolveError;
 use crate::forces::ContactChange;
 use crate::measure::Measure;
@@ -89,7 +90,10 @@ impl Walk<'_> {
     /// The motion up to its first failure, to Ctrl-C or to where `visit` ends it, which is lent every row in its turn. What
     /// comes back has no states. A motion that goes to both sides of its start is followed backwards first.
     pub(super) fn each(&self, visit: Visit<'_>) -> Result<Moved, Failure> {
-        let Instants { times, start, limits, notes } = self.instants;
+        let Instants { times, start, limits, notes, arc } = self.instants;
+        if let Some(arc) = *arc {
+            return self.along_arc(arc, visit);
+        }
         let mut notes = notes.clone();
         let (mut before, mut done) = (None, 0);
         if *start > 0 {
@@ -139,12 +143,18 @@ impl Walk<'_> {
     /// Lends the configuration at a limit, where it was found: with all that depends on the place alone, and without rates.
     fn at_limit(&self, stop: &Stop, beside: &State, visit: Visit<'_>) -> Result<(), Failure> {
         let Some(q) = &stop.q else { return Ok(()) };
-        let Self { engine, setup, .. } = *self;
-        let say = |error| analysis(engine, &error);
-        let zero = vec![0.0; q.len()];
-        let mut state = State { t: stop.t, q: q.clone(), q_dot: zero.clone(), q_ddot: zero, ..beside.clone() };
+        let mut state = State { t: stop.t, q: q.clone(), ..beside.clone() };
         let elapsed = stop.t - beside.t;
         state.inputs.iter_mut().for_each(|input| *input = input.after(elapsed));
+        self.without_rates(state, visit).map(|_| ())
+    }
+
+    /// Lends a configuration with all that depends on the place alone, and without rates.
+    fn without_rates(&self, mut state: State, visit: Visit<'_>) -> Result<ControlFlow<()>, Failure> {
+        let Self { engine, setup, .. } = *self;
+        let say = |error| analysis(engine, &error);
+        state.q_dot.fill(0.0);
+        state.q_ddot.fill(0.0);
         let motion = engine.motion(setup, &state).map_err(say)?.without_rates();
         state.bodies.clone_from(&motion.bodies);
         state.points.clone_from(&motion.points);
@@ -153,8 +163,38 @@ impl Walk<'_> {
         let values: Vec<f64> = values.into_iter().zip(self.measures).map(known).collect();
         state.q_dot.fill(f64::NAN);
         state.q_ddot.fill(f64::NAN);
-        let _ = visit(&Row { state: &state, motion: self.reported.then_some(&motion), values: &values });
-        Ok(())
+        Ok(visit(&Row { state: &state, motion: self.reported.then_some(&motion), values: &values }))
+    }
+
+    /// The motion along the arc of the solution curve, whose states are lent when all of them are there.
+    fn along_arc(&self, arc: Arc, visit: Visit<'_>) -> Result<Moved, Failure> {
+        let Self { engine, setup, watch, .. } = *self;
+        let say = |error| analysis(engine, &error);
+        let mut trajectory = match engine.sweep_along_arc(setup, arc, &|reached| watch.observe(reached)) {
+            Ok(trajectory) => trajectory,
+            Err(SolveError::Stopped { .. }) if watch.interrupted() => {
+                return Err(Failure::Interrupted("no state of the arc is finished".to_owned()));
+            }
+            Err(error) => return Err(misfit(engine, setup, arc.from, &error)),
+        };
+        for state in std::mem::take(&mut trajectory.states) {
+            let flow = if state.q_dot.iter().any(|rate| rate.is_nan()) {
+                self.without_rates(state, visit)?
+            } else {
+                let motion = self.reported.then(|| engine.motion(setup, &state)).transpose().map_err(say)?;
+                let values = self.values(&state).map_err(say)?;
+                visit(&Row { state: &state, motion: motion.as_ref(), values: &values })
+            };
+            if flow.is_break() {
+                break;
+            }
+        }
+        let found = trajectory.arc.as_ref();
+        let notes = found.map_or_else(Vec::new, arc_notes);
+        let at_its_end =
+            found.is_some_and(|arc| arc.ends.iter().any(|end| !matches!(end, ArcEnd::Closed | ArcEnd::Bound)));
+        let (motions, columns, contacts) = (Vec::new(), Vec::new(), Vec::new());
+        Ok(Moved { trajectory, motions, columns, ended: None, notes, at_its_end, left: 0, contacts })
     }
 
     /// The values of the quantities, as they are shown.
@@ -254,6 +294,24 @@ impl Walk<'_> {
             Err(error) => Some(analysis(self.engine, &error)),
         }
     }
+}
+
+/// What there is to say of an arc.
+fn arc_notes(arc: &SolutionArc) -> Vec<String> {
+    let place = |place: &ArcPlace| match place.drivers.as_slice() {
+        [] => format!("note: {place}"),
+        drivers => format!("note: {place}: {} turns back", drivers.join(", ")),
+    };
+    let mut notes: Vec<String> = arc.places.iter().map(place).collect();
+    let end = |which: &str, end: ArcEnd| {
+        let hint = if end == ArcEnd::TooLong { "; --to says where it ends" } else { "" };
+        format!("note: {which}: {end}{hint}")
+    };
+    match arc.ends {
+        [ArcEnd::Closed, _] => notes.push("note: the curve is closed: these are all its places".to_owned()),
+        [first, last] => notes.extend([end("at the first row", first), end("at the last row", last)]),
+    }
+    notes
 }
 
 /// Two legs of one motion from a common start, the first of which went backwards.

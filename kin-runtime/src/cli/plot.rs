@@ -4,7 +4,7 @@ use super::columns::{bend, column_infos, shown};
 use super::engine::{Engine, Setup};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::instants::{GridArgs, Instants};
+use super::instants::{ArcArgs, GridArgs, Instants};
 use super::moving::{Moved, Walk, note_motion};
 use super::names::find_quantity;
 use super::options::{AngleArgs, FreedomArgs, SetupArgs};
@@ -33,6 +33,8 @@ pub(super) struct PlotArgs {
     vary: VaryArgs,
     #[command(flatten)]
     grid: GridArgs,
+    #[command(flatten)]
+    arc: ArcArgs,
     #[command(flatten)]
     setup: SetupArgs,
     #[command(flatten)]
@@ -76,6 +78,12 @@ pub(super) const HELP: Help = Help {
             path.and_then(|line| names.analysis(&line, "the path of a point")),
             names.analysis(&format!("plot {phase} --out phase.svg"), "the second against the first"),
             paths.and_then(|line| names.analysis(&line, "a curve for each of five values")),
+            names.path.filter(|_| names.arc).and_then(|path| {
+                names.analysis(
+                    &format!("plot {path} --along-arc --out curve.svg"),
+                    "its whole path, through dead centres",
+                )
+            }),
         ]
     },
     details: "\
@@ -84,6 +92,8 @@ acceleration (NAME_ddot), and those of points (NAME.x, NAME.speed), defines, joi
 forces, transmission angles (B.transmission) and velocity ratios (tip.x/drive). What has one unit
 shares a diagram. The name of a joint, or `shaking`, is the polar diagram of its force: the end of
 the arrow as the motion goes on.
+
+--along-arc goes on through dead centres, where the driver turns back: the whole path of a point.
 
 --vary may be repeated, for one curve for each combination of values. With --to limit (and --from
 limit) curves end where the mechanism can go no further, with a mark that the legend names.
@@ -100,7 +110,8 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     let model = engine.model();
     let mut ledger = Ledger::default();
     let (asked, output) =
-        (ledger.take(args.grid.asked(STEPS, model)), ledger.take(session.destination(&args.output, "plot")));
+        (args.grid.asked(STEPS, model).and_then(|asked| args.arc.of(asked)), session.destination(&args.output, "plot"));
+    let (asked, output) = (ledger.take(asked), ledger.take(output));
     let setup = ledger.take(args.setup.apply_complete(engine));
     let choices = ledger.take(args.vary.choices(model, MOST));
     // A name that does not exist is told before anything long begins.

@@ -117,7 +117,7 @@ pub(super) fn fully_driven(engine: &dyn Engine, mobility: &Mobility, t: f64) -> 
 }
 
 /// An error of an analysis; where the given coordinates are to blame, with those that would do.
-fn misfit(engine: &dyn Engine, setup: &Setup, t: f64, error: &SolveError) -> Failure {
+pub(super) fn misfit(engine: &dyn Engine, setup: &Setup, t: f64, error: &SolveError) -> Failure {
     let conflict = matches!(error, SolveError::GivenConflict { open: 1.., .. });
     let without = Setup { given: Vec::new(), ..setup.clone() };
     let mobility = |q: Vec<f64>| engine.mobility(&without, &Instant { t, inputs: &without.inputs }, &q);

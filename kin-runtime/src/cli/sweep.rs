@@ -9,7 +9,7 @@ use super::degrees;
 use super::engine::{Engine, Setup};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::instants::{Asked, GridArgs, Instants};
+use super::instants::{ArcArgs, Asked, GridArgs, Instants};
 use super::moving::{Moved, Walk, note_motion};
 use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Destination, Form, OutputArgs};
@@ -40,6 +40,8 @@ pub(super) struct SweepArgs {
     vary: VaryArgs,
     #[command(flatten)]
     grid: GridArgs,
+    #[command(flatten)]
+    arc: ArcArgs,
     /// End the sweep where the first unilateral condition meets its limit
     #[arg(long)]
     stop_at_events: bool,
@@ -70,6 +72,7 @@ pub(super) const HELP: Help = Help {
             transmission.and_then(|line| names.analysis(&line, "one quantity by its name")),
             names.with("sweep --steps 20 --out motions.csv --vary", &names.vary, "a motion for each of five values"),
             names.analysis("sweep --to limit", "until the mechanism can go no further"),
+            names.arc.then(|| names.analysis("sweep --along-arc", "through dead centres, all the way round")).flatten(),
             names.with("sweep --set", &names.set, "with another dimension"),
             names.with("sweep --mode", &names.mode, "in another assembly mode"),
             if names.conditions { stop } else { None },
@@ -91,6 +94,11 @@ With --to limit (and --from limit) the motion ends where the mechanism does: the
 limit itself, at which rates have no value, and the rows before it lie closer together. Where no
 limit is met the motion is one turn long, or one unit of time, and that is said.
 
+With --along-arc t is an unknown as well: at a dead centre the driver turns back, and the mechanism
+goes on into its other closure, until all bodies are where they began. The rows are equally far
+apart on that way. Dead centres, cusps of named points and branch points are told, in json under
+`arc`. Where branches cross the motion ends, as nothing says which of them is meant.
+
 Rows go to csv and json as they come, however many there are. When a sweep fails midway the
 finished rows are written and the status is 1. Ctrl-C ends a sweep in the same way, with status
 130; a second Ctrl-C ends the program at once.",
@@ -102,8 +110,11 @@ const MOST: (usize, &str) = (100_000, "more are a study of their own");
 pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let model = engine.model();
     let mut ledger = Ledger::default();
-    let (asked, output) =
-        (ledger.take(args.grid.asked(STEPS, model)), ledger.take(session.destination(&args.output, "sweep")));
+    let (asked, output) = (
+        args.grid.asked(STEPS, model).and_then(|asked| args.arc.of(asked)),
+        session.destination(&args.output, "sweep"),
+    );
+    let (asked, output) = (ledger.take(asked), ledger.take(output));
     let setup = ledger.take(args.setup.apply_complete(engine));
     let choices = ledger.take(args.vary.choices(model, MOST));
     let wanted = ledger.take(quantities(model, &args.what));

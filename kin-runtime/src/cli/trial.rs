@@ -3,9 +3,10 @@
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use super::engine::{Engine, Setup};
+use super::engine::{Arc, Engine, Setup};
 use super::instants::natural_end;
 use crate::model::Model;
+use crate::observer::Reached;
 use crate::plan::StepKind;
 use crate::present::number::rounded;
 use crate::state::State;
@@ -36,6 +37,8 @@ pub(super) struct Trial {
     pub(super) mode: Option<String>,
     /// Whether the configuration at t = 0 has a certificate, whether all closures there are known, and all limits of a turn.
     pub(super) proven: [bool; 3],
+    /// Whether the motion along the arc closes.
+    pub(super) arc: bool,
 }
 
 impl Default for Trial {
@@ -47,6 +50,7 @@ impl Default for Trial {
             vary: None,
             mode: None,
             proven: [false; 3],
+            arc: false,
         }
     }
 }
@@ -90,6 +94,7 @@ impl Trial {
         let modes = engine.modes(&state.instant(), &state.q);
         trial.mode = modes.iter().find_map(|mode| Some(format!("{}={}", mode.name, mode.sign?)));
         trial.proven = proven(engine, &setup, &state, natural_end(engine, &setup, 0.0));
+        trial.arc = closes(engine, &setup);
         trial.vary = varied(engine, &setup);
         Some(trial)
     }
@@ -103,6 +108,16 @@ fn proven(engine: &dyn Engine, setup: &Setup, state: &State, end: f64) -> [bool;
     let closures = short && engine.assemblies(setup, 0.0).is_ok_and(|all| all.is_complete());
     let limits = closures && engine.ranges(setup, 0.0, end).is_ok_and(|all| all.is_complete());
     [engine.certify(setup, state).is_ok(), closures, limits]
+}
+
+/// Whether the motion along the arc comes back to its start before long.
+fn closes(engine: &dyn Engine, setup: &Setup) -> bool {
+    let began = Instant::now();
+    let observe =
+        |_: Reached<'_>| if began.elapsed() < PATIENCE { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
+    let arc = Arc { from: 0.0, to: None, steps: 1 };
+    let found = engine.sweep_along_arc(setup, arc, &observe);
+    found.is_ok_and(|trajectory| trajectory.arc.is_some_and(|arc| arc.is_closed()))
 }
 
 /// How far a motion comes.

@@ -220,6 +220,9 @@ fn end<M: SerializeMap>(
     if trajectory.model.forces.is_some_and(ForceModel::has_contacts) {
         map.serialize_entry("contacts", contacts)?;
     }
+    if let Some(arc) = &trajectory.arc {
+        map.serialize_entry("arc", arc)?;
+    }
     map.serialize_entry("unwatched", &trajectory.unwatched)?;
     map.serialize_entry("fallbacks", &trajectory.fallbacks)
 }

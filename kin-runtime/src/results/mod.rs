@@ -1,5 +1,6 @@
-//! What analyses take and give, as data: options, states, motions, trajectories, crossings and errors.
+//! What analyses take and give, as data: options, states, motions, trajectories, arcs, crossings and errors.
 
+pub mod arc;
 pub mod assembly;
 pub mod certificate;
 pub mod error;

@@ -55,6 +55,14 @@ impl State {
         self.rates(coordinate.0)
     }
 
+    /// Makes it a place alone: rates and accelerations are unknown.
+    pub(crate) fn forget_rates(&mut self) {
+        self.q_dot.fill(f64::NAN);
+        self.q_ddot.fill(f64::NAN);
+        self.bodies.iter_mut().for_each(|body| *body = body.without_rates());
+        self.points.iter_mut().for_each(|point| *point = point.without_rates());
+    }
+
     /// The coordinate at a place in q with its rate and acceleration.
     pub(crate) fn rates(&self, place: usize) -> Signal {
         Signal { value: self.q[place], rate: self.q_dot[place], acceleration: self.q_ddot[place] }

@@ -1,5 +1,6 @@
 //! Solved configurations over time.
 
+use super::arc::SolutionArc;
 use super::event::{Event, Unwatched};
 use crate::model::{Component, ConditionInfo, Model};
 use crate::motion::PointMotion;
@@ -48,6 +49,8 @@ pub struct Trajectory {
     pub fallbacks: Vec<Fallback>,
     /// q at the limit itself, where the motion ended at a limit of a group that was located.
     pub q_at_limit: Option<Vec<f64>>,
+    /// What a sweep along the arc found; none of a sweep over instants.
+    pub arc: Option<SolutionArc>,
     /// Instants that were reached, whether their states were kept or lent.
     pub reached: usize,
 }
@@ -64,6 +67,7 @@ impl Trajectory {
             stopped: false,
             fallbacks: Vec::new(),
             q_at_limit: None,
+            arc: None,
             reached: 0,
         }
     }
@@ -210,6 +214,7 @@ impl fmt::Display for Trajectory {
             f.write_str(", stopped at an event")?;
         }
         self.events.iter().try_for_each(|event| write!(f, "; {event}"))?;
-        self.unwatched.iter().try_for_each(|unwatched| write!(f, "; {unwatched}"))
+        self.unwatched.iter().try_for_each(|unwatched| write!(f, "; {unwatched}"))?;
+        self.arc.as_ref().map_or(Ok(()), |arc| write!(f, "; {arc}"))
     }
 }

@@ -3,6 +3,7 @@
 mod forces;
 mod sensitivities;
 
+use crate::arc::ArcPlaceKind;
 use crate::model::{BodyInfo, Model, PointInfo};
 use crate::motion::{BodyMotion, Motion, PointMotion};
 use crate::series::MotionDerivatives;
@@ -108,7 +109,7 @@ impl Serialize for Trajectory {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let states: Vec<Bare<'_>> = self.states.iter().map(Bare).collect();
         let violated: Vec<&str> = self.violated_at_start().map(|condition| condition.name).collect();
-        let mut s = serializer.serialize_struct("Trajectory", 10)?;
+        let mut s = serializer.serialize_struct("Trajectory", 11)?;
         s.serialize_field("mechanism", self.model.name)?;
         s.serialize_field("coordinates", &coordinate_names(self.model))?;
         s.serialize_field("bodies", &body_names(self.model).collect::<Vec<_>>())?;
@@ -119,7 +120,15 @@ impl Serialize for Trajectory {
         s.serialize_field("unwatched", &self.unwatched)?;
         s.serialize_field("stopped", &self.stopped)?;
         s.serialize_field("fallbacks", &self.fallbacks)?;
+        s.serialize_field("arc", &self.arc)?;
         s.end()
+    }
+}
+
+/// As it prints: `dead centre`.
+impl Serialize for ArcPlaceKind {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
     }
 }
 

@@ -30,6 +30,7 @@ use crate::transmission::{TransmissionAngle, transmission_angles};
 use crate::workspace::{Instant, Signal};
 use nalgebra::DMatrix;
 
+mod arc;
 mod assemblies;
 mod by_plan;
 mod certify;

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
+mod arc;
 mod completions;
 mod files;
 mod forces;

@@ -1,5 +1,6 @@
 //! What can go wrong in an analysis, with numbers.
 
+use crate::arc::ArcFault;
 use crate::certificate::Uncertified;
 use crate::mechanism::LengthError;
 use crate::planned::{Limit, PlanError, Sign};
@@ -253,6 +254,13 @@ pub enum SolveError {
         t: f64,
         /// Why.
         why: Uncertified,
+    },
+    /// There is no single curve of solutions to follow ([`Solver::sweep_along_arc`](crate::Solver::sweep_along_arc)).
+    NoArc {
+        /// Time.
+        t: f64,
+        /// Why.
+        why: ArcFault,
     },
     /// NaN or infinity in an argument, a parameter or a result.
     NonFinite {

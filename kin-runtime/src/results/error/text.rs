@@ -141,6 +141,7 @@ impl fmt::Display for SolveError {
                 write!(f, "no parameter has the index {index}: there are {parameters}")
             }
             Self::NotCertified { t, why } => write!(f, "nothing is proven at t = {t}: {why}", t = rounded(*t)),
+            Self::NoArc { t, why } => write!(f, "no sweep along the arc from t = {t}: {why}", t = rounded(*t)),
             Self::NotHeld { t, open, could_be_given } => {
                 let freedoms = if *open == 1 { "degree of freedom is" } else { "degrees of freedom are" };
                 write!(

@@ -31,9 +31,19 @@ impl From<[Signal; 2]> for PointMotion {
 impl Signal {
     /// Of what is not there.
     pub(crate) const UNKNOWN: Self = Self { value: f64::NAN, rate: f64::NAN, acceleration: f64::NAN };
+
+    /// Of a value whose rates are unknown.
+    fn without_rates(value: f64) -> Self {
+        Self { value, ..Self::UNKNOWN }
+    }
 }
 
 impl BodyMotion {
+    /// The pose alone; its rates are unknown.
+    pub(crate) fn without_rates(&self) -> Self {
+        Self::from([self.x, self.y, self.phi].map(Signal::without_rates))
+    }
+
     /// One coordinate of the pose with its rates.
     #[doc(hidden)]
     pub const fn rates(&self, component: Component) -> Signal {
@@ -83,6 +93,11 @@ impl From<BodyMotion> for Isometry2<f64> {
 }
 
 impl PointMotion {
+    /// The place alone; its rates are unknown.
+    pub(crate) fn without_rates(&self) -> Self {
+        Self::from(self.r.map(Signal::without_rates))
+    }
+
     /// The position.
     pub const fn position(&self) -> Point2<f64> {
         Point2::new(self.r[0], self.r[1])

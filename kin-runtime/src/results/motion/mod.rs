@@ -126,13 +126,8 @@ impl Motion {
     #[cfg(feature = "cli")]
     pub(crate) fn without_rates(mut self) -> Self {
         let unknown = f64::NAN;
-        for body in &mut self.bodies {
-            let BodyMotion { x, y, phi, .. } = *body;
-            *body = BodyMotion::from([x, y, phi].map(|value| Signal { value, ..Signal::UNKNOWN }));
-        }
-        for point in &mut self.points {
-            (point.v, point.a) = ([unknown; 2], [unknown; 2]);
-        }
+        self.bodies.iter_mut().for_each(|body| *body = body.without_rates());
+        self.points.iter_mut().for_each(|point| *point = point.without_rates());
         for rates in self.defines.iter_mut().chain(self.joints.iter_mut().flatten()) {
             *rates = Signal { value: rates.value, ..Signal::UNKNOWN };
         }

@@ -1,0 +1,72 @@
+//! Sweeps along the arc of the solution curve, through dead centres.
+
+use super::Solver;
+use crate::equations::Equations;
+use crate::equations::system::Evaluator;
+use crate::error::SolveError;
+use crate::mechanism::Mechanism;
+use crate::observer::Observed;
+use crate::sweep::arc::{Window, solution_arc};
+use crate::trajectory::Trajectory;
+use crate::workspace::{Instant, Signal};
+
+impl<M: Mechanism> Solver<'_, M> {
+    /// The whole motion through the configuration that is assembled at `from`, with time as one more unknown: where the
+    /// driver can go no further it turns back, and the mechanism goes on into its other closure. So the crank of a
+    /// four-bar that only rocks is swept through both of its dead centres, and its coupler point draws its whole curve.
+    ///
+    /// The states, `steps` + 1 of them, lie at equal distances along the curve of all (q, t) with Φ(q, t) = 0; their times go
+    /// up and down, and rates are what they are at the given speed of the driver: without bounds towards a dead centre, and
+    /// not a number at it. With `to` the curve is followed towards it as long as t stays between `from` and `to`, otherwise
+    /// until it closes: until all bodies are where they began, but for whole turns. What does not close is followed
+    /// in both directions from the start. [`Trajectory::arc`] has the places: every dead centre and cusp is enclosed and
+    /// named, and where branches cross the curve ends, because nothing says which of them is meant. Unilateral conditions are
+    /// not watched.
+    ///
+    /// ```
+    /// use kin_runtime::{ArcPlaceKind, Kinematics, mechanism};
+    ///
+    /// /// Crank 0.3, coupler 0.25, rocker 0.2, pivots 0.5 apart: the crank goes as far as cos φ = 0.458333….
+    /// #[mechanism]
+    /// #[bodies(crank, coupler, rocker)]
+    /// #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+    /// #[revolute(A: crank @ (0.3, 0), coupler @ (0, 0))]
+    /// #[revolute(B: coupler @ (0.25, 0), rocker @ (0.2, 0))]
+    /// #[revolute(C: ground @ (0.5, 0), rocker @ (0, 0))]
+    /// #[driver(drive: crank.phi = t)]
+    /// struct FourBar;
+    ///
+    /// let trajectory = FourBar.solver().sweep_along_arc(0.0, None, 200)?;
+    /// let arc = trajectory.arc.as_ref().ok_or("it has one")?;
+    /// assert!(arc.is_closed() && trajectory.len() == 201);
+    /// let end = (0.1375_f64 / 0.3).acos();
+    /// assert_eq!(arc.places.len(), 2);
+    /// for place in &arc.places {
+    ///     assert_eq!((place.kind, place.joints.as_slice()), (ArcPlaceKind::DeadCentre, ["A", "B", "C"].as_slice()));
+    ///     assert!((place.t.abs() - end).abs() < 1e-12);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`assemble`](Self::assemble); [`NoArc`](SolveError::NoArc) where there is no single curve through the start: drivers
+    /// leave degrees of freedom open, rows are of velocity level, or branches cross there; [`Stopped`](SolveError::Stopped) by
+    /// an observer.
+    pub fn sweep_along_arc(&self, from: f64, to: Option<f64>, steps: usize) -> Result<Trajectory, SolveError> {
+        let mut inputs = Vec::new();
+        if let Some(function) = self.inputs {
+            inputs.resize(M::INPUTS, Signal::default());
+            function(from, &mut inputs);
+        }
+        let at = Instant { t: from, inputs: &inputs };
+        if let Some(t) = to {
+            self.analyse(&Instant { t, inputs: &inputs }, |_| Ok(()))?;
+        }
+        let q = self.assemble(&at)?;
+        let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
+        let mut equations = Equations::new(evaluator, self.options, &self.given, self.inputs, &at)?;
+        equations.observed = Observed::new(self.observer, steps + 1);
+        let (states, arc) = solution_arc(&mut equations, &q, Window { from, to }, steps)?;
+        Ok(Trajectory { reached: states.len(), states, arc: Some(arc), ..Trajectory::new(M::model()) })
+    }
+}

@@ -1,0 +1,240 @@
+//! Places on the solution curve: Newton's correction across a direction, the tangent, and the sign that tells branches apart.
+
+use crate::equations::Equations;
+use crate::error::SolveError;
+use crate::linear::{Factorization, independent_rows, null_space, positive_determinant};
+use crate::workspace::Subset;
+use nalgebra::{DMatrix, DVector};
+
+/// Largest number of corrections.
+const CORRECTIONS: usize = 8;
+/// Largest ratio of the length of a correction to the length of the one before.
+const CONTRACTION: f64 = 0.3;
+/// A correction shorter than this is the last; Newton's iteration then is at the level of rounding.
+const LAST: f64 = 1e-9;
+/// Corrections that do not contract any more are due to rounding up to this length.
+const ROUNDING: f64 = 1e-7;
+/// Smallest relative pivot at which the sign of the determinant is above rounding.
+const SIGN_TRUST: f64 = 1e-13;
+
+/// A place on the solution curve.
+#[derive(Clone, Debug)]
+pub(super) struct Node {
+    /// The length of the arc from the start.
+    pub(super) s: f64,
+    /// q, and t behind it.
+    pub(super) z: Vec<f64>,
+    /// dz/ds.
+    pub(super) tangent: Vec<f64>,
+    /// The sign of the determinant with this tangent.
+    sign: Sign,
+}
+
+/// A determinant that vanishes only where branches cross, by its rows, and whether it is positive.
+#[derive(Clone, Debug)]
+struct Sign {
+    /// As many rows as coordinates, where there are more; otherwise all.
+    rows: Option<Vec<usize>>,
+    positive: bool,
+}
+
+impl Node {
+    /// q.
+    pub(super) fn q(&self) -> &[f64] {
+        &self.z[..self.z.len() - 1]
+    }
+
+    /// t.
+    pub(super) fn t(&self) -> f64 {
+        self.z[self.z.len() - 1]
+    }
+
+    /// dt/ds.
+    pub(super) fn t_rate(&self) -> f64 {
+        self.tangent[self.z.len() - 1]
+    }
+
+    /// The same place, at a length of the arc.
+    pub(super) fn at(self, s: f64) -> Self {
+        Self { s, ..self }
+    }
+
+    /// The same place on the way back.
+    pub(super) fn reversed(mut self) -> Self {
+        self.tangent.iter_mut().for_each(|x| *x = -*x);
+        self.s = -self.s;
+        // One row of the determinant has the other sign.
+        self.sign.positive = !self.sign.positive;
+        self
+    }
+}
+
+/// The equations with t as one more unknown, and a border.
+pub(super) struct Bordered {
+    /// The size of every coordinate, and that of t: the time in which the driven coordinates change by about their size.
+    pub(super) columns: Vec<f64>,
+}
+
+impl Bordered {
+    /// At the instant and around the configuration of a start.
+    pub(super) fn new(equations: &mut Equations<'_>, q: &[f64]) -> Result<Self, SolveError> {
+        equations.evaluate(Subset::VELOCITY, q, None)?;
+        let driven = equations.phi_t.iter().zip(&equations.scale.rows).map(|(phi_t, scale)| (phi_t * scale).abs());
+        let fastest = driven.fold(0.0, f64::max);
+        let time = if fastest > 0.0 { 1.0 / fastest } else { 1.0 };
+        let columns = equations.scale.columns.iter().copied().chain([time]).collect();
+        Ok(Self { columns })
+    }
+
+    /// The scalar product on the common scale.
+    pub(super) fn dot(&self, a: &[f64], b: &[f64]) -> f64 {
+        a.iter().zip(b).zip(&self.columns).map(|((a, b), d)| (a / d) * (b / d)).sum()
+    }
+
+    /// The length of a displacement on the common scale.
+    pub(super) fn norm(&self, a: &[f64]) -> f64 {
+        self.dot(a, a).sqrt()
+    }
+
+    /// The independent directions in which (q, t) can go, of length 1.
+    pub(super) fn directions(&self, equations: &mut Equations<'_>, z: &[f64]) -> Result<Vec<Vec<f64>>, SolveError> {
+        let border = vec![0.0; z.len()];
+        let matrix = self.scaled(&self.matrix(equations, z, &border)?);
+        let rows = matrix.nrows() - 1;
+        let basis = null_space(&matrix.rows(0, rows).into_owned(), equations.options.rank_tolerance);
+        Ok(basis.column_iter().map(|y| y.iter().zip(&self.columns).map(|(y, d)| y * d).collect()).collect())
+    }
+
+    /// True where the rows lose rank within this tolerance, t included.
+    pub(super) fn is_singular(&self, equations: &mut Equations<'_>, z: &[f64], tolerance: f64) -> bool {
+        let border = vec![0.0; z.len()];
+        let matrix = self.matrix(equations, z, &border).map(|matrix| self.scaled(&matrix));
+        matrix.is_ok_and(|matrix| {
+            let rows = matrix.nrows() - 1;
+            null_space(&matrix.rows(0, rows).into_owned(), tolerance).ncols() > 1
+        })
+    }
+
+    /// The place on the curve that is found across a direction from a prediction, no farther away than allowed; its tangent
+    /// goes in that direction. None where there is no such place.
+    pub(super) fn node(
+        &self,
+        equations: &mut Equations<'_>,
+        predicted: &[f64],
+        direction: &[f64],
+        allowed: f64,
+    ) -> Option<Node> {
+        let mut z = predicted.to_vec();
+        self.correct(equations, &mut z, direction, allowed)?;
+        let mut matrix = self.matrix(equations, &z, direction).ok()?;
+        let (last, open) = (matrix.nrows() - 1, equations.options.tolerance);
+        let gap = equations.phi.iter().zip(&equations.scale.rows).map(|(phi, scale)| (phi * scale).abs());
+        // False for NaN, too.
+        let rounding = 64.0 * f64::EPSILON * equations.scale.size(&z[..z.len() - 1]);
+        let is_closed = gap.fold(0.0, f64::max) <= open.max(rounding);
+        if !is_closed {
+            return None;
+        }
+        let factor = Factorization::quick(&matrix, &self.columns, 0.1 * equations.options.rank_tolerance);
+        let mut along = DVector::zeros(matrix.nrows());
+        along[last] = 1.0;
+        let tangent = factor.solve(&along);
+        let length = self.norm(tangent.as_slice());
+        if factor.rank < z.len() || !length.is_finite() || length == 0.0 {
+            return None;
+        }
+        let tangent: Vec<f64> = tangent.iter().map(|x| x / length).collect();
+        self.write_border(&mut matrix, &tangent);
+        let scaled = self.scaled(&matrix);
+        let rows = (last >= z.len()).then(|| independent_rows(&scaled.rows(0, last).into_owned(), z.len() - 1));
+        let positive = sign(&scaled, rows.as_deref())?;
+        Some(Node { s: 0.0, z, tangent, sign: Sign { rows, positive } })
+    }
+
+    /// True where the determinant has the same sign at both of two neighbouring places.
+    pub(super) fn on_one_branch(&self, equations: &mut Equations<'_>, from: &Node, to: &Node) -> bool {
+        let same = match &from.sign.rows {
+            None => Some(to.sign.positive),
+            Some(rows) => {
+                let matrix = self.matrix(equations, &to.z, &to.tangent).ok();
+                matrix.and_then(|matrix| sign(&self.scaled(&matrix), Some(rows)))
+            }
+        };
+        same == Some(from.sign.positive)
+    }
+
+    /// Newton's iteration across a direction.
+    fn correct(&self, equations: &mut Equations<'_>, z: &mut [f64], direction: &[f64], allowed: f64) -> Option<()> {
+        let predicted = z.to_vec();
+        let mut before = f64::INFINITY;
+        for _ in 0..CORRECTIONS {
+            let matrix = self.matrix(equations, z, direction).ok()?;
+            let factor = Factorization::quick(&matrix, &self.columns, 0.1 * equations.options.rank_tolerance);
+            let own = equations.phi.iter().zip(&equations.scale.rows).map(|(phi, scale)| phi * scale);
+            let right = DVector::from_iterator(matrix.nrows(), own.chain([0.0]));
+            let step = factor.solve(&right);
+            z.iter_mut().zip(step.iter()).for_each(|(z, step)| *z -= step);
+            let length = self.norm(step.as_slice());
+            let travel: Vec<f64> = z.iter().zip(&predicted).map(|(a, b)| a - b).collect();
+            let is_near = self.norm(&travel) <= allowed;
+            if !is_near {
+                return None;
+            }
+            if length <= LAST {
+                return Some(());
+            }
+            if length > CONTRACTION * before {
+                return (length <= ROUNDING).then_some(());
+            }
+            before = length;
+        }
+        None
+    }
+
+    /// [Φ_q Φ_t] with rows on the common scale, and below it the direction.
+    fn matrix(&self, equations: &mut Equations<'_>, z: &[f64], direction: &[f64]) -> Result<DMatrix<f64>, SolveError> {
+        let n = z.len() - 1;
+        equations.move_to(z[n])?;
+        equations.evaluate(Subset { phi: true, ..Subset::VELOCITY }, &z[..n], None)?;
+        let rows = equations.rows();
+        let mut matrix = DMatrix::zeros(rows + 1, n + 1);
+        for ((row, column), value) in equations.entries() {
+            matrix[(row, column)] += value * equations.scale.rows[row];
+        }
+        for row in 0..rows {
+            matrix[(row, n)] = equations.phi_t[row] * equations.scale.rows[row];
+        }
+        self.write_border(&mut matrix, direction);
+        Ok(matrix)
+    }
+
+    /// The last row: its product with a displacement is the scalar product with the direction.
+    fn write_border(&self, matrix: &mut DMatrix<f64>, direction: &[f64]) {
+        let last = matrix.nrows() - 1;
+        for (k, (x, d)) in direction.iter().zip(&self.columns).enumerate() {
+            matrix[(last, k)] = x / d / d;
+        }
+    }
+
+    /// The matrix with columns on the common scale, too.
+    fn scaled(&self, matrix: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut scaled = matrix.clone();
+        for (mut column, &d) in scaled.column_iter_mut().zip(&self.columns) {
+            column *= d;
+        }
+        scaled
+    }
+}
+
+/// Whether the determinant of these rows and the border is positive; none where it vanishes.
+fn sign(matrix: &DMatrix<f64>, rows: Option<&[usize]>) -> Option<bool> {
+    let last = matrix.nrows() - 1;
+    let mut square = match rows {
+        None => matrix.clone(),
+        Some(rows) => matrix.select_rows(&rows.iter().copied().chain([last]).collect::<Vec<_>>()),
+    };
+    if !square.is_square() {
+        return None;
+    }
+    positive_determinant(&mut square, SIGN_TRUST)
+}

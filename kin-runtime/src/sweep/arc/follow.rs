@@ -1,0 +1,305 @@
+//! The steps along the solution curve, in both directions from a start.
+
+use super::bordered::{Bordered, Node};
+use super::places::{between, cusps, singular_place, turning};
+use super::rows;
+use crate::arc::{ArcEnd, ArcFault, ArcPlace, ArcPlaceKind, SolutionArc};
+use crate::equations::scale::Scale;
+use crate::equations::{Equations, contact};
+use crate::error::SolveError;
+use crate::model::{Component, CoordinateKind, Level};
+use crate::nonlinear::root::{Value, bracket};
+use crate::state::State;
+use crate::workspace::Subset;
+use core::f64::consts::TAU;
+
+/// Length of the first step, on the common scale.
+const FIRST: f64 = 0.05;
+/// Steps shorter than this say that the curve ends, or that another branch crosses it.
+const SHORTEST: f64 = 1e-7;
+/// Relative pivot below which the rows count as dependent behind a step that is too short.
+const CROSSING: f64 = 1e-5;
+/// Most steps in one direction.
+const MOST: usize = 20_000;
+/// Cosine of the largest angle between the tangents of neighbouring places, and of one up to which steps become longer.
+const COSINES: [f64; 2] = [0.95, 0.99];
+/// How near the mechanism comes to where it began if it does, on the common scale.
+const SAME: f64 = 1e-7;
+/// The width in which places on the curve are enclosed.
+const ENCLOSED: f64 = 1e-12;
+/// Part of the tangent's length that belongs to q, from which on the mechanism moves.
+const MOVING: f64 = 0.1;
+
+/// The interval of t in which the curve is followed, where there is one, and the t of its start.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Window {
+    pub(crate) from: f64,
+    pub(crate) to: Option<f64>,
+}
+
+/// The curve in one direction from its start.
+struct Leg {
+    nodes: Vec<Node>,
+    places: Vec<ArcPlace>,
+    end: ArcEnd,
+}
+
+/// States at equal distances on the curve through a configuration of the current instant, and what the curve has.
+pub(crate) fn solution_arc(
+    equations: &mut Equations<'_>,
+    q: &[f64],
+    window: Window,
+    steps: usize,
+) -> Result<(Vec<State>, SolutionArc), SolveError> {
+    let t = equations.t;
+    let refuse = |why| Err(SolveError::NoArc { t, why });
+    if equations.model.rows.iter().any(|row| row.level == Level::Velocity) {
+        return refuse(ArcFault::VelocityLevel);
+    }
+    equations.scale = Scale::around(equations, q);
+    let bordered = Bordered::new(equations, q)?;
+    let z: Vec<f64> = q.iter().copied().chain([t]).collect();
+    let mut directions = bordered.directions(equations, &z)?;
+    let (Some(mut direction), 0) = (directions.pop(), directions.len()) else {
+        return refuse(match directions.len() {
+            0 => ArcFault::Fixed,
+            others => ArcFault::Directions { count: others + 1 },
+        });
+    };
+    // The driver goes forwards first, or towards the end that is asked for.
+    let onwards = if window.to.is_some_and(|to| to < window.from) { -1.0 } else { 1.0 };
+    if onwards * direction[q.len()] < 0.0 {
+        direction.iter_mut().for_each(|x| *x = -*x);
+    }
+    let Some(start) = bordered.node(equations, &z, &direction, FIRST) else {
+        return refuse(ArcFault::Directions { count: 2 });
+    };
+    let walk = Walk { bordered: &bordered, window, angles: angles(equations, q)? };
+    let mut leg = walk.leg(equations, start.clone())?;
+    let mut first = leg.end;
+    if leg.end != ArcEnd::Closed {
+        let back = walk.leg(equations, start.reversed())?;
+        first = back.end;
+        leg = joined(back, leg);
+    }
+    rows::states(equations, &bordered, leg.nodes, leg.places, [first, leg.end], steps)
+}
+
+/// Two legs from one start as one, the first of which goes against its direction.
+fn joined(back: Leg, onwards: Leg) -> Leg {
+    let mut nodes: Vec<Node> = back.nodes.into_iter().skip(1).rev().map(Node::reversed).collect();
+    nodes.extend(onwards.nodes);
+    let mut places: Vec<ArcPlace> = back.places;
+    places.reverse();
+    places.iter_mut().for_each(|place| place.s = -place.s);
+    places.extend(onwards.places);
+    // A place at the start belongs to both.
+    places.dedup_by(|a, b| a.kind == b.kind && (a.s - b.s).abs() <= SHORTEST);
+    Leg { nodes, places, end: onwards.end }
+}
+
+struct Walk<'b> {
+    bordered: &'b Bordered,
+    window: Window,
+    /// True for coordinates of which a whole turn makes no difference.
+    angles: Vec<bool>,
+}
+
+impl Walk<'_> {
+    /// The curve from a place on in the direction of its tangent.
+    fn leg(&self, equations: &mut Equations<'_>, start: Node) -> Result<Leg, SolveError> {
+        let mut leg = Leg { nodes: vec![start.at(0.0)], places: Vec::new(), end: ArcEnd::TooLong };
+        let (mut length, mut shortened) = (FIRST, false);
+        // Where the mechanism is first seen to move: there it may come back to.
+        let mut origin: Option<Node> = None;
+        for _ in 0..MOST {
+            let here = leg.nodes[leg.nodes.len() - 1].clone();
+            equations.observed.pass(here.t())?;
+            if origin.is_none() && self.moves(&here) {
+                origin = Some(here.clone());
+            }
+            length = length.min(self.longest(equations, &here));
+            if let Some((next, cosine)) = self.step(equations, &here, length) {
+                if let Some(end) = self.settle(equations, &mut leg, next, origin.as_ref()) {
+                    leg.end = end;
+                    return Ok(leg);
+                }
+                if !shortened && cosine > COSINES[1] {
+                    length *= 2.0;
+                }
+                shortened = false;
+                continue;
+            }
+            (length, shortened) = (0.5 * length, true);
+            if length < SHORTEST {
+                leg.end = if self.bordered.is_singular(equations, &here.z, CROSSING) {
+                    let before = leg.nodes.len().saturating_sub(5);
+                    let kind = ArcPlaceKind::BranchPoint;
+                    let place = singular_place(equations, kind, &leg.nodes[before], &here, (0.0, SHORTEST));
+                    leg.places.push(place);
+                    ArcEnd::BranchPoint
+                } else {
+                    ArcEnd::Ended
+                };
+                return Ok(leg);
+            }
+        }
+        Ok(leg)
+    }
+
+    /// The next place, and the cosine of the angle between the tangents; none where a step of this length does not count.
+    fn step(&self, equations: &mut Equations<'_>, here: &Node, length: f64) -> Option<(Node, f64)> {
+        let predicted: Vec<f64> = here.z.iter().zip(&here.tangent).map(|(z, rate)| z + length * rate).collect();
+        let allowed = equations.options.prediction_tolerance * length;
+        let mut next = self.bordered.node(equations, &predicted, &here.tangent, allowed)?;
+        let cosine = self.bordered.dot(&here.tangent, &next.tangent);
+        let is_smooth = cosine >= COSINES[0];
+        if !is_smooth
+            || contact::turned_about(equations, here.q(), next.q()).is_some()
+            || !self.bordered.on_one_branch(equations, here, &next)
+        {
+            return None;
+        }
+        let way: Vec<f64> = next.z.iter().zip(&here.z).map(|(a, b)| a - b).collect();
+        // An arc of a circle is longer than its chord by this part.
+        next.s = here.s + self.bordered.norm(&way) * (1.0 + (1.0 - cosine).max(0.0) / 12.0);
+        Some((next, cosine))
+    }
+
+    /// The longest step in which no body turns by more than the options allow.
+    fn longest(&self, equations: &Equations<'_>, here: &Node) -> f64 {
+        let n = here.q().len();
+        let turn = equations.scale.turn(&here.tangent[..n]).max((here.t_rate() / self.bordered.columns[n]).abs());
+        equations.options.max_rotation_per_step / turn
+    }
+
+    /// True where q changes along the curve, and not t alone.
+    fn moves(&self, here: &Node) -> bool {
+        let n = here.q().len();
+        self.bordered.dot(&here.tangent[..n], &here.tangent[..n]) > MOVING * MOVING
+    }
+
+    /// Adds a step with the places that lie in it; the end where the curve has one there.
+    fn settle(
+        &self,
+        equations: &mut Equations<'_>,
+        leg: &mut Leg,
+        next: Node,
+        origin: Option<&Node>,
+    ) -> Option<ArcEnd> {
+        let here = leg.nodes[leg.nodes.len() - 1].clone();
+        let turn = turning(equations, self.bordered, &here, &next, ENCLOSED);
+        let mut pieces = Vec::new();
+        if let Some((node, within)) = turn {
+            let beyond = 1e-6 * self.bordered.columns[here.q().len()] * here.t_rate().signum();
+            let kind = ArcPlaceKind::DeadCentre;
+            let place = singular_place(equations, kind, &here, &node, (beyond, within));
+            pieces.push((node, Some(place)));
+        }
+        pieces.push((next, None));
+        for (piece, place) in pieces {
+            let here = leg.nodes[leg.nodes.len() - 1].clone();
+            if let Some(last) = self.bound(equations, &here, &piece) {
+                if last.s > here.s + SHORTEST {
+                    cusps(equations, self.bordered, (&here, &last), leg.nodes.len() == 1, ENCLOSED, &mut leg.places);
+                    leg.nodes.push(last);
+                }
+                return Some(ArcEnd::Bound);
+            }
+            if let Some(last) = origin.and_then(|origin| self.closing(equations, origin, &here, &piece)) {
+                cusps(equations, self.bordered, (&here, &last), false, ENCLOSED, &mut leg.places);
+                leg.nodes.push(last);
+                return Some(ArcEnd::Closed);
+            }
+            cusps(equations, self.bordered, (&here, &piece), leg.nodes.len() == 1, ENCLOSED, &mut leg.places);
+            leg.nodes.push(piece);
+            leg.places.extend(place);
+        }
+        None
+    }
+
+    /// The place at which t leaves the interval, where that is between these.
+    fn bound(&self, equations: &mut Equations<'_>, a: &Node, b: &Node) -> Option<Node> {
+        let Window { from, to } = self.window;
+        let to = to?;
+        let bound = if b.t() > from.max(to) {
+            from.max(to)
+        } else if b.t() < from.min(to) {
+            from.min(to)
+        } else {
+            return None;
+        };
+        let found = self.root(equations, a, b, |node| (node.t() - bound) * (b.t() - a.t()).signum());
+        let mut last = found.unwrap_or_else(|| a.clone());
+        // The bound itself, to the last digit.
+        let mut direction = vec![0.0; a.z.len()];
+        direction[a.q().len()] = self.bordered.columns[a.q().len()] * a.t_rate().signum();
+        let mut at_bound = last.z.clone();
+        at_bound[a.q().len()] = bound;
+        if let Some(node) = self.bordered.node(equations, &at_bound, &direction, SAME.sqrt()) {
+            let sign = self.bordered.dot(&node.tangent, &last.tangent).signum();
+            last.tangent = node.tangent.iter().map(|x| sign * x).collect();
+            last.z = node.z;
+            last.z[a.q().len()] = bound;
+        }
+        Some(last)
+    }
+
+    /// The place between these at which the mechanism is where it began, but for whole turns of bodies.
+    fn closing(&self, equations: &mut Equations<'_>, origin: &Node, a: &Node, b: &Node) -> Option<Node> {
+        let (bordered, n) = (self.bordered, origin.q().len());
+        let along = |node: &Node| bordered.dot(&self.apart(origin, node), &origin.tangent[..n]);
+        let is_passed = along(a) < 0.0 && along(b) >= 0.0;
+        if !is_passed || bordered.norm(&self.apart(origin, b)) > 2.0 * (b.s - a.s) + SAME {
+            return None;
+        }
+        let found = self.root(equations, a, b, along)?;
+        let same_place = bordered.norm(&self.apart(origin, &found)) <= SAME;
+        let same_way = bordered.dot(&found.tangent[..n], &origin.tangent[..n]) > 0.0;
+        (same_place && same_way).then_some(found)
+    }
+
+    /// How far apart two places are in q, whole turns left out.
+    fn apart(&self, origin: &Node, node: &Node) -> Vec<f64> {
+        let pairs = node.q().iter().zip(origin.q()).zip(&self.angles);
+        let difference = pairs.map(|((a, b), &is_angle)| {
+            let turns = if is_angle { ((a - b) / TAU).round() * TAU } else { 0.0 };
+            a - b - turns
+        });
+        difference.collect()
+    }
+
+    /// The place between two at which a function, which grows from negative to positive, is 0.
+    fn root(&self, equations: &mut Equations<'_>, a: &Node, b: &Node, f: impl Fn(&Node) -> f64) -> Option<Node> {
+        let slope = (f(b) - f(a)) / (b.s - a.s);
+        let value = |node: &Node| Value { t: node.s, f: -f(node), rate: -slope };
+        let [low, _] = bracket(value(a), value(b), ENCLOSED, |s| {
+            between(equations, self.bordered, a, b, s).map(|node| value(&node))
+        });
+        between(equations, self.bordered, a, b, low.t)
+    }
+}
+
+/// For every coordinate whether a whole turn of it makes no difference: it is the angle of a body, or a scalar one of which all
+/// rows that do not drive are periodic.
+fn angles(equations: &mut Equations<'_>, q: &[f64]) -> Result<Vec<bool>, SolveError> {
+    let kinds = equations.model.coordinates;
+    let rows = equations.rows_where(|equations, row| !equations.drives(row));
+    equations.evaluate(Subset::PHI, q, None)?;
+    let here = equations.phi.clone();
+    let mut turned = q.to_vec();
+    let mut angles = Vec::with_capacity(q.len());
+    for (k, coordinate) in kinds.iter().enumerate() {
+        angles.push(match coordinate.kind {
+            CoordinateKind::Pose { component, .. } => component == Component::Phi,
+            CoordinateKind::Scalar => {
+                turned[k] += TAU;
+                let evaluated = equations.evaluate(Subset::PHI, &turned, None).is_ok();
+                turned[k] = q[k];
+                let same = |&row: &usize| (equations.phi[row] - here[row]).abs() * equations.scale.rows[row] <= SAME;
+                evaluated && rows.iter().all(same)
+            }
+        });
+    }
+    Ok(angles)
+}

@@ -1,0 +1,153 @@
+//! Special places between two neighbouring places of the curve: dead centres and cusps.
+
+use super::bordered::{Bordered, Node};
+use crate::analysis::by_plan;
+use crate::arc::{ArcPlace, ArcPlaceKind};
+use crate::equations::Equations;
+use crate::linear::null_space;
+use crate::nonlinear::root::{Value, bracket};
+use crate::workspace::{Instant, Subset};
+
+/// How far a place between two others may be from the cubic through them, relative to their distance.
+const NEAR: f64 = 0.1;
+/// Relative pivot below which rows of Φ_q depend on one another.
+const SINGULAR: f64 = 1e-5;
+/// Part of the speed beside it, by the arc, that a point may have at a cusp.
+const STILL: f64 = 1e-6;
+/// How far on both sides of a cusp its tangents are compared.
+const BESIDE: f64 = 1e-3;
+/// The sum of two unit vectors that are opposite within this: beside a cusp they differ by about their distance from it.
+const SAME_WAY: f64 = 1e-5;
+
+/// The place on the curve at a length s between two neighbours: predicted by the cubic through both with their tangents.
+pub(super) fn between(equations: &mut Equations<'_>, bordered: &Bordered, a: &Node, b: &Node, s: f64) -> Option<Node> {
+    let h = b.s - a.s;
+    let x = (s - a.s) / h;
+    let (mut z, mut direction) = (Vec::with_capacity(a.z.len()), Vec::with_capacity(a.z.len()));
+    for k in 0..a.z.len() {
+        let (from, change) = (a.z[k], b.z[k] - a.z[k]);
+        let (first, last) = (h * a.tangent[k], h * b.tangent[k]);
+        let (c2, c3) = (3.0 * change - 2.0 * first - last, first + last - 2.0 * change);
+        z.push(from + x * (first + x * (c2 + x * c3)));
+        direction.push((first + x * (2.0 * c2 + x * 3.0 * c3)) / h);
+    }
+    let length = bordered.norm(&direction);
+    direction.iter_mut().for_each(|x| *x /= length);
+    Some(bordered.node(equations, &z, &direction, NEAR * h.abs())?.at(s))
+}
+
+/// The place at which t turns back, with the width in which it was enclosed.
+pub(super) fn turning(
+    equations: &mut Equations<'_>,
+    bordered: &Bordered,
+    a: &Node,
+    b: &Node,
+    within: f64,
+) -> Option<(Node, f64)> {
+    if (a.t_rate() > 0.0) == (b.t_rate() > 0.0) {
+        return None;
+    }
+    let sign = if a.t_rate() > 0.0 { 1.0 } else { -1.0 };
+    let slope = sign * (b.t_rate() - a.t_rate()) / (b.s - a.s);
+    let value = |node: &Node| Value { t: node.s, f: sign * node.t_rate(), rate: slope };
+    let [low, high] =
+        bracket(value(a), value(b), within, |s| between(equations, bordered, a, b, s).map(|node| value(&node)));
+    let node = between(equations, bordered, a, b, 0.5 * (low.t + high.t))?;
+    Some((node, high.t - low.t))
+}
+
+/// What is known of a singular place; `beside` is a place before it, and (`beyond`, `within`) the time by which t is moved
+/// to where the group does not close, and the width in which the place was enclosed.
+pub(super) fn singular_place(
+    equations: &mut Equations<'_>,
+    kind: ArcPlaceKind,
+    beside: &Node,
+    here: &Node,
+    (beyond, within): (f64, f64),
+) -> ArcPlace {
+    let q = here.q().to_vec();
+    let (mut joints, mut drivers) = (Vec::new(), Vec::new());
+    let mut signs = Vec::new();
+    if equations.model.plan.exists() && equations.move_to(beside.t()).is_ok() {
+        by_plan::modes(equations, beside.q(), &mut signs);
+    }
+    let limit = equations.move_to(here.t() + beyond).ok().and_then(|()| by_plan::limit_in(equations, &signs, &q));
+    if let Some(limit) = limit {
+        joints = limit.joints().collect();
+        if kind == ArcPlaceKind::DeadCentre {
+            drivers = limit.drivers().collect();
+        }
+    } else if equations.move_to(here.t()).is_ok() && equations.evaluate(Subset::JACOBIAN, &q, None).is_ok() {
+        let all: Vec<usize> = (0..equations.rows()).collect();
+        let left = null_space(&equations.scaled(&all).transpose(), SINGULAR);
+        let largest = left.amax();
+        let dependent = (0..left.nrows()).filter(|&row| left.row(row).amax() > 1e-3 * largest);
+        joints = dependent.map(|row| equations.joint_name(row)).collect();
+        joints.dedup();
+    }
+    ArcPlace { kind, t: here.t(), s: here.s, within, q, joints, drivers }
+}
+
+/// Adds the cusps of named points between two places, and at the first of them where it is the start.
+pub(super) fn cusps(
+    equations: &mut Equations<'_>,
+    bordered: &Bordered,
+    (a, b): (&Node, &Node),
+    at_start: bool,
+    within: f64,
+    places: &mut Vec<ArcPlace>,
+) {
+    let points = equations.model.points;
+    if points.is_empty() {
+        return;
+    }
+    let (Some(before), Some(after)) = (rates(equations, a), rates(equations, b)) else { return };
+    for (place, point) in points.iter().enumerate() {
+        let kind = ArcPlaceKind::Cusp { point: point.name };
+        let [from, to] = [before[place], after[place]];
+        let (first, last) = (from[0].hypot(from[1]), to[0].hypot(to[1]));
+        let along = |rate: [f64; 2]| rate[0] * from[0] + rate[1] * from[1];
+        let (node, within, size) = if at_start && first <= STILL * last {
+            (a.clone(), 0.0, last)
+        } else if along(to) < 0.0 {
+            let value = |s: f64, rate: [f64; 2]| Value { t: s, f: along(rate), rate: f64::NAN };
+            let [low, high] = bracket(value(a.s, from), value(b.s, to), within, |s| {
+                let node = between(equations, bordered, a, b, s)?;
+                let rate = rates(equations, &node)?[place];
+                Some(value(s, rate))
+            });
+            let Some(node) = between(equations, bordered, a, b, 0.5 * (low.t + high.t)) else { continue };
+            (node, high.t - low.t, first.max(last))
+        } else {
+            continue;
+        };
+        let rate = rates(equations, &node).map_or(f64::NAN, |all| all[place][0].hypot(all[place][1]));
+        // A path that only goes back the way it came has the same tangents on both sides.
+        let turn = [-BESIDE, BESIDE].map(|beside| {
+            let node = between(equations, bordered, a, b, node.s + beside)?;
+            let [x, y] = rates(equations, &node)?[place];
+            let length = x.hypot(y);
+            Some([x / length, y / length])
+        });
+        let [Some(before), Some(after)] = turn else { continue };
+        let turn = (before[0] + after[0]).hypot(before[1] + after[1]);
+        if rate <= STILL * size && turn > SAME_WAY {
+            let (t, s, q) = (node.t(), node.s, node.q().to_vec());
+            places.push(ArcPlace { kind, t, s, within, q, joints: Vec::new(), drivers: Vec::new() });
+        }
+    }
+}
+
+/// The velocities of all named points by the arc.
+fn rates(equations: &mut Equations<'_>, node: &Node) -> Option<Vec<[f64; 2]>> {
+    equations.move_to(node.t()).ok()?;
+    let at = Instant { t: equations.t, inputs: &equations.inputs };
+    equations.system.observe(&at, node.q(), &equations.still).ok()?;
+    let parts = equations.system.observables();
+    let model = equations.model;
+    let rate = |row: usize| {
+        let by_time = node.t_rate() * parts.phi_t[row];
+        parts.gradient(&model.observable_pattern, row).fold(by_time, |sum, (k, entry)| sum + entry * node.tangent[k])
+    };
+    Some(model.points.iter().map(|point| point.observables.map(rate)).collect())
+}

@@ -1,0 +1,86 @@
+//! States at equal distances along the solution curve.
+
+use super::bordered::{Bordered, Node};
+use super::places::between;
+use crate::analysis::acceleration::acceleration;
+use crate::analysis::poses::poses;
+use crate::analysis::velocity::velocity;
+use crate::arc::{ArcEnd, ArcPlace, SolutionArc};
+use crate::equations::Equations;
+use crate::error::SolveError;
+use crate::state::State;
+use crate::workspace::Subset;
+
+/// Places nearer to one another than this, by the arc, are the same.
+const SAME: f64 = 1e-9;
+
+/// The states, one more than steps, and what the curve has.
+pub(super) fn states(
+    equations: &mut Equations<'_>,
+    bordered: &Bordered,
+    mut nodes: Vec<Node>,
+    mut places: Vec<ArcPlace>,
+    ends: [ArcEnd; 2],
+    steps: usize,
+) -> Result<(Vec<State>, SolutionArc), SolveError> {
+    // Lengths begin at the first place.
+    let first = nodes.first().map_or(0.0, |node| node.s);
+    nodes.iter_mut().for_each(|node| node.s -= first);
+    places.iter_mut().for_each(|place| place.s -= first);
+    let length = nodes.last().map_or(0.0, |node| node.s);
+    let mut states = Vec::with_capacity(steps + 1);
+    let count = if length > SAME { steps } else { 0 };
+    for k in 0..=count {
+        let s = if k == count { length } else { length * k as f64 / count as f64 };
+        let next = nodes.partition_point(|node| node.s < s - SAME).min(nodes.len() - 1);
+        let node = match next.checked_sub(1) {
+            Some(before) if nodes[next].s > s + SAME => {
+                let (a, b) = (&nodes[before], &nodes[next]);
+                // Beside a crossing of branches a neighbour is as near as can be told.
+                between(equations, bordered, a, b, s)
+                    .unwrap_or_else(|| if s - a.s < b.s - s { a.clone() } else { b.clone() })
+            }
+            _ => nodes[next].clone(),
+        };
+        let state = state(equations, &node)?;
+        equations.observed.finish(state.t, Some(&state))?;
+        states.push(state);
+    }
+    Ok((states, SolutionArc { length, places, ends }))
+}
+
+/// The state at a place; rates are not numbers where the driver does not determine them.
+fn state(equations: &mut Equations<'_>, node: &Node) -> Result<State, SolveError> {
+    equations.move_to(node.t())?;
+    let q = node.q().to_vec();
+    equations.evaluate(Subset::POSITION, &q, None)?;
+    let residual = equations.phi.iter().fold(0.0, |most: f64, phi| most.max(phi.abs()));
+    let rates = velocity(equations, &q, None).and_then(|(q_dot, factor)| {
+        let q_ddot = acceleration(equations, &q, &q_dot, &factor)?;
+        Ok((q_dot, q_ddot, factor.condition))
+    });
+    let still = || vec![0.0; q.len()];
+    let (q_dot, q_ddot, condition) = match rates {
+        Ok((q_dot, q_ddot, condition)) => (q_dot, q_ddot, Some(condition)),
+        Err(_) => (still(), still(), None),
+    };
+    let mut state = State {
+        model: equations.model,
+        t: node.t(),
+        inputs: equations.inputs.clone(),
+        q,
+        q_dot,
+        q_ddot,
+        bodies: Vec::new(),
+        points: Vec::new(),
+        residual,
+        iterations: 1,
+        condition,
+        degrees_of_freedom_left: 0,
+    };
+    poses(equations, &mut state)?;
+    if condition.is_none() {
+        state.forget_rates();
+    }
+    Ok(state)
+}
