@@ -41,11 +41,13 @@ moving toggle_press --steps 60
 moving engine --steps 60
 moving excavator --to 2 --steps 40 --input boom_length=1.30,0.5,-0.5,stick_length=1.98,-0.4,0.4,bucket_length=1.05,0.3,-0.3
 moving robot_3rrr --to 1 --steps 60
+moving robot_closures --to 1 --steps 60
 moving wishbone --to 6.2832 --steps 40
 moving squeezer --steps 60
 moving car --to 6 --steps 60
 
 diagram hoecken hoecken-curve T
+diagram four_bar four_bar-curve tip --along-arc --set l1=0.25,l2=0.2
 diagram quick_return quick_return-speed ram.x_dot
 diagram cam_drive cam_drive-lift --from 0.2 --to 0.4 tappet.y tappet.y_ddot
 diagram robot_3rrr robot_3rrr-motors --to 1 "crank[0].phi" "crank[1].phi" "crank[2].phi"

@@ -1,10 +1,11 @@
 //! `animate`: the motion as a page for a browser, or as a picture that moves.
 
+use super::closures::{self, Choice};
 use super::columns::{column_infos, shown};
-use super::engine::{Engine, Setup};
+use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::instants::GridArgs;
+use super::instants::{ArcArgs, GridArgs};
 use super::moving::{Moved, Walk, note_motion};
 use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
@@ -13,7 +14,6 @@ use super::solved::note_freedom;
 use crate::measure::Measure;
 use crate::model::Model;
 use crate::motion::Motion;
-use crate::planned::Sign;
 use crate::present::animation::{Animation, ColumnInfo, Run};
 use crate::present::drawing::{Scene, Snapshot, Subject};
 use crate::present::text::count;
@@ -22,8 +22,6 @@ use crate::state::State;
 
 /// Steps when --steps is not there.
 pub(super) const STEPS: usize = 180;
-/// Assembly modes that one page shows at most.
-const MODES: usize = 8;
 /// Coordinates of all instants that the modes besides the one asked for may have together, so that pages stay small.
 const NUMBERS: usize = 60_000;
 
@@ -32,6 +30,8 @@ const NUMBERS: usize = 60_000;
 pub(super) struct AnimateArgs {
     #[command(flatten)]
     grid: GridArgs,
+    #[command(flatten)]
+    arc: ArcArgs,
     #[command(flatten)]
     setup: SetupArgs,
     #[command(flatten)]
@@ -56,12 +56,17 @@ pub(super) const HELP: Help = Help {
             names.analysis("animate --out motion.svg", "a picture that moves, for a document"),
             names.with("animate --out motion.html --set", &names.set, "with another dimension"),
             names.with("animate --out motion.html --mode", &names.mode, "in one assembly mode alone"),
+            names
+                .arc
+                .then(|| names.analysis("animate --along-arc --out motion.html", "through dead centres"))
+                .flatten(),
         ]
     },
     details: "\
 The page has the drawing, plots that go with it, speed, and a slider for the time; where the
-mechanism can be assembled in several modes it has all of them, up to eight, unless --mode says
-which. Space plays and pauses.
+mechanism closes in several ways, as `modes` lists them, it has all of them, up to eight, unless
+--mode says which. Space plays and pauses. With --along-arc it goes through dead centres, where the
+driver turns back; its steps are numbered, as t goes up and down.
 
 When a motion fails midway, or Ctrl-C ends it, the finished part is written and the status is 1,
 or 130.",
@@ -70,7 +75,7 @@ or 130.",
 pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
     let (asked, output) = (
-        ledger.take(args.grid.asked(STEPS, engine.model())),
+        ledger.take(args.grid.asked(STEPS, engine.model()).and_then(|asked| args.arc.of(asked))),
         ledger.take(session.destination(&args.output, "animate")),
     );
     let setup = ledger.take(args.setup.apply_complete(engine));
@@ -86,10 +91,11 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     // Velocity ratios are too many for a page.
     let measures: Vec<Measure> = Measure::all(model).split_off(1);
     let watch = session.watch();
-    // A picture shows one motion.
-    let one = !setup.modes.is_empty() || matches!(output.form, Form::Svg);
+    // A picture shows one motion, and an arc goes through several closures.
+    let along_arc = instants.arc.is_some();
+    let one = !setup.modes.is_empty() || matches!(output.form, Form::Svg) || along_arc;
     let room = NUMBERS / (model.coordinates.len() * instants.len()).max(1);
-    let most = if one { 0 } else { ((1 << model.plan.modes.len().min(MODES.ilog2() as usize)) - 1).min(room) };
+    let most = if one { 0 } else { (closures::MOST - 1).min(room) };
     watch.begin("instants", (1 + most) * instants.len());
     let freedom = args.freedom;
     let walk = Walk {
@@ -109,35 +115,35 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     let Moved { trajectory, motions, columns, mut ended, left, .. } = moved;
     note_freedom(session, left);
     let Some(first) = trajectory.states.first() else { return ended.map_or(Ok(()), Err) };
-    let own = engine.modes(&first.instant(), &first.q);
-    let own: Vec<Sign> = own.iter().map(|mode| mode.sign.unwrap_or(Sign::Plus)).collect();
+    let choice = match one || ended.is_some() {
+        true => Choice::one(engine, first),
+        false => Choice::all(engine, &setup, first, most),
+    };
     let note = ended.as_ref().map(|failure| early(model, failure));
     let degrees = args.angles.degrees;
-    let mut runs = vec![run_of(engine, (&trajectory.states, &motions), columns, mode_name(model, &own, &own), note)?];
-    if !one && ended.is_none() {
-        let others: Vec<Vec<Sign>> = others(&own).into_iter().take(room).collect();
-        for (place, other) in others.iter().enumerate() {
-            watch.go_on((1 + place) * instants.len());
-            let asked = Setup { modes: other.iter().copied().enumerate().collect(), ..setup.clone() };
-            // A mode that does not close is no fault of the motion that was asked for.
-            let Ok(also) = (Walk { setup: &asked, ..walk }).kept() else { continue };
-            let (states, name) = (&also.trajectory.states, mode_name(model, &own, other));
-            if watch.interrupted() {
-                ended = Some(Failure::Interrupted(format!("{place} of {} other modes finished", others.len())));
-                break;
-            }
-            if states.len() > 1 {
-                let note = also.ended.as_ref().map(|failure| early(model, failure));
-                runs.push(run_of(engine, (states, &also.motions), also.columns, name, note)?);
-            }
+    let mut runs = vec![run_of(engine, (&trajectory.states, &motions, along_arc), columns, choice.own, note)?];
+    for (place, (name, asked)) in choice.others.iter().enumerate() {
+        watch.go_on((1 + place) * instants.len());
+        // A mode that does not close is no fault of the motion that was asked for.
+        let Ok(also) = (Walk { setup: asked, ..walk }).kept() else { continue };
+        let states = &also.trajectory.states;
+        if watch.interrupted() {
+            ended = Some(Failure::Interrupted(format!("{place} of {} other modes finished", choice.others.len())));
+            break;
+        }
+        if states.len() > 1 {
+            let note = also.ended.as_ref().map(|failure| early(model, failure));
+            runs.push(run_of(engine, (states, &also.motions, false), also.columns, name.clone(), note)?);
         }
     }
     watch.end();
     let units = Units::of(model).in_degrees(degrees);
     let columns = column_infos(units, &measures);
     let shown = shown(model, &runs[0].columns);
-    let (time, length) = (units.time().map(str::to_owned), model.units.length.map(str::to_owned));
-    let animation = Animation { model, runs, drivers: drivers(model, &columns), columns, shown, length, time };
+    let along = if along_arc { "step" } else { "t" };
+    let time = units.time().filter(|_| !along_arc).map(str::to_owned);
+    let (length, drivers) = (model.units.length.map(str::to_owned), drivers(model, &columns));
+    let animation = Animation { model, runs, drivers, columns, shown, length, along, time };
     let text = match output.form {
         Form::Svg => animation.picture(args.names),
         _ => animation.page().map_err(Failure::Output)?,
@@ -174,41 +180,35 @@ fn drivers(model: &'static Model, columns: &[ColumnInfo]) -> Vec<usize> {
     Measure::driven(model).into_iter().filter_map(place).take(DRIVERS).collect()
 }
 
-/// All other combinations of signs, few enough to look at.
-fn others(own: &[Sign]) -> Vec<Vec<Sign>> {
-    let free = own.len().min(MODES.ilog2() as usize);
-    let combination = |number: usize| {
-        let flip = |(place, sign): (usize, &Sign)| {
-            if place < free && number >> place & 1 == 1 { sign.flipped() } else { *sign }
-        };
-        own.iter().enumerate().map(flip).collect()
-    };
-    (1..1_usize << free).map(combination).collect()
-}
-
-/// The signs where they are few, otherwise those that differ from the first.
-fn mode_name(model: &Model, own: &[Sign], signs: &[Sign]) -> String {
-    let few = signs.len() <= 2;
-    let modes = model.plan.modes.iter().zip(own).zip(signs);
-    let told = modes.filter(|((_, own), sign)| few || own != sign);
-    let names: Vec<String> = told.map(|((mode, _), sign)| format!("{} {sign}", mode.name)).collect();
-    if names.is_empty() { "as assembled".to_owned() } else { names.join(", ") }
-}
-
-/// A motion with its drawing and its numbers.
+/// A motion with its drawing and its numbers; along an arc in equal steps, and not by time.
 fn run_of(
     engine: &dyn Engine,
-    (states, motions): (&[State], &[Motion]),
+    (states, motions, along_arc): (&[State], &[Motion], bool),
     columns: Vec<Vec<f64>>,
     name: String,
     note: Option<String>,
 ) -> Result<Run, Failure> {
-    let snapshots: Vec<Snapshot> =
+    let mut snapshots: Vec<Snapshot> =
         states.iter().zip(motions).map(|(state, motion)| snapshot(engine, state, motion)).collect::<Result<_, _>>()?;
+    if along_arc {
+        by_steps(&mut snapshots);
+    }
     let curve = |instant: usize, joint: usize, s: f64| engine.curve(&states.get(instant)?.instant(), joint, s);
     let subject = Subject { model: engine.model(), snapshots: &snapshots, curve: &curve };
     let scene = Scene::new(&subject);
     Ok(Run { name, note, scene, columns })
+}
+
+/// Numbers the instants in place of their times, and takes velocities by these numbers, from one neighbour to the other.
+fn by_steps(snapshots: &mut [Snapshot]) {
+    let places: Vec<Vec<[f64; 2]>> = snapshots.iter().map(|snapshot| snapshot.points.clone()).collect();
+    for (k, snapshot) in snapshots.iter_mut().enumerate() {
+        snapshot.t = k as f64;
+        let (before, after) = (k.saturating_sub(1), (k + 1).min(places.len() - 1));
+        let steps = (after - before).max(1) as f64;
+        let pairs = places[before].iter().zip(&places[after]);
+        snapshot.velocities = pairs.map(|(p, q)| [0, 1].map(|axis| (q[axis] - p[axis]) / steps)).collect();
+    }
 }
 
 fn snapshot(engine: &dyn Engine, state: &State, motion: &Motion) -> Result<Snapshot, Failure> {

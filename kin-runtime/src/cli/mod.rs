@@ -36,6 +36,7 @@ use session::{Session, Surroundings};
 
 mod animate;
 mod check;
+mod closures;
 mod columns;
 mod completions;
 mod degrees;

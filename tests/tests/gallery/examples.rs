@@ -36,6 +36,8 @@ pub mod quick_return;
 pub mod rack_and_pinion;
 #[path = "../../../examples/robot_3rrr.rs"]
 pub mod robot_3rrr;
+#[path = "../../../examples/robot_closures.rs"]
+pub mod robot_closures;
 #[path = "../../../examples/scissor_lift.rs"]
 pub mod scissor_lift;
 #[path = "../../../examples/scotch_yoke.rs"]

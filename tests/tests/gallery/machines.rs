@@ -32,6 +32,23 @@ fn the_four_bar_swings_between_its_dead_centres() {
 }
 
 #[test]
+fn a_four_bar_without_a_turning_link_draws_its_whole_curve() {
+    let bar = FourBar { l1: 0.25, l2: 0.2, ..FourBar::default() };
+    let ground = bar.d1.hypot(bar.d2);
+    let cosine = (bar.l1.powi(2) + ground * ground - (bar.l2 + bar.l3).powi(2)) / (2.0 * bar.l1 * ground);
+    let path = bar.solver().sweep_along_arc(0.0, None, 360).unwrap();
+    let arc = path.arc.as_ref().unwrap();
+    assert!(arc.is_closed() && arc.places.len() == 2, "{arc}");
+    let (low, high) = range(arc.places.iter().map(|place| bar.phi0 + place.t));
+    let middle = bar.d2.atan2(bar.d1);
+    close(high, middle + cosine.acos(), 1e-11);
+    close(low, middle - cosine.acos(), 1e-11);
+    let [Some(first), Some(last)] = [path.states.first(), path.last()] else { panic!("states") };
+    (0..2).for_each(|axis| close(last.points[0].r[axis], first.points[0].r[axis], 1e-9));
+    says("four_bar", &format!("the crank swings by {:.1}°", (high - low).to_degrees()));
+}
+
+#[test]
 fn the_scissor_lift_rises_by_its_law() {
     let lift = ScissorLift::default();
     for (_, at) in moved(&lift, 0.0, TAU, 24) {

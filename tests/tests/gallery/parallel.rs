@@ -1,9 +1,10 @@
 //! Closed chains with several degrees of freedom: pantograph and parallel robot.
 
-use crate::examples::{pantograph::Pantograph, robot_3rrr::Robot3rrr};
+use crate::examples::{pantograph::Pantograph, robot_3rrr::Robot3rrr, robot_closures::RobotClosures};
 use crate::page::says;
 use crate::{close, moved, range};
 use kin_runtime::model::Point;
+use kin_runtime::{Instant, Kinematics};
 use std::f64::consts::{PI, TAU};
 
 #[test]
@@ -60,4 +61,34 @@ fn the_robots_motors_turn_as_its_inverse_kinematics_says() {
     // The robot and the circle are symmetric.
     (1..3).for_each(|leg| close(swing(leg), swing(0), 0.05));
     says("robot_3rrr", &format!("every motor swings by {:.1}°", swing(0)));
+}
+
+/// With elbows E and corners s, |p + s(φ) − E|² = m² for all three legs. Two differences of these equations are linear in the
+/// platform's position p; the third is then a function of φ alone, whose changes of sign are counted.
+#[test]
+fn the_robot_stands_in_as_many_ways_as_an_elimination_says() {
+    let RobotClosures { base, size, l, m } = RobotClosures::default();
+    let motors = [0.5, 0.3, -0.7_f64];
+    let direction = |leg: usize| TAU / 3.0 * leg as f64 - 5.0 * PI / 6.0;
+    let square = |w: [f64; 2]| w[0] * w[0] + w[1] * w[1];
+    let miss = |phi: f64| {
+        let away = [0, 1, 2].map(|leg| {
+            let (d, motor) = (direction(leg), motors[leg]);
+            let elbow = [base * d.cos() + l * motor.cos(), base * d.sin() + l * motor.sin()];
+            [size * (d + phi).cos() - elbow[0], size * (d + phi).sin() - elbow[1]]
+        });
+        let row = |leg: usize| [0, 1].map(|k| 2.0 * (away[leg][k] - away[0][k]));
+        let ([a, b], [c, d]) = (row(1), row(2));
+        let (u, v) = (square(away[0]) - square(away[1]), square(away[0]) - square(away[2]));
+        let det = a * d - b * c;
+        let p = [u * d - v * b + det * away[0][0], a * v - c * u + det * away[0][1]];
+        square(p) - det * det * m * m
+    };
+    let steps = 36_000;
+    let at = |k: i32| miss(PI * (2.0 * f64::from(k) / f64::from(steps) - 1.0));
+    let expected = (0..steps).filter(|&k| at(k) * at(k + 1) < 0.0).count();
+    let all = RobotClosures::default().solver().assemblies(&Instant::at(0.0)).unwrap();
+    assert!(all.is_complete(), "{all}");
+    assert_eq!(all.found.len(), expected);
+    says("robot_closures", &format!("in {expected} ways"));
 }

@@ -58,6 +58,7 @@ examples! {
     quick_return = "../../../examples/quick_return.rs": QuickReturn;
     rack_and_pinion = "../../../examples/rack_and_pinion.rs": Steering;
     robot_3rrr = "../../../examples/robot_3rrr.rs": Robot3rrr;
+    robot_closures = "../../../examples/robot_closures.rs": RobotClosures;
     scissor_lift = "../../../examples/scissor_lift.rs": ScissorLift;
     scotch_yoke = "../../../examples/scotch_yoke.rs": ScotchYoke;
     sleigh = "../../../examples/sleigh.rs": Sleigh;

@@ -44,6 +44,8 @@ pub(crate) struct Animation {
     pub(crate) drivers: Vec<usize>,
     /// The unit of length.
     pub(crate) length: Option<String>,
+    /// What the instants are numbered by: `t`, or `step` along an arc, on which t goes up and down.
+    pub(crate) along: &'static str,
     /// The unit of time.
     pub(crate) time: Option<String>,
 }
@@ -54,6 +56,7 @@ struct Data<'a> {
     columns: &'a [ColumnInfo],
     shown: &'a [usize],
     drivers: &'a [usize],
+    along: &'a str,
     time: Option<&'a str>,
     /// How long the whole motion takes to watch.
     seconds: f64,
@@ -103,7 +106,7 @@ impl Animation {
         });
         let (columns, time) = (&self.columns, self.time.as_deref());
         let (shown, drivers, seconds) = (&self.shown[..], &self.drivers[..], self.seconds());
-        let data = Data { runs: runs.collect(), columns, shown, drivers, time, seconds };
+        let data = Data { runs: runs.collect(), columns, shown, drivers, along: self.along, time, seconds };
         let data = serde_json::to_string(&data).map_err(|error| format!("cannot write the page: {error}"))?;
         // Nothing in the data can end the element that holds it.
         let data = data.replace('<', "\\u003c");

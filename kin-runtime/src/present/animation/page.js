@@ -24,7 +24,7 @@
       group.setAttribute("transform", `translate(${at(0)},${at(1)}) rotate(${at(2)})`);
     });
     const now = between(t, place);
-    $("now").textContent = `t = ${text(now)}${data.time ? " " + data.time : ""}`;
+    $("now").textContent = `${data.along} = ${text(now)}${data.time ? " " + data.time : ""}`;
     slider.value = place;
     slider.setAttribute("aria-valuetext", $("now").textContent);
     const driver = (column) => {
@@ -138,13 +138,13 @@
       }
       const unit = info.unit ? ` in ${info.unit}` : "";
       parts.push('<path d="M56,12V160H410" fill="none" stroke="#9ca3af"/>');
-      parts.push(`<text x="410" y="187" text-anchor="end">t${data.time ? " in " + data.time : ""}</text>`);
+      parts.push(`<text x="410" y="187" text-anchor="end">${data.along}${data.time ? " in " + data.time : ""}</text>`);
       const way = list.map((value, k) => `${x(t[k]).toFixed(1)},${y(value).toFixed(1)}`).join(" ");
       parts.push(`<polyline points="${way}" fill="none" stroke="#0072b2" stroke-width="2" stroke-linejoin="round"/>`);
       parts.push('<path class="now" stroke="#d55e00" stroke-width="1.5"/><circle class="now" r="4" fill="#d55e00"/><text class="value" x="60" y="10"></text>');
       this.svg.innerHTML = parts.join("");
       this.svg.setAttribute("role", "img");
-      this.svg.setAttribute("aria-label", `${info.name}${unit} over time`);
+      this.svg.setAttribute("aria-label", `${info.name}${unit} over ${data.along === "t" ? "time" : data.along}`);
       this.label = `${info.name}${unit}`;
       this.mark();
     }

@@ -1,0 +1,118 @@
+//! The ways in which a mechanism closes at the first instant of a motion, as a choice that a page offers.
+
+use super::engine::{Engine, Setup};
+use crate::assembly::Assemblies;
+use crate::model::{Component, CoordinateKind, Model};
+use crate::plan::StepKind;
+use crate::planned::Sign;
+use crate::state::State;
+use std::f64::consts::TAU;
+
+/// Motions that one page shows at most.
+pub(super) const MOST: usize = 8;
+/// Unknowns of a group without closed form up to which its closures are searched for a page.
+const SEARCHED: usize = 3;
+/// Modes of which all combinations are shown, so that it is worth to know which of them close.
+const FEW: usize = MOST.ilog2() as usize;
+/// Configurations nearer to one another than this are one, whole turns of bodies left out.
+const SAME: f64 = 1e-6;
+
+/// The motion that was asked for, by its name, and the others with how they are asked for.
+pub(super) struct Choice {
+    pub(super) own: String,
+    pub(super) others: Vec<(String, Setup)>,
+}
+
+impl Choice {
+    /// The motion that was asked for, alone.
+    pub(super) fn one(engine: &dyn Engine, first: &State) -> Self {
+        let own = signs(engine, first);
+        Self { own: mode_name(engine.model(), &own, &own), others: Vec::new() }
+    }
+
+    /// With at most `most` others: closures that are proven to exist where they can be found, otherwise combinations of
+    /// signs, which may or may not close.
+    pub(super) fn all(engine: &dyn Engine, setup: &Setup, first: &State, most: usize) -> Self {
+        let model = engine.model();
+        let iterated = model.plan.steps.iter().filter_map(|step| match step.kind {
+            StepKind::Newton(unknowns) => Some(unknowns),
+            _ => None,
+        });
+        let (searched, iterates) =
+            iterated.fold((true, false), |(all, _), unknowns| (all && unknowns <= SEARCHED, true));
+        let proven = setup.given.is_empty() && model.plan.exists() && searched && model.plan.modes.len() <= FEW;
+        let all = proven.then(|| engine.assemblies(setup, first.t).ok()).flatten();
+        let all = all.filter(|all| all.undecided.is_empty());
+        match all {
+            Some(all) if iterates => Self::searched(setup, first, &all, most),
+            all => {
+                let own = signs(engine, first);
+                let others = combinations(&own).into_iter().filter(|signs| closes(model, all.as_ref(), signs));
+                let asked = |signs: Vec<Sign>| {
+                    let modes = signs.iter().copied().enumerate().collect();
+                    (mode_name(model, &own, &signs), Setup { modes, ..setup.clone() })
+                };
+                let others = others.take(most).map(asked).collect();
+                Self { own: mode_name(model, &own, &own), others }
+            }
+        }
+    }
+
+    /// Closures by their numbers in the list of `modes`.
+    fn searched(setup: &Setup, first: &State, all: &Assemblies, most: usize) -> Self {
+        let count = all.found.len();
+        let name = |k: usize| format!("closure {} of {count}", k + 1);
+        let own = all.found.iter().position(|found| is_same(first.model, &found.q, &first.q));
+        let others = all.found.iter().enumerate().filter(|(k, _)| Some(*k) != own).take(most);
+        let asked = |(k, found): (usize, &crate::assembly::Assembly)| {
+            let guesses = found.q.iter().copied().enumerate().collect();
+            (name(k), Setup { guesses, ..setup.clone() })
+        };
+        Self { own: own.map_or_else(|| "as assembled".to_owned(), name), others: others.map(asked).collect() }
+    }
+}
+
+/// The signs of the modes of a state.
+fn signs(engine: &dyn Engine, first: &State) -> Vec<Sign> {
+    let modes = engine.modes(&first.instant(), &first.q);
+    modes.iter().map(|mode| mode.sign.unwrap_or(Sign::Plus)).collect()
+}
+
+/// True unless it is proven that these signs do not close.
+fn closes(model: &Model, all: Option<&Assemblies>, signs: &[Sign]) -> bool {
+    let is = |modes: &[(&str, Sign)]| {
+        let mut asked = model.plan.modes.iter().zip(signs);
+        asked.all(|(mode, sign)| modes.iter().all(|(name, of)| *name != mode.name || of == sign))
+    };
+    all.is_none_or(|all| all.found.iter().any(|found| is(&found.modes)))
+}
+
+/// All other combinations of signs, few enough to look at.
+fn combinations(own: &[Sign]) -> Vec<Vec<Sign>> {
+    let free = own.len().min(FEW);
+    let combination = |number: usize| {
+        let flip = |(place, sign): (usize, &Sign)| {
+            if place < free && number >> place & 1 == 1 { sign.flipped() } else { *sign }
+        };
+        own.iter().enumerate().map(flip).collect()
+    };
+    (1..1_usize << free).map(combination).collect()
+}
+
+/// The signs where they are few, otherwise those that differ from the first.
+fn mode_name(model: &Model, own: &[Sign], signs: &[Sign]) -> String {
+    let few = signs.len() <= 2;
+    let modes = model.plan.modes.iter().zip(own).zip(signs);
+    let told = modes.filter(|((_, own), sign)| few || own != sign);
+    let names: Vec<String> = told.map(|((mode, _), sign)| format!("{} {sign}", mode.name)).collect();
+    if names.is_empty() { "as assembled".to_owned() } else { names.join(", ") }
+}
+
+/// True where configurations differ by whole turns of bodies alone.
+fn is_same(model: &Model, a: &[f64], b: &[f64]) -> bool {
+    a.iter().zip(b).zip(model.coordinates).all(|((a, b), coordinate)| {
+        let is_angle = matches!(coordinate.kind, CoordinateKind::Pose { component: Component::Phi, .. });
+        let turns = if is_angle { ((a - b) / TAU).round() * TAU } else { 0.0 };
+        (a - b - turns).abs() <= SAME * (1.0 + a.abs())
+    })
+}
