@@ -53,7 +53,7 @@ mod info;
 mod instants;
 mod interrupt;
 mod limits;
-#[cfg(not(all(feature = "plot", feature = "equations")))]
+#[cfg(not(all(feature = "plot", feature = "equations", feature = "design")))]
 mod missing;
 mod modes;
 mod moving;
