@@ -2,7 +2,7 @@
 
 use crate::analysis;
 use crate::analysis::position::position;
-use crate::course::{Kind, Way};
+use crate::course::{InputPath, Kind};
 use crate::equations::Equations;
 use crate::equations::system::{Evaluator, System};
 use crate::error::SolveError;
@@ -142,7 +142,7 @@ impl<'m> Tracker<'m> {
             return Ok(());
         }
         let from = follower.state().instant();
-        let way = equations.way.get_or_insert_with(|| Way::resting(at));
+        let way = equations.way.get_or_insert_with(|| InputPath::resting(at));
         way.lead(&from, at);
         if way.kind == Kind::Smooth {
             follower.depart_in_time();
@@ -152,7 +152,7 @@ impl<'m> Tracker<'m> {
             // These belong to a path that was not taken.
             follower.fallbacks.clear();
         }
-        let way = equations.way.get_or_insert_with(|| Way::resting(at));
+        let way = equations.way.get_or_insert_with(|| InputPath::resting(at));
         way.straighten();
         let (still, [start, end]) = (way.is_still(), way.ends());
         if still {
