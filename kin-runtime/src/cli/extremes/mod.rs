@@ -131,7 +131,7 @@ fn one(
     let driven: Vec<Measure> = Measure::driven(model).into_iter().take(DRIVERS).collect();
     let first = 1 + driven.len();
     let measures: Vec<Measure> = match wanted.is_empty() {
-        true => time.chain(driven).chain(Measure::telling(model)).collect(),
+        true => time.chain(driven).chain(Measure::default_outputs(model)).collect(),
         false => time.chain(driven).chain(wanted.iter().cloned()).collect(),
     };
     let walk = args.motion.walk(engine, (&task.asked, &task.setup, &instants), &measures, &watch);

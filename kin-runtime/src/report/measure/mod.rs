@@ -253,11 +253,11 @@ impl Measure {
     /// The default quantities of `extremes`: transmission angles; angles, scalars and points; defines and the strokes
     /// of joints; efforts of drivers. Driven quantities are left out.
     #[cfg(feature = "cli")]
-    pub(crate) fn telling(model: &'static Model) -> Vec<Self> {
+    pub(crate) fn default_outputs(model: &'static Model) -> Vec<Self> {
         let driven = Self::driven(model);
-        let tells = |measure: &Self| match measure.of {
+        let is_output = |measure: &Self| match measure.of {
             Of::Speed(_) | Of::Transmission(_) => true,
-            Of::Coordinate(place) => measure.order == 0 && told(model, place),
+            Of::Coordinate(place) => measure.order == 0 && shows_motion(model, place),
             Of::Point(..) => measure.order == 0,
             Of::Observable(_) => {
                 measure.order == 0 && measure.dimension != Dimension::Angle || measure.is_define(model)
@@ -267,7 +267,7 @@ impl Measure {
         };
         let all = Self::all(model).into_iter();
         let (angles, others): (Vec<Self>, Vec<Self>) =
-            all.filter(|measure| tells(measure) && !driven.contains(measure)).partition(Self::is_transmission);
+            all.filter(|measure| is_output(measure) && !driven.contains(measure)).partition(Self::is_transmission);
         angles.into_iter().chain(others).collect()
     }
 
@@ -280,7 +280,7 @@ impl Measure {
 /// Whether a coordinate describes the motion of its body: angles and scalars do, x and y only of a body that does not
 /// turn or has no angle of its own.
 #[cfg(feature = "cli")]
-fn told(model: &Model, coordinate: usize) -> bool {
+fn shows_motion(model: &Model, coordinate: usize) -> bool {
     match model.coordinates[coordinate].kind {
         CoordinateKind::Pose { body, component: Component::X | Component::Y } => {
             let slides = |joint: &crate::model::JointInfo| {
