@@ -336,7 +336,7 @@ fn groups_that_close_by_iteration_turn_back_where_two_closures_meet() {
                 assert!(all.is_complete(), "{t}: {all}");
                 all.found.len()
             };
-            assert_eq!(count(place.t - 1e-3).abs_diff(count(place.t + 1e-3)), 2, "{place}");
+            assert_eq!(count(place.t - 1e-5).abs_diff(count(place.t + 1e-5)), 2, "{place}");
             seen += 1;
         }
     }

@@ -81,11 +81,17 @@ fn carried([p0, q0, r0]: [Place; 3], p: Place, q: Place) -> Place {
     [p[0] + cos * x - sin * y, p[1] + sin * x + cos * y]
 }
 
+/// A square root.
+fn root(z: Complex<f64>) -> Complex<f64> {
+    let (half, turn) = (z.re.hypot(z.im).sqrt(), 0.5 * z.im.atan2(z.re));
+    Complex::new(half * turn.cos(), half * turn.sin())
+}
+
 /// Both places at these squared distances from two others.
 fn meet(p: Place, from_p: Complex<f64>, q: Place, from_q: Complex<f64>) -> [Place; 2] {
     let size = square(p, q);
     let along = (size + from_p - from_q) / (size * 2.0);
-    let across = (from_p / size - along * along).sqrt();
+    let across = root(from_p / size - along * along);
     let [u, v] = [0, 1].map(|k| q[k] - p[k]);
     [across, -across].map(|h| [p[0] + along * u - h * v, p[1] + along * v + h * u])
 }

@@ -1,4 +1,4 @@
-//! What analyses take and give, as data: options, states, motions, trajectories, arcs, crossings and errors.
+//! The inputs and results of analyses, as data: options, states, motions, trajectories, arcs, events and errors.
 
 pub mod arc;
 pub mod assembly;
