@@ -151,7 +151,7 @@ fn random_four_bars_turn_back_where_the_cosine_theorem_says() {
             assert!(found.places.is_empty() && (turn - TAU).abs() < 1e-9, "{what}");
             turning += 1;
         } else {
-            assert!(found.places.len() >= 2 && found.places.len() % 2 == 0, "{what}");
+            assert!(found.places.len() >= 2 && found.places.len().is_multiple_of(2), "{what}");
             // What is met within the arc is met all round: t comes back, or has gone on by whole turns.
             assert!((turn / TAU - (turn / TAU).round()).abs() < 1e-9, "{what}");
             rocking += 1;
