@@ -1,0 +1,63 @@
+//! Where the value of a quantity comes from, for code that evaluates many configurations together.
+
+use super::{Measure, Of, force};
+use crate::model::{Geometry, Model};
+
+/// Where the value of a quantity comes from, in terms of what a [`Mechanism`](crate::Mechanism) evaluates. `order` is 0 for a
+/// value, 1 for its rate and 2 for its acceleration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Source {
+    /// Time.
+    Time,
+    /// An entry of q, q̇ or q̈.
+    Coordinate {
+        /// Its place in [`Model::coordinates`].
+        place: usize,
+        /// Of which of the three.
+        order: usize,
+    },
+    /// A row of the observables.
+    Observable {
+        /// Its place in [`Model::observables`].
+        row: usize,
+        /// Its value, its rate or its acceleration.
+        order: usize,
+    },
+    /// The length of the vector of the rates of two rows of the observables.
+    Speed([usize; 2]),
+    /// An input.
+    Input {
+        /// Its place in [`Model::inputs`].
+        place: usize,
+        /// Its value, its rate or its acceleration.
+        order: usize,
+    },
+    /// The angle at the first of three points of joints between the lines to the other two, in [0, π].
+    Transmission([&'static Geometry; 3]),
+    /// One of the numbers of forces ([`ForceModel`](crate::model::ForceModel)).
+    Force(usize),
+    /// The length of the vector of this number of forces and the next one.
+    ForceLength(usize),
+}
+
+impl Measure {
+    /// Where its value comes from. None for a velocity ratio, for forces that no closed form gives, and for couples and
+    /// generalized forces of a joint.
+    pub fn source(&self, model: &'static Model) -> Option<Source> {
+        if self.per.is_some() {
+            return None;
+        }
+        let order = self.order;
+        match self.of {
+            Of::Time => Some(Source::Time),
+            Of::Coordinate(place) => Some(Source::Coordinate { place, order }),
+            Of::Point(place, axis) => Some(Source::Observable { row: model.points[place].observables[axis], order }),
+            Of::Speed(place) => Some(Source::Speed(model.points[place].observables)),
+            Of::Observable(row) => Some(Source::Observable { row, order }),
+            Of::Input(place) => Some(Source::Input { place, order }),
+            Of::Force(column) => force::sources(model).get(column).copied().flatten(),
+            Of::Transmission(pair) => Some(Source::Transmission(pair.places)),
+        }
+    }
+}
