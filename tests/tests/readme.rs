@@ -13,7 +13,7 @@ mod four_bar;
 fn shown_output() -> Vec<Vec<String>> {
     let block = blocks(README, "console")[0];
     let (command, output) = block.split_once('\n').unwrap();
-    assert_eq!(command, "$ cargo run --release --example four_bar");
+    assert_eq!(command, "$ cargo run --example four_bar");
     let pieces = output.trim_end().split("\n…\n").map(comparable);
     pieces.collect()
 }

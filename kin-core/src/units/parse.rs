@@ -3,7 +3,7 @@
 use super::unit::Unit;
 use core::f64::consts::PI;
 
-/// The first part of a unit that is none.
+/// The first part of a text that is not a known unit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownUnit(pub String);
 
@@ -79,7 +79,7 @@ pub(super) fn symbol_of(unit: Unit) -> Option<&'static str> {
 /// Reads a unit: factors joined by `*`, `·`, `.` or a space, divided by what follows a `/`; powers as `^2` or `²`.
 ///
 /// # Errors
-/// The part that is no unit.
+/// The first part that is not a known unit.
 pub fn parse(text: &str) -> Result<Unit, UnknownUnit> {
     let is_joint = |c: char| matches!(c, '*' | '·' | '⋅' | '.' | ' ');
     let mut unit = Unit::NUMBER;
@@ -94,7 +94,7 @@ pub fn parse(text: &str) -> Result<Unit, UnknownUnit> {
     Ok(unit)
 }
 
-/// How often an angle is a factor of a unit that can be read: 1 for rad and deg/s, 0 for m and 1/s.
+/// The exponent of angles in a valid unit: 1 for rad and deg/s, 0 for m and 1/s.
 #[cfg(feature = "compiler")]
 pub(super) fn angles(text: &str) -> f64 {
     let mut angles = 0.0;

@@ -1,21 +1,21 @@
 //! Numbers as people write them: `0.25`, `pi/2`, `2*(1 + 0.5)`, `60deg`, `200mm`, `1turn`, `3m/s`.
 //!
-//! A number with a unit is turned into the unit of what it is for; a number without one is in that unit already. Own code,
-//! because the crates for expressions know no units.
+//! A number with a unit is converted to the unit of its quantity; a number without one is in that unit already. kin
+//! reads these itself because crates for expressions know no units.
 
 use crate::measure::Dimension;
 use crate::model::Model;
 use crate::present::units::Units;
 use kin_core::units::{Unit, UnknownUnit, parse};
 
-/// What a number is for.
+/// The quantity that a number is a value of.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Measured<'a> {
-    /// Its name; empty where the option says it.
+    /// Its name; empty if the option names it.
     pub(super) name: &'a str,
-    /// Its unit, where one is known.
+    /// Its unit, if one is known.
     pub(super) unit: Option<&'a str>,
-    /// How many times it is differentiated by time, and the unit of that.
+    /// The order of its derivative by time, and the unit of time.
     pub(super) rate: (u8, Option<&'a str>),
 }
 
@@ -38,30 +38,30 @@ impl<'a> Measured<'a> {
     }
 }
 
-/// A number and the unit that is written behind it.
+/// A number and the unit that is written after it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Amount {
     pub(super) value: f64,
     pub(super) unit: Option<Unit>,
 }
 
-/// The depth of brackets that is read.
+/// Most brackets inside one another.
 const DEPTH: usize = 32;
 
 /// Reads an expression.
 ///
 /// # Errors
-/// What is wrong, if it is a mistake in something that looks like an expression; none if it does not.
+/// The mistake, if the text looks like an expression; `None` if it does not.
 pub(super) fn amount(text: &str) -> Result<Amount, Option<String>> {
     let mut reader = Reader { rest: text.trim(), depth: 0 };
     let amount = reader.sum()?;
     if reader.rest.is_empty() { Ok(amount) } else { Err(None) }
 }
 
-/// The number that `amount` is in the unit of what it is for.
+/// The value of `amount` in the unit of its quantity.
 ///
 /// # Errors
-/// The units are of different kinds, or what it is for has none.
+/// The units are of different kinds, or the quantity has none.
 pub(super) fn converted(amount: Amount, of: Measured<'_>) -> Result<f64, String> {
     let Some(unit) = amount.unit else { return Ok(amount.value) };
     let name = if of.name.is_empty() { "it".to_owned() } else { format!("`{}`", of.name) };
@@ -79,13 +79,13 @@ pub(super) fn converted(amount: Amount, of: Measured<'_>) -> Result<f64, String>
     }
 }
 
-/// The unit of what a number is for.
+/// The unit of a quantity, or of its derivative.
 fn own(of: Measured<'_>) -> Option<Unit> {
     let time = parse(of.rate.1.unwrap_or("s")).ok()?;
     Some(parse(of.unit?).ok()?.times(time.power(-f64::from(of.rate.0))))
 }
 
-/// A product that is exact where decimals are shifted: 700 by 0.001 is 0.7.
+/// A product that is exact if it only moves the decimal point: 700 by 0.001 is 0.7.
 fn scaled(value: f64, factor: f64) -> f64 {
     let whole = |x: f64| (x - x.round()).abs() < 1e-9 * x;
     match factor {
@@ -146,7 +146,7 @@ impl Reader<'_> {
         self.factor()
     }
 
-    /// A number, π or brackets, and the unit behind.
+    /// A number, π or brackets, and the unit after it.
     fn factor(&mut self) -> Result<Amount, Option<String>> {
         let amount = if self.take('(') {
             self.depth += 1;
@@ -163,7 +163,7 @@ impl Reader<'_> {
             Amount { value: std::f64::consts::PI, unit: None }
         } else {
             let value = self.literal().ok_or(None)?;
-            // `2pi` is what people write.
+            // A number may be written directly before π: `2pi`.
             let times = if self.word("pi") || self.word("π") { std::f64::consts::PI } else { 1.0 };
             Amount { value: value * times, unit: None }
         };
@@ -178,7 +178,7 @@ impl Reader<'_> {
             return Ok(amount);
         }
         let unit = parse(text).map_err(|UnknownUnit(part)| {
-            Some(format!("no unit `{part}` is known; there are m, mm, in, s, min, rad, deg, turn, rpm and their like"))
+            Some(format!("no unit `{part}` is known; there are m, mm, in, s, min, rad, deg, turn, rpm and others"))
         })?;
         self.rest = rest;
         match amount.unit {
@@ -209,7 +209,7 @@ impl Reader<'_> {
 
     fn take(&mut self, c: char) -> bool {
         let rest = self.rest.trim_start();
-        // A minus sign from a book.
+        // The typographic minus sign is accepted, too.
         let found = rest.strip_prefix(c).or_else(|| rest.strip_prefix('−').filter(|_| c == '-'));
         self.rest = found.unwrap_or(self.rest);
         found.is_some()

@@ -8,7 +8,7 @@ use super::values::{self, Moment};
 use crate::model::Model;
 use crate::workspace::Signal;
 
-/// Which mechanism, and where it starts.
+/// Parameters, inputs, prescribed coordinates, and where assembly starts.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(super) struct SetupArgs {
     /// Set parameters: NAME=0.12,OTHER=200mm or ARRAY[3]=pi/2, or @FILE
@@ -36,7 +36,7 @@ Coordinates without a guess are found; where it can close in several ways, guess
         long_help = "\
 Prescribe coordinates that the drivers leave open:
 NAME=VALUE, NAME=VALUE:RATE or NAME=VALUE:RATE:ACCELERATION.
-Over a motion that is where it starts; the acceleration stays what it is"
+A motion starts with these values and keeps the acceleration"
     )]
     given: Vec<String>,
     /// Inputs of the mechanism: NAME=VALUE[,RATE[,ACCELERATION]]
@@ -46,7 +46,7 @@ Over a motion that is where it starts; the acceleration stays what it is"
         long_help = "\
 Inputs of the mechanism:
 NAME=VALUE, NAME=VALUE,RATE or NAME=VALUE,RATE,ACCELERATION.
-Over a motion that is where they start; accelerations stay what they are"
+A motion starts with these values and keeps the accelerations"
     )]
     input: Vec<String>,
     /// Assembly modes, which `info` lists: NAME=+ or NAME=-
@@ -55,7 +55,7 @@ Over a motion that is where they start; accelerations stay what they are"
 }
 
 impl SetupArgs {
-    /// Sets the parameters and looks up all names; tells all that is wrong.
+    /// Sets the parameters and looks up all names; reports all errors at once.
     pub(super) fn apply(&self, engine: &mut dyn Engine) -> Result<Setup, Failure> {
         let model = engine.model();
         let mut ledger = Ledger::default();
@@ -127,7 +127,7 @@ impl SetupArgs {
     }
 }
 
-/// Assignments, with those of files that `@FILE` names.
+/// The assignments, with every `@FILE` replaced by the assignments in that file.
 fn expanded(option: &str, texts: &[String]) -> Result<Vec<String>, Failure> {
     let (mut ledger, mut all) = (Ledger::default(), Vec::new());
     for text in texts {
@@ -139,12 +139,12 @@ fn expanded(option: &str, texts: &[String]) -> Result<Vec<String>, Failure> {
     ledger.close(Some(all))
 }
 
-/// What an assignment looks like.
+/// An example of an assignment, for error messages.
 fn example(names: &[&str], value: &str) -> String {
     format!("{}={value}", names.first().unwrap_or(&"NAME"))
 }
 
-/// What to do about freedom that the drivers leave.
+/// What to do about degrees of freedom that the drivers leave open.
 #[derive(Clone, Copy, Debug, Default, clap::Args)]
 pub(super) struct FreedomArgs {
     /// Where drivers leave the motion open, take the smallest q̇ and q̈
@@ -152,7 +152,7 @@ pub(super) struct FreedomArgs {
     pub(super) least_norm: bool,
 }
 
-/// In what angles are shown.
+/// The unit of angles in the result.
 #[derive(Clone, Copy, Debug, Default, clap::Args)]
 pub(super) struct AngleArgs {
     /// Angles of the result in degrees; values of options stay in rad

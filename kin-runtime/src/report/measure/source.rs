@@ -1,7 +1,6 @@
 //! Where the value of a quantity comes from, for code that evaluates many configurations together.
 
-use super::{Measure, Of, force};
-use crate::model::{Geometry, Model};
+use crate::model::Geometry;
 
 /// Where the value of a quantity comes from, in terms of what a [`Mechanism`](crate::Mechanism) evaluates. `order` is 0 for a
 /// value, 1 for its rate and 2 for its acceleration.
@@ -12,14 +11,14 @@ pub enum Source {
     Time,
     /// An entry of q, q̇ or q̈.
     Coordinate {
-        /// Its place in [`Model::coordinates`].
+        /// Its place in [`Model::coordinates`](crate::model::Model::coordinates).
         place: usize,
         /// Of which of the three.
         order: usize,
     },
     /// A row of the observables.
     Observable {
-        /// Its place in [`Model::observables`].
+        /// Its place in [`Model::observables`](crate::model::Model::observables).
         row: usize,
         /// Its value, its rate or its acceleration.
         order: usize,
@@ -28,7 +27,7 @@ pub enum Source {
     Speed([usize; 2]),
     /// An input.
     Input {
-        /// Its place in [`Model::inputs`].
+        /// Its place in [`Model::inputs`](crate::model::Model::inputs).
         place: usize,
         /// Its value, its rate or its acceleration.
         order: usize,
@@ -39,25 +38,4 @@ pub enum Source {
     Force(usize),
     /// The length of the vector of this number of forces and the next one.
     ForceLength(usize),
-}
-
-impl Measure {
-    /// Where its value comes from. None for a velocity ratio, for forces that no closed form gives, and for couples and
-    /// generalized forces of a joint.
-    pub fn source(&self, model: &'static Model) -> Option<Source> {
-        if self.per.is_some() {
-            return None;
-        }
-        let order = self.order;
-        match self.of {
-            Of::Time => Some(Source::Time),
-            Of::Coordinate(place) => Some(Source::Coordinate { place, order }),
-            Of::Point(place, axis) => Some(Source::Observable { row: model.points[place].observables[axis], order }),
-            Of::Speed(place) => Some(Source::Speed(model.points[place].observables)),
-            Of::Observable(row) => Some(Source::Observable { row, order }),
-            Of::Input(place) => Some(Source::Input { place, order }),
-            Of::Force(column) => force::sources(model).get(column).copied().flatten(),
-            Of::Transmission(pair) => Some(Source::Transmission(pair.places)),
-        }
-    }
 }

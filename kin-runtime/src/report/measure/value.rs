@@ -1,10 +1,11 @@
-//! The values of quantities at a solved state.
+//! Where quantities come from, and their values at a solved state.
 
-use super::{Measure, Of, Place, force};
+use super::{Measure, Of, Place, Source, force};
 use crate::analysis::forces::{Sharing, forces};
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::forces::Forces;
+use crate::model::Model;
 use crate::motion::Motion;
 use crate::ratios::{observed_ratio, velocity_ratios};
 use crate::report::motion::motion;
@@ -13,7 +14,26 @@ use crate::state::State;
 use crate::transmission::angles;
 
 impl Measure {
-    /// Its value, where the state alone has it.
+    /// Where its value comes from. None for a velocity ratio, for forces that no closed form gives, and for couples and
+    /// generalized forces of a joint.
+    pub fn source(&self, model: &'static Model) -> Option<Source> {
+        if self.per.is_some() {
+            return None;
+        }
+        let order = self.order;
+        match self.of {
+            Of::Time => Some(Source::Time),
+            Of::Coordinate(place) => Some(Source::Coordinate { place, order }),
+            Of::Point(place, axis) => Some(Source::Observable { row: model.points[place].observables[axis], order }),
+            Of::Speed(place) => Some(Source::Speed(model.points[place].observables)),
+            Of::Observable(row) => Some(Source::Observable { row, order }),
+            Of::Input(place) => Some(Source::Input { place, order }),
+            Of::Force(column) => force::sources(model).get(column).copied().flatten(),
+            Of::Transmission(pair) => Some(Source::Transmission(pair.places)),
+        }
+    }
+
+    /// Its value, if it is an entry of the state.
     pub(crate) fn of_state(&self, state: &State) -> Option<f64> {
         if self.per.is_some() {
             return None;
@@ -35,17 +55,17 @@ fn of_order(rates: Signal, order: usize) -> f64 {
     [rates.value, rates.rate, rates.acceleration].get(order).copied().unwrap_or(f64::NAN)
 }
 
-/// How everything follows a driving row or an input.
+/// The velocity ratios of all quantities to a driving row or an input.
 struct Ratio {
     place: Place,
     /// ∂q/∂f.
     first: Vec<f64>,
-    /// The same of observables.
+    /// The velocity ratios of observables.
     observed: Vec<f64>,
 }
 
-/// The values at a state. NaN is what has no value there: a transmission angle where an arm has no length, a force that
-/// redundancy leaves open, a ratio to what cannot move alone.
+/// The values at a state. A value that does not exist is NaN: a transmission angle if an arm has no length, a force
+/// that redundant rows leave undetermined, a ratio to a driver that cannot move alone.
 pub(crate) fn values(
     equations: &mut Equations<'_>,
     state: &State,
