@@ -67,11 +67,11 @@ fn symbol(text: &str) -> Option<Unit> {
     Some(Unit { scale: unit.scale.map(|scale| scale * factor), ..unit })
 }
 
-/// The symbol of a length, a time or one of their common quotients.
+/// The symbol of a common unit.
 pub(super) fn symbol_of(unit: Unit) -> Option<&'static str> {
-    const COMMON: [&str; 20] = [
+    const COMMON: [&str; 33] = [
         "m", "mm", "cm", "km", "in", "ft", "um", "s", "ms", "min", "h", "rad/s", "rpm", "m/s", "mm/s", "rad/s^2",
-        "m/s^2", "kg", "deg", "rev",
+        "m/s^2", "kg", "g", "deg", "rev", "N", "kN", "mN", "MN", "N·m", "kN·m", "N·mm", "N/m", "N/mm", "W", "kW", "mW",
     ];
     COMMON.into_iter().find(|symbol| unit.scale.is_some() && parse(symbol).is_ok_and(|known| known.agrees(unit)))
 }

@@ -10,6 +10,25 @@ use crate::error::{ModelError, Origin};
 use crate::mechanism::{Component, CurveVariable, Formula, Function, Place};
 use core::f64::consts::PI;
 
+/// What a unit measures, in words.
+fn kind(unit: Unit) -> String {
+    let words = match unit.powers.map(|power| power.round() as i32) {
+        [1, 0, 0] => "a length",
+        [0, 1, 0] => "a time",
+        [0, 0, 1] => "a mass",
+        [2, 0, 1] => "a moment of inertia",
+        [1, -1, 0] => "a speed",
+        [1, -2, 0] => "an acceleration",
+        [1, -2, 1] => "a force",
+        [2, -2, 1] => "a couple",
+        [0, -2, 1] => "a force per length",
+        [0, -1, 1] => "a force per speed",
+        [2, -1, 1] => "a couple per angular speed",
+        _ => return unit.to_string(),
+    };
+    words.to_owned()
+}
+
 impl Checker<'_> {
     pub(super) fn place(&mut self, place: &Place) {
         for value in [&place.x, &place.y] {
@@ -23,7 +42,7 @@ impl Checker<'_> {
         let Of(found) = self.quantity(formula) else { return self.meets(formula, unit, 1.0) };
         if !found.agrees(unit) {
             let wanted = match unit.scale {
-                None => "a length".to_owned(),
+                None => kind(unit),
                 Some(_) if unit.is_number() => "an angle in rad".to_owned(),
                 Some(_) => unit.to_string(),
             };

@@ -6,7 +6,7 @@ use super::failure::{Failure, Ledger};
 use super::options::SetupArgs;
 use super::output::{Form, OutputArgs};
 use super::session::Session;
-use super::solved::{analysis, driven_state, note_freedom};
+use super::solved::{analysis, driven_state, note_freedom, note_modes};
 use super::task::{At, AtArgs};
 use crate::measure::{column_values, columns};
 use crate::present::forces::text;
@@ -48,6 +48,7 @@ pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Sess
     let At { t, setup, output } = ledger.close(at)?;
     let (state, _) = driven_state(engine, &setup, t, args.least_norm)?;
     note_freedom(session, state.degrees_of_freedom_left);
+    note_modes(session, engine, &setup, t);
     let forces = engine.forces(&setup, &state, args.least_norm).map_err(|error| analysis(engine, &error))?;
     let undetermined = forces.reactions.iter().any(|reaction| !reaction.determined)
         || forces.efforts.iter().any(|effort| !effort.determined);

@@ -7,7 +7,7 @@ use super::failure::Failure;
 use super::instants::{Instants, Stop};
 use super::options::FreedomArgs;
 use super::session::Session;
-use super::solved::{analysis, driven_state, fully_driven};
+use super::solved::{analysis, driven_state, fully_driven, other_modes};
 use super::watch::Watch;
 use crate::error::SolveError;
 use crate::forces::ContactChange;
@@ -91,6 +91,7 @@ impl Walk<'_> {
     pub(super) fn each(&self, visit: Visit<'_>) -> Result<Moved, Failure> {
         let Instants { times, start, limits, notes } = self.instants;
         let mut notes = notes.clone();
+        notes.extend(times.get(*start).and_then(|first| other_modes(self.engine, self.setup, *first)));
         let (mut before, mut done) = (None, 0);
         if *start > 0 {
             let back: Vec<f64> = times[..=*start].iter().rev().copied().collect();

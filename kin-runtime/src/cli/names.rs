@@ -121,8 +121,13 @@ fn search(option: &str, kind: Kind, name: &str, names: &[&str], elsewhere: Optio
         kind.has_rates() && base.is_some_and(|base| names.contains(&base))
     };
     let listed: Vec<&str> = names.iter().copied().filter(|name| !is_rate(name)).collect();
-    text.push_str(&listing(&format!("  {}: ", kind.plural()), &listed));
-    if kind.has_rates() {
+    let lead = format!("  {}: ", kind.plural());
+    if !kind.has_rates() {
+        text.push_str(&listing(&lead, &listed));
+    } else {
+        // No other output lists all quantities.
+        let all = listed.iter().map(|name| (*name).to_owned());
+        text.push_str(wrapped(&lead, all, 96).trim_end());
         text.push_str("\n  with their rates NAME_dot and accelerations NAME_ddot; paths of points and of bodies");
     }
     Err(Failure::option(option, text))

@@ -119,14 +119,17 @@ impl Reader<'_> {
     fn product(&mut self) -> Result<Amount, Option<String>> {
         let mut left = self.signed()?;
         loop {
-            let (inverse, right) = if self.take('*') {
-                (false, self.signed()?)
+            let (inverse, bracketed, right) = if self.take('*') {
+                (false, false, self.signed()?)
             } else if self.take('/') {
-                (true, self.signed()?)
+                let bracketed = self.rest.trim_start().starts_with('(');
+                (true, bracketed, self.signed()?)
             } else {
                 return Ok(left);
             };
-            let unit = right.unit.map(|unit| if inverse { unit.power(-1.0) } else { unit });
+            // `1/2 turn` is half a turn; one by two turns is written `1/(2 turn)`.
+            let fraction = left.unit.is_none() && !bracketed;
+            let unit = right.unit.map(|unit| if inverse && !fraction { unit.power(-1.0) } else { unit });
             left = Amount {
                 value: if inverse { left.value / right.value } else { left.value * right.value },
                 unit: match (left.unit, unit) {
@@ -297,6 +300,11 @@ mod tests {
             ("1turn", "deg", 360.0),
             ("90°/2", "deg", 45.0),
             ("1turn/4", "rad", PI / 2.0),
+            ("1/4turn", "rad", PI / 2.0),
+            ("-2/3 turn", "deg", -240.0),
+            ("1/2*3deg", "deg", 1.5),
+            ("1/(4 s)", "1/s", 0.25),
+            ("2m/4s", "m/s", 0.5),
             ("3m/s", "mm/s", 3000.0),
             ("60 rpm", "rev/s", 1.0),
             ("2*(1in + 1in)", "in", 4.0),
@@ -319,6 +327,7 @@ mod tests {
         assert_eq!(bad("2s", Some("m")), "`r` is in m, and this is s");
         assert_eq!(bad("2mm", None), "`r` has no unit here; write the number alone");
         assert!(bad("60dge", Some("rad")).starts_with("no unit `dge` is known; there are m, mm"));
+        assert_eq!(bad("1/4s", Some("1/s")), "`r` is in 1/s, and this is s");
         assert_eq!(bad("1m + 2s", Some("m")), "m and s cannot be added");
         assert_eq!(bad("1m + 2", Some("m")), "a number without a unit cannot be added to one in m");
         assert_eq!(bad("(1 + 2", Some("m")), "a bracket is not closed");

@@ -17,7 +17,8 @@ pub(super) struct SetupArgs {
         value_name = "NAME=VALUE",
         long_help = "\
 Set parameters: NAME=0.12,OTHER=200mm or ARRAY[3]=pi/2.
-@FILE takes those of a json file with `parameters`, as `design` writes it"
+@FILE takes those of a json file with `parameters`, as `design` writes it, and its
+assembly modes where `--mode` does not name them"
     )]
     set: Vec<String>,
     /// Where assembly starts; coordinates without a guess are found
@@ -63,7 +64,7 @@ impl SetupArgs {
         let place = |option: &str, kind: Kind, name: &str, names: &[&str]| find_in(model, option, kind, name, names);
 
         let parameters: Vec<&str> = model.parameters.iter().map(|p| p.name).collect();
-        let set = ledger.take(expanded("--set", &self.set)).unwrap_or_default();
+        let [set, file_modes] = ledger.take(expanded("--set", &self.set)).unwrap_or_default();
         for (name, value) in
             ledger.take(values::assignments("--set", &example(&parameters, "0.12"), &set)).unwrap_or_default()
         {
@@ -91,9 +92,13 @@ impl SetupArgs {
             setup.given.extend(ledger.take(found).zip(ledger.take(signal)));
         }
         let modes: Vec<&str> = model.plan.modes.iter().map(|mode| mode.name).collect();
-        for (name, sign) in
-            ledger.take(values::assignments("--mode", &example(&modes, "+"), &self.mode)).unwrap_or_default()
-        {
+        let mut asked =
+            ledger.take(values::assignments("--mode", &example(&modes, "+"), &self.mode)).unwrap_or_default();
+        let of_files = ledger.take(values::assignments("--set", &example(&modes, "+"), &file_modes));
+        let of_files = of_files.unwrap_or_default().into_iter();
+        let of_files: Vec<_> = of_files.filter(|(name, _)| asked.iter().all(|(other, _)| other != name)).collect();
+        asked.extend(of_files);
+        for (name, sign) in asked {
             let found = match model.plan.absent {
                 Some(why) => {
                     Err(Failure::option("--mode", format!("there are no modes, because there is no plan: {why}")))
@@ -127,13 +132,16 @@ impl SetupArgs {
     }
 }
 
-/// The assignments, with every `@FILE` replaced by the assignments in that file.
-fn expanded(option: &str, texts: &[String]) -> Result<Vec<String>, Failure> {
-    let (mut ledger, mut all) = (Ledger::default(), Vec::new());
+/// The assignments of parameters, with every `@FILE` replaced by those of that file, and the assembly modes of the files.
+fn expanded(option: &str, texts: &[String]) -> Result<[Vec<String>; 2], Failure> {
+    let (mut ledger, mut all) = (Ledger::default(), <[Vec<String>; 2]>::default());
     for text in texts {
         match text.strip_prefix('@') {
-            Some(file) => all.extend(ledger.take(values::of_file(option, file)).unwrap_or_default()),
-            None => all.push(text.clone()),
+            Some(file) => {
+                let found = ledger.take(values::of_file(option, file)).unwrap_or_default();
+                all.iter_mut().zip(found).for_each(|(list, found)| list.extend(found));
+            }
+            None => all[0].push(text.clone()),
         }
     }
     ledger.close(Some(all))

@@ -11,7 +11,7 @@ use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solve::{body, record};
-use super::solved::{note_freedom, note_start, solve};
+use super::solved::{note_freedom, note_modes, note_start, solve};
 use super::task::{At, AtArgs};
 use crate::present::json::to_json;
 use crate::present::number::plain;
@@ -92,6 +92,7 @@ pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Sess
     };
     note_freedom(session, solved.state.degrees_of_freedom_left);
     note_start(session, &solved.mobility);
+    note_modes(session, engine, &setup, t);
     let findings = find(engine, &setup, t, Some(&solved.state), CONFIGURATIONS, &session.watch())?;
     let q = solved.state.q.clone();
     let solved = solved.shown(engine.model(), args.angles.degrees);

@@ -8,7 +8,7 @@ use super::number::Measured;
 use super::options::{FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
-use super::solved::{analysis, driven_state};
+use super::solved::{analysis, driven_state, note_modes};
 use super::task::{At, AtArgs};
 use super::values;
 use crate::model::Model;
@@ -70,6 +70,7 @@ pub(super) fn run(args: &SensitivitiesArgs, engine: &mut dyn Engine, session: &m
     let tolerances = ledger.take(tolerances(&args.tolerance, engine.model()));
     let (At { t, setup, output }, tolerances) = ledger.close(at.zip(tolerances))?;
     let (state, _) = driven_state(engine, &setup, t, args.freedom.least_norm)?;
+    note_modes(session, engine, &setup, t);
     let found = engine.sensitivities(&setup, &state).map_err(|error| analysis(engine, &error))?;
     let (model, values) = (engine.model(), engine.parameters());
     let deviations = if args.tolerance.is_empty() { Vec::new() } else { deviations(&found, &tolerances) };

@@ -6,7 +6,7 @@ use super::failure::{Failure, Ledger};
 use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
-use super::solved::{Solved, analysis, note_freedom, note_start, solve};
+use super::solved::{Solved, analysis, note_freedom, note_modes, note_start, solve};
 use super::task::{At, AtArgs};
 use crate::measure::Measure;
 use crate::model::Model;
@@ -69,6 +69,7 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
     let solved = solved.shown(engine.model(), args.angles.degrees);
     note_freedom(session, solved.state.degrees_of_freedom_left);
     note_start(session, &solved.mobility);
+    note_modes(session, engine, &setup, t);
     let model = engine.model();
     let text = match output.form {
         Form::Json => json(engine, &solved)?,

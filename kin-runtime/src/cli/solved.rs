@@ -82,6 +82,31 @@ pub(super) fn note_freedom(session: &mut Session<'_>, left: usize) {
     }
 }
 
+/// A note for an instant that is assembled in other modes than t = 0: a motion from t = 0 would be elsewhere by then.
+pub(super) fn other_modes(engine: &dyn Engine, setup: &Setup, t: f64) -> Option<String> {
+    if t == 0.0 || engine.model().plan.modes.is_empty() {
+        return None;
+    }
+    let modes = |t: f64| engine.state(setup, t).ok().map(|state| engine.modes(&state.instant(), &state.q));
+    let (first, here) = (modes(0.0)?, modes(t)?);
+    let other = first.iter().zip(&here).filter(|(first, here)| here.sign.is_some() && first.sign != here.sign);
+    let options: Vec<String> = other.filter_map(|(mode, _)| Some(format!("{}={}", mode.name, mode.sign?))).collect();
+    (!options.is_empty()).then(|| {
+        format!(
+            "note: the guess leads to another assembly mode at t = {} than at t = 0; a motion from t = 0 stays in --mode {}",
+            rounded(t),
+            options.join(",")
+        )
+    })
+}
+
+/// Notes what [`other_modes`] says.
+pub(super) fn note_modes(session: &mut Session<'_>, engine: &dyn Engine, setup: &Setup, t: f64) {
+    if let Some(note) = other_modes(engine, setup, t) {
+        session.note(&note);
+    }
+}
+
 /// Notes that rows of velocity level do not determine a position.
 pub(super) fn note_start(session: &mut Session<'_>, mobility: &Mobility) {
     let free = mobility.position_degrees_of_freedom_left;

@@ -68,15 +68,19 @@ fn written(option: &str, text: &str) -> Result<Amount, Failure> {
     }
 }
 
-/// The parameters that a design's json holds, as `--set` takes them.
-pub(super) fn of_file(option: &str, file: &str) -> Result<Vec<String>, Failure> {
+/// The parameters and the assembly modes that a design's json holds, as `--set` and `--mode` take them.
+pub(super) fn of_file(option: &str, file: &str) -> Result<[Vec<String>; 2], Failure> {
     let cannot = |why: String| Failure::option(option, format!("cannot read `{file}`: {why}"));
     let text = std::fs::read_to_string(file).map_err(|error| cannot(error.to_string()))?;
     let found: serde_json::Value = serde_json::from_str(&text).map_err(|error| cannot(error.to_string()))?;
-    let parameters = found.get("parameters").and_then(serde_json::Value::as_object);
-    let parameters = parameters.ok_or_else(|| cannot("it has no `parameters`".to_owned()))?;
-    let pairs = parameters.iter().map(|(name, value)| value.as_f64().map(|value| format!("{name}={value:?}")));
-    pairs.collect::<Option<_>>().ok_or_else(|| cannot("a parameter is no number".to_owned()))
+    let object = |key: &str| found.get(key).and_then(serde_json::Value::as_object);
+    let parameters = object("parameters").ok_or_else(|| cannot("it has no `parameters`".to_owned()))?;
+    let parameters = parameters.iter().map(|(name, value)| value.as_f64().map(|value| format!("{name}={value:?}")));
+    let parameters = parameters.collect::<Option<_>>().ok_or_else(|| cannot("a parameter is no number".to_owned()))?;
+    let modes = object("modes").into_iter().flatten();
+    let modes = modes.map(|(name, sign)| sign.as_str().map(|sign| format!("{name}={sign}")));
+    let modes = modes.collect::<Option<_>>().ok_or_else(|| cannot("a mode is neither \"+\" nor \"-\"".to_owned()))?;
+    Ok([parameters, modes])
 }
 
 /// `name=value` pairs from all occurrences of an option; no name twice.

@@ -75,11 +75,14 @@ impl fmt::Display for InputRange {
 impl fmt::Display for OutOfRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let InputRange { input, least, greatest, .. } = self.range;
-        write!(f, "input {input} = {}: no closure; it can be ", rounded(self.value))?;
+        // All digits where six would make the value equal to the limit that it is beyond.
+        let alike = |limit: f64| rounded(self.value).to_bits() == rounded(limit).to_bits();
+        let number = |x: f64| if alike(least) || alike(greatest) { x } else { rounded(x) };
+        write!(f, "input {input} = {}: no closure; it can be ", number(self.value))?;
         match (least.is_finite(), greatest.is_finite()) {
-            (true, true) => write!(f, "{} to {} here", rounded(least), rounded(greatest)),
-            (true, false) => write!(f, "{} or more here", rounded(least)),
-            _ => write!(f, "{} or less here", rounded(greatest)),
+            (true, true) => write!(f, "{} to {} here", number(least), number(greatest)),
+            (true, false) => write!(f, "{} or more here", number(least)),
+            _ => write!(f, "{} or less here", number(greatest)),
         }
     }
 }

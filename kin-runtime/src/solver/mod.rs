@@ -2,7 +2,6 @@
 
 use crate::analysis;
 use crate::analysis::acceleration::acceleration;
-use crate::analysis::fit::fit_inputs;
 use crate::analysis::forces::Sharing;
 use crate::analysis::position::position;
 use crate::analysis::singular::explain;
@@ -17,12 +16,12 @@ use crate::forces::Forces;
 use crate::measure::{Measure, values};
 use crate::mechanism::Mechanism;
 use crate::mobility::{Mobility, mobility};
-use crate::model::{Input, Point};
+use crate::model::Point;
 use crate::modes::{Mode, Wanted, assemble_in, modes};
 use crate::motion::Motion;
 use crate::observer::Observer;
 use crate::options::Options;
-use crate::planned::{InputRange, OutOfRange, PlanError, Planned, Sign};
+use crate::planned::{PlanError, Planned, Sign};
 use crate::ratios::{VelocityRatios, velocity_ratios};
 use crate::report::motion::{motion, point_jacobian};
 use crate::state::State;
@@ -34,6 +33,7 @@ mod assemblies;
 mod by_plan;
 mod certify;
 mod contacts;
+mod input_ranges;
 mod ranges;
 mod settings;
 mod sweep;
@@ -104,40 +104,6 @@ impl<'m, M: Mechanism> Solver<'m, M> {
             return Err(SolveError::Plan(PlanError::NoPlan { why: "coordinates are prescribed" }));
         }
         Ok(Planned::new(self.mechanism, at, &self.assemble(at)?)?)
-    }
-
-    /// The range of an input in which the mechanism closes, with time and the other inputs constant, at an instant at
-    /// which it closes: see [`Planned::range_of`].
-    ///
-    /// # Errors
-    /// As [`planned`](Self::planned), and [`Plan`](SolveError::Plan) with the handle of another mechanism.
-    pub fn range_of(&self, at: &Instant<'_>, input: Input) -> Result<InputRange, SolveError> {
-        Ok(self.planned(at)?.range_of(input)?)
-    }
-
-    /// The input that keeps the mechanism from closing at an instant, with the range in which it closes if the others
-    /// are constant. If it does not close for any value then, the others have the values that fit the guess. None if
-    /// the mechanism closes, if no single input is the cause, and without a plan.
-    pub fn out_of_range(&self, at: &Instant<'_>) -> Option<OutOfRange> {
-        let guess = self.checked_guess().ok()?;
-        let fitted = |places: &[usize], values: &[Signal]| {
-            let at = Instant { t: at.t, inputs: values };
-            let found = self.analyse(&at, |equations| {
-                let fits = fit_inputs(equations, &guess, places)?;
-                Ok(fits.then(|| equations.inputs.clone()))
-            });
-            found.ok().flatten()
-        };
-        let all: Vec<usize> = (0..M::INPUTS).collect();
-        let first = |others: &[Signal]| {
-            all.iter().find_map(|&k| {
-                let asked = at.inputs.get(k)?.value;
-                let inputs = fitted(&[k], others)?;
-                let range = self.range_of(&Instant { t: at.t, inputs: &inputs }, Input(k)).ok()?;
-                (!range.contains(asked)).then_some(OutOfRange { value: asked, range })
-            })
-        };
-        first(at.inputs).or_else(|| first(&fitted(&all, at.inputs)?))
     }
 
     /// Position analysis from a complete start, n numbers: the configuration near it.

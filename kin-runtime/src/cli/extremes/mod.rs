@@ -152,6 +152,12 @@ fn one(
         least: search.extreme(place, -1.0),
         greatest: search.extreme(place, 1.0),
     };
+    // An empty table would hide that there is nothing to compare.
+    let undefined = |place: &usize| !states.is_empty() && columns[*place].iter().all(|value| !value.is_finite());
+    if let Some(place) = (first..first + wanted.len()).find(undefined) {
+        let what = "has no value in all of the motion: it is undetermined, or not defined there";
+        return Err(Failure::Analysis(format!("{}: `{}` {what}", model.name, measures[place].name())));
+    }
     let varies = |place: &usize| !wanted.is_empty() || !is_constant(&columns[*place]);
     let extremes = (first..measures.len()).filter(varies).map(range).collect();
     let [from, to] = [states.first(), states.last()].map(|state| state.map(|state| state.t));
