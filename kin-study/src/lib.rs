@@ -11,8 +11,10 @@ mod study;
 mod suggest;
 
 pub use cli::{main, run_from};
-pub use engine::{Answer, Limits, Report, Watch, query, query_to_file, run, run_part};
+/// The tables of answers, so that a crate needs no version of its own to match.
+pub use datafusion::arrow;
+pub use engine::{Answer, Limits, Report, Watch, missing, query, query_to_file, run, run_part};
 pub use error::StudyError;
 pub use sampling::{Range, Sampling};
-pub use scores::{Measure, Score};
+pub use scores::{Measure, Score, normalise};
 pub use study::{Closures, Histogram, Ramp, Study};

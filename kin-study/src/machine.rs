@@ -2,7 +2,7 @@
 
 use crate::error::StudyError;
 use crate::sampling::Range;
-use crate::scores::{Score, Scoring};
+use crate::scores::{Gathering, Score, Scoring, normalise};
 use crate::study::{Closures, Ramp, Study};
 use crate::suggest::unknown;
 use kin_runtime::batch::{BatchError, Column, End, Modes, Motions, Sweeps, always, sweep};
@@ -24,12 +24,20 @@ pub(crate) trait Machine: Send + Sync {
 
 /// What is left of some motions.
 pub(crate) struct Scored {
-    /// Of every score, a number for every set; it says nothing where the set ended early.
-    pub(crate) scores: Vec<Vec<f64>>,
+    /// Of every score, what every set has; it says nothing where the set ended early.
+    pub(crate) scores: Vec<Values>,
     /// The least margin up to the end.
     pub(crate) margins: Vec<f64>,
     /// Where sets could not go on.
     pub(crate) ends: Vec<Option<End>>,
+}
+
+/// What sets have of a score.
+pub(crate) enum Values {
+    /// A number each.
+    Numbers(Vec<f64>),
+    /// So many numbers each, those of one set after those of another.
+    Lists(usize, Vec<f32>),
 }
 
 /// What all motions of a study have in common.
@@ -49,7 +57,7 @@ struct Bound<M> {
     inputs: Vec<Signal<f64>>,
     start: Vec<f64>,
     scoring: Scoring<M>,
-    scores: usize,
+    scores: Vec<Score>,
 }
 
 /// The machine of a study, and what its motions have in common.
@@ -74,16 +82,16 @@ where
         return Err(StudyError::description(message).on_line(study.line("motion")));
     }
     let inputs = inputs(model, study)?;
-    let lanes = inputs.iter().map(|input| input.map(Lanes::from)).collect();
     let scores: Vec<&Score> = study.scores.iter().map(|(_, score)| score).collect();
-    let scoring = Scoring::new(&scores, &times, lanes).map_err(|(place, message)| {
+    let scoring = Scoring::new(&scores, &times).map_err(|(place, message)| {
         let name = study.scores.get(place).map_or("", |(name, _)| name.as_str());
         StudyError::description(message).on_line(study.line(&format!("scores.{name}")))
     })?;
     let (start, modes) = starts(&mechanism, study, &Instant { t: times[0], inputs: &inputs[..M::INPUTS] })?;
     let defaults = mechanism.parameters::<f64>().as_ref().to_vec();
     let motion = Motion { times: times.clone(), defaults, modes };
-    Ok((Box::new(Bound { mechanism, times, inputs, start, scoring, scores: scores.len() }), motion))
+    let scores = scores.into_iter().cloned().collect();
+    Ok((Box::new(Bound { mechanism, times, inputs, start, scoring, scores }), motion))
 }
 
 /// All inputs at every instant, those of one instant after those of another.
@@ -170,7 +178,7 @@ fn named<M: Mechanism>(signs: &[Sign]) -> (String, Vec<f64>) {
     (names.collect::<Vec<_>>().join(" "), signs.iter().map(|sign| sign.value()).collect())
 }
 
-impl<M: Mechanism + Send + Sync> Machine for Bound<M> {
+impl<M: Mechanism + Send + Sync + 'static> Machine for Bound<M> {
     fn model(&self) -> &'static Model {
         M::model()
     }
@@ -194,14 +202,38 @@ impl<M: Mechanism + Send + Sync> Machine for Bound<M> {
             Sweeps { parameters, times: &self.times, inputs: &inputs, modes: Modes::Signs(signs), start: &start };
         let mut out = Motions::new(count, self.scoring.start());
         let scoring = &self.scoring;
-        sweep(&self.mechanism, &sweeps, &mut out, &always, |state: &mut Box<[Lanes]>, moment| {
-            scoring.visit(&self.mechanism, state, moment);
+        sweep(&self.mechanism, &sweeps, &mut out, &always, |gathering: &mut Gathering, moment| {
+            scoring.visit(&self.mechanism, gathering, moment);
         })?;
-        let scores = (0..self.scores).map(|k| out.scores(|state| scoring.score(k, state)).collect()).collect();
+        let values = |(place, score): (usize, &Score)| match score {
+            Score::Path { normalised, .. } => self.paths(&out, place, *normalised),
+            _ => Values::Numbers(out.scores(|gathering| scoring.score(place, gathering)).collect()),
+        };
+        let scores = self.scores.iter().enumerate().map(values).collect();
         let ends: Vec<Option<End>> = out.ends().collect();
-        let least = out.scores(|state| scoring.margin(state));
+        let least = out.scores(|gathering| scoring.margin(gathering));
         let margins = least.zip(&ends).map(|(least, end)| end.as_ref().map_or(least, |end| end.margin)).collect();
         Ok(Scored { scores, margins, ends })
+    }
+}
+
+impl<M: Mechanism + 'static> Bound<M> {
+    /// The paths that a score keeps.
+    fn paths(&self, out: &Motions<Gathering>, place: usize, normalised: bool) -> Values {
+        let width = 2 * self.times.len();
+        let mut lists = Vec::with_capacity(width * out.count());
+        let mut path = vec![0.0; width];
+        for (block, gathering) in out.blocks().enumerate() {
+            let Some(lanes) = self.scoring.path(place, gathering) else { continue };
+            for lane in 0..Lanes::COUNT.min(out.count() - block * Lanes::COUNT) {
+                path.iter_mut().zip(lanes).for_each(|(number, lanes)| *number = lanes.to_array()[lane]);
+                if normalised {
+                    normalise(&mut path);
+                }
+                lists.extend(path.iter().map(|number| *number as f32));
+            }
+        }
+        Values::Lists(width, lists)
     }
 }
 

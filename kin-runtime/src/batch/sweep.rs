@@ -67,6 +67,12 @@ impl Moment<'_> {
         self.ends[lane].is_none()
     }
 
+    /// Time and inputs, for further evaluations of the mechanism.
+    #[inline]
+    pub fn at(&self) -> Instant<'_, Lanes> {
+        Instant { t: Lanes::from(self.t), inputs: self.inputs }
+    }
+
     /// Forces of the block: the numbers of [`ForceModel`](crate::model::ForceModel), from which a score may take efforts
     /// ([`ForceModel::effort`](crate::model::ForceModel::effort)), reactions, powers.
     ///
@@ -76,8 +82,7 @@ impl Moment<'_> {
     #[inline]
     pub fn forces<M: Mechanism>(&self, mechanism: &M, forces: &mut [Lanes]) -> Result<(), BatchError> {
         table::<M>()?;
-        let at = Instant { t: Lanes::from(self.t), inputs: self.inputs };
-        mechanism.forces_with(self.parameters, &at, self.q, self.q_dot, self.q_ddot, &[], forces)?;
+        mechanism.forces_with(self.parameters, &self.at(), self.q, self.q_dot, self.q_ddot, &[], forces)?;
         Ok(())
     }
 

@@ -48,7 +48,7 @@ pub(crate) struct Pair {
     /// The neighbours on its first and on its second body.
     pub(crate) between: [usize; 2],
     /// The points of the revolute joint and of its two neighbours.
-    places: [&'static Geometry; 3],
+    pub(super) places: [&'static Geometry; 3],
 }
 
 /// The transmission angles at q.
@@ -85,13 +85,6 @@ pub(crate) fn angles(equations: &mut Equations<'_>, q: &[f64], pairs: &[Pair]) -
         Ok(angle_between(centre, a, b))
     };
     pairs.iter().map(angle).collect()
-}
-
-/// The transmission angles of a mechanism, each by the indices of its joints in [`Model::joints`]: the revolute joint,
-/// its neighbour on the first body and the one on the second.
-#[doc(hidden)]
-pub fn neighbours(model: &Model) -> Vec<[usize; 3]> {
-    pairs(model).iter().map(|&Pair { joint, between: [a, b], .. }| [joint, a, b]).collect()
 }
 
 /// The pairs of neighbours that transmit to an output, in order of declaration.

@@ -10,7 +10,7 @@ use crate::workspace::{Instant, Signal};
 
 impl<M: Mechanism> Solver<'_, M> {
     /// The range of an input in which the mechanism closes, with time and the other inputs constant, at an instant at
-    /// which it closes: see [`Planned::range_of`].
+    /// which it closes: see [`Planned::range_of`](crate::Planned::range_of).
     ///
     /// # Errors
     /// As [`planned`](Self::planned), and [`Plan`](SolveError::Plan) with the handle of another mechanism.

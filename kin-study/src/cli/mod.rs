@@ -3,7 +3,7 @@
 mod interrupt;
 mod progress;
 
-use crate::engine::{Limits, query, query_to_file, run_part};
+use crate::engine::{Limits, Report, Watch, missing, query, query_to_file, run, run_part};
 use crate::error::StudyError;
 use crate::scores::names;
 use crate::study::Study;
@@ -29,15 +29,29 @@ enum Command {
     /// Run a study on all cores of this machine
     ///
     /// Finished rows are written every few seconds. Ctrl-C ends the run and keeps them; --resume goes on. A second Ctrl-C
-    /// ends the program at once. The exit status is 0 when all rows are done, 130 after Ctrl-C.
+    /// ends the program at once. SIGTERM does the same. The exit status is 0 when all rows are done, 130 after a signal.
     Run(RunArgs),
     /// Run one of several parts of a study: for an array of jobs that share a directory
+    ///
+    /// All jobs say the same N. With --resume a job that was killed may be started again: it goes on behind the last rows
+    /// that were written, and does nothing where all are there. Two processes never work on the same part.
     Chunk {
         #[command(flatten)]
         run: RunArgs,
         /// Which part, from 0
         #[arg(long, value_name = "I")]
         index: u64,
+        /// How many parts there are
+        #[arg(long, value_name = "N")]
+        of: NonZero<u64>,
+    },
+    /// List the parts whose rows are not all there, as job schedulers write an array: 3,7-9
+    Missing {
+        #[command(flatten)]
+        study: StudyArgs,
+        /// The directory for its rows
+        #[arg(long, value_name = "DIR")]
+        out: PathBuf,
         /// How many parts there are
         #[arg(long, value_name = "N")]
         of: NonZero<u64>,
@@ -58,9 +72,18 @@ enum Command {
 }
 
 #[derive(Debug, clap::Args)]
-struct RunArgs {
+struct StudyArgs {
     /// The study, a TOML file
     study: PathBuf,
+    /// Take another number of rows than the file says
+    #[arg(long, value_name = "N", value_parser = rows)]
+    rows: Option<u64>,
+}
+
+#[derive(Debug, clap::Args)]
+struct RunArgs {
+    #[command(flatten)]
+    study: StudyArgs,
     /// The directory for its rows
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
@@ -72,10 +95,11 @@ struct RunArgs {
     threads: Option<NonZero<usize>>,
 }
 
-/// Runs the study program of the mechanism `M` with the arguments of this process: `run`, `chunk`, `query` and `names`.
+/// Runs the study program of the mechanism `M` with the arguments of this process: `run`, `chunk`, `missing`, `query` and
+/// `names`.
 ///
 /// The exit status is 0 when everything went well, 2 when arguments or the study make no sense, 1 for all other errors, and
-/// 130 after Ctrl-C.
+/// 130 after Ctrl-C or SIGTERM.
 pub fn main<M: Mechanism + Default + Send + Sync + 'static>() -> ExitCode {
     run_from::<M>(std::env::args_os())
 }
@@ -116,8 +140,16 @@ where
     M: Mechanism + Default + Send + Sync + 'static,
 {
     match command {
-        Command::Run(args) => ran::<M>(&args, (0, NonZero::<u64>::MIN), file),
-        Command::Chunk { run, index, of } => ran::<M>(&run, (index, of), file),
+        Command::Run(args) => ran(&args, file, run::<M>),
+        Command::Chunk { run: args, index, of } => {
+            ran(&args, file, |study: &Study, out: &Path, limits, watch: &Watch| {
+                run_part::<M>(study, out, (index, of), limits, watch)
+            })
+        }
+        Command::Missing { study, out, of } => {
+            let missing = missing::<M>(&read(&study, file)?, &out, of)?;
+            said(&format!("{}\n", array(&missing)))
+        }
         Command::Query { sql, directory, out } => match out {
             Some(path) => {
                 let rows = query_to_file(&directory, &sql, &path)?;
@@ -130,16 +162,16 @@ where
     }
 }
 
-fn ran<M>(args: &RunArgs, part: (u64, NonZero<u64>), file: &mut Option<PathBuf>) -> Result<ExitCode, StudyError>
-where
-    M: Mechanism + Default + Send + Sync + 'static,
-{
-    let text = std::fs::read_to_string(&args.study).map_err(|error| StudyError::file(&args.study, error))?;
-    *file = Some(args.study.clone());
-    let study = Study::from_toml(&text)?;
+/// Runs a study in one of the ways that there are.
+fn ran(
+    args: &RunArgs,
+    file: &mut Option<PathBuf>,
+    run: impl FnOnce(&Study, &Path, Limits, &Watch) -> Result<Report, StudyError>,
+) -> Result<ExitCode, StudyError> {
+    let study = read(&args.study, file)?;
     let limits = Limits { threads: args.threads, resume: args.resume };
     let progress = Progress::begin();
-    let report = run_part::<M>(&study, &args.out, part, limits, progress.watch());
+    let report = run(&study, &args.out, limits, progress.watch());
     let interrupted = progress.end();
     let report = report?;
     eprintln!("{report}");
@@ -148,6 +180,34 @@ where
         return Ok(ExitCode::from(130));
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// The study of a file; complaints from here on are about that file.
+fn read(args: &StudyArgs, file: &mut Option<PathBuf>) -> Result<Study, StudyError> {
+    let text = std::fs::read_to_string(&args.study).map_err(|error| StudyError::file(&args.study, error))?;
+    *file = Some(args.study.clone());
+    let study = Study::from_toml(&text)?;
+    Ok(match args.rows {
+        Some(rows) => study.rows(rows),
+        None => study,
+    })
+}
+
+/// A number of rows; 1e6 is one, too.
+fn rows(text: &str) -> Result<u64, String> {
+    let number: f64 = text.parse().map_err(|_| "a number like 1000 or 1e6 is expected".to_owned())?;
+    let is_count = number.fract() == 0.0 && (0.0..=9e15).contains(&number);
+    if is_count { Ok(number as u64) } else { Err("a whole number is expected".to_owned()) }
+}
+
+/// Numbers in increasing order as job schedulers write them: `3,7-9`.
+fn array(numbers: &[u64]) -> String {
+    let runs = numbers.chunk_by(|a, b| a + 1 == *b).map(|run| match run {
+        [one] => one.to_string(),
+        [first, .., last] => format!("{first}-{last}"),
+        [] => String::new(),
+    });
+    runs.collect::<Vec<_>>().join(",")
 }
 
 /// Writes to stdout; nothing is wrong where a reader leaves early.
@@ -178,4 +238,21 @@ fn listing<M: Mechanism>() -> String {
         + &section("inputs", &inputs)
         + &section("modes", &modes)
         + &section("quantities", &names(model))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_are_listed_as_job_schedulers_write_them() {
+        assert_eq!(array(&[]), "");
+        assert_eq!(array(&[3, 7, 8, 9, 12, 13]), "3,7-9,12-13");
+    }
+
+    #[test]
+    fn a_number_of_rows_is_whole() {
+        assert_eq!((rows("1e6"), rows("12")), (Ok(1_000_000), Ok(12)));
+        assert!(rows("1.5").is_err() && rows("-1").is_err() && rows("many").is_err());
+    }
 }

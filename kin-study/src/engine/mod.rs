@@ -1,10 +1,14 @@
 //! Running studies and asking for their results, by DataFusion.
 
+mod found;
+mod lease;
 mod parts;
 mod query;
 mod run;
+mod watch;
 mod wave;
 mod write;
 
 pub use query::{Answer, query, query_to_file};
-pub use run::{Limits, Report, Watch, run, run_part};
+pub use run::{Limits, Report, missing, run, run_part};
+pub use watch::Watch;

@@ -1,6 +1,6 @@
 //! The directory of a study: parts that are named by the rows they cover, so that what is missing can be told.
 
-use super::wave::kept;
+use super::write::temporary;
 use crate::error::StudyError;
 use crate::rows::Prepared;
 use std::fs;
@@ -27,25 +27,15 @@ impl Parts {
     /// The directory for a study: made where it is missing, refused where it holds another study, or this one and nobody
     /// said to go on.
     pub(super) fn open(directory: &Path, prepared: &Prepared, resume: bool) -> Result<Self, StudyError> {
+        let parts = Self::of(directory);
+        parts.is_no_pattern()?;
         fs::create_dir_all(directory).map_err(|error| StudyError::file(directory, error))?;
-        let parts = Self { directory: directory.to_owned() };
-        let path = directory.join(IDENTITY);
-        match fs::read_to_string(&path) {
-            Ok(found) if found == prepared.identity => {}
-            Ok(found) => {
-                let lines = found.lines().zip(prepared.identity.lines()).find(|(old, new)| old != new);
-                let (old, new) = lines.map_or(("", ""), |(old, new)| (old.trim(), new.trim()));
-                return Err(StudyError::Directory(format!(
-                    "{} holds another study: it says `{old}` where this one has `{new}`; choose another directory",
-                    directory.display()
-                )));
-            }
-            Err(error) if error.kind() == ErrorKind::NotFound => {
-                parts.put(VIEW, &kept(prepared, "parts"))?;
-                parts.put(IDENTITY, &prepared.identity)?;
-            }
-            Err(error) => return Err(StudyError::file(&path, error)),
+        // Of several jobs that begin at once, one writes these files; the others find them.
+        if !parts.holds(prepared)? {
+            parts.put_new(IDENTITY, &prepared.identity)?;
+            parts.holds(prepared)?;
         }
+        parts.put_new(VIEW, &prepared.kept.sql("parts"))?;
         if !resume && !parts.covered()?.is_empty() {
             return Err(StudyError::Directory(format!(
                 "{} holds rows of this study already; go on with --resume, or choose another directory",
@@ -55,13 +45,37 @@ impl Parts {
         Ok(parts)
     }
 
-    /// Writes a small file, whole or not at all.
-    fn put(&self, name: &str, text: &str) -> Result<(), StudyError> {
+    /// Whether the directory holds this study. One that holds another study is refused.
+    pub(super) fn holds(&self, prepared: &Prepared) -> Result<bool, StudyError> {
+        let path = self.directory.join(IDENTITY);
+        match fs::read_to_string(&path) {
+            Ok(found) if found == prepared.identity => Ok(true),
+            Ok(found) => {
+                let lines = found.lines().zip(prepared.identity.lines()).find(|(old, new)| old != new);
+                let (old, new) = lines.map_or(("", ""), |(old, new)| (old.trim(), new.trim()));
+                Err(StudyError::Directory(format!(
+                    "{} holds another study: it says `{old}` where this one has `{new}`; choose another directory",
+                    self.directory.display()
+                )))
+            }
+            Err(error) if error.kind() == ErrorKind::NotFound => Ok(false),
+            Err(error) => Err(StudyError::file(&path, error)),
+        }
+    }
+
+    /// Writes a small file, whole or not at all; one that is there stays as it is.
+    fn put_new(&self, name: &str, text: &str) -> Result<(), StudyError> {
         let path = self.directory.join(name);
+        if path.exists() {
+            return Ok(());
+        }
         let failed = |error| StudyError::file(&path, error);
-        let mut file = tempfile::NamedTempFile::new_in(&self.directory).map_err(failed)?;
+        let mut file = temporary(&self.directory).map_err(failed)?;
         file.write_all(text.as_bytes()).map_err(failed)?;
-        file.persist(&path).map(|_| ()).map_err(|error| failed(error.error))
+        match file.persist_noclobber(&path) {
+            Err(error) if error.error.kind() != ErrorKind::AlreadyExists => Err(failed(error.error)),
+            _ => Ok(()),
+        }
     }
 
     /// The SQL by which the table `study` follows from the table `parts`.
@@ -73,6 +87,17 @@ impl Parts {
     /// The directory of a study that has run.
     pub(super) fn of(directory: &Path) -> Self {
         Self { directory: directory.to_owned() }
+    }
+
+    /// Whether its files can be asked for: the engine would read some names as patterns for several files.
+    pub(super) fn is_no_pattern(&self) -> Result<(), StudyError> {
+        match self.directory.to_string_lossy().contains(['*', '?', '[']) {
+            false => Ok(()),
+            true => Err(StudyError::Directory(format!(
+                "{} has one of the letters * ? [ in its name, which stand for patterns of names; choose another directory",
+                self.directory.display()
+            ))),
+        }
     }
 
     /// Where it is.

@@ -1,6 +1,7 @@
 //! SQL over the parts of a study.
 
 use super::parts::{COUNTS, Parts, ROWS};
+use super::write::temporary;
 use crate::error::StudyError;
 use crate::rows::context;
 use datafusion::arrow::csv::WriterBuilder;
@@ -63,7 +64,7 @@ pub fn query_to_file(directory: &Path, sql: &str, path: &Path) -> Result<u64, St
             Some(parent) if !parent.as_os_str().is_empty() => parent,
             _ => Path::new("."),
         };
-        let file = tempfile::NamedTempFile::new_in(target).map_err(failed)?;
+        let file = temporary(target).map_err(failed)?;
         let mut rows = 0;
         let schema = stream.schema();
         if is("csv") {
@@ -100,6 +101,7 @@ fn wait<T>(work: impl Future<Output = Result<T, StudyError>>) -> Result<T, Study
 /// The question, over all parts.
 async fn asked(directory: &Path, sql: &str) -> Result<DataFrame, StudyError> {
     let parts = Parts::of(directory);
+    parts.is_no_pattern()?;
     let rows = parts.files(ROWS)?;
     if rows.is_empty() {
         let message = format!("{} has no rows of a study; `run` or `chunk` writes them", parts.directory().display());

@@ -1,19 +1,20 @@
 //! A study from its first row to its last: waves, a part for each, and what is left after a stop.
 
+use super::lease::Lease;
 use super::parts::{COUNTS, Parts, ROWS, gaps};
-use super::wave::{Wave, kept};
+use super::watch::Watch;
+use super::wave::Wave;
 use super::write::{Tally, tally, write};
 use crate::error::StudyError;
-use crate::rows::{Prepared, context, counts_schema};
+use crate::rows::{Prepared, counts_schema};
 use crate::study::Study;
-use datafusion::datasource::MemTable;
 use kin_runtime::Mechanism;
 use std::fmt;
 use std::num::NonZero;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 /// How a study runs.
@@ -25,17 +26,6 @@ pub struct Limits {
     pub resume: bool,
 }
 
-/// Who looks on: how many rows are done, and whether to stop. Both may be read and set from any thread.
-#[derive(Clone, Debug, Default)]
-pub struct Watch {
-    /// Rows that this run has to do, once that is known.
-    pub total: Arc<AtomicU64>,
-    /// Rows of this run that are done.
-    pub done: Arc<AtomicU64>,
-    /// Set to true, it ends the run after the pieces that are being solved; what is done is kept.
-    pub stop: Arc<AtomicBool>,
-}
-
 /// What became of a study.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
@@ -43,7 +33,8 @@ pub struct Report {
     pub rows: Range<u64>,
     /// How many of them are done, those of earlier runs included.
     pub done: u64,
-    /// How many of these met the conditions before solving.
+    /// How many rows met the conditions before solving. This and the two numbers below count the files that lie within these
+    /// rows: a file of an earlier run that was cut in another way may reach beyond them.
     pub solved: u64,
     /// How many of these could not go through all instants.
     pub ended: u64,
@@ -107,10 +98,39 @@ where
         let message = format!("there is no part {index} of {of}: parts are counted from 0 to {}", of.get() - 1);
         return Err(StudyError::description(message));
     }
-    let bound = |k: u64| (u128::from(prepared.rows) * u128::from(k) / u128::from(of.get())) as u64;
-    let rows = bound(index)..bound(index + 1);
+    let rows = part(prepared.rows, index, of);
     let whole = of.get() == 1;
     cover(Arc::new(prepared), directory, rows, whole, limits, watch)
+}
+
+/// The parts of `of`, as [`run_part`] counts them, of which rows are missing in a directory: what is to be started again
+/// after some jobs of an array have failed.
+///
+/// # Errors
+/// Where the study makes no sense for the mechanism, and where the directory holds something else or cannot be read.
+pub fn missing<M>(study: &Study, directory: &Path, of: NonZero<u64>) -> Result<Vec<u64>, StudyError>
+where
+    M: Mechanism + Default + Send + Sync + 'static,
+{
+    let prepared = Prepared::new::<M>(study)?;
+    let parts = Parts::of(directory);
+    let covered = if parts.holds(&prepared)? { parts.covered()? } else { Vec::new() };
+    let mut gaps = gaps(0..prepared.rows, &covered).into_iter().peekable();
+    let is_missing = |index: &u64| {
+        let rows = part(prepared.rows, *index, of);
+        if rows.is_empty() {
+            return false;
+        }
+        while gaps.next_if(|gap| gap.end <= rows.start).is_some() {}
+        gaps.peek().is_some_and(|gap| gap.start < rows.end)
+    };
+    Ok((0..of.get()).filter(is_missing).collect())
+}
+
+/// The rows of a part.
+fn part(rows: u64, index: u64, of: NonZero<u64>) -> Range<u64> {
+    let bound = |k: u64| (u128::from(rows) * u128::from(k) / u128::from(of.get())) as u64;
+    bound(index)..bound(index + 1)
 }
 
 /// Covers some rows with parts; not generic over the mechanism.
@@ -127,9 +147,9 @@ fn cover(
     let threads = limits.threads.unwrap_or(processors).get();
     let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(threads).build();
     let runtime = runtime.map_err(|error| StudyError::file(directory, error))?;
-    runtime.block_on(order_is_known(&prepared))?;
     // Jobs of an array share the directory, each with rows of its own.
     let parts = Parts::open(directory, &prepared, limits.resume || !whole)?;
+    let _lease = Lease::take(directory, &rows, whole)?;
     let covered = parts.covered()?;
     let gaps = gaps(rows.clone(), &covered);
     watch.total.store(gaps.iter().map(|gap| gap.end - gap.start).sum(), Ordering::Relaxed);
@@ -151,32 +171,21 @@ fn cover(
             next = found.rows.end;
             own += found.rows.end - found.rows.start;
             if !prepared.bins.is_empty() {
-                let table = found.counts.table(&prepared.bins);
+                let table = found.summary.counts.table(&prepared.bins);
                 let table = table.map_err(|error| StudyError::Engine(Box::new(error.into())))?;
                 write(&parts.path(COUNTS, &found.rows), &counts_schema(), &[table], None)?;
             }
             // The part with the rows comes last: it says that all of the wave is there.
-            write(&parts.path(ROWS, &found.rows), &prepared.schema, &found.batches, Some(&found.tally))?;
+            write(&parts.path(ROWS, &found.rows), &prepared.schema, &found.batches, Some(&found.summary.tally))?;
         }
     }
-    let mut sum = Tally::default();
+    let (mut done, mut sum) = (0, Tally::default());
     for (covered, path) in parts.files(ROWS)? {
+        done += covered.end.min(rows.end).saturating_sub(covered.start.max(rows.start));
         if covered.start >= rows.start && covered.end <= rows.end {
             sum = sum.and(&tally(&path)?);
         }
     }
-    let Tally { tried, solved, ended, passed } = sum;
-    Ok(Report { rows, done: tried, solved, ended, passed, own, time: began.elapsed() })
-}
-
-/// Whether the engine understands the order of the best rows.
-async fn order_is_known(prepared: &Prepared) -> Result<(), StudyError> {
-    let context = context(1);
-    let empty = MemTable::try_new(Arc::clone(&prepared.schema), vec![vec![]])?;
-    context.register_table("study", Arc::new(empty))?;
-    let planned = context.sql(&kept(prepared, "study")).await;
-    planned.map(|_| ()).map_err(|error| {
-        let by = prepared.best.as_ref().map_or("", |(_, by)| by.as_str());
-        StudyError::description(format!("`{by}`: {}", error.strip_backtrace())).on_line(prepared.order_line)
-    })
+    let Tally { solved, ended, passed, .. } = sum;
+    Ok(Report { rows, done, solved, ended, passed, own, time: began.elapsed() })
 }

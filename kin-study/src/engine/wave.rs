@@ -3,11 +3,10 @@
 //! Every partition of a streaming table takes the next piece until the wave has enough or somebody asks to stop. Pieces are
 //! taken in order and finished once they are taken, so the rows of a wave are a range without gaps, wherever it ends.
 
-use super::write::Tally;
+use super::found::{Found, Summary, in_order, solve};
 use crate::error::StudyError;
-use crate::rows::{CHUNK, Counts, Prepared, context};
-use datafusion::arrow::array::AsArray;
-use datafusion::arrow::datatypes::{SchemaRef, UInt64Type};
+use crate::rows::{CHUNK, Kept, Prepared, context};
+use datafusion::arrow::datatypes::SchemaRef;
 use datafusion::arrow::record_batch::RecordBatch;
 use datafusion::catalog::streaming::StreamingTable;
 use datafusion::error::DataFusionError;
@@ -36,18 +35,7 @@ pub(super) struct Wave {
     began: Instant,
     stop: Arc<AtomicBool>,
     progress: Arc<AtomicU64>,
-    found: Mutex<(Tally, Counts)>,
-}
-
-/// What a wave has found.
-#[derive(Debug)]
-pub(super) struct Found {
-    /// The rows that it went through.
-    pub(super) rows: Range<u64>,
-    /// Those that are kept.
-    pub(super) batches: Vec<RecordBatch>,
-    pub(super) tally: Tally,
-    pub(super) counts: Counts,
+    summary: Mutex<Summary>,
 }
 
 impl Wave {
@@ -58,12 +46,11 @@ impl Wave {
         stop: Arc<AtomicBool>,
         progress: Arc<AtomicU64>,
     ) -> Self {
-        let columns = prepared.schema.fields().len() as u64;
         // The best rows of pieces take little; all rows of a wave must fit into memory.
-        let most = if prepared.best.is_some() || !prepared.keeps_rows { u64::MAX } else { NUMBERS / columns };
+        let most = if matches!(prepared.kept, Kept::All) { NUMBERS / prepared.numbers() } else { u64::MAX };
         let pieces = (most / CHUNK as u64).max(1);
         let end = rows.start.saturating_add(pieces.saturating_mul(CHUNK as u64)).min(rows.end);
-        let found = Mutex::new((Tally::default(), Counts::new(&prepared.bins)));
+        let summary = Mutex::new(Summary::new(prepared));
         Self {
             prepared: Arc::clone(prepared),
             next: AtomicU64::new(rows.start),
@@ -71,7 +58,7 @@ impl Wave {
             began: Instant::now(),
             stop,
             progress,
-            found,
+            summary,
         }
     }
 
@@ -87,15 +74,10 @@ impl Wave {
 
     fn piece(&self, rows: Range<u64>) -> Result<RecordBatch, StudyError> {
         let count = rows.end - rows.start;
-        let piece = self.prepared.rows(rows)?;
-        let passed = piece.batch.num_rows() as u64;
-        {
-            let mut found = self.found.lock().unwrap_or_else(PoisonError::into_inner);
-            found.0 = found.0.and(&Tally { tried: piece.tried, solved: piece.solved, ended: piece.ended, passed });
-            found.1.add(&self.prepared.bins, &piece.batch);
-        }
+        let (kept, summary) = solve(&self.prepared, rows)?;
+        self.summary.lock().unwrap_or_else(PoisonError::into_inner).and(&summary);
         self.progress.fetch_add(count, Ordering::Relaxed);
-        Ok(if self.prepared.keeps_rows { piece.batch } else { piece.batch.slice(0, 0) })
+        Ok(kept)
     }
 
     /// Runs it over so many partitions.
@@ -106,23 +88,11 @@ impl Wave {
         let table = StreamingTable::try_new(Arc::clone(&prepared.schema), (0..partitions).map(each).collect())?;
         let context = context(partitions);
         context.register_table("study", Arc::new(table))?;
-        let mut batches = context.sql(&kept(prepared, "study")).await?.collect().await?;
-        if prepared.best.is_none() {
-            let first = |batch: &RecordBatch| batch.column(0).as_primitive::<UInt64Type>().values().first().copied();
-            batches.sort_by_key(first);
-        }
+        let batches = context.sql(&prepared.kept.sql("study")).await?.collect().await?;
+        let batches = if matches!(prepared.kept, Kept::All) { in_order(batches) } else { batches };
         let reached = wave.next.load(Ordering::Relaxed).min(wave.rows.end);
-        let found = wave.found.lock().unwrap_or_else(PoisonError::into_inner);
-        let (tally, counts) = (found.0, found.1.clone());
-        Ok(Found { rows: wave.rows.start..reached, batches, tally, counts })
-    }
-}
-
-/// The rows that are kept of a table, as SQL.
-pub(super) fn kept(prepared: &Prepared, table: &str) -> String {
-    match &prepared.best {
-        Some((count, by)) => format!("SELECT * FROM {table} ORDER BY {by}, \"row\" LIMIT {count}"),
-        None => format!("SELECT * FROM {table}"),
+        let summary = wave.summary.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        Ok(Found { rows: wave.rows.start..reached, batches, summary })
     }
 }
 

@@ -11,6 +11,7 @@ use datafusion::parquet::file::properties::WriterProperties;
 use std::fs::File;
 use std::io;
 use std::path::Path;
+use tempfile::NamedTempFile;
 
 /// What became of the rows that a part covers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -25,12 +26,16 @@ pub(super) struct Tally {
     pub(super) passed: u64,
 }
 
-/// The names of the numbers of a tally in a file.
-const KEYS: [&str; 4] = ["kin.tried", "kin.solved", "kin.ended", "kin.passed"];
-
 impl Tally {
-    fn numbers(&self) -> [u64; 4] {
-        [self.tried, self.solved, self.ended, self.passed]
+    /// Its numbers with the names that they have beside rows.
+    pub(super) fn entries(&self) -> [(&'static str, u64); 4] {
+        [("kin.tried", self.tried), ("kin.solved", self.solved), ("kin.ended", self.ended), ("kin.passed", self.passed)]
+    }
+
+    /// The tally of named numbers; what is missing counts as none.
+    pub(super) fn of(number: impl Fn(&str) -> Option<u64>) -> Self {
+        let [tried, solved, ended, passed] = Self::default().entries().map(|(key, none)| number(key).unwrap_or(none));
+        Self { tried, solved, ended, passed }
     }
 
     /// Both together.
@@ -44,6 +49,19 @@ impl Tally {
     }
 }
 
+/// A file of another name in a directory, for what shall appear there whole. Where it is not kept, it is removed.
+pub(super) fn temporary(directory: &Path) -> io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".kin-").suffix(".tmp");
+    // Others may read what the umask lets them read: a directory is often shared.
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    builder.tempfile_in(directory)
+}
+
 /// Writes a table to a file of another name in the same directory, which then takes its place.
 pub(super) fn write(
     path: &Path,
@@ -53,19 +71,15 @@ pub(super) fn write(
 ) -> Result<(), StudyError> {
     let failed = |error: io::Error| StudyError::file(path, error);
     let parquet = |error: ParquetError| failed(system(error));
-    let entries = tally.map(|tally| {
-        KEYS.iter()
-            .zip(tally.numbers())
-            .map(|(key, number)| KeyValue::new((*key).to_owned(), number.to_string()))
-            .collect()
-    });
+    let entries = tally
+        .map(|tally| tally.entries().map(|(key, number)| KeyValue::new(key.to_owned(), number.to_string())).to_vec());
     // Numbers that hardly repeat gain nothing by a dictionary; names do.
     let mut properties = WriterProperties::builder().set_dictionary_enabled(false).set_key_value_metadata(entries);
     for name in ["mode", "limit", "of"] {
         properties = properties.set_column_dictionary_enabled(name.into(), true);
     }
     let directory = path.parent().unwrap_or(Path::new("."));
-    let mut file = tempfile::NamedTempFile::new_in(directory).map_err(failed)?;
+    let mut file = temporary(directory).map_err(failed)?;
     let mut writer =
         ArrowWriter::try_new(io::BufWriter::new(file.as_file_mut()), schema.clone(), Some(properties.build()))
             .map_err(parquet)?;
@@ -86,10 +100,9 @@ pub(super) fn tally(path: &Path) -> Result<Tally, StudyError> {
     let entries = reader.metadata().file_metadata().key_value_metadata().cloned().unwrap_or_default();
     let number = |key: &str| {
         let entry = entries.iter().find(|entry| entry.key == key);
-        entry.and_then(|entry| entry.value.as_ref()?.parse().ok()).unwrap_or(0)
+        entry.and_then(|entry| entry.value.as_ref()?.parse().ok())
     };
-    let [tried, solved, ended, passed] = KEYS.map(number);
-    Ok(Tally { tried, solved, ended, passed })
+    Ok(Tally::of(number))
 }
 
 /// What the system said, where it was the system.

@@ -60,6 +60,12 @@ impl Counts {
         }
     }
 
+    /// Adds the counts of other rows.
+    pub(crate) fn and(&mut self, other: &Self) {
+        let pairs = self.0.iter_mut().flatten().zip(other.0.iter().flatten());
+        pairs.for_each(|(own, other)| *own += other);
+    }
+
     /// The table of all counts.
     pub(crate) fn table(&self, bins: &[Bins]) -> Result<RecordBatch, ArrowError> {
         let (mut of, mut from, mut to, mut count) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());

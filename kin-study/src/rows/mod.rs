@@ -2,20 +2,25 @@
 
 mod formula;
 mod histogram;
+mod order;
 mod prepare;
 
 pub(crate) use formula::{CHUNK, context};
 pub(crate) use histogram::{Counts, counts_schema};
+pub(crate) use order::Kept;
 pub(crate) use prepare::Prepared;
 
 use crate::error::StudyError;
-use crate::machine::Scored;
-use datafusion::arrow::array::{ArrayRef, AsArray, Float64Array, StringArray, StringBuilder, UInt64Array};
+use crate::machine::{Scored, Values};
+use datafusion::arrow::array::{
+    ArrayRef, AsArray, FixedSizeListArray, Float32Array, Float64Array, StringArray, StringBuilder, UInt64Array,
+};
 use datafusion::arrow::buffer::NullBuffer;
 use datafusion::arrow::datatypes::Float64Type;
 use datafusion::arrow::record_batch::{RecordBatch, RecordBatchOptions};
 use formula::meeting;
-use kin_runtime::batch::Column;
+use kin_runtime::batch::{Column, End};
+use prepare::{Source, item};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -38,24 +43,25 @@ impl Prepared {
         let tried = rows.end - rows.start;
         let batch = meeting(self.sampled(rows)?, &self.before)?;
         let count = batch.num_rows();
-        let numbers = |name: &str| batch.column_by_name(name).map(|column| column.as_primitive::<Float64Type>());
-        let parameters: Vec<Column<'_>> = self
-            .sources
-            .iter()
-            .map(|(name, default)| match numbers(name) {
-                Some(column) => Column::Each(column.values()),
-                None => Column::Shared(*default),
-            })
-            .collect();
+        let parameter = |source: &Source| match *source {
+            Source::Each(place) => Column::Each(batch.column(place).as_primitive::<Float64Type>().values()),
+            Source::Shared(value) => Column::Shared(value),
+        };
+        let parameters: Vec<Column<'_>> = self.sources.iter().map(parameter).collect();
         let combinations: Vec<usize> = self.combinations(&batch);
         let modes = &self.motion.modes;
-        let signs: Vec<Vec<f64>> = (0..modes[0].1.len())
-            .map(|k| combinations.iter().map(|combination| modes[*combination].1[k]).collect())
-            .collect();
-        let signs: Vec<Column<'_>> = signs.iter().map(|signs| Column::Each(signs)).collect();
+        let each = |k: usize| combinations.iter().map(|combination| modes[*combination].1[k]).collect();
+        let signs: Vec<Vec<f64>> = match &modes[..] {
+            [_] => Vec::new(),
+            several => (0..several[0].1.len()).map(each).collect(),
+        };
+        let signs: Vec<Column<'_>> = match &modes[..] {
+            [(_, signs)] => signs.iter().map(|sign| Column::Shared(*sign)).collect(),
+            _ => signs.iter().map(|signs| Column::Each(signs)).collect(),
+        };
         let scored = self.machine.sweep(&parameters, &signs, count)?;
         let ended = scored.ends.iter().filter(|end| end.is_some()).count() as u64;
-        let batch = meeting(self.scored(&batch, &combinations, &scored)?, &self.after)?;
+        let batch = meeting(self.scored(&batch, &combinations, scored)?, &self.after)?;
         Ok(Piece { batch, tried, solved: count as u64, ended })
     }
 
@@ -90,19 +96,36 @@ impl Prepared {
     }
 
     /// The table: what is shown of the sampled columns, scores, and how it ended.
-    fn scored(&self, batch: &RecordBatch, combinations: &[usize], scored: &Scored) -> Result<RecordBatch, StudyError> {
-        let mut columns: Vec<ArrayRef> = self.shown.iter().map(|place| Arc::clone(batch.column(*place))).collect();
+    fn scored(&self, batch: &RecordBatch, combinations: &[usize], scored: Scored) -> Result<RecordBatch, StudyError> {
+        let column = |place: &usize| match self.schema.field_with_name(batch.schema_ref().field(*place).name()) {
+            Ok(field) if field.is_nullable() => known(batch.column(*place)),
+            _ => Arc::clone(batch.column(*place)),
+        };
+        let mut columns: Vec<ArrayRef> = self.shown.iter().map(column).collect();
         if self.motion.modes.len() > 1 {
             let names = combinations.iter().map(|combination| self.motion.modes[*combination].0.as_str());
             columns.push(Arc::new(StringArray::from_iter_values(names)));
         }
-        let complete = NullBuffer::from_iter(scored.ends.iter().map(Option::is_none));
-        let complete = (complete.null_count() > 0).then_some(complete);
-        for score in &scored.scores {
-            columns.push(Arc::new(Float64Array::new(score.clone().into(), complete.clone())));
+        for score in scored.scores {
+            // A quantity without a value, the angle at an arm of no length for example, is no score.
+            let known = |(value, end): (bool, &Option<End>)| end.is_none() && value;
+            columns.push(match score {
+                Values::Numbers(values) => {
+                    let known = values.iter().map(|value| value.is_finite()).zip(&scored.ends).map(known);
+                    let known = NullBuffer::from_iter(known);
+                    Arc::new(Float64Array::new(values.into(), Some(known).filter(|known| known.null_count() > 0)))
+                }
+                Values::Lists(width, values) => {
+                    let whole = |list: &[f32]| list.iter().all(|value| value.is_finite());
+                    let known = NullBuffer::from_iter(values.chunks(width).map(whole).zip(&scored.ends).map(known));
+                    let values = Arc::new(Float32Array::from(values));
+                    let list = FixedSizeListArray::try_new(item(), width as i32, values, Some(known));
+                    Arc::new(list.map_err(|error| StudyError::Engine(Box::new(error.into())))?)
+                }
+            });
         }
-        columns.push(Arc::new(Float64Array::from(scored.margins.clone())));
-        let time = |end: &kin_runtime::batch::End| self.motion.times[end.instant];
+        columns.push(Arc::new(Float64Array::from(scored.margins)));
+        let time = |end: &End| self.motion.times[end.instant];
         columns.push(Arc::new(Float64Array::from_iter(scored.ends.iter().map(|end| end.as_ref().map(time)))));
         let mut limits = StringBuilder::new();
         for end in &scored.ends {
@@ -115,6 +138,13 @@ impl Prepared {
         columns.push(Arc::new(limits.finish()));
         assembled(&self.schema, columns, combinations.len())
     }
+}
+
+/// A column of numbers that is empty where they are none: files of tables do not count what is not a number when they note
+/// the least and the greatest value, and an engine may rely on these.
+fn known(column: &ArrayRef) -> ArrayRef {
+    let values = column.as_primitive::<Float64Type>();
+    Arc::new(Float64Array::from_iter(values.iter().map(|value| value.filter(|value| !value.is_nan()))))
 }
 
 fn assembled(

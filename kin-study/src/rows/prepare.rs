@@ -2,15 +2,16 @@
 
 use super::formula::{Formula, context};
 use super::histogram::Bins;
+use super::order::{Best, Kept};
 use crate::error::StudyError;
 use crate::machine::{Machine, Motion, bind};
 use crate::sampling::Sampler;
 use crate::study::Study;
 use crate::suggest::unknown;
-use datafusion::arrow::datatypes::{DataType, Field, Schema, SchemaRef};
+use datafusion::arrow::datatypes::{DataType, Field, FieldRef, Schema, SchemaRef};
 use datafusion::execution::context::SessionContext;
 use kin_runtime::Mechanism;
-use kin_runtime::model::Model;
+use kin_runtime::model::{Model, ParameterInfo};
 use std::sync::Arc;
 
 /// Names of columns that every table has.
@@ -30,8 +31,8 @@ pub(crate) struct Prepared {
     pub(super) derived: Vec<Formula>,
     /// The columns before any formula, then with those of one formula after another.
     pub(super) inputs: Vec<SchemaRef>,
-    /// For every parameter of the mechanism, its column and the value where there is none.
-    pub(super) sources: Vec<(String, f64)>,
+    /// Where the parameters of the mechanism come from.
+    pub(super) sources: Vec<Source>,
     pub(super) before: Vec<Formula>,
     /// Places among the input columns of those that the table shows.
     pub(super) shown: Vec<usize>,
@@ -41,21 +42,40 @@ pub(crate) struct Prepared {
     pub(crate) bins: Vec<Bins>,
     /// How many rows there are.
     pub(crate) rows: u64,
-    /// How many rows are kept at most and in which order.
-    pub(crate) best: Option<(usize, String)>,
-    /// The line of that order in its file.
-    pub(crate) order_line: Option<usize>,
-    /// Whether rows are kept at all.
-    pub(crate) keeps_rows: bool,
+    /// Which rows are kept.
+    pub(crate) kept: Kept,
     /// The text that tells studies apart.
     pub(crate) identity: String,
+}
+
+/// Where a parameter of the mechanism comes from.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Source {
+    /// The input column at a place.
+    Each(usize),
+    /// The same number in all rows.
+    Shared(f64),
 }
 
 fn number(name: &str) -> Field {
     Field::new(name, DataType::Float64, false)
 }
 
+/// What the list of a path is made of.
+pub(super) fn item() -> FieldRef {
+    Arc::new(Field::new("item", DataType::Float32, false))
+}
+
 impl Prepared {
+    /// How many numbers a row of the table has.
+    pub(crate) fn numbers(&self) -> u64 {
+        let count = |field: &FieldRef| match field.data_type() {
+            DataType::FixedSizeList(_, width) => *width as u64,
+            _ => 1,
+        };
+        self.schema.fields().iter().map(count).sum()
+    }
+
     /// Makes a study ready for a mechanism.
     pub(crate) fn new<M>(study: &Study) -> Result<Self, StudyError>
     where
@@ -87,7 +107,6 @@ impl Prepared {
                 || study.derived.iter().any(|(known, _)| known == name)
         };
         let parameters = || machine.model().parameters.iter().zip(&motion.defaults);
-        let sources: Vec<(String, f64)> = parameters().map(|(info, value)| (info.name.to_owned(), *value)).collect();
         let (constant_names, constants): (Vec<&str>, Vec<f64>) =
             parameters().filter(|(info, _)| !named(info.name)).map(|(info, value)| (info.name, *value)).unzip();
         let mut fields = vec![Field::new("row", DataType::UInt64, false)];
@@ -103,11 +122,24 @@ impl Prepared {
             fields.push(number(name));
             inputs.push(Arc::new(Schema::new(fields.clone())));
         }
+        let source = |(info, value): (&ParameterInfo, &f64)| {
+            let place = fields.iter().position(|field| named(info.name) && field.name() == info.name);
+            place.map_or(Source::Shared(*value), Source::Each)
+        };
+        let sources = parameters().map(source).collect();
         let before = conditions(&context, study, "before", &study.before, &inputs[inputs.len() - 1])?;
 
-        let mut columns: Vec<Field> = shown.iter().map(|place| fields[*place].clone()).collect();
+        let has_value = |place: usize| place <= sampled;
+        let mut columns: Vec<Field> =
+            shown.iter().map(|place| fields[*place].clone().with_nullable(!has_value(*place))).collect();
         columns.extend((motion.modes.len() > 1).then(|| Field::new("mode", DataType::Utf8, false)));
-        columns.extend(study.scores.iter().map(|(name, _)| Field::new(name, DataType::Float64, true)));
+        columns.extend(study.scores.iter().map(|(name, score)| {
+            let of = match score.list(motion.times.len()) {
+                Some(width) => DataType::FixedSizeList(item(), width as i32),
+                None => DataType::Float64,
+            };
+            Field::new(name, of, true)
+        }));
         columns.push(number("margin"));
         columns.push(Field::new("ended", DataType::Float64, true));
         columns.push(Field::new("limit", DataType::Utf8, true));
@@ -118,13 +150,19 @@ impl Prepared {
                 .map_err(|error| error.on_line(study.line(&format!("keep.histograms.{place}"))))
         });
         let bins = bins.collect::<Result<_, _>>()?;
-        let identity = format!("{}\n{:?}\n{study:#?}\n", machine.model().name, sources);
-        let (best, keeps_rows) = (study.best.clone(), !study.no_rows);
+        let identity = format!("{}\n{:?}\n{study:#?}\n", machine.model().name, motion.defaults);
+        let kept = match &study.best {
+            _ if study.no_rows => Kept::None,
+            None => Kept::All,
+            Some((count, by)) => {
+                let best = Best::new(*count, by, &schema);
+                Kept::Best(best.map_err(|error| error.on_line(study.line("keep.by")))?)
+            }
+        };
         #[rustfmt::skip]
         let prepared = Self {
             machine, motion, sampler, sampled, constants, derived, inputs, sources, before, shown, schema, after, bins, rows,
-            best, keeps_rows, identity,
-            order_line: study.line("keep.by"),
+            kept, identity,
         };
         Ok(prepared)
     }

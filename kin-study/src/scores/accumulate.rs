@@ -4,7 +4,7 @@ use super::reporter::Reporter;
 use super::score::{Measure, Score};
 use crate::suggest::unknown;
 use kin_runtime::batch::Moment;
-use kin_runtime::{Lanes, Mechanism, Scalar, Signal};
+use kin_runtime::{Lanes, Mechanism, Scalar};
 
 /// How a score is gathered; `state` is its first number in a block's state.
 #[derive(Clone, Debug)]
@@ -23,6 +23,8 @@ enum Rule {
     At(usize),
     /// Of every point the square of its distance so far; y is the quantity behind x.
     Distance(Vec<[f64; 2]>, Measure),
+    /// x and y at all of so many instants.
+    Path(usize),
 }
 
 impl Rule {
@@ -36,9 +38,13 @@ impl Rule {
             Self::TimeOfLeast => vec![f64::INFINITY, f64::NAN],
             Self::TimeOfGreatest => vec![f64::NEG_INFINITY, f64::NAN],
             Self::Distance(points, _) => vec![f64::INFINITY; points.len()],
+            Self::Path(instants) => vec![f64::NAN; 2 * instants],
         }
     }
 }
+
+/// What is gathered of a block.
+pub(crate) type Gathering = Box<[Lanes]>;
 
 /// A score of the study: its rule, its quantity and its state.
 #[derive(Clone, Debug)]
@@ -56,9 +62,9 @@ pub(crate) struct Scoring<M> {
     state: usize,
 }
 
-impl<M: Mechanism> Scoring<M> {
-    /// The scores over a motion with these instants and these inputs at them; an error names the place of its score.
-    pub(crate) fn new(scores: &[&Score], times: &[f64], inputs: Vec<Signal<Lanes>>) -> Result<Self, (usize, String)> {
+impl<M: Mechanism + 'static> Scoring<M> {
+    /// The scores over a motion with these instants; an error names the place of its score.
+    pub(crate) fn new(scores: &[&Score], times: &[f64]) -> Result<Self, (usize, String)> {
         let mut names: Vec<String> = Vec::new();
         let mut gathered = Vec::with_capacity(scores.len());
         // The least margin stands before all scores.
@@ -66,31 +72,34 @@ impl<M: Mechanism> Scoring<M> {
         for (place, score) in scores.iter().enumerate() {
             let quantity = names.len();
             let rule = rule::<M>(score, times, &mut names).map_err(|message| (place, message))?;
-            Reporter::<M>::new(&[names[quantity].as_str()], Vec::new()).map_err(|message| (place, message))?;
+            Reporter::<M>::new(&[names[quantity].as_str()]).map_err(|message| (place, message))?;
             gathered.push(Gathered { quantity, state, rule });
             state += gathered.last().map_or(0, |score| score.rule.start().len());
         }
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        let reporter = Reporter::new(&names, inputs).map_err(|message| (0, message))?;
+        let reporter = Reporter::new(&names).map_err(|message| (0, message))?;
         Ok(Self { reporter, scores: gathered, instants: times.len(), state })
     }
 
     /// What a block begins with.
-    pub(crate) fn start(&self) -> Box<[Lanes]> {
+    pub(crate) fn start(&self) -> Gathering {
         let rules = self.scores.iter().flat_map(|score| score.rule.start());
-        let start: Box<[Lanes]> = std::iter::once(f64::INFINITY).chain(rules).map(Lanes::from).collect();
-        debug_assert_eq!(start.len(), self.state);
-        start
+        let numbers: Box<[Lanes]> = std::iter::once(f64::INFINITY).chain(rules).map(Lanes::from).collect();
+        debug_assert_eq!(numbers.len(), self.state);
+        numbers
     }
 
     /// Takes in a block of sets at one instant. Lanes that have ended gather nothing that counts.
     #[inline]
-    pub(crate) fn visit(&self, mechanism: &M, state: &mut [Lanes], moment: &Moment<'_>) {
-        let evaluated = self.reporter.evaluate(mechanism, moment);
-        state[0] = least(state[0], moment.margin);
+    pub(crate) fn visit(&self, mechanism: &M, gathering: &mut [Lanes], moment: &Moment<'_>) {
+        let mut room = self.reporter.evaluates().then(|| self.reporter.room());
+        if let Some(room) = &mut room {
+            self.reporter.evaluate(mechanism, moment, room);
+        }
+        gathering[0] = least(gathering[0], moment.margin);
         for score in &self.scores {
-            let value = self.reporter.value(score.quantity, evaluated.as_deref(), moment);
-            let state = &mut state[score.state..];
+            let value = self.reporter.value(score.quantity, room.as_deref(), moment);
+            let state = &mut gathering[score.state..];
             match &score.rule {
                 Rule::Least => state[0] = least(state[0], value),
                 Rule::Greatest => state[0] = greatest(state[0], value),
@@ -101,27 +110,42 @@ impl<M: Mechanism> Scoring<M> {
                 Rule::At(instant) if *instant == moment.instant => state[0] = value,
                 Rule::At(_) => {}
                 Rule::Distance(points, _) => {
-                    let y = self.reporter.value(score.quantity + 1, evaluated.as_deref(), moment);
+                    let y = self.reporter.value(score.quantity + 1, room.as_deref(), moment);
                     for (square, point) in state.iter_mut().zip(points) {
                         let [dx, dy] = [value - Lanes::from(point[0]), y - Lanes::from(point[1])];
                         *square = least(*square, dx * dx + dy * dy);
                     }
                 }
+                Rule::Path(_) => {
+                    let y = self.reporter.value(score.quantity + 1, room.as_deref(), moment);
+                    state[2 * moment.instant..][..2].copy_from_slice(&[value, y]);
+                }
             }
+        }
+        if let Some(room) = room {
+            Reporter::keep(room);
         }
     }
 
     /// The least margin of a block over all instants.
-    pub(crate) fn margin(&self, state: &[Lanes]) -> Lanes {
-        state[0]
+    pub(crate) fn margin(&self, gathering: &[Lanes]) -> Lanes {
+        gathering[0]
+    }
+
+    /// x and y at all instants, one after another, where the score at a place is a path.
+    pub(crate) fn path<'g>(&self, place: usize, gathering: &'g [Lanes]) -> Option<&'g [Lanes]> {
+        match self.scores[place] {
+            Gathered { rule: Rule::Path(instants), state, .. } => Some(&gathering[state..][..2 * instants]),
+            _ => None,
+        }
     }
 
     /// The score at a place, of a block whose motion is complete.
-    pub(crate) fn score(&self, place: usize, state: &[Lanes]) -> Lanes {
+    pub(crate) fn score(&self, place: usize, gathering: &[Lanes]) -> Lanes {
         let Gathered { rule, state: first, .. } = &self.scores[place];
-        let state = &state[*first..];
+        let state = &gathering[*first..];
         match rule {
-            Rule::Least | Rule::Greatest | Rule::At(_) => state[0],
+            Rule::Least | Rule::Greatest | Rule::At(_) | Rule::Path(_) => state[0],
             Rule::Mean => state[0] / Lanes::from(self.instants as f64),
             Rule::Range => state[1] - state[0],
             Rule::TimeOfLeast | Rule::TimeOfGreatest => state[1],
@@ -150,20 +174,29 @@ fn rule<M: Mechanism>(score: &Score, times: &[f64], names: &mut Vec<String>) -> 
         Score::TimeOfLeast(of) => (of, Rule::TimeOfLeast),
         Score::TimeOfGreatest(of) => (of, Rule::TimeOfGreatest),
         Score::At { of, t } => (of, Rule::At(instant(times, *t)?)),
+        Score::Path { point, .. } => {
+            names.extend(coordinates::<M>(point)?);
+            return Ok(Rule::Path(times.len()));
+        }
         Score::Distance { point, to, measure } => {
-            let points = M::model().points;
-            if !points.iter().any(|known| known.name == point) {
-                return Err(unknown("point", point, points.iter().map(|known| known.name)));
-            }
             if to.is_empty() || !to.as_flattened().iter().all(|number| number.is_finite()) {
                 return Err("a distance needs at least one point, and finite numbers".to_owned());
             }
-            names.extend(["x", "y"].map(|axis| format!("{point}.{axis}")));
+            names.extend(coordinates::<M>(point)?);
             return Ok(Rule::Distance(to.clone(), *measure));
         }
     };
     names.push(of.clone());
     Ok(rule)
+}
+
+/// The names of the coordinates of a point.
+fn coordinates<M: Mechanism>(point: &str) -> Result<[String; 2], String> {
+    let points = M::model().points;
+    match points.iter().any(|known| known.name == point) {
+        true => Ok(["x", "y"].map(|axis| format!("{point}.{axis}"))),
+        false => Err(unknown("point", point, points.iter().map(|known| known.name))),
+    }
 }
 
 /// The place of an instant, which must be one of the motion's to within rounding.

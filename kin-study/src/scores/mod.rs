@@ -1,10 +1,12 @@
 //! Scores: what is kept of a motion, gathered in lanes.
 
 mod accumulate;
+mod path;
 mod quantity;
 mod reporter;
 mod score;
 
-pub(crate) use accumulate::Scoring;
+pub(crate) use accumulate::{Gathering, Scoring};
+pub use path::normalise;
 pub(crate) use quantity::names;
 pub use score::{Measure, Score};

@@ -1,73 +1,100 @@
 //! Quantities in lanes: of a block of four sets at one instant.
 
-use super::quantity::{Quantity, Source};
+use super::quantity::{Made, Quantity};
 use kin_runtime::batch::Moment;
+use kin_runtime::measure::Source;
 use kin_runtime::model::{Frame, Geometry, Model};
-use kin_runtime::{Instant, Lanes, Mechanism, Observations, Scalar, Signal};
+use kin_runtime::{Lanes, Mechanism, Observations, Scalar};
+use std::any::Any;
+use std::cell::Cell;
 use std::f64::consts::FRAC_PI_2;
 use std::marker::PhantomData;
 
 /// Gives the quantities that the scores of a study want.
 pub(crate) struct Reporter<M> {
     quantities: Vec<Quantity>,
-    /// The inputs at every instant, those of one instant after those of another.
-    inputs: Vec<Signal<Lanes>>,
     observes: bool,
+    places: bool,
     has_forces: bool,
     /// For every row of the observables, its entries in their Jacobian: (place, column).
     entries: Vec<Vec<(usize, usize)>>,
     mechanism: PhantomData<fn() -> M>,
 }
 
-/// What is evaluated once for a moment; empty where no quantity wants it.
+thread_local! {
+    /// Room that a thread uses moment after moment, whatever the mechanism is.
+    static ROOM: Cell<Option<Box<dyn Any>>> = const { Cell::new(None) };
+}
+
+/// What is evaluated once for a moment, where a quantity wants it.
 pub(super) struct Evaluated<M: Mechanism> {
-    observations: Option<Box<Observations<M, Lanes>>>,
+    observations: Option<Observations<M, Lanes>>,
     geometry: Vec<Lanes>,
     forces: Vec<Lanes>,
 }
 
-impl<M: Mechanism> Reporter<M> {
-    /// The quantities with these names, for a motion with these inputs at its instants.
-    pub(crate) fn new(names: &[&str], inputs: Vec<Signal<Lanes>>) -> Result<Self, String> {
+impl<M: Mechanism + 'static> Reporter<M> {
+    /// The quantities with these names.
+    pub(crate) fn new(names: &[&str]) -> Result<Self, String> {
         let model = M::model();
         let quantities = names.iter().map(|name| Quantity::find(model, name)).collect::<Result<Vec<_>, _>>()?;
         let any = |wanted: fn(&Source) -> bool| quantities.iter().any(|quantity| wanted(&quantity.source));
-        let observes = any(|source| matches!(source, Source::Observable { .. } | Source::Transmission { .. }));
+        let places = any(|source| matches!(source, Source::Transmission(_)));
+        let observes = places || any(|source| matches!(source, Source::Observable { .. } | Source::Speed(_)));
         let has_forces = any(|source| matches!(source, Source::Force(_) | Source::ForceLength(_)));
         let mut entries = vec![Vec::new(); model.observable_pattern.rows];
         for (place, &(row, column)) in model.observable_pattern.entries.iter().enumerate() {
             entries[row].push((place, column));
         }
-        Ok(Self { quantities, inputs, observes, has_forces, entries, mechanism: PhantomData })
+        Ok(Self { quantities, observes, places, has_forces, entries, mechanism: PhantomData })
     }
 
-    /// Evaluates what the quantities have in common; nothing where they are coordinates and their rates.
+    /// Whether a quantity wants more than coordinates and their rates.
     #[inline]
-    pub(super) fn evaluate(&self, mechanism: &M, moment: &Moment<'_>) -> Option<Box<Evaluated<M>>> {
-        (self.observes || self.has_forces).then(|| self.evaluated(mechanism, moment))
+    pub(super) fn evaluates(&self) -> bool {
+        self.observes || self.has_forces
     }
 
-    fn evaluated(&self, mechanism: &M, moment: &Moment<'_>) -> Box<Evaluated<M>> {
-        let mut evaluated = Box::new(Evaluated { observations: None, geometry: Vec::new(), forces: Vec::new() });
-        let zero = Lanes::from(0.0);
-        let inputs = &self.inputs[moment.instant * M::INPUTS..][..M::INPUTS];
-        let at = Instant { t: Lanes::from(moment.t), inputs };
-        let Moment { parameters, q, q_dot, q_ddot, .. } = moment;
-        let mut fits = Ok(());
-        if self.observes {
-            let mut observations = Box::new(M::observations::<Lanes>());
-            fits = fits.and(mechanism.observe_with(parameters, &at, q, q_dot, &mut observations));
-            evaluated.observations = Some(observations);
-            evaluated.geometry = vec![zero; M::model().geometry];
-            fits = fits.and(mechanism.write_geometry(parameters, &at, &mut evaluated.geometry));
+    /// Room for what the quantities have in common: that of this thread, where it has some that fits.
+    pub(super) fn room(&self) -> Box<Evaluated<M>> {
+        let known = ROOM.take().and_then(|room| room.downcast::<Evaluated<M>>().ok());
+        let fits = |room: &Evaluated<M>| {
+            (room.observations.is_some(), !room.geometry.is_empty(), !room.forces.is_empty())
+                == (self.observes, self.places, self.has_forces)
+        };
+        known.filter(|room| fits(room)).unwrap_or_else(|| self.new_room())
+    }
+
+    /// Keeps room for the next moment of this thread.
+    pub(super) fn keep(room: Box<Evaluated<M>>) {
+        ROOM.set(Some(room));
+    }
+
+    fn new_room(&self) -> Box<Evaluated<M>> {
+        let count = |wanted: bool, count: usize| if wanted { count } else { 0 };
+        let list = |count: usize| vec![Lanes::from(0.0); count];
+        let forces = M::model().forces.map_or(0, |forces| forces.count);
+        Box::new(Evaluated {
+            observations: self.observes.then(|| M::observations::<Lanes>()),
+            geometry: list(count(self.places, M::model().geometry)),
+            forces: list(count(self.has_forces, forces)),
+        })
+    }
+
+    /// Evaluates what the quantities have in common.
+    pub(super) fn evaluate(&self, mechanism: &M, moment: &Moment<'_>, evaluated: &mut Evaluated<M>) {
+        let (at, Moment { parameters, q, q_dot, .. }) = (moment.at(), moment);
+        let mut fits = true;
+        if let Some(observations) = &mut evaluated.observations {
+            fits &= mechanism.observe_with(parameters, &at, q, q_dot, observations).is_ok();
+        }
+        if self.places {
+            fits &= mechanism.write_geometry(parameters, &at, &mut evaluated.geometry).is_ok();
         }
         if self.has_forces {
-            evaluated.forces = vec![zero; M::model().forces.map_or(0, |forces| forces.count)];
-            let forces = &mut evaluated.forces;
-            fits = fits.and(mechanism.forces_with(parameters, &at, q, q_dot, q_ddot, &[], forces));
+            fits &= moment.forces(mechanism, &mut evaluated.forces).is_ok();
         }
-        debug_assert!(fits.is_ok(), "all lists have the lengths of the mechanism");
-        evaluated
+        debug_assert!(fits, "all lists have the lengths of the mechanism");
     }
 
     /// The quantity at a place of the list.
@@ -75,26 +102,40 @@ impl<M: Mechanism> Reporter<M> {
     pub(super) fn value(&self, place: usize, evaluated: Option<&Evaluated<M>>, moment: &Moment<'_>) -> Lanes {
         let quantity = &self.quantities[place];
         let value = match (&quantity.source, evaluated) {
-            (&Source::Coordinate { place, order }, _) => [moment.q, moment.q_dot, moment.q_ddot][order][place],
-            (other, Some(evaluated)) => self.derived(other, evaluated, moment),
-            (_, None) => Lanes::from(f64::NAN),
+            (&Source::Coordinate { place, order: 0 }, _) => moment.q[place],
+            (&Source::Coordinate { place, order: 1 }, _) => moment.q_dot[place],
+            (&Source::Coordinate { place, .. }, _) => moment.q_ddot[place],
+            (source, evaluated) => self.derived(source, evaluated, moment),
+        };
+        let value = match quantity.made {
+            Made::Value => value,
+            Made::Deviation => (value - Lanes::from(FRAC_PI_2)).abs(),
         };
         if quantity.magnitude { value.abs() } else { value }
     }
 
-    fn derived(&self, source: &Source, evaluated: &Evaluated<M>, moment: &Moment<'_>) -> Lanes {
+    fn derived(&self, source: &Source, evaluated: Option<&Evaluated<M>>, moment: &Moment<'_>) -> Lanes {
         let length = |[x, y]: [Lanes; 2]| (x * x + y * y).sqrt();
-        match *source {
-            Source::Observable { row, order } => self.observable(row, order, evaluated, moment),
-            Source::Transmission { ref points, deviation } => {
-                let [centre, a, b] = points.each_ref().map(|point| self.place(point, evaluated));
-                let [(ax, ay), (bx, by)] = [a, b].map(|p| (p[0] - centre[0], p[1] - centre[1]));
-                let angle = (ax * by - ay * bx).abs().atan2(ax * bx + ay * by);
-                if deviation { (angle - Lanes::from(FRAC_PI_2)).abs() } else { angle }
+        match (*source, evaluated) {
+            (Source::Time, _) => Lanes::from(moment.t),
+            (Source::Input { place, order }, _) => {
+                let input = &moment.at().inputs[place];
+                [input.value, input.rate, input.acceleration][order]
             }
-            Source::Force(place) => evaluated.forces[place],
-            Source::ForceLength(place) => length([evaluated.forces[place], evaluated.forces[place + 1]]),
-            Source::Coordinate { place, order } => [moment.q, moment.q_dot, moment.q_ddot][order][place],
+            (Source::Observable { row, order }, Some(evaluated)) => self.observable(row, order, evaluated, moment),
+            (Source::Speed(rows), Some(evaluated)) => {
+                length(rows.map(|row| self.observable(row, 1, evaluated, moment)))
+            }
+            (Source::Transmission(points), Some(evaluated)) => {
+                let [centre, a, b] = points.map(|point| self.place(point, evaluated));
+                let [(ax, ay), (bx, by)] = [a, b].map(|p| (p[0] - centre[0], p[1] - centre[1]));
+                (ax * by - ay * bx).abs().atan2(ax * bx + ay * by)
+            }
+            (Source::Force(place), Some(evaluated)) => evaluated.forces[place],
+            (Source::ForceLength(place), Some(evaluated)) => {
+                length([evaluated.forces[place], evaluated.forces[place + 1]])
+            }
+            _ => Lanes::from(f64::NAN),
         }
     }
 

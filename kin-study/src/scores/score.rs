@@ -3,8 +3,8 @@
 /// What is kept of a motion, one number for every row.
 ///
 /// A quantity has the name that kin prints: `rocker.phi`, `tip.x`, a define, `slide.stroke`, each also with `_dot` or
-/// `_ddot` behind it for its rate and its acceleration; `B.transmission` is the transmission angle at a joint, in [0, π],
-/// `B.deviation` how far it is from π/2; where there are masses or loads, `drive.effort`, `B.force_x`, `B.force_y`,
+/// `_ddot` behind it for its rate and its acceleration; `tip.speed`; `B.transmission` is the transmission angle at a joint,
+/// in [0, π] (`B.transmission_A_D` where it has several), `B.deviation` how far it is from π/2; where there are masses or loads, `drive.effort`, `B.force_x`, `B.force_y`,
 /// `B.force`, `B.moment`, the tension of a spring, `shaking.force` and `shaking.moment`. Between bars (`|tip.x_ddot|`) its
 /// magnitude is meant. Units follow the parameters, angles are in radians.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,6 +38,22 @@ pub enum Score {
         /// How the distances become one number.
         measure: Measure,
     },
+    /// The path of a named point: a list of x and y at every instant, as numbers of 32 bits.
+    Path {
+        /// The point of the mechanism.
+        point: String,
+        /// Moved, turned and scaled so that paths of one shape are alike: their mean is the origin, their distance from it is
+        /// 1 in the root of the mean square, and the axis along which they extend farthest is x, with the longer tail in
+        /// positive direction. They are not mirrored, and begin where they begin.
+        normalised: bool,
+    },
+}
+
+impl Score {
+    /// How many numbers the list of a path has over so many instants; none for a number.
+    pub(crate) fn list(&self, instants: usize) -> Option<usize> {
+        matches!(self, Self::Path { .. }).then_some(2 * instants)
+    }
 }
 
 /// How the distances of several points become one number.

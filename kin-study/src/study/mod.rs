@@ -2,6 +2,7 @@
 
 mod build;
 mod read;
+mod write;
 
 use crate::sampling::{Range, Sampling};
 use crate::scores::Score;

@@ -1,6 +1,6 @@
 //! Forces as columns of numbers.
 
-use super::Dimension;
+use super::{Dimension, Source};
 use crate::forces::Forces;
 use crate::model::{ForceModel, ForceUnits, Frame, Model};
 
@@ -8,14 +8,24 @@ use crate::model::{ForceModel, ForceUnits, Frame, Model};
 pub(crate) fn columns(model: &Model) -> Vec<(String, Dimension)> {
     let Some(info) = model.forces else { return Vec::new() };
     let mut columns = Vec::new();
-    visit(model, info, None, &mut |name, unit, _| columns.push((name, unit.map_or(Dimension::Unknown, Dimension::In))));
+    visit(model, info, None, &mut |name, unit, _, _| {
+        columns.push((name, unit.map_or(Dimension::Unknown, Dimension::In)))
+    });
     columns
+}
+
+/// Where the numbers of [`columns`] come from; none for those that no closed form gives.
+pub(super) fn sources(model: &Model) -> Vec<Option<Source>> {
+    let Some(info) = model.forces else { return Vec::new() };
+    let mut sources = Vec::new();
+    visit(model, info, None, &mut |_, _, source, _| sources.push(source.filter(|_| info.solved)));
+    sources
 }
 
 /// The numbers of [`columns`]; NaN for what is undetermined.
 pub(crate) fn column_values(model: &Model, forces: Option<&Forces>, out: &mut Vec<f64>) {
     if let Some(info) = model.forces {
-        visit(model, info, forces, &mut |_, _, value| out.push(value));
+        visit(model, info, forces, &mut |_, _, _, value| out.push(value));
     }
 }
 
@@ -47,7 +57,7 @@ fn visit(
     model: &Model,
     info: &ForceModel,
     forces: Option<&Forces>,
-    f: &mut dyn FnMut(String, Option<&'static str>, f64),
+    f: &mut dyn FnMut(String, Option<&'static str>, Option<Source>, f64),
 ) {
     let ForceUnits { force, moment, energy, power } = info.units;
     let body = |frame: Frame| match frame {
@@ -56,59 +66,74 @@ fn visit(
     };
     for (k, effort) in info.efforts.iter().enumerate() {
         let value = forces.and_then(|forces| forces.efforts.get(k)?.effort);
-        f(format!("{}.effort", effort.name), unit_of_effort(model, info, effort.name), value.unwrap_or(f64::NAN));
+        let (unit, source) = (unit_of_effort(model, info, effort.name), Some(Source::Force(effort.place)));
+        f(format!("{}.effort", effort.name), unit, source, value.unwrap_or(f64::NAN));
     }
     for (k, reaction) in info.reactions.iter().enumerate() {
         let (name, found) = (reaction.name, forces.and_then(|forces| forces.reactions.get(k)));
         if reaction.has_force {
             let [x, y] = found.and_then(|found| found.force).unwrap_or([f64::NAN; 2]);
-            for (what, value) in [("force_x", x), ("force_y", y), ("force", x.hypot(y))] {
-                f(format!("{name}.{what}"), force, value);
+            let place = reaction.force().unwrap_or(reaction.place);
+            for (what, source, value) in [
+                ("force_x", Source::Force(place), x),
+                ("force_y", Source::Force(place + 1), y),
+                ("force", Source::ForceLength(place), x.hypot(y)),
+            ] {
+                f(format!("{name}.{what}"), force, Some(source), value);
             }
         }
         if reaction.has_moment {
-            f(format!("{name}.moment"), moment, found.and_then(|found| found.moment).unwrap_or(f64::NAN));
+            let source = reaction.moment().map(Source::Force);
+            f(format!("{name}.moment"), moment, source, found.and_then(|found| found.moment).unwrap_or(f64::NAN));
         }
         for (c, frame) in reaction.couples.iter().enumerate() {
             let value = found.and_then(|found| Some(found.couples.get(c)?.1));
-            f(format!("{name}.torque_{}", body(*frame)), moment, value.unwrap_or(f64::NAN));
+            f(format!("{name}.torque_{}", body(*frame)), moment, None, value.unwrap_or(f64::NAN));
         }
         for c in 0..reaction.generalized {
             let value = found.and_then(|found| found.generalized.get(c).copied());
-            f(format!("{name}.generalized"), None, value.unwrap_or(f64::NAN));
+            f(format!("{name}.generalized"), None, None, value.unwrap_or(f64::NAN));
         }
         if reaction.has_normal {
-            f(format!("{name}.normal"), force, found.and_then(|found| found.normal).unwrap_or(f64::NAN));
+            let source = reaction.normal().map(Source::Force);
+            f(format!("{name}.normal"), force, source, found.and_then(|found| found.normal).unwrap_or(f64::NAN));
         }
         if reaction.has_tangential {
-            f(format!("{name}.tangential"), force, found.and_then(|found| found.tangential).unwrap_or(f64::NAN));
+            // It stands behind the normal part.
+            let source = reaction.normal().map(|place| Source::Force(place + 1));
+            let value = found.and_then(|found| found.tangential).unwrap_or(f64::NAN);
+            f(format!("{name}.tangential"), force, source, value);
         }
     }
     for (k, spring) in info.springs.iter().enumerate() {
         let what = if spring.turns { "torque" } else { "tension" };
         let value = forces.and_then(|forces| Some(forces.springs.get(k)?.force));
-        f(format!("{}.{what}", spring.name), if spring.turns { moment } else { force }, value.unwrap_or(f64::NAN));
+        let (unit, source) = (if spring.turns { moment } else { force }, Some(Source::Force(spring.place + 2)));
+        f(format!("{}.{what}", spring.name), unit, source, value.unwrap_or(f64::NAN));
     }
     let total = |of: Total| forces.map_or(f64::NAN, of);
-    let totals: [(&str, Total); 10] = [
-        ("shaking.force_x", |forces| forces.shaking.force[0]),
-        ("shaking.force_y", |forces| forces.shaking.force[1]),
-        ("shaking.force", |forces| forces.shaking.force[0].hypot(forces.shaking.force[1])),
-        ("shaking.moment", |forces| forces.shaking.moment),
-        ("energy.kinetic", |forces| forces.kinetic),
-        ("energy.gravity", |forces| forces.gravity),
-        ("energy.springs", |forces| forces.elastic),
-        ("power.drivers", |forces| forces.driver_power),
-        ("power.applied", |forces| forces.applied_power),
-        ("power.dampers", |forces| forces.damper_power),
+    let at = Source::Force;
+    let totals: [(&str, Source, Total); 10] = [
+        ("shaking.force_x", at(ForceModel::SHAKING), |forces| forces.shaking.force[0]),
+        ("shaking.force_y", at(ForceModel::SHAKING + 1), |forces| forces.shaking.force[1]),
+        ("shaking.force", Source::ForceLength(ForceModel::SHAKING), |forces| {
+            forces.shaking.force[0].hypot(forces.shaking.force[1])
+        }),
+        ("shaking.moment", at(ForceModel::SHAKING + 2), |forces| forces.shaking.moment),
+        ("energy.kinetic", at(ForceModel::KINETIC), |forces| forces.kinetic),
+        ("energy.gravity", at(ForceModel::GRAVITY), |forces| forces.gravity),
+        ("energy.springs", at(ForceModel::SPRINGS), |forces| forces.elastic),
+        ("power.drivers", at(ForceModel::DRIVER_POWER), |forces| forces.driver_power),
+        ("power.applied", at(ForceModel::APPLIED_POWER), |forces| forces.applied_power),
+        ("power.dampers", at(ForceModel::DAMPER_POWER), |forces| forces.damper_power),
     ];
-    for (name, of) in totals {
+    for (name, source, of) in totals {
         let unit = match name.split_once('.') {
             Some(("energy", _)) => energy,
             Some(("power", _)) => power,
             Some((_, "moment")) => moment,
             _ => force,
         };
-        f(name.to_owned(), unit, total(of));
+        f(name.to_owned(), unit, Some(source), total(of));
     }
 }

@@ -17,11 +17,13 @@
 
 mod dimension;
 mod force;
+mod source;
 mod value;
 
 pub(crate) use dimension::Dimension;
 #[cfg(feature = "cli")]
 pub(crate) use force::{column_values, columns};
+pub use source::Source;
 pub(crate) use value::values;
 
 use crate::model::{Component, CoordinateKind, Model, Units};

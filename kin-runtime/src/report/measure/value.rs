@@ -1,10 +1,11 @@
-//! The values of quantities at a solved state.
+//! Where quantities come from, and their values at a solved state.
 
-use super::{Measure, Of, Place, force};
+use super::{Measure, Of, Place, Source, force};
 use crate::analysis::forces::{Sharing, forces};
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::forces::Forces;
+use crate::model::Model;
 use crate::motion::Motion;
 use crate::ratios::{observed_ratio, velocity_ratios};
 use crate::report::motion::motion;
@@ -13,6 +14,25 @@ use crate::state::State;
 use crate::transmission::angles;
 
 impl Measure {
+    /// Where its value comes from. None for a velocity ratio, for forces that no closed form gives, and for couples and
+    /// generalized forces of a joint.
+    pub fn source(&self, model: &'static Model) -> Option<Source> {
+        if self.per.is_some() {
+            return None;
+        }
+        let order = self.order;
+        match self.of {
+            Of::Time => Some(Source::Time),
+            Of::Coordinate(place) => Some(Source::Coordinate { place, order }),
+            Of::Point(place, axis) => Some(Source::Observable { row: model.points[place].observables[axis], order }),
+            Of::Speed(place) => Some(Source::Speed(model.points[place].observables)),
+            Of::Observable(row) => Some(Source::Observable { row, order }),
+            Of::Input(place) => Some(Source::Input { place, order }),
+            Of::Force(column) => force::sources(model).get(column).copied().flatten(),
+            Of::Transmission(pair) => Some(Source::Transmission(pair.places)),
+        }
+    }
+
     /// Its value, if it is an entry of the state.
     pub(crate) fn of_state(&self, state: &State) -> Option<f64> {
         if self.per.is_some() {

@@ -17,7 +17,8 @@ impl Study {
     /// names of your own: `[parameters]` (a number, a list, `{ from, to }` with `values = N` or `scale = "log"`,
     /// `{ mean, deviation }` with optional `from` and `to`, `{ from, mode, to }`), `[derived]` (SQL expressions, in order),
     /// `[scores]` (`{ least = "tip.x" }`, likewise `greatest`, `mean`, `range`, `time_of_least`, `time_of_greatest`;
-    /// `{ at = 0.5, of = "tip.x" }`; `{ distance = "tip", to = [[0, 1]], measure = "rms" }`). `[conditions]` has the lists
+    /// `{ at = 0.5, of = "tip.x" }`; `{ distance = "tip", to = [[0, 1]], measure = "rms" }`; `{ path = "tip", normalised =
+    /// true }`). `[conditions]` has the lists
     /// `before` and `after` of SQL conditions, `[motion]` either `times` or `from`, `to` and `steps`, besides `mode`
     /// (`"all"` or `{ A-B-D = "+" }`) and `inputs` (`{ u = 1, v = { from = 0, to = 1 } }`), and `[keep]` has `best` and
     /// `by`, `rows = false`, and `histograms` (`[{ of = "swing", from = 0, to = 1, bins = 20 }]`).

@@ -111,6 +111,12 @@ impl<'t> Node<'t> {
 
     /// A whole number that is not negative; 1e6 is one, too.
     pub(super) fn count(&self) -> Result<u64, StudyError> {
+        if let Value::Other(DeValue::Integer(number)) = self.value
+            && number.radix() == 10
+            && let Ok(whole) = number.as_str().replace('_', "").parse()
+        {
+            return Ok(whole);
+        }
         let number = self.number()?;
         let whole = number.fract() == 0.0 && (0.0..=9e15).contains(&number);
         if whole {

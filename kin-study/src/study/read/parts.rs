@@ -66,7 +66,7 @@ pub(super) fn score(node: &Node<'_>) -> Result<Score, StudyError> {
         ("time_of_greatest", Score::TimeOfGreatest),
     ];
     let expected = "a score is { least = \"tip.x\" }, likewise greatest, mean, range, time_of_least, time_of_greatest; \
-                    { at = 0.5, of = \"tip.x\" }; or { distance = \"tip\", to = [[0, 1]] }";
+                    { at = 0.5, of = \"tip.x\" }; { distance = \"tip\", to = [[0, 1]] }; or { path = \"tip\" }";
     for (name, make) in RULES {
         if let Some(of) = node.get(name) {
             node.only(&[name])?;
@@ -76,6 +76,11 @@ pub(super) fn score(node: &Node<'_>) -> Result<Score, StudyError> {
     if let (Some(at), Some(of)) = (node.get("at"), node.get("of")) {
         node.only(&["at", "of"])?;
         return Ok(Score::At { of: of.text()?, t: at.number()? });
+    }
+    if let Some(point) = node.get("path") {
+        node.only(&["path", "normalised"])?;
+        let normalised = node.get("normalised").map_or(Ok(false), |node| node.boolean())?;
+        return Ok(Score::Path { point: point.text()?, normalised });
     }
     let (Some(point), Some(to)) = (node.get("distance"), node.get("to")) else { return Err(node.wrong(expected)) };
     node.only(&["distance", "to", "measure"])?;

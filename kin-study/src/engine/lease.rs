@@ -1,0 +1,43 @@
+//! Who works on which rows of a directory: two processes never compute the same rows at the same time.
+
+use super::parts::ROWS;
+use crate::error::StudyError;
+use std::fs::{File, OpenOptions, TryLockError};
+use std::ops::Range;
+use std::path::Path;
+
+/// The file that a whole run locks for itself, and that jobs of an array lock together.
+const STUDY: &str = "study.lock";
+
+/// Rows that are this process's own until it is dropped, or until the process ends in any way.
+#[derive(Debug)]
+pub(super) struct Lease {
+    /// The locks last as long as these files are open.
+    _files: Vec<File>,
+}
+
+impl Lease {
+    /// A whole run takes the study for itself. A part takes its own rows, and other parts may be taken beside it.
+    pub(super) fn take(directory: &Path, rows: &Range<u64>, whole: bool) -> Result<Self, StudyError> {
+        if whole {
+            return Ok(Self { _files: vec![locked(directory, STUDY, File::try_lock)?] });
+        }
+        let own = format!("{ROWS}{:016}-{:016}.lock", rows.start, rows.end);
+        let study = locked(directory, STUDY, File::try_lock_shared)?;
+        Ok(Self { _files: vec![study, locked(directory, &own, File::try_lock)?] })
+    }
+}
+
+fn locked(directory: &Path, name: &str, lock: impl Fn(&File) -> Result<(), TryLockError>) -> Result<File, StudyError> {
+    let path = directory.join(name);
+    let file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path);
+    let file = file.map_err(|error| StudyError::file(&path, error))?;
+    match lock(&file) {
+        Err(TryLockError::WouldBlock) => Err(StudyError::Directory(format!(
+            "another process is computing these rows in {}; wait for it, or end it",
+            directory.display()
+        ))),
+        // Some network file systems have no locks: there, whoever starts the jobs must not start one twice.
+        Ok(()) | Err(TryLockError::Error(_)) => Ok(file),
+    }
+}

@@ -1,0 +1,106 @@
+//! The order of the best rows, as SQL writes it.
+
+use super::formula::context;
+use crate::error::StudyError;
+use datafusion::arrow::compute::{SortColumn, SortOptions, lexsort_to_indices, take_record_batch};
+use datafusion::arrow::datatypes::SchemaRef;
+use datafusion::arrow::error::ArrowError;
+use datafusion::arrow::record_batch::RecordBatch;
+use datafusion::common::DFSchema;
+use datafusion::datasource::MemTable;
+use datafusion::error::DataFusionError;
+use datafusion::logical_expr::LogicalPlan;
+use datafusion::physical_expr::PhysicalExpr;
+use futures::FutureExt;
+use std::sync::Arc;
+
+/// Which rows are kept.
+#[derive(Clone, Debug)]
+pub(crate) enum Kept {
+    /// None: only histograms are wanted.
+    None,
+    /// All that meet the conditions.
+    All,
+    /// The best of them.
+    Best(Best),
+}
+
+/// So many rows that are first in an order.
+#[derive(Clone, Debug)]
+pub(crate) struct Best {
+    count: usize,
+    by: String,
+    keys: Vec<(Arc<dyn PhysicalExpr>, SortOptions)>,
+}
+
+impl Best {
+    /// The first `count` rows of a table with these columns, in the order `by`; rows that are equal there stand in the order
+    /// of their numbers.
+    pub(super) fn new(count: usize, by: &str, schema: &SchemaRef) -> Result<Self, StudyError> {
+        let wrong = |error: DataFusionError| StudyError::description(format!("`{by}`: {}", error.strip_backtrace()));
+        let best = Self { count, by: by.to_owned(), keys: Vec::new() };
+        let context = context(1);
+        let empty = MemTable::try_new(Arc::clone(schema), vec![vec![]]).map_err(wrong)?;
+        context.register_table("study", Arc::new(empty)).map_err(wrong)?;
+        // A plan over tables in memory waits for nothing.
+        let planned = context.sql(&best.sql("study")).now_or_never();
+        let unplanned = || DataFusionError::Plan("it is no order".to_owned());
+        let planned = planned.unwrap_or_else(|| Err(unplanned())).map_err(wrong)?;
+        let order = order(planned.logical_plan()).ok_or_else(|| wrong(unplanned()))?;
+        let table = DFSchema::try_from_qualified_schema("study", schema).map_err(wrong)?;
+        let key = |key: &datafusion::logical_expr::SortExpr| {
+            let options = SortOptions { descending: !key.asc, nulls_first: key.nulls_first };
+            Ok((context.create_physical_expr(key.expr.clone(), &table).map_err(wrong)?, options))
+        };
+        let keys = order.iter().map(key).collect::<Result<_, StudyError>>()?;
+        Ok(Self { keys, ..best })
+    }
+
+    /// The question for these rows of a table.
+    pub(crate) fn sql(&self, table: &str) -> String {
+        format!("SELECT * FROM {table} ORDER BY {}, \"row\" LIMIT {}", self.by, self.count)
+    }
+
+    /// The best rows of a batch, in order; all of them, as they are, where there are no more than are wanted.
+    pub(crate) fn of(&self, batch: RecordBatch) -> Result<RecordBatch, StudyError> {
+        if batch.num_rows() <= self.count {
+            return Ok(batch);
+        }
+        let engine = |error: ArrowError| StudyError::Engine(Box::new(error.into()));
+        let column = |(key, options): &(Arc<dyn PhysicalExpr>, SortOptions)| {
+            let values = key.evaluate(&batch)?.into_array(batch.num_rows())?;
+            Ok(SortColumn { values, options: Some(*options) })
+        };
+        let columns = self.keys.iter().map(column).collect::<Result<Vec<_>, DataFusionError>>()?;
+        let places = lexsort_to_indices(&columns, Some(self.count)).map_err(engine)?;
+        take_record_batch(&batch, &places).map_err(engine)
+    }
+}
+
+impl Kept {
+    /// The question for what is kept of a table.
+    pub(crate) fn sql(&self, table: &str) -> String {
+        match self {
+            Self::Best(best) => best.sql(table),
+            Self::None | Self::All => format!("SELECT * FROM {table}"),
+        }
+    }
+
+    /// What is kept of a batch: at least all of it that is kept of a table that holds the batch.
+    pub(crate) fn of(&self, batch: RecordBatch) -> Result<RecordBatch, StudyError> {
+        match self {
+            Self::None => Ok(batch.slice(0, 0)),
+            Self::All => Ok(batch),
+            Self::Best(best) => best.of(batch),
+        }
+    }
+}
+
+/// The outermost order of a plan.
+fn order(plan: &LogicalPlan) -> Option<&[datafusion::logical_expr::SortExpr]> {
+    match plan {
+        LogicalPlan::Sort(sort) => Some(&sort.expr),
+        LogicalPlan::Limit(limit) => order(&limit.input),
+        _ => None,
+    }
+}
