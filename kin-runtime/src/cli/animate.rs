@@ -8,6 +8,7 @@ use super::instants::GridArgs;
 use super::moving::{Moved, Walk, note_motion};
 use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
+use super::places::places;
 use super::session::Session;
 use super::solved::note_freedom;
 use crate::measure::Measure;
@@ -41,6 +42,9 @@ pub(super) struct AnimateArgs {
     /// Names in a picture; a page has a switch for them
     #[arg(long)]
     names: bool,
+    /// Places that a point is to pass, drawn as crosses: csv with the columns x,y or t,x,y
+    #[arg(long, value_name = "FILE")]
+    targets: Option<String>,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -61,7 +65,8 @@ pub(super) const HELP: Help = Help {
     details: "\
 The page has the drawing, plots that go with it, speed, and a slider for the time; where the
 mechanism can be assembled in several modes it has all of them, up to eight, unless --mode says
-which. Space plays and pauses.
+which. Space plays and pauses. With --targets it shows the places of a `design` beside what the
+mechanism found with --set @best.json makes of them.
 
 When a motion fails midway, or Ctrl-C ends it, the finished part is written and the status is 1,
 or 130.",
@@ -74,7 +79,9 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
         ledger.take(session.destination(&args.output, "animate")),
     );
     let setup = ledger.take(args.setup.apply_complete(engine));
-    let (asked, output, setup) = ledger.close(zip3(asked, output, setup))?;
+    let targets = args.targets.as_ref().map_or(Ok(Vec::new()), |file| places("--targets", file));
+    let targets = ledger.take(targets);
+    let ((asked, output, setup), targets) = ledger.close(zip3(asked, output, setup).zip(targets))?;
     let engine = &*engine;
     let model = engine.model();
     if model.bodies.is_empty() && model.points.is_empty() {
@@ -113,7 +120,8 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     let own: Vec<Sign> = own.iter().map(|mode| mode.sign.unwrap_or(Sign::Plus)).collect();
     let note = ended.as_ref().map(|failure| early(model, failure));
     let degrees = args.angles.degrees;
-    let mut runs = vec![run_of(engine, (&trajectory.states, &motions), columns, mode_name(model, &own, &own), note)?];
+    let mut runs =
+        vec![run_of(engine, (&trajectory.states, &motions, &targets), columns, mode_name(model, &own, &own), note)?];
     if !one && ended.is_none() {
         let others: Vec<Vec<Sign>> = others(&own).into_iter().take(room).collect();
         for (place, other) in others.iter().enumerate() {
@@ -128,7 +136,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
             }
             if states.len() > 1 {
                 let note = also.ended.as_ref().map(|failure| early(model, failure));
-                runs.push(run_of(engine, (states, &also.motions), also.columns, name, note)?);
+                runs.push(run_of(engine, (states, &also.motions, &targets), also.columns, name, note)?);
             }
         }
     }
@@ -198,7 +206,7 @@ fn mode_name(model: &Model, own: &[Sign], signs: &[Sign]) -> String {
 /// A motion with its drawing and its numbers.
 fn run_of(
     engine: &dyn Engine,
-    (states, motions): (&[State], &[Motion]),
+    (states, motions, targets): (&[State], &[Motion], &[[f64; 2]]),
     columns: Vec<Vec<f64>>,
     name: String,
     note: Option<String>,
@@ -206,7 +214,7 @@ fn run_of(
     let snapshots: Vec<Snapshot> =
         states.iter().zip(motions).map(|(state, motion)| snapshot(engine, state, motion)).collect::<Result<_, _>>()?;
     let curve = |instant: usize, joint: usize, s: f64| engine.curve(&states.get(instant)?.instant(), joint, s);
-    let subject = Subject { model: engine.model(), snapshots: &snapshots, curve: &curve };
+    let subject = Subject { model: engine.model(), snapshots: &snapshots, curve: &curve, targets };
     let scene = Scene::new(&subject);
     Ok(Run { name, note, scene, columns })
 }

@@ -36,6 +36,11 @@ the time runs backwards from 0, or from --to if that is earlier"
 }
 
 impl GridArgs {
+    /// Whether anything is said of a motion.
+    pub(super) const fn is_given(&self) -> bool {
+        self.from.is_some() || self.to.is_some() || self.steps.is_some() || self.times.is_some()
+    }
+
     /// What is asked for; `steps` where nobody says.
     pub(super) fn asked(&self, steps: usize, model: &Model) -> Result<Asked, Failure> {
         let mut ledger = Ledger::default();

@@ -62,6 +62,7 @@ mod number;
 mod options;
 mod output;
 mod paint;
+mod places;
 #[cfg(feature = "plot")]
 mod plot;
 mod program;
@@ -71,6 +72,7 @@ mod session;
 mod solve;
 mod solved;
 mod sweep;
+mod tolerance;
 mod trial;
 mod values;
 mod vary;

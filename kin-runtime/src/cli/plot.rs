@@ -11,6 +11,7 @@ use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::note_freedom;
+use super::tolerance::{Slopes, tolerances};
 use super::trial::quoted;
 use super::vary::VaryArgs;
 use crate::measure::Measure;
@@ -39,6 +40,9 @@ pub(super) struct PlotArgs {
     freedom: FreedomArgs,
     #[command(flatten)]
     angles: AngleArgs,
+    /// Tolerances of parameters, NAME=DEVIATION on either side: bands of the worst case
+    #[arg(long, value_name = "NAME=DEVIATION")]
+    tolerance: Vec<String>,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -56,6 +60,8 @@ struct Curves {
     /// `l1 = 0.1`; empty where nothing varies.
     name: String,
     columns: Vec<Vec<f64>>,
+    /// For every quantity that is drawn over time, the worst case of tolerances; empty without tolerances.
+    worst: Vec<Vec<f64>>,
     /// The limits that end it, the first and the last of its instants being there.
     limits: [Option<String>; 2],
 }
@@ -76,6 +82,9 @@ pub(super) const HELP: Help = Help {
             path.and_then(|line| names.analysis(&line, "the path of a point")),
             names.analysis(&format!("plot {phase} --out phase.svg"), "the second against the first"),
             paths.and_then(|line| names.analysis(&line, "a curve for each of five values")),
+            names.set.as_ref().filter(|_| names.determined).and_then(|set| {
+                names.analysis(&format!("plot {value} --tolerance {set} --out band.svg"), "a band of the worst case")
+            }),
         ]
     },
     details: "\
@@ -84,6 +93,9 @@ acceleration (NAME_ddot), and those of points (NAME.x, NAME.speed), defines, joi
 forces, transmission angles (B.transmission) and velocity ratios (tip.x/drive). What has one unit
 shares a diagram. The name of a joint, or `shaking`, is the polar diagram of its force: the end of
 the arrow as the motion goes on.
+
+With --tolerance quantities over time have a band: by how much they deviate when all dimensions are
+at their limits, to first order.
 
 --vary may be repeated, for one curve for each combination of values. With --to limit (and --from
 limit) curves end where the mechanism can go no further, with a mark that the legend names.
@@ -106,8 +118,14 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     // A name that does not exist is told before anything long begins.
     let mut measures = Measure::standard(model, args.what.is_empty());
     let wanted = ledger.take(wanted(model, &args.what, &mut measures));
-    let ((asked, output, setup), (choices, wanted)) =
-        ledger.close(zip3(asked, output, setup).zip(choices.zip(wanted)))?;
+    let tolerances = ledger.take(tolerances(&args.tolerance, model));
+    if !args.tolerance.is_empty() && args.what.is_empty() {
+        let what = "say of which quantities: plot NAME --tolerance …";
+        ledger.take::<()>(Err(Failure::option("--tolerance", what)));
+    }
+    let ((asked, output, setup), ((choices, wanted), tolerances)) =
+        ledger.close(zip3(asked, output, setup).zip(choices.zip(wanted).zip(tolerances)))?;
+    let toleranced = if args.tolerance.is_empty() { None } else { Some((&wanted[..], &tolerances[..])) };
     let watch = session.watch();
     let (mut runs, mut failure) = (Vec::new(), None);
     for (place, choice) in choices.iter().enumerate() {
@@ -118,14 +136,14 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
                 0 => watch.begin("instants", choices.len() * instants.len()),
                 _ => watch.go_on(place * instants.len()),
             }
-            one(&*engine, &setup, (&instants, asked.is_open()), &measures, args, session)
+            one(&*engine, &setup, (&instants, asked.is_open()), (&measures, toleranced), args, session)
         });
         let name = choice.name(model);
         match one {
-            Ok((columns, limits, ended)) => {
+            Ok((columns, worst, limits, ended)) => {
                 // Without an instant there is no curve, and nothing to write over what stands in the file.
                 if columns.first().is_some_and(|times| !times.is_empty()) {
-                    runs.push(Curves { name, columns, limits });
+                    runs.push(Curves { name, columns, worst, limits });
                 }
                 failure = failure.or(ended);
             }
@@ -164,14 +182,14 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     failure.map_or(Ok(()), Err)
 }
 
-/// Numbers, t first, the limits at both ends, and why the motion ended early.
-type Numbers = (Vec<Vec<f64>>, [Option<String>; 2], Option<Failure>);
+/// Numbers, t first, worst cases of what is drawn, the limits at both ends, and why the motion ended early.
+type Numbers = (Vec<Vec<f64>>, Vec<Vec<f64>>, [Option<String>; 2], Option<Failure>);
 
 fn one(
     engine: &dyn Engine,
     setup: &Setup,
     (instants, open_end): (&Instants, bool),
-    measures: &[Measure],
+    (measures, toleranced): (&[Measure], Option<(&[Wanted], &[f64])>),
     args: &PlotArgs,
     session: &mut Session<'_>,
 ) -> Result<Numbers, Failure> {
@@ -182,15 +200,21 @@ fn one(
         Walk { engine, setup, instants, stop_at_events, open_end, freedom, reported, measures, degrees, watch: &watch };
     let moved = walk.kept()?;
     note_motion(session, &moved);
-    let Moved { columns, ended, left, .. } = moved;
+    let Moved { trajectory, columns, ended, left, .. } = moved;
     note_freedom(session, left);
+    let worst = toleranced.map_or_else(Vec::new, |(wanted, tolerances)| {
+        let drawn: Vec<Measure> = wanted.iter().map(|want| measures[want.y].clone()).collect();
+        let slopes = Slopes::along(engine, setup, &trajectory.states, &drawn, degrees);
+        let worst = |k| slopes.deviations(k, tolerances).into_iter().map(|deviation| deviation.worst).collect();
+        (0..drawn.len()).map(worst).collect()
+    });
     if ended.as_ref().is_some_and(|failure| !matches!(failure, Failure::Interrupted(_))) {
         let (states, instants) = (columns[0].len(), count(instants.len(), "instant"));
         session.note(&format!("the motion ended early: {states} of {instants} drawn"));
     }
     let limits = instants.limits.each_ref().map(|stop| stop.as_ref().map(|stop| stop.name.clone()));
     let limits = if ended.is_none() { limits } else { [None, None] };
-    Ok((columns, limits, ended))
+    Ok((columns, worst, limits, ended))
 }
 
 /// Where nothing is asked for: the path of the first point that moves, beside the coordinate that moves most; without such
@@ -271,7 +295,7 @@ fn panels(units: Units, wanted: &[Wanted], infos: &[ColumnInfo], runs: &[Curves]
     let name = |k: usize| if k == 0 { "t" } else { infos[k - 1].name.as_str() };
     let unit = |k: usize| if k == 0 { time } else { infos[k - 1].unit.as_deref() };
     let mut panels: Vec<(Vec<Wanted>, Panel)> = Vec::new();
-    for &want in wanted {
+    for (place, &want) in wanted.iter().enumerate() {
         let curves = runs.iter().map(|run| {
             let points = run.columns[want.x].iter().copied().zip(run.columns[want.y].iter().copied());
             let own = if want.path { name(want.y).trim_end_matches("_y").trim_end_matches(".y") } else { name(want.y) };
@@ -280,7 +304,18 @@ fn panels(units: Units, wanted: &[Wanted], infos: &[ColumnInfo], runs: &[Curves]
                 .filter(|name| !name.is_empty() && (wanted.len() > 1 || *name != own))
                 .collect();
             let name = if names.is_empty() { own.to_owned() } else { names.join(", ") };
-            Curve { name, points: points.filter(|(x, y)| x.is_finite() && y.is_finite()).collect() }
+            let bands = run.worst.get(place).filter(|_| !want.path && want.x == 0);
+            let known = |((x, y), half): &((f64, f64), f64)| x.is_finite() && y.is_finite() && half.is_finite();
+            match bands {
+                Some(halves) => {
+                    let (points, band) = points.zip(halves.iter().copied()).filter(known).unzip();
+                    Curve { name: format!("{name}, worst case"), points, band }
+                }
+                None => {
+                    let points = points.filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
+                    Curve { name, points, band: Vec::new() }
+                }
+            }
         });
         let curves: Vec<Curve> = curves.collect();
         let alike = |other: &Wanted| {

@@ -48,7 +48,7 @@ pub(crate) struct Pair {
     /// The neighbours on its first and on its second body.
     pub(crate) between: [usize; 2],
     /// Where the revolute joint and its two neighbours stand.
-    places: [&'static Geometry; 3],
+    pub(crate) places: [&'static Geometry; 3],
 }
 
 /// The transmission angles at q.
