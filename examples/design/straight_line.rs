@@ -82,7 +82,7 @@ pub fn found() -> Result<Designed<StraightLine>, DesignError> {
         .free("phi0", FRAC_PI_2 - PI..=FRAC_PI_2 + PI)?
         .residuals(&["T.x", "T.y"], &times, line)?
         .turns(TAU, 25, 0.02)?
-        .transmission("B", 30_f64.to_radians(), TAU, 37)?
+        .transmission("B", 20_f64.to_radians(), TAU, 37)?
         .search(&Search { starts: 60, ..Search::default() })
 }
 

@@ -75,7 +75,7 @@ pub fn found() -> Result<Designed<Klann>, DesignError> {
     ];
     let begin = Design::new(&leg).residuals(&["foot.x", "foot.y"], &times, ground)?;
     let design = free.iter().try_fold(begin, |design, (name, value)| design.free(name, about(*value)))?;
-    design.turns(2.0 * HALF, 37, 0.02)?.search(&Search { starts: 12, ..Search::default() })
+    design.turns(2.0 * HALF, 37, 0.02)?.search(&Search { starts: 8, ..Search::default() })
 }
 
 fn main() -> ExitCode {

@@ -152,7 +152,9 @@ fn searched(
     let found = engine.design(setup, wishes, &search);
     watch.end();
     found.map_err(|error| match error {
-        DesignError::NoStart { .. } => Failure::Analysis(format!("{}: {error}", engine.model().name)),
+        DesignError::NoStart { .. } | DesignError::NotKept { .. } | DesignError::Broken { .. } => {
+            Failure::Analysis(format!("{}: {error}", engine.model().name))
+        }
         other => Failure::usage(other.to_string()),
     })
 }

@@ -2,12 +2,12 @@
 
 use super::engine::Engine;
 use super::examples::{Help, Names};
-use super::failure::{Failure, Ledger, zip3};
-use super::instants::instant;
-use super::options::{InstantArgs, SetupArgs};
+use super::failure::{Failure, Ledger};
+use super::options::SetupArgs;
 use super::output::{Form, OutputArgs};
 use super::session::Session;
-use super::solved::{analysis, driven_state, note_freedom};
+use super::solved::{analysis, driven_state, note_freedom, note_modes};
+use super::task::{At, AtArgs};
 use crate::measure::{column_values, columns};
 use crate::present::forces::text;
 use crate::present::json::to_json;
@@ -17,9 +17,7 @@ use crate::present::number::plain;
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct ForcesArgs {
     #[command(flatten)]
-    instant: InstantArgs,
-    #[command(flatten)]
-    setup: SetupArgs,
+    at: AtArgs,
     /// Where redundant joints share a load, the least forces; where drivers leave the motion open, the smallest q̇ and q̈
     #[arg(long)]
     least_norm: bool,
@@ -46,25 +44,23 @@ mechanism exerts on the ground, its moment about the origin. Units follow the pa
 
 pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (t, output) =
-        (ledger.take(args.instant.time(engine.model())), ledger.take(session.destination(&args.output, "forces")));
-    let setup = ledger.take(args.setup.apply_complete(engine));
-    let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
-    let t = instant("--at", t, &*engine, &setup)?;
+    let at = args.at.read(&mut ledger, ("forces", &args.output), SetupArgs::apply_complete, engine, session);
+    let At { t, setup, output } = ledger.close(at)?;
     let (state, _) = driven_state(engine, &setup, t, args.least_norm)?;
     note_freedom(session, state.degrees_of_freedom_left);
+    note_modes(session, engine, &setup, t);
     let forces = engine.forces(&setup, &state, args.least_norm).map_err(|error| analysis(engine, &error))?;
     let undetermined = forces.reactions.iter().any(|reaction| !reaction.determined)
         || forces.efforts.iter().any(|effort| !effort.determined);
     if undetermined {
         session.note(match args.least_norm {
             true => {
-                "note: redundant rows share the load: equilibrium alone does not tell how; these are the least of all \
-                 forces that are possible"
+                "note: redundant rows share the load, and equilibrium alone does not determine how; these are the forces \
+                 of least norm"
             }
             false => {
-                "note: redundant rows share the load: equilibrium alone does not tell what is undetermined; the bodies' \
-                 stiffness would, and --least-norm gives the least forces"
+                "note: redundant rows share the load, and equilibrium alone does not determine how: that depends on the \
+                 bodies' stiffness; --least-norm gives the forces of least norm"
             }
         });
     }

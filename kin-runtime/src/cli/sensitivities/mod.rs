@@ -5,13 +5,15 @@ mod motion;
 use crate::cli::columns::quantities as named;
 use crate::cli::engine::Engine;
 use crate::cli::examples::{Help, Names};
-use crate::cli::failure::{Failure, Ledger, zip3};
-use crate::cli::instants::{Asked, GridArgs, instant};
-use crate::cli::options::{AngleArgs, FreedomArgs, InstantArgs, SetupArgs};
+use crate::cli::failure::{Failure, Ledger};
+use crate::cli::instants::{Asked, GridArgs};
+use crate::cli::options::{AngleArgs, FreedomArgs, SetupArgs};
 use crate::cli::output::{Form, OutputArgs};
 use crate::cli::session::Session;
-use crate::cli::solved::{analysis, driven_state};
+use crate::cli::solved::{analysis, driven_state, note_modes};
+use crate::cli::task::{At, AtArgs};
 use crate::cli::tolerance::tolerances;
+use crate::cli::values::Moment;
 use crate::present::json::to_json;
 use crate::present::number::plain;
 use crate::present::sensitivities::{deviations, quantities, text, tolerance_text};
@@ -25,11 +27,9 @@ pub(in crate::cli) struct SensitivitiesArgs {
     #[arg(value_name = "WHAT")]
     what: Vec<String>,
     #[command(flatten)]
-    instant: InstantArgs,
+    at: AtArgs,
     #[command(flatten)]
     grid: GridArgs,
-    #[command(flatten)]
-    setup: SetupArgs,
     #[command(flatten)]
     freedom: FreedomArgs,
     #[command(flatten)]
@@ -83,30 +83,23 @@ pub(in crate::cli) fn run(
     session: &mut Session<'_>,
 ) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    if args.grid.is_given() || !args.what.is_empty() {
-        let asked = match args.grid.is_given() {
-            true => args.grid.asked(motion::STEPS, engine.model()),
-            false => args.instant.time(engine.model()).map(|t| Asked::Times(vec![t])),
-        };
-        let (asked, measures) = (ledger.take(asked), ledger.take(named(engine.model(), &args.what)));
-        let output = ledger.take(session.destination(&args.output, "sensitivities"));
-        let setup = ledger.take(args.setup.apply_complete(engine));
-        let tolerances = ledger.take(tolerances(&args.tolerance, engine.model()));
-        let ((asked, output, setup), (measures, tolerances)) =
-            ledger.close(zip3(asked, output, setup).zip(measures.zip(tolerances)))?;
+    let to = ("sensitivities", &args.output);
+    let at = args.at.read(&mut ledger, to, SetupArgs::apply_complete, engine, session);
+    let asked = match args.grid.is_given() {
+        true => ledger.take(args.grid.asked(motion::STEPS, engine.model())),
+        false => at.as_ref().map(|at| Asked::Times(vec![Moment::At(at.t)])),
+    };
+    let measures = ledger.take(named(engine.model(), &args.what));
+    let tolerances = ledger.take(tolerances(&args.tolerance, engine.model()));
+    let ((At { t, setup, output }, tolerances), (asked, measures)) =
+        ledger.close(at.zip(tolerances).zip(asked.zip(measures)))?;
+    if args.grid.is_given() || !measures.is_empty() {
         let course =
             motion::Course { asked, measures, tolerances, freedom: args.freedom, degrees: args.angles.degrees };
         return course.run(&*engine, &setup, &output, session);
     }
-    let (t, output) = (
-        ledger.take(args.instant.time(engine.model())),
-        ledger.take(session.destination(&args.output, "sensitivities")),
-    );
-    let setup = ledger.take(args.setup.apply_complete(engine));
-    let tolerances = ledger.take(tolerances(&args.tolerance, engine.model()));
-    let (t, output, (setup, tolerances)) = ledger.close(zip3(t, output, setup.zip(tolerances)))?;
-    let t = instant("--at", t, &*engine, &setup)?;
     let (state, _) = driven_state(engine, &setup, t, args.freedom.least_norm)?;
+    note_modes(session, engine, &setup, t);
     let found = engine.sensitivities(&setup, &state).map_err(|error| analysis(engine, &error))?;
     let (model, values) = (engine.model(), engine.parameters());
     let deviations = if args.tolerance.is_empty() { Vec::new() } else { deviations(&found, &tolerances) };

@@ -63,7 +63,7 @@ impl Course {
         let instants = self.asked.instants(engine, setup)?;
         let watch = session.watch();
         watch.begin("instants", instants.len());
-        let measures = if self.measures.is_empty() { Measure::telling(model) } else { self.measures };
+        let measures = if self.measures.is_empty() { Measure::default_outputs(model) } else { self.measures };
         let walk = Walk {
             engine,
             setup,

@@ -1,8 +1,8 @@
-//! What a carrier shows: lengths in the mechanism's units, strokes and symbols in pixels.
+//! The parts of a carrier: lengths in the mechanism's units, strokes and symbols in pixels.
 
 use crate::model::Frame;
 
-/// A colour: one for every body, the ground's, and that of what belongs to no body.
+/// A colour: of a body, of the ground, or of a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Ink {
     /// Of a body, by its place.
@@ -14,7 +14,7 @@ pub(crate) enum Ink {
 }
 
 impl Ink {
-    /// That of a frame.
+    /// The colour of a frame.
     pub(crate) fn of(frame: Frame) -> Self {
         match frame {
             Frame::Body(body) => Self::Body(body),
@@ -23,7 +23,7 @@ impl Ink {
     }
 }
 
-/// A piece of drawing in the frame of its carrier.
+/// A part of a drawing in the frame of its carrier.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Part {
     /// A bar along the points; filled where there are three or more, which then are its outline.
@@ -46,7 +46,7 @@ pub(crate) enum Part {
     },
     /// The path of a point: a smooth curve through places at which its direction is known.
     Path {
-        /// Where it goes through.
+        /// The points through which it goes.
         points: Vec<[f64; 2]>,
         /// The two inner control points of every piece between two of them (cubic Bézier curves).
         controls: Vec<[[f64; 2]; 2]>,
@@ -92,7 +92,7 @@ pub(crate) enum Part {
     Target([f64; 2]),
     /// The wheel of a rolling contact without slip across its plane, seen from above, along the x axis of its carrier.
     Tread,
-    /// A name, upright whatever the carrier does.
+    /// A name, always upright.
     Name(String, Kind),
 }
 
