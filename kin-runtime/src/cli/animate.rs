@@ -8,6 +8,7 @@ use super::failure::{Failure, Ledger};
 use super::instants::ArcArgs;
 use super::moving::{Moved, Walk, note_motion};
 use super::output::{Form, OutputArgs};
+use super::places::places;
 use super::session::Session;
 use super::solved::note_freedom;
 use super::task::{MotionArgs, Task};
@@ -36,6 +37,9 @@ pub(super) struct AnimateArgs {
     /// Show names in a picture; a page has a switch for them
     #[arg(long)]
     names: bool,
+    /// Places that a point is to pass, drawn as crosses: csv with the columns x,y or t,x,y
+    #[arg(long, value_name = "FILE")]
+    targets: Option<String>,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -62,6 +66,8 @@ The page has the drawing, plots, and controls for time and speed. If the mechani
 ways, as `modes` lists them, the page has all of them, up to eight, unless --mode chooses one. The
 space bar plays and pauses. With --along-arc the motion goes on through dead centres, where the
 driver turns back; its steps are numbered, because t increases and decreases.
+With --targets the places of a
+`design` are shown beside the path of the mechanism that --set @best.json gives.
 
 When a motion fails midway, or Ctrl-C ends it, the finished part is written and the status is 1,
 or 130.",
@@ -70,7 +76,9 @@ or 130.",
 pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
     let task = args.motion.read(&mut ledger, ("animate", &args.output), (STEPS, args.arc), engine, session);
-    let Task { asked, setup, output } = ledger.close(task)?;
+    let targets = args.targets.as_ref().map_or(Ok(Vec::new()), |file| places("--targets", file));
+    let targets = ledger.take(targets);
+    let (Task { asked, setup, output }, targets) = ledger.close(task.zip(targets))?;
     let engine = &*engine;
     let model = engine.model();
     if model.bodies.is_empty() && model.points.is_empty() {
@@ -100,7 +108,8 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     };
     let note = ended.as_ref().map(|failure| early(model, failure));
     let degrees = args.motion.angles.degrees;
-    let mut runs = vec![run_of(engine, (&trajectory.states, &motions, along_arc), columns, choice.own, note)?];
+    let mut runs =
+        vec![run_of(engine, (&trajectory.states, &motions), (&targets, along_arc), columns, choice.own, note)?];
     for (place, (name, asked)) in choice.others.iter().enumerate() {
         watch.go_on((1 + place) * instants.len());
         // Other modes that do not close are left out: they are no error of the motion that was asked for.
@@ -112,7 +121,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
         }
         if states.len() > 1 {
             let note = also.ended.as_ref().map(|failure| early(model, failure));
-            runs.push(run_of(engine, (states, &also.motions, false), also.columns, name.clone(), note)?);
+            runs.push(run_of(engine, (states, &also.motions), (&targets, false), also.columns, name.clone(), note)?);
         }
     }
     watch.end();
@@ -162,7 +171,8 @@ fn drivers(model: &'static Model, columns: &[ColumnInfo]) -> Vec<usize> {
 /// A motion with its drawing and its numbers; along an arc in equal steps, and not by time.
 fn run_of(
     engine: &dyn Engine,
-    (states, motions, along_arc): (&[State], &[Motion], bool),
+    (states, motions): (&[State], &[Motion]),
+    (targets, along_arc): (&[[f64; 2]], bool),
     columns: Vec<Vec<f64>>,
     name: String,
     note: Option<String>,
@@ -173,7 +183,7 @@ fn run_of(
         by_steps(&mut snapshots);
     }
     let curve = |instant: usize, joint: usize, s: f64| engine.curve(&states.get(instant)?.instant(), joint, s);
-    let subject = Subject { model: engine.model(), snapshots: &snapshots, curve: &curve };
+    let subject = Subject { model: engine.model(), snapshots: &snapshots, curve: &curve, targets };
     let scene = Scene::new(&subject);
     Ok(Run { name, note, scene, columns })
 }

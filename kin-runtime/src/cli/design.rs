@@ -7,6 +7,7 @@ use super::instants::natural_end;
 use super::number::Measured;
 use super::options::SetupArgs;
 use super::output::{Form, OutputArgs};
+use super::places::columns;
 use super::session::Session;
 use super::trial::quoted;
 use super::values;
@@ -16,7 +17,6 @@ use crate::model::Model;
 use crate::present::json::to_json;
 use crate::serial::Named;
 use std::collections::BTreeMap;
-use std::path::PathBuf;
 
 /// Dimensions with which it does what is wanted
 #[derive(Clone, Debug, clap::Args)]
@@ -45,6 +45,9 @@ pub(super) struct DesignArgs {
     /// A quantity stays within a range over all of a turn: NAME=LOW..HIGH
     #[arg(long, value_name = "NAME=LOW..HIGH")]
     range: Vec<String>,
+    /// Transmission angles at a joint stay between this and 180° less this over all of a turn
+    #[arg(long, value_name = "JOINT>ANGLE")]
+    transmission: Vec<String>,
     /// How long a turn takes [default: one turn of the driven crank, or 1]
     #[arg(long, value_name = "T")]
     period: Option<f64>,
@@ -76,7 +79,8 @@ pub(super) const HELP: Help = Help {
     details: "\
 Many random designs within the bounds are improved by exact derivatives; each follows one
 assembly mode from the first place to the last. The report says how many starts met the best:
-few of many say that a better one may exist. Its json is read by --set @FILE.",
+few of many say that a better one may exist. Conditions on a turn are held against all of it: the
+least slack of the result is that between instants, too. Its json is read by --set @FILE.",
 };
 
 /// What is written.
@@ -141,14 +145,16 @@ fn searched(
     session: &mut Session<'_>,
 ) -> Result<Designed<()>, Failure> {
     let watch = session.watch();
-    watch.begin("descents", args.starts + args.starts / 4);
+    watch.begin("descents", args.starts + (args.starts / 4).max(12) + 12);
     let step = watch.shared();
     let tell = |progress: crate::design::Progress| step(progress.done);
     let search = Search { starts: args.starts, seed: args.seed, watch: Some(&tell) };
     let found = engine.design(setup, wishes, &search);
     watch.end();
     found.map_err(|error| match error {
-        DesignError::NoStart { .. } => Failure::Analysis(format!("{}: {error}", engine.model().name)),
+        DesignError::NoStart { .. } | DesignError::NotKept { .. } | DesignError::Broken { .. } => {
+            Failure::Analysis(format!("{}: {error}", engine.model().name))
+        }
         other => Failure::usage(other.to_string()),
     })
 }
@@ -197,6 +203,17 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
             }
         }
     }
+    for text in &args.transmission {
+        const OPTION: &str = "--transmission";
+        let Some((joint, least)) = text.split_once('>') else {
+            ledger.take::<()>(Err(Failure::option(OPTION, format!("`{text}` is none; write 'JOINT>40deg'"))));
+            continue;
+        };
+        let joint = joint.trim().trim_end_matches(".transmission");
+        let measured = Measured { name: joint, unit: Some("rad"), ..Measured::default() };
+        let least = ledger.take(values::number(OPTION, least.trim(), measured));
+        all.extend(least.map(|least| Wish::Transmission(joint.to_owned(), least)));
+    }
     for text in &args.range {
         let range = text.split_once('=').and_then(|(name, range)| Some((name, range.split_once("..")?)));
         let Some((name, (low, high))) = range else {
@@ -230,23 +247,6 @@ fn free(text: &str, model: &Model, parameters: &[f64]) -> Result<Wish, Failure> 
     }
     .into_inner();
     Ok(Wish::Free(name.to_owned(), low, high))
-}
-
-/// The numbers of a file, below a line of names where it has one.
-fn columns(option: &str, file: &str) -> Result<Vec<Vec<f64>>, Failure> {
-    let path = PathBuf::from(file);
-    let cannot = |why: String| Failure::option(option, format!("cannot read `{file}`: {why}"));
-    let reader = csv::ReaderBuilder::new().has_headers(false).trim(csv::Trim::All).from_path(&path);
-    let mut rows = Vec::new();
-    for (line, record) in reader.map_err(|error| cannot(error.to_string()))?.records().enumerate() {
-        let record = record.map_err(|error| cannot(error.to_string()))?;
-        match record.iter().map(str::parse).collect::<Result<Vec<f64>, _>>() {
-            Ok(numbers) => rows.push(numbers),
-            Err(_) if line == 0 => {}
-            Err(_) => return Err(cannot(format!("line {} has something that is no number", line + 1))),
-        }
-    }
-    if rows.is_empty() { Err(cannot("there are no numbers in it".to_owned())) } else { Ok(rows) }
 }
 
 /// A path with or without instants.

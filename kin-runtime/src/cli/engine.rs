@@ -118,6 +118,14 @@ pub(super) trait Engine {
         state: &State,
     ) -> Result<(), SolveError>;
     fn sensitivities(&self, setup: &Setup, state: &State) -> Result<Sensitivities, SolveError>;
+    /// Derivatives of quantities by parameters at a state.
+    fn measure_sensitivities(
+        &self,
+        setup: &Setup,
+        state: &State,
+        measures: &[Measure],
+        parameters: &[usize],
+    ) -> Result<Vec<Vec<f64>>, SolveError>;
     #[cfg(feature = "design")]
     fn design(
         &self,
@@ -250,6 +258,16 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
 
     fn sensitivities(&self, setup: &Setup, state: &State) -> Result<Sensitivities, SolveError> {
         self.solver(setup).sensitivities(state)
+    }
+
+    fn measure_sensitivities(
+        &self,
+        setup: &Setup,
+        state: &State,
+        measures: &[Measure],
+        parameters: &[usize],
+    ) -> Result<Vec<Vec<f64>>, SolveError> {
+        self.solver(setup).measure_sensitivities(state, measures, parameters)
     }
 
     #[cfg(feature = "design")]

@@ -36,6 +36,11 @@ reaches when time runs backwards from 0, or from --to if that is earlier"
 }
 
 impl GridArgs {
+    /// Whether any instant of a motion is asked for.
+    pub(super) const fn is_given(&self) -> bool {
+        self.from.is_some() || self.to.is_some() || self.steps.is_some() || self.times.is_some()
+    }
+
     /// The instants that are asked for; `steps` is the default number of steps.
     pub(super) fn asked(&self, steps: usize, model: &Model) -> Result<Asked, Failure> {
         let mut ledger = Ledger::default();

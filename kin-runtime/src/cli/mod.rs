@@ -63,6 +63,7 @@ mod number;
 mod options;
 mod output;
 mod paint;
+mod places;
 #[cfg(feature = "plot")]
 mod plot;
 mod program;
@@ -73,6 +74,7 @@ mod solve;
 mod solved;
 mod sweep;
 mod task;
+mod tolerance;
 mod trial;
 mod values;
 mod vary;

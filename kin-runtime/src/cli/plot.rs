@@ -11,6 +11,7 @@ use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::note_freedom;
 use super::task::{MotionArgs, Task};
+use super::tolerance::{Slopes, tolerances};
 use super::trial::quoted;
 use super::vary::VaryArgs;
 use crate::measure::Measure;
@@ -33,6 +34,9 @@ pub(super) struct PlotArgs {
     vary: VaryArgs,
     #[command(flatten)]
     motion: MotionArgs,
+    /// Tolerances of parameters, NAME=DEVIATION on either side: bands of the worst case
+    #[arg(long, value_name = "NAME=DEVIATION")]
+    tolerance: Vec<String>,
     #[command(flatten)]
     arc: ArcArgs,
     #[command(flatten)]
@@ -52,6 +56,8 @@ struct Curves {
     /// `l1 = 0.1`; empty if nothing varies.
     name: String,
     columns: Vec<Vec<f64>>,
+    /// For every quantity that is drawn over time, the worst case of tolerances; empty without tolerances.
+    worst: Vec<Vec<f64>>,
     /// The names of the limits at its first and at its last instant, if it begins or ends at one.
     limits: [Option<String>; 2],
 }
@@ -78,6 +84,9 @@ pub(super) const HELP: Help = Help {
                     "its whole path, through dead centres",
                 )
             }),
+            names.set.as_ref().filter(|_| names.determined).and_then(|set| {
+                names.analysis(&format!("plot {value} --tolerance {set} --out band.svg"), "a band of the worst case")
+            }),
         ]
     },
     details: "\
@@ -88,6 +97,9 @@ same unit share a diagram. The name of a joint, or `shaking`, gives the polar di
 the path of the tip of the force vector.
 
 --along-arc goes on through dead centres, where the driver turns back: the whole path of a point.
+
+With --tolerance quantities over time have a band: by how much they deviate when all dimensions are
+at their limits, to first order.
 
 --vary may be repeated, for one curve for each combination of values. With --to limit (and --from
 limit) curves end where the mechanism can go no further, at a mark that the legend explains.
@@ -108,18 +120,24 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     // Unknown names are reported before the motion is computed.
     let mut measures = Measure::standard(model, args.what.is_empty());
     let wanted = ledger.take(wanted(model, &args.what, &mut measures));
-    let (task, (choices, wanted)) = ledger.close(task.zip(choices.zip(wanted)))?;
+    let tolerances = ledger.take(tolerances(&args.tolerance, model));
+    if !args.tolerance.is_empty() && args.what.is_empty() {
+        let what = "name the quantities: plot NAME --tolerance …";
+        ledger.take::<()>(Err(Failure::option("--tolerance", what)));
+    }
+    let (task, ((choices, wanted), tolerances)) = ledger.close(task.zip(choices.zip(wanted).zip(tolerances)))?;
+    let toleranced = if args.tolerance.is_empty() { None } else { Some((&wanted[..], &tolerances[..])) };
     let watch = session.watch();
     let (mut runs, mut failure) = (Vec::new(), None);
     for (place, choice) in choices.iter().enumerate() {
         choice.set(engine);
-        let one = one(args, &*engine, &task, &measures, (place, choices.len()), session);
+        let one = one(args, &*engine, &task, (&measures, toleranced), (place, choices.len()), session);
         let name = choice.name(model);
         match one {
-            Ok((columns, limits, ended)) => {
+            Ok((columns, worst, limits, ended)) => {
                 // Without an instant there is no curve, and an existing file is kept.
                 if columns.first().is_some_and(|times| !times.is_empty()) {
-                    runs.push(Curves { name, columns, limits });
+                    runs.push(Curves { name, columns, worst, limits });
                 }
                 failure = failure.or(ended);
             }
@@ -158,14 +176,14 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     failure.map_or(Ok(()), Err)
 }
 
-/// The columns, t first, the limits at both ends, and why the motion ended early.
-type Numbers = (Vec<Vec<f64>>, [Option<String>; 2], Option<Failure>);
+/// The columns, t first, worst cases of what is drawn, the limits at both ends, and why the motion ended early.
+type Numbers = (Vec<Vec<f64>>, Vec<Vec<f64>>, [Option<String>; 2], Option<Failure>);
 
 fn one(
     args: &PlotArgs,
     engine: &dyn Engine,
     task: &Task<'_>,
-    measures: &[Measure],
+    (measures, toleranced): (&[Measure], Option<(&[Wanted], &[f64])>),
     place: (usize, usize),
     session: &mut Session<'_>,
 ) -> Result<Numbers, Failure> {
@@ -174,15 +192,21 @@ fn one(
     watch.begin_motion(place, instants.len());
     let moved = args.motion.walk(engine, (&task.asked, &task.setup, &instants), measures, &watch).kept()?;
     note_motion(session, &moved);
-    let Moved { columns, ended, left, .. } = moved;
+    let Moved { trajectory, columns, ended, left, .. } = moved;
     note_freedom(session, left);
+    let worst = toleranced.map_or_else(Vec::new, |(wanted, tolerances)| {
+        let drawn: Vec<Measure> = wanted.iter().map(|want| measures[want.y].clone()).collect();
+        let slopes = Slopes::along(engine, &task.setup, &trajectory.states, &drawn, args.motion.angles.degrees);
+        let worst = |k| slopes.deviations(k, tolerances).into_iter().map(|deviation| deviation.worst).collect();
+        (0..drawn.len()).map(worst).collect()
+    });
     if ended.as_ref().is_some_and(|failure| !matches!(failure, Failure::Interrupted(_))) {
         let (states, instants) = (columns[0].len(), count(instants.len(), "instant"));
         session.note(&format!("the motion ended early: {states} of {instants} drawn"));
     }
     let limits = instants.limits.each_ref().map(|stop| stop.as_ref().map(|stop| stop.name.clone()));
     let limits = if ended.is_none() { limits } else { [None, None] };
-    Ok((columns, limits, ended))
+    Ok((columns, worst, limits, ended))
 }
 
 /// The curves that are drawn if none is asked for: the path of the first point that moves, beside the coordinate that
@@ -264,7 +288,7 @@ fn panels(units: Units, wanted: &[Wanted], infos: &[ColumnInfo], runs: &[Curves]
     let name = |k: usize| if k == 0 { "t" } else { infos[k - 1].name.as_str() };
     let unit = |k: usize| if k == 0 { time } else { infos[k - 1].unit.as_deref() };
     let mut panels: Vec<(Vec<Wanted>, Panel)> = Vec::new();
-    for &want in wanted {
+    for (place, &want) in wanted.iter().enumerate() {
         let curves = runs.iter().map(|run| {
             let points = run.columns[want.x].iter().copied().zip(run.columns[want.y].iter().copied());
             let own = if want.path { name(want.y).trim_end_matches("_y").trim_end_matches(".y") } else { name(want.y) };
@@ -273,7 +297,18 @@ fn panels(units: Units, wanted: &[Wanted], infos: &[ColumnInfo], runs: &[Curves]
                 .filter(|name| !name.is_empty() && (wanted.len() > 1 || *name != own))
                 .collect();
             let name = if names.is_empty() { own.to_owned() } else { names.join(", ") };
-            Curve { name, points: points.filter(|(x, y)| x.is_finite() && y.is_finite()).collect() }
+            let bands = run.worst.get(place).filter(|_| !want.path && want.x == 0);
+            let known = |((x, y), half): &((f64, f64), f64)| x.is_finite() && y.is_finite() && half.is_finite();
+            match bands {
+                Some(halves) => {
+                    let (points, band) = points.zip(halves.iter().copied()).filter(known).unzip();
+                    Curve { name: format!("{name}, worst case"), points, band }
+                }
+                None => {
+                    let points = points.filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
+                    Curve { name, points, band: Vec::new() }
+                }
+            }
         });
         let curves: Vec<Curve> = curves.collect();
         let alike = |other: &Wanted| {

@@ -3,7 +3,7 @@
 use crate::design::{Design, DesignError, Direction, Shortest};
 use crate::mechanism::Mechanism;
 
-/// Instants at which a condition on a whole turn is looked at.
+/// Instants of a turn at which a search looks at conditions; the result is looked at between them, too.
 const INSTANTS: usize = 37;
 /// The least margin of a mechanism that turns.
 const MARGIN: f64 = 1e-3;
@@ -19,6 +19,7 @@ pub(super) enum Wish {
     Grashof(Vec<String>, Shortest),
     Turns,
     Range(String, f64, f64),
+    Transmission(String, f64),
 }
 
 /// A design with what belongs to all of its wishes.
@@ -42,6 +43,7 @@ impl Wishes {
                 design.grashof(core::array::from_fn(|k| lengths.get(k).map_or("", String::as_str)), *shortest)
             }
             Wish::Turns => design.turns(period, INSTANTS, MARGIN),
+            Wish::Transmission(joint, least) => design.transmission(joint, *least, period, INSTANTS),
             Wish::Range(name, low, high) => design.range(name, *low..=*high, period, INSTANTS),
         })
     }

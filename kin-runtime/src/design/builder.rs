@@ -2,11 +2,13 @@
 
 use super::condition::{Condition, Shortest};
 use super::error::DesignError;
-use super::objective::{Direction, Goal, Objective, Quantity};
+use super::objective::{Direction, Objective, Quantity};
 use super::variables::{self, Free};
 use crate::mechanism::Mechanism;
 use crate::planned::Sign;
+use crate::sensitivity::Number;
 use core::ops::RangeInclusive;
+use std::sync::Arc;
 
 /// What a mechanism is to do, and what may vary.
 ///
@@ -22,6 +24,20 @@ pub struct Design<M: Mechanism> {
     /// Places of modes; both signs are tried where none is asked for.
     pub(crate) modes: Vec<(usize, Option<Sign>)>,
     pub(crate) guesses: Vec<(usize, f64)>,
+}
+
+impl<M: Mechanism> Clone for Design<M> {
+    fn clone(&self) -> Self {
+        Self {
+            make: self.make,
+            parameters: self.parameters.clone(),
+            free: self.free.clone(),
+            objectives: self.objectives.clone(),
+            conditions: self.conditions.clone(),
+            modes: self.modes.clone(),
+            guesses: self.guesses.clone(),
+        }
+    }
 }
 
 impl<M: Mechanism> Design<M> {
@@ -75,9 +91,8 @@ impl<M: Mechanism> Design<M> {
     /// [`UnknownQuantity`](DesignError::UnknownQuantity), [`NotFinite`](DesignError::NotFinite).
     pub fn path_at(mut self, point: &str, places: &[(f64, [f64; 2])]) -> Result<Self, DesignError> {
         let axes = Quantity::point::<M>(point)?;
-        let goal = |value: [f64; 2]| (0..2).map(|k| Goal { of: axes[k], value: value[k], weight: 1.0 }).collect();
-        let goals = places.iter().map(|(t, place)| (*t, goal(*place))).collect();
-        self.objectives.push(Objective::timed(goals)?);
+        let wanted = places.iter().map(|(t, place)| (*t, place.to_vec()));
+        self.objectives.push(Objective::timed(axes, vec![1.0; 2], wanted)?);
         Ok(self)
     }
 
@@ -96,21 +111,23 @@ impl<M: Mechanism> Design<M> {
         direction: Direction,
     ) -> Result<Self, DesignError> {
         let axes = Quantity::point::<M>(point)?;
-        let goal = |value: [f64; 2]| (0..2).map(|k| Goal { of: axes[k], value: value[k], weight: 1.0 }).collect();
-        let goals = places.iter().map(|place| goal(*place)).collect();
-        self.objectives.push(Objective::untimed(goals, period, direction)?);
+        let places = places.iter().map(|place| place.to_vec()).collect();
+        self.objectives.push(Objective::untimed(axes, places, period, direction)?);
         Ok(self)
     }
 
-    /// A quantity is to have given values at given instants, (t, value): a coordinate (`rocker.phi`), a component of a point
-    /// (`tip.x`) or a define. Angles of bodies count as equal when they differ by whole turns.
+    /// A quantity is to have given values at given instants, (t, value). Quantities are those of
+    /// [`Measure`](crate::Measure) but forces and velocity ratios: coordinates (`rocker.phi`), components of points
+    /// (`tip.x`), defines, quantities of joints, transmission angles (`B.transmission`), their rates and accelerations; and
+    /// `x`, `y` and `phi` of every body. Angles of bodies count as equal when they differ by whole turns.
     ///
     /// # Errors
-    /// [`UnknownQuantity`](DesignError::UnknownQuantity), [`NotFinite`](DesignError::NotFinite).
+    /// [`UnknownQuantity`](DesignError::UnknownQuantity), [`NoDerivatives`](DesignError::NoDerivatives),
+    /// [`NotFinite`](DesignError::NotFinite).
     pub fn function(mut self, quantity: &str, values: &[(f64, f64)]) -> Result<Self, DesignError> {
         let of = Quantity::named::<M>(quantity)?;
-        let goals = values.iter().map(|&(t, value)| (t, vec![Goal { of, value, weight: 1.0 }])).collect();
-        self.objectives.push(Objective::timed(goals)?);
+        let wanted = values.iter().map(|&(t, value)| (t, vec![value]));
+        self.objectives.push(Objective::timed(vec![of], vec![1.0], wanted)?);
         Ok(self)
     }
 
@@ -121,11 +138,56 @@ impl<M: Mechanism> Design<M> {
     /// [`UnknownQuantity`](DesignError::UnknownQuantity), [`NotFinite`](DesignError::NotFinite).
     pub fn poses(mut self, body: &str, poses: &[(f64, [f64; 3])], arm: f64) -> Result<Self, DesignError> {
         let axes = Quantity::pose::<M>(body)?;
-        let goal = |value: [f64; 3]| {
-            (0..3).map(|k| Goal { of: axes[k], value: value[k], weight: if k == 2 { arm } else { 1.0 } }).collect()
-        };
-        let goals = poses.iter().map(|(t, pose)| (*t, goal(*pose))).collect();
-        self.objectives.push(Objective::timed(goals)?);
+        let wanted = poses.iter().map(|(t, pose)| (*t, pose.to_vec()));
+        self.objectives.push(Objective::timed(axes, vec![1.0, 1.0, arm], wanted)?);
+        Ok(self)
+    }
+
+    /// Numbers of your own are to be 0: a function of quantities over a motion.
+    ///
+    /// `residuals` is given the quantities at every instant, in the order of their names, and gives numbers whose squares
+    /// are added to the error, always as many. It calculates with [`Number`]s, which carry derivatives by the free
+    /// parameters along: sums, products and functions of [`Scalar`](crate::Scalar) keep them.
+    ///
+    /// ```
+    /// use kin_runtime::design::{Design, Number, Search};
+    /// use kin_runtime::{Scalar, mechanism};
+    ///
+    /// /// A crank that moves a slider by a rod.
+    /// #[mechanism]
+    /// #[body(crank, x = 0, y = 0)]
+    /// #[body(slider, y = 0, phi = 0)]
+    /// #[distance(rod: crank @ (r, 0), slider @ (0, 0), length = 0.7)]
+    /// #[driver(drive: crank.phi = t)]
+    /// #[guess(slider.x = 0.7)]
+    /// struct SliderCrank {
+    ///     #[param(0.2)]
+    ///     r: f64,
+    /// }
+    ///
+    /// # fn main() -> Result<(), kin_runtime::design::DesignError> {
+    /// // Between t = 0 and t = π the slider moves by 2 r, and that is to be 0.3.
+    /// let stroke = |at: &[Vec<Number>]| vec![at[0][0] - at[1][0] - Number::from_f64(0.3)];
+    /// let found = Design::new(&SliderCrank::default())
+    ///     .free("r", 0.05..=0.5)?
+    ///     .residuals(&["slider.x"], &[0.0, std::f64::consts::PI], stroke)?
+    ///     .search(&Search { starts: 2, ..Search::default() })?;
+    /// assert!((found.mechanism.r - 0.15).abs() < 1e-6);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`UnknownQuantity`](DesignError::UnknownQuantity), [`NoDerivatives`](DesignError::NoDerivatives),
+    /// [`NotFinite`](DesignError::NotFinite).
+    pub fn residuals(
+        mut self,
+        quantities: &[&str],
+        times: &[f64],
+        residuals: impl Fn(&[Vec<Number>]) -> Vec<Number> + Send + Sync + 'static,
+    ) -> Result<Self, DesignError> {
+        let of = quantities.iter().map(|name| Quantity::named::<M>(name)).collect::<Result<_, _>>()?;
+        self.objectives.push(Objective::zeros(of, times, Arc::new(residuals))?);
         Ok(self)
     }
 
@@ -150,8 +212,11 @@ impl<M: Mechanism> Design<M> {
         Ok(self)
     }
 
-    /// The mechanism is to move on through all of a period from the instant 0, with the margins of its plan above `least`, at
-    /// `instants` of them that are equally far apart. A margin is 0 where a group cannot close and 1 far from that.
+    /// The mechanism is to move on through all of a period from the instant 0, with the margins of its plan above `least`. A
+    /// margin is 0 where a group cannot close and 1 far from that.
+    ///
+    /// The search looks at so many `instants` that are equally far apart; the result is looked at between them as well
+    /// ([`Slack`](super::Slack)).
     ///
     /// # Errors
     /// [`NotFinite`](DesignError::NotFinite).
@@ -160,10 +225,14 @@ impl<M: Mechanism> Design<M> {
         Ok(self)
     }
 
-    /// A quantity is to stay within a range over a period, at `instants` of them that are equally far apart.
+    /// A quantity, named as for [`function`](Self::function), is to stay within a range over a period.
+    ///
+    /// The search looks at so many `instants` that are equally far apart; the result is looked at between them as well
+    /// ([`Slack`](super::Slack)).
     ///
     /// # Errors
-    /// [`UnknownQuantity`](DesignError::UnknownQuantity), [`NotFinite`](DesignError::NotFinite).
+    /// [`UnknownQuantity`](DesignError::UnknownQuantity), [`NoDerivatives`](DesignError::NoDerivatives),
+    /// [`Bounds`](DesignError::Bounds), [`NotFinite`](DesignError::NotFinite).
     pub fn range(
         mut self,
         quantity: &str,
@@ -173,6 +242,20 @@ impl<M: Mechanism> Design<M> {
     ) -> Result<Self, DesignError> {
         let name = quantity.to_owned();
         self.conditions.push(Condition::range(name, Quantity::named::<M>(quantity)?, range, period, instants)?);
+        Ok(self)
+    }
+
+    /// All transmission angles at a revolute joint are to stay between `least` and π − `least` over a period: force is
+    /// transmitted best at π/2, and not at all at 0 and π.
+    ///
+    /// The search looks at so many `instants` that are equally far apart; the result is looked at between them as well
+    /// ([`Slack`](super::Slack)).
+    ///
+    /// # Errors
+    /// [`NoTransmission`](DesignError::NoTransmission) where the joint has no transmission angle;
+    /// [`Bounds`](DesignError::Bounds), [`NotFinite`](DesignError::NotFinite).
+    pub fn transmission(mut self, joint: &str, least: f64, period: f64, instants: usize) -> Result<Self, DesignError> {
+        self.conditions.extend(Condition::transmission::<M>(joint, least, period, instants)?);
         Ok(self)
     }
 

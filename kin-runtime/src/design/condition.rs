@@ -3,6 +3,7 @@
 use super::error::DesignError;
 use super::objective::Quantity;
 use super::variables::place;
+use crate::measure::Measure;
 use crate::mechanism::Mechanism;
 use core::ops::RangeInclusive;
 
@@ -20,7 +21,7 @@ pub enum Shortest {
 }
 
 /// A condition.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(crate) enum Condition {
     /// Σ factor · parameter ≥ least.
     Sum { name: String, terms: Vec<(usize, f64)>, least: f64 },
@@ -84,6 +85,41 @@ impl Condition {
             return Err(DesignError::Bounds { parameter: name, low, high });
         }
         Ok(Self::Range { name, of, low, high, times: spread(period, instants)? })
+    }
+
+    pub(crate) fn transmission<M: Mechanism>(
+        joint: &str,
+        least: f64,
+        period: f64,
+        instants: usize,
+    ) -> Result<Vec<Self>, DesignError> {
+        let angles = Measure::transmission_angles(M::model());
+        let of_joint = |angle: &&Measure| {
+            let end = angle.name().strip_prefix(joint).and_then(|end| end.strip_prefix(".transmission"));
+            end.is_some_and(|end| end.is_empty() || end.starts_with('_'))
+        };
+        let found: Vec<&Measure> = angles.iter().filter(of_joint).collect();
+        if found.is_empty() {
+            let angles = angles.iter().map(|angle| angle.name().to_owned()).collect();
+            return Err(DesignError::NoTransmission { joint: joint.to_owned(), angles });
+        }
+        let condition = |angle: &Measure| {
+            let (name, of) = (angle.name().to_owned(), Quantity::Named(angle.clone()));
+            Self::range(name, of, least..=core::f64::consts::PI - least, period, instants)
+        };
+        found.into_iter().map(condition).collect()
+    }
+
+    /// Asks for more: for a slack that is greater by this.
+    pub(crate) fn tighten(&mut self, slack: f64) {
+        match self {
+            Self::Sum { .. } => {}
+            Self::Margins { least, .. } => *least += slack,
+            Self::Range { low, high, .. } => {
+                let size = if (*high - *low).is_finite() { *high - *low } else { 1.0 };
+                (*low, *high) = (*low + slack * size, *high - slack * size);
+            }
+        }
     }
 
     /// What it is called.

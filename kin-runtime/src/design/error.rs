@@ -28,10 +28,22 @@ pub enum DesignError {
         /// The upper bound.
         high: f64,
     },
-    /// No point, coordinate, define or body has this name.
+    /// No quantity, point or body has this name.
     UnknownQuantity {
         /// What was asked for.
         quantity: String,
+    },
+    /// A quantity that has no derivatives by parameters: a force, a velocity ratio, an input, or t.
+    NoDerivatives {
+        /// The quantity.
+        quantity: String,
+    },
+    /// A joint without a transmission angle, or no joint at all.
+    NoTransmission {
+        /// What was asked for.
+        joint: String,
+        /// The transmission angles that there are.
+        angles: Vec<String>,
     },
     /// No mode has this name.
     UnknownMode {
@@ -55,6 +67,18 @@ pub enum DesignError {
         /// The inputs.
         inputs: Vec<&'static str>,
     },
+    /// The best design does not move through all of a period.
+    Broken {
+        /// The condition.
+        condition: String,
+        /// Why it ends.
+        why: Box<SolveError>,
+    },
+    /// The best designs keep the conditions at the instants that the search looks at, and not between them.
+    NotKept {
+        /// How often the conditions were tightened.
+        rounds: usize,
+    },
     /// Not one of the random designs assembles all the way and keeps the conditions.
     NoStart {
         /// How many were drawn.
@@ -75,7 +99,18 @@ impl fmt::Display for DesignError {
                 write!(f, "the bounds of `{parameter}`, {low} and {high}, hold nothing between them")
             }
             Self::UnknownQuantity { quantity } => {
-                write!(f, "no point, coordinate, define or body is named `{quantity}`")
+                write!(f, "no quantity is named `{quantity}`")
+            }
+            Self::NoDerivatives { quantity } => write!(
+                f,
+                "a design cannot be searched for by `{quantity}`: forces, velocity ratios, inputs and t have no derivatives \
+                 by parameters here"
+            ),
+            Self::NoTransmission { joint, angles } if angles.is_empty() => {
+                write!(f, "`{joint}` has no transmission angle, and neither has any other joint")
+            }
+            Self::NoTransmission { joint, angles } => {
+                write!(f, "`{joint}` has no transmission angle; there are {}", angles.join(", "))
             }
             Self::UnknownMode { mode, modes } if modes.is_empty() => {
                 write!(f, "there is no mode `{mode}`: the mechanism closes in one way, or has no plan")
@@ -90,6 +125,14 @@ impl fmt::Display for DesignError {
                 "a design follows a motion that t alone drives, and this mechanism has inputs ({}); a driver that is a \
                  function of t says how they move",
                 inputs.join(", ")
+            ),
+            Self::Broken { condition, why } => {
+                write!(f, "the best design does not move through all of a period, as `{condition}` asks: {why}")
+            }
+            Self::NotKept { rounds } => write!(
+                f,
+                "after {rounds} searches the best design still breaks a condition between the instants that the search \
+                 looks at; more instants or weaker conditions may help"
             ),
             Self::NoStart { drawn, why } => {
                 write!(f, "none of {drawn} random designs assembles all the way and keeps the conditions")?;

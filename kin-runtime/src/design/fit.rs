@@ -1,5 +1,10 @@
 //! One descent: bounded nonlinear least squares by `basin`, with a term for every condition.
 //!
+//! First steps are those of a bounded Levenberg–Marquardt method, which solves normal equations and is quick; last ones
+//! those of the trust-region-reflective method, which decomposes the Jacobian into singular values and comes to the end in
+//! flat valleys and at bounds, too, where the other one stands still. Its decomposition takes a hundred times as long where
+//! there are many variables; these end as they began.
+//!
 //! A slack c adds the residual √τ/c: it keeps c positive at every step and vanishes with τ. Where a slack is not positive or
 //! the mechanism does not assemble, residuals are no numbers, and the trust region shrinks.
 
@@ -7,8 +12,8 @@ use super::builder::Design;
 use super::motion::{Branch, Evaluated};
 use crate::mechanism::Mechanism;
 use basin::{
-    BoxBounds, ConstraintDescription, ConstraintSet, Constraints, CostFunction, DenseMatrix, Executor, Jacobian,
-    Residual, TrustRegionReflective,
+    BoundedLevenbergMarquardt, BoxBounds, ConstraintDescription, ConstraintSet, Constraints, CostFunction, DenseMatrix,
+    Executor, Jacobian, Residual, TrustRegionReflective,
 };
 use core::convert::Infallible;
 
@@ -24,12 +29,18 @@ pub(crate) struct Effort {
     pub(crate) steps: u64,
     /// The relative change of the sum of squares that ends it.
     pub(crate) change: f64,
+    /// Variables, at most, for the trust-region-reflective method.
+    pub(crate) reflective: usize,
 }
 
+/// To see which of several random designs is worth a descent.
+pub(crate) const GLANCE: Effort = Effort { shares: &[1e-2], steps: 12, change: 1e-3, reflective: 0 };
 /// To see which start is worth more.
-pub(crate) const FIRST: Effort = Effort { shares: &[1e-2, 1e-6], steps: 60, change: 1e-4 };
+pub(crate) const FIRST: Effort = Effort { shares: &[1e-2, 1e-6], steps: 60, change: 1e-4, reflective: 0 };
+/// To see which of the best is the best.
+pub(crate) const SECOND: Effort = Effort { shares: &[1e-6, 1e-10], steps: 120, change: 1e-8, reflective: 0 };
 /// To the end.
-pub(crate) const LAST: Effort = Effort { shares: &[1e-6, 1e-10, 0.0], steps: 120, change: 1e-12 };
+pub(crate) const LAST: Effort = Effort { shares: &[1e-6, 1e-10, 0.0], steps: 480, change: 1e-12, reflective: 12 };
 
 /// The least squares problem of one branch.
 struct Fit<'d, M: Mechanism> {
@@ -74,18 +85,22 @@ pub(crate) fn descend<M: Mechanism>(design: &Design<M>, start: End, effort: Effo
         let count = end.variables.len();
         let (lower, upper) = (vec![0.0; count], vec![1.0; count]);
         let fit = Fit { design, branch: &end.branch, lower, upper, weight, rows };
-        let solver = TrustRegionReflective::new()
-            .with_absolute_scaled_gradient_tolerance(0.0)
-            .with_relative_cost_change_tolerance(effort.change);
+        let start = end.variables.clone();
         // Bounds of 0 and 1 are always consistent; where they were not, there would be nothing to descend.
-        let Ok(result) = Executor::from_start(fit, solver, end.variables.clone())
-            .max_iter(effort.steps)
-            .target_objective(0.5 * nothing)
-            .run()
-        else {
-            return end;
+        let reached = if count <= effort.reflective {
+            let solver = TrustRegionReflective::new()
+                .with_absolute_scaled_gradient_tolerance(0.0)
+                .with_relative_cost_change_tolerance(effort.change);
+            let run = Executor::from_start(fit, solver, start).max_iter(effort.steps);
+            run.target_objective(0.5 * nothing).run().map(|result| result.param().clone()).ok()
+        } else {
+            let solver = BoundedLevenbergMarquardt::new()
+                .with_absolute_scaled_gradient_tolerance(0.0)
+                .with_relative_cost_change_tolerance(effort.change);
+            let run = Executor::from_start(fit, solver, start).max_iter(effort.steps);
+            run.target_objective(0.5 * nothing).run().map(|result| result.param().clone()).ok()
         };
-        let variables = result.param().clone();
+        let Some(variables) = reached else { return end };
         match error(design, &variables, &end.branch) {
             Some(error) if error <= end.error || *share > 0.0 => end = End { variables, error, branch: end.branch },
             _ => {}

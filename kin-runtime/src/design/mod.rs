@@ -3,8 +3,9 @@
 //! A [`Design`] says which parameters may vary and within which bounds, what is wanted – a point through given places, a
 //! quantity as a function of the drive, poses of a body – and what must hold besides. [`Design::search`] begins at many
 //! random designs, on all cores, and from each goes downhill to a design with the least sum of squared misses, by bounded
-//! nonlinear least squares (the trust-region-reflective method of Branch, Coleman and Li, SIAM J. Sci. Comput. 21, 1999,
-//! as the crate `basin` has it) with the exact derivatives of [`Solver::sensitivities`](crate::Solver::sensitivities).
+//! nonlinear least squares with the exact derivatives of [`Solver::sensitivities`](crate::Solver::sensitivities): by a
+//! bounded Levenberg–Marquardt method, and at the end by the trust-region-reflective method of Branch, Coleman and Li
+//! (SIAM J. Sci. Comput. 21, 1999), both as the crate `basin` has them.
 //!
 //! Every design is a motion that is followed in one assembly mode from the first instant to the last, so that no design
 //! asks for a change of branch, circuit or order. A design that does not assemble all the way is none: a step there is
@@ -43,13 +44,16 @@ mod builder;
 mod condition;
 mod error;
 mod fit;
+mod follow;
 mod motion;
 mod objective;
 mod result;
 mod search;
 mod text;
 mod variables;
+mod verify;
 
+pub use crate::sensitivity::Number;
 pub use builder::Design;
 pub use condition::Shortest;
 pub use error::DesignError;

@@ -2,15 +2,16 @@
 
 use super::builder::Design;
 use super::condition::Condition;
-use super::objective::{Goal, Objective, Quantity};
+use super::follow::Follow;
+use super::objective::{Objective, Quantity, Wanted};
 use super::variables::{Instants, instants};
 use crate::error::SolveError;
+use crate::measure::Needs;
 use crate::mechanism::Mechanism;
-use crate::motion::Motion;
+use crate::model::Model;
 use crate::planned::Sign;
-use crate::sensitivity::{Number, Varied, Varying};
-use crate::solver::Solver;
-use crate::state::State;
+use crate::scalar::Scalar;
+use crate::sensitivity::{Number, Varied, WIDTH};
 
 /// A number with its derivatives by all variables.
 #[derive(Clone, Debug)]
@@ -41,14 +42,12 @@ pub(crate) struct Branch {
 impl<M: Mechanism> Design<M> {
     /// The sum of squares of what is wanted: errors are measured by it.
     pub(crate) fn wanted(&self) -> f64 {
-        let goals = self.objectives.iter().flat_map(|objective| objective.goals.iter().flatten());
-        goals.map(|goal| (goal.weight * goal.value).powi(2)).sum()
+        self.objectives.iter().flat_map(Objective::weighted).map(|value| value * value).sum()
     }
 
     /// The largest of the values that are wanted.
     pub(crate) fn size(&self) -> f64 {
-        let goals = self.objectives.iter().flat_map(|objective| objective.goals.iter().flatten());
-        goals.map(|goal| (goal.weight * goal.value).abs()).fold(0.0, f64::max)
+        self.objectives.iter().flat_map(Objective::weighted).map(f64::abs).fold(0.0, f64::max)
     }
 
     /// The mechanism with which the search begins.
@@ -77,14 +76,15 @@ impl<M: Mechanism> Design<M> {
     /// Why the mechanism does not assemble all the way.
     pub(crate) fn evaluate(&self, variables: &[f64], branch: &Branch, slopes: bool) -> Result<Evaluated, SolveError> {
         let mechanism = self.mechanism_at(variables);
-        let follow = Follow { design: self, mechanism: &mechanism, branch, slopes, variables: variables.len() };
+        let follow = Follow::new(self, &mechanism, branch);
+        let rows = Rows { follow: &follow, slopes, variables: variables.len() };
         let mut evaluated = Evaluated::default();
         let mut first = self.free.len();
         let parameters = mechanism.parameters::<f64>();
         // Sums of parameters cost nothing: what they rule out is not followed.
         for (place, condition) in self.conditions.iter().enumerate() {
             if let Condition::Sum { terms, least, .. } = condition {
-                evaluated.slacks.push(follow.sum(parameters.as_ref(), terms, *least));
+                evaluated.slacks.push(rows.sum(parameters.as_ref(), terms, *least));
                 evaluated.conditions.push(place);
             }
         }
@@ -94,23 +94,23 @@ impl<M: Mechanism> Design<M> {
         for objective in &self.objectives {
             let instants = instants(objective, variables, first, branch.forward);
             if instants.moved_by.is_some() {
-                evaluated.slacks.push(follow.rest(variables, first, objective.variables()));
+                evaluated.slacks.push(rows.rest(variables, first, objective.variables()));
                 evaluated.conditions.push(usize::MAX);
                 if evaluated.slacks.last().is_some_and(|slack| slack.value <= 0.0) {
                     return Ok(evaluated);
                 }
             }
             first += objective.variables();
-            follow.objective(objective, &instants, &mut evaluated.misses)?;
+            rows.objective(objective, &instants, &mut evaluated.misses)?;
             evaluated.times.push(instants.times);
         }
         for (place, condition) in self.conditions.iter().enumerate() {
             let before = evaluated.slacks.len();
             match condition {
                 Condition::Sum { .. } => {}
-                Condition::Margins { times, least } => follow.margins(times, *least, &mut evaluated.slacks)?,
+                Condition::Margins { times, least } => rows.margins(times, *least, &mut evaluated.slacks)?,
                 Condition::Range { of, low, high, times, .. } => {
-                    follow.range(times, *of, [*low, *high], &mut evaluated.slacks)?;
+                    rows.range(times, of, [*low, *high], &mut evaluated.slacks)?;
                 }
             }
             evaluated.conditions.resize(evaluated.conditions.len() + evaluated.slacks.len() - before, place);
@@ -119,141 +119,159 @@ impl<M: Mechanism> Design<M> {
     }
 }
 
-/// A mechanism that is followed.
-struct Follow<'d, M: Mechanism> {
-    design: &'d Design<M>,
-    mechanism: &'d M,
-    branch: &'d Branch,
+/// Misses and slacks of a mechanism that is followed.
+struct Rows<'f, 'd, M: Mechanism> {
+    follow: &'f Follow<'d, M>,
     slopes: bool,
     variables: usize,
 }
 
-/// A state, with what else is known there.
-struct Seen {
-    state: State,
-    motion: Option<Motion>,
-    /// What varies, for as many parameters at once as a number carries.
-    by: Vec<Varied>,
-}
-
-impl Seen {
-    /// The derivative of a number by a parameter among those that vary.
-    fn by(&self, parameter: usize, of: impl Fn(&Varied) -> Option<Number>) -> f64 {
-        let chunk = self.by.get(parameter / Number::LANES);
-        chunk.and_then(of).map_or(0.0, |number| number.by()[parameter % Number::LANES])
-    }
-}
-
-impl<M: Mechanism> Follow<'_, M> {
-    fn solver(&self) -> Solver<'_, M> {
-        let solver = Solver::new(self.mechanism);
-        let solver = self.design.guesses.iter().fold(solver, |solver, &(place, value)| solver.with_guess(place, value));
-        self.branch.modes.iter().fold(solver, |solver, &(place, sign)| solver.with_mode(place, sign))
+impl<M: Mechanism> Rows<'_, '_, M> {
+    /// A row without derivatives.
+    fn row(&self, value: f64) -> Row {
+        Row { value, by: if self.slopes { vec![0.0; self.variables] } else { Vec::new() } }
     }
 
-    /// The motion over these instants.
-    fn seen(&self, times: &[f64], with_motion: bool) -> Result<Vec<Seen>, SolveError> {
-        let solver = self.solver();
-        let trajectory = solver.sweep(times).map_err(|error| error.source)?;
-        let places: Vec<usize> = self.design.free.iter().flat_map(|free| free.places.iter().copied()).collect();
-        let mut varying = Varying::new(self.mechanism);
-        let see = |state: State| {
-            let motion = with_motion.then(|| solver.motion(&state)).transpose()?;
-            let mut by = Vec::new();
-            if self.slopes {
-                solver.vary(&mut varying, &state, &places, &mut |_, _, varied| {
-                    by.push(varied.clone());
-                    Ok(())
-                })?;
-            }
-            Ok(Seen { state, motion, by })
-        };
-        trajectory.states.into_iter().map(see).collect()
-    }
-
-    /// A row by the free parameters, given its derivative by any parameter among those that vary.
-    fn row(&self, value: f64, derivative: impl Fn(usize) -> f64) -> Row {
-        let mut by = if self.slopes { vec![0.0; self.variables] } else { Vec::new() };
-        let mut place = 0;
-        for (free, by) in self.design.free.iter().zip(&mut by) {
-            for _ in &free.places {
-                *by += free.width() * derivative(place);
-                place += 1;
+    /// Adds the derivatives by the parameters from a place among those that vary.
+    fn add(&self, row: &mut Row, first: usize, number: Number) {
+        if self.slopes {
+            for (by, &(variable, width)) in number.by().iter().zip(&self.follow.moved_by[first..]) {
+                row.by[variable] += width * by;
             }
         }
-        Row { value, by }
     }
 
     /// Σ factor · parameter − least, in the size of the parameters' bounds.
     fn sum(&self, parameters: &[f64], terms: &[(usize, f64)], least: f64) -> Row {
-        let free = |place: usize| self.design.free.iter().find(|free| free.places.contains(&place));
-        let size: f64 = terms.iter().filter_map(|(place, factor)| Some(factor.abs() * free(*place)?.width())).sum();
+        let design = self.follow.design;
+        let free = |place: usize| design.free.iter().position(|free| free.places.contains(&place));
+        let width = |place: usize| free(place).map_or(0.0, |free| design.free[free].width());
+        let size: f64 = terms.iter().map(|(place, factor)| factor.abs() * width(*place)).sum();
         let size = if size > 0.0 { size } else { 1.0 };
         let value = terms.iter().map(|(place, factor)| factor * parameters[*place]).sum::<f64>() - least;
-        let places: Vec<usize> = self.design.free.iter().flat_map(|free| free.places.iter().copied()).collect();
-        let factor = |k: usize| terms.iter().filter(|(place, _)| *place == places[k]).map(|(_, factor)| factor).sum();
-        let mut row = self.row(value, factor);
-        row.value /= size;
-        row.by.iter_mut().for_each(|by| *by /= size);
+        let mut row = self.row(value / size);
+        for (place, factor) in terms {
+            if let (Some(variable), true) = (free(*place), self.slopes) {
+                row.by[variable] += factor * width(*place) / size;
+            }
+        }
         row
     }
 
     /// What gaps leave of a period.
     fn rest(&self, variables: &[f64], first: usize, count: usize) -> Row {
         let gaps = first + 1..first + count;
-        let mut row = self.row(1.0 - variables[gaps.clone()].iter().sum::<f64>(), |_| 0.0);
+        let mut row = self.row(1.0 - variables[gaps.clone()].iter().sum::<f64>());
         row.by.iter_mut().enumerate().filter(|(k, _)| gaps.contains(k)).for_each(|(_, by)| *by = -1.0);
         row
     }
 
     fn objective(&self, objective: &Objective, at: &Instants, misses: &mut Vec<Row>) -> Result<(), SolveError> {
-        let with_motion = objective.goals.iter().flatten().any(|goal| goal.of.needs_motion());
-        let seen = self.seen(&at.times, with_motion)?;
-        for (place, (seen, goals)) in seen.iter().zip(&objective.goals).enumerate() {
-            for Goal { of, value, weight } in goals {
-                let (found, rate) = of.at(&seen.state, seen.motion.as_ref());
-                let slope = |k: usize| weight * seen.by(k, |varied| of.varied(seen.state.model, varied));
-                let mut row = self.row(weight * of.miss(found, *value), slope);
-                if let (Some(chain), true) = (at.moved_by, self.slopes) {
-                    chain.moving(place).for_each(|(variable, factor)| row.by[variable] += weight * rate * factor);
+        match &objective.wanted {
+            Wanted::Values(values, weights) => self.values(objective, at, (values, weights), misses),
+            Wanted::Zeros(residuals) => {
+                let chunks = if self.slopes { self.follow.chunks() } else { 1 };
+                let mut seen = vec![vec![Vec::new(); at.times.len()]; chunks];
+                self.follow.each(&at.times, self.slopes, objective.needs(), &mut |instant, first, varied| {
+                    let of = objective.of.iter().map(|quantity| quantity.varied(M::model(), varied));
+                    seen[first / WIDTH][instant] = of.map(|number| number.unwrap_or(UNKNOWN)).collect();
+                })?;
+                let begin = misses.len();
+                for (chunk, seen) in seen.iter().enumerate() {
+                    for (place, number) in residuals(seen).into_iter().enumerate() {
+                        if chunk == 0 {
+                            misses.push(self.row(number.value()));
+                        }
+                        if let Some(row) = misses.get_mut(begin + place) {
+                            self.add(row, chunk * WIDTH, number);
+                        }
+                    }
                 }
-                misses.push(row);
+                Ok(())
             }
         }
-        Ok(())
+    }
+
+    /// Quantities that are to have values.
+    fn values(
+        &self,
+        objective: &Objective,
+        at: &Instants,
+        (values, weights): (&[Vec<f64>], &[f64]),
+        misses: &mut Vec<Row>,
+    ) -> Result<(), SolveError> {
+        let (begin, each) = (misses.len(), objective.of.len());
+        self.follow.each(&at.times, self.slopes, objective.needs(), &mut |instant, first, varied| {
+            for (place, quantity) in objective.of.iter().enumerate() {
+                let number = quantity.varied(M::model(), varied).unwrap_or(UNKNOWN);
+                let weight = weights[place];
+                if first == 0 {
+                    let mut row = self.row(weight * quantity.miss(number.value(), values[instant][place]));
+                    if let (Some(chain), true) = (at.moved_by, self.slopes) {
+                        let rate = weight * quantity.rate(M::model(), varied);
+                        chain.moving(instant).for_each(|(variable, factor)| row.by[variable] += rate * factor);
+                    }
+                    misses.push(row);
+                }
+                self.add(&mut misses[begin + instant * each + place], first, number * Number::from_f64(weight));
+            }
+        })
+    }
+
+    /// Slacks at instants: those that `of` gives of what is known there.
+    fn slacks(
+        &self,
+        times: &[f64],
+        needs: Needs,
+        slacks: &mut Vec<Row>,
+        of: &dyn Fn(&Varied, &mut Vec<Number>),
+    ) -> Result<(), SolveError> {
+        let (mut begin, mut numbers) = (slacks.len(), Vec::new());
+        self.follow.each(times, self.slopes, needs, &mut |_, first, varied| {
+            numbers.clear();
+            of(varied, &mut numbers);
+            if first == 0 {
+                begin = slacks.len();
+                slacks.extend(numbers.iter().map(|number| self.row(number.value())));
+            }
+            for (row, number) in slacks[begin..].iter_mut().zip(&numbers) {
+                self.add(row, first, *number);
+            }
+        })
     }
 
     fn margins(&self, times: &[f64], least: f64, slacks: &mut Vec<Row>) -> Result<(), SolveError> {
-        // Margins come with derivatives.
-        let with_slopes = Follow { slopes: true, ..*self };
-        for seen in &with_slopes.seen(times, false)? {
-            let Some(first) = seen.by.first() else { continue };
-            for (place, margin) in first.margins.iter().enumerate() {
-                let slope = |k: usize| seen.by(k, |varied| varied.margins.get(place).copied());
-                slacks.push(self.row(margin.value() - least, slope));
-            }
-        }
-        Ok(())
+        self.slacks(times, Needs::LEAST, slacks, &|varied, out| margin_slacks(varied, least, out))
     }
 
-    fn range(
-        &self,
-        times: &[f64],
-        of: Quantity,
-        [low, high]: [f64; 2],
-        slacks: &mut Vec<Row>,
-    ) -> Result<(), SolveError> {
-        let size = if (high - low).is_finite() { high - low } else { 1.0 };
-        for seen in &self.seen(times, of.needs_motion())? {
-            let (value, _) = of.at(&seen.state, seen.motion.as_ref());
-            let slope = |k: usize| seen.by(k, |varied| of.varied(seen.state.model, varied)) / size;
-            if low.is_finite() {
-                slacks.push(self.row((value - low) / size, slope));
-            }
-            if high.is_finite() {
-                slacks.push(self.row((high - value) / size, |k| -slope(k)));
-            }
-        }
-        Ok(())
+    fn range(&self, times: &[f64], of: &Quantity, ends: [f64; 2], slacks: &mut Vec<Row>) -> Result<(), SolveError> {
+        self.slacks(times, of.needs(), slacks, &|varied, out| range_slacks(M::model(), varied, of, ends, out))
     }
 }
+
+/// By how much margins are above the least.
+pub(crate) fn margin_slacks(varied: &Varied, least: f64, out: &mut Vec<Number>) {
+    out.extend(varied.margins.iter().map(|margin| *margin - Number::from_f64(least)));
+}
+
+/// How far a quantity is from the ends of a range, relative to its width.
+pub(crate) fn range_slacks(
+    model: &Model,
+    varied: &Varied,
+    of: &Quantity,
+    [low, high]: [f64; 2],
+    out: &mut Vec<Number>,
+) {
+    let number = Number::from_f64;
+    let size = number(if (high - low).is_finite() { high - low } else { 1.0 });
+    let value = of.varied(model, varied).unwrap_or(UNKNOWN);
+    if low.is_finite() {
+        out.push((value - number(low)) / size);
+    }
+    if high.is_finite() {
+        out.push((number(high) - value) / size);
+    }
+}
+
+/// What has no value.
+const UNKNOWN: Number = Number::new(f64::NAN, [f64::NAN; WIDTH]);

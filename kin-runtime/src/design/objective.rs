@@ -1,13 +1,14 @@
-//! What a mechanism is to do: quantities that are to have given values at instants that are given or free.
+//! What a mechanism is to do: quantities that are to have given values at instants that are given or free, and functions
+//! of quantities that are to be 0.
 
 use super::error::DesignError;
+use crate::measure::{Measure, Needs};
 use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind, Model};
-use crate::motion::Motion;
 use crate::sensitivity::{Number, Varied};
-use crate::signal::Signal;
-use crate::state::State;
 use core::f64::consts::TAU;
+use core::fmt;
+use std::sync::Arc;
 
 /// In which direction of time a path is to be passed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -22,99 +23,80 @@ pub enum Direction {
 }
 
 /// A number of the motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Quantity {
-    /// A coordinate; the flag says that whole turns do not count.
-    Coordinate(usize, bool),
-    /// A component of a point.
-    Point(usize, usize),
+    /// A quantity by name.
+    Named(Measure),
+    /// The angle of a body, of which whole turns do not count.
+    Angle(Measure),
     /// x, y or φ of a body.
     Pose(usize, usize),
-    Define(usize),
 }
 
 impl Quantity {
     /// The quantity of this name.
     pub(crate) fn named<M: Mechanism>(name: &str) -> Result<Self, DesignError> {
         let model = M::model();
-        if let Some(place) = model.coordinates.iter().position(|info| info.name == name) {
-            let turns = matches!(model.coordinates[place].kind, CoordinateKind::Pose { component: Component::Phi, .. });
-            return Ok(Self::Coordinate(place, turns));
+        if let Some(measure) = Measure::named(model, name) {
+            if !measure.has_derivatives() {
+                return Err(DesignError::NoDerivatives { quantity: name.to_owned() });
+            }
+            let is_angle = |kind| matches!(kind, CoordinateKind::Pose { component: Component::Phi, .. });
+            let angle = model.coordinates.iter().any(|info| info.name == name && is_angle(info.kind));
+            return Ok(if angle { Self::Angle(measure) } else { Self::Named(measure) });
         }
-        if let Some(place) = model.defines.iter().position(|info| info.name == name) {
-            return Ok(Self::Define(place));
-        }
-        let (body, component) = name.rsplit_once('.').unwrap_or((name, ""));
-        let axis = ["x", "y", "phi"].iter().position(|axis| *axis == component);
-        let found = axis.and_then(|axis| match model.points.iter().position(|info| info.name == body) {
-            Some(place) if axis < 2 => Some(Self::Point(place, axis)),
-            _ => model.bodies.iter().position(|info| info.name == body).map(|place| Self::Pose(place, axis)),
+        let pose = name.rsplit_once('.').and_then(|(body, component)| {
+            let axis = ["x", "y", "phi"].iter().position(|axis| *axis == component)?;
+            Some(Self::Pose(model.bodies.iter().position(|info| info.name == body)?, axis))
         });
-        found.ok_or_else(|| DesignError::UnknownQuantity { quantity: name.to_owned() })
+        pose.ok_or_else(|| DesignError::UnknownQuantity { quantity: name.to_owned() })
     }
 
     /// Both components of a point.
-    pub(crate) fn point<M: Mechanism>(name: &str) -> Result<[Self; 2], DesignError> {
-        let place = M::model().points.iter().position(|info| info.name == name);
-        let place = place.ok_or_else(|| DesignError::UnknownQuantity { quantity: name.to_owned() })?;
-        Ok([0, 1].map(|axis| Self::Point(place, axis)))
+    pub(crate) fn point<M: Mechanism>(name: &str) -> Result<Vec<Self>, DesignError> {
+        if !M::model().points.iter().any(|info| info.name == name) {
+            return Err(DesignError::UnknownQuantity { quantity: name.to_owned() });
+        }
+        ["x", "y"].iter().map(|axis| Self::named::<M>(&format!("{name}.{axis}"))).collect()
     }
 
     /// x, y and φ of a body.
-    pub(crate) fn pose<M: Mechanism>(name: &str) -> Result<[Self; 3], DesignError> {
+    pub(crate) fn pose<M: Mechanism>(name: &str) -> Result<Vec<Self>, DesignError> {
         let place = M::model().bodies.iter().position(|info| info.name == name);
         let place = place.ok_or_else(|| DesignError::UnknownQuantity { quantity: name.to_owned() })?;
-        Ok([0, 1, 2].map(|axis| Self::Pose(place, axis)))
+        Ok((0..3).map(|axis| Self::Pose(place, axis)).collect())
     }
 
-    /// True where it is not part of a state.
-    pub(crate) const fn needs_motion(self) -> bool {
-        matches!(self, Self::Define(_))
-    }
-
-    /// Value and rate.
-    pub(crate) fn at(self, state: &State, motion: Option<&Motion>) -> (f64, f64) {
+    /// What its value needs.
+    pub(crate) fn needs(&self) -> Needs {
         match self {
-            Self::Coordinate(place, _) => (state.q[place], state.q_dot[place]),
-            Self::Point(place, axis) => (state.points[place].r[axis], state.points[place].v[axis]),
-            Self::Pose(place, axis) => {
-                let body = &state.bodies[place];
-                [(body.x, body.x_dot), (body.y, body.y_dot), (body.phi, body.phi_dot)][axis]
-            }
-            Self::Define(place) => {
-                let Signal { value, rate, .. } = motion.map_or(Signal::default(), |motion| motion.defines[place]);
-                (value, rate)
-            }
+            Self::Named(measure) | Self::Angle(measure) => measure.needs(),
+            Self::Pose(..) => Needs { observed: true, ..Needs::LEAST },
         }
     }
 
-    /// The number with its derivatives.
-    pub(crate) fn varied(self, model: &Model, varied: &Varied) -> Option<Number> {
-        let observed = |place: usize| varied.observed.get(place).map(|signal| signal.value);
+    /// The number with its derivatives by parameters.
+    pub(crate) fn varied(&self, model: &Model, varied: &Varied) -> Option<Number> {
         match self {
-            Self::Coordinate(place, _) => varied.q.get(place).copied(),
-            Self::Point(place, axis) => observed(model.points[place].observables[axis]),
-            Self::Pose(place, axis) => observed(model.bodies[place].observables[axis]),
-            Self::Define(place) => observed(model.defines[place].observable),
+            Self::Named(measure) | Self::Angle(measure) => measure.varied(model, varied),
+            Self::Pose(place, axis) => Some(varied.observed.get(model.bodies[*place].observables[*axis])?.value),
         }
+    }
+
+    /// ∂/∂t of a component of a point, which alone may be wanted at instants that are free.
+    pub(crate) fn rate(&self, model: &Model, varied: &Varied) -> f64 {
+        let Self::Named(measure) = self else { return f64::NAN };
+        measure.next_order().and_then(|rate| rate.varied(model, varied)).map_or(f64::NAN, Number::value)
     }
 
     /// By how much a value misses another.
-    pub(crate) fn miss(self, value: f64, wanted: f64) -> f64 {
+    pub(crate) fn miss(&self, value: f64, wanted: f64) -> f64 {
         let miss = value - wanted;
         match self {
-            Self::Coordinate(_, true) | Self::Pose(_, 2) => miss - TAU * (miss / TAU).round(),
+            Self::Angle(_) | Self::Pose(_, 2) => miss - TAU * (miss / TAU).round(),
             _ => miss,
         }
     }
-}
-
-/// A quantity that is to have a value.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Goal {
-    pub(crate) of: Quantity,
-    pub(crate) value: f64,
-    pub(crate) weight: f64,
 }
 
 /// Instants that are variables.
@@ -124,38 +106,101 @@ pub(crate) struct FreeInstants {
     pub(crate) direction: Direction,
 }
 
-/// Goals, instant by instant.
-#[derive(Clone, Debug, PartialEq)]
+/// A function of quantities at all instants, which gives numbers that are to be 0.
+pub(crate) type Residuals = Arc<dyn Fn(&[Vec<Number>]) -> Vec<Number> + Send + Sync>;
+
+/// What quantities are to be.
+#[derive(Clone)]
+pub(crate) enum Wanted {
+    /// For every instant the values of all quantities, and the weight of each quantity.
+    Values(Vec<Vec<f64>>, Vec<f64>),
+    /// Such that these are 0.
+    Zeros(Residuals),
+}
+
+/// Quantities at instants.
+#[derive(Clone)]
 pub(crate) struct Objective {
-    pub(crate) goals: Vec<Vec<Goal>>,
+    pub(crate) of: Vec<Quantity>,
+    pub(crate) wanted: Wanted,
     /// The instants; empty where they are free.
     pub(crate) times: Vec<f64>,
     pub(crate) free: Option<FreeInstants>,
 }
 
 impl Objective {
-    pub(crate) fn timed(goals: Vec<(f64, Vec<Goal>)>) -> Result<Self, DesignError> {
-        let (times, goals): (Vec<f64>, Vec<Vec<Goal>>) = goals.into_iter().unzip();
-        if !times.iter().all(|t| t.is_finite()) {
-            return Err(DesignError::NotFinite { what: "the instants" });
-        }
-        Self { goals, times, free: None }.checked()
+    pub(crate) fn timed(
+        of: Vec<Quantity>,
+        weights: Vec<f64>,
+        wanted: impl Iterator<Item = (f64, Vec<f64>)>,
+    ) -> Result<Self, DesignError> {
+        let (times, values): (Vec<f64>, Vec<Vec<f64>>) = wanted.unzip();
+        Self { of, wanted: Wanted::Values(values, weights), times, free: None }.checked()
     }
 
-    pub(crate) fn untimed(goals: Vec<Vec<Goal>>, period: f64, direction: Direction) -> Result<Self, DesignError> {
+    pub(crate) fn untimed(
+        of: Vec<Quantity>,
+        values: Vec<Vec<f64>>,
+        period: f64,
+        direction: Direction,
+    ) -> Result<Self, DesignError> {
         if !(period.is_finite() && period > 0.0) {
             return Err(DesignError::NotFinite { what: "the period" });
         }
-        Self { goals, times: Vec::new(), free: Some(FreeInstants { period, direction }) }.checked()
+        let weights = vec![1.0; of.len()];
+        let free = Some(FreeInstants { period, direction });
+        Self { of, wanted: Wanted::Values(values, weights), times: Vec::new(), free }.checked()
+    }
+
+    pub(crate) fn zeros(of: Vec<Quantity>, times: &[f64], residuals: Residuals) -> Result<Self, DesignError> {
+        Self { of, wanted: Wanted::Zeros(residuals), times: times.to_vec(), free: None }.checked()
     }
 
     fn checked(self) -> Result<Self, DesignError> {
-        let finite = self.goals.iter().flatten().all(|goal| goal.value.is_finite() && goal.weight.is_finite());
-        if finite { Ok(self) } else { Err(DesignError::NotFinite { what: "what is wanted" }) }
+        if !self.times.iter().all(|t| t.is_finite()) {
+            return Err(DesignError::NotFinite { what: "the instants" });
+        }
+        match &self.wanted {
+            Wanted::Values(values, weights)
+                if !values.iter().flatten().chain(weights).all(|value| value.is_finite()) =>
+            {
+                Err(DesignError::NotFinite { what: "what is wanted" })
+            }
+            _ => Ok(self),
+        }
+    }
+
+    /// How many instants it has.
+    pub(crate) fn instants(&self) -> usize {
+        match &self.wanted {
+            Wanted::Values(values, _) => values.len(),
+            Wanted::Zeros(_) => self.times.len(),
+        }
     }
 
     /// Variables of its own: as many as it has instants that are free.
     pub(crate) fn variables(&self) -> usize {
-        if self.free.is_some() { self.goals.len() } else { 0 }
+        if self.free.is_some() { self.instants() } else { 0 }
+    }
+
+    /// The values that are wanted, each with its weight.
+    pub(crate) fn weighted(&self) -> impl Iterator<Item = f64> + '_ {
+        let (values, weights) = match &self.wanted {
+            Wanted::Values(values, weights) => (&values[..], &weights[..]),
+            Wanted::Zeros(_) => (&[][..], &[][..]),
+        };
+        values.iter().flat_map(move |values| values.iter().zip(weights).map(|(value, weight)| value * weight))
+    }
+
+    /// What quantities need.
+    pub(crate) fn needs(&self) -> Needs {
+        self.of.iter().fold(Needs::LEAST, |needs, quantity| needs.and(quantity.needs()))
+    }
+}
+
+/// All but the function.
+impl fmt::Debug for Objective {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Objective").field("of", &self.of).field("times", &self.times).finish_non_exhaustive()
     }
 }

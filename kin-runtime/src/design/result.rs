@@ -4,6 +4,10 @@ use crate::planned::Sign;
 use core::fmt;
 
 /// A condition, and what is left of it.
+///
+/// For a condition on a whole period the motion of the result is followed all along the period, and the least slack is
+/// found between instants, too: the slack is interpolated by polynomials of Chebyshev around the least of
+/// 361 values until their last coefficients are as small as rounding.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Slack {
@@ -12,6 +16,8 @@ pub struct Slack {
     /// By how much it is kept, in its own size: 0 at its limit, of the order of 1 far from it. Sums of parameters are
     /// measured by their bounds, ranges by their width.
     pub slack: f64,
+    /// When that is, for a condition on a whole period.
+    pub at: Option<f64>,
 }
 
 /// The best design of a search.

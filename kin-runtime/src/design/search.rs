@@ -1,9 +1,8 @@
 //! Many starts on all cores: random designs, a first descent from each, and the best of them to the end.
 
 use super::builder::Design;
-use super::condition::Condition;
 use super::error::DesignError;
-use super::fit::{End, FIRST, LAST, NOTHING, descend, error};
+use super::fit::{Effort, End, FIRST, GLANCE, LAST, NOTHING, SECOND, descend, error};
 use super::motion::Branch;
 use super::result::{Designed, Slack};
 use super::variables::FIRST as PERIODS;
@@ -55,11 +54,17 @@ impl core::fmt::Debug for Search<'_> {
 /// Random designs that are drawn for one start, at most.
 const DRAWS: usize = 2000;
 /// Of those that keep the conditions, how many are compared.
-const COMPARED: usize = 20;
-/// Of the first descents, one in so many is taken to the end.
+const COMPARED: usize = 24;
+/// Of these, how many are improved by a few steps before the best of them is the start.
+const TRIED: usize = 4;
+/// Searches at most with conditions that are tightened by what was found between instants.
+const ROUNDS: usize = 4;
+/// By how much conditions are tightened, relative to what was found.
+const TIGHTER: f64 = 1.2;
+/// Of the first descents, one in so many goes on.
 const TAKEN: usize = 4;
-/// And so many at least.
-const LEAST_TAKEN: usize = 12;
+/// And so many at least; of these, so many are taken to the end.
+const FINISHED: usize = 12;
 /// What counts as the same minimum, beside its error.
 const SAME: f64 = 1e-6;
 
@@ -74,7 +79,7 @@ impl<M: Mechanism> Design<M> {
         if self.free.is_empty() {
             return Err(DesignError::Nothing { what: "no parameter is free" });
         }
-        if self.objectives.iter().all(|objective| objective.goals.is_empty()) {
+        if self.objectives.iter().all(|objective| objective.instants() == 0) {
             return Err(DesignError::Nothing { what: "nothing is wanted of the mechanism" });
         }
         let inputs = M::model().inputs;
@@ -82,48 +87,36 @@ impl<M: Mechanism> Design<M> {
             return Err(DesignError::Inputs { inputs: inputs.to_vec() });
         }
         let modes = self.all_modes();
-        let (done, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
-        let total = search.starts + (search.starts / TAKEN).max(LEAST_TAKEN).min(search.starts);
-        let count = || {
-            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-            if search.watch.is_some_and(|watch| watch(Progress { done, total }).is_break()) {
-                stopped.store(true, Ordering::Relaxed);
+        // Conditions are kept at instants; where they are broken between them, they are tightened by as much.
+        let mut tightened = self.clone();
+        let mut ends = Vec::new();
+        for _ in 0..ROUNDS {
+            let mut descents = Descents { design: &tightened, search, modes: &modes, stopped: AtomicBool::new(false) };
+            let found = descents.run(&mut ends);
+            let stopped = *descents.stopped.get_mut();
+            let Some(best) = found.first() else {
+                let drawn = search.starts * DRAWS;
+                return Err(DesignError::NoStart { drawn, why: self.why(&modes, search.seed) });
+            };
+            let slacks = self.verified(&best.variables, &best.branch)?;
+            let broken = slacks.iter().any(|slack| slack.slack < 0.0);
+            if !broken || stopped {
+                let mut designed = self.designed(best, slacks);
+                designed.errors = found.iter().map(|end| end.error).collect();
+                let nothing = NOTHING * self.wanted();
+                let same = |error: &&f64| **error <= (1.0 + SAME) * best.error.max(nothing);
+                designed.met = designed.errors.iter().filter(same).count();
+                (designed.starts, designed.assembled, designed.finished) = (search.starts, ends.len(), found.len());
+                designed.stopped = stopped;
+                return Ok(designed);
             }
-        };
-        let first = |number: usize| {
-            if stopped.load(Ordering::Relaxed) {
-                return None;
+            for (condition, slack) in tightened.conditions.iter_mut().zip(&slacks) {
+                condition.tighten(TIGHTER * (-slack.slack).max(0.0));
             }
-            let end = self.drawn(number, search.seed, &modes).map(|start| descend(self, start, FIRST));
-            count();
-            end
-        };
-        let mut ends: Vec<End> = (0..search.starts).into_par_iter().filter_map(first).collect();
-        ends.sort_by(|a, b| a.error.total_cmp(&b.error));
-        let assembled = ends.len();
-        ends.truncate((assembled / TAKEN).max(LEAST_TAKEN));
-        let last = |end: End| {
-            if stopped.load(Ordering::Relaxed) {
-                return end;
-            }
-            let end = descend(self, end, LAST);
-            count();
-            end
-        };
-        let mut ends: Vec<End> = ends.into_par_iter().map(last).collect();
-        ends.sort_by(|a, b| a.error.total_cmp(&b.error));
-        let Some(best) = ends.first() else {
-            let drawn = search.starts * DRAWS;
-            return Err(DesignError::NoStart { drawn, why: self.why(&modes, search.seed) });
-        };
-        let mut designed = self.designed(best);
-        designed.errors = ends.iter().map(|end| end.error).collect();
-        let nothing = NOTHING * self.wanted();
-        let same = |error: &&f64| **error <= (1.0 + SAME) * best.error.max(nothing);
-        designed.met = designed.errors.iter().filter(same).count();
-        (designed.starts, designed.assembled, designed.finished) = (search.starts, assembled, ends.len());
-        designed.stopped = stopped.into_inner();
-        Ok(designed)
+            // Starts are drawn anew where none keeps the tightened conditions.
+            ends.retain(|end: &End| error(&tightened, &end.variables, &end.branch).is_some());
+        }
+        Err(DesignError::NotKept { rounds: ROUNDS })
     }
 
     /// Every mode of the plan with the sign that is asked for, or that the guesses lead to.
@@ -146,7 +139,7 @@ impl<M: Mechanism> Design<M> {
         let (size, near) = (self.size(), (2.0 * share() - 1.0).max(0.0));
         let mut variables: Vec<f64> = self.free.iter().map(|free| free.drawn(size, near, share())).collect();
         for objective in self.objectives.iter().filter(|objective| objective.free.is_some()) {
-            let count = objective.goals.len();
+            let count = objective.instants();
             // The first instant within one period; then equal gaps that leave something of it.
             variables.push((1.0 + share()) / PERIODS);
             let all = 0.3 + 0.65 * share();
@@ -159,24 +152,23 @@ impl<M: Mechanism> Design<M> {
         (variables, Branch { modes, forward })
     }
 
-    /// A random design that keeps all conditions: the best of a few.
+    /// A random design that keeps all conditions: of some that are drawn the best are improved by a few steps, and the best
+    /// of these is taken.
     fn drawn(&self, number: usize, seed: u64, modes: &[(usize, Option<Sign>)]) -> Option<End> {
         // Numbers of one seed are far from those of the next.
         let mut random = Random::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ ((number as u64) << 20));
-        let mut best: Option<End> = None;
-        let mut compared = 0;
+        let mut found: Vec<End> = Vec::new();
         for _ in 0..DRAWS {
             let (variables, branch) = self.draw(&mut random, modes);
             let Some(error) = error(self, &variables, &branch) else { continue };
-            if best.as_ref().is_none_or(|best| error < best.error) {
-                best = Some(End { variables, error, branch });
-            }
-            compared += 1;
-            if compared == COMPARED {
+            found.push(End { variables, error, branch });
+            if found.len() == COMPARED {
                 break;
             }
         }
-        best
+        found.sort_by(|a, b| a.error.total_cmp(&b.error));
+        let improved = found.into_iter().take(TRIED).map(|end| descend(self, end, GLANCE));
+        improved.min_by(|a, b| a.error.total_cmp(&b.error))
     }
 
     /// Why a random design does not assemble, if that is why.
@@ -188,24 +180,19 @@ impl<M: Mechanism> Design<M> {
         })
     }
 
-    /// What is reported of a design.
-    fn designed(&self, end: &End) -> Designed<M> {
+    /// What is reported of a design with these slacks.
+    fn designed(&self, end: &End, slacks: Vec<Slack>) -> Designed<M> {
         let mechanism = self.mechanism_at(&end.variables);
         let values = mechanism.parameters::<f64>();
         let model = M::model();
         let places = self.free.iter().flat_map(|free| free.places.iter().copied());
         let evaluated = self.evaluate(&end.variables, &end.branch, false).unwrap_or_default();
-        let slack = |(place, condition): (usize, &Condition)| {
-            let own = evaluated.conditions.iter().zip(&evaluated.slacks).filter(|(other, _)| **other == place);
-            let slack = own.map(|(_, slack)| slack.value).fold(f64::INFINITY, f64::min);
-            Slack { condition: condition.name(), slack }
-        };
         Designed {
             parameters: places.map(|place| (model.parameters[place].name, values.as_ref()[place])).collect(),
             error: end.error,
-            times: evaluated.times.clone(),
+            times: evaluated.times,
             modes: end.branch.modes.iter().map(|&(place, sign)| (model.plan.modes[place].name, sign)).collect(),
-            slacks: self.conditions.iter().enumerate().map(slack).collect(),
+            slacks,
             starts: 0,
             assembled: 0,
             finished: 0,
@@ -214,5 +201,58 @@ impl<M: Mechanism> Design<M> {
             stopped: false,
             mechanism,
         }
+    }
+}
+
+/// The descents of a search.
+struct Descents<'s, M: Mechanism> {
+    design: &'s Design<M>,
+    search: &'s Search<'s>,
+    modes: &'s [(usize, Option<Sign>)],
+    stopped: AtomicBool,
+}
+
+impl<M: Mechanism> Descents<'_, M> {
+    /// First descents from random designs, where there are none yet, and the best of them taken to the end, in ascending
+    /// order of their errors.
+    fn run(&self, ends: &mut Vec<End>) -> Vec<End> {
+        let starts = self.search.starts;
+        let taken = |count: usize| (count / TAKEN).max(FINISHED).min(count);
+        let (done, total) = (AtomicUsize::new(0), starts + taken(starts) + FINISHED.min(starts));
+        let (design, search, stopped) = (self.design, self.search, &self.stopped);
+        let count = || {
+            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+            if search.watch.is_some_and(|watch| watch(Progress { done, total }).is_break()) {
+                stopped.store(true, Ordering::Relaxed);
+            }
+        };
+        if ends.is_empty() {
+            let first = |number: usize| {
+                if stopped.load(Ordering::Relaxed) {
+                    return None;
+                }
+                let end = design.drawn(number, search.seed, self.modes).map(|start| descend(design, start, FIRST));
+                count();
+                end
+            };
+            *ends = (0..starts).into_par_iter().filter_map(first).collect();
+            ends.sort_by(|a, b| a.error.total_cmp(&b.error));
+        }
+        let improved = |ends: &[End], effort: Effort| -> Vec<End> {
+            let one = |end: &End| {
+                if stopped.load(Ordering::Relaxed) {
+                    return end.clone();
+                }
+                let end = descend(design, end.clone(), effort);
+                count();
+                end
+            };
+            let mut found: Vec<End> = ends.par_iter().map(one).collect();
+            found.sort_by(|a, b| a.error.total_cmp(&b.error));
+            found
+        };
+        let mut found = improved(&ends[..taken(ends.len())], SECOND);
+        found.truncate(FINISHED);
+        improved(&found, LAST)
     }
 }

@@ -42,9 +42,10 @@ impl fmt::Display for Search<'_> {
     }
 }
 
-/// `crank turns: slack 2.500e-1`.
+/// `P.x in -4..4: slack 2.500e-1 at t = 1.2`.
 impl fmt::Display for Slack {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: slack {:.3e}", self.condition, self.slack)
+        write!(f, "{}: slack {:.3e}", self.condition, self.slack)?;
+        self.at.map_or(Ok(()), |t| write!(f, " at t = {t:.6}"))
     }
 }

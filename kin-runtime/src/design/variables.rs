@@ -76,7 +76,7 @@ pub(crate) fn instants(objective: &Objective, variables: &[f64], first: usize, f
     let chain = Chain { first, period: free.period, sign: if is_forward { 1.0 } else { -1.0 } };
     let mut t = FIRST * free.period * (variables[first] - 1.0 / FIRST);
     let mut times = vec![t];
-    for gap in &variables[first + 1..first + objective.goals.len()] {
+    for gap in &variables[first + 1..first + objective.instants()] {
         t += chain.sign * free.period * gap;
         times.push(t);
     }

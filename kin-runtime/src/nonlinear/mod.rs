@@ -2,6 +2,6 @@
 
 pub(crate) mod dormand_prince;
 pub(crate) mod newton;
-#[cfg(feature = "cli")]
+#[cfg(any(feature = "cli", feature = "design"))]
 pub(crate) mod peak;
 pub(crate) mod root;

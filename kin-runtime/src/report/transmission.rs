@@ -48,7 +48,7 @@ pub(crate) struct Pair {
     /// The neighbours on its first and on its second body.
     pub(crate) between: [usize; 2],
     /// The points of the revolute joint and of its two neighbours.
-    pub(super) places: [&'static Geometry; 3],
+    pub(crate) places: [&'static Geometry; 3],
 }
 
 /// The transmission angles at q.

@@ -117,6 +117,14 @@ pub struct Deviation {
     pub root_sum_square: f64,
 }
 
+impl Deviation {
+    /// What the parts of all dimensions, ∂y/∂p δ, come to.
+    pub(crate) fn of(parts: impl Iterator<Item = f64>) -> Self {
+        let (worst, squares) = parts.fold((0.0, 0.0), |(sum, squares), part| (sum + part.abs(), squares + part * part));
+        Self { worst, root_sum_square: squares.sqrt() }
+    }
+}
+
 /// `±0.002, ±0.0015 as root sum of squares`.
 impl fmt::Display for Deviation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -156,8 +164,6 @@ impl Sensitivities {
     /// # Ok::<(), kin_runtime::SolveError>(())
     /// ```
     pub fn deviation(&self, tolerances: &[f64], derivative: impl Fn(&Sensitivity) -> f64) -> Deviation {
-        let parts = self.by.iter().zip(tolerances).map(|(by, tolerance)| (derivative(by) * tolerance).abs());
-        let (worst, squares) = parts.fold((0.0, 0.0), |(sum, squares), part| (sum + part, squares + part * part));
-        Deviation { worst, root_sum_square: squares.sqrt() }
+        Deviation::of(self.by.iter().zip(tolerances).map(|(by, tolerance)| derivative(by) * tolerance))
     }
 }

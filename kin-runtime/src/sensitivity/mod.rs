@@ -15,6 +15,7 @@
 
 mod forces;
 mod linear;
+mod measured;
 mod variation;
 
 use crate::equations::Equations;
@@ -28,8 +29,9 @@ use crate::sensitivities::{Sensitivities, Sensitivity};
 use crate::solver::Solver;
 use crate::state::State;
 use linear::Linear;
-use variation::WIDTH;
-pub(crate) use variation::{Number, Variation, Varied, Varying};
+pub use variation::Number;
+pub(crate) use variation::WIDTH;
+pub(crate) use variation::{LARGEST, Variation, Varied, Varying};
 
 /// What the plan's q may miss that of the state by, in the size of its numbers, to be the same configuration.
 const SAME: f64 = 1e-6;
@@ -139,7 +141,7 @@ impl<M: Mechanism> Solver<'_, M> {
 }
 
 /// Who is shown what varies, chunk by chunk of the parameters.
-pub(crate) type See<'s> = dyn FnMut(&mut dyn Variation, &[usize], &Varied) -> Result<(), SolveError> + 's;
+pub(crate) type See<'s> = dyn FnMut(&mut dyn Variation, &[usize], &mut Varied) -> Result<(), SolveError> + 's;
 
 /// q, q̇ and q̈ by Φ_q as a whole.
 fn by_rows(
@@ -170,7 +172,7 @@ fn by_rows(
 }
 
 /// True where rows of velocity level make the position an outcome of the motion.
-fn is_integrated(model: &Model) -> bool {
+pub(crate) fn is_integrated(model: &Model) -> bool {
     model.rows.iter().any(|row| row.level == Level::Velocity)
 }
 
@@ -222,7 +224,7 @@ fn planned(
 }
 
 /// Writes the observables.
-fn observe(variation: &mut dyn Variation, varied: &mut Varied) -> Result<(), SolveError> {
+pub(crate) fn observe(variation: &mut dyn Variation, varied: &mut Varied) -> Result<(), SolveError> {
     let model = variation.model();
     let parts = variation.observe(&varied.q, &varied.q_dot)?;
     let pattern = &model.observable_pattern;

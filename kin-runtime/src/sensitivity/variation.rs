@@ -12,11 +12,11 @@ use crate::workspace::{Array, Instant, Signal, Subset};
 /// Parameters that are taken together.
 pub(crate) const WIDTH: usize = 8;
 
-/// A number with its derivatives by these parameters.
-pub(crate) type Number = Tangents<WIDTH>;
+/// A number with its derivatives by as many parameters as are taken together.
+pub type Number = Tangents<WIDTH>;
 
 /// Coordinates, at most, whose numbers are on the stack: a plan has about twenty values for each.
-const LARGEST: usize = 160;
+pub(crate) const LARGEST: usize = 160;
 
 /// Closures nearer to one another than this do not say which of them a configuration is.
 const UNDECIDED: f64 = 1e-6;
@@ -31,6 +31,8 @@ pub(crate) struct Varied {
     pub(crate) margins: Vec<Number>,
     /// The observables with their rates.
     pub(crate) observed: Vec<Signal<Number>>,
+    /// The numbers of the joints' geometry; empty where nobody needs them.
+    pub(crate) geometry: Vec<Number>,
 }
 
 /// A mechanism some of whose parameters vary.
@@ -42,6 +44,8 @@ pub(crate) trait Variation {
     /// q, q̇ and q̈ by the plan from the q of a state in its modes, with margins; false where these are not decided, and for
     /// a mechanism that is too large.
     fn solve(&mut self, state: &State, varied: &mut Varied) -> Result<bool, LengthError>;
+    /// Writes the numbers of the joints' geometry.
+    fn write_geometry(&self, numbers: &mut Vec<Number>) -> Result<(), LengthError>;
     /// Evaluates Φ, Φ_q, Φ_t, γ, or a subset.
     fn evaluate(&mut self, subset: Subset, q: &[Number], q_dot: &[Number]) -> Result<Parts<'_, Number>, LengthError>;
     /// Evaluates the observables.
@@ -75,6 +79,30 @@ impl<'m, M: Mechanism> Varying<'m, M> {
         }
     }
 
+    /// q and as many of its rates as `depth` says by the plan, in these modes, from a q nearby: where a step iterates, from
+    /// the solution itself.
+    pub(crate) fn solve_from(
+        &mut self,
+        modes: &[f64],
+        start: &[f64],
+        depth: Depth,
+        varied: &mut Varied,
+    ) -> Result<(), LengthError> {
+        let number = Number::from_f64;
+        let signs = M::Coordinates::<Number>::generate(|k| number(modes.get(k).copied().unwrap_or(0.0)));
+        let start = M::Coordinates::<Number>::generate(|k| number(start.get(k).copied().unwrap_or(0.0)));
+        let Varied { q, q_dot, q_ddot, margins, .. } = varied;
+        margins.clear();
+        margins.resize(M::model().plan.margins, number(0.0));
+        for list in [&mut *q, &mut *q_dot, &mut *q_ddot] {
+            list.clear();
+            list.resize(M::COORDINATES, number(0.0));
+        }
+        let solved = Solved { q, q_dot, q_ddot, margins };
+        let signs = &signs.as_ref()[..M::model().plan.modes.len()];
+        self.mechanism.solve_with(self.parameters.as_ref(), &self.at(), signs, start.as_ref(), depth, solved)
+    }
+
     fn at(&self) -> Instant<'_, Number> {
         Instant { t: self.t, inputs: self.inputs.as_ref() }
     }
@@ -104,7 +132,6 @@ impl<M: Mechanism> Variation for Varying<'_, M> {
         if M::COORDINATES > LARGEST {
             return Ok(false);
         }
-        let number = Number::from_f64;
         let parameters = self.mechanism.parameters::<f64>();
         let closures = Closures::at(self.mechanism, parameters.as_ref(), &state.instant(), &state.q)?;
         if closures.as_ref().iter().any(|closure| closure.is_nan() || closure.abs() <= UNDECIDED) {
@@ -112,19 +139,16 @@ impl<M: Mechanism> Variation for Varying<'_, M> {
         }
         // There are never more modes than coordinates.
         let sign = |k: usize| closures.as_ref().get(k).map_or(0.0, |closure| closure.signum());
-        let signs = M::Coordinates::<Number>::generate(|k| number(sign(k)));
-        let start = M::Coordinates::<Number>::generate(|k| number(state.q[k]));
-        let Varied { q, q_dot, q_ddot, margins, .. } = varied;
-        margins.clear();
-        margins.resize(M::model().plan.margins, number(0.0));
-        for list in [&mut *q, &mut *q_dot, &mut *q_ddot] {
-            list.clear();
-            list.resize(M::COORDINATES, number(0.0));
-        }
-        let solved = Solved { q, q_dot, q_ddot, margins };
-        let (parameters, modes) = (self.parameters.as_ref(), &signs.as_ref()[..M::model().plan.modes.len()]);
-        self.mechanism.solve_with(parameters, &self.at(), modes, start.as_ref(), Depth::Acceleration, solved)?;
+        let signs = M::Coordinates::<f64>::generate(sign);
+        let modes = &signs.as_ref()[..M::model().plan.modes.len()];
+        self.solve_from(modes, &state.q, Depth::Acceleration, varied)?;
         Ok(true)
+    }
+
+    fn write_geometry(&self, numbers: &mut Vec<Number>) -> Result<(), LengthError> {
+        numbers.clear();
+        numbers.resize(M::model().geometry, Number::from_f64(0.0));
+        self.mechanism.write_geometry(self.parameters.as_ref(), &self.at(), numbers)
     }
 
     fn evaluate(&mut self, subset: Subset, q: &[Number], q_dot: &[Number]) -> Result<Parts<'_, Number>, LengthError> {

@@ -15,6 +15,8 @@ use crate::equations::system::Parts;
 use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind, JointKind, Model, Role};
 use crate::plan::{Depth, Solved, StepKind};
+#[cfg(feature = "design")]
+use crate::planned::PlanError;
 use crate::planned::follower::{Follower, Poses};
 use crate::planned::lists::{Closures, Margins, Modes};
 use crate::state::State;
@@ -48,6 +50,18 @@ impl<M: Mechanism> Solver<'_, M> {
         let parameters = self.mechanism.parameters::<f64>();
         let start = self.start_of(&parameters, at, start)?;
         self.finished(&parameters, at, &self.poses(&parameters, at, &start)?)
+    }
+
+    /// The follower of the plan at the configuration that the guesses lead to, or why the plan has no solution there; none
+    /// if the general path must be used.
+    #[cfg(feature = "design")]
+    pub(crate) fn follower(&self, at: &Instant<'_>) -> Option<Result<Follower<M>, PlanError>> {
+        if !self.goes_by_plan(at) {
+            return None;
+        }
+        let parameters = self.mechanism.parameters::<f64>();
+        let Start { q, modes } = self.start_of_guess(&parameters, at)?;
+        Some(Follower::begin(self.mechanism, parameters, at, q.as_ref(), modes))
     }
 
     /// The position that the guesses lead to; none if the general path must be used.

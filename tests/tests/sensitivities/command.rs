@@ -70,3 +70,27 @@ fn the_report_says_which_dimension_matters_most() {
     let (status, _) = written::<FourbarLectureMid>("wrong.json", &["--tolerance", "l9=0.1"]);
     assert_ne!(ExitCode::SUCCESS, status);
 }
+
+#[test]
+fn along_a_motion_it_tells_the_greatest_deviations_and_when() {
+    let args = ["B.transmission", "B.y", "--to", "2", "--steps", "8", "--tolerance", "l1=0.1mm,l2=0.2mm"];
+    let (status, text) = written::<FourbarLectureMid>("motion.json", &args);
+    assert_eq!(ExitCode::SUCCESS, status);
+    let found: Value = serde_json::from_str(&text).unwrap();
+    let mechanism = FourbarLectureMid::default();
+    let solver = mechanism.solver();
+    let state = solver.sweep(&[0.0, 0.5]).unwrap().states.pop().unwrap();
+    let exact = solver.sensitivities(&state).unwrap().deviation(&[1e-4, 2e-4], |by| by.points[0].r[1]);
+    assert_eq!(9, found["t"].as_array().unwrap().len());
+    let at = &found["quantities"]["B.y"]["deviations"][2];
+    assert!((at["worst"].as_f64().unwrap() - exact.worst).abs() <= 1e-9 * exact.worst, "{at} instead of {exact}");
+    assert!(found["quantities"]["B.transmission"]["by"]["l3"][8].as_f64().unwrap().abs() > 0.0, "{text}");
+
+    let (_, text) = written::<FourbarLectureMid>("motion.txt", &args);
+    assert!(text.contains("Greatest deviations for these tolerances"), "{text}");
+    let (_, table) = written::<FourbarLectureMid>("motion.csv", &args);
+    assert!(table.starts_with("t,B.transmission,B.transmission_worst,B.transmission_root_sum_square,B.y,"), "{table}");
+    assert_eq!(10, table.lines().count());
+    let (status, _) = written::<FourbarLectureMid>("wrong.txt", &["B.nothing"]);
+    assert_ne!(ExitCode::SUCCESS, status);
+}

@@ -2,7 +2,7 @@
 //! changed parameter; parameters on which a solution does not depend differentiably are refused.
 
 use kin_runtime::model::Level;
-use kin_runtime::{Instant, Kinematics, Options, SolveError, State};
+use kin_runtime::{Instant, Kinematics, Measure, Options, SolveError, State};
 use kin_tests::compare::{Differences, largest};
 use kin_tests::every_mechanism;
 use kin_tests::mechanisms::{loaded, signals, *};
@@ -41,6 +41,13 @@ fn force_numbers(forces: &kin_runtime::Forces) -> Vec<f64> {
     efforts.chain(reactions).chain(total).collect()
 }
 
+/// Quantities that are functions of those that are reported: transmission angles, speeds, and magnitudes of forces.
+fn derived<M: Kinematics>() -> Vec<Measure> {
+    let is_derived =
+        |name: &str| name.contains(".transmission") || name.ends_with(".speed") || name.ends_with(".force");
+    Measure::all(M::model()).into_iter().filter(|measure| is_derived(measure.name())).collect()
+}
+
 /// The derivatives equal the finite differences of solutions with the parameter changed.
 fn are_derivatives<M: Kinematics + Default>(from: f64, to: f64) {
     let mechanism = M::default();
@@ -57,6 +64,8 @@ fn are_derivatives<M: Kinematics + Default>(from: f64, to: f64) {
         };
         let whole = Options { use_plan: false, ..Options::default() };
         let by_rows = mechanism.solver().with_options(whole).sensitivities(state).unwrap();
+        let (derived, all) = (derived::<M>(), (0..parameters.len()).collect::<Vec<usize>>());
+        let derived_by = mechanism.solver().measure_sensitivities(state, &derived, &all).unwrap();
         for (index, &value) in parameters.iter().enumerate() {
             let (by, by_rows) = (&found.by[index], &by_rows.by[index]);
             let step = STEP * value.abs().max(0.05);
@@ -67,6 +76,8 @@ fn are_derivatives<M: Kinematics + Default>(from: f64, to: f64) {
                 let state = changed.solver().state_from(&Instant { t, inputs: &inputs }, &state.q).unwrap();
                 let mut all = of_state(&state);
                 all.push(forces_of(&changed, &state));
+                let values = changed.solver().measure(&state, &derived).unwrap();
+                all.extend(values.into_iter().map(|value| vec![value]));
                 all
             };
             let samples = [-2.0, -1.0, 1.0, 2.0].map(at);
@@ -74,9 +85,17 @@ fn are_derivatives<M: Kinematics + Default>(from: f64, to: f64) {
             exact.push(by.forces.as_ref().map_or(Vec::new(), force_numbers));
             let mut second = lists([&by_rows.q, &by_rows.q_dot, &by_rows.q_ddot], &by_rows.points);
             second.push(by_rows.forces.as_ref().map_or(Vec::new(), force_numbers));
+            let slopes = || derived_by.iter().map(|by| vec![by[index]]);
+            (exact.extend(slopes()), second.extend(slopes()));
             differences.at(format_args!("{} at t = {t}, by {}", M::model().name, by.parameter));
             for (list, (exact, second)) in exact.iter().zip(&second).enumerate() {
                 let [a, b, c, d] = samples.each_ref().map(|sample| &sample[list]);
+                // What has no value has no derivative: a force that redundancy leaves open, the magnitude of none.
+                if exact.iter().any(|exact| exact.is_nan()) {
+                    let at_rest = |sample: &Vec<f64>| sample.iter().all(|x| x.is_nan() || x.abs() < 1e-9);
+                    assert!(at_rest(a) && at_rest(b) && at_rest(c) && at_rest(d), "{list}: {a:?}");
+                    continue;
+                }
                 let quotient = |k: usize| (8.0 * (c[k] - b[k]) - (d[k] - a[k])) / (12.0 * step);
                 let quotients: Vec<f64> = (0..a.len()).map(quotient).collect();
                 let size = largest(&quotients).max(largest(a) / value.abs().max(0.05)).max(1e-3);
@@ -161,4 +180,41 @@ fn parameters_that_do_not_exist_are_errors() {
     assert_eq!(vec!["l3"], some.by.iter().map(|by| by.parameter).collect::<Vec<_>>());
     assert_eq!(some["l3"], solver.sensitivities(&state).unwrap()["l3"]);
     assert_eq!(Ok(vec![some]), solver.sensitivities_along(std::slice::from_ref(&state), &[2]));
+}
+
+/// A slider-crank: x = r cos φ + √(l² − r² sin² φ), which is singular where the root is 0.
+#[kin_runtime::mechanism]
+#[body(crank, x = 0, y = 0)]
+#[body(slider, y = 0, phi = 0)]
+#[distance(rod: crank @ (r, 0), slider @ (0, 0), length = l)]
+#[driver(drive: crank.phi = t)]
+#[guess(slider.x = r + l)]
+struct SliderCrank {
+    #[param(1.0)]
+    r: f64,
+    #[param(1.5)]
+    l: f64,
+}
+
+/// Beside a dead centre a derivative is as exact as the position is there, or it is refused.
+#[test]
+fn derivatives_beside_a_dead_centre_are_right_or_refused() {
+    let (t, mut right) = (1.2_f64, 0);
+    for k in 1..=16 {
+        // The root is this share of l.
+        let w = 10_f64.powf(-0.5 * f64::from(k));
+        let l = t.sin() / (1.0 - w * w).sqrt();
+        let mechanism = SliderCrank { r: 1.0, l };
+        let solver = mechanism.solver();
+        let Ok(state) = solver.state(&t.into()) else { continue };
+        let Ok(by) = solver.sensitivities(&state) else { continue };
+        right += 1;
+        let found = [by["l"].q[1], by["r"].q[1]];
+        let exact = [1.0 / w, t.cos() - t.sin() * t.sin() / (l * w)];
+        for (found, exact) in found.into_iter().zip(exact) {
+            let rounding = 1e-14 / (w * w);
+            assert!((found - exact).abs() <= rounding * exact.abs(), "{found} instead of {exact} at {w}");
+        }
+    }
+    assert!(right >= 4, "only {right} are there");
 }

@@ -1,7 +1,8 @@
 //! What holds of every search: seeds repeat, conditions are kept, equal parameters stay equal, and bad input is refused.
 
 use crate::published::{LENGTHS, four_bar, timed};
-use kin_runtime::design::{DesignError, Direction, Progress, Search};
+use kin_runtime::design::{DesignError, Direction, Number, Progress, Search};
+use kin_runtime::{Kinematics, Measure, Mechanism, Scalar};
 use std::ops::ControlFlow;
 
 const FEW: Search<'_> = Search { starts: 2, seed: 7, watch: None };
@@ -26,6 +27,45 @@ fn conditions_are_kept() {
     assert!(value("r2") + value("r4") <= value("r1") + value("r3"), "{found}");
     assert_eq!(6, found.slacks.len());
     assert!(found.slacks.iter().all(|slack| slack.slack > 0.0), "{found}");
+}
+
+/// A range that is asked for at five instants of a turn holds at all of them.
+#[test]
+fn conditions_are_kept_between_instants() {
+    let turn = std::f64::consts::TAU;
+    let design = four_bar([0.1, 10.0], &["rcx", "rcy"], 10.0).unwrap().path_at("P", &timed(2)).unwrap();
+    let design = design.turns(turn, 5, 0.05).unwrap().range("P.x", -3.0..=4.0, turn, 5).unwrap();
+    let least = 35_f64.to_radians();
+    let found = design.transmission("B", least, turn, 5).unwrap().search(&FEW).unwrap();
+    let times: Vec<f64> = (0..=2000).map(|k| turn * f64::from(k) / 2000.0).collect();
+    let modes: Vec<_> = found.modes.iter().map(|(name, sign)| (*name, *sign)).collect();
+    let solver = modes.iter().fold(found.mechanism.solver(), |solver, (name, sign)| solver.with_mode(*name, *sign));
+    let angle: Vec<Measure> =
+        Measure::named(crate::published::FourBar::model(), "B.transmission").into_iter().collect();
+    let (mut low, mut high, mut worst) = (f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY);
+    for state in solver.sweep(&times).unwrap().states {
+        (low, high) = (low.min(state.points[0].r[0]), high.max(state.points[0].r[0]));
+        let angle = solver.measure(&state, &angle).unwrap()[0];
+        worst = worst.min(angle).min(std::f64::consts::PI - angle);
+    }
+    assert!(low >= -3.0 && high <= 4.0 && worst >= least, "{low} {high} {worst}: {found}");
+    // The slack that is told is the least between instants.
+    let told = found.slacks.iter().find(|slack| slack.condition.starts_with("P.x")).unwrap();
+    let exact = ((low + 3.0) / 7.0).min((4.0 - high) / 7.0);
+    assert!((told.slack - exact).abs() < 1e-5 && told.slack <= exact && told.at.is_some(), "{told} instead of {exact}");
+}
+
+/// The stroke in x of a point is to be 3: a number of my own over the motion, with its derivatives.
+#[test]
+fn own_residuals_are_followed_downhill() {
+    let begin = four_bar([0.5, 5.0], &["rcx", "rcy"], 5.0).unwrap();
+    let stroke = |at: &[Vec<Number>]| vec![at[0][0] - at[1][0] - Number::from_f64(3.0), at[0][1] - at[1][1]];
+    let design = begin.residuals(&["P.x", "P.y"], &[0.5, 2.5], stroke).unwrap();
+    let found = design.search(&FEW).unwrap();
+    assert!(found.error < 1e-12, "{found}");
+    let solver = found.modes.iter().fold(found.mechanism.solver(), |s, (name, sign)| s.with_mode(*name, *sign));
+    let states = solver.sweep(&[0.5, 2.5]).unwrap().states;
+    assert!((states[0].points[0].r[0] - states[1].points[0].r[0] - 3.0).abs() < 1e-5, "{found}");
 }
 
 #[test]
@@ -57,6 +97,11 @@ fn what_cannot_be_searched_for_is_refused() {
     assert!(matches!(begin().free("r9", 0.0..=1.0), Err(DesignError::UnknownParameter { .. })));
     assert!(matches!(begin().free("r1", 1.0..=1.0), Err(DesignError::Bounds { .. })));
     assert!(matches!(begin().path_at("Q", &[]), Err(DesignError::UnknownQuantity { .. })));
+    let turn = std::f64::consts::TAU;
+    assert!(matches!(begin().transmission("D", 0.5, turn, 9), Err(DesignError::NoTransmission { .. })));
+    assert!(matches!(begin().transmission("B", 2.0, turn, 9), Err(DesignError::Bounds { .. })));
+    assert!(matches!(begin().range("t", 0.0..=1.0, turn, 9), Err(DesignError::NoDerivatives { .. })));
+    assert!(matches!(begin().function("P.x/drive", &[(0.0, 1.0)]), Err(DesignError::NoDerivatives { .. })));
     assert!(matches!(begin().mode("Q", None), Err(DesignError::UnknownMode { .. })));
     assert!(matches!(begin().function("P.x", &[(f64::NAN, 0.0)]), Err(DesignError::NotFinite { .. })));
     assert!(matches!(begin().path("P", &[], 0.0, Direction::Forward), Err(DesignError::NotFinite { .. })));

@@ -4,5 +4,8 @@
 //! --include-ignored` runs all of them, each with ten seeds.
 
 mod command;
+// Quick with optimisation, and minutes without.
+#[cfg(not(debug_assertions))]
+mod examples;
 mod laws;
 mod published;

@@ -88,6 +88,8 @@ pub(crate) enum Part {
     },
     /// A named point.
     Dot([f64; 2], Ink),
+    /// A place that a point is to pass.
+    Target([f64; 2]),
     /// The wheel of a rolling contact without slip across its plane, seen from above, along the x axis of its carrier.
     Tread,
     /// A name, always upright.
@@ -123,7 +125,7 @@ impl Part {
             Self::Bar { points, .. } | Self::Line { points, .. } | Self::Path { points, .. } => {
                 points.iter().copied().for_each(each);
             }
-            &Self::Pin(p) | &Self::Foot(p) | &Self::Weld(p) | &Self::Dot(p, _) => each(p),
+            &Self::Pin(p) | &Self::Foot(p) | &Self::Weld(p) | &Self::Dot(p, _) | &Self::Target(p) => each(p),
             &Self::Hatching { from, to } | &Self::Slot { from, to, .. } => {
                 each(from);
                 each(to);

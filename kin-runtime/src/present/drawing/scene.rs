@@ -35,7 +35,8 @@ impl Scene {
             joints::draw(subject, joint, &mut links, &mut behind, &mut front);
             outlines::draw(subject, place, joint, &mut links);
         }
-        let paths = paths::paths(subject, &mut links);
+        let mut paths = paths::paths(subject, &mut links);
+        paths.extend(subject.targets.iter().map(|&place| Part::Target(place)));
         let names = names(subject, &links);
         let mut carriers = vec![ground(links.take_ground(), paths)];
         carriers.extend(behind);

@@ -31,6 +31,8 @@ pub(crate) struct Subject<'a> {
     pub(crate) snapshots: &'a [Snapshot],
     /// The curves of contacts.
     pub(crate) curve: &'a CurveFunction<'a>,
+    /// Places that a point is to pass.
+    pub(crate) targets: &'a [[f64; 2]],
 }
 
 /// A pose: x, y, φ.

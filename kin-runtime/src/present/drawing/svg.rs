@@ -191,6 +191,15 @@ impl Pen<'_> {
                 )
             }
             Part::Dot(p, own) => circle(out, view.local(*p), 0.55 * s, self.ink(*own), "#fff", 1.0),
+            Part::Target(p) => {
+                let [x, y] = view.local(*p).0;
+                let [left, right, top, bottom] = [x - 0.8 * s, x + 0.8 * s, y - 0.8 * s, y + 0.8 * s].map(short);
+                write!(
+                    out,
+                    "<path d=\"M{left},{top}L{right},{bottom}M{left},{bottom}L{right},{top}\" fill=\"none\" \
+                 stroke=\"#000\" stroke-width=\"1.2\" class=\"target\"/>"
+                )
+            }
             Part::Tread => {
                 let (w, h) = (short(4.0 * s), short(1.4 * s));
                 let (x, y) = (short(-2.0 * s), short(-0.7 * s));

@@ -112,6 +112,7 @@ fn plots(panel: &Panel) -> Vec<Plot> {
     let plot = |(k, curve): (usize, &Curve)| {
         let line = LinePlot::new().with_data(curve.points.iter().copied()).with_stroke_width(2.0);
         let line = line.with_color(colour(k, panel.curves.len()));
+        let line = if curve.band.is_empty() { line } else { line.with_band(curve.edge(-1.0), curve.edge(1.0)) };
         let line = if panel.curves.len() > 1 { line.with_legend(curve.name.clone()) } else { line };
         Plot::from(line)
     };
@@ -195,7 +196,11 @@ mod tests {
 
     #[test]
     fn a_legend_has_all_its_entries() {
-        let curve = |k: u32| Curve { name: format!("curve {k}"), points: vec![(0.0, 0.0), (1.0, f64::from(k))] };
+        let curve = |k: u32| Curve {
+            name: format!("curve {k}"),
+            points: vec![(0.0, 0.0), (1.0, f64::from(k))],
+            band: Vec::new(),
+        };
         let labels = ["t in s", "x in m"].map(str::to_owned);
         let panel = Panel { labels, equal: false, curves: (0..42).map(curve).collect(), marks: Vec::new() };
         let picture = Diagram { title: "Many".to_owned(), panels: vec![panel], beside: false }.svg();

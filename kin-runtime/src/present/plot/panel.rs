@@ -7,6 +7,16 @@ pub(crate) struct Curve {
     pub(crate) name: String,
     /// (x, y), all finite.
     pub(crate) points: Vec<(f64, f64)>,
+    /// By how much y may deviate on either side, for every point; empty where nothing is said of that.
+    pub(crate) band: Vec<f64>,
+}
+
+impl Curve {
+    /// The lower and the upper edge of its band; the curve itself where it has none.
+    pub(super) fn edge(&self, side: f64) -> impl Iterator<Item = f64> + '_ {
+        let half = self.band.iter().copied().chain(core::iter::repeat(0.0));
+        self.points.iter().zip(half).map(move |((_, y), half)| y + side * half)
+    }
 }
 
 /// One pair of axes.
@@ -34,7 +44,12 @@ pub(crate) struct Mark {
 impl Panel {
     /// The least and the greatest x or y of its curves.
     pub(super) fn range(&self, axis: usize) -> (f64, f64) {
-        let numbers = self.curves.iter().flat_map(|curve| &curve.points).map(|&(x, y)| if axis == 0 { x } else { y });
+        let numbers = self.curves.iter().flat_map(|curve| -> Box<dyn Iterator<Item = f64> + '_> {
+            match axis {
+                0 => Box::new(curve.points.iter().map(|(x, _)| *x)),
+                _ => Box::new(curve.edge(-1.0).chain(curve.edge(1.0))),
+            }
+        });
         let (low, high) = numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
         if low <= high { (low, high) } else { (0.0, 1.0) }
     }

@@ -19,12 +19,15 @@ mod dimension;
 mod force;
 mod source;
 mod value;
+mod varied;
 
 pub(crate) use dimension::Dimension;
 #[cfg(feature = "cli")]
-pub(crate) use force::{column_values, columns};
+pub(crate) use force::columns;
+pub(crate) use force::{column_values, magnitude_parts};
 pub use source::Source;
 pub(crate) use value::values;
+pub(crate) use varied::Needs;
 
 use crate::model::{Component, CoordinateKind, Model, Units};
 use crate::transmission::{Pair, pairs};
@@ -209,6 +212,16 @@ impl Measure {
             Of::Speed(_) => self.per.is_none(),
             Of::Time | Of::Input(_) | Of::Force(_) | Of::Transmission(_) => false,
         }
+    }
+
+    /// Its place among the columns of forces.
+    pub(crate) const fn force(&self) -> Option<usize> {
+        if let (Of::Force(place), None) = (self.of, self.per) { Some(place) } else { None }
+    }
+
+    /// Whether it is held while parameters vary: t and the inputs.
+    pub(crate) const fn is_held(&self) -> bool {
+        self.per.is_none() && matches!(self.of, Of::Time | Of::Input(_))
     }
 
     /// Its name.

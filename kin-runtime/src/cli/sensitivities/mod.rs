@@ -1,17 +1,19 @@
-//! `sensitivities`: derivatives by the parameters at one instant, and what tolerances come to.
+//! `sensitivities`: derivatives by the parameters at one instant or along a motion, and what tolerances come to.
 
-use super::engine::Engine;
-use super::examples::{Help, Names};
-use super::failure::{Failure, Ledger};
-use super::names::{Kind, find_in};
-use super::number::Measured;
-use super::options::{FreedomArgs, SetupArgs};
-use super::output::{Form, OutputArgs};
-use super::session::Session;
-use super::solved::{analysis, driven_state, note_modes};
-use super::task::{At, AtArgs};
-use super::values;
-use crate::model::Model;
+mod motion;
+
+use crate::cli::columns::quantities as named;
+use crate::cli::engine::Engine;
+use crate::cli::examples::{Help, Names};
+use crate::cli::failure::{Failure, Ledger};
+use crate::cli::instants::{Asked, GridArgs};
+use crate::cli::options::{AngleArgs, FreedomArgs, SetupArgs};
+use crate::cli::output::{Form, OutputArgs};
+use crate::cli::session::Session;
+use crate::cli::solved::{analysis, driven_state, note_modes};
+use crate::cli::task::{At, AtArgs};
+use crate::cli::tolerance::tolerances;
+use crate::cli::values::Moment;
 use crate::present::json::to_json;
 use crate::present::number::plain;
 use crate::present::sensitivities::{deviations, quantities, text, tolerance_text};
@@ -20,11 +22,18 @@ use std::collections::BTreeMap;
 
 /// Derivatives by the dimensions: which of them matters most
 #[derive(Clone, Debug, clap::Args)]
-pub(super) struct SensitivitiesArgs {
+pub(in crate::cli) struct SensitivitiesArgs {
+    /// Quantities by name, along a motion or at an instant: B.transmission, tip.x [default: what tells most]
+    #[arg(value_name = "WHAT")]
+    what: Vec<String>,
     #[command(flatten)]
     at: AtArgs,
     #[command(flatten)]
+    grid: GridArgs,
+    #[command(flatten)]
     freedom: FreedomArgs,
+    #[command(flatten)]
+    angles: AngleArgs,
     /// What tolerances come to: NAME=DEVIATION on either side
     #[arg(
         long,
@@ -38,7 +47,7 @@ the worst case and the root sum of squares, to first order"
     output: OutputArgs,
 }
 
-pub(super) const HELP: Help = Help {
+pub(in crate::cli) const HELP: Help = Help {
     examples: |names: &Names| {
         if !names.determined {
             return Vec::new();
@@ -46,12 +55,17 @@ pub(super) const HELP: Help = Help {
         vec![
             names.analysis(&format!("sensitivities --at {}", names.at), ""),
             names.with("sensitivities --tolerance", &names.set, "what deviations come to"),
+            names.with("sensitivities --steps 90 --tolerance", &names.set, "the same along the motion"),
             names.analysis("sensitivities --format json", "for another program"),
         ]
     },
     details: "\
 Derivatives are exact; instant, inputs and assembly mode are held. Units are those of the
-quantity by those of the parameter.",
+quantity by those of the parameter.
+
+With names of quantities (those of `sweep`), or with --from, --to, --steps or --times, it tells of
+every quantity which parameter matters most and when; with --tolerance the greatest deviations and
+when. Its csv and json have the numbers of all instants, and `plot --tolerance` draws them.",
 };
 
 /// Sensitivities, and what tolerances come to.
@@ -63,12 +77,27 @@ struct Record<'a> {
     tolerances: BTreeMap<&'a str, Deviation>,
 }
 
-pub(super) fn run(args: &SensitivitiesArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
+pub(in crate::cli) fn run(
+    args: &SensitivitiesArgs,
+    engine: &mut dyn Engine,
+    session: &mut Session<'_>,
+) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
     let to = ("sensitivities", &args.output);
     let at = args.at.read(&mut ledger, to, SetupArgs::apply_complete, engine, session);
+    let asked = match args.grid.is_given() {
+        true => ledger.take(args.grid.asked(motion::STEPS, engine.model())),
+        false => at.as_ref().map(|at| Asked::Times(vec![Moment::At(at.t)])),
+    };
+    let measures = ledger.take(named(engine.model(), &args.what));
     let tolerances = ledger.take(tolerances(&args.tolerance, engine.model()));
-    let (At { t, setup, output }, tolerances) = ledger.close(at.zip(tolerances))?;
+    let ((At { t, setup, output }, tolerances), (asked, measures)) =
+        ledger.close(at.zip(tolerances).zip(asked.zip(measures)))?;
+    if args.grid.is_given() || !measures.is_empty() {
+        let course =
+            motion::Course { asked, measures, tolerances, freedom: args.freedom, degrees: args.angles.degrees };
+        return course.run(&*engine, &setup, &output, session);
+    }
     let (state, _) = driven_state(engine, &setup, t, args.freedom.least_norm)?;
     note_modes(session, engine, &setup, t);
     let found = engine.sensitivities(&setup, &state).map_err(|error| analysis(engine, &error))?;
@@ -89,23 +118,6 @@ pub(super) fn run(args: &SensitivitiesArgs, engine: &mut dyn Engine, session: &m
         ),
     };
     session.deliver(&output, &text)
-}
-
-/// A tolerance for every parameter, 0 where none is given.
-fn tolerances(texts: &[String], model: &Model) -> Result<Vec<f64>, Failure> {
-    const OPTION: &str = "--tolerance";
-    let names: Vec<&str> = model.parameters.iter().map(|parameter| parameter.name).collect();
-    let mut all = vec![0.0; names.len()];
-    let mut ledger = Ledger::default();
-    let example = format!("{}=0.001", names.first().unwrap_or(&"NAME"));
-    for (name, value) in ledger.take(values::assignments(OPTION, &example, texts)).unwrap_or_default() {
-        let place = ledger.take(find_in(model, OPTION, Kind::Parameter, &name, &names));
-        let value = values::number(&format!("{OPTION} {name}"), &value, Measured::parameter(model, &name));
-        if let (Some(place), Some(value)) = (place, ledger.take(value)) {
-            all[place] = value;
-        }
-    }
-    ledger.close(Some(all))
 }
 
 /// A row per quantity, a column per parameter.

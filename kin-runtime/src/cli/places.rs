@@ -1,0 +1,31 @@
+//! Numbers and places in files of comma-separated values.
+
+use super::failure::Failure;
+
+/// The numbers of a file, below a line of names where it has one.
+pub(super) fn columns(option: &str, file: &str) -> Result<Vec<Vec<f64>>, Failure> {
+    let cannot = |why: String| Failure::option(option, format!("cannot read `{file}`: {why}"));
+    let reader = csv::ReaderBuilder::new().has_headers(false).trim(csv::Trim::All).from_path(file);
+    let mut rows = Vec::new();
+    for (line, record) in reader.map_err(|error| cannot(error.to_string()))?.records().enumerate() {
+        let record = record.map_err(|error| cannot(error.to_string()))?;
+        match record.iter().map(str::parse).collect::<Result<Vec<f64>, _>>() {
+            Ok(numbers) => rows.push(numbers),
+            Err(_) if line == 0 => {}
+            Err(_) => return Err(cannot(format!("line {} has something that is no number", line + 1))),
+        }
+    }
+    if rows.is_empty() { Err(cannot("there are no numbers in it".to_owned())) } else { Ok(rows) }
+}
+
+/// The places of a path: the columns x,y or t,x,y.
+pub(super) fn places(option: &str, file: &str) -> Result<Vec<[f64; 2]>, Failure> {
+    let place = |row: Vec<f64>| match row[..] {
+        [x, y] | [_, x, y] => Ok([x, y]),
+        _ => {
+            let what = format!("`{file}` needs the columns x,y or t,x,y, not {}", row.len());
+            Err(Failure::option(option, what))
+        }
+    };
+    columns(option, file)?.into_iter().map(place).collect()
+}

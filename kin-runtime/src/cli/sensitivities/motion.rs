@@ -1,0 +1,172 @@
+//! Derivatives along a motion, and what tolerances come to on its way.
+
+use crate::cli::engine::{Engine, Setup};
+use crate::cli::failure::Failure;
+use crate::cli::instants::Asked;
+use crate::cli::moving::{Moved, Walk, note_motion};
+use crate::cli::options::FreedomArgs;
+use crate::cli::output::{Destination, Form};
+use crate::cli::session::Session;
+use crate::cli::solved::note_freedom;
+use crate::cli::tolerance::Slopes;
+use crate::measure::Measure;
+use crate::model::Model;
+use crate::present::json::to_json;
+use crate::present::number::{plain, rounded};
+use crate::present::table::Table;
+use crate::present::text::section;
+use crate::sensitivities::Deviation;
+use crate::serial::Named;
+use serde::Serialize;
+
+/// Steps when --steps is not there.
+pub(super) const STEPS: usize = 180;
+
+/// What is asked of a motion.
+pub(super) struct Course {
+    pub(super) asked: Asked,
+    /// Quantities; those that tell most where there are none.
+    pub(super) measures: Vec<Measure>,
+    /// One per parameter, 0 where none is given.
+    pub(super) tolerances: Vec<f64>,
+    pub(super) freedom: FreedomArgs,
+    pub(super) degrees: bool,
+}
+
+/// A quantity along the motion.
+#[derive(Serialize)]
+struct Quantity {
+    value: Vec<f64>,
+    by: Named<Vec<f64>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    deviations: Vec<Deviation>,
+    #[serde(skip)]
+    name: String,
+}
+
+#[derive(Serialize)]
+struct Record<'a> {
+    mechanism: &'static str,
+    t: &'a [f64],
+    quantities: Named<&'a Quantity, &'a str>,
+}
+
+impl Course {
+    pub(super) fn run(
+        self,
+        engine: &dyn Engine,
+        setup: &Setup,
+        output: &Destination<'_>,
+        session: &mut Session<'_>,
+    ) -> Result<(), Failure> {
+        let model = engine.model();
+        let instants = self.asked.instants(engine, setup)?;
+        let watch = session.watch();
+        watch.begin("instants", instants.len());
+        let measures = if self.measures.is_empty() { Measure::default_outputs(model) } else { self.measures };
+        let walk = Walk {
+            engine,
+            setup,
+            instants: &instants,
+            stop_at_events: false,
+            open_end: self.asked.is_open(),
+            freedom: self.freedom,
+            reported: false,
+            measures: &measures,
+            degrees: self.degrees,
+            watch: &watch,
+        };
+        let moved = walk.kept()?;
+        note_motion(session, &moved);
+        let Moved { trajectory, columns, ended, left, .. } = moved;
+        note_freedom(session, left);
+        let slopes = Slopes::along(engine, setup, &trajectory.states, &measures, self.degrees);
+        watch.end();
+        let toleranced = self.tolerances.iter().any(|tolerance| *tolerance != 0.0);
+        let quantity = |(k, (measure, value)): (usize, (&Measure, Vec<f64>))| {
+            let parameters = model.parameters.iter().enumerate();
+            let by = parameters.map(|(place, info)| (info.name, slopes.by(k, place).collect())).collect();
+            let deviations = if toleranced { slopes.deviations(k, &self.tolerances) } else { Vec::new() };
+            Quantity { value, by, deviations, name: measure.name().to_owned() }
+        };
+        let quantities: Vec<Quantity> = measures.iter().zip(columns).enumerate().map(quantity).collect();
+        let times: Vec<f64> = trajectory.states.iter().map(|state| state.t).collect();
+        let text = match output.form {
+            Form::Json => {
+                let quantities = quantities.iter().map(|quantity| (quantity.name.as_str(), quantity)).collect();
+                to_json(&Record { mechanism: model.name, t: &times, quantities }).map_err(Failure::Output)?
+            }
+            Form::Csv => csv(&times, &quantities),
+            _ => text(model, &times, &quantities, &engine.parameters()),
+        };
+        session.deliver(output, &text)?;
+        ended.map_or(Ok(()), Err)
+    }
+}
+
+/// The greatest of numbers, and its place; what is no number is passed over.
+fn greatest(numbers: impl Iterator<Item = f64>) -> Option<(usize, f64)> {
+    numbers.enumerate().filter(|(_, x)| x.is_finite()).max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+/// Which parameter matters most to every quantity and when; what tolerances come to at most.
+fn text(model: &Model, times: &[f64], quantities: &[Quantity], values: &[f64]) -> String {
+    let [from, to] = [times.first(), times.last()].map(|t| t.copied().map_or_else(String::new, rounded));
+    let mut out = format!("{}, sensitivities from t = {from} to t = {to}\n", model.name);
+    let t = |place: usize| times.get(place).copied().map_or_else(String::new, rounded);
+    let most = |quantity: &Quantity| {
+        let percent = |k: usize| 0.01 * values.get(k).copied().unwrap_or(0.0).abs();
+        let all = quantity.by.iter().enumerate().filter_map(|(k, (name, by))| {
+            let (place, size) = greatest(by.iter().map(|by| by.abs() * percent(k)))?;
+            Some((*name, place, size, by[place]))
+        });
+        all.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|most| most.2 > 0.0)
+    };
+    let rows: Vec<_> = quantities.iter().filter_map(|quantity| Some((quantity, most(quantity)?))).collect();
+    let table = Table::new()
+        .words("quantity", rows.iter().map(|(quantity, _)| quantity.name.as_str()))
+        .words("parameter", rows.iter().map(|(_, most)| most.0))
+        .right("1 % moves it by", rows.iter().map(|(_, most)| rounded(most.2)))
+        .right("derivative", rows.iter().map(|(_, most)| rounded(most.3)))
+        .right("at t", rows.iter().map(|(_, most)| t(most.1)));
+    out += &section("Which dimension matters most, and where", &table);
+    let rows: Vec<_> = quantities
+        .iter()
+        .filter_map(|quantity| {
+            let of = |number: fn(&Deviation) -> f64| greatest(quantity.deviations.iter().map(number));
+            Some((quantity, of(|deviation| deviation.worst)?, of(|deviation| deviation.root_sum_square)?))
+        })
+        .collect();
+    let table = Table::new()
+        .words("quantity", rows.iter().map(|(quantity, ..)| quantity.name.as_str()))
+        .right("worst case", rows.iter().map(|(_, worst, _)| rounded(worst.1)))
+        .right("at t", rows.iter().map(|(_, worst, _)| t(worst.0)))
+        .right("root sum of squares", rows.iter().map(|(.., squares)| rounded(squares.1)))
+        .right("at t", rows.iter().map(|(.., squares)| t(squares.0)));
+    out + &section("Greatest deviations for these tolerances", &table)
+}
+
+/// A row per instant: t, then for every quantity its value and either what tolerances come to or its derivatives.
+fn csv(times: &[f64], quantities: &[Quantity]) -> String {
+    let mut header = vec!["t".to_owned()];
+    for Quantity { name, by, deviations, .. } in quantities {
+        header.push(name.clone());
+        match deviations.is_empty() {
+            true => header.extend(by.names().map(|parameter| format!("{name} by {parameter}"))),
+            false => header.extend([format!("{name}_worst"), format!("{name}_root_sum_square")]),
+        }
+    }
+    let mut out = header.join(",") + "\n";
+    for (k, t) in times.iter().enumerate() {
+        let mut row = vec![plain(*t)];
+        for Quantity { value, by, deviations, .. } in quantities {
+            row.push(plain(value[k]));
+            match deviations.get(k) {
+                None => row.extend(by.iter().map(|(_, by)| plain(by[k]))),
+                Some(deviation) => row.extend([plain(deviation.worst), plain(deviation.root_sum_square)]),
+            }
+        }
+        out += &(row.join(",") + "\n");
+    }
+    out
+}

@@ -1,0 +1,72 @@
+//! Tolerances of parameters, and what they come to along a motion.
+
+use super::engine::{Engine, Setup};
+use super::failure::{Failure, Ledger};
+use super::names::{Kind, find_in};
+use super::number::Measured;
+use super::values;
+use crate::measure::Measure;
+use crate::model::Model;
+use crate::sensitivities::Deviation;
+use crate::state::State;
+
+/// A tolerance for every parameter, 0 where none is given.
+pub(super) fn tolerances(texts: &[String], model: &Model) -> Result<Vec<f64>, Failure> {
+    const OPTION: &str = "--tolerance";
+    let names: Vec<&str> = model.parameters.iter().map(|parameter| parameter.name).collect();
+    let mut all = vec![0.0; names.len()];
+    let mut ledger = Ledger::default();
+    let example = format!("{}=0.001", names.first().unwrap_or(&"NAME"));
+    for (name, value) in ledger.take(values::assignments(OPTION, &example, texts)).unwrap_or_default() {
+        let place = ledger.take(find_in(model, OPTION, Kind::Parameter, &name, &names));
+        let value = values::number(&format!("{OPTION} {name}"), &value, Measured::parameter(model, &name));
+        if let (Some(place), Some(value)) = (place, ledger.take(value)) {
+            all[place] = value;
+        }
+    }
+    ledger.close(Some(all))
+}
+
+/// Derivatives of quantities at the states of a motion.
+pub(super) struct Slopes {
+    /// For every state and every quantity, a number per parameter; NaN where there is none.
+    numbers: Vec<Vec<Vec<f64>>>,
+}
+
+impl Slopes {
+    /// Derivatives by all parameters. At a state that has none, such as a limit, they are NaN.
+    pub(super) fn along(
+        engine: &dyn Engine,
+        setup: &Setup,
+        states: &[State],
+        measures: &[Measure],
+        degrees: bool,
+    ) -> Self {
+        let all: Vec<usize> = (0..engine.model().parameters.len()).collect();
+        let at = |state: &State| {
+            let unknown = || vec![vec![f64::NAN; all.len()]; measures.len()];
+            let mut found = engine.measure_sensitivities(setup, state, measures, &all).unwrap_or_else(|_| unknown());
+            if degrees {
+                for (by, measure) in found.iter_mut().zip(measures) {
+                    by.iter_mut().for_each(|by| *by *= measure.in_degrees());
+                }
+            }
+            found
+        };
+        Self { numbers: states.iter().map(at).collect() }
+    }
+
+    /// The derivatives of a quantity by a parameter, state by state.
+    pub(super) fn by(&self, quantity: usize, parameter: usize) -> impl Iterator<Item = f64> + '_ {
+        self.numbers.iter().map(move |at| at[quantity][parameter])
+    }
+
+    /// What tolerances come to of a quantity, state by state. A parameter without a tolerance changes nothing.
+    pub(super) fn deviations(&self, quantity: usize, tolerances: &[f64]) -> Vec<Deviation> {
+        let at = |at: &Vec<Vec<f64>>| {
+            let given = at[quantity].iter().zip(tolerances).filter(|(_, tolerance)| **tolerance != 0.0);
+            Deviation::of(given.map(|(by, tolerance)| by * tolerance))
+        };
+        self.numbers.iter().map(at).collect()
+    }
+}

@@ -1,0 +1,122 @@
+//! A design followed along its motion: by the follower of the plan, or by a sweep where that cannot decide.
+
+use super::builder::Design;
+use super::motion::Branch;
+use crate::error::SolveError;
+use crate::measure::Needs;
+use crate::mechanism::Mechanism;
+use crate::planned::follower::{Control, Follower};
+use crate::sensitivity::{LARGEST, Variation, Varied, Varying, WIDTH, is_integrated, observe};
+use crate::solver::Solver;
+use crate::workspace::Instant;
+
+/// Is shown the place of an instant, the place of the first parameter that these numbers vary by, and the numbers.
+type See<'s> = dyn FnMut(usize, usize, &Varied) + 's;
+
+/// A mechanism that is followed.
+pub(crate) struct Follow<'d, M: Mechanism> {
+    pub(crate) design: &'d Design<M>,
+    mechanism: &'d M,
+    branch: &'d Branch,
+    /// Parameters that vary, places in the mechanism.
+    places: Vec<usize>,
+    /// For every one of them its variable, and by how much it changes with that.
+    pub(crate) moved_by: Vec<(usize, f64)>,
+}
+
+impl<'d, M: Mechanism> Follow<'d, M> {
+    pub(crate) fn new(design: &'d Design<M>, mechanism: &'d M, branch: &'d Branch) -> Self {
+        let free = design.free.iter().enumerate();
+        let all = free.flat_map(|(k, free)| free.places.iter().map(move |&place| (place, (k, free.width()))));
+        let (places, moved_by) = all.unzip();
+        Self { design, mechanism, branch, places, moved_by }
+    }
+
+    /// Into how many groups the parameters that vary are divided.
+    pub(crate) fn chunks(&self) -> usize {
+        self.places.len().div_ceil(WIDTH)
+    }
+
+    pub(crate) fn solver(&self) -> Solver<'_, M> {
+        let solver = Solver::new(self.mechanism);
+        let solver = self.design.guesses.iter().fold(solver, |solver, &(place, value)| solver.with_guess(place, value));
+        self.branch.modes.iter().fold(solver, |solver, &(place, sign)| solver.with_mode(place, sign))
+    }
+
+    /// Follows the motion over these instants. Without slopes only the first group of parameters is shown.
+    ///
+    /// # Errors
+    /// Why the mechanism does not move through all of them.
+    pub(crate) fn each(&self, times: &[f64], slopes: bool, needs: Needs, see: &mut See<'_>) -> Result<(), SolveError> {
+        let Some(&first) = times.first() else { return Ok(()) };
+        let plan = &M::model().plan;
+        let determined = plan.watched().next().is_none() && !is_integrated(M::model());
+        if determined && M::COORDINATES <= LARGEST {
+            match self.solver().follower(&Instant::at(first)) {
+                Some(Ok(follower)) => return self.by_plan(follower, times, slopes, needs, see),
+                Some(Err(error)) => return Err(error.into()),
+                None => {}
+            }
+        }
+        self.by_sweep(times, slopes, needs, see)
+    }
+
+    /// The parameters by which numbers vary.
+    fn varying(&self, slopes: bool) -> &[usize] {
+        if slopes { &self.places } else { &self.places[..self.places.len().min(WIDTH)] }
+    }
+
+    fn by_plan(
+        &self,
+        mut follower: Follower<M>,
+        times: &[f64],
+        slopes: bool,
+        needs: Needs,
+        see: &mut See<'_>,
+    ) -> Result<(), SolveError> {
+        let (mut varying, mut varied) = (Varying::new(self.mechanism), Varied::default());
+        for (k, &t) in times.iter().enumerate() {
+            let at = Instant::at(t);
+            if k > 0 {
+                follower.update(self.mechanism, &at, &Control::USUAL)?;
+            }
+            let q = follower.state().q;
+            for (group, places) in self.varying(slopes).chunks(WIDTH).enumerate() {
+                varying.begin(&at, places);
+                varying.solve_from(follower.modes().of_closures(), q.as_ref(), needs.depth, &mut varied)?;
+                complete(&mut varying, &mut varied, needs)?;
+                see(k, group * WIDTH, &varied);
+            }
+        }
+        Ok(())
+    }
+
+    fn by_sweep(&self, times: &[f64], slopes: bool, needs: Needs, see: &mut See<'_>) -> Result<(), SolveError> {
+        let solver = self.solver();
+        let trajectory = solver.sweep(times).map_err(|error| error.source)?;
+        let mut varying = Varying::new(self.mechanism);
+        for (k, state) in trajectory.states.iter().enumerate() {
+            let mut first = 0;
+            solver.vary(&mut varying, state, self.varying(slopes), &mut |variation, places, varied| {
+                if needs.geometry {
+                    variation.write_geometry(&mut varied.geometry)?;
+                }
+                see(k, first, varied);
+                first += places.len();
+                Ok(())
+            })?;
+        }
+        Ok(())
+    }
+}
+
+/// Writes what is needed besides q and its rates.
+fn complete<M: Mechanism>(varying: &mut Varying<'_, M>, varied: &mut Varied, needs: Needs) -> Result<(), SolveError> {
+    if needs.observed {
+        observe(varying, varied)?;
+    }
+    if needs.geometry {
+        varying.write_geometry(&mut varied.geometry)?;
+    }
+    Ok(())
+}

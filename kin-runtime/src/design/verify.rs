@@ -1,0 +1,90 @@
+//! The conditions of a design held against its whole motion, not only against the instants that a search looks at.
+
+use super::builder::Design;
+use super::condition::Condition;
+use super::error::DesignError;
+use super::follow::Follow;
+use super::motion::{Branch, margin_slacks, range_slacks};
+use super::result::Slack;
+use crate::error::SolveError;
+use crate::measure::Needs;
+use crate::mechanism::Mechanism;
+use crate::nonlinear::peak::peak;
+use crate::sensitivity::{Number, Varied};
+
+/// Steps along a period, beside the least of which the motion is looked at more closely.
+const STEPS: usize = 360;
+
+/// Slacks of one instant.
+type Slacks<'s> = dyn Fn(&Varied, &mut Vec<Number>) + 's;
+
+impl<M: Mechanism> Design<M> {
+    /// What is left of every condition: of one on a period the least of all of it.
+    ///
+    /// # Errors
+    /// [`Broken`](DesignError::Broken) where the mechanism does not move through all of a period.
+    pub(crate) fn verified(&self, variables: &[f64], branch: &Branch) -> Result<Vec<Slack>, DesignError> {
+        let mechanism = self.mechanism_at(variables);
+        let follow = Follow::new(self, &mechanism, branch);
+        let evaluated = self.evaluate(variables, branch, false).unwrap_or_default();
+        let at_instants = |place: usize| {
+            let own = evaluated.conditions.iter().zip(&evaluated.slacks).filter(|(other, _)| **other == place);
+            own.map(|(_, slack)| slack.value).fold(f64::INFINITY, f64::min)
+        };
+        let slack = |(place, condition): (usize, &Condition)| {
+            let (times, needs) = match condition {
+                Condition::Sum { .. } => {
+                    return Ok(Slack { condition: condition.name(), slack: at_instants(place), at: None });
+                }
+                Condition::Margins { times, .. } => (times, Needs::LEAST),
+                Condition::Range { times, of, .. } => (times, of.needs()),
+            };
+            let of = |varied: &Varied, out: &mut Vec<Number>| match condition {
+                Condition::Sum { .. } => {}
+                Condition::Margins { least, .. } => margin_slacks(varied, *least, out),
+                Condition::Range { of, low, high, .. } => range_slacks(M::model(), varied, of, [*low, *high], out),
+            };
+            let (slack, at) = least(&follow, times.last().copied().unwrap_or(0.0), needs, &of)
+                .map_err(|why| DesignError::Broken { condition: condition.name(), why: Box::new(why) })?;
+            Ok(Slack { condition: condition.name(), slack, at: Some(at) })
+        };
+        self.conditions.iter().enumerate().map(slack).collect()
+    }
+}
+
+/// The least slack from 0 to the end of a period, and where it is.
+fn least<M: Mechanism>(
+    follow: &Follow<'_, M>,
+    period: f64,
+    needs: Needs,
+    of: &Slacks<'_>,
+) -> Result<(f64, f64), SolveError> {
+    let slacks = |times: &[f64]| -> Result<Vec<Vec<f64>>, SolveError> {
+        let (mut all, mut numbers) = (Vec::with_capacity(times.len()), Vec::new());
+        follow.each(times, false, needs, &mut |_, _, varied| {
+            numbers.clear();
+            of(varied, &mut numbers);
+            all.push(numbers.iter().map(|number| number.value()).collect());
+        })?;
+        Ok(all)
+    };
+    let grid: Vec<f64> = (0..=STEPS).map(|k| period * k as f64 / STEPS as f64).collect();
+    let values = slacks(&grid)?;
+    let mut best = (f64::INFINITY, 0.0);
+    for row in 0..values.first().map_or(0, Vec::len) {
+        let lowest = (0..values.len()).min_by(|a, b| values[*a][row].total_cmp(&values[*b][row])).unwrap_or(0);
+        let [from, to] = [lowest.saturating_sub(1), (lowest + 1).min(STEPS)];
+        // The motion is followed from its beginning, so that every sample is on the same branch.
+        let sample = |places: &[f64]| {
+            let times: Vec<f64> = grid[..from].iter().chain(places).copied().collect();
+            Some(slacks(&times).ok()?[from..].iter().map(|slacks| -slacks[row]).collect())
+        };
+        let closer = peak(sample, [grid[from], grid[to]], period).map(|peak| (-peak.value, peak.at));
+        for found in closer.into_iter().chain([(values[lowest][row], grid[lowest])]) {
+            if found.0 < best.0 {
+                best = found;
+            }
+        }
+    }
+    Ok(best)
+}

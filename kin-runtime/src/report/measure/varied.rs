@@ -1,0 +1,94 @@
+//! The values of quantities over numbers that carry derivatives by parameters.
+
+use super::{Measure, Of};
+use crate::model::{Frame, Geometry, Model};
+use crate::plan::Depth;
+use crate::scalar::Scalar;
+use crate::sensitivity::{Number, Varied};
+use crate::signal::Signal;
+use crate::transmission::Pair;
+
+/// What has to be known of a configuration besides q for quantities to have values there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Needs {
+    /// How far a solution goes.
+    pub(crate) depth: Depth,
+    /// Whether observables are needed.
+    pub(crate) observed: bool,
+    /// Whether the geometry of joints is needed.
+    pub(crate) geometry: bool,
+}
+
+impl Needs {
+    /// q, q̇ and the margins of the plan.
+    pub(crate) const LEAST: Self = Self { depth: Depth::Velocity, observed: false, geometry: false };
+
+    /// What both need.
+    pub(crate) fn and(self, other: Self) -> Self {
+        Self {
+            depth: self.depth.max(other.depth),
+            observed: self.observed || other.observed,
+            geometry: self.geometry || other.geometry,
+        }
+    }
+}
+
+impl Measure {
+    /// Whether [`varied`](Self::varied) has it: forces and velocity ratios are not, and neither is what is held.
+    pub(crate) const fn has_derivatives(&self) -> bool {
+        self.per.is_none() && !matches!(self.of, Of::Time | Of::Input(_) | Of::Force(_))
+    }
+
+    /// Its rate; none of what has no rate, or of an acceleration.
+    pub(crate) fn next_order(&self) -> Option<Self> {
+        let has_rate = matches!(self.of, Of::Coordinate(_) | Of::Point(..) | Of::Observable(_)) && self.order < 2;
+        has_rate.then(|| Self { order: self.order + 1, ..self.clone() })
+    }
+
+    /// What its value needs.
+    pub(crate) fn needs(&self) -> Needs {
+        let depth = if self.order > 1 { Depth::Acceleration } else { Depth::Velocity };
+        let transmission = matches!(self.of, Of::Transmission(_));
+        let observed = transmission || matches!(self.of, Of::Point(..) | Of::Speed(_) | Of::Observable(_));
+        Needs { depth, observed, geometry: transmission }
+    }
+
+    /// Its value with derivatives; none where it [has none](Self::has_derivatives), or what it needs is not there.
+    pub(crate) fn varied(&self, model: &Model, varied: &Varied) -> Option<Number> {
+        if !self.has_derivatives() {
+            return None;
+        }
+        let order = |signal: &Signal<Number>| [signal.value, signal.rate, signal.acceleration].get(self.order).copied();
+        let observed = |place: usize| varied.observed.get(place);
+        match self.of {
+            Of::Coordinate(place) => [&varied.q, &varied.q_dot, &varied.q_ddot].get(self.order)?.get(place).copied(),
+            Of::Point(place, axis) => observed(model.points[place].observables[axis]).and_then(order),
+            Of::Speed(place) => {
+                let [x, y] = model.points[place].observables.map(observed);
+                let (x, y) = (x?.rate, y?.rate);
+                Some((x * x + y * y).sqrt())
+            }
+            Of::Observable(place) => observed(place).and_then(order),
+            Of::Transmission(pair) => transmission(model, &pair, varied),
+            Of::Time | Of::Input(_) | Of::Force(_) => None,
+        }
+    }
+}
+
+/// The angle at the centre of a pair, in [0, π].
+fn transmission(model: &Model, pair: &Pair, varied: &Varied) -> Option<Number> {
+    let [centre, a, b] = pair.places.map(|geometry| point(model, geometry, varied));
+    let (centre, a, b) = (centre?, a?, b?);
+    let [(ax, ay), (bx, by)] = [a, b].map(|p| (p[0] - centre[0], p[1] - centre[1]));
+    Some((ax * by - ay * bx).abs().atan2(ax * bx + ay * by))
+}
+
+/// A point of a joint in the inertial frame.
+fn point(model: &Model, geometry: &Geometry, varied: &Varied) -> Option<[Number; 2]> {
+    let &[u, v] = varied.geometry.get(geometry.offset..geometry.offset + 2)? else { return None };
+    let Frame::Body(body) = geometry.frame else { return Some([u, v]) };
+    let [x, y, phi] = model.bodies[body].observables.map(|place| Some(varied.observed.get(place)?.value));
+    let (x, y) = (x?, y?);
+    let (sin, cos) = phi?.sin_cos();
+    Some([x + cos * u - sin * v, y + sin * u + cos * v])
+}

@@ -1,0 +1,104 @@
+//! Derivatives of quantities by name.
+
+use super::Varying;
+use crate::error::SolveError;
+use crate::measure::{Measure, column_values, magnitude_parts};
+use crate::mechanism::Mechanism;
+use crate::solver::Solver;
+use crate::state::State;
+
+impl<M: Mechanism> Solver<'_, M> {
+    /// Derivatives of quantities by parameters, places in [`Model::parameters`](crate::model::Model::parameters), at a
+    /// solved state: for every quantity a number per parameter, in their orders.
+    ///
+    /// NaN is what has no derivative there: a velocity ratio, a transmission angle where an arm has no length or both are
+    /// on one line, a force that redundancy leaves open. The instant and the inputs are held, so that derivatives of these
+    /// are 0.
+    ///
+    /// ```
+    /// use kin_runtime::{Kinematics, Measure, Mechanism, mechanism};
+    ///
+    /// #[mechanism]
+    /// #[bodies(crank, coupler, rocker)]
+    /// #[revolute(C: ground @ (0, 0), crank @ (0, 0))]
+    /// #[revolute(A: crank @ (0.1, 0), coupler @ (0, 0))]
+    /// #[revolute(B: coupler @ (length, 0), rocker @ (0, 0))]
+    /// #[revolute(D: rocker @ (0.3, 0), ground @ (0.4, 0))]
+    /// #[driver(drive: crank.phi = t)]
+    /// #[guess(coupler.phi = 0.9, rocker.phi = 5.0)]
+    /// struct FourBar {
+    ///     #[param(0.4)]
+    ///     length: f64,
+    /// }
+    ///
+    /// # fn main() -> Result<(), kin_runtime::SolveError> {
+    /// let four_bar = FourBar::default();
+    /// let solver = four_bar.solver();
+    /// let state = solver.state(&0.0.into())?;
+    /// let angle: Vec<Measure> = Measure::named(FourBar::model(), "B.transmission").into_iter().collect();
+    /// let by = solver.measure_sensitivities(&state, &angle, &[0])?;
+    /// // The law of cosines: 0.3² = l² + 0.3² − 2 · 0.3 l cos μ, where 0.3 is how far D is from A at t = 0.
+    /// let (l, cos) = (0.4, 0.4 / 0.6);
+    /// let exact = (cos / l - 1.0 / 0.3) / (1.0_f64 - cos * cos).sqrt();
+    /// assert!((by[0][0] - exact).abs() < 1e-12);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// As [`sensitivities_by`](Self::sensitivities_by).
+    pub fn measure_sensitivities(
+        &self,
+        state: &State,
+        measures: &[Measure],
+        parameters: &[usize],
+    ) -> Result<Vec<Vec<f64>>, SolveError> {
+        if let Some(&index) = parameters.iter().find(|&&index| index >= M::PARAMETERS) {
+            return Err(SolveError::UnknownParameter { index, parameters: M::PARAMETERS });
+        }
+        let geometry = measures.iter().any(|measure| measure.needs().geometry);
+        let mut all = vec![Vec::with_capacity(parameters.len()); measures.len()];
+        let mut varying = Varying::new(self.mechanism);
+        self.vary(&mut varying, state, parameters, &mut |variation, places, varied| {
+            if geometry {
+                variation.write_geometry(&mut varied.geometry)?;
+            }
+            for (measure, by) in measures.iter().zip(&mut all) {
+                let held = if measure.is_held() { 0.0 } else { f64::NAN };
+                let number = measure.varied(M::model(), varied);
+                by.extend((0..places.len()).map(|lane| number.map_or(held, |number| number.by()[lane])));
+            }
+            Ok(())
+        })?;
+        if measures.iter().any(|measure| measure.force().is_some()) {
+            self.force_sensitivities(state, measures, parameters, &mut all)?;
+        }
+        Ok(all)
+    }
+
+    /// Writes the derivatives of forces among the quantities.
+    fn force_sensitivities(
+        &self,
+        state: &State,
+        measures: &[Measure],
+        parameters: &[usize],
+        all: &mut [Vec<f64>],
+    ) -> Result<(), SolveError> {
+        let (model, by) = (M::model(), self.sensitivities_by(state, parameters)?);
+        let (mut at, mut slopes) = (Vec::new(), Vec::new());
+        column_values(model, self.forces(state).ok().as_ref(), &mut at);
+        for (k, by) in by.by.iter().enumerate() {
+            slopes.clear();
+            column_values(model, by.forces.as_ref(), &mut slopes);
+            for (measure, all) in measures.iter().zip(&mut *all) {
+                let Some(place) = measure.force() else { continue };
+                all[k] = match magnitude_parts(measure, place) {
+                    // |f| = √(x² + y²).
+                    Some([x, y]) => (at[x] * slopes[x] + at[y] * slopes[y]) / at[place],
+                    None => slopes[place],
+                };
+            }
+        }
+        Ok(())
+    }
+}
