@@ -37,7 +37,8 @@ Each joint begins with its own equation, in vectors: r is the origin of a body, 
 s′ a point in its frame, index 0 the ground. Then follow its rows of Φ as they were derived, their
 partial derivatives that are not 0, and γ. The solution plan comes after them: what each step
 computes, for q, its rates and its accelerations; coordinates of earlier steps are known there, σ is
-the sign of an assembly mode, and angles are taken nearest to where they were.",
+the sign of an assembly mode, and angles are taken nearest to where they were. With masses or
+loads, M and Q of M q̈ + Φ_qᵀ λ = Q stand at the end.",
 };
 
 /// What is written.
