@@ -9,7 +9,8 @@ use super::moving::{Moved, Walk, note_motion};
 use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
-use super::solved::note_freedom;
+use super::solved::{analysis, note_freedom};
+use crate::error::SolveError;
 use crate::measure::Measure;
 use crate::model::Model;
 use crate::motion::Motion;
@@ -41,6 +42,9 @@ pub(super) struct AnimateArgs {
     /// Names in a picture; a page has a switch for them
     #[arg(long)]
     names: bool,
+    /// Arrows of what joints, drivers and loads exert; a page can hide them
+    #[arg(long)]
+    forces: bool,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -56,12 +60,17 @@ pub(super) const HELP: Help = Help {
             names.analysis("animate --out motion.svg", "a picture that moves, for a document"),
             names.with("animate --out motion.html --set", &names.set, "with another dimension"),
             names.with("animate --out motion.html --mode", &names.mode, "in one assembly mode alone"),
+            names.analysis("animate --out motion.html --forces", "with arrows of forces").filter(|_| names.loads),
         ]
     },
     details: "\
 The page has the drawing, plots that go with it, speed, and a slider for the time; where the
 mechanism can be assembled in several modes it has all of them, up to eight, unless --mode says
 which. Space plays and pauses.
+
+Arrows of forces are to one scale over the whole motion, which is shown; those of couples have one
+of their own. Joints (red) act on the body of their second operand, drivers (violet) on what they
+drive: on a coordinate of a body, a difference of angles, or a distance; loads are blue.
 
 When a motion fails midway, or Ctrl-C ends it, the finished part is written and the status is 1,
 or 130.",
@@ -80,6 +89,9 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     if model.bodies.is_empty() && model.points.is_empty() {
         let what = "it has no bodies and no points, only scalar coordinates: `sweep` and `plot` show those";
         return Err(Failure::Analysis(format!("{}: there is nothing to draw; {what}", model.name)));
+    }
+    if args.forces && model.forces.is_none() {
+        return Err(analysis(engine, &SolveError::NoLoads { mechanism: model.name }));
     }
     let open_end = asked.is_open();
     let instants = asked.instants(engine, &setup)?;
@@ -113,7 +125,15 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     let own: Vec<Sign> = own.iter().map(|mode| mode.sign.unwrap_or(Sign::Plus)).collect();
     let note = ended.as_ref().map(|failure| early(model, failure));
     let degrees = args.angles.degrees;
-    let mut runs = vec![run_of(engine, (&trajectory.states, &motions), columns, mode_name(model, &own, &own), note)?];
+    let mut runs = vec![run_of(
+        engine,
+        &setup,
+        (&trajectory.states, &motions),
+        args.forces,
+        columns,
+        mode_name(model, &own, &own),
+        note,
+    )?];
     if !one && ended.is_none() {
         let others: Vec<Vec<Sign>> = others(&own).into_iter().take(room).collect();
         for (place, other) in others.iter().enumerate() {
@@ -128,7 +148,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
             }
             if states.len() > 1 {
                 let note = also.ended.as_ref().map(|failure| early(model, failure));
-                runs.push(run_of(engine, (states, &also.motions), also.columns, name, note)?);
+                runs.push(run_of(engine, &asked, (states, &also.motions), args.forces, also.columns, name, note)?);
             }
         }
     }
@@ -137,7 +157,8 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     let columns = column_infos(units, &measures);
     let shown = shown(model, &runs[0].columns);
     let (time, length) = (units.time().map(str::to_owned), model.units.length.map(str::to_owned));
-    let animation = Animation { model, runs, drivers: drivers(model, &columns), columns, shown, length, time };
+    let force = model.forces.and_then(|forces| forces.units.force);
+    let animation = Animation { model, runs, drivers: drivers(model, &columns), columns, shown, length, time, force };
     let text = match output.form {
         Form::Svg => animation.picture(args.names),
         _ => animation.page().map_err(Failure::Output)?,
@@ -198,21 +219,32 @@ fn mode_name(model: &Model, own: &[Sign], signs: &[Sign]) -> String {
 /// A motion with its drawing and its numbers.
 fn run_of(
     engine: &dyn Engine,
+    setup: &Setup,
     (states, motions): (&[State], &[Motion]),
+    forces: bool,
     columns: Vec<Vec<f64>>,
     name: String,
     note: Option<String>,
 ) -> Result<Run, Failure> {
-    let snapshots: Vec<Snapshot> =
-        states.iter().zip(motions).map(|(state, motion)| snapshot(engine, state, motion)).collect::<Result<_, _>>()?;
+    let snapshots: Vec<Snapshot> = states
+        .iter()
+        .zip(motions)
+        .map(|(state, motion)| snapshot(engine, setup, state, motion, forces))
+        .collect::<Result<_, _>>()?;
     let curve = |instant: usize, joint: usize, s: f64| engine.curve(&states.get(instant)?.instant(), joint, s);
     let subject = Subject { model: engine.model(), snapshots: &snapshots, curve: &curve };
     let scene = Scene::new(&subject);
     Ok(Run { name, note, scene, columns })
 }
 
-fn snapshot(engine: &dyn Engine, state: &State, motion: &Motion) -> Result<Snapshot, Failure> {
-    let geometry = engine.geometry(&state.instant()).map_err(|error| super::solved::analysis(engine, &error))?;
+fn snapshot(
+    engine: &dyn Engine,
+    setup: &Setup,
+    state: &State,
+    motion: &Motion,
+    forces: bool,
+) -> Result<Snapshot, Failure> {
+    let geometry = engine.geometry(&state.instant()).map_err(|error| analysis(engine, &error))?;
     Ok(Snapshot {
         t: state.t,
         bodies: motion.bodies.iter().map(|body| [body.x, body.y, body.phi]).collect(),
@@ -220,5 +252,7 @@ fn snapshot(engine: &dyn Engine, state: &State, motion: &Motion) -> Result<Snaps
         points: motion.points.iter().map(|point| point.r).collect(),
         velocities: motion.points.iter().map(|point| point.v).collect(),
         geometry,
+        forces: motion.forces.as_ref().filter(|_| forces).cloned(),
+        loads: if forces { engine.loads(setup, state).unwrap_or_default() } else { Vec::new() },
     })
 }

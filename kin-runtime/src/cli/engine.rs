@@ -9,7 +9,7 @@ use crate::certificate::{Certificate, Uncertified};
 use crate::cross_check::{CrossCheck, CrossCheckOptions};
 use crate::error::SolveError;
 use crate::evaluation::curve::CurvePoint;
-use crate::forces::Forces;
+use crate::forces::{Forces, Load};
 use crate::measure::Measure;
 use crate::mechanism::Mechanism;
 use crate::mobility::Mobility;
@@ -97,6 +97,8 @@ pub(super) trait Engine {
     fn measure(&self, setup: &Setup, state: &State, measures: &[Measure]) -> Result<Vec<f64>, SolveError>;
     /// Forces, the least of them where redundant joints share a load, if they are to be.
     fn forces(&self, setup: &Setup, state: &State, least_norm: bool) -> Result<Forces, SolveError>;
+    /// What loads exert on bodies.
+    fn loads(&self, setup: &Setup, state: &State) -> Result<Vec<Load>, SolveError>;
     /// Watches the normal forces of contacts from state to state, whose first is at `first`.
     fn watch_contacts(
         &self,
@@ -217,6 +219,10 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
     fn forces(&self, setup: &Setup, state: &State, least_norm: bool) -> Result<Forces, SolveError> {
         let solver = self.solver(setup);
         if least_norm { solver.forces_of_least_norm(state) } else { solver.forces(state) }
+    }
+
+    fn loads(&self, setup: &Setup, state: &State) -> Result<Vec<Load>, SolveError> {
+        self.solver(setup).loads(state)
     }
 
     fn watch_contacts(

@@ -271,6 +271,23 @@ pub trait Mechanism: Sized {
         Ok(())
     }
 
+    /// Writes what gravity, applied loads and springs exert on bodies at q and q̇: for each of the model's
+    /// [`loads`](crate::model::ForceModel::loads) the point and the force in the inertial frame, or the couple.
+    ///
+    /// # Errors
+    /// When an argument has the wrong length.
+    fn loads_with<T: Scalar>(
+        &self,
+        parameters: &[T],
+        at: &Instant<'_, T>,
+        q: &[T],
+        q_dot: &[T],
+        loads: &mut [T],
+    ) -> Result<(), LengthError> {
+        let _ = (parameters, at, q, q_dot);
+        length::empty("loads", loads)
+    }
+
     /// Writes efforts, reactions, energies and powers at a solved q, q̇, q̈, the numbers of
     /// [`ForceModel`](crate::model::ForceModel). `right` is λ, s numbers; or nothing: closed forms along the plan compute it.
     ///

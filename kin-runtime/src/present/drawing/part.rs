@@ -11,6 +11,12 @@ pub(crate) enum Ink {
     Ground,
     /// Of a path, by the place of its point.
     Path(usize),
+    /// Of what joints exert.
+    Reaction,
+    /// Of what drivers exert.
+    Effort,
+    /// Of what loads exert.
+    Load,
 }
 
 impl Ink {
@@ -90,6 +96,17 @@ pub(crate) enum Part {
     Dot([f64; 2], Ink),
     /// The wheel of a rolling contact without slip across its plane, seen from above, along the x axis of its carrier.
     Tread,
+    /// The shaft of an arrow along the x axis, so long for the largest force.
+    Shaft(f64, Ink),
+    /// The head of an arrow along the x axis, its tip at the origin.
+    Head(Ink),
+    /// A couple around the origin.
+    Turn {
+        /// Its sense.
+        clockwise: bool,
+        /// Its colour.
+        ink: Ink,
+    },
     /// A name, upright whatever the carrier does.
     Name(String, Kind),
 }
@@ -132,7 +149,9 @@ impl Part {
                 let r = radius.abs();
                 [[x - r, y], [x + r, y], [x, y - r], [x, y + r]].into_iter().for_each(each);
             }
-            Self::Block(_) | Self::Tread | Self::Name(..) => each([0.0, 0.0]),
+            Self::Block(_) | Self::Tread | Self::Name(..) | Self::Shaft(..) | Self::Head(_) | Self::Turn { .. } => {
+                each([0.0, 0.0]);
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 //! What is drawn: the poses and the geometry of every instant.
 
 use crate::evaluation::curve::CurvePoint;
+use crate::forces::{Forces, Load};
 use crate::model::{Frame, Geometry, JointInfo, Model, Role};
 
 /// One instant as a drawing needs it.
@@ -18,6 +19,10 @@ pub(crate) struct Snapshot {
     pub(crate) velocities: Vec<[f64; 2]>,
     /// The geometry array: local points, axes, values and radii.
     pub(crate) geometry: Vec<f64>,
+    /// Forces, where they are to be shown and there are any.
+    pub(crate) forces: Option<Forces>,
+    /// What loads exert on bodies, likewise.
+    pub(crate) loads: Vec<Load>,
 }
 
 /// A point of a curve: of the joint, at the instant, for the argument.
