@@ -190,7 +190,7 @@ fn arrows_of_forces_follow_the_time_and_can_be_switched_off() {
     let scratch = Scratch::new("forces");
     let page = written_of::<loaded::FourbarLectureMid>(&scratch, &["--forces"]);
     let script = "const $ = (id) => document.getElementById(id), slider = $('slider');\n\
-         const arrow = [...document.querySelectorAll('g.run > g')].findLast((g) => g.querySelector('.force'));\n\
+         const arrow = [...document.querySelector('g.run').children].findLast((g) => g.querySelector('.force'));\n\
          seen.at = [0, 9].map((k) => { slider.value = k; slider.dispatchEvent(new Event('input'));\n\
            return arrow.getAttribute('transform'); });\n\
          const shown = () => getComputedStyle(document.querySelector('.force')).display !== 'none';\n\

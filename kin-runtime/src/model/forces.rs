@@ -173,6 +173,7 @@ pub struct LoadInfo {
     pub is_force: bool,
 }
 
+#[cfg(feature = "std")]
 impl LoadInfo {
     /// The place behind its numbers.
     pub(crate) const fn end(&self) -> usize {
